@@ -21,12 +21,7 @@ bool has_display() {
   return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
 }
 
-struct Asked {
-  bool size = false;
-  bool method = false;
-};
-
-int run_view(const PictureArguments& arguments, Asked asked, const Streams& streams) {
+int run_view(const PictureArguments& arguments, bool own_size, const Streams& streams) {
   if (const Result<void> scene = check_scene_argument(arguments.scene); !scene)
     return fail(streams, scene.error());
   const Result<RenderSettings> settings = with_sky(arguments);
@@ -39,8 +34,7 @@ int run_view(const PictureArguments& arguments, Asked asked, const Streams& stre
                         {},
                         arguments.asset_root},
                        *settings,
-                       asked.size,
-                       asked.method,
+                       own_size,
                        arguments.sky_chosen,
                        forced_by(arguments.needs)});
   streams.err << "asos: no display to open a window on. Render to a file instead:\n"
@@ -60,8 +54,7 @@ Command add_view_command(CLI::App& program) {
       "Files can also be dropped on the window.\n\nExamples:\n  asos\n  asos model.glb --eps 0.01 "
       "--max 4\n  asos builtin:fence --method stochastic --spp 16");
   return {parser, [arguments, parser](const Streams& streams) {
-            const Asked asked{parser->count("--size") > 0, parser->count("--method") > 0};
-            return run_view(*arguments, asked, streams);
+            return run_view(*arguments, parser->count("--size") > 0, streams);
           }};
 }
 

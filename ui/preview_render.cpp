@@ -1,5 +1,6 @@
 #include "ui/preview_render.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -26,15 +27,14 @@ PreviewRender::PreviewRender(std::function<void()> wake, Refinement& refinement)
 
 void PreviewRender::update(const Subject& subject, double now_seconds) {
   take_tiles(now_seconds);
-  if (subject.scene && differs_in_splitting_only(rendered_, subject))
-    film_.predict(subject.settings);
+  if (subject.scene && differs_in_splitting_only(rendered_, subject)) follow_splitting(subject);
   if (out_of_date(subject) && !should_wait(subject, now_seconds)) restart(subject, now_seconds);
   rest_or_go_on();
 }
 
 // Two poses in one picture look torn: until the first pass has covered it, tiles are held.
 void PreviewRender::take_tiles(double now_seconds) {
-  // In this order: what was reached has been published.
+  // Asked first, so that the tiles taken hold all of the pass.
   const bool whole = session_.reached().pass != Reached::Pass::nothing;
   std::vector<FinishedTile> tiles = session_.take_finished();
   held_.insert(held_.end(), std::make_move_iterator(tiles.begin()),
@@ -42,6 +42,19 @@ void PreviewRender::take_tiles(double now_seconds) {
   if (!whole && now_seconds - restarted_seconds_ < first_picture_seconds) return;
   for (FinishedTile& tile : held_) film_.put(std::move(tile));
   held_.clear();
+}
+
+// Shows the map of another EPS or MAX at once, and keeps the picture that was finished with the one
+// before.
+void PreviewRender::follow_splitting(const Subject& subject) {
+  const Film& film = film_.film();
+  const bool all_final = rendered_.settings != subject.settings && session_.progress().finished &&
+                         film.width == rendered_.settings.width &&
+                         std::none_of(film.unfinished.begin(), film.unfinished.end(),
+                                      [](std::uint8_t pixel) { return pixel != 0; });
+  if (all_final && (!before_ || before_->settings != rendered_.settings))
+    before_ = {film, rendered_.settings};
+  film_.predict(subject.settings);
 }
 
 bool PreviewRender::out_of_date(const Subject& subject) const {
@@ -73,6 +86,7 @@ void PreviewRender::restart(const Subject& subject, double now_seconds) {
   held_.clear();
   session_.restart({subject.scene, subject.camera, subject.settings, true, true});
   const bool keeps_map = differs_in_splitting_only(rendered_, subject);
+  if (!keeps_map) before_.reset();
   rendered_ = subject;
   ++restarts_;
   restarted_seconds_ = now_seconds;

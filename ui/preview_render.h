@@ -31,6 +31,16 @@ class PreviewRender {
   /// it.
   PreviewRender(std::function<void()> wake, Refinement& refinement);
 
+  /// A finished picture, and how it was rendered.
+  struct FinishedPicture {
+    Film film;
+    RenderSettings settings;
+  };
+  /// The last finished picture of the same view with another EPS or MAX; null: none.
+  [[nodiscard]] const FinishedPicture* finished_before() const {
+    return before_ ? &*before_ : nullptr;
+  }
+
   /// Takes the tiles that are finished and restarts the render where it is not of `subject`. A
   /// render that has not covered the picture once is given a moment to do so: changes that come
   /// faster, as from a mouse, would else leave the picture's rim as it was. Call once or more a
@@ -77,6 +87,7 @@ class PreviewRender {
   [[nodiscard]] bool should_wait(const Subject& subject, double now_seconds) const;
   void restart(const Subject& subject, double now_seconds);
   void take_tiles(double now_seconds);
+  void follow_splitting(const Subject& subject);
   void rest_or_go_on();
 
   Refinement& refinement_;
@@ -84,6 +95,7 @@ class PreviewRender {
   double restarted_seconds_ = 0.0;
   std::uint64_t restarts_ = 0;
   std::vector<FinishedTile> held_;  // until the first pass has covered the picture
+  std::optional<FinishedPicture> before_;
   RefiningFilm film_;
   RenderSession session_;
 };

@@ -1,6 +1,5 @@
 #include "ui/stored_settings.h"
 
-#include "renderer/comparison/method.h"
 #include "renderer/files/read_file.h"
 #include "renderer/film/image_io.h"
 #include "renderer/settings/names.h"
@@ -52,10 +51,23 @@ constexpr std::array theme_names{"dark", "light"};
 WindowLook look_of(const SettingsJson& json) {
   WindowLook look;
   read(json, "ui_scale", WindowLook::least_scale, WindowLook::most_scale, look.scale);
+  read(json, "show_bar", look.show_bar);
   const auto at = json.find("theme");
   if (at != json.end() && at->is_string() && at->get<std::string>() == theme_names[1])
     look.theme = theme::Look::light;
   return look;
+}
+
+const char* name_of(PanelTab tab) {
+  return panel_tab_names[static_cast<std::size_t>(tab)];
+}
+
+void read_sections(const SettingsJson& json, std::map<std::string, bool>& sections) {
+  constexpr std::size_t most = 100;
+  const auto all = json.find("sections");
+  if (all == json.end() || !all->is_object()) return;
+  for (const auto& [name, open] : all->items())
+    if (open.is_boolean() && sections.size() < most) sections[name] = open.get<bool>();
 }
 
 StoredSettings settings_of(const SettingsJson& json) {
@@ -79,10 +91,11 @@ StoredSettings settings_of(const SettingsJson& json) {
   read(json, "show_marks", s.show_marks);
   read(json, "watch", s.watch);
   s.window_size = size_of(json);
-  if (const auto at = json.find("method"); at != json.end() && at->is_string()) {
-    for (const MethodRow& row : method_table())
-      if (at->get<std::string>() == row.name) s.method = row.value;
+  if (const auto at = json.find("tab"); at != json.end() && at->is_string()) {
+    for (const PanelTab tab : {PanelTab::scene, PanelTab::measure})
+      if (at->get<std::string>() == name_of(tab)) s.tab = tab;
   }
+  read_sections(json, s.sections);
   const auto recent = json.find("recent");
   if (recent == json.end() || !recent->is_array()) return s;
   for (const SettingsJson& path : *recent) {
@@ -117,7 +130,8 @@ StoredSettings merged(const StoredSettings& before, const StoredSettings& ours,
   keep_theirs(&StoredSettings::show_marks);
   keep_theirs(&StoredSettings::watch);
   keep_theirs(&StoredSettings::window_size);
-  keep_theirs(&StoredSettings::method);
+  keep_theirs(&StoredSettings::tab);
+  keep_theirs(&StoredSettings::sections);
   const auto holds = [](const std::vector<std::string>& files, const std::string& file) {
     return std::find(files.begin(), files.end(), file) != files.end();
   };
@@ -168,12 +182,14 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
       {"split_colours", name_in(split_map_names, settings.display.split_colours)},
       {"theme", theme_names[static_cast<std::size_t>(settings.look.theme)]},
       {"ui_scale", settings.look.scale},
+      {"show_bar", settings.look.show_bar},
       {"tour_seen", settings.tour_seen},
       {"show_panel", settings.show_panel},
       {"show_marks", settings.show_marks},
       {"watch", settings.watch},
       {"window_size", {settings.window_size.x, settings.window_size.y}},
-      {"method", row_of(settings.method).name},
+      {"tab", name_of(settings.tab)},
+      {"sections", settings.sections},
       {"recent", settings.recent}};
   // Paths need not be Unicode.
   const std::string text = json.dump(2, ' ', false, SettingsJson::error_handler_t::replace) + "\n";

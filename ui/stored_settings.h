@@ -1,14 +1,15 @@
 #pragma once
 
 #include "renderer/result.h"
-#include "renderer/settings/settings.h"
 #include "ui/display_settings.h"
+#include "ui/panel_tab.h"
 #include "ui/window_look.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct StoredSettings {
   bool show_marks = true;     ///< of lights
   bool watch = false;         ///< load a file again when it changes
   glm::ivec2 window_size{0};  ///< in units of a plain screen; 0: not known
-  Method method = Method::asos;
-  std::vector<std::string> recent;  ///< files, absolute, the newest first
+  PanelTab tab = PanelTab::antialias;
+  std::map<std::string, bool> sections;  ///< of the panel that were opened or folded
+  std::vector<std::string> recent;       ///< files, absolute, the newest first
 
   bool operator==(const StoredSettings&) const = default;
 

@@ -12,6 +12,8 @@ inline constexpr float row_pixels = 24.0f;    ///< of a widget
 inline constexpr float line_pixels = 20.0f;   ///< of a line of text, with the space below it
 inline constexpr float panel_width_em = 328.0f / text_pixels;
 inline constexpr float status_height_em = 28.0f / text_pixels;
+inline constexpr float bar_height_em = 68.0f / text_pixels;  ///< two rows under the picture
+inline constexpr float least_bar_em = 26.0f;                 ///< width
 
 enum class Look { dark, light };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/display_settings.h"
+#include "ui/panel_tab.h"
 #include "ui/panels/check_panel.h"
 #include "ui/panels/equal_time_panel.h"
 #include "ui/panels/file_browser.h"
@@ -43,7 +44,11 @@ struct UiState {
   std::optional<glm::ivec2> hovered;  ///< the pixel under the pointer
   bool turns_surroundings = false;    ///< the right button's drag does, which Shift began
   Frames frames;
+  bool show_before = false;  ///< the last finished EPS and MAX in place of the picture
   bool show_panel = true;
+  PanelTab tab = PanelTab::antialias;
+  std::string search;               ///< for controls of the panel, whatever its tab
+  bool focus_search = false;        ///< the keyboard moves to it
   bool focus_panel = false;         ///< the keyboard moves to the panel, or back from it
   bool watch = false;               ///< load the scene's file again when it changes
   std::vector<std::string> recent;  ///< see StoredSettings

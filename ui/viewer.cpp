@@ -29,7 +29,12 @@ double now_seconds() {
 glm::ivec2 window_size_for(const RenderSettings& settings) {
   const float panel = std::round(theme::panel_width_em * theme::text_pixels);
   const float status = std::round(theme::status_height_em * theme::text_pixels);
-  return {settings.width + static_cast<int>(panel), settings.height + static_cast<int>(status)};
+  const float bar = std::round(theme::bar_height_em * theme::text_pixels);
+  const glm::ivec2 without(settings.width + static_cast<int>(panel),
+                           settings.height + static_cast<int>(status));
+  const glm::ivec2 with(without.x, without.y + static_cast<int>(bar));
+  const bool fits = WindowLayout::of(with, theme::text_pixels, true, true).bar.size.y > 0.0f;
+  return fits ? with : without;
 }
 
 }  // namespace
@@ -43,9 +48,6 @@ int run_viewer(const ViewerOptions& options) {
   RenderSettings settings = options.settings;
   glm::ivec2 size = window_size_for(settings);
   if (stored && !options.own_size && stored->window_size.x > 0) size = stored->window_size;
-  // A method that only some scenes can be rendered by would begin with an error.
-  if (stored && !options.own_method && !row_of(stored->method).limited())
-    settings.method = stored->method;
   const Result<std::unique_ptr<Window>> window = Window::open("ASOS", size);
   if (!window) return fail(window.error());
 

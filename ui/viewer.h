@@ -11,10 +11,9 @@ struct ViewerOptions {
   /// The settings to start with. width and height are the picture's size that the window tries to
   /// offer; from then on the picture follows the window.
   RenderSettings settings;
-  bool own_size = false;    ///< the size was asked for, so that the remembered one does not count
-  bool own_method = false;  ///< the same of the method
-  bool own_sky = false;     ///< the sky was asked for; else scenes have their usual_sky
-  SceneNeeds forced;        ///< see prepare
+  bool own_size = false;  ///< the size was asked for, so that the remembered one does not count
+  bool own_sky = false;   ///< the sky was asked for; else scenes have their usual_sky
+  SceneNeeds forced;      ///< see prepare
 };
 
 /// Opens the window and runs until the user closes it. Returns the exit code: 0, or 1 where no

@@ -1,6 +1,5 @@
 #include "ui/window_content.h"
 
-#include "ui/gl/read_framebuffer.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/panels/side_panel.h"
 #include "ui/panels/tour_panel.h"
@@ -116,10 +115,7 @@ void WindowContent::draw(const FrameInput& in) {
   // A study's times count: what only checks the picture waits for it.
   check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm,
                 study_.busy());
-  const std::vector<PixelRect> changed = previewer_.render().take_changed();
-  display_.update(previewer_.render().film(), changed, state_.display,
-                  previewer_.render().map_revision());
-  display_.update_compared(previewer_.render().film(), changed, state_.frames);
+  update_display();
   keep_saving();
   present(in);
   save_window(in);
@@ -163,7 +159,7 @@ void WindowContent::lay_out(const FrameInput& in) {
 
   const glm::vec2 window(in.window_size);
   const float em = ImGui::GetFontSize();
-  layout_ = WindowLayout::of(window, em, state_.show_panel);
+  layout_ = WindowLayout::of(window, em, state_.show_panel, state_.look.show_bar);
   const WindowRect& picture = layout_.picture;
   const glm::vec2 scale = glm::vec2(in.framebuffer_size) / window;
   const glm::ivec2 pixels(glm::round(picture.size * scale));
@@ -191,6 +187,11 @@ void WindowContent::lay_out(const FrameInput& in) {
   ImGui::End();
   ImGui::PopStyleVar();
 
+  if (layout_.bar.size.y > 0.0f) {
+    begin_fixed("picture bar", layout_.bar, ImGuiWindowFlags_NoScrollbar);
+    picture_bar(controls_, previewer_, state_);
+    ImGui::End();
+  }
   if (layout_.panel.size.x > 0.0f && layout_.panel.size.y > 0.0f) panel_window(layout_.panel);
   pixel_panel(controls_, previewer_, state_, {inspector_.report(), check_.findings()}, shown);
   DisplaySettings legend = state_.display;
@@ -205,8 +206,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   if (state_.tour.card && panel_left) legend.show_legend = false;
   const MapFacts map{previewer_.edits().settings().asos.max_level,
                      !previewer_.render().progress().finished};
-  if (split_legend(controls_, legend, map, picture, panel_left))
-    explain_a_pixel();
+  if (split_legend(controls_, legend, map, picture, panel_left)) explain_a_pixel();
   tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);
   dialogs(picture);
@@ -254,7 +254,8 @@ StoredSettings WindowContent::stored_settings() const {
   stored.show_panel = state_.show_panel;
   stored.show_marks = state_.lights.show_marks;
   stored.watch = state_.watch;
-  stored.method = previewer_.edits().settings().method;
+  stored.tab = state_.tab;
+  stored.sections = controls_.sections();
   stored.recent = state_.recent;
   return stored;
 }
@@ -266,6 +267,8 @@ void WindowContent::apply(const StoredSettings& stored) {
   state_.show_panel = stored.show_panel;
   state_.lights.show_marks = stored.show_marks;
   state_.watch = stored.watch;
+  state_.tab = stored.tab;
+  controls_.set_sections(stored.sections);
   state_.recent = stored.recent;
 }
 
@@ -304,47 +307,6 @@ void WindowContent::panel_window(const WindowRect& rect) {
   if (std::exchange(state_.forget, false)) apply(StoredSettings{});
 }
 
-void WindowContent::present(const FrameInput& in) {
-  gl::glDisable(GL_SCISSOR_TEST);
-  gl::glViewport(0, 0, in.framebuffer_size.x, in.framebuffer_size.y);
-  const auto part = [](std::uint32_t shift) {
-    return static_cast<float>((theme::rgb(theme::ground) >> shift) & 255u) / 255.0f;
-  };
-  gl::glClearColor(part(16), part(8), part(0), 1.0f);
-  gl::glClear(GL_COLOR_BUFFER_BIT);
-  // The film may have changed its size since the layout.
-  state_.view.set_sizes({picture_rect_.width, picture_rect_.height},
-                        {display_.width(), display_.height()});
-  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, state_.display, state_.frames);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-}
-
-// Begins what was asked for, and tells what has come of it.
-void WindowContent::keep_saving() {
-  if (std::exchange(state_.screenshot_requested, false)) say(saver_.save_shown(state_.display));
-  if (std::exchange(state_.save.asked, false)) {
-    const SaveChoice choice = state_.save;
-    state_.save.stem.clear();
-    settling_frames_ = frames_to_settle;
-    if (auto words = saver_.begin(choice, state_.display, time_seconds_)) say(*words);
-  }
-  if (auto words = saver_.take_outcome()) say(*words);
-  if (std::exchange(saves_noted_, saver_.saved()) != saver_.saved())
-    unsaved_.note_saved(previewer_);
-}
-
-// Saves the framebuffer, once the dialog has faded from it.
-void WindowContent::save_window(const FrameInput& in) {
-  const std::optional<SaveChoice> choice = saver_.take_due(in.time_seconds);
-  if (!choice) return;
-  PixelRect area{0, 0, in.framebuffer_size.x, in.framebuffer_size.y};
-  if (choice->what == SaveChoice::What::seen) area = picture_rect_;
-  say(saver_.save_read(
-      *choice,
-      {area.width, area.height, read_framebuffer(area, in.framebuffer_size.y), ImageText{}},
-      state_.display));
-}
-
 // A bit for each thing that goes on by itself and that the window tells of.
 std::uint32_t WindowContent::activity() const {
   const Progress progress = previewer_.render().progress();
@@ -366,6 +328,10 @@ std::uint32_t WindowContent::activity() const {
   std::uint32_t bits = 0;
   for (const bool bit : going_on) bits = 2 * bits + (bit ? 1 : 0);
   return bits;
+}
+
+void WindowContent::settle() {
+  settling_frames_ = frames_to_settle;
 }
 
 void WindowContent::say(std::string message) {

@@ -77,6 +77,7 @@ class WindowContent {
   void begin_frame(const FrameInput& in);
   void lay_out(const FrameInput& in);
   void panel_window(const WindowRect& rect);
+  void update_display();
   void present(const FrameInput& in);
   void focus_panel();
   void dialogs(const WindowRect& picture);
@@ -87,6 +88,7 @@ class WindowContent {
   void explain_a_pixel();
   void follow_files(double now_seconds);
   void say(std::string message);
+  void settle();
 
   Previewer& previewer_;
   GlDisplay display_;
@@ -108,6 +110,8 @@ class WindowContent {
   PictureSaver saver_;
   UnsavedWork unsaved_;
   int saves_noted_ = 0;
+  std::uint64_t restarts_seen_ = 0;
+  bool before_shown_ = false;
   std::uint32_t shown_activity_ = 0;  // what went on when the frame was laid out
   std::uint64_t scenes_seen_ = 0;
   PixelRect picture_rect_;

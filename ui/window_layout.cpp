@@ -7,7 +7,7 @@
 
 namespace asos {
 
-WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel) {
+WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool show_bar) {
   // Beside the panel, the picture has half of the panel's width at least.
   constexpr float least_picture = 0.5f;
   const float panel_width = std::round(theme::panel_width_em * em);
@@ -16,12 +16,18 @@ WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel) {
   const float taken_down = show_panel && !beside ? std::round(0.5f * window.y) : 0.0f;
   const float status = std::min(std::round(theme::status_height_em * em),
                                 std::round(0.5f * (window.y - taken_down)));
-  const glm::vec2 picture =
-      glm::floor(glm::vec2(window.x - taken_across, window.y - taken_down - status));
+  const float above_status = window.y - taken_down - status;
+  const float across = std::floor(window.x - taken_across);
+  // Low or narrow windows need the room for the picture.
+  const bool fits =
+      across >= theme::least_bar_em * em && above_status >= 4.0f * theme::bar_height_em * em;
+  const float bar = show_bar && fits ? std::round(theme::bar_height_em * em) : 0.0f;
+  const glm::vec2 picture(across, std::floor(above_status - bar));
 
   WindowLayout layout;
   layout.picture = {{0.0f, 0.0f}, picture};
-  layout.status = {{0.0f, picture.y}, {picture.x, window.y - taken_down - picture.y}};
+  layout.bar = {{0.0f, picture.y}, {picture.x, bar}};
+  layout.status = {{0.0f, picture.y + bar}, {picture.x, window.y - taken_down - picture.y - bar}};
   layout.panel = {{0.0f, 0.0f}, {0.0f, 0.0f}};
   if (show_panel && beside) layout.panel = {{picture.x, 0.0f}, {window.x - picture.x, window.y}};
   if (show_panel && !beside) layout.panel = {{0.0f, window.y - taken_down}, {window.x, taken_down}};

@@ -12,11 +12,13 @@ struct WindowRect {
 /// Where the parts of the window lie. They cover it without overlapping.
 struct WindowLayout {
   WindowRect picture, status;
+  WindowRect bar;    ///< between these; without area where it is not shown
   WindowRect panel;  ///< without area where it is not shown
 
   /// The panel stands beside the picture, as wide as its texts need; below it in a window that is
   /// too narrow for both. `em`: the height of text.
-  [[nodiscard]] static WindowLayout of(glm::vec2 window, float em, bool show_panel);
+  [[nodiscard]] static WindowLayout of(glm::vec2 window, float em, bool show_panel,
+                                       bool show_bar = false);
 };
 
 /// The scale of text that a window of this width has room for: the one that was asked for, or less,

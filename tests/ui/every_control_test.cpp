@@ -84,7 +84,7 @@ class EveryControlTest : public PanelsTest {
                        p.refinement().limits().seconds, p.refinement().limits().rmse,
                        p.render().restarts());
       case Part::window:
-        return numbers(static_cast<int>(s.look.theme), s.look.scale);
+        return numbers(static_cast<int>(s.look.theme), s.look.scale, s.look.show_bar);
       case Part::tour:
         return numbers(s.tour.card ? static_cast<int>(*s.tour.card) : -1, s.tour.since_seconds);
       case Part::display:
@@ -98,6 +98,7 @@ class EveryControlTest : public PanelsTest {
         return numbers(p.turntable().turning(), p.turntable().seconds_a_turn);
       case Part::view:
         return s.browser.folder.string() + numbers(s.show_open, s.leaving.quit,
+                                                   static_cast<int>(s.tab),
                                                    ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
                                                    ImGui::GetIO().WantTextInput);
       case Part::choice:
@@ -170,6 +171,11 @@ class EveryControlTest : public PanelsTest {
     rig.press(MouseButton::left);
     rig.release(MouseButton::left);
     rig.content().state() = UiState{};
+    // "Reset window" folds sections.
+    StoredSettings stored = rig.content().stored_settings();
+    stored.tab = PanelTab::all;
+    stored.sections["Advanced"] = true;
+    rig.content().apply(stored);
     clipboard_.clear();
     rig.content().state().display.exposure_ev = 1.0f;  // so that there is something to forget
     settings() = initial_;

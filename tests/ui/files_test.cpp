@@ -36,7 +36,9 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
   settings.display.tone = ToneCurve::agx;
   settings.watch = true;
   settings.window_size = {1234, 777};
-  settings.method = Method::sobol;
+  settings.look.show_bar = false;
+  settings.tab = PanelTab::measure;
+  settings.sections = {{"Lights", false}, {"Advanced", true}};
   settings.recent = {"/a/b.glb", "/ü ö.gltf"};
   ASSERT_TRUE(save_settings(path, settings).has_value());
   const auto loaded = load_settings(path);
@@ -76,7 +78,7 @@ TEST(StoredSettings, BadFilesAreNoHarm) {
   EXPECT_EQ(load_settings({}).value(), StoredSettings{});
   write(path,
         "{ \"exposure_ev\": 1e9, \"watch\": 7, \"window_size\": [1e99, -3], \"method\": 4, "
-        "\"theme\": 1, \"ui_scale\": 99, "
+        "\"theme\": 1, \"ui_scale\": 99, \"tab\": \"all\", \"sections\": {\"Lights\": 7}, "
         "\"recent\": [1, \"/x.glb\"], \"other\": [] }");
   StoredSettings expected;
   expected.recent = {"/x.glb"};

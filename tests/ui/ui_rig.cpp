@@ -38,6 +38,11 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skie
       content_(value_or_throw(WindowContent::make(*previewer_))),
       size_(size),
       content_scale_(content_scale) {
+  StoredSettings stored = content_->stored_settings();
+  stored.look.show_bar = false;
+  stored.tab = PanelTab::all;
+  stored.sections["Advanced"] = true;
+  content_->apply(stored);
   if (skies == Skies::neutral) previewer_->edits().keep_first_sky();
 }
 

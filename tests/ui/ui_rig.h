@@ -21,7 +21,8 @@ namespace asos::test {
 inline const DisplayTransform usual_display = DisplaySettings{}.transform();
 
 /// The window's content in a context in memory, with a clock, a mouse and a keyboard that a test
-/// moves. Opens nothing by itself.
+/// moves. Opens nothing by itself. The panel shows all of its tabs, and there is no bar under the
+/// picture, so that it has the size that tests expect.
 class UiRig {
  public:
   /// Which sky scenes have that do not ask for one: one colour behind all of them, or their usual

@@ -65,34 +65,43 @@ void choose(Controls& controls, const char* label, std::span<const Controls::Opt
     value = static_cast<T>(index);
 }
 
+constexpr const char* forecast_tooltip =
+    "Estimated share of split pixels and render time, from a few test blocks.";
+
 // Whether the control just drawn is being dragged.
 bool is_held() {
   return ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput;
 }
 
-void forecast_row(Controls& controls, const Previewer& previewer, SplitForecast& forecast) {
-  std::string words = "drag EPS or MAX";
-  if (const Forecast* told = forecast.of(previewer)) words = forecast_words(*told);
-  controls.row("Estimate", words,
-               "Estimated share of split pixels and render time, from a few test blocks.",
-               {true, 1});
+// There for typed values, too; gone where it is of other settings or of another view.
+void forecast_row(Controls& controls, const Previewer& previewer, const SplitForecast& forecast) {
+  const Forecast* told = forecast.of(previewer);
+  if (!told) return controls.row("Estimate", "comes with EPS or MAX", forecast_tooltip, {true, 1});
+  controls.row("Estimate", forecast_words(*told), forecast_tooltip, {true, 1});
 }
 
 void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderSettings usual;
-  controls.log_slider("EPS",
-                      "Largest error allowed per pixel, 0 to 1. 1/256 is one 8-bit step. Larger is "
-                      "faster. Ctrl+click to type a value.",
-                      settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
-  bool held = is_held();
-  controls.slider("MAX",
-                  "Maximum splits per pixel, 0 to 8. Level n has cells of 1/2^n pixel, each with "
-                  "up to four samples. Smaller is faster and coarser. Ctrl+click to type a value.",
-                  settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
-  held |= is_held();
-  if (held) forecast.ask(previewer);
+  bool changed = controls.log_slider(
+      "EPS",
+      "Largest error allowed per pixel, 0 to 1. 1/256 is one 8-bit step. Larger is faster. "
+      "Ctrl+click to type a value.",
+      settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
+  changed |= is_held();
+  changed |= controls.slider(
+      "MAX",
+      "Maximum splits per pixel, 0 to 8. Level n has cells of 1/2^n pixel, each with up to four "
+      "samples. Smaller is faster and coarser. Ctrl+click to type a value.",
+      settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
+  changed |= is_held();
+  if (changed) forecast.ask(previewer);
   forecast_row(controls, previewer, forecast);
+}
+
+// How cells are shaded, and when they are split no further.
+void splitting_controls(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
   if (settings.method == Method::asos) {
     choose(controls, "Cell shading", leaves, settings.asos.leaf, usual.asos.leaf);
     choose(controls, "Stop when", rules, settings.asos.rule, usual.asos.rule);
@@ -194,17 +203,11 @@ void texture_controls(Controls& controls, RenderSettings& settings) {
                   [](int n) { return n == 1 ? std::string("1") : fmt::format("{0} x {0}", n); });
 }
 
-// Offers the methods that can render the scene; without a scene, those that can render any.
 void method_choice(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
-  std::vector<Method> offered;
+  const std::vector<Method> offered = methods_for(settings, scene);
   std::vector<Controls::Option> options;
-  for (const MethodRow& row : method_table()) {
-    RenderSettings asked = settings;
-    asked.method = row.value;
-    if (scene ? !check_method(*scene, asked) : row.limited()) continue;
-    offered.push_back(row.value);
-    options.push_back({row.title, row.about});
-  }
+  for (const Method method : offered)
+    options.push_back({row_of(method).title, row_of(method).about});
   const auto at = std::find(offered.begin(), offered.end(), settings.method);
   auto chosen = static_cast<int>(at - offered.begin());
   if (controls.options("Method", options, chosen, {false, std::nullopt}))
@@ -213,10 +216,20 @@ void method_choice(Controls& controls, RenderSettings& settings, const RenderSce
 
 }  // namespace
 
+std::vector<Method> methods_for(const RenderSettings& settings, const RenderScene* scene) {
+  std::vector<Method> offered;
+  for (const MethodRow& row : method_table()) {
+    RenderSettings asked = settings;
+    asked.method = row.value;
+    if (scene ? !check_method(*scene, asked) : row.limited()) continue;
+    offered.push_back(row.value);
+  }
+  return offered;
+}
+
 void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderScene* scene = previewer.scene().get();
-  const RenderSettings usual;
   if (!controls.section("Antialiasing")) return;
   method_choice(controls, settings, scene);
   if (in_object_space(settings.method)) asos_controls(controls, previewer, forecast);
@@ -225,8 +238,16 @@ void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast&
   }
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
   if (row_of(settings.method).samples_by_eps) adaptive_controls(controls, settings);
-  if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
   if (scene && !scene->world().strokes.empty()) line_control(controls, settings);
+}
+
+void advanced_panel(Controls& controls, Previewer& previewer) {
+  RenderSettings& settings = previewer.edits().settings();
+  const RenderScene* scene = previewer.scene().get();
+  const RenderSettings usual;
+  if (!controls.section("Advanced", false)) return;
+  if (in_object_space(settings.method)) splitting_controls(controls, settings);
+  if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
   if (!scene || scene->needs.textures) texture_controls(controls, settings);
   if (scene && !scene->needs.culling) return;
   controls.checkbox("Back-face culling", "Hide the backs of single-sided materials, as glTF asks.",

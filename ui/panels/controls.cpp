@@ -89,32 +89,6 @@ void show_tooltip(const char* text) {
   ImGui::PopStyleVar();
 }
 
-float option_gap() {
-  return ImGui::GetStyle().ItemInnerSpacing.x * 0.5f;
-}
-
-// Width that a row of options leaves beside their names.
-float room_beside(std::span<const Controls::Option> options) {
-  float taken = option_gap() * static_cast<float>(options.size() - 1);
-  for (const Controls::Option& option : options) taken += ImGui::CalcTextSize(option.name).x;
-  return ImGui::GetContentRegionAvail().x - taken;
-}
-
-// The options in a row, for as few rows as keep their names from touching.
-std::size_t longest_row(std::span<const Controls::Option> options) {
-  const std::size_t all = options.size();
-  for (std::size_t rows = 1; rows < all; ++rows) {
-    const std::size_t longest = (all + rows - 1) / rows;
-    bool fits = true;
-    for (std::size_t first = 0; first < all && fits; first += longest) {
-      const auto row = options.subspan(first, std::min(longest, all - first));
-      fits = room_beside(row) >= 0.5f * ImGui::GetFontSize() * static_cast<float>(row.size());
-    }
-    if (fits) return longest;
-  }
-  return 1;
-}
-
 }  // namespace
 
 std::string number_words(double value) {
@@ -126,6 +100,7 @@ std::string number_words(double value) {
 
 void Controls::begin_frame(double now_seconds) {
   placed_.clear();
+  section_.clear();
   // What was first under the pointer in the frame before has been there since then.
   if (hovered_ != hovered_before_) hovered_since_seconds_ = now_seconds_;
   now_seconds_ = now_seconds;
@@ -147,6 +122,7 @@ void Controls::placed(const std::string& name, const char* tooltip, Use use) {
   const ImVec2 window = ImGui::GetWindowPos();
   placed_[name] = {{lo.x, lo.y},      {hi.x, hi.y},         tooltip != nullptr,
                    use == Use::edits, {window.x, window.y}, {}};
+  note_in_section(name);
   explain(name, tooltip);
 }
 
@@ -171,10 +147,19 @@ void Controls::explain(const std::string& name, const char* tooltip) {
   tooltip_now_ = true;
 }
 
+void Controls::name_text(const char* name) {
+  if (searched_.empty() || !found(name)) return ImGui::TextDisabled("%s", name);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::accent_bright));
+  ImGui::TextUnformatted(name);
+  ImGui::PopStyleColor();
+}
+
 // The name tells what the widget does, too, and a double click on it resets the widget.
 void Controls::label(const char* name, const char* tooltip) {
+  ImGui::SetNextItemWidth(-1.0f);
+  if (!labelled_) return;
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", name);
+  name_text(name);
   note_double_click(name);
   explain(name, tooltip);
   // Long labels move their widget to the right.
@@ -231,17 +216,21 @@ bool Controls::log_slider(const char* name, const char* tooltip, double& value,
                           const std::function<std::string(double)>& words) {
   label(name, tooltip);
   const double before = value;
-  // Dear ImGui begins its scale at the last decimal of the format.
-  constexpr double least = 1e-4;
   ImGui::SliderScalar(hidden_label(name).c_str(), ImGuiDataType_Double, &value, &range.lo,
                       &range.hi, "%.4f",
                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   note_double_click(name);
   reset(name, value, range.reset);
-  const double share = value > least ? std::log(value / least) / std::log(range.hi / least) : 0.0;
-  paint_slider(0.0f, static_cast<float>(share), words(value));
+  paint_slider(0.0f, log_share(value, range.hi), words(value));
   placed(name, tooltip, Use::edits);
   return value != before;
+}
+
+float Controls::log_share(double value, double most) {
+  // Dear ImGui begins its scale at the last decimal of the format.
+  constexpr double least = 1e-4;
+  return value > least ? static_cast<float>(std::log(value / least) / std::log(most / least))
+                       : 0.0f;
 }
 
 // Dear ImGui would type into a number that is double-clicked.
@@ -272,7 +261,7 @@ bool Controls::number(const char* name, const char* tooltip, double& value, cons
 bool Controls::vector(const char* name, const char* tooltip, glm::dvec3& value, double step,
                       const glm::dvec3& to) {
   label(name, tooltip);
-  const float gap = option_gap();
+  const float gap = 0.5f * ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f;
   const glm::dvec3 before = value;
   constexpr double limit = 1e9;
@@ -341,66 +330,6 @@ Controls::Handle Controls::handle(const char* name, const char* tooltip, glm::ve
   if (ImGui::IsItemActive() && dragged && !handle.reset)
     handle.moved = glm::vec2(io.MousePos.x, io.MousePos.y);
   return handle;
-}
-
-bool Controls::options(const char* name, std::span<const Option> options, int& chosen,
-                       const OptionsStyle& style) {
-  const int before = chosen;
-  if (style.labelled) label(name, options[static_cast<std::size_t>(std::max(0, chosen))].tooltip);
-  const std::size_t longest = longest_row(options);
-  const float left = ImGui::GetCursorPosX();
-  for (std::size_t first = 0; first < options.size(); first += longest) {
-    if (first > 0) ImGui::SetCursorPosX(left);
-    const auto row = options.subspan(first, std::min(longest, options.size() - first));
-    option_row(name, row, static_cast<int>(first), chosen);
-  }
-  reset(name, chosen, style.reset);
-  return chosen != before;
-}
-
-// The buttons share the width by the lengths of their names.
-void Controls::option_row(const char* name, std::span<const Option> options, int first,
-                          int& chosen) {
-  const float count = static_cast<float>(options.size());
-  const float room = room_beside(options);
-  for (int i = 0; i < static_cast<int>(options.size()); ++i) {
-    const Option& option = options[static_cast<std::size_t>(i)];
-    if (i > 0) ImGui::SameLine(0.0f, option_gap());
-    const bool active = first + i == chosen;
-    const ImVec4* colours = ImGui::GetStyle().Colors;
-    ImGui::PushStyleColor(ImGuiCol_Button, colours[active ? ImGuiCol_SliderGrab : ImGuiCol_Button]);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
-                          colours[active ? ImGuiCol_SliderGrab : ImGuiCol_ButtonHovered]);
-    ImGui::PushID(name);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
-    const float width = ImGui::CalcTextSize(option.name).x + room / count;
-    if (ImGui::Button(option.name, {width, 0.0f})) chosen = first + i;
-    ImGui::PopStyleVar();
-    ImGui::PopID();
-    ImGui::PopStyleColor(2);
-    placed(std::string(name) + "/" + option.name, option.tooltip, Use::edits);
-  }
-}
-
-bool Controls::list(const char* name, const char* tooltip, std::span<const std::string> items,
-                    int& chosen, std::optional<int> to) {
-  label(name, tooltip);
-  const int before = chosen;
-  const bool valid = chosen >= 0 && chosen < static_cast<int>(items.size());
-  const char* preview = valid ? items[static_cast<std::size_t>(chosen)].c_str() : "";
-  reset(name, chosen, to);
-  if (!ImGui::BeginCombo(hidden_label(name).c_str(), preview)) {
-    placed(name, tooltip, Use::edits);
-    return chosen != before;
-  }
-  for (int i = 0; i < static_cast<int>(items.size()); ++i) {
-    ImGui::PushID(i);
-    if (ImGui::Selectable(items[static_cast<std::size_t>(i)].c_str(), i == chosen)) chosen = i;
-    placed(std::string(name) + "/" + items[static_cast<std::size_t>(i)], tooltip);
-    ImGui::PopID();
-  }
-  ImGui::EndCombo();
-  return chosen != before;
 }
 
 }  // namespace asos

@@ -5,8 +5,10 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace asos {
 
@@ -107,6 +109,17 @@ class Controls {
   void row(const char* label, const std::string& value, const char* tooltip, const RowStyle& style);
   /// A headline that folds what follows; open at first. Its "?" says what the section is for.
   bool section(const char* name, bool open_at_first = true);
+  /// The sections that were opened or folded, by name.
+  [[nodiscard]] const std::map<std::string, bool>& sections() const { return folds_; }
+  void set_sections(std::map<std::string, bool> sections) { folds_ = std::move(sections); }
+  /// While `words` is not empty, only sections are shown that have them in their name or in that of
+  /// one of their controls, open; and those names are marked.
+  void search(std::string words) {
+    searched_ = std::move(words);
+    found_any_ = false;
+  }
+  /// Whether the search has shown a section.
+  [[nodiscard]] bool found_any() const { return found_any_; }
 
   /// Remembers the item just drawn, and shows its tooltip once the pointer has rested on it.
   void placed(const std::string& name, const char* tooltip, Use use = Use::shows);
@@ -123,12 +136,28 @@ class Controls {
   /// When a tooltip is due, in seconds from the frame's time.
   [[nodiscard]] std::optional<double> seconds_to_tooltip() const;
 
+  /// While it lives, widgets have no labels and take the whole width.
+  class Unlabelled {
+   public:
+    explicit Unlabelled(Controls& controls) : controls_(controls) { controls_.labelled_ = false; }
+    ~Unlabelled() { controls_.labelled_ = true; }
+    Unlabelled(const Unlabelled&) = delete;
+    Unlabelled& operator=(const Unlabelled&) = delete;
+
+   private:
+    Controls& controls_;
+  };
+
+  /// Where on a logarithmic slider from 0 to `most` a value lies, 0 to 1.
+  [[nodiscard]] static float log_share(double value, double most);
+
   /// Where widgets begin, beside their names.
   static constexpr float label_width_em = 6.4f;
 
  private:
   void help_button(const char* section);
   void label(const char* name, const char* tooltip);
+  void name_text(const char* name);
   void explain(const std::string& name, const char* tooltip);
   void note_double_click(const char* name);
   template <typename T>
@@ -139,6 +168,16 @@ class Controls {
   std::map<std::string, Placed> placed_;
   std::string resetting_;  // double-clicked; stays reset until the button is let go
   double now_seconds_ = 0.0;
+  void note_in_section(const std::string& name);
+  [[nodiscard]] bool found(const std::string& name) const;
+
+  bool labelled_ = true;
+  std::map<std::string, bool> folds_;
+  std::string searched_;
+  bool found_any_ = false;
+  std::set<std::string> opened_;                              // sections that were open once
+  std::string section_;                                       // that is being drawn
+  std::map<std::string, std::set<std::string>> in_sections_;  // names of controls
   std::string hovered_, hovered_before_;
   double hovered_since_seconds_ = 0.0;
   bool tooltip_now_ = false, tooltip_before_ = false;

@@ -35,10 +35,12 @@ constexpr std::array help_lines{
     HelpLine{"S, X", "keep snapshot, switch to it and back"},
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level, cause, rays, time"},
+    HelpLine{"V", "last finished EPS and MAX, and back"},
     HelpLine{"Space", "pause or resume rendering"},
     HelpLine{"Ctrl + Z, Ctrl + Shift + Z", "undo, redo"},
     HelpLine{"Double click on a control", "reset it"},
     HelpLine{"Tab", "hide or show the panel"},
+    HelpLine{"Ctrl + F", "search the panel's controls"},
     HelpLine{"F6, arrows, Space, Enter", "use the panel by keyboard"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + O, drop a file", "open a scene"},
@@ -92,6 +94,20 @@ void flip(UiState& state, const Film& film) {
   state.said = frames.flipped ? "Snapshot " + frame.name : std::string("Current picture");
   if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
     state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
+}
+
+// Shows the picture of the last finished EPS and MAX, or no longer.
+void show_before(UiState& state, const PreviewRender& render) {
+  const PreviewRender::FinishedPicture* before = render.finished_before();
+  if (!before) {
+    state.said = "Nothing to compare with: change EPS or MAX first";
+    return;
+  }
+  state.show_before = !state.show_before;
+  state.said = state.show_before
+                   ? fmt::format("Before: EPS {:.4g}, MAX {}", before->settings.asos.eps,
+                                 before->settings.asos.max_level)
+                   : std::string("Current picture");
 }
 
 void store(UiState& state, const Previewer& previewer) {
@@ -161,6 +177,10 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   const bool in_panel = ImGui::GetIO().NavVisible;
   if (shortcut_pressed(Key::o, true)) state.show_open = true;
   if (shortcut_pressed(Key::s, true)) state.save.show = true;
+  if (shortcut_pressed(Key::f, true)) {
+    state.show_panel = true;
+    state.focus_search = true;
+  }
   if (shortcut_pressed(Key::f1) || shortcut_pressed(Key::question)) {
     state.show_help = !state.show_help;
   }
@@ -180,6 +200,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
                   ? SplitMapColours::level
                   : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
   }
+  if (shortcut_pressed(Key::v)) show_before(state, previewer.render());
   if (!in_panel && shortcut_pressed(Key::space)) pause_or_go_on(previewer.refinement());
   if (shortcut_pressed(Key::f6)) state.focus_panel = true;
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;

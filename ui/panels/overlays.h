@@ -22,6 +22,9 @@ struct PictureArea {
 /// picks a pixel.
 void picture_area(Controls& controls, Previewer& previewer, UiState& state,
                   const PictureArea& area);
+/// Two rows under the picture: its layers, method, EPS and MAX, exposure and zoom.
+void picture_bar(Controls& controls, Previewer& previewer, UiState& state);
+
 /// Whether keys are held that keep the camera moving, so that the next frame is due at once.
 [[nodiscard]] bool flying();
 

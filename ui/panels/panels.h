@@ -11,14 +11,21 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace asos {
 
 // One panel a file. Each draws its widgets into the current Dear ImGui window and edits what it is
 // given; the previewer notices by itself.
 
+/// The methods that can render the scene with these settings; without a scene, those that can
+/// render any.
+[[nodiscard]] std::vector<Method> methods_for(const RenderSettings& settings,
+                                              const RenderScene* scene);
 /// `forecast` is asked while EPS or MAX is held.
 void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast& forecast);
+/// Settings of the method that are rarely changed.
+void advanced_panel(Controls& controls, Previewer& previewer);
 /// Controls of shadows, or of soft shadows, that `scene` does not need are not shown.
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
 

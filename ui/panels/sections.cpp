@@ -5,13 +5,16 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace asos {
 
 void Controls::row(const char* label_text, const std::string& value, const char* tooltip,
                    const RowStyle& how) {
   const float left = ImGui::GetCursorPosX(), top = ImGui::GetCursorPosY();
   ImGui::BeginGroup();
-  ImGui::TextDisabled("%s", label_text);
+  name_text(label_text);
   // In a group this counts from where it begins.
   const float widgets = ImGui::GetFontSize() * label_width_em;
   ImGui::SameLine(how.beside_widgets ? widgets - left : widgets + 3.0f * ImGui::GetFontSize());
@@ -34,17 +37,45 @@ void Controls::row(const char* label_text, const std::string& value, const char*
 }
 
 bool Controls::section(const char* name, bool open_at_first) {
+  section_ = name;
+  if (!searched_.empty()) {
+    // A section that was never open is drawn once, to know its controls.
+    const std::set<std::string>& names = in_sections_[section_];
+    const auto matches = [&](const std::string& control) { return found(control); };
+    if (opened_.contains(section_) && !matches(section_) &&
+        std::none_of(names.begin(), names.end(), matches))
+      return false;
+    found_any_ = true;
+  }
   ImGui::Spacing();
   ImGui::Separator();
   const bool helps = has_section_help(name);
-  ImGuiTreeNodeFlags flags = helps ? ImGuiTreeNodeFlags_AllowItemOverlap : ImGuiTreeNodeFlags_None;
-  if (open_at_first) flags |= ImGuiTreeNodeFlags_DefaultOpen;
+  const ImGuiTreeNodeFlags flags =
+      helps ? ImGuiTreeNodeFlags_AllowItemOverlap : ImGuiTreeNodeFlags_None;
+  const auto fold = folds_.find(name);
+  const bool before = fold == folds_.end() ? open_at_first : fold->second;
+  ImGui::SetNextItemOpen(!searched_.empty() || before);
   const bool open = ImGui::CollapsingHeader(name, flags);
+  if (searched_.empty() && open != before) folds_[name] = open;
+  if (open) opened_.insert(name);
   const std::string placed_name = std::string("section/") + name;
   placed(placed_name, nullptr);
   placed_[placed_name].words = open ? "open" : "folded";
   if (helps) help_button(name);
   return open;
+}
+
+bool Controls::found(const std::string& name) const {
+  const auto same = [](char a, char b) {
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    return lower(a) == lower(b);
+  };
+  return std::search(name.begin(), name.end(), searched_.begin(), searched_.end(), same) !=
+         name.end();
+}
+
+void Controls::note_in_section(const std::string& name) {
+  if (!section_.empty()) in_sections_[section_].insert(name);
 }
 
 // At the right end of the headline.

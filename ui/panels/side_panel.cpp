@@ -10,6 +10,9 @@
 
 #include <imgui.h>
 
+#include <array>
+#include <utility>
+
 namespace asos {
 
 namespace {
@@ -51,39 +54,93 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   }
 }
 
-void sections(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
+void antialias_tab(Controls& controls, Previewer& previewer, UiState& state,
+                   const PanelJobs& jobs) {
+  antialiasing_panel(controls, previewer, jobs.forecast);
+  advanced_panel(controls, previewer);
+  refinement_panel(controls, previewer);
+  display_panel(controls, state.display);
+  window_panel(controls, state.look);
+}
+
+void scene_tab(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   const RenderScene* scene = previewer.scene().get();
   // First, so that what is said of a file at rest does not move its buttons when it plays.
   timeline_panel(controls, previewer.playback());
   scenes_panel(controls, previewer.scene());
   variants_panel(controls, previewer.scene());
-  if (scene) {
-    // What another choice would show is chosen above, or in the file's animation.
-    SceneNotes notes = notes_of(*scene);
-    notes.not_shown.clear();
-    warnings_panel(controls, notes, previewer.scene());
-  }
-  antialiasing_panel(controls, previewer, jobs.forecast);
-  refinement_panel(controls, previewer);
   lights_panel(controls, previewer, state.lights, state.picked);
   shadows_panel(controls, previewer.edits().settings(), scene);
   reflections_panel(controls, previewer, state.reflections, state.picked);
   sky_panel(controls, previewer.edits(), state.sky, jobs.sky_reader);
+  camera_panel(controls, previewer);
+  if (!scene) return;
+  if (std::string said = outline_panel(controls, previewer, state.outline, state.picked);
+      !said.empty())
+    state.said = std::move(said);
+  scene_panel(controls, *scene, previewer.render().settings(), previewer.scene().load_seconds());
+}
+
+void measure_tab(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
+  const RenderScene* scene = previewer.scene().get();
   compare_panel(controls, previewer, state.frames);
   equal_time_panel(controls, previewer, state.equal_time, jobs.equal_time, state.frames);
   check_panel(controls, previewer, state.check, jobs.check);
-  display_panel(controls, state.display);
-  window_panel(controls, state.look);
-  camera_panel(controls, previewer);
-  if (scene) {
-    statistics_panel(controls, previewer.render().statistics(), previewer.render().settings(),
-                     *scene, previewer.render().progress().fraction);
-    study_panel(controls, state.study, jobs.study, previewer);
-    if (std::string said = outline_panel(controls, previewer, state.outline, state.picked);
-        !said.empty())
-      state.said = std::move(said);
-    scene_panel(controls, *scene, previewer.render().settings(), previewer.scene().load_seconds());
+  if (!scene) return;
+  statistics_panel(controls, previewer.render().statistics(), previewer.render().settings(), *scene,
+                   previewer.render().progress().fraction);
+  study_panel(controls, state.study, jobs.study, previewer);
+}
+
+void tab_choice(Controls& controls, UiState& state) {
+  constexpr std::array tabs{
+      Controls::Option{"Antialias", "Method, EPS, MAX, rendering limits, display."},
+      Controls::Option{"Scene", "Animation, lights, sky, materials, camera, objects."},
+      Controls::Option{"Measure", "Snapshots, equal time, checks, statistics, study."},
+  };
+  // A search shows all of them; a click ends it.
+  const bool one = state.tab != PanelTab::all && state.search.empty();
+  int tab = one ? static_cast<int>(state.tab) : -1;
+  if (!controls.options("Tab", tabs, tab, {false, std::nullopt})) return;
+  state.tab = static_cast<PanelTab>(tab);
+  state.search.clear();
+}
+
+// Escape empties it.
+void search_field(Controls& controls, UiState& state) {
+  if (std::exchange(state.focus_search, false)) ImGui::SetKeyboardFocusHere();
+  std::array<char, 64> text{};
+  state.search.copy(text.data(), text.size() - 1);
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::InputTextWithHint("##search", "Search controls (Ctrl+F)", text.data(), text.size());
+  const bool left =
+      ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  controls.placed("Search", "Show the sections whose controls have this in their names.",
+                  Controls::Use::edits);
+  state.search = left ? std::string() : std::string(text.data());
+  controls.search(state.search);
+}
+
+void sections(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
+  if (const RenderScene* scene = previewer.scene().get()) {
+    // Animations and variants have sections of their own.
+    SceneNotes notes = notes_of(*scene);
+    notes.not_shown.clear();
+    warnings_panel(controls, notes, previewer.scene());
   }
+  search_field(controls, state);
+  tab_choice(controls, state);
+  const auto shows = [&](PanelTab tab) {
+    return state.tab == tab || state.tab == PanelTab::all || !state.search.empty();
+  };
+  if (shows(PanelTab::antialias)) antialias_tab(controls, previewer, state, jobs);
+  if (shows(PanelTab::scene)) scene_tab(controls, previewer, state, jobs);
+  if (shows(PanelTab::measure)) measure_tab(controls, previewer, state, jobs);
+  if (!state.search.empty() && !controls.found_any()) {
+    ImGui::TextDisabled("No match");
+    controls.placed("No match", nullptr);
+  }
+  controls.search({});
 }
 
 void reset_buttons(Controls& controls, Previewer& previewer, UiState& state) {

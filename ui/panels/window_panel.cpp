@@ -43,6 +43,8 @@ void window_panel(Controls& controls, WindowLook& look) {
   if (controls.options("Theme", themes, theme, {true, 0}))
     look.theme = static_cast<theme::Look>(theme);
   scale_choice(controls, look.scale);
+  controls.checkbox("Picture bar", "Show the controls under the picture.", look.show_bar,
+                    WindowLook{}.show_bar);
 }
 
 }  // namespace asos

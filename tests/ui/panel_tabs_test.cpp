@@ -1,0 +1,72 @@
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+// The tabs of the panel, the search over all of them, and what of it is remembered.
+
+namespace asos {
+namespace {
+
+class PanelTabsTest : public test::PanelsTest {
+ protected:
+  [[nodiscard]] bool shows(const std::string& control) {
+    for (int i = 0; i < 4; ++i) rig.frame();
+    return rig.content().controls().all().contains(control);
+  }
+  UiState& state() { return rig.content().state(); }
+};
+
+TEST_F(PanelTabsTest, EachShowsItsSections) {
+  for (const auto& [tab, section] :
+       {std::pair<std::string, std::string>{"Antialias", "Antialiasing"},
+        {"Scene", "Lights"},
+        {"Measure", "Statistics"}}) {
+    rig.click("Tab/" + tab);
+    for (const char* other : {"Antialiasing", "Lights", "Statistics"})
+      EXPECT_EQ(shows(std::string("section/") + other), other == section) << tab << ' ' << other;
+  }
+}
+
+TEST_F(PanelTabsTest, SearchFindsControlsOfAllTabs) {
+  state().tab = PanelTab::scene;
+  rig.chord(Key::ctrl, Key::f);
+  rig.frame();
+  rig.type("jitter");
+  EXPECT_TRUE(shows("Jitter unresolved cells"));
+  EXPECT_FALSE(shows("section/Statistics"));
+  EXPECT_FALSE(shows("section/Lights"));
+  rig.key(Key::escape);
+  for (int i = 0; i < 4; ++i) rig.frame();
+  EXPECT_TRUE(state().search.empty());
+  EXPECT_TRUE(shows("section/Lights"));
+  EXPECT_FALSE(shows("Jitter unresolved cells"));
+  state().search = "keep snap";
+  EXPECT_TRUE(shows("Keep snapshot")) << "in a section that was never open";
+  EXPECT_FALSE(shows("No match"));
+  state().search = "no such thing";
+  EXPECT_TRUE(shows("No match"));
+  rig.click("Tab/Scene");
+  EXPECT_TRUE(state().search.empty()) << "a tab ends the search";
+}
+
+TEST_F(PanelTabsTest, TabAndSectionsAreRememberedAndTheMethodIsNot) {
+  state().tab = PanelTab::measure;
+  rig.unfold("Compare");
+  settings().method = Method::sobol;
+  const StoredSettings stored = rig.content().stored_settings();
+  EXPECT_EQ(stored.tab, PanelTab::measure);
+  EXPECT_TRUE(stored.sections.at("Compare"));
+  settings().method = Method::asos;
+  EXPECT_EQ(rig.content().stored_settings(), stored);
+  rig.content().apply(StoredSettings{});
+  EXPECT_FALSE(rig.content().controls().sections().contains("Compare"));
+  rig.content().apply(stored);
+  rig.frame();
+  EXPECT_EQ(rig.control("section/Compare").words, "open");
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,127 @@
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+// The bar under the picture, and the picture of the EPS and MAX before.
+
+namespace asos {
+namespace {
+
+class PictureBarTest : public test::PanelsTest {
+ protected:
+  explicit PictureBarTest(glm::ivec2 size = {1300, 700}, int pixel_size = 3)
+      : PanelsTest(pixel_size) {
+    rig.resize(size);
+    rig.content().state().look.show_bar = true;
+    EXPECT_TRUE(rig.settle());
+    for (int i = 0; i < 3; ++i) rig.frame();
+  }
+  [[nodiscard]] const std::map<std::string, Controls::Placed>& all() {
+    return rig.content().controls().all();
+  }
+};
+
+TEST_F(PictureBarTest, ChoosesWhatThePictureShows) {
+  rig.click("Layer/Level");
+  EXPECT_TRUE(display().show_split_map);
+  EXPECT_EQ(display().split_colours, SplitMapColours::level);
+  rig.click("Layer/Cause");
+  EXPECT_EQ(display().split_colours, SplitMapColours::cause);
+  rig.click("Layer/Time");
+  EXPECT_EQ(display().split_colours, SplitMapColours::time);
+  Frames& frames = rig.content().state().frames;
+  rig.click("Layer/Difference");
+  EXPECT_EQ(frames.comparison, Comparison::none) << "there is no snapshot";
+  rig.click("Snapshot");
+  ASSERT_EQ(frames.stored.size(), 1u);
+  rig.click("Layer/Difference");
+  EXPECT_EQ(frames.comparison, Comparison::difference);
+  rig.click("Layer/Picture");
+  EXPECT_EQ(frames.comparison, Comparison::none);
+  EXPECT_FALSE(display().show_split_map);
+}
+
+TEST_F(PictureBarTest, SlidersAndMethodSetTheRender) {
+  const double eps = settings().asos.eps;
+  slide("EPS in bar", 0.5f, 0.9f);
+  EXPECT_GT(settings().asos.eps, eps);
+  slide("MAX in bar", 0.2f, 1.0f);
+  EXPECT_EQ(settings().asos.max_level, max_level_limit);
+  settings().asos.max_level = 2;
+  slide("Exposure in bar", 0.5f, 0.8f);
+  EXPECT_GT(display().exposure_ev, 1.0f);
+  rig.click("+");
+  EXPECT_EQ(rig.content().state().view.zoom(), 2);
+  rig.click("Zoom");
+  EXPECT_EQ(rig.content().state().view.zoom(), 1);
+  settings().method = Method::sobol;
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_FALSE(all().contains("EPS in bar")) << "Sobol has none";
+}
+
+/// A small one whose pixels can be looked at.
+class SeenPictureBarTest : public PictureBarTest {
+ protected:
+  SeenPictureBarTest() : PictureBarTest({740, 420}, 1) {}
+};
+
+TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
+  const UiState& state = rig.content().state();
+  const PreviewRender& render = rig.previewer().render();
+  EXPECT_EQ(render.finished_before(), nullptr);
+  rig.key(Key::v);
+  EXPECT_FALSE(state.show_before);
+  const RenderSettings first = render.settings();
+  const Film before = render.film();
+  // A drag begins many renders; what was finished before all of them counts.
+  for (const double eps : {0.1, 0.3, 0.5}) {
+    settings().asos.eps = eps;
+    rig.frame();
+  }
+  settings().asos.max_level = 0;
+  ASSERT_TRUE(rig.settle());
+  ASSERT_NE(render.finished_before(), nullptr);
+  EXPECT_EQ(render.finished_before()->settings, first);
+  EXPECT_EQ(render.finished_before()->film.split_level, before.split_level);
+  const std::uint64_t restarts = render.restarts();
+  display().show_split_map = true;
+  display().show_legend = false;
+  rig.frame();
+  const std::vector<glm::u8vec3> now = rig.pixels();
+  rig.key(Key::v);
+  EXPECT_TRUE(state.show_before);
+  rig.content().state().message.clear();
+  rig.frame();
+  EXPECT_NE(rig.pixels(), now);
+  EXPECT_EQ(render.restarts(), restarts) << "nothing is rendered again";
+  rig.click("Now");
+  EXPECT_FALSE(state.show_before);
+  // Another view has nothing before it.
+  rig.key(Key::v);
+  rig.previewer().viewpoint().camera().orbit(0.1, 0.0);
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(render.finished_before(), nullptr);
+  EXPECT_FALSE(state.show_before);
+}
+
+TEST_F(PictureBarTest, LeavesRoomForThePicture) {
+  for (const glm::ivec2 size :
+       {glm::ivec2(420, 300), {420, 700}, {700, 500}, {1000, 640}, {1920, 1080}}) {
+    SCOPED_TRACE(testing::PrintToString(size.x) + " x " + testing::PrintToString(size.y));
+    rig.resize(size);
+    for (int i = 0; i < 4; ++i) rig.frame();
+    const WindowLayout& layout = rig.content().layout();
+    EXPECT_GE(layout.picture.size.y, 3.0f * layout.bar.size.y - 1.0f);
+    for (const auto& [name, at] : all()) {
+      if (!name.ends_with(" in bar") && !name.starts_with("Layer/")) continue;
+      EXPECT_GE(at.lo.y, layout.bar.lo.y) << name;
+      EXPECT_LE(at.hi.y, layout.bar.lo.y + layout.bar.size.y) << name;
+      EXPECT_LE(at.hi.x, layout.bar.size.x) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+
+namespace asos {
+
+/// The parts of the panel, of which one is shown.
+enum class PanelTab {
+  antialias,
+  scene,
+  measure,
+  all,  ///< all three, for a search
+};
+
+/// The names in the file of settings, in the order of the values.
+inline constexpr std::array panel_tab_names{"antialias", "scene", "measure", "all"};
+
+}  // namespace asos

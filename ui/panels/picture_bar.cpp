@@ -1,0 +1,201 @@
+#include "renderer/comparison/method.h"
+#include "ui/panels/overlays.h"
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+namespace {
+
+constexpr float wide_em = 44.0f;  // of a bar with room for all
+
+constexpr std::array layers{
+    Controls::Option{"Picture", "The picture alone (M)."},
+    Controls::Option{"Level", "Split map: deepest level of each pixel (M, C)."},
+    Controls::Option{"Cause", "Split map: why pixels are split (M, C)."},
+    Controls::Option{"Rays", "Split map: rays per pixel (M, C)."},
+    Controls::Option{"Time", "Split map: CPU time per pixel (M, C)."},
+    Controls::Option{"Difference", "Difference from the chosen snapshot (S keeps one)."},
+};
+constexpr int difference_layer = static_cast<int>(layers.size()) - 1;
+
+int shown_layer(const UiState& state) {
+  if (state.frames.compared() && state.frames.comparison == Comparison::difference)
+    return difference_layer;
+  if (!state.display.show_split_map) return 0;
+  return 1 + static_cast<int>(state.display.split_colours);
+}
+
+void show_layer(UiState& state, int layer) {
+  if (layer == difference_layer) {
+    if (state.frames.stored.empty()) {
+      state.said = "No snapshot yet: press S to keep one";
+      return;
+    }
+    state.frames.comparison = Comparison::difference;
+    return;
+  }
+  if (state.frames.comparison == Comparison::difference) state.frames.comparison = Comparison::none;
+  state.display.show_split_map = layer > 0;
+  if (layer > 0) state.display.split_colours = static_cast<SplitMapColours>(layer - 1);
+}
+
+// Controls of a row stand in cells of their own.
+class Cells {
+ public:
+  Cells(const char* row, float height) : row_(row), height_(height) {}
+  template <typename F>
+  void add(float width, const F& draw) {
+    if (count_ > 0) ImGui::SameLine();
+    ImGui::BeginChild(fmt::format("{}{}", row_, count_++).c_str(), {width, height_}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                          ImGuiWindowFlags_NoBackground);
+    draw();
+    ImGui::EndChild();
+  }
+
+ private:
+  const char* row_;
+  float height_;
+  int count_ = 0;
+};
+
+// Where a slider stood for the last finished picture. `share`: of its width.
+void ghost(const Controls& controls, const char* name, float share) {
+  const Controls::Placed& at = controls.all().at(name);
+  const float em = ImGui::GetFontSize();
+  const float x = std::round(at.lo.x + std::clamp(share, 0.0f, 1.0f) * (at.hi.x - at.lo.x));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddLine({x, at.lo.y}, {x, at.hi.y}, theme::packed(theme::text, 0.7f), 0.12f * em);
+  draw.AddTriangleFilled({x - 0.3f * em, at.lo.y}, {x + 0.3f * em, at.lo.y},
+                         {x, at.lo.y + 0.35f * em}, theme::packed(theme::text, 0.7f));
+}
+
+std::string eps_text(double eps) {
+  if (eps <= 0.0) return "EPS 0";
+  return eps > 0.1 ? fmt::format("EPS {:.2f}", eps) : fmt::format("EPS 1/{:.0f}", 1.0 / eps);
+}
+
+std::string level_text(int level) {
+  return fmt::format("MAX {}", level);
+}
+
+void splitting_sliders(Controls& controls, Previewer& previewer, Cells& cells, float width) {
+  RenderSettings& settings = previewer.edits().settings();
+  const RenderSettings usual;
+  const PreviewRender::FinishedPicture* before = previewer.render().finished_before();
+  cells.add(0.6f * width, [&] {
+    controls.log_slider("EPS in bar",
+                        "Largest error allowed per pixel, 0 to 1. Larger is faster. The mark is "
+                        "the last finished value.",
+                        settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_text);
+    if (before && before->settings.asos.eps != settings.asos.eps)
+      ghost(controls, "EPS in bar", Controls::log_share(before->settings.asos.eps, 1.0));
+  });
+  cells.add(0.4f * width, [&] {
+    controls.slider(
+        "MAX in bar", "Maximum splits per pixel, 0 to 8. The mark is the last finished value.",
+        settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_text);
+    if (before && before->settings.asos.max_level != settings.asos.max_level)
+      ghost(controls, "MAX in bar",
+            static_cast<float>(before->settings.asos.max_level) / max_level_limit);
+  });
+}
+
+void before_button(Controls& controls, const Previewer& previewer, UiState& state) {
+  const bool any = previewer.render().finished_before() != nullptr;
+  const char* tooltip = any ? "Switch to the last finished EPS and MAX, and back (V)."
+                            : "Comes with the second finished EPS or MAX.";
+  if (controls.button(state.show_before ? "Now" : "Before", tooltip, -1.0f) && any)
+    state.show_before = !state.show_before;
+}
+
+void method_list(Controls& controls, Previewer& previewer) {
+  RenderSettings& settings = previewer.edits().settings();
+  const std::vector<Method> offered = methods_for(settings, previewer.scene().get());
+  std::vector<std::string> titles;
+  for (const Method method : offered) titles.emplace_back(row_of(method).title);
+  const auto at = std::find(offered.begin(), offered.end(), settings.method);
+  auto chosen = static_cast<int>(at - offered.begin());
+  if (controls.list("Method in bar", row_of(settings.method).about, titles, chosen))
+    settings.method = offered[static_cast<std::size_t>(chosen)];
+}
+
+void zoom_buttons(Controls& controls, PictureView& view) {
+  const float width = 1.7f * ImGui::GetFontSize();
+  if (controls.button("-", "Zoom out (-).", width)) view.zoom_at(view.area_middle(), -1);
+  ImGui::SameLine(0.0f, 2.0f);
+  const std::string zoom = fmt::format("{}x", view.zoom());
+  if (ImGui::Button(zoom.c_str(), {2.4f * ImGui::GetFontSize(), 0.0f})) view.reset();
+  controls.placed("Zoom", "Zoom back to 1:1 (0).", Controls::Use::edits);
+  ImGui::SameLine(0.0f, 2.0f);
+  if (controls.button("+", "Zoom in (+).", width)) view.zoom_at(view.area_middle(), 1);
+}
+
+void upper_row(Controls& controls, Previewer& previewer, UiState& state, float width,
+               float height) {
+  const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+  const bool wide = width >= wide_em * em;
+  Cells cells("upper", height);
+  const float method = wide ? 10.0f * em : 0.0f, snapshot = wide ? 6.5f * em : 0.0f;
+  cells.add(width - method - snapshot - (wide ? 2.0f * gap : 0.0f), [&] {
+    int layer = shown_layer(state);
+    if (controls.options("Layer", layers, layer, {false, std::nullopt})) show_layer(state, layer);
+  });
+  if (!wide) return;
+  cells.add(method, [&] { method_list(controls, previewer); });
+  cells.add(snapshot, [&] {
+    if (controls.button("Snapshot", "Keep the picture to compare with (S).", -1.0f))
+      state.said = store_frame(state.frames, previewer)
+                       ? "Kept as snapshot " + state.frames.stored.back().name
+                       : std::string("Eight snapshots at most: delete one first");
+  });
+}
+
+void lower_row(Controls& controls, Previewer& previewer, UiState& state, float width,
+               float height) {
+  const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+  const bool wide = width >= wide_em * em;
+  const Method method = previewer.edits().settings().method;
+  const bool splits = in_object_space(method) || row_of(method).samples_by_eps;
+  Cells cells("lower", height);
+  const float before = 5.0f * em, exposure = wide ? 9.0f * em : 0.0f,
+              zoom = wide ? 6.4f * em : 0.0f;
+  const float sliders = width - before - exposure - zoom - (wide ? 4.0f : 2.0f) * gap;
+  if (splits) {
+    splitting_sliders(controls, previewer, cells, sliders);
+    cells.add(before, [&] { before_button(controls, previewer, state); });
+  } else {
+    cells.add(sliders + before + 2.0f * gap, [&] {
+      ImGui::AlignTextToFramePadding();
+      ImGui::TextDisabled("%s", row_of(method).about);
+    });
+  }
+  if (!wide) return;
+  cells.add(exposure, [&] {
+    controls.slider("Exposure in bar", "Exposure in stops.", state.display.exposure_ev,
+                    {-DisplaySettings::exposure_limit_ev, DisplaySettings::exposure_limit_ev, 0.0f},
+                    [](float ev) { return fmt::format("{:+.1f} EV", ev); });
+  });
+  cells.add(zoom, [&] { zoom_buttons(controls, state.view); });
+}
+
+}  // namespace
+
+void picture_bar(Controls& controls, Previewer& previewer, UiState& state) {
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  const Controls::Unlabelled unlabelled(controls);
+  upper_row(controls, previewer, state, width, height);
+  lower_row(controls, previewer, state, width, height);
+  controls.placed_window("Picture bar");
+}
+
+}  // namespace asos

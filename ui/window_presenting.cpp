@@ -1,0 +1,70 @@
+#include "ui/gl/read_framebuffer.h"
+#include "ui/theme.h"
+#include "ui/window_content.h"
+
+#include <imgui.h>
+
+#include <backends/imgui_impl_opengl3.h>
+#include <utility>
+#include <vector>
+
+// The part of WindowContent that shows the picture and saves what is shown.
+
+namespace asos {
+
+// Another EPS or MAX shows its own picture again.
+void WindowContent::update_display() {
+  const PreviewRender& render = previewer_.render();
+  const PreviewRender::FinishedPicture* before = render.finished_before();
+  if (std::exchange(restarts_seen_, render.restarts()) != render.restarts() || !before)
+    state_.show_before = false;
+  std::vector<PixelRect> changed = previewer_.render().take_changed();
+  const Film& film = state_.show_before ? before->film : render.film();
+  if (std::exchange(before_shown_, state_.show_before) != state_.show_before)
+    changed = {{0, 0, film.width, film.height}};
+  display_.update(film, changed, state_.display, render.map_revision());
+  display_.update_compared(film, changed, state_.frames);
+}
+
+void WindowContent::present(const FrameInput& in) {
+  gl::glDisable(GL_SCISSOR_TEST);
+  gl::glViewport(0, 0, in.framebuffer_size.x, in.framebuffer_size.y);
+  const auto part = [](std::uint32_t shift) {
+    return static_cast<float>((theme::rgb(theme::ground) >> shift) & 255u) / 255.0f;
+  };
+  gl::glClearColor(part(16), part(8), part(0), 1.0f);
+  gl::glClear(GL_COLOR_BUFFER_BIT);
+  // The film may have changed its size since the layout.
+  state_.view.set_sizes({picture_rect_.width, picture_rect_.height},
+                        {display_.width(), display_.height()});
+  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, state_.display, state_.frames);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+// Begins what was asked for, and tells what has come of it.
+void WindowContent::keep_saving() {
+  if (std::exchange(state_.screenshot_requested, false)) say(saver_.save_shown(state_.display));
+  if (std::exchange(state_.save.asked, false)) {
+    const SaveChoice choice = state_.save;
+    state_.save.stem.clear();
+    settle();
+    if (auto words = saver_.begin(choice, state_.display, time_seconds_)) say(*words);
+  }
+  if (auto words = saver_.take_outcome()) say(*words);
+  if (std::exchange(saves_noted_, saver_.saved()) != saver_.saved())
+    unsaved_.note_saved(previewer_);
+}
+
+// Saves the framebuffer, once the dialog has faded from it.
+void WindowContent::save_window(const FrameInput& in) {
+  const std::optional<SaveChoice> choice = saver_.take_due(in.time_seconds);
+  if (!choice) return;
+  PixelRect area{0, 0, in.framebuffer_size.x, in.framebuffer_size.y};
+  if (choice->what == SaveChoice::What::seen) area = picture_rect_;
+  say(saver_.save_read(
+      *choice,
+      {area.width, area.height, read_framebuffer(area, in.framebuffer_size.y), ImageText{}},
+      state_.display));
+}
+
+}  // namespace asos
