@@ -168,6 +168,11 @@ class CoplanarSearch {
     const std::size_t own = world_.triangles.own().size();
     found_.assign(own, 0);
     constexpr std::size_t at_a_time = 256;
+    sizes_.resize(own);
+    in_task_ranges(own, at_a_time, [&](auto begin, auto end) {
+      for (std::size_t i = begin; i < end; ++i)
+        sizes_[i] = size_of(world_, static_cast<std::uint32_t>(i));
+    });
     in_task_ranges(own - world_.strokes.triangle_count, at_a_time, [&](auto begin, auto end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto triangle = static_cast<std::uint32_t>(i);
@@ -212,7 +217,7 @@ class CoplanarSearch {
   // Finds those around a triangle that are as large or larger: of a pair the smaller one finds the
   // other.
   void look(std::uint32_t triangle) {
-    Query query{this, triangle, world_.triangle_part[triangle], size_of(world_, triangle),
+    Query query{this, triangle, world_.triangle_part[triangle], sizes_[triangle],
                 corners_of(world_, triangle)};
     if (normal_of(query.corners) == glm::dvec3(0.0)) return;
     const glm::dvec3 middle = (query.corners[0] + query.corners[1] + query.corners[2]) / 3.0;
@@ -244,7 +249,7 @@ class CoplanarSearch {
     if (args->context->instStackSize > 0) return false;
     const std::uint32_t other = search.groups_[args->geomID].triangle(args->primID);
     if (world.is_face(other) || world.triangle_part[other] == query.part ||
-        other >= world.solid_triangles() || size_of(world, other) < query.size)
+        other >= world.solid_triangles() || search.sizes_[other] < query.size)
       return false;
     if (++query.compared > most_compared) return give_up();
     if (coplanar(query.corners, corners_of(world, other), world.origin,
@@ -264,6 +269,7 @@ class CoplanarSearch {
   const Group* groups_;
   float scale_;
   std::vector<std::uint8_t> found_;
+  std::vector<float> sizes_;  // of the world's own triangles
 };
 
 }  // namespace
