@@ -125,11 +125,9 @@ bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
 }
 
 // So many boundaries that samples cost less than the parts between them (design section 5): each
-// adds a part at least, and each crossing one more. A cell that EPS allows to stay unresolved needs
-// neither.
+// adds a part at least, and each crossing one more.
 bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundaries) {
   const Cell& cell = level_->cells[cell_index];
-  if (state_->weight(cell) <= state_->rules.allowance.eps) return false;
   if (!better_sampled(cell, 2 * boundaries)) return false;
   const SampleId samples =
       state_->caster->sample_saturated(state_->root(cell).id, cell.square, state_->weight(cell));
