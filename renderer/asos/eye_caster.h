@@ -45,8 +45,9 @@ class EyeCaster final : public Caster {
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
     constexpr double contrast = 0.5;  // of a part that shows many surfaces
-    const double price = shades_parts_ ? chooser_.part_price() : 1.0;
-    return eye_.allowance.samples_suffice(weight, contrast, price * static_cast<double>(parts));
+    return shades_parts_ &&
+           eye_.allowance.samples_suffice(weight, contrast,
+                                          chooser_.part_price() * static_cast<double>(parts));
   }
   [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
                                           double weight) override;
@@ -70,7 +71,7 @@ class EyeCaster final : public Caster {
  private:
   EyeContext eye_;
   bool casts_shadows_;  // some light does
-  bool shades_parts_;   // so that a part costs more than a sample: where anything is lit at all
+  bool shades_parts_;   // so that parts cost more than samples: where anything is lit at all
   EyeSamples samples_;
   ShadowScene shadow_scene_;
   ShadowGroups groups_;

@@ -86,8 +86,8 @@ class Caster {
   }
 
   /// Asks for samples of a cell that is saturated with boundaries, now or until `finish`; `weight`
-  /// is its share of the root's area. The sample that stands for them; none: the engine
-  /// splits the cell, or takes one leaf at MAX.
+  /// is its share of the root's area. The sample that stands for them; none: the engine takes
+  /// jittered leaves of the finest size (design section 5, "Saturation"), or at MAX one leaf.
   [[nodiscard]] virtual SampleId sample_saturated(std::uint32_t /*root*/, const Square& /*square*/,
                                                   double /*weight*/) {
     return no_sample;

@@ -8,6 +8,12 @@ namespace {
 // So few parts are worth a cut whatever samples cost.
 constexpr std::size_t few_parts = 4;
 
+// Part i of n x n of a square, in rows.
+Square part_of(const Square& s, std::uint32_t n, std::uint32_t i) {
+  const float side = s.side / static_cast<float>(n);
+  return {s.u + static_cast<float>(i % n) * side, s.v + static_cast<float>(i / n) * side, side};
+}
+
 glm::vec2 middle_of(const Square& s) {
   return {s.centre_u(), s.centre_v()};
 }
@@ -124,18 +130,28 @@ bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
          state_->caster->samples_suffice(state_->weight(cell), parts);
 }
 
-// So many boundaries that samples cost less than the parts between them (design section 5): each
-// adds a part at least, and each crossing one more.
+// So many boundaries that samples cost less than the parts between them; or, of which each crosses
+// several of the finest cells, that nearly all of those would be marginal: their jittered samples
+// are taken at once (design section 5).
 bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundaries) {
   const Cell& cell = level_->cells[cell_index];
-  if (!better_sampled(cell, 2 * boundaries)) return false;
-  const SampleId samples =
-      state_->caster->sample_saturated(state_->root(cell).id, cell.square, state_->weight(cell));
-  if (samples == no_sample) return false;
+  const int below = state_->rules.allowance.max_level - level_->number;
+  const std::uint32_t n = 1u << below;
+  if (below < 1) return false;
+  // Each boundary adds a part at least, and each crossing one more.
+  if (!better_sampled(cell, 2 * boundaries)) {
+    const auto few = static_cast<std::size_t>(state_->rules.limits.most_boundaries);
+    if (boundaries <= few || 4 * boundaries < n * n) return false;
+  }
   Plan& plan = add_plan(Plan::Kind::saturated, cell_index, {});
   plan.boundaries = state_->search->kinds_of(visible_);
-  plan.own_samples = samples;
   keep_for_observers(cell, plan, visible_);
+  plan.own_samples =
+      state_->caster->sample_saturated(state_->root(cell).id, cell.square, state_->weight(cell));
+  if (plan.own_samples != no_sample) return true;
+  plan.points.count = n * n;
+  for (std::uint32_t i = 0; i < n * n; ++i)
+    points_.push_back(state_->jittered(cell.root, part_of(cell.square, n, i)));
   return true;
 }
 
@@ -177,7 +193,7 @@ void CellResolver::carry_out() {
         cell.cover = state_->caster->cover(sample);
         break;
       case Plan::Kind::saturated:
-        finish_saturated(cell, plan);
+        finish_saturated(cell, plan, sample);
         break;
     }
   }
@@ -248,19 +264,32 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
   cell.done = true;
 }
 
-// The caster adds up its own samples.
-void CellResolver::finish_saturated(Cell& cell, const Plan& plan) {
+void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first) {
+  const int finest = state_->rules.allowance.max_level;
+  const std::uint32_t n = 1u << (finest - level_->number);
   const double whole = state_->weight(cell);
-  if (TracedCell* traced = trace(cell, plan, CellFate::saturated)) {
-    const glm::vec2 at = state_->root(cell).place(middle_of(cell.square));
+  const Root& root = state_->root(cell);
+  TracedCell* traced = trace(cell, plan, CellFate::saturated);
+  // Make a leaf of each jittered sample; the caster adds up its own.
+  for (std::uint32_t i = 0; i < plan.points.count; ++i) {
+    const double share = whole / plan.points.count;
+    state_->add_leaf(cell, first + i, share, {part_of(cell.square, n, i), {}, true});
+    if (traced) {
+      const glm::vec2 at = root.place(points_[plan.points.first + i]);
+      traced->samples.push_back({first + i, at, share, {}, {}});
+    }
+  }
+  if (traced && plan.own_samples != no_sample) {
+    const glm::vec2 at = root.place(middle_of(cell.square));
     traced->samples.push_back({plan.own_samples, at, whole, {}, {}});
   }
   // Count the finest cells as unresolved.
   SubdivisionOutcome& o = state_->outcome(cell);
   o.saturated = true;
   o.boundaries.add(plan.boundaries);
-  o.deepest = state_->rules.allowance.max_level;
+  o.deepest = finest;
   o.unresolved_area += whole;
+  o.pyrays_by_level[static_cast<std::size_t>(finest)] += plan.points.count;
   cell.done = true;
 }
 

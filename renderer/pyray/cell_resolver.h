@@ -32,7 +32,7 @@ class CellResolver {
     std::uint32_t first_part = 0;      // as many as points
     Slice hidden;                      // entries taken for hidden
     Slice visible;                     // entries that observers see; only where one looks on
-    SampleId own_samples = no_sample;  // saturated: stands for the caster's samples
+    SampleId own_samples = no_sample;  // stands for the caster's own
     BoundaryKinds boundaries;
   };
 
@@ -46,7 +46,7 @@ class CellResolver {
   void carry_out();
   void finish_uniform(Cell& cell, const Plan& plan, SampleId first);
   void finish_cut(Cell& cell, const Plan& plan, SampleId first);
-  void finish_saturated(Cell& cell, const Plan& plan);
+  void finish_saturated(Cell& cell, const Plan& plan, SampleId first);
   [[nodiscard]] bool stay_hidden(const Cell& cell, const Plan& plan, SampleId first) const;
   TracedCell* trace(const Cell& cell, const Plan& plan, CellFate fate) const;
 
