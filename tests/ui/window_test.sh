@@ -178,8 +178,8 @@ quit() {
 }
 quit
 
-# A mirror that blurs; its editor is scrolled to, and the curve's left end, DFRMIN, dragged up: the
-# house's picture in the mirror is less blurred, and as it was again by undo.
+# A mirror that blurs; in the tab Scene the curve's left end, DFRMIN, is dragged up: the house's
+# picture in the mirror is less blurred, and as it was again by undo.
 start builtin:house-mirror --size 640x840 --max 0 --reflections 1 --dfr 0.05,1,8
 wait_until 'no window with a mirror' found_window
 wait_for_picture window_mirror.png
@@ -189,14 +189,10 @@ xdotool mousemove $((X + 300)) $((Y + 300))  # where no tooltip comes up
 # With the status bar: a pass may find out for a while what the next one costs.
 whole="${WIDTH}x$HEIGHT+$X+$Y"
 wait_until 'the mirror does not rest' at_rest window_mirror.png "$whole"
-xdotool mousemove $((X + WIDTH - 160)) $((Y + 600))
-for _ in 1 2 3 4 5 6; do
-  xdotool click 5
-  sleep 0.1
-done
+xdotool mousemove $((X + WIDTH - 165)) $((Y + 127)) click 1 mousemove $((X + 300)) $((Y + 300))
 wait_until 'the panel does not rest' at_rest window_curve.png "$whole"
-xdotool mousemove $((X + WIDTH - 288)) $((Y + 699)) mousedown 1
-for y in 686 666 636 596; do
+xdotool mousemove $((X + WIDTH - 288)) $((Y + 757)) mousedown 1
+for y in 744 724 694 654; do
   xdotool mousemove $((X + WIDTH - 288)) $((Y + y))
   sleep 0.05
 done
