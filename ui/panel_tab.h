@@ -4,7 +4,7 @@
 
 namespace asos {
 
-/// The parts of the panel, of which one is shown.
+/// Tabs of the panel.
 enum class PanelTab {
   antialias,
   scene,

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-// The part of WindowContent that shows the picture and saves what is shown.
+// The part of WindowContent that shows and saves the picture.
 
 namespace asos {
 
@@ -41,7 +41,7 @@ void WindowContent::present(const FrameInput& in) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-// Begins what was asked for, and tells what has come of it.
+// Starts requested saves and reports their results.
 void WindowContent::keep_saving() {
   if (std::exchange(state_.screenshot_requested, false)) say(saver_.save_shown(state_.display));
   if (std::exchange(state_.save.asked, false)) {

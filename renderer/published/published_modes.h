@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// The parts of the engine that settings replace by what was published (CGF'98). The engine uses
-/// them by their interfaces alone.
+/// Published methods (CGF'98) that replace parts of the engine if the settings ask for them. The
+/// engine sees interfaces only.
 class PublishedModes {
  public:
   explicit PublishedModes(const RenderSettings& settings)

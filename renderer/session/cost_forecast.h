@@ -10,10 +10,9 @@ namespace asos {
 
 /// Forecasts the cost of the remaining passes over a picture from the cost of its blocks so far.
 /// Blocks differ a hundredfold, but a block that is dear in a pass is dear in the next. So a pass
-/// is forecast from the pass before, by the ratio of the two over the blocks that are done in both,
-/// and until there are enough of these by a ratio that is known beforehand. The first pass is
-/// forecast by the mean of its blocks, which therefore have to be spread over the picture. One
-/// thread at a time.
+/// is forecast from the pass before, by the ratio of their costs over the blocks done in both. A
+/// prior ratio counts until there are enough of these. The first pass is forecast by the mean of
+/// its blocks, which therefore have to be spread over the picture. One thread at a time.
 class CostForecast {
  public:
   /// `growth`: how many times the work of the pass before each pass but the first takes.

@@ -11,11 +11,12 @@
 
 namespace asos {
 
-/// By instance of a scene, 1 where its mesh is kept once; empty: nowhere. These are large meshes
-/// whose copies would have `fewest_copied` triangles or more. They are opaque and do not shine, for
-/// lamps and cut-outs have data of their own for each triangle. The instances' matrices distort
-/// little, so that the edges which bound one place of a mesh bound the others. Scenes with lines,
-/// points or analytic shapes share none, since these are numbered after all triangles.
+/// Returns one flag per instance of a scene: 1 if its mesh is kept once. Empty: none is. These are
+/// large meshes whose copies would have `fewest_copied` triangles or more. They are opaque and do
+/// not shine, for lamps and cut-outs have data of their own for each triangle. The instances'
+/// matrices distort little, so that the edges which bound one place of a mesh bound the others.
+/// Scenes with lines, points or analytic shapes share none, since these are numbered after all
+/// triangles.
 [[nodiscard]] std::vector<std::uint8_t> shared_instances(const Scene& scene,
                                                          std::uint64_t fewest_copied);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-// The tabs of the panel, the search over all of them, and what of it is remembered.
+// The panel's tabs, the search over all of them, and the remembered state.
 
 namespace asos {
 namespace {

@@ -75,7 +75,7 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   EXPECT_FALSE(state.show_before);
   const RenderSettings first = render.settings();
   const Film before = render.film();
-  // A drag begins many renders; what was finished before all of them counts.
+  // A drag begins many renders. The picture finished before the drag counts.
   for (const double eps : {0.1, 0.3, 0.5}) {
     settings().asos.eps = eps;
     rig.frame();

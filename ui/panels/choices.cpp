@@ -13,7 +13,7 @@ float option_gap() {
   return ImGui::GetStyle().ItemInnerSpacing.x * 0.5f;
 }
 
-// Width that a row of options leaves beside their names.
+// Returns the width of a row of options minus their names and gaps.
 float room_beside(std::span<const Controls::Option> options) {
   float taken = option_gap() * static_cast<float>(options.size() - 1);
   for (const Controls::Option& option : options) taken += ImGui::CalcTextSize(option.name).x;

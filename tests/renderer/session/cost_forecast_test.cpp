@@ -138,15 +138,15 @@ TEST(CostForecast, ForecastsAPassThatTakesItsDearestBlocksFirst) {
   EXPECT_GT(all_with, all_without + 0.1 * std::size(recorded_costs));
 }
 
-// Blocks that end in a pass cost nothing in the next, and tell nothing of those that go on.
-TEST(CostForecast, TakesNoBlockThatEndedForOneThatGoesOn) {
+// Blocks that end in a pass cost nothing in the next. They are no evidence for the others.
+TEST(CostForecast, IgnoresBlocksThatEndedInThePassBefore) {
   CostForecast forecast(8, {1.0});
   for (std::size_t i = 0; i < 4; ++i) {
     forecast.add(0, i, 1.0);
     forecast.add(1, i, i == 0 ? 3.0 : 0.0);
   }
   for (std::size_t i = 4; i < 6; ++i) forecast.add(0, i, 1.0);
-  // Known: a block at three times, and four blocks' worth at once what they took.
+  // One block took three times its first cost; the prior counts as four blocks at once that cost.
   const double ratio = (3.0 + 4.0) / (1.0 + 4.0);
   // Two blocks wait for the second pass, and two more for both; half of all go on.
   EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 2.0 + 2.0 * ratio + 2.0 * 0.5 * ratio);
