@@ -18,6 +18,9 @@ BlockResult render_block_mitchell(const BlockJob& job);
 BlockResult render_block_ray_bound(const BlockJob& job);
 BlockResult render_block_average(const BlockJob& job);
 BlockResult render_block_beam(const BlockJob& job);
+BlockResult render_block_cone(const BlockJob& job);
+BlockResult render_block_covers(const BlockJob& job);
+BlockResult render_block_mask(const BlockJob& job);
 
 namespace {
 
@@ -161,6 +164,33 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .title = "Beam",
      .about = "Exact area of every visible polygon. For small scenes only.",
      .render = render_block_beam,
+     .block_side = usual_side,
+     .takes_shapes = false,
+     .most_triangles = most_beam_triangles},
+    {.value = Method::cone,
+     .name = "cone",
+     .hint = "fractions of a cone, for small scenes",
+     .title = "Cone",
+     .about = "Each object hides a fraction of the pixel's cone, wherever it lies in it.",
+     .render = render_block_cone,
+     .block_side = usual_side,
+     .takes_shapes = false,
+     .most_triangles = most_beam_triangles},
+    {.value = Method::covers,
+     .name = "covers",
+     .hint = "by distance to the edge, for small scenes",
+     .title = "Covers",
+     .about = "Objects are weighted by the distance of their nearest edge from the pixel's centre.",
+     .render = render_block_covers,
+     .block_side = usual_side,
+     .takes_shapes = false,
+     .most_triangles = most_beam_triangles},
+    {.value = Method::mask,
+     .name = "mask",
+     .hint = "8 x 8 coverage masks, for small scenes",
+     .title = "Coverage mask",
+     .about = "Triangles cover some of 8 x 8 points of a pixel; each is shaded once (A-buffer).",
+     .render = render_block_mask,
      .block_side = usual_side,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},

@@ -18,9 +18,12 @@ enum class Method {
   mitchell,
   ray_bound,
   average,
-  beam
+  beam,
+  cone,
+  covers,
+  mask
 };
-inline constexpr Method last_method = Method::beam;
+inline constexpr Method last_method = Method::mask;
 
 enum class LeafKind { exact, point };
 

@@ -113,6 +113,9 @@ constexpr Ladder all_ladders[] = {
     {"ray-bound", sample_rungs, true},
     {"average", one_rung, true},
     {"beam", one_rung, false},
+    {"cone", one_rung, false},
+    {"covers", one_rung, false},
+    {"mask", one_rung, false},
 };
 // clang-format on
 

@@ -222,8 +222,9 @@ TEST_F(RenderCommand, AToneCurveTravelsWithThePicture) {
 }
 
 TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
-  for (const char* method : {"asos", "uniform", "stochastic", "sobol", "sobol-adaptive", "whitted",
-                             "mitchell", "ray-bound", "average", "beam"}) {
+  for (const char* method :
+       {"asos", "uniform", "stochastic", "sobol", "sobol-adaptive", "whitted", "mitchell",
+        "ray-bound", "average", "beam", "cone", "covers", "mask"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4"};
     render("whole.exr", words);
     // Not aligned to blocks, and reaching the picture's lower right corner.
@@ -241,8 +242,9 @@ TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
 }
 
 TEST_F(RenderCommand, TheNumberOfThreadsDoesNotShow) {
-  for (const char* method : {"asos", "uniform", "stochastic", "sobol", "sobol-adaptive", "whitted",
-                             "mitchell", "ray-bound", "average", "beam"}) {
+  for (const char* method :
+       {"asos", "uniform", "stochastic", "sobol", "sobol-adaptive", "whitted", "mitchell",
+        "ray-bound", "average", "beam", "cone", "covers", "mask"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4", "--jitter"};
     render("one.exr",
            words + std::vector<std::string>{"--threads", "1", "--stats", path("1.json")});
