@@ -15,6 +15,9 @@ done
 render builtin:house-textured -o textures.png --size 640x432 --max 2 --eps 0 --tr 2
 render builtin:house-mirror -o mirror.png --size 640x432 --max 3 --eps 0.125
 render builtin:house-mirror -o mirror-n64.png --size 640x432 --max 3 --eps 0.125 --dfr 0.05,1,64
+for method in asos cone covers mask; do
+  render builtin:cards -o "cards-$method.png" --size 320x180 --method "$method"
+done
 fence=$(mktemp --suffix=.png)
 trap 'rm -f -- "$fence"' EXIT
 render builtin:fence -o "$fence" --size 320x180 --split-map fence-levels.png

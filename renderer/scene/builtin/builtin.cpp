@@ -49,6 +49,8 @@ const std::vector<BuiltinScene>& builtin_scenes() {
        builtin::make_turning_fence},
       {"walking-pole", "a leaning pole as thin as half a pixel, which walks by quarters of one",
        builtin::make_walking_pole},
+      {"cards", "cards with common edges, thin wires, a thin shadow: the papers' argument",
+       builtin::make_cards},
   };
   return scenes;
 }

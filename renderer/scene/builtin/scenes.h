@@ -29,5 +29,6 @@ namespace asos::builtin {
 [[nodiscard]] Scene make_glass();
 [[nodiscard]] Scene make_turning_fence();
 [[nodiscard]] Scene make_walking_pole();
+[[nodiscard]] Scene make_cards();
 
 }  // namespace asos::builtin

@@ -115,7 +115,8 @@ bool is_sheet(const std::string& scene, const std::string& mesh) {
       {"foliage", {"lawn", "leaves"}},
       {"glass", {"dark squares", "light squares"}},
       {"turning-fence", {"ground"}},
-      {"walking-pole", {"ground", "wall"}}};
+      {"walking-pole", {"ground", "wall"}},
+      {"cards", {"wall", "front", "hidden", "left", "right", "wires", "plate", "bar"}}};
   return sheets.at(scene).contains(mesh);
 }
 
@@ -160,7 +161,8 @@ TEST_P(BuiltinSceneTest, HasTheTrianglesItPromises) {
       {"foliage", {500, 900}},
       {"glass", {820, 820}},
       {"turning-fence", {298, 298}},
-      {"walking-pole", {48, 52}}};
+      {"walking-pole", {48, 52}},
+      {"cards", {32, 32}}};
   const Scene scene = make(GetParam());
   EXPECT_GE(scene.instanced_triangles(), range.at(GetParam()).first);
   EXPECT_LE(scene.instanced_triangles(), range.at(GetParam()).second);
@@ -250,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest, testing::ValuesIn(names()),
                          });
 
 TEST(BuiltinScenes, AreTwentyThreeWithOfficeFirst) {
-  ASSERT_EQ(builtin_scenes().size(), 23u);
+  ASSERT_EQ(builtin_scenes().size(), 24u);
   EXPECT_EQ(builtin_scenes().front().name, "office");
   for (const BuiltinScene& scene : builtin_scenes()) EXPECT_FALSE(scene.summary.empty());
 }
