@@ -15,10 +15,7 @@ namespace {
 void take_out(Scene& scene, const std::vector<int>& hidden) {
   int place = -1;
   std::erase_if(scene.instances, [&](const Instance& instance) {
-    const bool shows = instance.shape >= 0 ||
-                       (instance.mesh >= 0 &&
-                        !scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.empty());
-    if (!shows) return false;
+    if (!scene.shows_surface(instance)) return false;
     ++place;
     return std::binary_search(hidden.begin(), hidden.end(), place);
   });

@@ -5,8 +5,27 @@
 
 namespace asos::gltf {
 
+namespace {
+
+std::vector<SceneContents::Node> nodes_of(const Document& doc, const NodeGraph& graph,
+                                          const std::vector<int>& shown) {
+  std::vector<int> place(graph.size(), -1);  // of each of the file's nodes among the shown ones
+  std::vector<SceneContents::Node> nodes;
+  nodes.reserve(shown.size());
+  for (const int index : shown) {
+    const int parent = graph.parent(index);
+    place[static_cast<std::size_t>(index)] = static_cast<int>(nodes.size());
+    nodes.push_back({doc.model.nodes[static_cast<std::size_t>(index)].name,
+                     parent < 0 ? -1 : place[static_cast<std::size_t>(parent)]});
+  }
+  return nodes;
+}
+
+}  // namespace
+
 SceneContents contents_of(const Document& doc, const std::vector<Clip>& clips,
-                          const std::vector<int>& shown, int shown_scene) {
+                          const NodeGraph& graph, int shown_scene, const Scene& scene) {
+  const std::vector<int> shown = graph.shown(shown_scene);
   SceneContents contents;
   for (const Clip& clip : clips)
     contents.animations.push_back(
@@ -19,7 +38,7 @@ SceneContents contents_of(const Document& doc, const std::vector<Clip>& clips,
       targets = std::max(targets, p.targets.size());
     if (targets > 0) contents.morphs.push_back({mesh.name, targets});
   }
-  for (const tinygltf::Scene& scene : doc.model.scenes) contents.scenes.push_back(scene.name);
+  for (const tinygltf::Scene& one : doc.model.scenes) contents.scenes.push_back(one.name);
   contents.shown_scene = shown_scene;
   contents.variants = doc.variants;
   std::set<int> placed;
@@ -27,6 +46,9 @@ SceneContents contents_of(const Document& doc, const std::vector<Clip>& clips,
     placed.insert(doc.model.nodes[static_cast<std::size_t>(node)].camera);
   for (std::size_t i = 0; i < doc.model.cameras.size(); ++i)
     if (!placed.contains(static_cast<int>(i))) ++contents.cameras_not_placed;
+  contents.nodes = nodes_of(doc, graph, shown);
+  for (const Instance& instance : scene.instances)
+    if (scene.shows_surface(instance)) contents.object_nodes.push_back(instance.node);
   return contents;
 }
 

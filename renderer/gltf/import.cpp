@@ -63,7 +63,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
         importer.run(shown_scene_, keeps_rig() ? base_ : std::exchange(base_, Scene{}));
     if (!scene) return scene;
     scene->time = time;
-    scene->contents = contents_of(doc_, clips_, graph.shown(shown_scene_), shown_scene_);
+    scene->contents = contents_of(doc_, clips_, graph, shown_scene_, *scene);
     scene->contents.default_scene = default_scene_;
     Warnings said = doc_.warnings;
     scene->notes.warnings_dropped = said.dropped();

@@ -24,6 +24,7 @@ constexpr std::size_t most_instances = 4'000'000;
 Checked<Scene> Importer::run(int scene, Scene base) {
   scene_ = std::move(base);
   for (const int index : graph_.shown(scene)) {
+    node_ = nodes_++;
     const tinygltf::Node& node = doc_.model.nodes[static_cast<std::size_t>(index)];
     add_camera(doc_, node, graph_.world_from_node(index), scene_);
     add_light(doc_, node, graph_.world_from_node(index), scene_);
@@ -93,7 +94,8 @@ Checked<void> Importer::add_shape(int index, const tinygltf::Node& node, const S
   for (const glm::dmat4& copy : *copies) {
     if (scene_.instances.size() >= most_instances)
       return fault(fmt::format("has more than {} objects, which is the limit", most_instances));
-    scene_.instances.push_back({node.name, mesh, world_from_shape * copy, shows_light, number});
+    scene_.instances.push_back(
+        {node.name, mesh, world_from_shape * copy, shows_light, number, node_});
   }
   return {};
 }
@@ -134,7 +136,7 @@ Checked<void> Importer::add_primitive(int index, int p, const SkinPose* skin,
     scene_.instances.reserve(scene_.instances.size() + copies.size());
   for (const glm::dmat4& copy : copies) {
     if (loaded < 0) continue;
-    scene_.instances.push_back({node.name, loaded, world_from_mesh * copy, shows_light, -1});
+    scene_.instances.push_back({node.name, loaded, world_from_mesh * copy, shows_light, -1, node_});
   }
   return {};
 }

@@ -66,6 +66,8 @@ class Importer {
   std::set<std::size_t> shown_;    // the document's meshes
   std::map<int, Checked<SkinPose>> skins_;
   std::uint64_t triangles_ = 0;
+  int nodes_ = 0;  // those that were added
+  int node_ = -1;  // the one under way, among the shown ones
 };
 
 }  // namespace asos::gltf

@@ -41,6 +41,8 @@ class NodeGraph {
     return poses_[static_cast<std::size_t>(node)];
   }
   [[nodiscard]] std::size_t size() const { return poses_.size(); }
+  /// -1: none.
+  [[nodiscard]] int parent(int node) const { return parent_[static_cast<std::size_t>(node)]; }
 
   /// The nodes that the scene shows, parents first, each once. Leaves out invisible subtrees
   /// (KHR_node_visibility), coarser levels of detail (MSFT_lod) and nodes whose place is not

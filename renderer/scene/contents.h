@@ -35,14 +35,23 @@ struct SceneContents {
     std::size_t targets = 0;
   };
 
+  /// A node of the shown scene.
+  struct Node {
+    std::string name;
+    int parent = -1;  ///< index into `nodes`; -1: none
+  };
+
   std::vector<Animation> animations;
   std::vector<Skin> skins;
   std::vector<Morph> morphs;
-  std::vector<std::string> scenes;     ///< the file's
-  int shown_scene = -1;                ///< index into `scenes`; -1: all nodes
-  int default_scene = -1;              ///< the one that is shown unless another is asked for
-  std::vector<std::string> variants;   ///< KHR_materials_variants
-  std::string variant;                 ///< the one of them that is shown; empty: none
+  std::vector<std::string> scenes;    ///< the file's
+  int shown_scene = -1;               ///< index into `scenes`; -1: all nodes
+  int default_scene = -1;             ///< the one that is shown unless another is asked for
+  std::vector<std::string> variants;  ///< KHR_materials_variants
+  std::string variant;                ///< the one of them that is shown; empty: none
+  std::vector<Node> nodes;            ///< parents first; empty: the scene has no hierarchy
+  /// Index into `nodes` for each instance that shows a surface, in the scene's order.
+  std::vector<int> object_nodes;
   std::size_t cameras_not_placed = 0;  ///< of the file's cameras, those that no shown node has
 };
 

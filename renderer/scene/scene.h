@@ -254,6 +254,7 @@ struct Instance {
   glm::dmat4 world_from_mesh{1.0};
   bool shows_light = false;  ///< an emissive stand-in for a light of the scene: not a light itself
   int shape = -1;            ///< index into Scene::shapes; -1: none
+  int node = -1;             ///< index into SceneContents::nodes; -1: none
 };
 
 /// A light, already placed in the world. Its encoding in files: gltf/LIGHTS.md. It has no
@@ -317,6 +318,12 @@ struct Scene {
 
   /// The triangles of all instances: a box has 12, other shapes none.
   [[nodiscard]] std::uint64_t instanced_triangles() const;
+  /// Whether an instance shows a surface, and not only lines and points or nothing.
+  [[nodiscard]] bool shows_surface(const Instance& instance) const {
+    return instance.shape >= 0 ||
+           (instance.mesh >= 0 &&
+            !meshes[static_cast<std::size_t>(instance.mesh)].triangles.empty());
+  }
   /// The segments of lines, and the points, of all instances.
   [[nodiscard]] std::uint64_t instanced_segments() const;
   [[nodiscard]] std::uint64_t instanced_points() const;

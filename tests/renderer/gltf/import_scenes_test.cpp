@@ -73,5 +73,32 @@ TEST(ImportScenes, ADefaultThatDoesNotExistIsTheFirst) {
   EXPECT_NE(scene->notes.warnings[0].find("default scene 7 does not exist"), std::string::npos);
 }
 
+// Node 1 of the file is below node 2, which is shown first.
+TEST(ImportScenes, KeepTheTreeOfTheirNodes) {
+  GltfBuilder b = three_scenes();
+  b.json["scenes"] = {{{"nodes", {0, 2}}}};
+  b.json["scene"] = 0;
+  b.json["nodes"][2]["name"] = "desk";
+  b.json["nodes"][2]["children"] = {1, 3};
+  b.json["nodes"][1]["name"] = "drawer";
+  b.json["nodes"].push_back({{"name", "empty"}});
+  const Result<Scene> scene = import_scene("", b);
+  ASSERT_TRUE(scene) << scene.error().message();
+  const SceneContents& c = scene->contents;
+  ASSERT_EQ(c.nodes.size(), 4u);
+  ASSERT_EQ(c.object_nodes.size(), 3u);
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < c.object_nodes.size(); ++i) {
+    const int node = c.object_nodes[i];
+    EXPECT_EQ(scene->instances[i].node, node);
+    const SceneContents::Node& of = c.nodes.at(static_cast<std::size_t>(node));
+    if (of.name != "drawer") continue;
+    ++below;
+    EXPECT_LT(of.parent, node);
+    EXPECT_EQ(c.nodes.at(static_cast<std::size_t>(of.parent)).name, "desk");
+  }
+  EXPECT_EQ(below, 1u);
+}
+
 }  // namespace
 }  // namespace asos
