@@ -83,6 +83,10 @@ void OpenScene::hide(int part) {
   load_again(scene_->geometry->contents.variant, std::move(hidden));
 }
 
+void OpenScene::show_without(std::vector<int> places) {
+  if (scene_) load_again(scene_->geometry->contents.variant, std::move(places));
+}
+
 void OpenScene::show_only(int part) {
   if (!scene_) return;
   std::vector<int> hidden = hidden_;

@@ -37,6 +37,8 @@ class OpenScene {
   /// Loads it again without an object, or with this one alone, or with all; the view stays. `part`
   /// is one of World::parts. No part may be hidden that is the only one.
   void hide(int part);
+  /// Loads it again without these objects alone: places among all, ascending.
+  void show_without(std::vector<int> places);
   void show_only(int part);
   void show_all();
   /// The places of the hidden objects among all; see leave_out.

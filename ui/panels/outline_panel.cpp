@@ -1,5 +1,6 @@
 #include "ui/panels/outline_panel.h"
 
+#include "ui/hidden_objects.h"
 #include "ui/panels/named_like.h"
 
 #include <fmt/format.h>
@@ -7,8 +8,13 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <memory>
+#include <numeric>
+#include <utility>
 
 namespace asos {
 
@@ -20,6 +26,25 @@ std::string name_or(const std::string& name, const char* kind, std::size_t index
   return name.empty() ? fmt::format("{} {}", kind, index + 1) : printable(name);
 }
 
+// The tree of nodes is that of the open scene, and stays when the scene is loaded again.
+void follow_scene(const Previewer& previewer, OutlineChoice& choice) {
+  const std::shared_ptr<const Geometry>& geometry = previewer.scene()->geometry;
+  if (choice.tree_of.lock() == geometry) return;
+  const std::string source = fmt::format("{} {}", geometry->contents.shown_scene, geometry->source);
+  choice.tree_of = geometry;
+  choice.tree = NodeTree(geometry->contents);
+  if (std::exchange(choice.tree_source, source) == source) return;
+  choice.open = choice.tree.open_at_first();
+  choice.node = -1;
+}
+
+// The node of one of World::parts; -1: none.
+int node_of(const OpenScene& scene, int part) {
+  const std::vector<int>& nodes = scene->geometry->contents.object_nodes;
+  const auto place = static_cast<std::size_t>(place_among_all(part, scene.hidden()));
+  return place < nodes.size() ? nodes[place] : -1;
+}
+
 // A click on the picture selects what it shows.
 void follow(const Previewer& previewer, OutlineChoice& choice, std::optional<glm::ivec2> picked) {
   if (picked == choice.followed) return;
@@ -29,6 +54,51 @@ void follow(const Previewer& previewer, OutlineChoice& choice, std::optional<glm
   const World& world = previewer.scene()->world();
   choice.selected = hit.valid() ? static_cast<int>(world.triangle_part[hit.triangle]) : -1;
   choice.scroll_to_selected = choice.selected >= 0;
+  choice.node = choice.selected >= 0 ? node_of(previewer.scene(), choice.selected) : -1;
+  if (choice.node < 0 || choice.tree.empty()) return;
+  for (const int above : choice.tree.above(choice.node)) choice.open.insert(above);
+}
+
+bool lists_nodes(const OutlineChoice& choice) {
+  return choice.by_node && choice.find.empty() && !choice.tree.empty();
+}
+
+std::size_t object_count(const OpenScene& scene) {
+  return scene->world().solid_parts() + scene.hidden().size();
+}
+
+std::vector<int> without(const std::vector<int>& all, const std::vector<int>& some) {
+  std::vector<int> left;
+  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(left));
+  return left;
+}
+
+std::vector<int> joined(const std::vector<int>& some, const std::vector<int>& others) {
+  std::vector<int> all;
+  std::set_union(some.begin(), some.end(), others.begin(), others.end(), std::back_inserter(all));
+  return all;
+}
+
+constexpr const char* hidden_words = "Saved pictures do not store hidden objects";
+
+// Hides or shows all below a node. Returns what to tell.
+std::string set_visible(OpenScene& scene, const NodeTree& tree, int node, bool visible) {
+  const std::vector<int> objects = tree.objects(node);
+  std::vector<int> hidden =
+      visible ? without(scene.hidden(), objects) : joined(scene.hidden(), objects);
+  if (hidden.size() >= object_count(scene)) return "No other object";
+  scene.show_without(std::move(hidden));
+  return visible ? "" : hidden_words;
+}
+
+std::string isolate(OpenScene& scene, const NodeTree& tree, int node) {
+  const std::vector<int> objects = tree.objects(node);
+  std::vector<int> all(object_count(scene));
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> hidden = without(all, objects);
+  if (hidden.empty()) return "No other object";
+  scene.show_without(std::move(hidden));
+  return hidden_words;
 }
 
 std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& choice) {
@@ -36,7 +106,8 @@ std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& cho
   const float width =
       (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
   const auto parts = static_cast<int>(scene->world().parts.size());
-  const bool chosen = choice.selected >= 0 && choice.selected < parts;
+  const bool nodes = lists_nodes(choice) && choice.node >= 0;
+  const bool chosen = nodes || (choice.selected >= 0 && choice.selected < parts);
   std::string said;
   const auto act = [&](bool possible, auto change) {
     if (!chosen) {
@@ -46,19 +117,92 @@ std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& cho
     } else {
       change();
       choice.selected = -1;
-      said = "Saved pictures do not store hidden objects";
+      said = hidden_words;
     }
   };
-  if (controls.button("Hide", "Hide the object with its light and shadow.", width))
-    act(parts > 1, [&] { scene.hide(choice.selected); });
+  if (controls.button("Hide", "Hide the object with its light and shadow.", width)) {
+    if (nodes)
+      said = set_visible(scene, choice.tree, choice.node, false);
+    else
+      act(parts > 1, [&] { scene.hide(choice.selected); });
+  }
   ImGui::SameLine();
-  if (controls.button("Isolate", "Show only the chosen object.", width))
-    act(parts > 1, [&] { scene.show_only(choice.selected); });
+  if (controls.button("Isolate", "Show only the chosen object.", width)) {
+    if (nodes)
+      said = isolate(scene, choice.tree, choice.node);
+    else
+      act(parts > 1, [&] { scene.show_only(choice.selected); });
+  }
   ImGui::SameLine();
   if (controls.button("Show all", "Show all hidden objects.", width)) {
     said = scene.hidden().empty() ? "Nothing hidden" : "All objects shown";
     if (!scene.hidden().empty()) scene.show_all();
   }
+  return said;
+}
+
+// A node: what folds it, whether it is visible, its name. Returns what to tell.
+std::string node_row(Controls& controls, OpenScene& scene, OutlineChoice& choice,
+                     const NodeTree::Row& row) {
+  const NodeTree& tree = choice.tree;
+  const std::string number = std::to_string(row.node + 1);
+  std::string said;
+  ImGui::PushID(row.node);
+  ImGui::Indent(1.0f + 0.8f * ImGui::GetFontSize() * static_cast<float>(row.depth));
+  const bool open = choice.open.contains(row.node);
+  if (tree.has_children(row.node)) {
+    if (ImGui::ArrowButton("fold", open ? ImGuiDir_Down : ImGuiDir_Right)) {
+      if (open)
+        choice.open.erase(row.node);
+      else
+        choice.open.insert(row.node);
+    }
+    controls.placed("Node fold/" + number, "Show or hide the nodes below.", Controls::Use::edits);
+  } else {
+    ImGui::Dummy({ImGui::GetFrameHeight(), ImGui::GetFrameHeight()});
+  }
+  ImGui::SameLine();
+  const std::size_t all = tree.object_count(row.node);
+  const std::size_t hidden = tree.hidden_count(row.node, scene.hidden());
+  bool visible = hidden < all;
+  if (ImGui::Checkbox("##visible", &visible)) said = set_visible(scene, tree, row.node, visible);
+  controls.placed("Node visible/" + number, "Show this node and all below it.",
+                  Controls::Use::edits);
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  const std::string& name = tree.name(row.node);
+  std::string text = name.empty() ? "Node " + number : printable(name);
+  if (all > 1) text += fmt::format(" ({})", all);
+  if (hidden > 0 && hidden < all) text += fmt::format(", {} hidden", hidden);
+  if (ImGui::Selectable((text + "##name").c_str(), choice.node == row.node))
+    choice.node = choice.node == row.node ? -1 : row.node;
+  controls.placed("Node/" + number, "Node of the file. Click to choose it.", Controls::Use::edits);
+  ImGui::Unindent(1.0f + 0.8f * ImGui::GetFontSize() * static_cast<float>(row.depth));
+  ImGui::PopID();
+  return said;
+}
+
+std::string node_list(Controls& controls, OpenScene& scene, OutlineChoice& choice) {
+  const std::vector<NodeTree::Row> rows = choice.tree.rows(choice.open);
+  std::string said;
+  ImGui::BeginChild("nodes", {0.0f, list_rows * ImGui::GetTextLineHeightWithSpacing()});
+  if (std::exchange(choice.scroll_to_selected, false)) {
+    const auto at = std::find_if(rows.begin(), rows.end(),
+                                 [&](const auto& row) { return row.node == choice.node; });
+    if (at != rows.end())
+      ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() +
+                               static_cast<float>(at - rows.begin()) *
+                                   ImGui::GetFrameHeightWithSpacing());
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()), ImGui::GetFrameHeightWithSpacing());
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      std::string told = node_row(controls, scene, choice, rows[static_cast<std::size_t>(i)]);
+      if (!told.empty()) said = std::move(told);
+    }
+  }
+  ImGui::EndChild();
   return said;
 }
 
@@ -154,10 +298,19 @@ std::vector<std::string> extensions_of(const Material& m) {
 std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoice& choice,
                           std::optional<glm::ivec2> picked) {
   if (!previewer.scene()) return {};
+  follow_scene(previewer, choice);
   follow(previewer, choice, picked);
   if (!controls.section("Objects", false)) return {};
   const World& world = previewer.scene()->world();
-  const std::string said = buttons(controls, previewer, choice);
+  if (!choice.tree.empty()) {
+    constexpr std::array lists{
+        Controls::Option{"Nodes", "The file's tree of nodes."},
+        Controls::Option{"Materials", "Materials, and the objects that have them."},
+    };
+    int list = choice.by_node ? 0 : 1;
+    if (controls.options("List by", lists, list, {true, 0})) choice.by_node = list == 0;
+  }
+  std::string said = buttons(controls, previewer, choice);
   const std::size_t hidden = previewer.scene().hidden().size();
   controls.row("Objects",
                hidden > 0 ? fmt::format("{}, and {} hidden", world.parts.size(), hidden)
@@ -167,7 +320,11 @@ std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoic
   ImGui::InputTextWithHint("##find object", "Find an object", &choice.find);
   controls.placed("Find object", "List only objects whose names contain these letters.",
                   Controls::Use::edits);
-  tree(controls, previewer.scene()->world(), choice);
+  if (!lists_nodes(choice)) {
+    tree(controls, previewer.scene()->world(), choice);
+  } else if (std::string told = node_list(controls, previewer.scene(), choice); !told.empty()) {
+    said = std::move(told);
+  }
   return said;
 }
 

@@ -1,0 +1,113 @@
+#include "ui/node_tree.h"
+
+#include "tests/ui/panels_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace asos::test::node_tree_test {
+namespace {
+
+/// root - (arm - hand, lamp), and a light that shows nothing. Objects: 0 and 3 of the hand, 1 of
+/// the lamp, 2 of the arm.
+SceneContents contents() {
+  SceneContents c;
+  c.nodes = {{"root", -1}, {"arm", 0}, {"sun", 0}, {"hand", 1}, {"lamp", 0}};
+  c.object_nodes = {3, 4, 1, 3};
+  return c;
+}
+
+std::string names(const NodeTree& tree, const std::set<int>& open) {
+  std::string text;
+  for (const NodeTree::Row& row : tree.rows(open))
+    text += std::string(static_cast<std::size_t>(row.depth), '>') + tree.name(row.node) + " ";
+  return text;
+}
+
+TEST(NodeTree, ShowsNodesThatHaveObjectsBelow) {
+  const NodeTree tree(contents());
+  EXPECT_EQ(names(tree, {}), "root ");
+  EXPECT_EQ(names(tree, {0}), "root >arm >lamp ");
+  EXPECT_EQ(names(tree, {0, 1, 3}), "root >arm >>hand >lamp ");
+  EXPECT_EQ(names(tree, tree.open_at_first()), "root >arm >lamp ");
+  EXPECT_TRUE(NodeTree(SceneContents{}).empty());
+}
+
+TEST(NodeTree, CountsTheObjectsBelowANode) {
+  const NodeTree tree(contents());
+  EXPECT_EQ(tree.objects(0), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(tree.objects(1), (std::vector<int>{0, 2, 3}));
+  EXPECT_EQ(tree.objects(3), (std::vector<int>{0, 3}));
+  EXPECT_EQ(tree.object_count(4), 1u);
+  EXPECT_EQ(tree.hidden_count(1, std::vector<int>{1, 2, 3}), 2u);
+  EXPECT_EQ(tree.above(3), (std::vector<int>{1, 0}));
+}
+
+/// Three triangles in two nodes below one.
+Scene with_nodes(const std::string& source) {
+  Scene scene = two_triangles({1, 0, 0}, source);
+  add_triangle(scene, {-1, 1, 0}, {-0.5f, 1, 0}, {-0.7f, 1.3f, 0}, glm::vec3(0.0f, 1.0f, 0.0f));
+  scene.contents.nodes = {{"root", -1}, {"left", 0}, {"right", 0}};
+  scene.contents.object_nodes = {1, 2, 1};
+  for (std::size_t i = 0; i < 3; ++i) scene.instances[i].node = scene.contents.object_nodes[i];
+  return scene;
+}
+
+class NodeListTest : public testing::Test {
+ protected:
+  NodeListTest() {
+    rig.set_blind(true);
+    rig.set_pixel_size(3);
+    rig.previewer().scene().open("nodes");
+    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+    EXPECT_TRUE(rig.settle());
+    rig.unfold("Objects");
+    (void)rig.control("section/Scene");  // the list is laid out only where it is seen
+    rig.frame();
+  }
+  [[nodiscard]] bool hides(const std::vector<int>& hidden) {
+    return rig.frames_until([&] {
+      return rig.previewer().scene().hidden() == hidden && !rig.previewer().scene().loading();
+    });
+  }
+
+  UiRig rig{[](const std::string& source) -> Result<Scene> { return with_nodes(source); },
+            {660, 1000}};
+};
+
+TEST_F(NodeListTest, ANodeIsHiddenWithAllBelowItAndShownAgain) {
+  rig.click("Node visible/2");
+  ASSERT_TRUE(hides({0, 2}));
+  EXPECT_EQ(rig.previewer().scene()->world().parts.size(), 1u);
+  // The other one is the last that is visible.
+  rig.click("Node visible/3");
+  rig.frame();
+  EXPECT_EQ(rig.previewer().scene().hidden(), (std::vector<int>{0, 2}));
+  EXPECT_FALSE(rig.previewer().scene().loading());
+  rig.click("Node visible/2");
+  ASSERT_TRUE(hides({}));
+  EXPECT_EQ(rig.previewer().scene()->world().parts.size(), 3u);
+}
+
+TEST_F(NodeListTest, IsolateShowsOneNode) {
+  rig.click("Node/3");
+  rig.click("Isolate");
+  ASSERT_TRUE(hides({0, 2}));
+  rig.click("Show all");
+  ASSERT_TRUE(hides({}));
+}
+
+TEST_F(NodeListTest, AClickInThePictureChoosesItsNode) {
+  const Film& film = rig.previewer().render().film();
+  rig.content().state().picked = glm::ivec2(film.width, film.height) / 2;
+  rig.frame();
+  EXPECT_EQ(rig.content().state().outline.node, 1);
+  rig.click("List by/Materials");
+  rig.frame();
+  EXPECT_TRUE(rig.content().controls().all().contains("Object/1"));
+}
+
+}  // namespace
+}  // namespace asos::test::node_tree_test
