@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace asos {
 
@@ -19,6 +20,9 @@ constexpr int cell_side = 64;
 // Lines over the split map where no pixel is final yet.
 constexpr glm::u8vec4 hatching{96, 96, 96, 255};
 constexpr int hatching_pitch = 12;
+
+constexpr glm::u8vec3 wireframe_colour{255, 150, 40};
+constexpr float wireframe_opacity = 0.85f;
 
 bool on_hatching(int x, int y) {
   return (x + y) % hatching_pitch == 0;
@@ -159,6 +163,21 @@ void GlDisplay::convert_compared(const Film& film, const Film& stored, const Pix
   compared_layer_.mark(rect);
 }
 
+void GlDisplay::show_wireframe(const SurfacePicture* surfaces, std::uint64_t revision) {
+  shows_wireframe_ = surfaces && surfaces->film.width == width_ && surfaces->film.height == height_;
+  if (!shows_wireframe_) {
+    wireframe_revision_ = 0;
+    return;
+  }
+  if (std::exchange(wireframe_revision_, revision) == revision) return;
+  wireframe_.resize(width_, height_);
+  for (std::size_t i = 0; i < surfaces->wireframe.size(); ++i) {
+    const float opacity = wireframe_opacity * surfaces->wireframe[i];
+    wireframe_.at(i) = glm::u8vec4(wireframe_colour, std::lround(255.0f * opacity));
+  }
+  wireframe_.upload();
+}
+
 void GlDisplay::draw(const PictureView& view, const Target& target, const DisplaySettings& display,
                      const Frames& frames) const {
   const PixelRect& area = target.area;
@@ -178,15 +197,8 @@ void GlDisplay::draw(const PictureView& view, const Target& target, const Displa
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   draw_layer(picture_program_, picture_, clip_rect, magnified);
-  if (display.show_split_map) {
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    glUseProgram(overlay_program_.name());
-    glUniform1f(glGetUniformLocation(overlay_program_.name(), "dimming"), display.split_dimming);
-    draw_layer(overlay_program_, overlay_, clip_rect, magnified);
-    glDisable(GL_BLEND);
-  }
+  if (display.show_split_map) draw_over(overlay_, display.split_dimming, clip_rect, magnified);
+  if (shows_wireframe_) draw_over(wireframe_, 0.0f, clip_rect, magnified);
   const bool beside = frames.comparison == Comparison::wipe ||
                       frames.comparison == Comparison::difference || frames.flipped;
   if (compared_.chosen < 0 || !beside) return;
@@ -199,6 +211,17 @@ void GlDisplay::draw(const PictureView& view, const Target& target, const Displa
   }
   draw_layer(picture_program_, compared_layer_, clip_rect, magnified);
   glDisable(GL_SCISSOR_TEST);
+}
+
+void GlDisplay::draw_over(const Layer& layer, float dimming, const glm::vec4& clip_rect,
+                          bool magnified) const {
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  glUseProgram(overlay_program_.name());
+  glUniform1f(glGetUniformLocation(overlay_program_.name(), "dimming"), dimming);
+  draw_layer(overlay_program_, layer, clip_rect, magnified);
+  glDisable(GL_BLEND);
 }
 
 void GlDisplay::draw_layer(const Program& program, const Layer& layer, const glm::vec4& clip_rect,
@@ -225,6 +248,10 @@ std::vector<std::uint8_t> GlDisplay::seen_rgb(const DisplaySettings& display) co
       const glm::u8vec4 over = overlay_.at(i);
       const float hidden = over.a > 0 ? 1.0f : display.split_dimming;
       seen = glm::mix(seen, glm::vec3(over), hidden) + 0.5f;
+    }
+    if (shows_wireframe_) {
+      const glm::u8vec4 line = wireframe_.at(i);
+      seen = glm::mix(seen, glm::vec3(line), static_cast<float>(line.a) / 255.0f) + 0.5f;
     }
     for (int channel = 0; channel < 3; ++channel) {
       rgb.push_back(static_cast<std::uint8_t>(seen[channel]));

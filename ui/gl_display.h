@@ -2,6 +2,7 @@
 
 #include "renderer/film/film.h"
 #include "renderer/result.h"
+#include "renderer/samples/surface_view.h"
 #include "ui/display_settings.h"
 #include "ui/frames.h"
 #include "ui/gl/gl_objects.h"
@@ -32,6 +33,10 @@ class GlDisplay {
   /// The same for what is compared with `film`; after `update`. A stored frame of another size is
   /// resampled.
   void update_compared(const Film& film, std::span<const PixelRect> changed, Frames& frames);
+
+  /// Draws the wireframe of `surfaces` over the picture from now on, where it has the picture's
+  /// size; null: none. `revision` grows with each new picture of surfaces.
+  void show_wireframe(const SurfacePicture* surfaces, std::uint64_t revision);
 
   /// Where to draw: `area` in framebuffer pixels from the top left of a framebuffer that is
   /// `framebuffer_height` high.
@@ -71,6 +76,9 @@ class GlDisplay {
   GlDisplay(gl::Program picture, gl::Program overlay);
   void convert(const Film& film, const PixelRect& rect, bool picture, bool overlay);
   void convert_overlay(const Film& film, const PixelRect& rect);
+  /// Blends a layer over what is there; where its alpha is 0 it darkens that by `dimming`.
+  void draw_over(const Layer& layer, float dimming, const glm::vec4& clip_rect,
+                 bool magnified) const;
   void draw_layer(const gl::Program& program, const Layer& layer, const glm::vec4& clip_rect,
                   bool magnified) const;
 
@@ -104,6 +112,9 @@ class GlDisplay {
   void convert_compared(const Film& film, const Film& stored, const PixelRect& rect);
   Compared compared_;
   Layer compared_layer_;
+  Layer wireframe_;
+  std::uint64_t wireframe_revision_ = 0;
+  bool shows_wireframe_ = false;
 };
 
 }  // namespace asos

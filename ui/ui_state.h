@@ -13,6 +13,7 @@
 #include "ui/panels/study_panel.h"
 #include "ui/picture_view.h"
 #include "ui/save_choice.h"
+#include "ui/surface_viewer.h"
 #include "ui/tour.h"
 #include "ui/window_look.h"
 
@@ -36,6 +37,7 @@ struct UiState {
   OutlineChoice outline;
   SkyEdit sky;
   CheckChoice check;
+  SurfaceChoice surfaces;
   EqualTimeChoice equal_time;
   std::optional<glm::ivec2> picked;  ///< the pixel that was clicked
   int picked_pyray = -1;         ///< the one of its pyrays that is looked at; -1: the pixel itself

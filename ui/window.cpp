@@ -60,12 +60,13 @@ constexpr std::pair<int, Key> named_keys[] = {
 };
 
 constexpr std::pair<std::string_view, Key> printed_keys[] = {
-    {"a", Key::a},        {"c", Key::c},     {"d", Key::d},    {"e", Key::e},    {"f", Key::f},
-    {"m", Key::m},        {"o", Key::o},     {"p", Key::p},    {"q", Key::q},    {"r", Key::r},
-    {"s", Key::s},        {"t", Key::t},     {"v", Key::v},    {"w", Key::w},    {"x", Key::x},
-    {"y", Key::y},        {"z", Key::z},     {"0", Key::zero}, {"1", Key::one},  {"3", Key::three},
-    {"5", Key::five},     {"7", Key::seven}, {"+", Key::plus}, {"=", Key::plus}, {"-", Key::minus},
-    {"?", Key::question},
+    {"a", Key::a},    {"b", Key::b},     {"h", Key::h},        {"i", Key::i},     {"k", Key::k},
+    {"l", Key::l},    {"n", Key::n},     {"u", Key::u},        {"c", Key::c},     {"d", Key::d},
+    {"e", Key::e},    {"f", Key::f},     {"m", Key::m},        {"o", Key::o},     {"p", Key::p},
+    {"q", Key::q},    {"r", Key::r},     {"s", Key::s},        {"t", Key::t},     {"v", Key::v},
+    {"w", Key::w},    {"x", Key::x},     {"y", Key::y},        {"z", Key::z},     {"0", Key::zero},
+    {"1", Key::one},  {"3", Key::three}, {"5", Key::five},     {"7", Key::seven}, {"+", Key::plus},
+    {"=", Key::plus}, {"-", Key::minus}, {"?", Key::question},
 };
 
 // Letters go by what is printed on the user's keyboard, not by their place on an American one.

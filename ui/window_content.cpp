@@ -115,6 +115,7 @@ void WindowContent::draw(const FrameInput& in) {
   // A study's times count: what only checks the picture waits for it.
   check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm,
                 study_.busy());
+  surfaces_.update(previewer_, state_.surfaces);
   update_display();
   keep_saving();
   present(in);
@@ -183,7 +184,8 @@ void WindowContent::lay_out(const FrameInput& in) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.8f * em, 0.42f * em});
   begin_fixed("status", layout_.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav);
   progress_panel(controls_, previewer_,
-                 {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform()});
+                 {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform(),
+                  state_.hovered ? surface_names(previewer_, *state_.hovered) : std::string()});
   ImGui::End();
   ImGui::PopStyleVar();
 
@@ -193,7 +195,10 @@ void WindowContent::lay_out(const FrameInput& in) {
     ImGui::End();
   }
   if (layout_.panel.size.x > 0.0f && layout_.panel.size.y > 0.0f) panel_window(layout_.panel);
-  pixel_panel(controls_, previewer_, state_, {inspector_.report(), check_.findings()}, shown);
+  pixel_panel(controls_, previewer_, state_,
+              {inspector_.report(), check_.findings(),
+               state_.picked ? surface_names(previewer_, *state_.picked) : std::string()},
+              shown);
   DisplaySettings legend = state_.display;
   // Beside the card and the panel that explains a pixel; there may be no room for all.
   constexpr float beside_another_em = 52.0f;
@@ -315,6 +320,7 @@ std::uint32_t WindowContent::activity() const {
                            sky_reader_.busy(),
                            forecast_.busy(),
                            check_.pending(),
+                           surfaces_.busy(),
                            equal_time_.pending(),
                            saver_.job().pending(),
                            saver_.job().state().has_value(),
@@ -350,6 +356,7 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (flying()) also(0.0);
   if (inspector_.busy() || split_search_.busy() || sky_reader_.busy() || forecast_.busy())
     also(0.02);
+  if (surfaces_.busy()) also(0.02);
   if (check_.pending() || equal_time_.pending()) also(0.1);
   if (keys_repeat()) also(0.03);
   if (const std::optional<double> card = seconds_to_card(state_, time_seconds_)) also(*card);

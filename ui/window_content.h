@@ -16,6 +16,7 @@
 #include "ui/split_forecast.h"
 #include "ui/split_pixel.h"
 #include "ui/stored_settings.h"
+#include "ui/surface_viewer.h"
 #include "ui/theme.h"
 #include "ui/ui_state.h"
 #include "ui/unsaved_work.h"
@@ -66,6 +67,7 @@ class WindowContent {
   void apply(const StoredSettings& stored);
   [[nodiscard]] const Controls& controls() const { return controls_; }
   [[nodiscard]] const ViewStudy& study() const { return study_; }
+  [[nodiscard]] const SurfaceViewer& surfaces() const { return surfaces_; }
   [[nodiscard]] const PictureJob& picture_job() const { return saver_.job(); }
   /// The area of the framebuffer that shows the picture, from the top left.
   [[nodiscard]] PixelRect picture_rect() const { return picture_rect_; }
@@ -105,6 +107,7 @@ class WindowContent {
   SkyReader sky_reader_;
   SplitForecast forecast_;
   SplitCheck check_;
+  SurfaceViewer surfaces_;
   EqualTimeJob equal_time_;
   FileWatch watch_;
   PictureSaver saver_;
@@ -112,6 +115,8 @@ class WindowContent {
   int saves_noted_ = 0;
   std::uint64_t restarts_seen_ = 0;
   bool before_shown_ = false;
+  DisplaySettings shown_display_;     // as the picture is shown now
+  std::uint64_t surfaces_shown_ = 0;  // their revision; 0: the picture is shown
   std::uint32_t shown_activity_ = 0;  // what went on when the frame was laid out
   std::uint64_t scenes_seen_ = 0;
   PixelRect picture_rect_;

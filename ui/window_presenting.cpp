@@ -19,10 +19,23 @@ void WindowContent::update_display() {
   if (std::exchange(restarts_seen_, render.restarts()) != render.restarts() || !before)
     state_.show_before = false;
   std::vector<PixelRect> changed = previewer_.render().take_changed();
-  const Film& film = state_.show_before ? before->film : render.film();
-  if (std::exchange(before_shown_, state_.show_before) != state_.show_before)
-    changed = {{0, 0, film.width, film.height}};
-  display_.update(film, changed, state_.display, render.map_revision());
+  const SurfacePicture* surfaces = surfaces_.picture();
+  const bool shows_surfaces = surfaces && state_.surfaces.property;
+  const Film& picture = state_.show_before ? before->film : render.film();
+  const Film& film = shows_surfaces ? surfaces->film : picture;
+  const std::uint64_t revision = shows_surfaces ? surfaces_.revision() : 0;
+  const bool other_film = std::exchange(before_shown_, state_.show_before) != state_.show_before;
+  const bool other_surfaces = std::exchange(surfaces_shown_, revision) != revision;
+  if (other_film || other_surfaces) changed = {{0, 0, film.width, film.height}};
+  shown_display_ = state_.display;
+  if (shows_surfaces) {
+    shown_display_.exposure_ev = 0.0f;
+    shown_display_.tone = ToneCurve::none;
+    shown_display_.show_split_map = false;
+  }
+  display_.update(film, changed, shown_display_, render.map_revision());
+  display_.show_wireframe(surfaces && state_.surfaces.wireframe ? surfaces : nullptr,
+                          surfaces_.revision());
   display_.update_compared(film, changed, state_.frames);
 }
 
@@ -37,13 +50,15 @@ void WindowContent::present(const FrameInput& in) {
   // The film may have changed its size since the layout.
   state_.view.set_sizes({picture_rect_.width, picture_rect_.height},
                         {display_.width(), display_.height()});
-  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, state_.display, state_.frames);
+  const bool compares = surfaces_shown_ == 0;
+  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, shown_display_,
+                compares ? state_.frames : Frames{});
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 // Starts requested saves and reports their results.
 void WindowContent::keep_saving() {
-  if (std::exchange(state_.screenshot_requested, false)) say(saver_.save_shown(state_.display));
+  if (std::exchange(state_.screenshot_requested, false)) say(saver_.save_shown(shown_display_));
   if (std::exchange(state_.save.asked, false)) {
     const SaveChoice choice = state_.save;
     state_.save.stem.clear();

@@ -1,5 +1,6 @@
 #include "ui/input.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/surface_panel.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -36,6 +37,8 @@ constexpr std::array help_lines{
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level, cause, rays, time"},
     HelpLine{"V", "last finished EPS and MAX, and back"},
+    HelpLine{"B, N, H, L", "base color, normal, roughness, metallic"},
+    HelpLine{"K, I, U; Y", "occlusion, emission, UV checker; wireframe"},
     HelpLine{"Space", "pause or resume rendering"},
     HelpLine{"Ctrl + Z, Ctrl + Shift + Z", "undo, redo"},
     HelpLine{"Double click on a control", "reset it"},
@@ -153,6 +156,19 @@ void camera_shortcuts(Viewpoint& viewpoint) {
   camera.set_projection(perspective ? Camera::Type::orthographic : Camera::Type::perspective);
 }
 
+// Properties of surfaces in place of the picture, and back.
+void surface_shortcuts(UiState& state) {
+  constexpr std::array<Key, surface_properties> keys{Key::b, Key::n, Key::h, Key::l,
+                                                     Key::k, Key::i, Key::u};
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!shortcut_pressed(keys[i])) continue;
+    toggle(state.surfaces, static_cast<SurfaceProperty>(i));
+    const char* title = surface_title(state.surfaces);
+    state.said = title ? title : "Shaded picture";
+  }
+  if (shortcut_pressed(Key::y)) state.surfaces.wireframe = !state.surfaces.wireframe;
+}
+
 // Escape closes, one thing after the other, and never quits.
 void close_something(UiState& state, Previewer& previewer) {
   if (state.show_help) {
@@ -206,6 +222,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
   if (shortcut_pressed(Key::zero)) state.view.reset();
   if (previewer.scene()) camera_shortcuts(previewer.viewpoint());
+  surface_shortcuts(state);
   Turntable& turntable = previewer.turntable();
   if (previewer.scene() && shortcut_pressed(Key::t)) turntable.set_turning(!turntable.turning());
   const glm::vec2 middle = state.view.area_middle();

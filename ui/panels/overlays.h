@@ -36,6 +36,7 @@ void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
 struct PixelFacts {
   const PixelReport* report = nullptr;
   const SplitFindings* findings = nullptr;  ///< of the picture: holds a reference
+  std::string names{};                      ///< of the object and the material; empty: none
 };
 /// The facts known of the picked pixel: values, errors, cost, how it was split and why it stopped.
 void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,

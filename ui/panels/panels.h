@@ -70,6 +70,7 @@ struct StatusLine {
   int zoom = 1;
   std::optional<glm::ivec2> pixel;  ///< the one under the pointer
   DisplayTransform display;
+  std::string names;  ///< of the object and the material under the pointer; empty: none
 };
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status);
 

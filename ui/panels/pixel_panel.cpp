@@ -310,6 +310,8 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(close).x -
                   2.0f * ImGui::GetStyle().FramePadding.x);
   const bool closed = controls.button(close, "Close (Esc).");
+  if (!facts.names.empty())
+    controls.row("Surface", facts.names, "Object and material at the pixel's centre.");
   if (report && !report->trace.cells.empty()) why(controls, *report);
   values(controls, film, state.frames, state.display, pixel);
   cost_rows(controls, film, facts.findings, pixel);

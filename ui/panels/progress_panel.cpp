@@ -58,6 +58,15 @@ bool holds(const Film& film, glm::ivec2 pixel) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < film.width && pixel.y < film.height;
 }
 
+// Longer names end in dots.
+constexpr std::size_t most_name_letters = 40;
+std::string cut_off(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  std::size_t end = most;  // not within a letter of several bytes
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
+  return text.substr(0, end) + "...";
+}
+
 /// The first of these that there is room for beside what stands at the left.
 void right_words(const std::vector<std::string>& choices) {
   const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
@@ -100,9 +109,12 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
   const Film& film = previewer.render().film();
   if (!status.pixel || !holds(film, *status.pixel)) return right_words({help});
   const std::string pixel = pixel_words(film, *status.pixel, status.display);
-  right_words({pixel + "   " + help, pixel, help});
-  controls.placed("Pixel values",
-                  "Pixel under the pointer: position, linear values, display values, level.");
+  const std::string named =
+      status.names.empty() ? pixel : cut_off(status.names, most_name_letters) + "   " + pixel;
+  right_words({named + "   " + help, named, pixel + "   " + help, pixel, help});
+  controls.placed(
+      "Pixel values",
+      "Under the pointer: object, material, position, linear values, display values, level.");
 }
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #include "ui/panels/side_panel.h"
 
 #include "ui/panels/scenes_panel.h"
+#include "ui/panels/surface_panel.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/variants_panel.h"
 #include "ui/screenshot.h"
@@ -78,6 +79,7 @@ void scene_tab(Controls& controls, Previewer& previewer, UiState& state, const P
   if (std::string said = outline_panel(controls, previewer, state.outline, state.picked);
       !said.empty())
     state.said = std::move(said);
+  surface_panel(controls, state.surfaces);
   scene_panel(controls, *scene, previewer.render().settings(), previewer.scene().load_seconds());
 }
 

@@ -1,0 +1,45 @@
+#include "ui/panels/surface_panel.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+namespace asos {
+
+namespace {
+
+constexpr std::array<const char*, surface_properties> titles{
+    "Base color", "Normal", "Roughness", "Metallic", "Occlusion", "Emission", "UV checker"};
+
+}  // namespace
+
+void surface_panel(Controls& controls, SurfaceChoice& choice) {
+  if (!controls.section("Surfaces", false)) return;
+  std::vector<std::string> items{"Shaded picture"};
+  for (std::size_t i = 0; i < titles.size(); ++i)
+    items.push_back(fmt::format("{} ({})", titles[i], surface_keys[i]));
+  int shown = choice.property ? 1 + static_cast<int>(*choice.property) : 0;
+  if (controls.list("Show",
+                    "Property of the nearest surfaces, in place of the picture. Press its key "
+                    "again for the picture.",
+                    items, shown, 0)) {
+    choice.property =
+        shown > 0 ? std::optional(static_cast<SurfaceProperty>(shown - 1)) : std::nullopt;
+  }
+  controls.checkbox("Wireframe", "Draw the edges of triangles over the picture (Y).",
+                    choice.wireframe, false);
+}
+
+const char* surface_title(const SurfaceChoice& choice) {
+  return choice.property ? titles[static_cast<std::size_t>(*choice.property)] : nullptr;
+}
+
+void toggle(SurfaceChoice& choice, SurfaceProperty property) {
+  if (choice.property == property)
+    choice.property.reset();
+  else
+    choice.property = property;
+}
+
+}  // namespace asos
