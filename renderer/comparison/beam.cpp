@@ -4,11 +4,10 @@
 
 namespace asos {
 
-/// Beam tracing (CGF'98 section 2.6), eye beams only: a pixel is the sum over
-/// its exactly visible polygons of area times radiance at the centroid,
-/// whatever MAX, EPS and the samples asked for. The areas are exact for opaque
-/// surfaces only: a cut-out or see-through surface hides with its whole
-/// triangles what lies behind, but for what the shader adds along the
+/// Beam tracing (CGF'98 section 2.6), eye beams only: a pixel is the sum over its exactly visible
+/// polygons of area times radiance at the centroid. MAX, EPS and the number of samples do not
+/// matter. The areas are exact for opaque surfaces only: triangles of a cut-out or see-through
+/// surface hide everything behind them, except for layers that the shader finds along the
 /// centroid's ray. For small scenes: see check_method.
 BlockResult render_block_beam(const BlockJob& job) {
   BlockFacets seen(job);

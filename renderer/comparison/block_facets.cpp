@@ -16,8 +16,7 @@ std::array<glm::dvec3, 3> corners_of_triangle(const World& world, std::uint32_t 
           glm::dvec3(world.positions[t.z])};
 }
 
-/// The lights of one visible part, each at as many points as the settings have
-/// samples.
+/// The lights of one visible part, each at as many points as the settings have samples.
 class PartLights final : public LightTransport {
  public:
   PartLights(SampledLights& lights, SamplePlaces& places, int samples)

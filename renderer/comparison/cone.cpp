@@ -19,13 +19,11 @@ struct ConeLayer {
 
 }  // namespace
 
-/// Cone tracing (Amanatides 1984; CGF'98 section 2.7), eye cones only: the
-/// cone's circle has a pixel's area. Each object covers a fraction of it, and
-/// the cone goes on behind it, weakened by that fraction. The fractions are
-/// exact here; which part of the cone is covered is not known, so that two
-/// objects that each cover half cover three quarters, whether they lie behind
-/// each other or side by side. Lights are sampled; mirrors show highlights and
-/// the sky.
+/// Cone tracing (Amanatides 1984; CGF'98 section 2.7), eye cones only: the cone's circle has a
+/// pixel's area. Each object covers a fraction of it, and the cone goes on behind it, weakened by
+/// that fraction. The fractions are exact here; which part of the cone is covered is not known, so
+/// that two objects that each cover half cover three quarters, whether they lie behind each other
+/// or side by side. Lights are sampled; mirrors show highlights and the sky.
 BlockResult render_block_cone(const BlockJob& job) {
   BlockFacets seen(job, 1);
   ExactVisibility visibility;

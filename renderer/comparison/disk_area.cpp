@@ -17,8 +17,8 @@ double sector(glm::dvec2 a, glm::dvec2 b, double radius) {
   return 0.5 * radius * radius * std::atan2(cross(a, b), glm::dot(a, b));
 }
 
-// The signed area that the disk shares with the triangle of the origin, p and
-// q: the sum over the pieces of p q inside and outside of the circle.
+// The signed area that the disk shares with the triangle of the origin, p and q: the sum over the
+// pieces of p q inside and outside of the circle.
 double with_triangle(glm::dvec2 p, glm::dvec2 q, double radius) {
   const glm::dvec2 d = q - p;
   const double a = glm::dot(d, d), b = glm::dot(p, d), c = glm::dot(p, p) - radius * radius;

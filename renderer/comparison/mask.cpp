@@ -56,13 +56,11 @@ struct MaskFragment {
 
 }  // namespace
 
-/// Coverage masks (Carpenter's A-buffer, 1984; Fiume 1991, CGF'98
-/// section 2.12): each triangle covers some of 8 x 8 fixed points of a pixel.
-/// From front to back a fragment shows the points that none before it covers,
-/// and is shaded once, at their centroid. Orientations are right to 1/64 of the
-/// pixel; finer objects slip between the points, and fragments that pass
-/// through each other are ordered by one depth each. Lights are sampled;
-/// mirrors show highlights and the sky.
+/// Coverage masks (Carpenter's A-buffer, 1984; Fiume 1991, CGF'98 section 2.12): each triangle
+/// covers some of 8 x 8 fixed points of a pixel. From front to back a fragment shows the points
+/// that none before it covers, and is shaded once, at their centroid. Orientations are right to
+/// 1/64 of the pixel; finer objects slip between the points, and fragments that pass through each
+/// other are ordered by one depth each. Lights are sampled; mirrors show highlights and the sky.
 BlockResult render_block_mask(const BlockJob& job) {
   BlockFacets seen(job);
   std::vector<MaskFragment> fragments;

@@ -12,9 +12,9 @@ inline constexpr std::array<const char*, surface_properties> surface_keys{"B", "
                                                                           "K", "I", "U"};
 inline constexpr const char* wireframe_key = "Y";
 
-/// What is shown in place of the picture, and the wireframe over it.
+/// Chooses the property in place of the picture, and the wireframe over it.
 void surface_panel(Controls& controls, SurfaceChoice& choice);
-/// The name of what is shown in place of the picture; null: the picture itself.
+/// The name of the chosen property; null: the picture is shown.
 [[nodiscard]] const char* surface_title(const SurfaceChoice& choice);
 /// Shows a property, or the picture again where it is shown already.
 void toggle(SurfaceChoice& choice, SurfaceProperty property);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float eye_distance = 6.0f;  // from the plane z = 0
 
-// What the eye sees at (x, y) of the plane z = 0, moved along its ray to another depth.
+// Moves a point of the plane z = 0 along its eye ray to another depth.
 glm::vec3 at_depth(glm::vec2 seen, float z) {
   const float scale = (eye_distance - z) / eye_distance;
   return {scale * seen.x, scale * seen.y, z};
