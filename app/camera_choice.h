@@ -18,7 +18,7 @@ struct CameraTurn {
   int count = 1;
 };
 
-/// What the command line asks of a camera's lens, in place of its own.
+/// Values of a camera's lens from the command line, in place of its own.
 struct LensChoice {
   std::optional<double> radius, f_stop, focus, turn_deg;
   std::optional<int> blades;
@@ -50,7 +50,7 @@ struct CameraChoice {
 [[nodiscard]] std::string fit_remark(const World& world, const CameraChoice& choice,
                                      double aspect_ratio);
 
-/// Says that a camera's lens, or what the command line says of it, has no effect; empty: it has.
+/// A remark where the camera's lens, or an option for it, has no effect; empty: none.
 [[nodiscard]] std::string lens_remark(const Camera& camera, const LensChoice& lens, Method method);
 
 /// Says that the picture lacks what the camera cuts off (Camera::near_depth and far_depth), as far

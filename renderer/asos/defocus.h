@@ -15,7 +15,7 @@ namespace asos {
 class Defocus {
  public:
   struct Pixel {
-    double radius = 0.0;    ///< of the circle of confusion of what the centre shows
+    double radius = 0.0;    ///< of the circle of confusion at the centre's depth
     double most = 0.0;      ///< the largest over the square that `reach` searches
     bool searched = false;  ///< `most` is within reach
   };
@@ -30,13 +30,13 @@ class Defocus {
   /// Whether a circle of confusion changes no pixel by more than EPS.
   [[nodiscard]] bool is_sharp(double radius) const { return radius <= sharpest_; }
   [[nodiscard]] bool is_sharp_at(double depth) const { return is_sharp(view_->confusion(depth)); }
-  /// Whether nothing lies between the lens and what a pixel shows whose circle of confusion is
-  /// larger than the pixel's. Conservative: by the boundaries of what could.
+  /// Whether no boundary lies so near to the lens that its circle of confusion is larger than the
+  /// pixel's. Conservative.
   [[nodiscard]] bool nothing_nearer(std::uint32_t root) const;
   /// The side of a square with the second moments of the pixel and its circle of confusion, or of
   /// the largest that is searched.
   [[nodiscard]] double leaf_side(std::uint32_t root) const;
-  /// Of a pixel that is sampled, whatever the settings refine.
+  /// The allowance of a sampled pixel. It refines, even where the settings do not.
   [[nodiscard]] const Allowance& allowance() const { return allowance_; }
 
  private:

@@ -62,7 +62,7 @@ bool LensRoots::shade_smooth(std::uint32_t root) {
   return true;
 }
 
-// Whether the surface reflects or transmits what lies at depths of its own.
+// Whether the surface reflects or transmits other depths than its own.
 bool LensRoots::shows_other_depths(SampleId sample) const {
   const Hit& hit = samples_->hit(sample);
   if (!hit.valid()) return false;

@@ -29,7 +29,7 @@ class BoundedBlock {
     if (n_ > 1 && !job_.stop.stop_requested()) {
       std::vector<Hit> hits;
       for (std::size_t pixel = 0; pixel < pixels_; ++pixel) hits.push_back(sums_.hit(pixel));
-      // What a lens blurs has no boundaries that bound it.
+      // Blurred edges reach into many pixels.
       if (job_.view.has_lens())
         bounded.assign(pixels_, 1);
       else

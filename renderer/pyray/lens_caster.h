@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// The way in which a root is determined whose camera has a lens.
+/// How a root of a camera with a lens is determined.
 enum class LensWay : std::uint8_t {
   sharp,    ///< as through a pinhole: its circles of confusion are negligible
   smooth,   ///< one leaf, as wide as the blur

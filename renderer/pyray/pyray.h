@@ -45,7 +45,7 @@ struct FatPyray {
   [[nodiscard]] Square square_of(int x, int y, int size) const {
     return square_around(x, y, size, 0.5 * (width - 1.0));
   }
-  /// The same with what is searched around it.
+  /// The same with its surroundings that are searched.
   [[nodiscard]] Square searched_square(int x, int y, int size) const {
     return square_around(x, y, size, 0.5 * (width - 1.0) + reach);
   }

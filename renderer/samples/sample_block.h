@@ -78,7 +78,7 @@ class GridPlaces final : public SamplePlaces {
   [[nodiscard]] glm::dvec2 on_lens() const override;
 
  private:
-  /// Of the strata of a stream of random numbers.
+  /// A place in the strata, by a stream of random numbers.
   [[nodiscard]] glm::dvec2 in_strata(std::uint32_t stream) const;
 
   int n_;

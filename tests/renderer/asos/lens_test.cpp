@@ -92,7 +92,7 @@ double blurred_edge(int x, double edge, double radius) {
 }
 
 /// Independent of the renderer: R2 points in four dimensions (Roberts 2018), the aperture by
-/// rejection. `seen`: the red of what a ray from (x, y, 0) with direction (dx, dy, -1) meets.
+/// rejection. `seen`: the red along a ray from (x, y, 0) with direction (dx, dy, -1).
 double sampled_pixel(int px, int py, double radius,
                      const std::function<bool(glm::dvec2)>& in_aperture,
                      const std::function<double(glm::dvec2 from, glm::dvec2 along)>& seen) {
@@ -350,7 +350,7 @@ TEST(Lens, FocusIsOnTheMiddleUnlessGiven) {
   Camera camera = camera_with(0.1);
   camera.lens.focus.reset();
   const RenderSettings settings = settings_of(Method::asos);
-  // The middle shows the farther sphere's left limb or the wall beside it.
+  // The middle shows a sphere's limb or the wall.
   const Camera found = viewed_camera(*scene, camera, settings);
   ASSERT_TRUE(found.lens.focus);
   const View view(found, side, side);
