@@ -1,6 +1,7 @@
 #include "app/camera_choice.h"
 
 #include "app/turntable.h"
+#include "renderer/comparison/method.h"
 #include "renderer/files/printable.h"
 #include "renderer/geometry/camera_fault.h"
 #include "renderer/geometry/view.h"
@@ -29,6 +30,23 @@ Camera camera_looking(const LookAt& look, glm::dvec3 origin) {
 
 std::string called(const Camera& camera) {
   return camera.name.empty() ? "the camera" : fmt::format("camera '{}'", printable(camera.name));
+}
+
+// Fails for orthographic cameras, and where the values leave no lens.
+Result<void> set_lens(const LensChoice& choice, Camera& camera) {
+  if (!choice.any()) return {};
+  if (camera.type != Camera::Type::perspective)
+    return tl::unexpected(
+        Error{"--aperture, --f-stop", "the chosen camera is orthographic and has no lens"});
+  Lens& lens = camera.lens;
+  if (choice.radius) lens.radius = *choice.radius;
+  if (choice.f_stop) lens.radius = aperture_of_f_stop(*choice.f_stop, camera.fov_y_rad);
+  if (choice.focus) lens.focus = *choice.focus;
+  if (choice.blades) lens.blades = *choice.blades;
+  if (choice.turn_deg) lens.turn_rad = glm::radians(*choice.turn_deg);
+  if (const std::string fault = lens_fault(lens); !fault.empty())
+    return tl::unexpected(Error{"the lens", fault});
+  return {};
 }
 
 }  // namespace
@@ -60,6 +78,7 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
           Error{"--fov", "the chosen camera is orthographic and has no field of view"});
     camera.fov_y_rad = *choice.fov_y_deg * glm::pi<double>() / 180.0;
   }
+  if (auto lens = set_lens(choice.lens, camera); !lens) return tl::unexpected(lens.error());
   if (!choice.planes) camera = camera.without_planes();
   if (choice.turn) {
     glm::dvec3 middle = 0.5 * (glm::dvec3(world.bounds.lo) + glm::dvec3(world.bounds.hi));
@@ -86,6 +105,17 @@ std::string fit_remark(const World& world, const CameraChoice& choice, double as
       "{:.4g} (--fit)",
       called(camera), *camera.aspect_ratio, aspect_ratio,
       perspective ? "vertical angle in degrees" : "height", after, before);
+}
+
+std::string lens_remark(const Camera& camera, const LensChoice& lens, Method method) {
+  if (!camera.lens.blurs())
+    return lens.any() && !lens.radius
+               ? "--focus, --blades and --blade-turn have no effect without --aperture or --f-stop"
+               : "";
+  const MethodRow& row = row_of(method);
+  return row.takes_lens ? ""
+                        : fmt::format("{} renders without depth of field; {}'s lens is ignored",
+                                      row.name, called(camera));
 }
 
 std::string planes_remark(const RenderScene& scene, const Camera& camera,

@@ -18,20 +18,30 @@ struct CameraTurn {
   int count = 1;
 };
 
+/// Values of a camera's lens from the command line, in place of its own.
+struct LensChoice {
+  std::optional<double> radius, f_stop, focus, turn_deg;
+  std::optional<int> blades;
+
+  [[nodiscard]] bool any() const { return radius || f_stop || focus || turn_deg || blades; }
+};
+
 /// Which camera the command line asks for. At most one of `index` and `look_at` is set; where
 /// neither is, it is the file's first camera, or one that frames the scene.
 struct CameraChoice {
   std::optional<int> index;
-  std::optional<LookAt> look_at;     ///< in the author's coordinates
-  std::optional<Camera> given{};     ///< where neither is set; relative to World::origin
-  std::optional<double> fov_y_deg;   ///< in place of a perspective camera's own
-  CameraFit fit = CameraFit::fit;    ///< of a camera of the file, with its own vertical angle
-  bool planes = true;                ///< its near and far planes cut the scene
+  std::optional<LookAt> look_at;    ///< in the author's coordinates
+  std::optional<Camera> given{};    ///< where neither is set; relative to World::origin
+  std::optional<double> fov_y_deg;  ///< in place of a perspective camera's own
+  CameraFit fit = CameraFit::fit;   ///< of a camera of the file, with its own vertical angle
+  bool planes = true;               ///< its near and far planes cut the scene
+  LensChoice lens{};
   std::optional<CameraTurn> turn{};  ///< about what it looks at, or else the scene's middle
 };
 
 /// The camera for a picture of `aspect_ratio` (width over height), relative to the world's origin.
-/// Fails where the file has no such camera, or a field of view is asked of an orthographic one.
+/// Fails where the file has no such camera, or a field of view or a lens is asked of an
+/// orthographic one.
 [[nodiscard]] Result<Camera> choose_camera(const World& world, const CameraChoice& choice,
                                            double aspect_ratio);
 
@@ -39,6 +49,9 @@ struct CameraChoice {
 /// fits the picture; empty: it is not.
 [[nodiscard]] std::string fit_remark(const World& world, const CameraChoice& choice,
                                      double aspect_ratio);
+
+/// A remark where the camera's lens, or an option for it, has no effect; empty: none.
+[[nodiscard]] std::string lens_remark(const Camera& camera, const LensChoice& lens, Method method);
 
 /// Says that the picture lacks what the camera cuts off (Camera::near_depth and far_depth), as far
 /// as a grid of rays meets it; empty: it meets nothing of that.

@@ -3,6 +3,8 @@
 #include "app/option.h"
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
+#include "renderer/geometry/coordinates.h"
+#include "renderer/geometry/lens.h"
 #include "renderer/settings/names.h"
 
 #include <fmt/format.h>
@@ -250,6 +252,38 @@ void add_camera_choice(CLI::App& app, CameraChoice& camera) {
                     number(0, 180, true), [&](double degrees) { camera.fov_y_deg = degrees; });
 }
 
+void add_lens_options(CLI::App& app, LensChoice& lens) {
+  CLI::Option* aperture = add_parsed_option(
+      app, "--aperture", "RADIUS",
+      "Depth of field: radius of the lens in file units; 0: a pinhole [the camera's]",
+      number(0, largest_coordinate), [&](double radius) { lens.radius = radius; });
+  add_parsed_option(app, "--f-stop", "N",
+                    "The same for a scene in metres, as f/N of a 24 mm high sensor, 0.1 to 1e6",
+                    number(Lens::smallest_f_stop, Lens::largest_f_stop),
+                    [&](double n) { lens.f_stop = n; })
+      ->excludes(aperture);
+  add_parsed_option(
+      app, "--focus", "DISTANCE",
+      "Distance of the sharp plane along the view axis [of what is in the middle of the picture]",
+      [](const std::string& text) { return parse_number(text, 0.0, largest_coordinate); },
+      [&](double focus) {
+        if (!(focus > 0.0)) throw CLI::ValidationError("--focus", "has to be ahead of the camera");
+        lens.focus = focus;
+      });
+  add_parsed_option(
+      app, "--blades", "N", "Corners of the aperture: 0 (a disk) or 3 to 32 [0]",
+      [](const std::string& text) -> Result<int> {
+        const Result<int> n = parse_whole(text, 0, Lens::most_blades);
+        if (n && *n > 0 && *n < Lens::fewest_blades)
+          return tl::unexpected(Error{fmt::format("\"{}\"", text), "has to be 0 or 3 to 32"});
+        return n;
+      },
+      [&](int n) { lens.blades = n; });
+  add_parsed_option(app, "--blade-turn", "DEG",
+                    "Counter-clockwise turn of the first corner from the right, -360 to 360 [0]",
+                    number(-360, 360), [&](double degrees) { lens.turn_deg = degrees; });
+}
+
 }  // namespace
 
 void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_required) {
@@ -268,6 +302,7 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
 
 void add_camera_options(CLI::App& app, PictureArguments& arguments) {
   add_camera_choice(app, arguments.camera);
+  add_lens_options(app, arguments.camera.lens);
   add_choice(
       app, "--fit", "HOW",
       "A camera of the file in a picture of another aspect ratio: fit (all of its view, and "

@@ -53,6 +53,14 @@ Json lights_json(const Scene& scene) {
           {"sun", count_if(is_sun)}};
 }
 
+Json lens_json(const Camera& camera) {
+  const Lens& lens = camera.lens;
+  return {{"aperture", lens.radius},
+          {"f_stop", f_stop_of_aperture(lens.radius, camera.fov_y_rad)},
+          {"focus", lens.focus ? Json(*lens.focus) : Json(nullptr)},
+          {"blades", lens.blades}};
+}
+
 Json cameras_json(const Scene& scene) {
   Json cameras = Json::array();
   for (const Camera& camera : scene.cameras) {
@@ -64,6 +72,7 @@ Json cameras_json(const Scene& scene) {
       entry["fov_y_degrees"] = camera.fov_y_rad * 180.0 / glm::pi<double>();
     else
       entry["height"] = camera.height;
+    if (camera.lens.blurs()) entry["lens"] = lens_json(camera);
     cameras.push_back(std::move(entry));
   }
   return cameras;
@@ -160,14 +169,23 @@ std::string list(const Json& names, std::size_t most) {
   return text;
 }
 
+std::string lens_words(const Json& lens) {
+  const Json& focus = lens["focus"];
+  return fmt::format(
+      ", lens of radius {:.4g} (f/{:.3g} in metres), {}", lens["aperture"].get<double>(),
+      lens["f_stop"].get<double>(),
+      focus.is_null() ? "automatic focus" : fmt::format("focus at {:.6g}", focus.get<double>()));
+}
+
 std::string camera_line(std::size_t index, const Json& camera) {
   const std::string name = camera["name"];
   const std::string extent =
       camera.contains("fov_y_degrees")
           ? fmt::format("field of view {:.4g} degrees", camera["fov_y_degrees"].get<double>())
           : fmt::format("height {:.6g}", camera["height"].get<double>());
-  return fmt::format("  {}: {}{}, {}\n", index, name.empty() ? "" : "\"" + name + "\", ",
-                     camera["type"].get<std::string>(), extent);
+  return fmt::format("  {}: {}{}, {}{}\n", index, name.empty() ? "" : "\"" + name + "\", ",
+                     camera["type"].get<std::string>(), extent,
+                     camera.contains("lens") ? lens_words(camera["lens"]) : "");
 }
 
 std::string bounds_line(const Json& bounds) {

@@ -78,7 +78,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
                  .and_then(with_boundaries);
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
-  const View view(*camera, settings.width, settings.height,
+  const View view(viewed_camera(ready, *camera, settings), settings.width, settings.height,
                   radius_around_origin(ready.world().bounds));
   return trace_json(trace_pixel(ready, view, settings, arguments.pixel.x, arguments.pixel.y), ready,
                     {wanted.scene, camera->name, settings});

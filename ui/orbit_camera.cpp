@@ -84,6 +84,12 @@ void OrbitCamera::set_fov_y(double fov_y_rad) {
   ++revision_;
 }
 
+void OrbitCamera::set_lens(const Lens& lens) {
+  if (lens == lens_.lens || !lens_fault(lens).empty()) return;
+  lens_.lens = lens;
+  ++revision_;
+}
+
 void OrbitCamera::pan(double right, double down) {
   if (!std::isfinite(right) || !std::isfinite(down)) return;
   const double height = lens_.type == Camera::Type::perspective
@@ -134,6 +140,7 @@ void OrbitCamera::restore(const OrbitCamera& other) {
 
 Camera OrbitCamera::camera() const {
   Camera camera = planes_ ? lens_ : lens_.without_planes();
+  if (camera.type != Camera::Type::perspective) camera.lens = {};
   const Basis b = basis();
   camera.world_from_camera =
       glm::dmat4(glm::dvec4(b.right, 0.0), glm::dvec4(b.up, 0.0), glm::dvec4(b.back, 0.0),

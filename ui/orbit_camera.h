@@ -37,6 +37,8 @@ class OrbitCamera {
   [[nodiscard]] bool planes() const { return planes_; }
   /// Full vertical field of view of a perspective, between 0 and pi; others are ignored.
   void set_fov_y(double fov_y_rad);
+  /// Sets the lens of a perspective. A lens out of range is ignored.
+  void set_lens(const Lens& lens);
   /// Keeps the direction and puts the pivot into the picture's middle.
   void look_at(glm::dvec3 pivot);
   /// Turns the view where it stands: to the left and up; stops at straight up and straight down.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/comparison/method.h"
 #include "renderer/geometry/view.h"
 #include "renderer/session/render_session.h"
 
@@ -7,7 +8,8 @@ namespace asos {
 
 /// The picture's view as its render sees it.
 [[nodiscard]] inline View view_of(const Snapshot& picture) {
-  return View(picture.camera, picture.settings.width, picture.settings.height,
+  return View(viewed_camera(*picture.scene, picture.camera, picture.settings),
+              picture.settings.width, picture.settings.height,
               radius_around_origin(picture.scene->world().bounds));
 }
 

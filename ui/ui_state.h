@@ -5,6 +5,7 @@
 #include "ui/panels/check_panel.h"
 #include "ui/panels/equal_time_panel.h"
 #include "ui/panels/file_browser.h"
+#include "ui/panels/lens_panel.h"
 #include "ui/panels/outline_panel.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/quit_dialog.h"
@@ -33,6 +34,7 @@ struct UiState {
   PictureView view;
   StudyChoice study;
   LightChoice lights;
+  LensState lens;
   ReflectionChoice reflections;
   OutlineChoice outline;
   SkyEdit sky;

@@ -191,6 +191,15 @@ Hit Viewpoint::seen_at(double x, double y) const {
   return scene_->rays().closest(view().ray(x, y), culling_of(settings_));
 }
 
+void Viewpoint::focus_at(double x, double y) {
+  const Hit hit = seen_at(x, y);
+  if (!hit.valid()) return;
+  const View seen = view();
+  Lens lens = camera_.lens().lens;
+  lens.focus = seen.depth(seen.ray(x, y), hit.t);
+  camera_.set_lens(lens);
+}
+
 void Viewpoint::set_pivot_at(double x, double y) {
   if (!scene_ || !sized_) return;
   const Hit hit = seen_at(x, y);

@@ -61,6 +61,8 @@ class Viewpoint {
   [[nodiscard]] View view() const;
   /// The hit seen at (x, y), in pixels; not valid where that is the background.
   [[nodiscard]] Hit seen_at(double x, double y) const;
+  /// Focuses the camera's lens on what the picture shows at (x, y), in pixels; not on background.
+  void focus_at(double x, double y);
   /// Orbits about what the picture shows at (x, y), in pixels, from now on.
   void set_pivot_at(double x, double y);
 

@@ -1,5 +1,6 @@
 #include "renderer/asos/asos.h"
 
+#include "renderer/asos/defocus.h"
 #include "renderer/asos/eye_caster.h"
 #include "renderer/asos/plane_cuts.h"
 #include "renderer/asos/started_pyray.h"
@@ -16,19 +17,22 @@
 namespace asos {
 namespace {
 
-// How many pixels of frame a block needs around it: what the filters of its outermost pixels, and
-// their cones, reach beyond it; cones more the farther from the picture's middle they are.
+// How many pixels of frame a block needs around it: what the filters of its outermost pixels, the
+// search for what a lens blurs (`blur`), and their cones reach beyond it; cones more the farther
+// from the picture's middle they are.
 int border_of(const View& view, PixelRect block, const RenderSettings& settings,
-              const SubdivisionVariant* variant) {
+              const SubdivisionVariant* variant, double blur) {
   const int fat = settings.asos.fat;
   FatPyray pyray{view.frame(block.x, block.y, fat, fat), fat};
   pyray.width = settings.filter_width;
-  double beyond = 0.5 * (settings.filter_width - 1.0);  // in pixels
+  pyray.reach = blur;
+  double beyond = 0.5 * (settings.filter_width - 1.0) + blur;  // in pixels
   if (const auto detection = variant ? variant->detection(pyray.frame) : nullptr) {
     const double side = 1.0 / fat;
     for (const int x : {0, fat - 1}) {
       for (const int y : {0, fat - 1}) {
-        const auto reach = static_cast<double>(detection->reach(pyray.square_of(x, y, 1)).side);
+        const auto reach =
+            static_cast<double>(detection->reach(pyray.searched_square(x, y, 1)).side);
         beyond = std::max(beyond, 0.5 * (reach / side - 1.0));
       }
     }
@@ -37,12 +41,13 @@ int border_of(const View& view, PixelRect block, const RenderSettings& settings,
 }
 
 FatPyray fat_pyray(const View& view, PixelRect block, PixelRect framed,
-                   const RenderSettings& settings) {
+                   const RenderSettings& settings, double reach) {
   FatPyray fat{view.frame(framed.x, framed.y, framed.width, framed.height), settings.asos.fat};
   fat.columns = block.width;
   fat.rows = block.height;
   fat.border = block.x - framed.x;
   fat.width = settings.filter_width;
+  fat.reach = reach;
   fat.origin = {block.x, block.y};
   return fat;
 }
@@ -73,23 +78,32 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   StartedPyray started;
   started.block = job.block;
 
-  // Frame the block, with what filters and cones reach beyond it.
+  // Look along the block as the camera does.
+  const Allowance allowance = Allowance::of(settings);
+  const CameraEye camera(job, allowance);
+  std::optional<Defocus> defocus;
+  if (job.view.has_lens()) {
+    defocus.emplace(job, camera.viewer, settings.asos.fat);
+    started.statistics.eye_rays +=
+        static_cast<std::uint64_t>(job.block.width) * static_cast<std::uint64_t>(job.block.height);
+  }
+  const double reach = defocus ? defocus->reach() : 0.0;
+
+  // Frame the block, with what filters, lens and cones reach beyond it.
   const PublishedModes published(settings);
-  const int border = border_of(job.view, job.block, settings, published.variant().pixels);
+  const int border = border_of(job.view, job.block, settings, published.variant().pixels, reach);
   const int side = settings.asos.fat + 2 * border;
   started.framed = {job.block.x - border, job.block.y - border, side, side};
-  FatPyray fat = fat_pyray(job.view, job.block, started.framed, settings);
+  FatPyray fat = fat_pyray(job.view, job.block, started.framed, settings, reach);
   const PlaneCuts cuts(*job.scene.geometry, job.view, fat.frame);
   fat.outline = cuts.lines;
   fat.bounds.within = cuts.between;
 
-  // Look along it as the camera does.
-  const Allowance allowance = Allowance::of(settings);
-  const CameraEye camera(job, allowance);
   EyeContext eye{&job.scene, &settings, camera.viewer, &fat.frame, started.framed};
   eye.allowance = allowance;
   eye.variant = published.variant();
   eye.seed = settings.seed;
+  eye.defocus = defocus ? &*defocus : nullptr;
   eye.work = &work.eye;
   eye.stop = job.stop;
   eye.counts = &started.statistics;

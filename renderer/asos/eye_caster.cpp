@@ -65,7 +65,9 @@ EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
       weak_lights_(eye_, samples_),
       chooser_(eye_, samples_, weak_lights_, shadows_),
       sums_(roots),
-      leaf_shader_(eye_, samples_, chooser_, weak_lights_, shadows_, sums_, blurred_) {}
+      leaf_shader_(eye_, samples_, chooser_, weak_lights_, shadows_, sums_, blurred_) {
+  if (eye_.defocus) lens_.emplace(eye_, samples_, chooser_, leaf_shader_, roots);
+}
 
 void EyeCaster::middles_known(int side) {
   groups_.reset(eye_.viewer.shader.lights().size());

@@ -5,6 +5,7 @@
 #include "renderer/asos/eye_workspace.h"
 #include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_shader.h"
+#include "renderer/asos/lens_roots.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/pyray/caster.h"
@@ -14,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace asos {
@@ -27,6 +29,7 @@ class EyeCaster final : public Caster {
   EyeCaster& operator=(const EyeCaster&) = delete;
 
   SampleId probe(std::span<const glm::vec2> points) override { return samples_.probe(points); }
+  [[nodiscard]] LensCaster* lens() override { return lens_ ? &*lens_ : nullptr; }
   /// Shadow pyrays share what lies between each of the surfaces in the middles and the lights.
   void middles_known(int side) override;
   /// For who sends one ray only, instead.
@@ -81,6 +84,7 @@ class EyeCaster final : public Caster {
   std::vector<RootSum> sums_;
   BlurredSum blurred_;
   LeafShader leaf_shader_;
+  std::optional<LensRoots> lens_;
 };
 
 }  // namespace asos

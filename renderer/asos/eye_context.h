@@ -14,6 +14,7 @@
 
 namespace asos {
 
+class Defocus;
 struct EyeWorkspace;
 
 /// A viewer's block while it is rendered: who looks where, at which cost. A camera's block of
@@ -29,6 +30,7 @@ struct EyeContext {
   EngineVariant variant{};
   int seed = 0;                        ///< of sampled parts
   const MirroredMask* mask = nullptr;  ///< how much the parts of the square count; null: their area
+  const Defocus* defocus = nullptr;    ///< of the camera's lens; null: a pinhole
   EyeWorkspace* work = nullptr;
   std::stop_token stop{};
   RenderStatistics* counts = nullptr;

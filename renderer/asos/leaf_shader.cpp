@@ -1,5 +1,6 @@
 #include "renderer/asos/leaf_shader.h"
 
+#include "renderer/asos/defocus.h"
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/part_shape.h"
 #include "renderer/asos/texture_samples.h"
@@ -22,6 +23,13 @@ constexpr double least_in_parts = 1.0 / 64.0;
 // Samples of a root whose mirrors may show a bright light elsewhere than pyrays do: of few none may
 // meet it, and agree.
 constexpr double samples_of_light = 256.0;
+
+// Samples of a pixel that is blurred, at least: of few all may miss what is bright and blurred over
+// many pixels, and agree.
+constexpr std::uint32_t samples_of_blur = 16;
+// MAX leaves so many times more samples to pixel and lens together than to a pixel: the lens has as
+// many parts.
+constexpr std::uint32_t parts_of_lens = 16;
 
 // A block's first stage samples regions until they are within so many times their allowed error.
 constexpr double first_stage_error = 4.0;
@@ -117,6 +125,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     fewest = std::bit_ceil(std::max(1u, samples));
   }
   if (highlight_unsure(leaf, transport)) fewest = enough_for(leaf, transport.unsure_highlights());
+  if (blurs_edge(leaf, transport)) fewest = std::max(fewest, 1u);
   if (fewest > 0 && add_samples(leaf, fewest)) {
     drop(share, sky_share);
     return radiance;
@@ -149,6 +158,12 @@ bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& tr
   const Allowance& allowance = eye_->allowance;
   return !eye_->mirrored() && allowance.refines_leaves() && !leaf.region.marginal &&
          !leaf.decision.sampled() && transport.unsure_highlights() > allowance.tolerance;
+}
+
+// Whether an edge lies in a leaf that is as wide as a lens blurs it, which weighs its parts
+// otherwise than the leaf does.
+bool LeafShader::blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transport) const {
+  return leaf.defocused && (transport.met_shadow_edge() || transport.met_mirror_edge());
 }
 
 // How many samples tell such a highlight: of few samples none may see what is left of the light,
@@ -222,14 +237,35 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   return true;
 }
 
-bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
+RegionSampler& LeafShader::sampler() {
   if (!sampler_) {
     sampler_ = std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings,
                                                eye_->block, eye_->seed, eye_->mask, eye_->stop);
   }
+  return *sampler_;
+}
+
+void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint32_t fewest) {
+  const glm::vec2 at = samples_->at(sample);
+  const float side = eye_->root_side();
+  PyrayLeaf leaf{root, sample, 1.0, {{at.x - 0.5f * side, at.y - 0.5f * side, side}, {}}};
+  leaf.decision = {Estimator::samples};
+  RegionSampler::Goal goal =
+      sample_goal(eye_->defocus->allowance(), 1.0, std::max(fewest, samples_of_blur));
+  if (goal.most > 1) goal.most *= parts_of_lens;
+  sampler().add(leaf.region, goal);
+  sums_[root].defocused = true;
+  deferred_.push_back(leaf);
+}
+
+bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
+  if (leaf.defocused) {
+    sample_defocused(leaf.root, leaf.sample);
+    return true;
+  }
   const RegionSampler::Goal goal = sample_goal(*eye_, leaf.weight, fewest);
   if (!eye_->mirrored()) {
-    sampler_->add(leaf.region, goal);
+    sampler().add(leaf.region, goal);
     deferred_.push_back(leaf);
     deferred_.back().region.border = {};
     return true;
@@ -238,7 +274,7 @@ bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
   std::optional<BlurKernel> kernel;
   if (eye_->mask->blur) kernel = eye_->mask->blur->at(static_cast<double>(samples_->hit(0).t));
   return add_estimate(
-      leaf, sampler_->sample(leaf.region, goal, *eye_->counts, kernel ? &*kernel : nullptr));
+      leaf, sampler().sample(leaf.region, goal, *eye_->counts, kernel ? &*kernel : nullptr));
 }
 
 // Adds the mean of a part to its root, for the share of it that the mask holds.

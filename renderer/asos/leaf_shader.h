@@ -40,6 +40,9 @@ class LeafShader {
   /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
   /// put off until `finish`, to share packets of rays.
   bool add_samples(const PyrayLeaf& leaf, std::uint32_t fewest = 1);
+  /// Samples a root over the camera's lens, likewise, by at least `fewest` samples; `sample` is
+  /// that of its middle.
+  void sample_defocused(std::uint32_t root, SampleId sample, std::uint32_t fewest = 1);
   /// Determines what was put off. Sums are complete after it but for open regions.
   void finish();
   /// Takes the regions that `finish` left open.
@@ -50,6 +53,7 @@ class LeafShader {
 
  private:
   void shade_one(const PyrayLeaf& leaf);
+  [[nodiscard]] RegionSampler& sampler();
   void start_regions();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
   void drop(std::uint32_t weak_share, std::uint32_t sky_share);
@@ -61,6 +65,7 @@ class LeafShader {
   [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
   [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] std::uint32_t enough_for(const PyrayLeaf& leaf, float highlights) const;
+  [[nodiscard]] bool blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] bool light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] std::span<const SharedShape> colour_parts(const PyrayLeaf& leaf, glm::vec2 at);
   [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;

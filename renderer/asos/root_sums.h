@@ -45,6 +45,7 @@ struct RootSum {
   bool cut_out = false;       ///< samples found what textures cut out, or let through together
   bool mirror_cut = false;    ///< a boundary split what one of its leaves mirrors
   bool misplaced = false;     ///< bent mirrors, one in the other, may show a bright light elsewhere
+  bool defocused = false;     ///< it was sampled over the camera's lens
   bool varies = false;        ///< samples of one of its parts differ visibly
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
   float error = 0.0f;         ///< of the root's centre, as the bounds of its leaves tell

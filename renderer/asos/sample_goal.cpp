@@ -6,8 +6,11 @@
 namespace asos {
 
 RegionSampler::Goal sample_goal(const EyeContext& eye, double weight, std::uint32_t fewest) {
+  return sample_goal(eye.allowance, weight, fewest);
+}
+
+RegionSampler::Goal sample_goal(const Allowance& allowance, double weight, std::uint32_t fewest) {
   constexpr double most = 1u << 20;
-  const Allowance& allowance = eye.allowance;
   RegionSampler::Goal goal;
   goal.standard_error = allowance.standard_error(weight);
   goal.share = allowance.weight * weight;

@@ -11,5 +11,8 @@ namespace asos {
 /// to the most that MAX allows, until their standard error is within the allowance.
 [[nodiscard]] RegionSampler::Goal sample_goal(const EyeContext& eye, double weight,
                                               std::uint32_t fewest = 1);
+/// The same by another allowance than that of the roots.
+[[nodiscard]] RegionSampler::Goal sample_goal(const Allowance& allowance, double weight,
+                                              std::uint32_t fewest);
 
 }  // namespace asos

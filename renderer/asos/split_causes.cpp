@@ -3,6 +3,7 @@
 namespace asos {
 
 SplitCause cause_of(const PixelFindings& pixel) {
+  if (pixel.defocused) return SplitCause::lens;
   const SubdivisionOutcome& outcome = pixel.outcome;
   if (outcome.deepest == 0) {
     if (pixel.mirror_cut) return SplitCause::reflection;

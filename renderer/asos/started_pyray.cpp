@@ -69,8 +69,8 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   statistics.pyrays_by_level[static_cast<std::size_t>(max_level)] += sum.samples;
   result.tile.radiance.push_back(sum.mean());
   result.tile.split_level.push_back(static_cast<std::uint8_t>(level));
-  const SplitCause cause =
-      cause_of({outcome, trace.by_samples || sum.cut_out, sum.shadow_cut, sum.mirror_cut});
+  const SplitCause cause = cause_of(
+      {outcome, trace.by_samples || sum.cut_out, sum.shadow_cut, sum.mirror_cut, sum.defocused});
   result.tile.cause.push_back(cause);
   statistics.split_pixels += cause != SplitCause::none;
   if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];

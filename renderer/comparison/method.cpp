@@ -1,6 +1,7 @@
 #include "renderer/comparison/method.h"
 
 #include "renderer/asos/asos.h"
+#include "renderer/prepared/focus.h"
 #include "renderer/samples/sobol_places.h"
 
 #include <fmt/format.h>
@@ -165,6 +166,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Exact area of every visible polygon. For small scenes only.",
      .render = render_block_beam,
      .block_side = usual_side,
+     .takes_lens = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::cone,
@@ -267,6 +269,14 @@ BlockResult render_block(const RenderScene& scene, const View& view, const Rende
 RenderSettings judged_by(RenderSettings settings, ToneCurve curve) {
   settings.judged_tone = row_of(settings.method).judges_display ? curve : ToneCurve::none;
   return settings;
+}
+
+Camera viewed_camera(const RenderScene& scene, const Camera& camera,
+                     const RenderSettings& settings) {
+  if (row_of(settings.method).takes_lens) return focused(scene, camera, settings);
+  Camera pinhole = camera;
+  pinhole.lens = {};
+  return pinhole;
 }
 
 int samples_a_pixel(const RenderSettings& settings) {

@@ -48,6 +48,7 @@ struct MethodRow {
   /// Without splitting pyrays it takes samples by MAX and EPS: more until EPS is met.
   bool samples_by_eps = false;
   bool takes_filter_width = false;
+  bool takes_lens = true;  ///< else its cameras are pinholes
   SampleCount samples = SampleCount::none;
   /// Where it places the samples of each pixel, all of which have as many: such a method renders in
   /// rounds (PixelSamples). Null for others.
@@ -116,6 +117,11 @@ void fill_in(BlockResult& result);
 /// shows it judges by the curve, and else the picture is the same by whichever it is shown. Studies
 /// do not use it: their errors are those of radiance, clipped at white.
 [[nodiscard]] RenderSettings judged_by(RenderSettings settings, ToneCurve curve);
+
+/// The camera as the settings' method sees through it: its lens in focus, or a pinhole where the
+/// method takes no lens.
+[[nodiscard]] Camera viewed_camera(const RenderScene& scene, const Camera& camera,
+                                   const RenderSettings& settings);
 
 /// Side of the aligned blocks of pixels that are rendered as one piece of work.
 [[nodiscard]] int block_side(const RenderSettings& settings);

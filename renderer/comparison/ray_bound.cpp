@@ -29,7 +29,11 @@ class BoundedBlock {
     if (n_ > 1 && !job_.stop.stop_requested()) {
       std::vector<Hit> hits;
       for (std::size_t pixel = 0; pixel < pixels_; ++pixel) hits.push_back(sums_.hit(pixel));
-      bounded = pixels_with_boundaries(job_.scene, job_.view, job_.block, hits);
+      // Blurred edges reach into many pixels.
+      if (job_.view.has_lens())
+        bounded.assign(pixels_, 1);
+      else
+        bounded = pixels_with_boundaries(job_.scene, job_.view, job_.block, hits);
       supersample(bounded);
     }
     BlockResult result = sums_.block(job_.block);
@@ -86,8 +90,9 @@ class BoundedBlock {
 
 /// Ray bound tracing (Ohta and Maekawa 1990; CGF'98 section 2.9): n x n jittered samples, as many
 /// as `uniform` would take, in pixels with an object's boundary (pixels_with_boundaries), and one
-/// through the centre in the others. The centre's sample is one of the n x n: it stands in for that
-/// of a middle stratum. Eye rays only: boundaries of shadows are not looked for.
+/// through the centre in the others. With a lens all pixels are supersampled. The centre's sample
+/// is one of the n x n: it stands in for that of a middle stratum. Eye rays only: boundaries of
+/// shadows are not looked for.
 BlockResult render_block_ray_bound(const BlockJob& job) {
   return BoundedBlock(job).run();
 }

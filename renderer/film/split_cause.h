@@ -22,18 +22,19 @@ enum class SplitCause : std::uint8_t {
   cut_out,       ///< no boundary: split by what its samples show, as at a texture's holes
   saturation,    ///< so many boundaries that samples cost less than the parts between
   depth_limit,   ///< boundaries still passed through cells when MAX was reached
+  lens,          ///< depth of field: sampled over pixel and lens
 };
-inline constexpr std::size_t split_cause_count = 10;
+inline constexpr std::size_t split_cause_count = 11;
 
 /// The names of the causes in statistics, in the order of their values.
 inline constexpr std::array<const char*, split_cause_count> split_cause_names{
-    "none",       "outline", "crease",  "intersection", "shadow",
-    "reflection", "shading", "cut_out", "saturation",   "depth_limit"};
+    "none",    "outline", "crease",     "intersection", "shadow", "reflection",
+    "shading", "cut_out", "saturation", "depth_limit",  "lens"};
 
 /// The names of the causes as the window and `asos trace` write them, in the order of their values.
 inline constexpr std::array<const char*, split_cause_count> split_cause_titles{
-    "not split",  "silhouette", "crease, seam", "intersection",   "shadow",
-    "reflection", "shading",    "alpha edge",   "too many edges", "MAX reached"};
+    "not split", "silhouette", "crease, seam",   "intersection", "shadow",   "reflection",
+    "shading",   "alpha edge", "too many edges", "MAX reached",  "lens blur"};
 
 [[nodiscard]] constexpr const char* title_of(SplitCause cause) {
   return split_cause_titles[static_cast<std::size_t>(cause)];
@@ -44,7 +45,7 @@ inline constexpr std::array<const char*, split_cause_count> split_cause_titles{
 }
 
 /// The split map's colour of a cause: sRGB bytes, black for none and for no other. The palette of
-/// Okabe and Ito (Color Universal Design, 2008), with white and a blue added, so that the
+/// Okabe and Ito (Color Universal Design, 2008), with white, brown and a blue added, so that the
 /// colour-blind can tell them apart, too.
 [[nodiscard]] constexpr glm::u8vec3 split_cause_colour(SplitCause cause) {
   constexpr std::array<std::array<std::uint8_t, 3>, split_cause_count> colours{{{0, 0, 0},
@@ -56,7 +57,8 @@ inline constexpr std::array<const char*, split_cause_count> split_cause_titles{
                                                                                 {0, 158, 115},
                                                                                 {230, 159, 0},
                                                                                 {213, 94, 0},
-                                                                                {255, 255, 255}}};
+                                                                                {255, 255, 255},
+                                                                                {110, 60, 20}}};
   const auto& c = colours[static_cast<std::size_t>(cause)];
   return {c[0], c[1], c[2]};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/geometry/lens.h"
+
 #include <glm/glm.hpp>
 
 #include <optional>
@@ -21,6 +23,7 @@ struct Camera {
   /// The picture shows nothing nearer or farther: depths ahead of the eye, along the view's axis
   /// (glTF's znear and zfar). Shadows and reflections show it all the same.
   std::optional<double> near_depth, far_depth;
+  Lens lens;  ///< perspective: depth of field
 
   /// The same camera, which shows all that it sees.
   [[nodiscard]] Camera without_planes() const {

@@ -27,6 +27,9 @@ std::string camera_fault(const Camera& camera) {
   if (camera.near_depth && !(*camera.near_depth >= 0.0)) return "\"near_depth\" is below 0";
   if (camera.far_depth && !(*camera.far_depth > camera.near_depth.value_or(0.0)))
     return "\"far_depth\" is not beyond \"near_depth\"";
+  if (camera.lens.blurs() && camera.type != Camera::Type::perspective)
+    return "\"lens\" belongs to perspective cameras";
+  if (const std::string fault = lens_fault(camera.lens); !fault.empty()) return "lens: " + fault;
   return "";
 }
 

@@ -26,6 +26,11 @@ View::View(const Camera& camera, int width, int height, double scene_radius)
   const double distance = perspective_ ? glm::length(eye_) : -glm::dot(eye_, forward_);
   if (distance > far * scene_radius) start_ = distance - 2.0 * scene_radius;
   set_planes(camera, scene_radius);
+  if (!perspective_ || !camera.lens.blurs() || !camera.lens.focus) return;
+  lens_ = camera.lens;
+  lens_right_ = right;
+  lens_up_ = up;
+  confusion_ = lens_.radius / pixel;
 }
 
 // Planes that nothing of the scene lies beyond are left out: rays to everything are cheaper.
@@ -82,6 +87,18 @@ Ray View::ray(double x, double y) const {
   if (height < 0.0)
     ray.t_near =
         slope > 0.0 ? static_cast<float>(-height / slope) : std::numeric_limits<float>::infinity();
+  return ray;
+}
+
+// The focus plane is seen at the same place from all over the lens.
+Ray View::ray(double x, double y, const ExposurePoint& exposure) const {
+  const glm::dvec3 from = exposure.lens.x * lens_right_ + exposure.lens.y * lens_up_;
+  const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
+  const glm::dvec3 direction = glm::normalize(target - from / *lens_.focus);
+  Ray ray;
+  ray.origin = glm::vec3(eye_ + from + start_ * direction);
+  ray.direction = glm::vec3(direction);
+  if (cuts()) cut(ray, direction);
   return ray;
 }
 

@@ -4,6 +4,7 @@
 #include "renderer/geometry/camera.h"
 #include "renderer/geometry/frame.h"
 #include "renderer/geometry/half_space.h"
+#include "renderer/geometry/lens.h"
 #include "renderer/geometry/pixel_rect.h"
 #include "renderer/geometry/ray.h"
 
@@ -41,6 +42,10 @@ struct PyrayPicture {
 /// as far away rays start just before that: floats of the camera's size would lose the scene.
 ///
 /// Rays run from the camera's near_depth to its far_depth, where the scene may lie beyond those.
+///
+/// With a lens, rays that start at a point of it pass the focus plane where the ray from its centre
+/// does. Frames, and rays without such a point, are those of its centre. A lens whose focus is
+/// automatic has none yet (focused_camera): such a view has no lens.
 class View {
  public:
   View(const Camera& camera, int width, int height,
@@ -75,6 +80,30 @@ class View {
   /// The same through many points; `rays` is as long as `points`.
   void rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const;
 
+  /// Whether depth blurs.
+  [[nodiscard]] bool has_lens() const { return lens_.blurs(); }
+  /// A lens whose focus is known; a pinhole where depth does not blur.
+  [[nodiscard]] const Lens& lens() const { return lens_; }
+  /// The ray through a point of the picture that starts at a point of the lens.
+  [[nodiscard]] Ray ray(double x, double y, const ExposurePoint& exposure) const;
+  /// Radius of the circle of confusion at a depth, in pixels; infinite depths are allowed.
+  [[nodiscard]] double confusion(double depth) const {
+    return confusion_ * std::abs(1.0 / depth - 1.0 / lens_.focus.value_or(1.0));
+  }
+  /// How much the radius changes over a difference of inverse depths.
+  [[nodiscard]] double confusion_of_nearness(double difference) const {
+    return confusion_ * difference;
+  }
+  /// The depth in front of the focus plane with a circle of confusion of this radius.
+  [[nodiscard]] double depth_before_focus(double radius) const {
+    return 1.0 / (1.0 / lens_.focus.value_or(1.0) + radius / confusion_);
+  }
+  /// The depth of a point of a ray, along the view axis.
+  [[nodiscard]] double depth(const Ray& ray, float t) const {
+    return glm::dot(forward_, glm::dvec3(ray.origin) - eye_) +
+           static_cast<double>(t) * glm::dot(forward_, glm::dvec3(ray.direction));
+  }
+
   /// The frame of the pyray through a rectangle of the picture, in pixels: (u, v) runs from 0 to 1
   /// from its top left to its bottom right corner.
   [[nodiscard]] Frame frame(double x, double y, double width, double height) const;
@@ -97,6 +126,9 @@ class View {
   double near_ = 0.0;
   double far_ = std::numeric_limits<double>::infinity();
   std::optional<HalfSpace> beyond_;
+  Lens lens_;
+  glm::dvec3 lens_right_{0.0}, lens_up_{0.0};  // unit
+  double confusion_ = 0.0;  // the lens' radius, in pixels of the plane one unit ahead
 };
 
 }  // namespace asos

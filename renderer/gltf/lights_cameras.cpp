@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/camera_fault.h"
 #include "renderer/gltf/area_lights.h"
+#include "renderer/gltf/camera_lens.h"
 #include "renderer/gltf/light_fault.h"
 #include "renderer/gltf/light_values.h"
 
@@ -159,6 +160,20 @@ void add_punctual_light(Document& document, const tinygltf::Node& node,
   scene.lights.push_back(std::move(light));
 }
 
+/// Orthographic cameras have no lens, and bad ones are left out, with a warning.
+void add_lens(const tinygltf::Camera& source, const std::string& place, Camera& camera,
+              Warnings& warnings) {
+  const Checked<Lens> lens = read_lens(source.extras, camera.fov_y_rad);
+  if (!lens) {
+    warnings.add(
+        fmt::format("{}: the lens in its extras: {}; a pinhole is used", place, lens.error()));
+  } else if (camera.type != Camera::Type::perspective && lens->blurs()) {
+    warnings.add(place + " is orthographic: the lens in its extras is ignored");
+  } else {
+    camera.lens = *lens;
+  }
+}
+
 }  // namespace
 
 void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
@@ -177,6 +192,7 @@ void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4
     document.warnings.add(fmt::format("{} has {}; left out", place, why));
     return;
   }
+  add_lens(source, place, camera, document.warnings);
   const std::optional<glm::dmat4> placed = rigid(world_from_node);
   if (!placed) {
     document.warnings.add(place + " is placed by a matrix that squeezes it flat; left out");

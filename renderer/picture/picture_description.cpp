@@ -28,6 +28,8 @@ constexpr std::array camera_type_names{
 };
 constexpr const char* near_key = "near_depth";
 constexpr const char* far_key = "far_depth";
+constexpr const char* lens_key = "lens";
+constexpr const char* focus_key = "focus";
 constexpr std::array axis_names{"right", "up", "back", "eye"};
 
 std::string absolute_source(const std::string& source) {
@@ -35,6 +37,27 @@ std::string absolute_source(const std::string& source) {
   std::error_code error;
   const std::filesystem::path path = std::filesystem::absolute(source, error);
   return error ? source : path.lexically_normal().string();
+}
+
+template <typename Fields, typename LensValues>
+void each_lens_value(Fields& fields, LensValues& lens) {
+  fields("radius", lens.radius);
+  fields("blades", lens.blades);
+  fields("turn_rad", lens.turn_rad);
+}
+
+OrderedJson lens_json(const Lens& lens) {
+  FieldWriter fields;
+  each_lens_value(fields, lens);
+  if (lens.focus) fields(focus_key, *lens.focus);
+  return fields.take();
+}
+
+std::string read_lens(const OrderedJson& json, Lens& lens) {
+  FieldReader fields(json, "camera: lens");
+  each_lens_value(fields, lens);
+  if (fields.has(focus_key)) fields(focus_key, lens.focus.emplace());
+  return fields.fault();
 }
 
 OrderedJson camera_json(const Camera& camera) {
@@ -48,6 +71,7 @@ OrderedJson camera_json(const Camera& camera) {
   // Told only where there are any, as many cameras have none.
   if (camera.near_depth) fields(near_key, *camera.near_depth);
   if (camera.far_depth) fields(far_key, *camera.far_depth);
+  if (camera.lens.blurs()) fields.other(lens_key, lens_json(camera.lens));
   return fields.take();
 }
 
@@ -64,6 +88,9 @@ std::string read_camera(const OrderedJson& json, Camera& camera) {
   fields("height", camera.height);
   if (fields.has(near_key)) fields(near_key, camera.near_depth.emplace());
   if (fields.has(far_key)) fields(far_key, camera.far_depth.emplace());
+  if (fields.has(lens_key))
+    if (const OrderedJson* at = fields.take(lens_key))
+      if (std::string fault = read_lens(*at, camera.lens); !fault.empty()) return fault;
   if (std::string fault = fields.fault(); !fault.empty()) return fault;
   const std::string fault = camera_fault(camera);
   return fault.empty() ? fault : "camera: " + fault;

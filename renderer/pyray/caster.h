@@ -43,7 +43,10 @@ struct PyrayLeaf {
   double weight = 1.0;  ///< share of the root's area
   LeafRegion region;    ///< in the root frame
   LeafDecision decision = {};
+  bool defocused = false;  ///< its region is as wide as a lens blurs its root
 };
+
+class LensCaster;
 
 /// The side that asks the engine: knows how to look along points of the root frame's square, and
 /// what to make of the leaves. Each kind of pyray (from the eye, to a light, by way of a mirror) is
@@ -55,6 +58,9 @@ class Caster {
   /// Looks along each of the points (u, v): coherent, so they can go in packets. The samples get
   /// consecutive numbers; returns the first.
   virtual SampleId probe(std::span<const glm::vec2> points) = 0;
+
+  /// Roots that a lens blurs (lens_caster.h); null: a pinhole's.
+  [[nodiscard]] virtual LensCaster* lens() { return nullptr; }
 
   /// The roots' middles were looked through: side x side roots in rows, whose samples are the
   /// first.

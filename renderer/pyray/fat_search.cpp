@@ -15,7 +15,7 @@ void FatSearch::run(BoundarySearch& search, const FatPyray& fat, const CoverOf& 
 
 // `parent` may be the list of any square that holds this one.
 void FatSearch::hand_down(int x, int y, int size, std::span<const std::uint32_t> parent) {
-  const Square square = fat_->square_of(x, y, size);
+  const Square square = fat_->searched_square(x, y, size);
   // Any sample inside the square can hide boundaries behind it.
   const Cover cover = (*cover_of_)(x + size / 2, y + size / 2);
   const BoundarySearch::Sight sight = search_->sight(square, cover);

@@ -32,6 +32,7 @@ struct FatPyray {
   int rows = 1;
   int border = 0;                         ///< steps of the frame around them
   double width = 1.0;                     ///< of a pyray's square, in steps
+  double reach = 0.0;                     ///< searched around it, in steps: a lens' blur
   glm::ivec2 origin{0};                   ///< place of the first in the picture, for seeds
   SearchBounds bounds{};                  ///< see Pyray::bounds
   std::span<const BorderEdge> outline{};  ///< see Pyray::outline
@@ -42,16 +43,24 @@ struct FatPyray {
   }
   /// The square around size x size pyrays from (x, y) on.
   [[nodiscard]] Square square_of(int x, int y, int size) const {
-    const double step = 1.0 / (side + 2 * border);
-    const double beyond = 0.5 * (width - 1.0);
-    return {static_cast<float>((border + x - beyond) * step),
-            static_cast<float>((border + y - beyond) * step),
-            static_cast<float>((size + 2.0 * beyond) * step)};
+    return square_around(x, y, size, 0.5 * (width - 1.0));
+  }
+  /// The same with its surroundings that are searched.
+  [[nodiscard]] Square searched_square(int x, int y, int size) const {
+    return square_around(x, y, size, 0.5 * (width - 1.0) + reach);
   }
   [[nodiscard]] std::uint64_t seed_of(int x, int y) const {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(origin.x + x)) << 32 |
             static_cast<std::uint32_t>(origin.y + y)) *
            0x9e3779b97f4a7c15ULL;
+  }
+
+ private:
+  [[nodiscard]] Square square_around(int x, int y, int size, double beyond) const {
+    const double step = 1.0 / (side + 2 * border);
+    return {static_cast<float>((border + x - beyond) * step),
+            static_cast<float>((border + y - beyond) * step),
+            static_cast<float>((size + 2.0 * beyond) * step)};
   }
 };
 

@@ -147,6 +147,8 @@ bool Tracer::touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& 
 // ones by the safety net.
 void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                           std::uint32_t observed, TracedPyray* traced) {
+  if (LensCaster* lens = caster.lens())
+    return finish_lens_roots(fat, rules, caster, *lens, observed, traced);
   const int max_level = rules.allowance.max_level;
   roots_.clear();
   for (int y = 0; y < fat.rows; ++y) {
@@ -165,29 +167,31 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
         traces_[i].outcome = split_by_samples(root, max_level, caster);
         continue;
       }
-      // A clear one that is shaded too unevenly is subdivided, too.
-      const LeafRegion whole{root.square, {}};
-      const LeafDecision decision = caster.decide(i, 1.0, whole, max_level > 0);
-      if (decision.splits()) {
-        roots_.push_back(root);
-        continue;
-      }
-      // Else it is one leaf.
-      if (root.traced) {
-        TracedCell& cell = root.traced->cells.emplace_back();
-        if (caster.samples_leaf(i) || decision.sampled()) cell.fate = CellFate::sampled;
-        cell.samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
-      }
-      const PyrayLeaf leaf{i, i, 1.0, whole, decision};
-      caster.take(std::span(&leaf, 1));
-      SubdivisionOutcome& outcome = traces_[i].outcome;
-      outcome.pyrays_by_level[0] = 1;
-      outcome.note_uneven(decision.cause);
+      // A clear one that is shaded too unevenly is subdivided, too. Else it is one leaf.
+      if (!finish_clear_root(root, max_level, caster)) roots_.push_back(root);
     }
   }
   // Subdivide them together.
   const auto done = subdivider_.run(search_, roots_, rules, caster);
   for (std::size_t k = 0; k < done.size(); ++k) traces_[roots_[k].id].outcome = done[k];
+}
+
+bool Tracer::finish_clear_root(const Root& root, int max_level, Caster& caster) {
+  const std::uint32_t i = root.id;
+  const LeafRegion whole{root.square, {}};
+  const LeafDecision decision = caster.decide(i, 1.0, whole, max_level > 0);
+  if (decision.splits()) return false;
+  if (root.traced) {
+    TracedCell& cell = root.traced->cells.emplace_back();
+    if (caster.samples_leaf(i) || decision.sampled()) cell.fate = CellFate::sampled;
+    cell.samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
+  }
+  const PyrayLeaf leaf{i, i, 1.0, whole, decision};
+  caster.take(std::span(&leaf, 1));
+  SubdivisionOutcome& outcome = traces_[i].outcome;
+  outcome.pyrays_by_level[0] = 1;
+  outcome.note_uneven(decision.cause);
+  return true;
 }
 
 }  // namespace asos

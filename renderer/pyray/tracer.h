@@ -4,6 +4,7 @@
 #include "renderer/pyray/boundary_search.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/fat_search.h"
+#include "renderer/pyray/lens_caster.h"
 #include "renderer/pyray/observer.h"
 #include "renderer/pyray/pyray.h"
 #include "renderer/pyray/rules.h"
@@ -64,6 +65,14 @@ class Tracer {
   [[nodiscard]] bool touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& caster);
   void finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                     std::uint32_t observed, TracedPyray* traced);
+  /// Ends a root without boundaries by one leaf; false: it is to be subdivided.
+  bool finish_clear_root(const Root& root, int max_level, Caster& caster);
+  void finish_lens_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
+                         LensCaster& lens, std::uint32_t observed, TracedPyray* traced);
+  void finish_lens_root(Root root, Caster& caster, LensCaster& lens, int max_level);
+  [[nodiscard]] bool crosses(const Root& root, const Caster& caster);
+  void sample_lens_root(const Root& root, LensCaster& lens);
+  void drop_blurred_roots(const SubdivisionRules& rules, LensCaster& lens);
 
   BoundarySearch search_;
   Subdivider subdivider_;
@@ -72,6 +81,8 @@ class Tracer {
   BoundarySearch::List scratch_;
   std::vector<glm::vec2> middles_;
   std::vector<Root> roots_;
+  std::vector<Root> crossed_;                     // sharp ones that boundaries cross
+  std::vector<BoundarySearch::List> lens_lists_;  // theirs
   std::vector<Trace> traces_;
   std::vector<Segment> segments_;
 };

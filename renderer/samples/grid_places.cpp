@@ -58,7 +58,14 @@ PixelPoint GridPlaces::in_pixel() const {
 
 glm::dvec2 GridPlaces::on_light(std::uint32_t light) const {
   // Streams of their own, far from the pixel's.
-  const std::uint32_t stream = 0x80000000u + light * 0x10001u;
+  return in_strata(0x80000000u + light * 0x10001u);
+}
+
+glm::dvec2 GridPlaces::on_lens() const {
+  return in_strata(0x40000000u);
+}
+
+glm::dvec2 GridPlaces::in_strata(std::uint32_t stream) const {
   const auto seed = static_cast<std::uint32_t>(pixel_random(x_, y_, stream) >> 32);
   const auto cells = static_cast<std::uint32_t>(n_ * n_);
   const auto cell = static_cast<int>(permuted(static_cast<std::uint32_t>(index_), cells, seed));

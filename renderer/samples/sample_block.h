@@ -25,6 +25,11 @@ class SamplePlaces : public LightPlaces {
   /// Of samples `first` and on of the pixel; the one under way is the last of them.
   virtual void in_pixel(int first, std::span<PixelPoint> points);
 
+  /// From now on samples have places on the camera's lens, too.
+  virtual void use_lens() {}
+  /// Where the sample under way starts on the camera's lens, in [0, 1) each.
+  [[nodiscard]] virtual glm::dvec2 on_lens() const = 0;
+
   using LightPlaces::on_light;
   /// One sample after the other.
   void start_batch(std::span<const SampleIndex> samples) override { batch_ = samples; }
@@ -55,9 +60,9 @@ inline constexpr float colour_side = 0.75f;
 /// rounds of PixelSamples. A sample stands for its share of the pixel's area.
 [[nodiscard]] BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples);
 
-/// n x n strata of the pixel, and for each light another assignment of its own n x n strata to the
-/// samples, seeded by pixel: a sample in the middle of each stratum, or anywhere in it. Samples go
-/// from stratum to stratum so that the first few are spread over the pixel as well.
+/// n x n strata of the pixel, and for the lens and each light another assignment of its own n x n
+/// strata to the samples, seeded by pixel: a sample in the middle of each stratum, or anywhere in
+/// it. Samples go from stratum to stratum so that the first few are spread over the pixel as well.
 class GridPlaces final : public SamplePlaces {
  public:
   GridPlaces(int n, bool jittered);
@@ -70,8 +75,12 @@ class GridPlaces final : public SamplePlaces {
   using SamplePlaces::in_pixel;
   using SamplePlaces::on_light;
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override;
+  [[nodiscard]] glm::dvec2 on_lens() const override;
 
  private:
+  /// A place in the strata, by a stream of random numbers.
+  [[nodiscard]] glm::dvec2 in_strata(std::uint32_t stream) const;
+
   int n_;
   int step_;  // from one sample's stratum to the next one's
   bool jittered_;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -89,7 +91,9 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
       reflections_(scene.world(), places),
       bounced_(scene, viewer_.shader, places),
       plain_(scene, viewer_),
-      faces_(culling_of(settings)) {}
+      faces_(culling_of(settings)) {
+  if (view.has_lens()) places.use_lens();
+}
 
 SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
                        const RenderSettings& settings, SamplePlaces& places, Shows shows)
@@ -101,7 +105,9 @@ SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
       bounced_(scene, viewer_.shader, places),
       plain_(scene, viewer_),
       faces_(culling_of(settings)),
-      shows_(shows) {}
+      shows_(shows) {
+  if (viewer.view.has_lens()) places.use_lens();
+}
 
 void SampleSums::resize(std::size_t count) {
   radiance_.resize(count, glm::dvec3(0.0));
@@ -137,12 +143,43 @@ void SampleSums::trace() {
 void SampleSums::cast_rays() {
   const std::span rays = std::span(rays_).first(used_);
   const std::span hits = std::span(hits_).first(used_);
-  viewer_.view.rays(std::span(points_).first(used_), rays);
+  const bool lens = viewer_.view.has_lens();
+  if (lens)
+    aim_through_lens();
+  else
+    viewer_.view.rays(std::span(points_).first(used_), rays);
   scene_->rays().closest(rays, hits, faces_);
   if (viewer_.mirror)
     pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
   pass_own_side(viewer_.passage, scene_->world(), scene_->rays(), faces_, rays, hits);
+  if (lens) widen_footprints();
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
+}
+
+// Each sample's ray starts at its own point of the lens.
+void SampleSums::aim_through_lens() {
+  const View& view = viewer_.view;
+  for (std::size_t i = 0; i < used_; ++i) {
+    const PointSample& sample = samples_[i];
+    if (i == 0 || sample.x != samples_[i - 1].x || sample.y != samples_[i - 1].y)
+      places_->start_pixel(sample.x, sample.y);
+    places_->start_sample(sample.index);
+    const ExposurePoint exposure{point_on_aperture(view.lens(), places_->on_lens())};
+    rays_[i] = view.ray(points_[i].x, points_[i].y, exposure);
+  }
+}
+
+// The samples of a pixel share the pixel and its circle of confusion.
+void SampleSums::widen_footprints() {
+  const View& view = viewer_.view;
+  const double pixel = static_cast<double>(viewer_.pixel) * static_cast<double>(viewer_.pixel);
+  const double disk = std::numbers::pi * aperture_share(view.lens()) / pixel;
+  for (std::size_t i = 0; i < used_; ++i) {
+    const double depth = hits_[i].valid() ? view.depth(rays_[i], hits_[i].t)
+                                          : std::numeric_limits<double>::infinity();
+    const double radius = view.confusion(depth);
+    samples_[i].side *= static_cast<float>(std::sqrt(1.0 + disk * radius * radius));
+  }
 }
 
 // Of the samples that wait, what the lobes show of what their rays met.

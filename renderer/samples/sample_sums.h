@@ -111,6 +111,8 @@ class SampleSums {
     return seen;
   }
   void cast_rays();
+  void aim_through_lens();
+  void widen_footprints();
   void gather_lobes();
   void shade_batch();
   [[nodiscard]] bool shade_plain();

@@ -33,22 +33,28 @@ class SobolPlaces final : public SamplePlaces {
     }
   }
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override {
-    return points_->light(index_, light);
+    return points_->light(lens_ ? points_->shuffled(index_) : index_, light);
   }
   [[nodiscard]] glm::dvec2 in_lobe(int bounce) const override {
     return points_->lobe(index_, static_cast<std::uint32_t>(bounce));
   }
 
+  void use_lens() override { lens_ = true; }
+  [[nodiscard]] glm::dvec2 on_lens() const override { return points_->lens(index_); }
+
   void start_batch(std::span<const SampleIndex> samples) override {
     batch_.clear();
+    std::optional<SobolPixel> pixel;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const SampleIndex& sample = samples[i];
-      const auto index = static_cast<std::uint32_t>(sample.index);
-      if (i > 0 && sample.same_pixel(samples[i - 1])) {
+      const bool same = i > 0 && sample.same_pixel(samples[i - 1]);
+      if (!same) pixel.emplace(sample.x, sample.y, seed_);
+      auto index = static_cast<std::uint32_t>(sample.index);
+      if (lens_) index = pixel->shuffled(index);
+      if (same)
         batch_.add(index);
-      } else {
-        batch_.add(SobolPixel(sample.x, sample.y, seed_), index);
-      }
+      else
+        batch_.add(*pixel, index);
     }
   }
   void on_light(std::uint32_t light, LightPlaceBatch& places) override {
@@ -59,6 +65,7 @@ class SobolPlaces final : public SamplePlaces {
   std::uint32_t seed_;
   std::optional<SobolPixel> points_;
   std::uint32_t index_ = 0;
+  bool lens_ = false;
   mutable SobolPixelPlaces in_pixel_;
   SobolBatch batch_;
 };

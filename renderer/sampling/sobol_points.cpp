@@ -124,8 +124,16 @@ SobolPixel::Seeds SobolPixel::light_seeds(std::uint32_t light) const {
 glm::dvec2 SobolPixel::lobe(std::uint32_t index, std::uint32_t bounce) const {
   // Far from the lights' own seeds.
   const std::uint32_t stream = 0x80000000u + bounce;
-  const std::uint32_t shuffled = owen_scramble(index, seed_of(key_, stream, 0));
-  return light(shuffled, stream);
+  const std::uint32_t own = owen_scramble(index, seed_of(key_, stream, 0));
+  return light(own, stream);
+}
+
+glm::dvec2 SobolPixel::lens(std::uint32_t index) const {
+  return light(index, 0xc0000000u);
+}
+
+std::uint32_t SobolPixel::shuffled(std::uint32_t index) const {
+  return owen_scramble(index, seed_of(key_, 0xc0000001u, 0));
 }
 
 }  // namespace asos

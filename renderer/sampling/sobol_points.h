@@ -63,6 +63,13 @@ class SobolPixel {
   /// Which point of light number `light` sample `index` looks at, in [0, 1) each.
   [[nodiscard]] glm::dvec2 light(std::uint32_t index, std::uint32_t light) const;
 
+  /// Where on the camera's lens sample `index` starts, in [0, 1) each: dimensions 2 and 3, so that
+  /// pixel and lens together are a net. Lights then look at `shuffled` indices.
+  [[nodiscard]] glm::dvec2 lens(std::uint32_t index) const;
+  /// An order of points for what shares dimensions with the lens; aligned runs of 2^m indices stay
+  /// such runs.
+  [[nodiscard]] std::uint32_t shuffled(std::uint32_t index) const;
+
   /// What places are scrambled by, for who scrambles many: `pixel` is owen_scramble of
   /// sobol_bits(0, index) with `u` and of sobol_bits(1, index) with `v`, `light` the same of
   /// dimensions 2 and 3.

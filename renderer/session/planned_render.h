@@ -15,7 +15,8 @@ namespace asos {
 struct PlannedRender {
   explicit PlannedRender(Snapshot of)
       : snapshot(std::move(of)),
-        view(snapshot.camera, snapshot.settings.width, snapshot.settings.height,
+        view(viewed_camera(*snapshot.scene, snapshot.camera, snapshot.settings),
+             snapshot.settings.width, snapshot.settings.height,
              radius_around_origin(snapshot.scene->world().bounds)),
         plan(snapshot.settings),
         group_order(plan.spread_groups()),

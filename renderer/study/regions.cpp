@@ -96,6 +96,7 @@ bool at_boundary(SplitCause cause) {
     case SplitCause::shadow:
     case SplitCause::reflection:
     case SplitCause::shading:
+    case SplitCause::lens:
       break;
   }
   return false;

@@ -150,5 +150,90 @@ TEST(CameraChoice, OrthographicCamerasHaveNoFieldOfView) {
   EXPECT_FALSE(choose_camera(world, {{}, {}, {}, 40.0}, 1.0));
 }
 
+CameraChoice with_lens(const LensChoice& lens) {
+  CameraChoice choice;
+  choice.lens = lens;
+  return choice;
+}
+
+TEST(CameraChoice, LensIsThatOfTheCommandLine) {
+  World world = small_world();
+  world.cameras.resize(1);
+  world.cameras[0].fov_y_rad = 0.8;
+  world.cameras[0].lens = {0.5, 3.0, 6, 0.1};
+  EXPECT_EQ(choose_camera(world, {}, 1.0)->lens, world.cameras[0].lens);
+  LensChoice lens;
+  lens.radius = 0.0;
+  EXPECT_FALSE(choose_camera(world, with_lens(lens), 1.0)->lens.blurs());
+  lens.radius = 0.25;
+  lens.focus = 9.0;
+  EXPECT_EQ(choose_camera(world, with_lens(lens), 1.0)->lens, (Lens{0.25, 9.0, 6, 0.1}));
+  LensChoice stop;
+  stop.f_stop = 2.8;
+  stop.blades = 0;
+  stop.turn_deg = 180.0;
+  EXPECT_EQ(choose_camera(world, with_lens(stop), 1.0)->lens,
+            (Lens{aperture_of_f_stop(2.8, 0.8), 3.0, 0, glm::pi<double>()}));
+}
+
+TEST(CameraChoice, OrthographicCamerasHaveNoLens) {
+  World world = small_world();
+  world.cameras.resize(1);
+  world.cameras[0].type = Camera::Type::orthographic;
+  LensChoice lens;
+  lens.radius = 0.1;
+  const auto camera = choose_camera(world, with_lens(lens), 1.0);
+  ASSERT_FALSE(camera);
+  EXPECT_EQ(camera.error().reason, "the chosen camera is orthographic and has no lens");
+}
+
+TEST(CameraChoice, LensIsSavedAndRestored) {
+  const test::TemporaryFolder folder;
+  const auto render = [&](const std::vector<std::string>& words) {
+    using test::operator+;
+    const test::AsosRun run =
+        test::run_asos(std::vector<std::string>{"render", "--size", "32x18", "--max", "1"} + words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.err;
+  };
+  const auto pixels = [&](const std::string& name) {
+    return read_exr(folder.file(name)).value().film.radiance;
+  };
+  render({"builtin:boxes", "-o", folder.file("sharp.exr")});
+  render({"builtin:boxes", "-o", folder.file("zero.exr"), "--aperture", "0", "--focus", "2"});
+  render({"builtin:boxes", "-o", folder.file("a.exr"), "--f-stop", "0.5", "--focus", "3"});
+  render({"--from", folder.file("a.exr"), "-o", folder.file("b.exr")});
+  EXPECT_EQ(pixels("zero.exr"), pixels("sharp.exr"));
+  EXPECT_NE(pixels("a.exr"), pixels("sharp.exr"));
+  EXPECT_EQ(pixels("b.exr"), pixels("a.exr"));
+  render({"--from", folder.file("a.exr"), "-o", folder.file("c.exr"), "--aperture", "0"});
+  EXPECT_EQ(pixels("c.exr"), pixels("sharp.exr"));
+}
+
+TEST(CameraChoice, LensOptionsAreChecked) {
+  const test::TemporaryFolder folder;
+  const auto said = [&](const std::vector<std::string>& words, int exit_code) {
+    using test::operator+;
+    const test::AsosRun run = test::run_asos(
+        std::vector<std::string>{"render", "builtin:boxes", "-o", folder.file("a.exr"), "--size",
+                                 "16x9", "--max", "0"} +
+        words);
+    EXPECT_EQ(run.exit_code, exit_code) << run.err;
+    return run.err;
+  };
+  for (const char* bad : {"-1", "nan", "inf", "1e300", "wide"})
+    EXPECT_TRUE(test::contains(said({"--aperture", bad}, 2), "--aperture")) << bad;
+  for (const char* bad : {"0", "-2", "1e9"})
+    EXPECT_TRUE(test::contains(said({"--f-stop", bad}, 2), "--f-stop")) << bad;
+  EXPECT_TRUE(test::contains(said({"--focus", "0"}, 2), "ahead of the camera"));
+  EXPECT_TRUE(test::contains(said({"--focus", "-3"}, 2), "--focus"));
+  EXPECT_TRUE(test::contains(said({"--blades", "2"}, 2), "0 or 3 to 32"));
+  EXPECT_TRUE(test::contains(said({"--blades", "99"}, 2), "--blades"));
+  EXPECT_TRUE(test::contains(said({"--aperture", "1", "--f-stop", "2"}, 2), "--f-stop"));
+  EXPECT_TRUE(test::contains(said({"--focus", "3"}, 0), "no effect without"));
+  EXPECT_TRUE(
+      test::contains(said({"--aperture", "0.1", "--method", "beam"}, 0), "without depth of field"));
+}
+
 }  // namespace
 }  // namespace asos

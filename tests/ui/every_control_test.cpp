@@ -104,7 +104,7 @@ class EveryControlTest : public PanelsTest {
       case Part::choice:
         return numbers(s.lights.selected, s.lights.show_marks, s.watch, s.show_boundaries,
                        s.picked.has_value(), static_cast<int>(s.reflections.channel),
-                       s.picked_pyray, s.outline.selected);
+                       s.picked_pyray, s.outline.selected, s.lens.click_to_focus);
       case Part::frames:
         return numbers(s.frames.stored.size(), s.frames.chosen,
                        static_cast<int>(s.frames.comparison), s.frames.wipe, s.frames.flipped,
@@ -354,6 +354,16 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
       rig.previewer().refinement().set_paused(paused);
       s.check.check = !paused;
     });
+  const auto set_lens = [&](const Lens& lens) {
+    rig.previewer().viewpoint().camera().set_lens(lens);
+    rig.unfold("Lens");
+  };
+  for (const bool waits : {false, true})
+    use_all("a lens", [&, waits] {
+      set_lens({0.01, 2.0, 6, 0.0});
+      s.lens.click_to_focus = waits;
+    });
+  use_all("no lens", [&] { set_lens({}); });
   use_all("stopped", [&] {
     rig.previewer().refinement().set_paused(false);
     ASSERT_TRUE(rig.settle());

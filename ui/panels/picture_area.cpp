@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace asos {
 
@@ -84,6 +86,13 @@ std::optional<glm::ivec2> picked_pixel(const PictureView& view, glm::vec2 pointe
   return inside ? std::optional(pixel) : std::nullopt;
 }
 
+void clicked(Previewer& previewer, UiState& state, glm::vec2 pointer) {
+  const std::optional<glm::ivec2> pixel =
+      picked_pixel(state.view, pointer, previewer.render().film());
+  if (!std::exchange(state.lens.click_to_focus, false)) return pick(state, pixel);
+  if (pixel) previewer.viewpoint().focus_at(pixel->x + 0.5, pixel->y + 0.5);
+}
+
 }  // namespace
 
 bool flying() {
@@ -116,7 +125,7 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
     fly(previewer.viewpoint().camera());
   if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
       io.MouseDragMaxDistanceSqr[0] < click_distance * click_distance)
-    pick(state, picked_pixel(view, pointer, previewer.render().film()));
+    clicked(previewer, state, pointer);
   state.hovered.reset();
   if (!ImGui::IsItemHovered()) return;
   state.hovered = picked_pixel(view, pointer, previewer.render().film());

@@ -155,6 +155,18 @@ void camera(const Sketch& s) {
   s.disc({11.0f, 3.0f}, 0.25f, Ink::warm);
 }
 
+// A lens and the rays of two points: one in focus, and one behind it.
+void lens(const Sketch& s) {
+  s.line({8.0f, 0.8f}, {8.0f, 5.2f}, Ink::accent);
+  s.line({12.0f, 0.6f}, {12.0f, 5.4f}, Ink::dim);
+  for (const float y : {0.9f, 5.1f}) {
+    s.line({8.0f, y}, {12.0f, 3.0f});
+    s.line({8.0f, y}, {15.0f, 3.0f}, Ink::warm);
+    s.line({8.0f, y}, {2.0f, 3.0f});
+  }
+  s.disc({2.0f, 3.0f}, 0.3f, Ink::plain);
+}
+
 void statistics(const Sketch& s) {
   constexpr std::array shares{0.35f, 0.9f, 0.55f, 0.2f, 0.7f};
   for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -243,6 +255,10 @@ constexpr Help helps[] = {
      "Position of the camera and its orbit centre. Drag to orbit; double-click a point to orbit "
      "around it.",
      camera},
+    {"Lens",
+     "Depth of field: surfaces nearer or farther than the focus are blurred. A lower f-stop blurs "
+     "more.",
+     lens},
     {"Statistics", "Rays and splitting of the finished pixels. Point at a row for its meaning.",
      statistics},
     {"Error vs. time",

@@ -75,6 +75,7 @@ void scene_tab(Controls& controls, Previewer& previewer, UiState& state, const P
   reflections_panel(controls, previewer, state.reflections, state.picked);
   sky_panel(controls, previewer.edits(), state.sky, jobs.sky_reader);
   camera_panel(controls, previewer);
+  lens_panel(controls, previewer, state.lens);
   if (!scene) return;
   if (std::string said = outline_panel(controls, previewer, state.outline, state.picked);
       !said.empty())

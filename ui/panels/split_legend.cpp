@@ -28,6 +28,7 @@ constexpr std::array<const char*, split_cause_count> cause_words{
     "No edge found; split because samples differ, as at alpha edges.",
     "Too many edges: sampled instead.",
     "MAX reached with edges left.",
+    "Out of focus: sampled over the lens.",
 };
 
 void swatch(ImVec2 lo, ImVec2 hi, glm::u8vec3 c) {

@@ -56,6 +56,14 @@ json mesh_json(const Mesh& mesh, GltfDocument& document) {
   return out;
 }
 
+json lens_json(const Lens& lens) {
+  json out{{"aperture", lens.radius}};
+  if (lens.focus) out["focus"] = *lens.focus;
+  if (lens.blades > 0) out["blades"] = lens.blades;
+  if (lens.turn_rad != 0.0) out["blade_turn"] = lens.turn_rad;
+  return out;
+}
+
 json camera_json(const Camera& camera) {
   json out;
   if (!camera.name.empty()) out["name"] = camera.name;
@@ -63,6 +71,7 @@ json camera_json(const Camera& camera) {
     out["type"] = "perspective";
     out["perspective"] = {{"yfov", camera.fov_y_rad}, {"znear", 0.01}};
     if (camera.aspect_ratio) out["perspective"]["aspectRatio"] = *camera.aspect_ratio;
+    if (camera.lens.blurs()) out["extras"]["asos_lens"] = lens_json(camera.lens);
   } else {
     const double half = 0.5 * camera.height;
     out["type"] = "orthographic";

@@ -111,6 +111,7 @@ PictureDescription odd_description() {
   d.camera.fov_y_rad = 0.61;
   d.camera.near_depth = 0.3;
   d.camera.far_depth = 1e3;
+  d.camera.lens = {0.1 + 1.0 / 3.0, 1.0 / 7.0, 5, -0.3};
   d.settings = odd_settings();
   d.sky.file = "/skies/one.hdr";
   d.sky.turn_deg = 45.1;
@@ -141,6 +142,7 @@ TEST(PictureDescription, ComesBackBitForBit) {
   EXPECT_EQ(read->camera.world_from_camera, d.camera.world_from_camera);
   EXPECT_EQ(read->camera.near_depth, d.camera.near_depth);
   EXPECT_EQ(read->camera.far_depth, d.camera.far_depth);
+  EXPECT_EQ(read->camera.lens, d.camera.lens);
   ASSERT_TRUE(read->lights.has_value());
   ASSERT_EQ(read->lights->size(), 2u);
   EXPECT_EQ((*read->lights)[0].outlines, (*d.lights)[0].outlines);
@@ -215,6 +217,12 @@ TEST(PictureDescription, WhatIsMalformedIsRefusedByFileAndReason) {
            Damage{"/camera/fov_y_rad", 4, "between 0 and pi"},
            Damage{"/camera/near_depth", -1, "below 0"},
            Damage{"/camera/far_depth", 0.2, "not beyond"},
+           Damage{"/camera/lens/radius", -1, "radius"},
+           Damage{"/camera/lens/focus", 0, "focus"},
+           Damage{"/camera/lens/blades", 2, "blades"},
+           Damage{"/camera/lens/turn_rad", 9, "turn_rad"},
+           Damage{"/camera/lens", 3, "lens is no object"},
+           Damage{"/camera/type", "orthographic", "perspective"},
            Damage{"/lights", 3, "lights are no list"},
            Damage{"/lights/1/range", "far", "light 2: \"range\""},
            Damage{"/lights/0/outlines/0/1", {1, 2}, "outlines"},

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "renderer/asos/defocus.h"
+#include "renderer/asos/eye_context.h"
+#include "renderer/asos/eye_samples.h"
+#include "renderer/asos/leaf_chooser.h"
+#include "renderer/asos/leaf_shader.h"
+#include "renderer/pyray/lens_caster.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asos {
+
+/// The pixels of a camera with a lens, as the engine's LensCaster: each is exact as through a
+/// pinhole, one wide leaf, or samples over pixel and lens.
+class LensRoots final : public LensCaster {
+ public:
+  /// All have to outlive this. `eye` has a Defocus.
+  LensRoots(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser, LeafShader& shader,
+            std::size_t roots);
+  LensRoots(const LensRoots&) = delete;
+  LensRoots& operator=(const LensRoots&) = delete;
+
+  [[nodiscard]] LensWay way(std::uint32_t root, bool bounded, bool missed) override;
+  [[nodiscard]] bool shade_smooth(std::uint32_t root) override;
+  [[nodiscard]] Square widened_square(std::uint32_t root) const override;
+  void sample_root(std::uint32_t root) override;
+  [[nodiscard]] Caster& trial() override { return trial_; }
+  [[nodiscard]] bool stayed_sharp(std::uint32_t root) const override { return !blurred_[root]; }
+
+ private:
+  /// Looks through the leaves of sharp roots that boundaries cross.
+  class Trial final : public Caster {
+   public:
+    explicit Trial(LensRoots& roots) : roots_(&roots) {}
+    SampleId probe(std::span<const glm::vec2> points) override {
+      return roots_->samples_->probe(points);
+    }
+    [[nodiscard]] Cover cover(SampleId sample) const override {
+      return roots_->samples_->cover(sample);
+    }
+    [[nodiscard]] std::uint32_t surface(SampleId sample) const override {
+      return roots_->samples_->surface(sample);
+    }
+    [[nodiscard]] bool opaque(SampleId sample) const override {
+      return roots_->samples_->opaque(sample);
+    }
+    [[nodiscard]] bool cancelled() const override { return roots_->eye_->stop.stop_requested(); }
+    void take(std::span<const PyrayLeaf> leaves) override;
+
+   private:
+    LensRoots* roots_;
+  };
+
+  [[nodiscard]] bool shows_other_depths(SampleId sample) const;
+  [[nodiscard]] bool may_show_glare(std::uint32_t root) const;
+  [[nodiscard]] bool sharp_leaf(SampleId sample) const;
+
+  const EyeContext* eye_;
+  EyeSamples* samples_;
+  LeafChooser* chooser_;
+  LeafShader* shader_;
+  std::vector<bool> blurred_;
+  Trial trial_{*this};
+};
+
+}  // namespace asos

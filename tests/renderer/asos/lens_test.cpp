@@ -1,0 +1,393 @@
+#include "renderer/shading/sky.h"
+#include "tests/support/render_picture.h"
+#include "tests/support/textured_scene.h"
+#include "tests/support/tiny_image.h"
+#include "tests/support/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+// Depth of field: pictures of unlit cards against closed forms, and against a sampler that shares
+// nothing with the renderer's.
+
+namespace asos::test::lens_test {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int side = 16;
+constexpr double pixel = 0.01;  ///< width of a pixel one unit ahead of the camera
+constexpr double focus = 4.0;
+
+/// Looks along -z from the origin.
+Camera camera_with(double radius, int blades = 0) {
+  Camera camera;
+  camera.fov_y_rad = 2.0 * std::atan(0.5 * side * pixel);
+  camera.lens = {radius, focus, blades, 0.25};
+  return camera;
+}
+
+/// The radius of the aperture whose circle of confusion has `pixels` at a depth.
+double radius_for(double pixels, double depth) {
+  return pixels * pixel / std::abs(1.0 / depth - 1.0 / focus);
+}
+
+RenderSettings settings_of(Method method, double eps = 1e-4) {
+  RenderSettings settings;
+  settings.method = method;
+  settings.width = settings.height = side;
+  settings.asos.max_level = 3;
+  settings.asos.eps = eps;
+  settings.sampling.spp = 4096;
+  settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
+  return settings;
+}
+
+Material card(glm::vec3 colour) {
+  Material material = unlit(colour);
+  material.double_sided = true;
+  return material;
+}
+
+/// A card of |x| <= 40, |y| <= 40 at a depth, from x = `from` on.
+void add_wall(World& world, float depth, float from, float to, glm::vec3 colour) {
+  add_quad(world, {from, -40, -depth}, {to - from, 0, 0}, {0, 80, 0}, card(colour));
+}
+
+double rmse(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+std::vector<double> reds(const Picture& picture) {
+  std::vector<double> values;
+  for (const glm::vec3 c : picture.film.radiance) values.push_back(c.r);
+  return values;
+}
+
+/// The share of a disk of radius 1 to the left of x = t.
+double disk_left_of(double t) {
+  t = std::clamp(t, -1.0, 1.0);
+  return 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / pi;
+}
+
+/// A pixel's mean of a white half-plane left of column `edge`, blurred over a disk.
+double blurred_edge(int x, double edge, double radius) {
+  constexpr int steps = 4000;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double s = x + (i + 0.5) / steps;
+    sum += radius > 0.0 ? disk_left_of((edge - s) / radius) : (s < edge ? 1.0 : 0.0);
+  }
+  return sum / steps;
+}
+
+/// Independent of the renderer: R2 points in four dimensions (Roberts 2018), the aperture by
+/// rejection. `seen`: the red along a ray from (x, y, 0) with direction (dx, dy, -1).
+double sampled_pixel(int px, int py, double radius,
+                     const std::function<bool(glm::dvec2)>& in_aperture,
+                     const std::function<double(glm::dvec2 from, glm::dvec2 along)>& seen) {
+  constexpr int wanted = 65536;
+  // The root of x^5 = x + 1.
+  constexpr double phi = 1.1673039782614187;
+  double sum = 0.0;
+  int taken = 0;
+  for (int i = 1; taken < wanted; ++i) {
+    double p[4];
+    for (int k = 0; k < 4; ++k) {
+      const double at = 0.5 + i * std::pow(phi, -(k + 1));
+      p[k] = at - std::floor(at);
+    }
+    const glm::dvec2 lens(2.0 * p[2] - 1.0, 2.0 * p[3] - 1.0);
+    if (!in_aperture(lens)) continue;
+    const glm::dvec2 from = radius * lens;
+    const glm::dvec2 target((px + p[0] - 0.5 * side) * pixel, (0.5 * side - py - p[1]) * pixel);
+    sum += seen(from, target - from / focus);
+    ++taken;
+  }
+  return sum / taken;
+}
+
+bool in_disk(glm::dvec2 p) {
+  return glm::length(p) <= 1.0;
+}
+
+TEST(Lens, EdgeOutOfFocusIsIntegralOfDisk) {
+  constexpr float depth = 2.0f;
+  for (const double confusion : {0.4, 1.0, 2.5}) {
+    World world;
+    add_wall(world, depth, -40.0f, 0.006f, glm::vec3(1.0f));
+    const auto scene = make_render_scene(std::move(world));
+    const double edge = 0.5 * side + 0.006 / (depth * pixel);
+    std::vector<double> exact;
+    for (int i = 0; i < side * side; ++i) exact.push_back(blurred_edge(i % side, edge, confusion));
+    const Camera camera = camera_with(radius_for(confusion, depth));
+    const Picture picture = render_picture(*scene, camera, settings_of(Method::asos));
+    EXPECT_LT(rmse(reds(picture), exact), 1e-3) << confusion;
+    const Picture sampled = render_picture(*scene, camera, settings_of(Method::sobol));
+    EXPECT_LT(rmse(reds(sampled), exact), 2e-3) << confusion;
+    // Pixels without blur in them take no samples.
+    EXPECT_EQ(picture.film.cause[picture.film.index(0, 5)], SplitCause::none);
+    EXPECT_EQ(picture.film.cause[picture.film.index(8, 5)], SplitCause::lens);
+  }
+}
+
+TEST(Lens, PublishedWayWidensPyraysByDepth) {
+  // Behind the focus plane the background's blur is as wide as the wall's in front of it.
+  constexpr float depth = 2.0f;
+  constexpr double confusion = 2.0;
+  World world;
+  add_wall(world, depth, -40.0f, 0.006f, glm::vec3(1.0f));
+  const auto scene = make_render_scene(std::move(world));
+  RenderSettings settings = settings_of(Method::asos_published);
+  settings.asos.max_level = 4;
+  const Picture picture =
+      render_picture(*scene, camera_with(radius_for(confusion, depth)), settings);
+  const double edge = 0.5 * side + 0.006 / (depth * pixel);
+  const double width = std::sqrt(1.0 + 3.0 * confusion * confusion);
+  for (int x = 0; x < side; ++x) {
+    const double share = std::clamp(0.5 + (edge - x - 0.5) / width, 0.0, 1.0);
+    // Cells have a side of 1/16, and each counts by its centre.
+    EXPECT_NEAR(picture.film.radiance[picture.film.index(x, 7)].r, share, 1.0 / 32.0) << x;
+  }
+}
+
+TEST(Lens, EdgesInFocusAreThoseOfAPinhole) {
+  World world;
+  add_wall(world, 4.0f, -40.0f, 0.024f, {0.9f, 0.0f, 0.0f});
+  add_wall(world, 4.0f, 0.024f, 40.0f, {0.1f, 0.0f, 0.0f});
+  const auto scene = make_render_scene(std::move(world));
+  const RenderSettings settings = settings_of(Method::asos);
+  const Picture sharp = render_picture(*scene, camera_with(0.0), settings);
+  const Picture picture = render_picture(*scene, camera_with(0.5), settings);
+  for (std::size_t i = 0; i < sharp.film.radiance.size(); ++i) {
+    EXPECT_NEAR(picture.film.radiance[i].r, sharp.film.radiance[i].r, 1e-4) << i;
+    EXPECT_NE(picture.film.cause[i], SplitCause::lens) << i;
+  }
+}
+
+TEST(Lens, MattePlaneInFocusIsThatOfAPinhole) {
+  World world;
+  add_quad(world, {-40, -40, -4}, {80, 0, 0}, {0, 80, 0}, matte({0.8f, 0.5f, 0.2f}));
+  Light light;
+  light.type = Light::Type::point;
+  light.position = {1, 1, 2};
+  light.intensity = 30.0f;
+  const auto scene = make_render_scene(std::move(world), {light});
+  for (const Method method : {Method::asos, Method::sobol}) {
+    const RenderSettings settings = settings_of(method, 1.0 / 256.0);
+    const Picture sharp = render_picture(*scene, camera_with(0.0), settings);
+    const Picture picture = render_picture(*scene, camera_with(0.5), settings);
+    for (std::size_t i = 0; i < sharp.film.radiance.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(picture.film.radiance[i][c], sharp.film.radiance[i][c], 1e-4);
+  }
+}
+
+TEST(Lens, SmallSphereBecomesDisk) {
+  constexpr double depth = 2.0, confusion = 4.0, radius = 0.8 * depth * pixel;
+  World world;
+  const float brightness = 10.0f;
+  add_sphere(world, {0, 0, -depth}, static_cast<float>(radius), 32, card(glm::vec3(brightness)));
+  const auto scene = make_render_scene(std::move(world));
+  const Camera camera = camera_with(radius_for(confusion, depth));
+  RenderSettings settings = settings_of(Method::asos, 1e-3);
+  const Picture picture = render_picture(*scene, camera, settings);
+  // The sphere seen from a point is a disk of this radius in pixels.
+  const double seen = radius / std::sqrt(depth * depth - radius * radius) / pixel;
+  const double plateau = brightness * seen * seen / (confusion * confusion);
+  double sum = 0.0, inner = 0.0, outside = 0.0;
+  int inside = 0;
+  for (int i = 0; i < side * side; ++i) {
+    const double value = picture.film.radiance[static_cast<std::size_t>(i)].r;
+    const double distance = glm::length(glm::dvec2(i % side + 0.5, i / side + 0.5) - 0.5 * side);
+    sum += value;
+    if (distance < confusion - 1.6) inner += value, ++inside;
+    outside += distance > confusion + 1.6 ? value : 0.0;
+  }
+  EXPECT_NEAR(sum / (brightness * pi * seen * seen), 1.0, 1e-2);
+  EXPECT_NEAR(inner / inside / plateau, 1.0, 1e-2);
+  EXPECT_EQ(outside, 0.0);
+}
+
+TEST(Lens, NearOccluderIsSeenThroughAtItsRim) {
+  // Black up to x = 0.008 at depth 1; behind it white and grey meet in focus.
+  World world;
+  add_wall(world, 1.0f, -40.0f, 0.008f, glm::vec3(0.0f));
+  add_wall(world, 4.0f, -40.0f, 0.016f, glm::vec3(1.0f));
+  add_wall(world, 4.0f, 0.016f, 40.0f, glm::vec3(0.25f));
+  const auto scene = make_render_scene(std::move(world));
+  const auto seen = [](glm::dvec2 from, glm::dvec2 along) {
+    if (from.x + along.x < 0.008) return 0.0;
+    return from.x + 4.0 * along.x < 0.016 ? 1.0 : 0.25;
+  };
+  for (const int blades : {0, 3, 6}) {
+    const double radius = radius_for(2.0, 1.0);
+    const auto in_polygon = [&](glm::dvec2 p) {
+      for (int k = 0; k < blades; ++k) {
+        const double a = 0.25 + 2.0 * pi * k / blades, b = 0.25 + 2.0 * pi * (k + 1) / blades;
+        const glm::dvec2 from(std::cos(a), std::sin(a)), to(std::cos(b), std::sin(b));
+        if ((to.x - from.x) * (p.y - from.y) < (to.y - from.y) * (p.x - from.x)) return false;
+      }
+      return true;
+    };
+    const Camera camera = camera_with(radius, blades);
+    const Picture picture = render_picture(*scene, camera, settings_of(Method::asos));
+    std::vector<double> row, expected;
+    for (int x = 4; x < 13; ++x) {
+      row.push_back(picture.film.radiance[picture.film.index(x, 3)].r);
+      expected.push_back(blades == 0 ? sampled_pixel(x, 3, radius, in_disk, seen)
+                                     : sampled_pixel(x, 3, radius, in_polygon, seen));
+    }
+    EXPECT_LT(rmse(row, expected), 2e-3) << blades;
+  }
+}
+
+/// A lit floor below the view with spheres from near to far, before a wall.
+std::shared_ptr<const RenderScene> lit_scene() {
+  World world;
+  add_quad(world, {-10, -0.3f, 0}, {20, 0, 0}, {0, 0, -12}, matte(glm::vec3(0.7f)));
+  add_quad(world, {-10, -0.3f, -12}, {20, 0, 0}, {0, 12, 0}, matte({0.3f, 0.5f, 0.7f}));
+  add_sphere(world, {-0.1f, -0.05f, -2}, 0.06f, 24, matte({0.9f, 0.2f, 0.1f}));
+  add_sphere(world, {0.15f, 0, -4}, 0.15f, 24, matte({0.2f, 0.8f, 0.1f}));
+  Light light;
+  light.type = Light::Type::point;
+  light.position = {2, 5, 1};
+  light.intensity = 120.0f;
+  return make_render_scene(std::move(world), {light});
+}
+
+TEST(Lens, MethodsAgreeInALitScene) {
+  const auto scene = lit_scene();
+  const Camera camera = camera_with(radius_for(1.5, 2.0), 6);
+  const std::vector<double> reference =
+      reds(render_picture(*scene, camera, settings_of(Method::sobol)));
+  for (const Method method : {Method::asos, Method::sobol_adaptive, Method::stochastic,
+                              Method::uniform, Method::mitchell, Method::ray_bound}) {
+    RenderSettings settings = settings_of(method, 1e-3);
+    settings.sampling.spp = 1024;
+    settings.sampling.contrast_scale = 0.0;
+    settings.asos.max_level = 4;
+    EXPECT_LT(rmse(reds(render_picture(*scene, camera, settings)), reference), 3e-3)
+        << row_of(method).name;
+  }
+}
+
+/// The means of rows 1 to side - 2, weighted 1 2 1 over neighbours both ways.
+double mean_of_smoothed(const std::vector<double>& values) {
+  constexpr double weights[] = {0.25, 0.5, 0.25};
+  double sum = 0.0;
+  for (int y = 1; y < side - 1; ++y)
+    for (int x = 1; x < side - 1; ++x)
+      for (int k = 0; k < 9; ++k)
+        sum += weights[k % 3] * weights[k / 3] *
+               values[static_cast<std::size_t>((y + k / 3 - 1) * side + x + k % 3 - 1)];
+  return sum / ((side - 2) * (side - 2));
+}
+
+double mean_inside(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (int y = 1; y < side - 1; ++y)
+    for (int x = 1; x < side - 1; ++x) sum += values[static_cast<std::size_t>(y * side + x)];
+  return sum / ((side - 2) * (side - 2));
+}
+
+// They take few samples of each pixel, so that only means over many pictures tell.
+TEST(Lens, MethodsOfFewSamplesAgreeOnTheMean) {
+  const auto scene = lit_scene();
+  const Camera camera = camera_with(radius_for(1.5, 2.0), 6);
+  const std::vector<double> reference =
+      reds(render_picture(*scene, camera, settings_of(Method::sobol)));
+  for (const Method method : {Method::whitted, Method::average}) {
+    double mean = 0.0;
+    constexpr int seeds = 32;
+    for (int seed = 0; seed < seeds; ++seed) {
+      RenderSettings settings = settings_of(method, 1e-3);
+      settings.seed = seed;
+      settings.sampling.contrast = 0.0;  // whitted: no bias by the choice of what to split
+      mean += mean_inside(reds(render_picture(*scene, camera, settings))) / seeds;
+    }
+    const double expected =
+        method == Method::average ? mean_of_smoothed(reference) : mean_inside(reference);
+    EXPECT_NEAR(mean / expected, 1.0, 0.02) << row_of(method).name;
+  }
+}
+
+TEST(Lens, EvenSurfacesOutOfFocusTakeOneLeaf) {
+  const auto scene = lit_scene();
+  const Picture picture = render_picture(*scene, camera_with(radius_for(1.0, 2.0)),
+                                         settings_of(Method::asos, 1.0 / 256.0));
+  int smooth = 0;
+  for (const SplitCause cause : picture.film.cause) smooth += cause == SplitCause::none;
+  EXPECT_GT(smooth, side * side / 3);
+}
+
+TEST(Lens, ApertureOfZeroChangesNoBit) {
+  const auto scene = lit_scene();
+  Camera pinhole = camera_with(0.0);
+  pinhole.lens = {};
+  for (const Method method : {Method::asos, Method::sobol, Method::sobol_adaptive}) {
+    RenderSettings settings = settings_of(method, 1.0 / 256.0);
+    settings.sampling.spp = 16;
+    const Picture a = render_picture(*scene, pinhole, settings);
+    const Picture b = render_picture(*scene, camera_with(0.0, 5), settings);
+    EXPECT_EQ(a.film.radiance, b.film.radiance);
+    EXPECT_EQ(a.statistics.rays(), b.statistics.rays());
+  }
+}
+
+TEST(Lens, FocusIsOnTheMiddleUnlessGiven) {
+  const auto scene = lit_scene();
+  Camera camera = camera_with(0.1);
+  camera.lens.focus.reset();
+  const RenderSettings settings = settings_of(Method::asos);
+  // The middle shows a sphere's limb or the wall.
+  const Camera found = viewed_camera(*scene, camera, settings);
+  ASSERT_TRUE(found.lens.focus);
+  const View view(found, side, side);
+  const Ray ray = view.ray(0.5 * side, 0.5 * side);
+  EXPECT_NEAR(*found.lens.focus, view.depth(ray, scene->rays().closest(ray, Culling{}).t), 1e-4);
+  camera.lens.focus = 7.5;
+  EXPECT_EQ(viewed_camera(*scene, camera, settings).lens.focus, 7.5);
+  RenderSettings beam = settings;
+  beam.method = Method::beam;
+  EXPECT_FALSE(viewed_camera(*scene, camera, beam).lens.blurs());
+}
+
+TEST(Lens, TexturesAreFilteredOverTheBlur) {
+  // Far out of focus a fine checkerboard is grey, with four samples a pixel, too.
+  World world;
+  Material material = card(glm::vec3(1.0f));
+  const Image image = make_image(64, 64, [](int x, int y) {
+    const std::uint8_t c = (x / 8 + y / 8) % 2 == 0 ? 255 : 0;
+    return Texel{c, c, c, 255};
+  });
+  material.base_color_texture.texture = add_texture(world, image, Wrap::repeat, Filter::linear);
+  add_quad(world, {-4, -4, -8}, {8, 0, 0}, {0, 8, 0}, material);
+  // A square is 0.8 pixels wide.
+  for (glm::vec2& uv : world.texcoords[0]) uv *= 8.0f / (8.0f * 0.064f);
+  const auto scene = make_textured_scene(std::move(world));
+  const Camera camera = camera_with(radius_for(3.0, 8.0));
+  const auto noise = [&](TextureFilter filter) {
+    RenderSettings settings = settings_of(Method::sobol);
+    settings.sampling.spp = 4;
+    settings.texture.filter = filter;
+    std::vector<double> values = reds(render_picture(*scene, camera, settings));
+    const std::vector<double> reference =
+        reds(render_picture(*scene, camera, settings_of(Method::sobol)));
+    return rmse(values, reference);
+  };
+  EXPECT_LT(noise(TextureFilter::footprint), 0.5 * noise(TextureFilter::point));
+}
+
+}  // namespace
+}  // namespace asos::test::lens_test
