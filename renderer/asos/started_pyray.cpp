@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <span>
 
 namespace asos {
 namespace {
 
-// Each cell that was examined has a sample of its own. The block's other rays, as those cast to
-// find out whether a patch is evenly lit, are shared by its pixels.
+// The block's rays that belong to no pixel, such as those that test whether a patch is evenly lit,
+// are shared by its pixels.
 void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
   std::uint64_t told = 0;
   for (const std::uint64_t of_pixel : rays) {
@@ -75,7 +74,7 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   statistics.split_pixels += cause != SplitCause::none;
   if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
   result.tile.outlook.push_back(outlook_of(trace.outcome, sum));
-  rays.push_back(std::accumulate(cells.begin(), cells.end(), sum.rays));
+  rays.push_back(outcome.probes + sum.rays);
 }
 
 }  // namespace

@@ -182,6 +182,7 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
       caster.take(std::span(&leaf, 1));
       SubdivisionOutcome& outcome = traces_[i].outcome;
       outcome.pyrays_by_level[0] = 1;
+      outcome.probes = 1;
       outcome.note_uneven(decision.cause);
     }
   }
