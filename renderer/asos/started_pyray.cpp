@@ -36,12 +36,19 @@ int deepest_cell(const SubdivisionOutcome& outcome) {
   return deepest;
 }
 
+// Samples that make a pixel's level. At an EPS at which samples cost least, every lit pixel takes
+// the pilot's: those split none.
+std::uint32_t samples_of_level(const SubdivisionOutcome& outcome, const RootSum& sum) {
+  const bool for_cause =
+      outcome.uneven_shading || outcome.uneven_shadow || outcome.saturated || sum.cut_out;
+  return for_cause ? sum.samples : sum.varied;
+}
+
 SplitOutlook outlook_of(const SubdivisionOutcome& outcome, const RootSum& sum) {
   SplitOutlook outlook;
   outlook.error = sum.error;
   outlook.unresolved = static_cast<float>(outcome.unresolved_area);
-  const bool uneven = outcome.uneven_shading || outcome.uneven_shadow;
-  outlook.samples = sum.varies || sum.cut_out || uneven ? sum.samples : 0;
+  outlook.samples = samples_of_level(outcome, sum);
   outlook.edges = static_cast<std::uint8_t>(outcome.boundaries.empty() ? 0 : deepest_cell(outcome));
   outlook.at_limit = outcome.at_limit;
   return outlook;
@@ -57,9 +64,9 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   int level = deepest_cell(outcome);
   // What samples tell apart is as good as split to the end.
   if (sum.cut_out) level = std::max(level, max_level);
-  if (sum.varies && !outcome.uneven_shadow) outcome.uneven_shading = true;
-  if (outcome.uneven_shading || outcome.uneven_shadow)
-    level = std::max(level, std::min(max_level, level_of(sum.samples)));
+  const std::uint32_t samples = samples_of_level(outcome, sum);
+  if (sum.varied > 0 && !outcome.uneven_shadow) outcome.uneven_shading = true;
+  level = std::max(level, std::min(max_level, level_of(samples)));
   outcome.deepest = std::max(outcome.deepest, level);
   statistics.missed_splits += trace.missed;
   statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
