@@ -1,5 +1,6 @@
 #include "ui/pixel_report.h"
 
+#include "renderer/files/counted.h"
 #include "renderer/film/split_map.h"
 #include "renderer/pyray/hit_list.h"
 #include "ui/previewer.h"
@@ -56,7 +57,7 @@ std::vector<glm::vec3> seen_grid(const std::vector<TracedCell>& cells) {
 std::string name_of_pyray(const RenderScene& scene, const TracedPyray& pyray) {
   const double from = 100.0 * pyray.weight;
   const std::size_t count = pyray.cells.size();
-  const std::string cells = fmt::format("{} cell{}", count, count == 1 ? "" : "s");
+  const std::string cells = counted(count, "cell");
   if (pyray.kind == TracedPyray::Kind::mirror)
     return fmt::format("mirror {} ({:.3g} % of pixel, {})", pyray.bounces + 1, from, cells);
   const std::string& name = scene.lights()[pyray.light].name;
@@ -137,9 +138,6 @@ const char* words_of(CellFate fate) {
 }
 
 std::string edge_words(const TracedCell& cell) {
-  const auto counted = [](std::size_t count, const char* kind) {
-    return fmt::format("{} {}{}", count, kind, count == 1 ? "" : "s");
-  };
   std::string words = counted(cell.boundaries.size(), "edge");
   if (cell.clusters > 0) words += ", " + counted(cell.clusters, "unresolved group");
   if (cell.hidden > 0) words += ", " + counted(cell.hidden, "hidden edge");
@@ -148,7 +146,7 @@ std::string edge_words(const TracedCell& cell) {
 
 std::string PixelReport::split() const {
   std::string words = split_words(trace.level, trace.cause);
-  if (trace.samples > 0) words += fmt::format(" ({} samples)", trace.samples);
+  if (trace.samples > 0) words += fmt::format(" ({})", counted(trace.samples, "sample"));
   return words;
 }
 

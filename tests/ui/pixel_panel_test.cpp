@@ -137,6 +137,9 @@ TEST_F(PixelPanelTest, ItClosesByKeyAndByButton) {
 TEST_F(PixelPanelTest, ADragPicksNothing) {
   rig.drag({200, 200}, {240, 220});
   EXPECT_FALSE(rig.content().state().picked.has_value());
+  report.trace.samples = 1;
+  EXPECT_EQ(report.split(), "level 3, shadow (1 sample)");
+  report.trace.samples = 64;
 }
 
 TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {

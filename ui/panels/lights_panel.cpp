@@ -1,3 +1,4 @@
+#include "renderer/files/counted.h"
 #include "ui/new_lights.h"
 #include "ui/panels/light_editor.h"
 #include "ui/panels/named_like.h"
@@ -111,7 +112,7 @@ void group_row(Controls& controls, SceneEdits& edits, LightChoice& choice,
   const bool open = ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
   controls.placed("Surface/" + number, "Emissive surface with several lights. Click to list them.",
                   Controls::Use::edits);
-  right_aligned(std::to_string(group.count) + " lights");
+  right_aligned(counted(group.count, "light"));
   ImGui::PopID();
   if (!open) return;
   ImGui::Indent();
