@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <array>
 #include <string>
 
+#include <utility>
 namespace asos {
 
 namespace {
@@ -109,26 +111,23 @@ struct PixelCanvas {
 /// The pyray that is drawn: the pixel itself, or one that a leaf of the pixel sent on.
 struct ShownPyray {
   const std::vector<TracedCell>& cells;
-  const std::vector<glm::vec3>& seen;
+  const std::vector<SeenPart>& seen;
   DisplayTransform display;
   int deepest = 1000;  ///< the level down to which cells are drawn
 };
 
 void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
-  constexpr int grid = PixelReport::grid;
-  const auto place = [](int x, int y) { return glm::vec2(x, y) / static_cast<float>(grid); };
-  for (int y = 0; y < grid; ++y) {
-    // Neighbours of one colour in one piece.
-    for (int begin = 0; begin < grid;) {
-      const glm::vec3 seen = shown.seen[static_cast<std::size_t>(y * grid + begin)];
-      int end = begin + 1;
-      while (end < grid && shown.seen[static_cast<std::size_t>(y * grid + end)] == seen) ++end;
-      draw.AddRectFilled(canvas.at(place(begin, y)), canvas.at(place(end, y + 1)),
-                         shown_colour(seen, shown.display));
-      begin = end;
-    }
+// Without smoothed sides, which would let the ground through between parts.
+  const ImDrawListFlags smooth = std::exchange(draw.Flags, ImDrawListFlags_None);
+  for (const SeenPart& part : shown.seen) {
+    std::array<ImVec2, 4> corners{};
+    std::transform(part.corners.begin(), part.corners.end(), corners.begin(),
+                   [&](glm::vec2 corner) { return canvas.at(corner); });
+    draw.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()),
+                             shown_colour(part.radiance, shown.display));
   }
 }
+  draw.Flags = smooth;
 
 void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
   for (const TracedCell& cell : shown.cells) {
