@@ -1,5 +1,6 @@
 #include "renderer/comparison/method.h"
 #include "renderer/film/split_map.h"
+#include "ui/panels/inner_list.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/theme.h"
@@ -8,11 +9,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <string>
-
 #include <utility>
+
 namespace asos {
 
 namespace {
@@ -116,8 +117,8 @@ struct ShownPyray {
   int deepest = 1000;  ///< the level down to which cells are drawn
 };
 
-void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
 // Without smoothed sides, which would let the ground through between parts.
+void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
   const ImDrawListFlags smooth = std::exchange(draw.Flags, ImDrawListFlags_None);
   for (const SeenPart& part : shown.seen) {
     std::array<ImVec2, 4> corners{};
@@ -126,8 +127,8 @@ void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& sh
     draw.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()),
                              shown_colour(part.radiance, shown.display));
   }
-}
   draw.Flags = smooth;
+}
 
 void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
   for (const TracedCell& cell : shown.cells) {
@@ -242,7 +243,7 @@ void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
   constexpr float most_rows = 5.5f;
   const float rows = std::min(static_cast<float>(children.size()), most_rows);
   ImGui::TextDisabled("Shadow and mirror rays (click to open)");
-  ImGui::BeginChild("pyrays", {0.0f, rows * ImGui::GetTextLineHeightWithSpacing()});
+  const InnerList list("pyrays", {0.0f, rows * ImGui::GetTextLineHeightWithSpacing()});
   for (const int child : children) {
     ImGui::PushID(child);
     if (ImGui::Selectable(report.pyray_names[static_cast<std::size_t>(child)].c_str()))
@@ -253,7 +254,6 @@ void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
                     Controls::Use::edits);
     ImGui::PopID();
   }
-  ImGui::EndChild();
 }
 
 /// The papers' table: for each level the object that could change most.
