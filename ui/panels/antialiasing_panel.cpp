@@ -189,6 +189,9 @@ void line_control(Controls& controls, RenderSettings& settings) {
           [](float w) { return fmt::format("{:.2f} px", w); }))
     settings.line_width = std::round(100.0 * static_cast<double>(width)) / 100.0;
 }
+  // Averages over an area need no further samples; a TR above 1 still takes them.
+  if (settings.texture.filter == TextureFilter::footprint && settings.texture.resolution == 1)
+    return;
 
 void texture_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
@@ -248,8 +251,9 @@ void advanced_panel(Controls& controls, Previewer& previewer) {
   if (!controls.section("Advanced", false)) return;
   if (in_object_space(settings.method)) splitting_controls(controls, settings);
   if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
-  if (!scene || scene->needs.textures) texture_controls(controls, settings);
-  if (scene && !scene->needs.culling) return;
+  // Before a scene is there, only what every scene has.
+  if (scene && scene->needs.textures) texture_controls(controls, settings);
+  if (!scene || !scene->needs.culling) return;
   controls.checkbox("Back-face culling", "Hide the backs of single-sided materials, as glTF asks.",
                     settings.cull, usual.cull);
 }
