@@ -90,6 +90,8 @@ void WindowContent::draw(const FrameInput& in) {
     return;
   }
 
+  progress_.update(previewer_.render().progress(), estimate(), previewer_.render().restarts(),
+                   in.time_seconds);
   follow_files(in.time_seconds);
   unsaved_.update(previewer_);
   begin_frame(in);
@@ -101,6 +103,7 @@ void WindowContent::draw(const FrameInput& in) {
   ImGui::Render();
 
   history_.update(previewer_, state_.display, ImGui::IsAnyMouseDown(), in.time_seconds);
+  forecast_.follow(previewer_);
   // Changes by the widgets take effect in this frame, before it is shown.
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
                                           in.time_seconds);
@@ -183,7 +186,8 @@ void WindowContent::lay_out(const FrameInput& in) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.8f * em, 0.42f * em});
   begin_fixed("status", layout_.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav);
   progress_panel(controls_, previewer_,
-                 {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform()});
+                 {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform(),
+                  progress_.fraction(), estimate()});
   ImGui::End();
   ImGui::PopStyleVar();
 
@@ -305,6 +309,10 @@ void WindowContent::panel_window(const WindowRect& rect) {
   scroll_anchor_.hold(controls_);
   ImGui::End();
   if (std::exchange(state_.forget, false)) apply(StoredSettings{});
+}
+
+std::optional<TimeEstimate> WindowContent::estimate() const {
+  return time_estimate(previewer_, forecast_.of(previewer_));
 }
 
 // A bit for each thing that goes on by itself and that the window tells of.

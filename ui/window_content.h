@@ -12,6 +12,7 @@
 #include "ui/panels/scroll_anchor.h"
 #include "ui/picture_saver.h"
 #include "ui/previewer.h"
+#include "ui/shown_progress.h"
 #include "ui/split_check.h"
 #include "ui/split_forecast.h"
 #include "ui/split_pixel.h"
@@ -89,6 +90,7 @@ class WindowContent {
   void follow_files(double now_seconds);
   void say(std::string message);
   void settle();
+  [[nodiscard]] std::optional<TimeEstimate> estimate() const;
 
   Previewer& previewer_;
   GlDisplay display_;
@@ -104,6 +106,7 @@ class WindowContent {
   SplitPixelSearch split_search_;
   SkyReader sky_reader_;
   SplitForecast forecast_;
+  ShownProgress progress_;
   SplitCheck check_;
   EqualTimeJob equal_time_;
   FileWatch watch_;
