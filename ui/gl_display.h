@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,11 @@ class GlDisplay {
   /// The same for what is compared with `film`; after `update`. A stored frame of another size is
   /// resampled.
   void update_compared(const Film& film, std::span<const PixelRect> changed, Frames& frames);
+
+  /// The same for the error of each pixel against `reference`, of the film's size or null: none is
+  /// shown. `revision` counts the references.
+  void update_error(const Film& film, std::span<const PixelRect> changed, const Film* reference,
+                    std::uint64_t revision);
 
   /// Where to draw: `area` in framebuffer pixels from the top left of a framebuffer that is
   /// `framebuffer_height` high.
@@ -104,6 +110,16 @@ class GlDisplay {
   void convert_compared(const Film& film, const Film& stored, const PixelRect& rect);
   Compared compared_;
   Layer compared_layer_;
+
+  struct ErrorShown {
+    std::uint64_t revision = 0;
+    DisplayTransform shown;
+    glm::ivec2 size{0};
+    bool operator==(const ErrorShown&) const = default;
+  };
+  void convert_error(const Film& film, const Film& reference, const PixelRect& rect);
+  std::optional<ErrorShown> error_;  // none: not shown
+  Layer error_layer_;
 };
 
 }  // namespace asos

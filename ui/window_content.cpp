@@ -116,8 +116,9 @@ void WindowContent::draw(const FrameInput& in) {
   state_.tour.found = looked.pixel;
   state_.tour.none_split = looked.none_split;
   // A study's times count: what only checks the picture waits for it.
-  check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm,
+  check_.update(previewer_, wants_reference() && !equal_time_.busy(), state_.check.alarm,
                 study_.busy());
+  error_reference_.update(previewer_, check_.findings());
   update_display();
   keep_saving();
   present(in);
@@ -199,6 +200,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   if (layout_.panel.size.x > 0.0f && layout_.panel.size.y > 0.0f) panel_window(layout_.panel);
   pixel_panel(controls_, previewer_, state_, {inspector_.report(), check_.findings()}, shown);
   DisplaySettings legend = state_.display;
+  if (state_.show_error) legend.show_legend = false;
   // Beside the card and the panel that explains a pixel; there may be no room for all.
   constexpr float beside_another_em = 52.0f;
   const std::optional<PixelPlace> explained = picked_place(state_, shown, em);
@@ -211,6 +213,11 @@ void WindowContent::lay_out(const FrameInput& in) {
   const MapFacts map{previewer_.edits().settings().asos.max_level,
                      !previewer_.render().progress().finished};
   if (split_legend(controls_, legend, map, picture, panel_left)) explain_a_pixel();
+  if (state_.show_error)
+    error_legend(controls_,
+                 {error_reference_.film() ? error_reference_.samples() : 0,
+                  previewer_.render().progress().finished},
+                 picture);
   tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);
   dialogs(picture);
@@ -309,6 +316,13 @@ void WindowContent::panel_window(const WindowRect& rect) {
   scroll_anchor_.hold(controls_);
   ImGui::End();
   if (std::exchange(state_.forget, false)) apply(StoredSettings{});
+}
+
+// The layer Error keeps its own once it is whole.
+bool WindowContent::wants_reference() const {
+  constexpr int whole = SplitCheck::most_passes * SplitCheck::samples_each;
+  const bool has = error_reference_.film() && error_reference_.samples() >= whole;
+  return state_.check.check || (state_.show_error && !has);
 }
 
 std::optional<TimeEstimate> WindowContent::estimate() const {

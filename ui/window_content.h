@@ -3,6 +3,7 @@
 #include "renderer/result.h"
 #include "ui/edit_history.h"
 #include "ui/equal_time.h"
+#include "ui/error_map.h"
 #include "ui/file_watch.h"
 #include "ui/gl_display.h"
 #include "ui/input.h"
@@ -91,6 +92,7 @@ class WindowContent {
   void say(std::string message);
   void settle();
   [[nodiscard]] std::optional<TimeEstimate> estimate() const;
+  [[nodiscard]] bool wants_reference() const;
 
   Previewer& previewer_;
   GlDisplay display_;
@@ -108,6 +110,7 @@ class WindowContent {
   SplitForecast forecast_;
   ShownProgress progress_;
   SplitCheck check_;
+  ErrorReference error_reference_;
   EqualTimeJob equal_time_;
   FileWatch watch_;
   PictureSaver saver_;

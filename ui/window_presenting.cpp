@@ -24,6 +24,8 @@ void WindowContent::update_display() {
     changed = {{0, 0, film.width, film.height}};
   display_.update(film, changed, state_.display, render.map_revision());
   display_.update_compared(film, changed, state_.frames);
+  display_.update_error(film, changed, state_.show_error ? error_reference_.film() : nullptr,
+                        error_reference_.revision());
 }
 
 void WindowContent::present(const FrameInput& in) {
