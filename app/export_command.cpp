@@ -2,6 +2,7 @@
 #include "app/exit_code.h"
 #include "app/output_file.h"
 #include "app/scene_argument.h"
+#include "renderer/files/counted.h"
 #include "renderer/gltf/load.h"
 
 #include <CLI/CLI.hpp>
@@ -28,8 +29,8 @@ int run_export(const ExportArguments& arguments, const Streams& streams) {
   if (!written) return fail(streams, written.error());
   if (!scene->contents.animations.empty())
     streams.err << "asos: note: the animation is not written; the file shows its first frame\n";
-  streams.out << fmt::format("Wrote {} ({} triangles).\n", printable(file->path()),
-                             scene->instanced_triangles());
+  streams.out << fmt::format("Wrote {} ({}).\n", printable(file->path()),
+                             counted(scene->instanced_triangles(), "triangle"));
   return exit_ok;
 }
 

@@ -15,6 +15,7 @@
 #include "app/render_warnings.h"
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
+#include "renderer/files/counted.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_strokes.h"
@@ -239,9 +240,9 @@ void say_written(const RenderArguments& arguments, const RenderReport& report, s
     out << fmt::format("Kept {}, which has these settings.\n", printable(arguments.output));
     return;
   }
-  out << fmt::format("Wrote {}: {} triangles, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
-                     printable(arguments.output), report.triangles, report.load_seconds,
-                     report.build_seconds, report.render_seconds,
+  out << fmt::format("Wrote {}: {}, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
+                     printable(arguments.output), counted(report.triangles, "triangle"),
+                     report.load_seconds, report.build_seconds, report.render_seconds,
                      report.stopped_at ? fmt::format(", stopped by --time-limit: {}",
                                                      reached_text(*report.stopped_at))
                                        : "");
@@ -264,7 +265,7 @@ void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>
   if (const std::size_t beyond = beyond_the_end(frames, scene.contents()); beyond > 0)
     err << fmt::format(
         "asos: note: {} of {} are after the animation's end and show its last pose\n", beyond,
-        frames.size() == 1 ? "1 picture" : fmt::format("{} pictures", frames.size()));
+        counted(frames.size(), "picture"));
 }
 
 // Reads the scene to know what else it is made of.

@@ -1,5 +1,6 @@
 #include "app/render_warnings.h"
 
+#include "renderer/files/counted.h"
 #include "renderer/scene/remarks.h"
 #include "renderer/shading/sky_remark.h"
 
@@ -24,9 +25,9 @@ void tell_warnings(RenderReport& report, const RenderScene& scene, const SkyChoi
 void warn_of_cut_stacks(RenderReport& report) {
   if (report.statistics.cut_stacks == 0) return;
   report.warnings.insert(report.warnings.begin(),
-                         fmt::format("{} rays passed 1,024 surfaces that are seen through; what "
+                         fmt::format("{} passed 1,024 surfaces that are seen through; what "
                                      "lies behind those is left out",
-                                     report.statistics.cut_stacks));
+                                     counted(report.statistics.cut_stacks, "ray")));
   ++report.warning_count;
 }
 

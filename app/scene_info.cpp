@@ -1,6 +1,7 @@
 #include "app/scene_info.h"
 
 #include "app/printed_json.h"
+#include "renderer/files/counted.h"
 #include "renderer/scene/extension_remarks.h"
 #include "renderer/scene/surroundings.h"
 
@@ -127,10 +128,6 @@ std::string numbered_lines(const char* title, const Json& list, std::size_t most
          lines_of(list, most, [&](std::size_t i, const Json& entry) {
            return fmt::format("  {}: {}\n", i, line(entry));
          });
-}
-
-std::string counted(std::uint64_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string contents_lines(const Json& info, std::size_t most) {
@@ -279,16 +276,17 @@ std::string scene_info_text(const Json& of_scene, std::size_t most) {
   if (info.contains("time"))
     text += fmt::format("Moment:     {} s of animation {}\n", info["time"]["seconds"].get<double>(),
                         info["time"]["animation"].get<int>());
-  text += fmt::format("Geometry:   {} triangles, in {} instances of {} meshes\n",
-                      number("triangles"), number("instances"), number("meshes"));
+  text += fmt::format("Geometry:   {}, in {} of {}\n", counted(number("triangles"), "triangle"),
+                      counted(number("instances"), "instance"),
+                      counted(number("meshes"), "mesh", "meshes"));
   if (number("shapes") > 0)
-    text += fmt::format("Shapes:     {} of the instances are analytic\n", number("shapes"));
+    text += fmt::format("Shapes:     {}\n", counted(number("shapes"), "analytic instance"));
   if (number("line_segments") > 0)
-    text += fmt::format("Lines:      {} segments\n", number("line_segments"));
+    text += fmt::format("Lines:      {}\n", counted(number("line_segments"), "segment"));
   if (number("points") > 0) text += fmt::format("Points:     {}\n", number("points"));
   text += bounds_line(info["bounds"]);
-  text += fmt::format("Materials:  {}, with {} textures of {} images\n", number("materials"),
-                      number("textures"), number("images"));
+  text += fmt::format("Materials:  {}, with {} of {}\n", number("materials"),
+                      counted(number("textures"), "texture"), counted(number("images"), "image"));
   const bool surroundings = info.contains("surroundings");
   text += lights_line(info["lights"], surroundings);
   if (surroundings) {

@@ -1,5 +1,6 @@
 #include "app/trace_report.h"
 
+#include "renderer/files/counted.h"
 #include "renderer/film/split_map.h"
 #include "renderer/picture/settings_json.h"
 
@@ -221,7 +222,7 @@ std::string head_text(const Json& trace) {
                       colour_text(trace["radiance"]), trace["unresolved_area"].get<double>());
   text += "In the split map: " + text_of(trace["split"]);
   if (const auto samples = trace["samples"].get<std::uint32_t>(); samples > 0)
-    text += fmt::format(" ({} samples)", samples);
+    text += fmt::format(" ({})", counted(samples, "sample"));
   text += "\n";
   if (trace["missed_split"].get<bool>())
     text += "Edge not found: its samples differ from a neighbour's, but no edge is near.\n";
@@ -256,8 +257,8 @@ std::string cell_text(const Json& cell) {
       fmt::format("{:>2}  {}  1/{:<4} {}", cell["level"].get<int>(), place_text(cell["corner"]),
                   std::lround(1.0 / cell["side"].get<double>()), text_of(cell["fate"]));
   if (clusters > 0)
-    text +=
-        fmt::format(", {} {} of edges not resolved", clusters, clusters == 1 ? "group" : "groups");
+    text += fmt::format(", {} of edges not resolved",
+                        counted(static_cast<std::uint64_t>(clusters), "group"));
   if (hidden > 0) text += fmt::format(", {} hidden", hidden);
   text += "\n";
   for (const Json& b : cell["boundaries"])

@@ -1,5 +1,6 @@
 #include "ui/gl_display.h"
 
+#include "ui/error_map.h"
 #include "ui/shader_sources.h"
 
 #include <algorithm>
@@ -178,6 +179,39 @@ void GlDisplay::show_wireframe(const SurfacePicture* surfaces, std::uint64_t rev
   wireframe_.upload();
 }
 
+void GlDisplay::update_error(const Film& film, std::span<const PixelRect> changed,
+                             const Film* reference, std::uint64_t revision) {
+  const glm::ivec2 size(film.width, film.height);
+  if (!reference || size.x <= 0 || glm::ivec2(reference->width, reference->height) != size) {
+    error_.reset();
+    return;
+  }
+  const PixelRect whole{0, 0, size.x, size.y};
+  const ErrorShown wanted{revision, shown_, size};
+  if (error_ != wanted) {
+    error_layer_.resize(size.x, size.y);
+    error_ = wanted;
+    convert_error(film, *reference, whole);
+  } else {
+    for (const PixelRect& rect : changed) {
+      const PixelRect inside = intersection(rect, whole);
+      if (!inside.empty()) convert_error(film, *reference, inside);
+    }
+  }
+  error_layer_.upload();
+}
+
+void GlDisplay::convert_error(const Film& film, const Film& reference, const PixelRect& rect) {
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    const std::size_t row = film.index(rect.x, y);
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
+      const double steps = error_steps(film, reference, i, error_->shown);
+      error_layer_.at(i) = glm::u8vec4(heat_colour(ErrorScale::share(steps)), 255);
+    }
+  }
+  error_layer_.mark(rect);
+}
+
 void GlDisplay::draw(const PictureView& view, const Target& target, const DisplaySettings& display,
                      const Frames& frames) const {
   const PixelRect& area = target.area;
@@ -199,6 +233,7 @@ void GlDisplay::draw(const PictureView& view, const Target& target, const Displa
   draw_layer(picture_program_, picture_, clip_rect, magnified);
   if (display.show_split_map) draw_over(overlay_, display.split_dimming, clip_rect, magnified);
   if (shows_wireframe_) draw_over(wireframe_, 0.0f, clip_rect, magnified);
+  if (error_) draw_layer(picture_program_, error_layer_, clip_rect, magnified);
   const bool beside = frames.comparison == Comparison::wipe ||
                       frames.comparison == Comparison::difference || frames.flipped;
   if (compared_.chosen < 0 || !beside) return;

@@ -12,6 +12,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,10 @@ class GlDisplay {
   /// Draws the wireframe of `surfaces` over the picture from now on, where it has the picture's
   /// size; null: none. `revision` grows with each new picture of surfaces.
   void show_wireframe(const SurfacePicture* surfaces, std::uint64_t revision);
+  /// The same for the error of each pixel against `reference`, of the film's size or null: none is
+  /// shown. `revision` counts the references.
+  void update_error(const Film& film, std::span<const PixelRect> changed, const Film* reference,
+                    std::uint64_t revision);
 
   /// Where to draw: `area` in framebuffer pixels from the top left of a framebuffer that is
   /// `framebuffer_height` high.
@@ -115,6 +120,16 @@ class GlDisplay {
   Layer wireframe_;
   std::uint64_t wireframe_revision_ = 0;
   bool shows_wireframe_ = false;
+
+  struct ErrorShown {
+    std::uint64_t revision = 0;
+    DisplayTransform shown;
+    glm::ivec2 size{0};
+    bool operator==(const ErrorShown&) const = default;
+  };
+  void convert_error(const Film& film, const Film& reference, const PixelRect& rect);
+  std::optional<ErrorShown> error_;  // none: not shown
+  Layer error_layer_;
 };
 
 }  // namespace asos

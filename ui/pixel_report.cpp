@@ -1,5 +1,6 @@
 #include "ui/pixel_report.h"
 
+#include "renderer/files/counted.h"
 #include "renderer/film/split_map.h"
 #include "renderer/pyray/hit_list.h"
 #include "ui/previewer.h"
@@ -8,55 +9,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace asos {
 
 namespace {
 
-/// Whether the straight way from p to q crosses a boundary.
-bool crosses(glm::vec2 p, glm::vec2 q, const TracedBoundary& b) {
-  const auto side = [](glm::vec2 from, glm::vec2 to, glm::vec2 point) {
-    const glm::vec2 d = to - from, e = point - from;
-    return d.x * e.y - d.y * e.x > 0.0f;
-  };
-  return side(b.from, b.to, p) != side(b.from, b.to, q) && side(p, q, b.from) != side(p, q, b.to);
-}
-
-/// Radiance that a place in a cell counts as: that of the sample with the fewest boundaries between
-/// the two, and of several such samples, of the nearest.
-glm::vec3 seen_at(const TracedCell& cell, glm::vec2 place) {
-  glm::vec3 radiance(0.0f);
-  auto best = std::pair(std::numeric_limits<std::ptrdiff_t>::max(), 0.0f);
-  for (const TracedSample& sample : cell.samples) {
-    const auto between = std::count_if(cell.boundaries.begin(), cell.boundaries.end(),
-                                       [&](const auto& b) { return crosses(place, sample.at, b); });
-    const glm::vec2 away = sample.at - place;
-    const auto cost = std::pair(between, glm::dot(away, away));
-    if (cost >= best) continue;
-    best = cost;
-    radiance = sample.radiance;
-  }
-  return radiance;
-}
-
-/// Radiance that each place of a grid counts as. A cell that was split has no samples of its own.
-std::vector<glm::vec3> seen_grid(const std::vector<TracedCell>& cells) {
-  std::vector<glm::vec3> seen;
-  if (cells.empty()) return seen;
-  for (int y = 0; y < PixelReport::grid; ++y) {
-    for (int x = 0; x < PixelReport::grid; ++x) {
-      const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / static_cast<float>(PixelReport::grid);
-      seen.push_back(seen_at(cells[cell_at(cells, place)], place));
-    }
-  }
-  return seen;
-}
-
 std::string name_of_pyray(const RenderScene& scene, const TracedPyray& pyray) {
   const double from = 100.0 * pyray.weight;
   const std::size_t count = pyray.cells.size();
-  const std::string cells = fmt::format("{} cell{}", count, count == 1 ? "" : "s");
+  const std::string cells = counted(count, "cell");
   if (pyray.kind == TracedPyray::Kind::mirror)
     return fmt::format("mirror {} ({:.3g} % of pixel, {})", pyray.bounces + 1, from, cells);
   const std::string& name = scene.lights()[pyray.light].name;
@@ -137,9 +98,6 @@ const char* words_of(CellFate fate) {
 }
 
 std::string edge_words(const TracedCell& cell) {
-  const auto counted = [](std::size_t count, const char* kind) {
-    return fmt::format("{} {}{}", count, kind, count == 1 ? "" : "s");
-  };
   std::string words = counted(cell.boundaries.size(), "edge");
   if (cell.clusters > 0) words += ", " + counted(cell.clusters, "unresolved group");
   if (cell.hidden > 0) words += ", " + counted(cell.hidden, "hidden edge");
@@ -148,7 +106,7 @@ std::string edge_words(const TracedCell& cell) {
 
 std::string PixelReport::split() const {
   std::string words = split_words(trace.level, trace.cause);
-  if (trace.samples > 0) words += fmt::format(" ({} samples)", trace.samples);
+  if (trace.samples > 0) words += fmt::format(" ({})", counted(trace.samples, "sample"));
   return words;
 }
 
@@ -221,9 +179,9 @@ PixelReport PixelInspector::work(const Request& request) {
   report.trace = trace_pixel(scene, view, settings, request.pixel.x, request.pixel.y);
   for (const LevelTally& level : report.trace.levels)
     report.level_object.push_back(strongest_object(scene, level));
-  report.seen = seen_grid(report.trace.cells);
+  report.seen = seen_parts(report.trace.cells);
   for (const TracedPyray& pyray : report.trace.pyrays) {
-    report.pyray_seen.push_back(seen_grid(pyray.cells));
+    report.pyray_seen.push_back(seen_parts(pyray.cells));
     report.pyray_names.push_back(name_of_pyray(scene, pyray));
   }
   if (request.with_boundaries) find_boundaries(scene, view, report);

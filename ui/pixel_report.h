@@ -4,6 +4,7 @@
 #include "renderer/prepared/render_scene.h"
 #include "renderer/session/render_session.h"
 #include "ui/latest_job.h"
+#include "ui/seen_parts.h"
 
 #include <glm/glm.hpp>
 
@@ -25,16 +26,13 @@ struct PictureBoundary {
 
 /// How a pixel was split, made ready to be drawn, and the boundaries around.
 struct PixelReport {
-  /// Places across the pixel, each way, for which `seen` tells what they count as.
-  static constexpr int grid = 48;
-
   glm::ivec2 pixel{0};
   PixelTrace trace;
   RenderSettings settings;
-  std::vector<glm::vec3> seen;                     ///< linear, grid * grid, row by row
-  std::vector<std::vector<glm::vec3>> pyray_seen;  ///< the same of each of trace.pyrays
-  std::vector<std::string> pyray_names;            ///< and what each is, in a few words
-  std::vector<std::string> level_object;           ///< the object of largest change, one a level
+  std::vector<SeenPart> seen;                     ///< parts of the pixel's cells
+  std::vector<std::vector<SeenPart>> pyray_seen;  ///< the same of each of trace.pyrays
+  std::vector<std::string> pyray_names;           ///< and what each is, in a few words
+  std::vector<std::string> level_object;          ///< the object of largest change, one a level
   /// The boundaries of the whole picture's hit list, where they were asked for; `most_boundaries`
   /// at most.
   std::vector<PictureBoundary> boundaries;

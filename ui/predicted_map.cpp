@@ -79,7 +79,7 @@ void PredictedMap::show(const Pixels& pixels, Film& film) const {
     film.split_level[i] = pixel.level;
     film.cause[i] = pixel.cause;
     if (same_splitting(origins_[pixel.origin], asked_)) return;
-    const int level = predictions[pixel.origin].level_of(pixel.outlook);
+    const int level = predictions[pixel.origin].level_of(pixel.outlook, pixel.cause);
     film.split_level[i] = static_cast<std::uint8_t>(level);
     // A pixel that was one sample is split for its shading: edges are found at any setting.
     const bool edge = pixel.outlook.edges > 0 || pixel.outlook.unresolved > 0.0f;

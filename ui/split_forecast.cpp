@@ -89,6 +89,15 @@ void SplitForecast::ask(const Previewer& previewer) {
   job_.ask({previewer.scene().shared(), previewer.viewpoint().camera().camera(), settings, false});
 }
 
+void SplitForecast::follow(const Previewer& previewer) {
+  const AsosSettings& now = previewer.edits().settings().asos;
+  if (!followed_) followed_ = now;
+  if (now.eps == followed_->eps && now.max_level == followed_->max_level) return;
+  if (!in_object_space(previewer.edits().settings().method)) return;
+  followed_ = now;
+  ask(previewer);
+}
+
 void SplitForecast::update() {
   if (auto told = job_.take_outcome()) told_ = std::move(*told);
 }

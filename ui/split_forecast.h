@@ -31,6 +31,8 @@ class SplitForecast {
 
   /// Asks about the settings as they are.
   void ask(const Previewer& previewer);
+  /// Asks whenever EPS or MAX has changed, however that was done. Call once a frame.
+  void follow(const Previewer& previewer);
   /// Call once a frame.
   void update();
   /// The forecast for the settings as they are; null: not known.
@@ -45,6 +47,7 @@ class SplitForecast {
   };
   LatestJob<Snapshot, Told> job_;
   std::optional<RenderSettings> asked_;
+  std::optional<AsosSettings> followed_;
   std::optional<Told> told_;
   std::uint64_t camera_ = 0;  // revision that was asked about
 };

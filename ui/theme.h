@@ -14,6 +14,9 @@ inline constexpr float panel_width_em = 328.0f / text_pixels;
 inline constexpr float status_height_em = 28.0f / text_pixels;
 inline constexpr float bar_height_em = 68.0f / text_pixels;  ///< two rows under the picture
 inline constexpr float least_bar_em = 26.0f;                 ///< width
+inline constexpr float compact_bar_height_em =
+    40.0f / text_pixels;                              ///< one row, where room is scarce
+inline constexpr float least_compact_bar_em = 16.0f;  ///< width
 
 enum class Look { dark, light };
 

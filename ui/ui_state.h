@@ -48,6 +48,7 @@ struct UiState {
   std::optional<glm::ivec2> hovered;  ///< the pixel under the pointer
   bool turns_surroundings = false;    ///< the right button's drag does, which Shift began
   Frames frames;
+  bool show_error = false;   ///< the error of each pixel in place of the picture
   bool show_before = false;  ///< the last finished EPS and MAX in place of the picture
   bool show_panel = true;
   PanelTab tab = PanelTab::antialias;

@@ -90,6 +90,8 @@ void WindowContent::draw(const FrameInput& in) {
     return;
   }
 
+  progress_.update(previewer_.render().progress(), estimate(), previewer_.render().restarts(),
+                   in.time_seconds);
   follow_files(in.time_seconds);
   unsaved_.update(previewer_);
   begin_frame(in);
@@ -101,6 +103,7 @@ void WindowContent::draw(const FrameInput& in) {
   ImGui::Render();
 
   history_.update(previewer_, state_.display, ImGui::IsAnyMouseDown(), in.time_seconds);
+  forecast_.follow(previewer_);
   // Changes by the widgets take effect in this frame, before it is shown.
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
                                           in.time_seconds);
@@ -113,8 +116,9 @@ void WindowContent::draw(const FrameInput& in) {
   state_.tour.found = looked.pixel;
   state_.tour.none_split = looked.none_split;
   // A study's times count: what only checks the picture waits for it.
-  check_.update(previewer_, state_.check.check && !equal_time_.busy(), state_.check.alarm,
+  check_.update(previewer_, wants_reference() && !equal_time_.busy(), state_.check.alarm,
                 study_.busy());
+  error_reference_.update(previewer_, check_.findings());
   surfaces_.update(previewer_, state_.surfaces);
   update_display();
   keep_saving();
@@ -185,6 +189,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   begin_fixed("status", layout_.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav);
   progress_panel(controls_, previewer_,
                  {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform(),
+                  progress_.fraction(), estimate(),
                   state_.hovered ? surface_names(previewer_, *state_.hovered) : std::string()});
   ImGui::End();
   ImGui::PopStyleVar();
@@ -200,6 +205,7 @@ void WindowContent::lay_out(const FrameInput& in) {
                state_.picked ? surface_names(previewer_, *state_.picked) : std::string()},
               shown);
   DisplaySettings legend = state_.display;
+  if (state_.show_error) legend.show_legend = false;
   // Beside the card and the panel that explains a pixel; there may be no room for all.
   constexpr float beside_another_em = 52.0f;
   const std::optional<PixelPlace> explained = picked_place(state_, shown, em);
@@ -212,6 +218,11 @@ void WindowContent::lay_out(const FrameInput& in) {
   const MapFacts map{previewer_.edits().settings().asos.max_level,
                      !previewer_.render().progress().finished};
   if (split_legend(controls_, legend, map, picture, panel_left)) explain_a_pixel();
+  if (state_.show_error)
+    error_legend(controls_,
+                 {error_reference_.film() ? error_reference_.samples() : 0,
+                  previewer_.render().progress().finished},
+                 picture);
   tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);
   dialogs(picture);
@@ -310,6 +321,17 @@ void WindowContent::panel_window(const WindowRect& rect) {
   scroll_anchor_.hold(controls_);
   ImGui::End();
   if (std::exchange(state_.forget, false)) apply(StoredSettings{});
+}
+
+// The layer Error keeps its own once it is whole.
+bool WindowContent::wants_reference() const {
+  constexpr int whole = SplitCheck::most_passes * SplitCheck::samples_each;
+  const bool has = error_reference_.film() && error_reference_.samples() >= whole;
+  return state_.check.check || (state_.show_error && !has);
+}
+
+std::optional<TimeEstimate> WindowContent::estimate() const {
+  return time_estimate(previewer_, forecast_.of(previewer_));
 }
 
 // A bit for each thing that goes on by itself and that the window tells of.

@@ -3,6 +3,7 @@
 #include "renderer/result.h"
 #include "ui/edit_history.h"
 #include "ui/equal_time.h"
+#include "ui/error_map.h"
 #include "ui/file_watch.h"
 #include "ui/gl_display.h"
 #include "ui/input.h"
@@ -12,6 +13,7 @@
 #include "ui/panels/scroll_anchor.h"
 #include "ui/picture_saver.h"
 #include "ui/previewer.h"
+#include "ui/shown_progress.h"
 #include "ui/split_check.h"
 #include "ui/split_forecast.h"
 #include "ui/split_pixel.h"
@@ -91,6 +93,8 @@ class WindowContent {
   void follow_files(double now_seconds);
   void say(std::string message);
   void settle();
+  [[nodiscard]] std::optional<TimeEstimate> estimate() const;
+  [[nodiscard]] bool wants_reference() const;
 
   Previewer& previewer_;
   GlDisplay display_;
@@ -106,8 +110,10 @@ class WindowContent {
   SplitPixelSearch split_search_;
   SkyReader sky_reader_;
   SplitForecast forecast_;
+  ShownProgress progress_;
   SplitCheck check_;
   SurfaceViewer surfaces_;
+  ErrorReference error_reference_;
   EqualTimeJob equal_time_;
   FileWatch watch_;
   PictureSaver saver_;

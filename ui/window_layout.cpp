@@ -18,10 +18,15 @@ WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool 
                                 std::round(0.5f * (window.y - taken_down)));
   const float above_status = window.y - taken_down - status;
   const float across = std::floor(window.x - taken_across);
-  // Low or narrow windows need the room for the picture.
-  const bool fits =
-      across >= theme::least_bar_em * em && above_status >= 4.0f * theme::bar_height_em * em;
-  const float bar = show_bar && fits ? std::round(theme::bar_height_em * em) : 0.0f;
+  // Low or narrow windows need the room for the picture: one row is enough there, or none.
+  const auto fits = [&](float width_em, float height_em, float times) {
+    return across >= width_em * em && above_status >= times * height_em * em;
+  };
+  float bar_em = 0.0f;
+  if (fits(theme::least_compact_bar_em, theme::compact_bar_height_em, 2.5f))
+    bar_em = theme::compact_bar_height_em;
+  if (fits(theme::least_bar_em, theme::bar_height_em, 4.0f)) bar_em = theme::bar_height_em;
+  const float bar = show_bar ? std::round(bar_em * em) : 0.0f;
   const glm::vec2 picture(across, std::floor(above_status - bar));
 
   WindowLayout layout;

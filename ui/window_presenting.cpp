@@ -37,6 +37,9 @@ void WindowContent::update_display() {
   display_.show_wireframe(surfaces && state_.surfaces.wireframe ? surfaces : nullptr,
                           surfaces_.revision());
   display_.update_compared(film, changed, state_.frames);
+  display_.update_error(film, changed,
+                        state_.show_error && !shows_surfaces ? error_reference_.film() : nullptr,
+                        error_reference_.revision());
 }
 
 void WindowContent::present(const FrameInput& in) {
@@ -50,9 +53,9 @@ void WindowContent::present(const FrameInput& in) {
   // The film may have changed its size since the layout.
   state_.view.set_sizes({picture_rect_.width, picture_rect_.height},
                         {display_.width(), display_.height()});
-  const bool compares = surfaces_shown_ == 0;
-  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, shown_display_,
-                compares ? state_.frames : Frames{});
+  static const Frames no_frames;
+  const Frames& frames = surfaces_shown_ == 0 ? state_.frames : no_frames;
+  display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, shown_display_, frames);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -10,16 +10,25 @@ namespace asos {
 LevelPrediction::LevelPrediction(const RenderSettings& rendered, const RenderSettings& asked)
     : max_level_(asked.asos.max_level), eps_(asked.asos.eps) {
   const Allowance before = Allowance::of(rendered), after = Allowance::of(asked);
+  tolerance_before_ = static_cast<double>(before.tolerance);
   tolerance_ = static_cast<double>(after.tolerance);
   most_samples_ = after.most_samples(1.0);
+  constexpr double contrast = 0.5;  // of a part that shows many surfaces
+  tangle_samples_ =
+      std::max(after.samples(1.0, contrast), static_cast<double>(after.pilot_samples(1.0)));
   const double one = before.samples(1.0, Allowance::usual_contrast);
   more_samples_ = after.samples(1.0, Allowance::usual_contrast) / std::max(one, 1.0);
 }
 
-int LevelPrediction::level_of(const SplitOutlook& pixel) const {
+int LevelPrediction::level_of(const SplitOutlook& pixel, SplitCause cause) const {
+  const auto error = static_cast<double>(pixel.error);
   double level = 0.0;
-  // Boundaries.
-  if (pixel.edges > 0 || pixel.unresolved > 0.0f || pixel.at_limit) {
+  // Boundaries. Cells that they cut may have been split for their shading alone.
+  const bool for_shading = pixel.unresolved <= 0.0f && !pixel.at_limit &&
+                           error > tolerance_before_ && error <= tolerance_;
+  if (cause == SplitCause::saturation && pixel.edges == 0) {
+    level = std::ceil(0.5 * std::log2(tangle_samples_));
+  } else if (!for_shading && (pixel.edges > 0 || pixel.unresolved > 0.0f || pixel.at_limit)) {
     level = pixel.edges;
     if (pixel.unresolved > 0.0f) {
       const double halvings = std::log2(static_cast<double>(pixel.unresolved) / eps_);
@@ -29,7 +38,6 @@ int LevelPrediction::level_of(const SplitOutlook& pixel) const {
     }
   }
   // Shading.
-  const auto error = static_cast<double>(pixel.error);
   if (error > tolerance_) level = std::max(level, std::ceil(0.5 * std::log2(error / tolerance_)));
   // Samples.
   if (pixel.samples > 1) {

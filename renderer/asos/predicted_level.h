@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/split_cause.h"
 #include "renderer/film/split_outlook.h"
 #include "renderer/settings/settings.h"
 
@@ -14,13 +15,16 @@ class LevelPrediction {
  public:
   LevelPrediction(const RenderSettings& rendered, const RenderSettings& asked);
 
-  [[nodiscard]] int level_of(const SplitOutlook& pixel) const;
+  /// `cause`: the one that the pixel was split for.
+  [[nodiscard]] int level_of(const SplitOutlook& pixel, SplitCause cause = SplitCause::none) const;
 
  private:
   int max_level_;
-  double eps_;           // asked for
-  double tolerance_;     // of that
-  double more_samples_;  // times as many
+  double eps_;               // asked for
+  double tolerance_before_;  // of what was rendered
+  double tolerance_;         // of what is asked for
+  double more_samples_;      // times as many
+  double tangle_samples_;    // of a pixel with too many edges
   double most_samples_;
 };
 

@@ -29,7 +29,8 @@ void RootSum::add_samples(const RegionSampler::Estimate& found, double leaf_weig
   const double held = 1.0 - found.masked_share;
   add(found.value, held * leaf_weight);
   samples += static_cast<std::uint32_t>(found.cost);
-  varies |= found.cost > 1.0 && found.error * std::sqrt(found.cost) > visible;
+  if (!found.one_round && found.error * std::sqrt(found.cost) > visible)
+    varied += static_cast<std::uint32_t>(found.cost);
   cut_out |= found.error > 0.0 && layers;
 }
 

@@ -46,8 +46,8 @@ struct RootSum {
   bool mirror_cut = false;    ///< a boundary split what one of its leaves mirrors
   bool misplaced = false;     ///< bent mirrors, one in the other, may show a bright light elsewhere
   bool defocused = false;     ///< it was sampled over the camera's lens
-  bool varies = false;        ///< samples of one of its parts differ visibly
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
+  std::uint32_t varied = 0;   ///< of those parts whose samples differ visibly, beyond one round
   float error = 0.0f;         ///< of the root's centre, as the bounds of its leaves tell
   std::uint64_t rays = 0;     ///< of all kinds that were cast for its leaves, beside their own
 

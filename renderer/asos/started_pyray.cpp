@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <span>
 
 namespace asos {
 namespace {
 
-// Each cell that was examined has a sample of its own. The block's other rays, as those cast to
-// find out whether a patch is evenly lit, are shared by its pixels.
+// The block's rays that belong to no pixel, such as those that test whether a patch is evenly lit,
+// are shared by its pixels.
 void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
   std::uint64_t told = 0;
   for (const std::uint64_t of_pixel : rays) {
@@ -37,12 +36,19 @@ int deepest_cell(const SubdivisionOutcome& outcome) {
   return deepest;
 }
 
+// Samples that make a pixel's level. At an EPS at which samples cost least, every lit pixel takes
+// the pilot's: those split none.
+std::uint32_t samples_of_level(const SubdivisionOutcome& outcome, const RootSum& sum) {
+  const bool for_cause =
+      outcome.uneven_shading || outcome.uneven_shadow || outcome.saturated || sum.cut_out;
+  return for_cause ? sum.samples : sum.varied;
+}
+
 SplitOutlook outlook_of(const SubdivisionOutcome& outcome, const RootSum& sum) {
   SplitOutlook outlook;
   outlook.error = sum.error;
   outlook.unresolved = static_cast<float>(outcome.unresolved_area);
-  const bool uneven = outcome.uneven_shading || outcome.uneven_shadow;
-  outlook.samples = sum.varies || sum.cut_out || uneven ? sum.samples : 0;
+  outlook.samples = samples_of_level(outcome, sum);
   outlook.edges = static_cast<std::uint8_t>(outcome.boundaries.empty() ? 0 : deepest_cell(outcome));
   outlook.at_limit = outcome.at_limit;
   return outlook;
@@ -58,9 +64,9 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   int level = deepest_cell(outcome);
   // What samples tell apart is as good as split to the end.
   if (sum.cut_out) level = std::max(level, max_level);
-  if (sum.varies && !outcome.uneven_shadow) outcome.uneven_shading = true;
-  if (outcome.uneven_shading || outcome.uneven_shadow)
-    level = std::max(level, std::min(max_level, level_of(sum.samples)));
+  const std::uint32_t samples = samples_of_level(outcome, sum);
+  if (sum.varied > 0 && !outcome.uneven_shadow) outcome.uneven_shading = true;
+  level = std::max(level, std::min(max_level, level_of(samples)));
   outcome.deepest = std::max(outcome.deepest, level);
   statistics.missed_splits += trace.missed;
   statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
@@ -75,7 +81,7 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   statistics.split_pixels += cause != SplitCause::none;
   if (cause != SplitCause::none) ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
   result.tile.outlook.push_back(outlook_of(trace.outcome, sum));
-  rays.push_back(std::accumulate(cells.begin(), cells.end(), sum.rays));
+  rays.push_back(outcome.probes + sum.rays);
 }
 
 }  // namespace

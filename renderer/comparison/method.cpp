@@ -176,6 +176,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Each object hides a fraction of the pixel's cone, wherever it lies in it.",
      .render = render_block_cone,
      .block_side = usual_side,
+     .takes_lens = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::covers,
@@ -185,6 +186,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Objects are weighted by the distance of their nearest edge from the pixel's centre.",
      .render = render_block_covers,
      .block_side = usual_side,
+     .takes_lens = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::mask,
@@ -194,6 +196,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Triangles cover some of 8 x 8 points of a pixel; each is shaded once (A-buffer).",
      .render = render_block_mask,
      .block_side = usual_side,
+     .takes_lens = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
 }};

@@ -84,11 +84,53 @@ Checked<Container> open_binary(Bytes file, Warnings& warnings) {
   return container;
 }
 
+struct ForeignKind {
+  std::string_view magic;
+  const char* name;
+};
+constexpr ForeignKind foreign_kinds[] = {
+    {"\x89PNG", "a PNG picture"},
+    {"\xff\xd8\xff", "a JPEG picture"},
+    {"RIFF", "a RIFF file, such as a WebP picture"},
+    {"\xabKTX ", "a KTX picture"},
+    {"v/1\x01", "an OpenEXR picture"},
+    {"#?", "a Radiance HDR picture"},
+    {"PK\x03\x04", "a ZIP archive"},
+    {"\x1f\x8b", "a gzip archive"},
+    {"%PDF", "a PDF document"},
+    {"Kaydara FBX", "an FBX scene"},
+    {"; FBX", "an FBX scene"},
+    {"BLENDER", "a Blender scene"},
+    {"ply\n", "a PLY mesh"},
+    {"ply\r", "a PLY mesh"},
+    {"solid ", "an STL mesh"},
+    {"<", "an XML or HTML text"},
+};
+
+/// Why a file that begins so is no scene, by its first bytes; empty: it may be JSON.
+std::string foreign_fault(Bytes head) {
+  for (const ForeignKind& kind : foreign_kinds)
+    if (begins_with(head, kind.magic)) return fmt::format("is {}, not a glTF scene", kind.name);
+  const auto shown = [&](std::size_t at) {
+    const auto c = static_cast<char>(head[at]);
+    return c > ' ' && c <= '~' && c != '\'' ? std::string(1, c)
+                                            : fmt::format("\\x{:02x}", head[at]);
+  };
+  if (head.size() >= 20 && little_endian(head, 16) == json_chunk)
+    return fmt::format("is a GLB file with the magic '{}{}{}{}' instead of 'glTF'", shown(0),
+                       shown(1), shown(2), shown(3));
+  // No control character but a tab, a line feed or a carriage return begins a text.
+  if (!head.empty() && (head[0] < 9 || (head[0] > 13 && head[0] < 32)))
+    return fmt::format("is neither GLB nor JSON: it begins with the byte {:#04x}", head[0]);
+  return "";
+}
+
 }  // namespace
 
 FileRules scene_file_rules() {
   return {most_file_bytes, [](const FileHead& head) -> std::string {
             if (begins_with(head.bytes, magic)) return header_fault(head.bytes, head.file_size);
+            if (std::string why = foreign_fault(head.bytes); !why.empty()) return why;
             return head.file_size > most_json_bytes ? "the JSON is larger than 1 GiB" : "";
           }};
 }
@@ -99,6 +141,9 @@ Checked<Container> open_container(Bytes file, Warnings& warnings) {
   if (begins_with(file, "version https://git-lfs")) {
     return fault("is a Git LFS pointer, not the model itself; fetch it with git lfs pull");
   }
+  if (std::string why = foreign_fault(file.first(std::min(file.size(), FileHead::length)));
+      !why.empty())
+    return fault(why);
   return Container{file, {}, false, false};
 }
 

@@ -180,6 +180,7 @@ void CellResolver::carry_out() {
   for (const Plan& plan : plans_) {
     Cell& cell = level_->cells[plan.cell];
     const SampleId sample = first + plan.points.first;
+    state_->outcome(cell).probes += plan.points.count;
     switch (plan.kind) {
       case Plan::Kind::uniform:
         finish_uniform(cell, plan, sample);
@@ -252,7 +253,8 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     for (std::uint32_t i = 0; i < plan.points.count; ++i) {
       const PyrayLeaf& leaf = state_->leaves[first_leaf + i];
       const glm::vec2 at = state_->root(cell).place(points_[plan.points.first + i]);
-      traced->samples.push_back({leaf.sample, at, leaf.weight, {}, {}});
+      traced->samples.push_back(
+          {leaf.sample, at, leaf.weight, {}, {}, state_->root(cell).placed_border(leaf.region)});
     }
   }
   // A cut counts as one more level.
@@ -273,10 +275,11 @@ void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first
   // Make a leaf of each jittered sample; the caster adds up its own.
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
     const double share = whole / plan.points.count;
-    state_->add_leaf(cell, first + i, share, {part_of(cell.square, n, i), {}, true});
+    const LeafRegion region{part_of(cell.square, n, i), {}, true};
+    state_->add_leaf(cell, first + i, share, region);
     if (traced) {
       const glm::vec2 at = root.place(points_[plan.points.first + i]);
-      traced->samples.push_back({first + i, at, share, {}, {}});
+      traced->samples.push_back({first + i, at, share, {}, {}, root.placed_border(region)});
     }
   }
   if (traced && plan.own_samples != no_sample) {

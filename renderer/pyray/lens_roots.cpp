@@ -39,6 +39,7 @@ void Tracer::finish_lens_root(Root root, Caster& caster, LensCaster& lens, int m
       if (root.traced)
         root.traced->cells.emplace_back().samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
       traces_[i].outcome.pyrays_by_level[0] = 1;
+      traces_[i].outcome.probes = 1;
       return;
     case LensWay::sharp:
       if (bounded && crosses(root, caster)) {
@@ -72,6 +73,7 @@ void Tracer::sample_lens_root(const Root& root, LensCaster& lens) {
   lens.sample_root(root.id);
   Trace& trace = traces_[root.id];
   trace.outcome.pyrays_by_level[0] = 1;
+  trace.outcome.probes = 1;
   if (!root.traced) return;
   TracedCell& cell = root.traced->cells.emplace_back();
   cell.fate = CellFate::sampled;

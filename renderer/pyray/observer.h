@@ -3,6 +3,7 @@
 #include "renderer/features/feature_edge.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/level_tally.h"
+#include "renderer/pyray/square.h"
 
 #include <glm/glm.hpp>
 
@@ -37,6 +38,7 @@ struct TracedSample {
   double weight = 0.0;                   ///< share of the pyray
   glm::vec3 radiance{0.0f};              ///< linear; shadows: the visibility of the light
   std::uint32_t triangle = no_triangle;  ///< the world's triangle that it met
+  std::vector<BorderEdge> border{};      ///< sides of its part; empty: the part is its whole cell
 };
 
 /// A piece of a boundary that may be visible, clipped to what the detection of its cell reaches.

@@ -27,6 +27,7 @@ struct Splitter {
       points[static_cast<std::size_t>(i)] = {child.centre_u(), child.centre_v()};
     }
     const SampleId first = caster.probe(points);
+    outcome.probes += 4;
     bool differ = false;
     for (std::uint32_t i = 1; i < 4; ++i)
       differ |= caster.surface(first + i) != caster.surface(first);
@@ -52,7 +53,8 @@ void trace(const Root& root, std::span<const PyrayLeaf> leaves) {
   for (const PyrayLeaf& leaf : leaves) {
     const Square& s = leaf.region.square;
     const glm::vec2 at(s.centre_u() - root.square.u, s.centre_v() - root.square.v);
-    cell.samples.push_back({leaf.sample, at / root.square.side, leaf.weight, {}, {}});
+    cell.samples.push_back(
+        {leaf.sample, at / root.square.side, leaf.weight, {}, {}, root.placed_border(leaf.region)});
   }
 }
 
@@ -61,6 +63,7 @@ void trace(const Root& root, std::span<const PyrayLeaf> leaves) {
 SubdivisionOutcome split_by_samples(const Root& root, int max_level, Caster& caster) {
   Splitter splitter{root, max_level, caster};
   splitter.outcome.pyrays_by_level[0] = 1;
+  splitter.outcome.probes = 1;  // of its middle
   if (max_level > 0) {
     splitter.split(root.square, 1);
   } else {

@@ -47,7 +47,10 @@ void Subdivider::start(std::span<const Root> roots) {
     cell.first = static_cast<std::uint32_t>(level.entries.size());
     cell.count = static_cast<std::uint32_t>(roots[r].list.size());
     cell.middle = roots[r].middle;
-    if (cell.middle != no_sample) cell.cover = state_.caster->cover(cell.middle);
+    if (cell.middle != no_sample) {
+      cell.cover = state_.caster->cover(cell.middle);
+      state_.outcomes[r].probes = 1;
+    }
     level.entries.insert(level.entries.end(), roots[r].list.begin(), roots[r].list.end());
     level.cells.push_back(cell);
   }
@@ -130,6 +133,7 @@ void Subdivider::finish_marginal(CellLevel& level) {
     const std::uint32_t hidden =
         state_.search->find_visible(level.list(cell), state_.sight(cell), visible_);
     state_.outcome(cell).unresolved_area += share;
+    state_.outcome(cell).probes += anew;
     state_.outcome(cell).boundaries.add(state_.search->kinds_of(visible_));
     // Where MAX, and not EPS, ends a root, its samples are held to EPS all the same.
     SampleId leaf = no_sample;

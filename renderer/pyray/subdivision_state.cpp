@@ -4,6 +4,18 @@
 
 namespace asos {
 
+std::vector<BorderEdge> Root::placed_border(const LeafRegion& region) const {
+  std::vector<BorderEdge> sides;
+  for (const BorderEdge& side : region.border) sides.push_back({place(side.from), place(side.to)});
+  if (!sides.empty()) return sides;
+  const Square& s = region.square;
+  const glm::vec2 corners[4] = {
+      {s.u, s.v}, {s.u + s.side, s.v}, {s.u + s.side, s.v + s.side}, {s.u, s.v + s.side}};
+  for (std::size_t i = 0; i < 4; ++i)
+    sides.push_back({place(corners[i]), place(corners[(i + 1) % 4])});
+  return sides;
+}
+
 double SubdivisionState::weight(const Cell& cell) const {
   const double side =
       static_cast<double>(cell.square.side) / static_cast<double>(root(cell).square.side);

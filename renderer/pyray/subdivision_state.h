@@ -25,6 +25,9 @@ struct Root {
   [[nodiscard]] glm::vec2 place(glm::vec2 p) const {
     return (p - glm::vec2(square.u, square.v)) / square.side;
   }
+  /// The sides of a region, which are those of its square where it has no border, in the root's own
+  /// square.
+  [[nodiscard]] std::vector<BorderEdge> placed_border(const LeafRegion& region) const;
 };
 
 /// The result of a root's subdivision.
@@ -38,6 +41,7 @@ struct SubdivisionOutcome {
   /// The visible boundaries of cells that were cut or stayed marginal to the end.
   BoundaryKinds boundaries;
   std::array<std::uint32_t, max_level_limit + 1> pyrays_by_level{};
+  std::uint32_t probes = 0;  ///< rays of the root's middle, its cells and their parts
 
   void note_uneven(Unevenness uneven) {
     uneven_shading |= uneven == Unevenness::shading;

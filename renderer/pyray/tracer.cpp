@@ -190,6 +190,7 @@ bool Tracer::finish_clear_root(const Root& root, int max_level, Caster& caster) 
   caster.take(std::span(&leaf, 1));
   SubdivisionOutcome& outcome = traces_[i].outcome;
   outcome.pyrays_by_level[0] = 1;
+  outcome.probes = 1;
   outcome.note_uneven(decision.cause);
   return true;
 }

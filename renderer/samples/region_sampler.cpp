@@ -236,6 +236,7 @@ RegionSampler::Estimate RegionSampler::estimate(const Waiting& waiting) const {
     all.cost += sum.count;
   }
   if (all.cost > 0.0) all.value /= all.cost;
+  all.one_round = waiting.taken <= waiting.goal.least;
   if (waiting.in_region > 0)
     all.masked_share = static_cast<double>(waiting.masked) / waiting.in_region;
   return all;

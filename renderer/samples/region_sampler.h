@@ -38,6 +38,7 @@ class RegionSampler {
   /// no mean.
   struct Estimate : asos::Estimate {
     double masked_share = 0.0;  ///< fraction of the samples in the region that the mask left out
+    bool one_round = false;     ///< the first round was enough
   };
 
   /// Puts a region off until `run`; its number among those that wait, from 0.

@@ -1,5 +1,7 @@
 #include "renderer/scene/not_shown.h"
 
+#include "renderer/files/counted.h"
+
 #include <fmt/format.h>
 
 namespace asos {
@@ -23,10 +25,6 @@ std::string listed(const std::vector<std::string>& names, int without = -1) {
     text += (told++ ? ", " : "") + name;
   }
   return more ? fmt::format("{} and {} more", text, more) : text;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return count == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", count, many);
 }
 
 std::string scenes_line(const SceneContents& contents) {

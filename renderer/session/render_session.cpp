@@ -7,10 +7,25 @@
 #include <functional>
 #include <optional>
 #include <pthread.h>
+#include <sys/resource.h>
 #include <thread>
+#include <unistd.h>
 #include <utility>
 
 namespace asos {
+
+namespace {
+
+// Below the window's thread: its frames would else wait for a turn on a processor that workers keep
+// busy, and typed letters would lag.
+void give_way_to_window() {
+  constexpr int steps_of_nice = 5;
+  const id_t thread = static_cast<id_t>(gettid());
+  const int usual = getpriority(PRIO_PROCESS, thread);
+  (void)setpriority(PRIO_PROCESS, thread, usual + steps_of_nice);
+}
+
+}  // namespace
 
 int worker_count(int threads, bool beside_window) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
@@ -54,12 +69,14 @@ void RenderSession::restart(Snapshot snapshot) {
   state_->nothing_to_do = !snapshot.scene || !validated(snapshot.settings) ||
                           !check_method(*snapshot.scene, snapshot.settings);
   if (state_->nothing_to_do) return;
-  const int workers = worker_count(snapshot.settings.threads, snapshot.beside_window);
+  const bool beside_window = snapshot.beside_window;
+  const int workers = worker_count(snapshot.settings.threads, beside_window);
   RenderRun& run = state_->run.emplace(std::move(snapshot), state_->on_tiles);
   if (state_->paused) run.pause();
   for (int i = 0; i < workers; ++i) {
-    state_->workers.emplace_back([&run](const std::stop_token& stop) {
+    state_->workers.emplace_back([&run, beside_window](const std::stop_token& stop) {
       pthread_setname_np(pthread_self(), "asos render");  // for who watches processes
+      if (beside_window) give_way_to_window();
       run.work(stop);
     });
   }

@@ -18,7 +18,8 @@ struct Snapshot {
   Camera camera;  ///< relative to scene->world().origin
   RenderSettings settings;
   bool progressive = true;  ///< coarse passes first (window); false: final pixels only (headless)
-  bool beside_window = false;  ///< a window shares the machine: see worker_count
+  /// A window shares the machine: see worker_count; and workers have a lower priority.
+  bool beside_window = false;
 };
 
 struct Progress {

@@ -24,6 +24,7 @@ enum class Part {
   tour,
   files,
   message,
+  picture,
   save
 };
 
@@ -153,6 +154,16 @@ inline const std::map<std::string, Part> parts{
     {"Study", Part::study},
     {"Theme", Part::window},
     {"Picture bar", Part::window},
+    {"Layer", Part::picture},
+    {"Method in bar", Part::view},
+    {"EPS in bar", Part::settings},
+    {"MAX in bar", Part::settings},
+    {"Before", Part::picture},
+    {"Now", Part::picture},
+    {"Exposure in bar", Part::display},
+    {"-", Part::picture},
+    {"Zoom", Part::picture},
+    {"+", Part::picture},
     {"Tab", Part::view},
     {"Search", Part::view},
     {"Hide", Part::message},

@@ -35,13 +35,15 @@ class EveryControlTest : public PanelsTest {
     ImGui::GetIO().SetClipboardTextFn = [](void* to, const char* text) {
       *static_cast<std::string*>(to) = text;
     };
-    rig.resize({646, 480});  // small: many frames are drawn
+    rig.resize(small);
     EXPECT_TRUE(rig.settle());
     initial_ = settings();
     setenv("XDG_PICTURES_DIR", testing::TempDir().c_str(), 1);
     files_.write("model.glb", "no model");
     std::filesystem::create_directories(files_.path() / "deep" / "deeper");
   }
+
+  static constexpr glm::ivec2 small{646, 480};  // many frames are drawn
 
   /// What a control of this part changes.
   [[nodiscard]] std::string state_of(Part part) {
@@ -119,6 +121,10 @@ class EveryControlTest : public PanelsTest {
       case Part::save:
         return numbers(static_cast<int>(s.save.what), s.save.exr, s.save.size.x, s.save.size.y,
                        s.save.show);
+      case Part::picture:
+        return numbers(d.show_split_map, static_cast<int>(d.split_colours), s.show_error,
+                       s.show_before, s.view.zoom(), static_cast<int>(s.frames.comparison),
+                       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
       case Part::message:
         return s.message + clipboard_ + numbers(p.scene().error().has_value());
     }
@@ -164,6 +170,7 @@ class EveryControlTest : public PanelsTest {
 
   /// Back to the beginning, then into the state.
   void enter(const std::function<void()>& state) {
+    if (rig.size() != small) rig.resize(small);
     if (rig.previewer().scene().error()) rig.previewer().scene().dismiss_error();
     rig.key(Key::escape);
     // A list that is open closes when something else is clicked: the status line.
@@ -292,6 +299,20 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     show_card(s, static_cast<int>(Tour::Card::map), 0.0);
     s.display.split_colours = SplitMapColours::cause;
   });
+  for (const bool changed : {false, true})
+    for (const bool before : {false, true})
+      use_all("a bar of two rows", [&, changed, before] {
+        rig.resize({1100, 480});
+        s.frames.store(rig.previewer().render().film(), "one");
+        s.display.show_split_map = before;
+        (void)rig.settle();
+        if (!changed) return;
+        // There is a picture of the EPS before.
+        settings().asos.eps = 0.3;
+        (void)rig.settle();
+        s.show_before = before;
+        s.view.zoom_at(s.view.area_middle(), 1);
+      });
   use_all("turning", [&] { rig.previewer().turntable().set_turning(true); });
   use_all("light and large", [&] { s.look = {theme::Look::light, 1.25f}; });
   for (const auto comparison :

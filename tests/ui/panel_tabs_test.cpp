@@ -19,6 +19,23 @@ class PanelTabsTest : public test::PanelsTest {
   UiState& state() { return rig.content().state(); }
 };
 
+// Tests begin where a user does.
+TEST(FirstWindow, ShowsTheBarAndTheFirstTab) {
+  test::UiRig rig{[](const std::string& source) -> Result<Scene> {
+                    return test::two_triangles({1, 0, 0}, source);
+                  },
+                  {1100, 600}};
+  rig.set_blind(true);
+  rig.previewer().scene().open("plain");
+  ASSERT_TRUE(rig.settle());
+  const auto& all = rig.content().controls().all();
+  EXPECT_TRUE(all.contains("Layer/Picture"));
+  EXPECT_TRUE(all.contains("section/Antialiasing"));
+  EXPECT_FALSE(all.contains("section/Lights"));
+  (void)rig.control("section/Lights");
+  EXPECT_EQ(rig.content().state().tab, PanelTab::scene) << "its tab was clicked";
+}
+
 TEST_F(PanelTabsTest, EachShowsItsSections) {
   for (const auto& [tab, section] :
        {std::pair<std::string, std::string>{"Antialias", "Antialiasing"},

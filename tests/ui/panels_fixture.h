@@ -12,13 +12,18 @@
 
 namespace asos::test {
 
-/// A window beside whose picture there is room for the whole panel, with a scene open. Blind, and
-/// of nine of the window's pixels to one of the picture where a test does not say otherwise.
+/// A window beside whose picture there is room for the whole panel, which shows all of its tabs,
+/// with a scene open. Blind, and of nine of the window's pixels to one of the picture where a test
+/// does not say otherwise.
 class PanelsTest : public testing::Test {
  protected:
   explicit PanelsTest(int pixel_size = 3) {
     rig.set_blind(true);
     rig.set_pixel_size(pixel_size);
+    StoredSettings stored = rig.content().stored_settings();
+    stored.tab = PanelTab::all;
+    stored.sections["Advanced"] = true;
+    rig.content().apply(stored);
     rig.previewer().scene().open("scene");
     EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
     EXPECT_TRUE(rig.settle());
@@ -48,7 +53,7 @@ class PanelsTest : public testing::Test {
               }
               return scene_named(source);
             },
-            {660, 1000}};
+            UiRig::with_bar({660, 1000})};
 
  private:
   /// A grating, or two triangles with what the name says.

@@ -1,4 +1,5 @@
 #include "tests/ui/panels_fixture.h"
+#include "ui/error_map.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ class PictureBarTest : public test::PanelsTest {
   explicit PictureBarTest(glm::ivec2 size = {1300, 700}, int pixel_size = 3)
       : PanelsTest(pixel_size) {
     rig.resize(size);
-    rig.content().state().look.show_bar = true;
+    rig.content().state().tab = PanelTab::antialias;
     EXPECT_TRUE(rig.settle());
     for (int i = 0; i < 3; ++i) rig.frame();
   }
@@ -43,6 +44,69 @@ TEST_F(PictureBarTest, ChoosesWhatThePictureShows) {
   EXPECT_FALSE(display().show_split_map);
 }
 
+// A click on Error samples the reference; the map has a scale in display steps. It stays while EPS
+// changes, and follows the picture.
+TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
+  rig.previewer().scene().open("grating");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  rig.click("Layer/Error");
+  EXPECT_TRUE(rig.content().state().show_error);
+  EXPECT_TRUE(all().at("Layer/Error").has_tooltip);
+  rig.frame();
+  ASSERT_TRUE(all().contains("Error legend"));
+  EXPECT_NE(all().at("Error scale").words.find("1 step"), std::string::npos);
+  ASSERT_TRUE(rig.frames_until([&] {
+    return all().at("Error reference").words == "Reference: 256 samples per pixel";
+  })) << all().at("Error reference").words;
+  EXPECT_FALSE(rig.content().state().check.check) << "the panel's own check stays off";
+  settings().asos.eps = 0.3;
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_EQ(all().at("Error reference").words, "Reference: 256 samples per pixel")
+      << "it is of the view, not of an EPS";
+  rig.previewer().viewpoint().camera().orbit(0.1, 0.0);
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_NE(all().at("Error reference").words, "Reference: 256 samples per pixel");
+  rig.key(Key::m);
+  EXPECT_FALSE(rig.content().state().show_error);
+  EXPECT_TRUE(display().show_split_map);
+  rig.click("Layer/Error");
+  rig.click("Layer/Picture");
+  EXPECT_FALSE(rig.content().state().show_error);
+}
+
+TEST(ErrorScale, IsLogarithmicInDisplaySteps) {
+  EXPECT_EQ(ErrorScale::share(0.0), 0.0f);
+  EXPECT_EQ(ErrorScale::share(0.25), 0.0f);
+  EXPECT_NEAR(ErrorScale::share(4.0), 0.5f, 1e-6f);
+  EXPECT_EQ(ErrorScale::share(64.0), 1.0f);
+  EXPECT_EQ(ErrorScale::share(255.0), 1.0f);
+  Film a(1, 1), b(1, 1);
+  const DisplayTransform plain{0.0f, ToneCurve::none};
+  a.radiance[0] = glm::vec3(1.0f);
+  b.radiance[0] = glm::vec3(1.0f, 1.0f, 0.0f);
+  EXPECT_NEAR(error_steps(a, b, 0, plain), 255.0, 1e-3);
+  EXPECT_NEAR(error_steps(a, a, 0, plain), 0.0, 1e-6);
+}
+
+// At 420x300 there was no bar at all.
+TEST_F(PictureBarTest, SmallWindowsChooseLayerEpsAndMaxInOneRow) {
+  rig.resize({420, 300});
+  for (int i = 0; i < 4; ++i) rig.frame();
+  EXPECT_FALSE(all().contains("Layer/Level")) << "a list";
+  rig.click("Layer");
+  rig.frame();
+  rig.click("Layer/Cause");
+  rig.frame();
+  EXPECT_TRUE(display().show_split_map);
+  EXPECT_EQ(display().split_colours, SplitMapColours::cause);
+  const double eps = settings().asos.eps;
+  slide("EPS in bar", 0.5f, 0.9f);
+  EXPECT_GT(settings().asos.eps, eps);
+  slide("MAX in bar", 0.2f, 1.0f);
+  EXPECT_EQ(settings().asos.max_level, max_level_limit);
+}
+
 TEST_F(PictureBarTest, SlidersAndMethodSetTheRender) {
   const double eps = settings().asos.eps;
   slide("EPS in bar", 0.5f, 0.9f);
@@ -59,6 +123,38 @@ TEST_F(PictureBarTest, SlidersAndMethodSetTheRender) {
   settings().method = Method::sobol;
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_FALSE(all().contains("EPS in bar")) << "Sobol has none";
+}
+
+// Every position of a dragged slider has its map in the frame that hears of it, which is due within
+// 100 ms: while renders begin, rest and wait for their first picture.
+TEST_F(PictureBarTest, TheMapFollowsEveryStepOfADragAtOnce) {
+  rig.previewer().scene().open("grating");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  ASSERT_TRUE(rig.settle());
+  rig.click("Layer/Level");
+  const PreviewRender& render = rig.previewer().render();
+  for (const char* name : {"EPS in bar", "MAX in bar"}) {
+    const Controls::Placed at = rig.control(name);
+    const auto place = [&](float share) {
+      return glm::vec2(glm::mix(at.lo.x, at.hi.x, share), at.centre().y);
+    };
+    rig.rest();
+    rig.move_to(place(0.96f));
+    rig.press(MouseButton::left);
+    for (const float share : {0.85f, 0.7f, 0.55f, 0.4f, 0.3f, 0.16f}) {
+      const std::uint64_t before = render.map_revision();
+      DrawSchedule schedule;
+      schedule.begin_frame(1.0);
+      schedule.end_frame(rig.content().seconds_to_redraw());
+      schedule.note_input();
+      EXPECT_LE(schedule.due(), 1.0 + 1.0 / 60.0 + 1e-9) << "the next frame";
+      rig.content().input().add(MouseMoved{place(share)});
+      rig.frame();
+      EXPECT_GT(render.map_revision(), before) << name << " at " << share;
+    }
+    rig.release(MouseButton::left);
+  }
 }
 
 /// A small one whose pixels can be looked at.
@@ -113,7 +209,8 @@ TEST_F(PictureBarTest, LeavesRoomForThePicture) {
     rig.resize(size);
     for (int i = 0; i < 4; ++i) rig.frame();
     const WindowLayout& layout = rig.content().layout();
-    EXPECT_GE(layout.picture.size.y, 3.0f * layout.bar.size.y - 1.0f);
+    EXPECT_GT(layout.bar.size.y, 0.0f);
+    EXPECT_GE(layout.picture.size.y, 1.5f * layout.bar.size.y - 1.0f);
     for (const auto& [name, at] : all()) {
       if (!name.ends_with(" in bar") && !name.starts_with("Layer/")) continue;
       EXPECT_GE(at.lo.y, layout.bar.lo.y) << name;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace asos {
@@ -74,6 +75,46 @@ TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
   EXPECT_FALSE(restarted()) << "looking at a pixel renders nothing again";
 }
 
+// The parts were squares of a grid, so that a slanted edge was a staircase.
+TEST_F(PixelPanelTest, TheSquareHasTheExactSidesOfItsParts) {
+  const glm::ivec2 pixel = cut_pixel();
+  PixelInspector inspector;
+  ASSERT_TRUE(rig.frames_until([&] {
+    inspector.update(rig.previewer(), pixel, false);
+    return inspector.report() != nullptr && !inspector.busy();
+  }));
+  const PixelReport& report = *inspector.report();
+  std::map<float, double> area, weight;  // by the colour's red
+  for (const SeenPart& part : report.seen) area[part.radiance.x] += part.area();
+  for (const TracedCell& cell : report.trace.cells)
+    for (const TracedSample& sample : cell.samples) weight[sample.radiance.x] += sample.weight;
+  ASSERT_EQ(area.size(), weight.size());
+  EXPECT_GE(area.size(), 2u);
+  for (const auto& [red, share] : weight) EXPECT_NEAR(area[red], share, 1e-5) << red;
+}
+
+TEST(SeenParts, ARingLeavesItsHoleOut) {
+  TracedCell cell;
+  TracedSample ring;
+  const auto add = [&](std::vector<glm::vec2> corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      ring.border.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  };
+  add({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  add({{0.5f, 0.25f}, {0.25f, 0.5f}, {0.5f, 0.75f}, {0.75f, 0.5f}});
+  cell.samples = {ring};
+  double area = 0.0;
+  for (const SeenPart& part : seen_parts(std::vector{cell})) {
+    area += part.area();
+    for (const glm::vec2 corner : part.corners)
+      EXPECT_GE(std::abs(corner.x - 0.5f) + std::abs(corner.y - 0.5f), 0.25f - 1e-6f);
+  }
+  EXPECT_NEAR(area, 0.875, 1e-6);
+  cell.samples = {TracedSample{}};
+  ASSERT_EQ(seen_parts(std::vector{cell}).size(), 1u);
+  EXPECT_NEAR(seen_parts(std::vector{cell}).front().area(), 1.0, 1e-6) << "all of the cell";
+}
+
 // Map, status line and view name one level and one cause.
 TEST_F(PixelPanelTest, SaysWhatTheMapShows) {
   const glm::ivec2 pixel = cut_pixel();
@@ -96,6 +137,9 @@ TEST(PixelReport, ItsReasonsAgreeWithTheCause) {
   report.trace.samples = 64;
   EXPECT_EQ(report.split(), "level 3, shadow (64 samples)") << "one undivided cell";
   EXPECT_EQ(report.verdict(), "Split for varying shading.");
+  report.trace.samples = 1;
+  EXPECT_EQ(report.split(), "level 3, shadow (1 sample)");
+  report.trace.samples = 64;
   report.trace.cells[0].fate = CellFate::cut;
   report.trace.cause = SplitCause::outline;
   EXPECT_EQ(report.verdict(), "Split along its edges and for varying shading.");

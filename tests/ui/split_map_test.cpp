@@ -83,7 +83,7 @@ class SplitMapTest : public testing::Test {
     return rig.pixels()[static_cast<std::size_t>(at.y * rig.size().x + at.x)];
   }
 
-  UiRig rig{kinked_wall, {905, 899}};  // the picture is of 577 x 871 pixels
+  UiRig rig{kinked_wall, UiRig::with_bar({905, 899})};  // the picture is of 577 x 871 pixels
 };
 
 TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
@@ -205,8 +205,10 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
 }
 
 TEST_F(SplitMapTest, TheStatisticsListTheCausesThatOccurAndTheLights) {
+  rig.click("Tab/Measure");
+  rig.frame();
   const auto& controls = rig.content().controls().all();
-  for (const char* name : {"   silhouette", "   crease", "   shadow", "   1 directional"})
+  for (const char* name : {"   silhouette", "   crease, seam", "   shadow", "   1 directional"})
     EXPECT_TRUE(controls.contains(name)) << name;
   for (const char* name : {"   saturation", "   cut out", "   2 directional", "   ..."})
     EXPECT_FALSE(controls.contains(name)) << name;

@@ -26,39 +26,88 @@ TEST(TimeWords, SayWhoseSecondsTheyAre) {
   EXPECT_EQ(duration_words(4.25), "4.2 s");
   EXPECT_EQ(duration_words(65.0), "1 min 05 s");
   EXPECT_EQ(duration_words(3725.0), "1 h 02 min");
-  Forecast forecast;
-  forecast.split_share = 0.25;
-  forecast.split_error = 0.011;
-  forecast.wait_seconds = 2.5;
-  forecast.processor_seconds = 40.0;
-  EXPECT_EQ(forecast_words(forecast), "about 25 % split, 3 s");
-  forecast.split_share = 1.0;
-  EXPECT_EQ(forecast_words(forecast), "about 100 % split, 3 s");
-  forecast.split_share = 0.004;
-  EXPECT_EQ(forecast_words(forecast), "about 0.4 % split, 3 s");
+  EXPECT_EQ(estimate_words(0.25, {2.5, 1.0}), "about 25 % split, 3 s");
+  EXPECT_EQ(estimate_words(1.0, {2.5, 1.0}), "about 100 % split, 3 s");
+  EXPECT_EQ(estimate_words(0.004, {2.5, 1.0}), "about 0.4 % split, 3 s");
 }
 
-TEST(TimeWords, AProgressTellsWhatIsWaitedFor) {
+TEST(TimeWords, AProgressNamesItsPassAndWhatIsLeft) {
+  ProgressFacts facts;
+  facts.fraction = 0.4;
+  facts.progress.seconds = 2.0;
+  EXPECT_EQ(progress_words(facts), "Rendering 40 %   2.0 s");
+  facts.estimate = TimeEstimate{5.2, 3.2};
+  EXPECT_EQ(progress_words(facts), "Rendering 40 %   2.0 s   4 s left");
+  facts.reached.pass = Reached::Pass::quarters;
+  EXPECT_EQ(progress_words(facts), "Rendering 40 %   first samples   2.0 s   4 s left");
+  facts.reached.pass = Reached::Pass::samples;
+  facts.reached.samples = 1;
+  EXPECT_EQ(progress_words(facts), "Rendering 40 %   1 sample per pixel   2.0 s   4 s left");
+  facts.reached.samples = 4;
+  EXPECT_EQ(progress_words(facts), "Rendering 40 %   4 samples per pixel   2.0 s   4 s left");
+  facts.without_edges = true;
+  EXPECT_EQ(progress_words(facts), "Rendering 40 %   finding edges   2.0 s   4 s left");
+  facts.rest = Rest::paused;
+  EXPECT_EQ(progress_words(facts), "Paused at 40 %   4 samples per pixel   2.0 s   4 s left");
+  facts = {};
+  facts.fraction = 0.0042;
+  facts.reached.final_share = 0.125;
+  EXPECT_EQ(progress_words(facts), "Rendering 0.4 %   12 % of pixels final   0.0 s");
+  facts.progress.finished = true;
+  facts.progress.seconds = 2.0;
+  EXPECT_EQ(progress_words(facts), "Finished in 2.0 s");
+}
+
+// The row "Estimate" once said 8 s while the status line said 40 s.
+TEST(TimeEstimate, IsTheRendersOwnAsSoonAsItHasOne) {
   Progress progress;
-  progress.fraction = 0.4;
-  progress.seconds = 2.0;
-  EXPECT_EQ(progress_words(progress, Rest::none, false), "Rendering 40 %   2.0 s");
-  progress.seconds_left = 3.2;
-  EXPECT_EQ(progress_words(progress, Rest::none, false), "Rendering 40 %   2.0 s   4 s left");
-  EXPECT_EQ(progress_words(progress, Rest::none, true), "Finding edges   2.0 s");
-  Reached reached;
-  reached.pass = Reached::Pass::samples;
-  reached.samples = 4;
-  EXPECT_EQ(progress_words(progress, Rest::none, false, reached),
-            "Rendering 40 %   4 samples per pixel   2.0 s   4 s left");
-  reached.final_share = 0.125;
-  EXPECT_EQ(pass_words(reached), "12 % of pixels final");
-  EXPECT_EQ(pass_words({}), "");
-  EXPECT_EQ(progress_words(progress, Rest::paused, true), "Paused at 40 %   2.0 s   4 s left");
-  progress.fraction = 0.0042;
-  EXPECT_EQ(progress_words(progress, Rest::none, false), "Rendering 0.4 %   2.0 s   4 s left");
+  progress.running = true;
+  progress.seconds = 3.0;
+  Forecast forecast;
+  forecast.wait_seconds = 8.0;
+  EXPECT_FALSE(time_estimate(progress, nullptr));
+  ASSERT_TRUE(time_estimate(progress, &forecast));
+  EXPECT_EQ(time_estimate(progress, &forecast)->all, 8.0);
+  EXPECT_EQ(time_estimate(progress, &forecast)->left, 5.0);
+  progress.seconds_left = 37.0;
+  EXPECT_EQ(time_estimate(progress, &forecast)->all, 40.0);
+  EXPECT_EQ(time_estimate(progress, &forecast)->left, 37.0);
   progress.finished = true;
-  EXPECT_EQ(progress_words(progress, Rest::none, false), "Finished in 2.0 s");
+  ASSERT_TRUE(time_estimate(progress, &forecast));
+  EXPECT_EQ(time_estimate(progress, &forecast)->all, 3.0) << "what it took";
+  EXPECT_EQ(time_estimate(progress, &forecast)->left, 0.0);
+}
+
+// A session's share rests through all that is visible of a slow render, and jumps.
+TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
+  ShownProgress shown;
+  Progress progress;
+  progress.running = true;
+  double now = 0.0, before = 0.0;
+  shown.update(progress, std::nullopt, 1, now);
+  EXPECT_EQ(shown.fraction(), 0.0);
+  for (int step = 0; step < 400; ++step) {
+    now += 0.25;
+    progress.seconds = now;
+    progress.fraction = step < 40 ? 0.0 : step < 200 ? 0.002 * (step - 40) : 0.32;
+    shown.update(progress, step < 200 ? std::nullopt : std::optional(TimeEstimate{120.0, 60.0}), 1,
+                 now);
+    EXPECT_GT(shown.fraction(), before) << "step " << step;
+    EXPECT_GE(shown.fraction(), progress.fraction);
+    EXPECT_LT(shown.fraction(), progress.fraction + 0.5 * (1.0 - progress.fraction));
+    before = shown.fraction();
+  }
+  progress.running = false;
+  progress.paused = true;
+  shown.update(progress, std::nullopt, 1, now + 10.0);
+  EXPECT_EQ(shown.fraction(), before) << "a pause rests";
+  progress.finished = true;
+  shown.update(progress, std::nullopt, 1, now + 11.0);
+  EXPECT_EQ(shown.fraction(), 1.0);
+  progress = {};
+  progress.running = true;
+  shown.update(progress, std::nullopt, 2, now + 12.0);
+  EXPECT_EQ(shown.fraction(), 0.0) << "another render";
 }
 
 // The window's rows are these words, of these seconds.

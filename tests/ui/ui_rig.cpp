@@ -2,11 +2,14 @@
 
 #include "tests/support/sanitized.h"
 #include "ui/gl/gl.h"
+#include "ui/theme.h"
+#include "ui/window_layout.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <thread>
@@ -38,12 +41,17 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skie
       content_(value_or_throw(WindowContent::make(*previewer_))),
       size_(size),
       content_scale_(content_scale) {
-  StoredSettings stored = content_->stored_settings();
-  stored.look.show_bar = false;
-  stored.tab = PanelTab::all;
-  stored.sections["Advanced"] = true;
-  content_->apply(stored);
   if (skies == Skies::neutral) previewer_->edits().keep_first_sky();
+}
+
+glm::ivec2 UiRig::with_bar(glm::ivec2 size) {
+  constexpr float em = theme::text_pixels;
+  const float picture = WindowLayout::of(size, em, true, false).picture.size.y;
+  for (const float bar_em : {theme::bar_height_em, theme::compact_bar_height_em}) {
+    const glm::ivec2 larger(size.x, size.y + static_cast<int>(std::round(bar_em * em)));
+    if (WindowLayout::of(larger, em, true, true).picture.size.y == picture) return larger;
+  }
+  return size;
 }
 
 void UiRig::frame() {
@@ -59,6 +67,11 @@ void UiRig::draw() {
   if (blind_) gl::glDisable(GL_RASTERIZER_DISCARD);
   // As where a window shows its frame: without it the driver keeps what frames upload, for ever.
   gl::glFinish();
+}
+
+void UiRig::frame_at(double now_seconds) {
+  now_seconds_ = std::max(now_seconds_, now_seconds);
+  draw();
 }
 
 bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds) {
@@ -77,23 +90,21 @@ bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds
 
 bool UiRig::sleeps(double limit_seconds) {
   schedule_ = {};
-  const auto start = std::chrono::steady_clock::now();
-  const double first = now_seconds_;
-  double seconds = 0.0;
-  while (seconds < limit_seconds * (sanitized ? 10.0 : 1.0)) {
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    now_seconds_ = std::max(now_seconds_, first + seconds);
+  const double end = now_seconds_ + limit_seconds * (sanitized ? 10.0 : 1.0);
+  while (now_seconds_ < end) {
     if (woken_.exchange(false)) schedule_.note_woken(false);
     if (!content_->input().empty()) schedule_.note_input();
     // Nothing that runs would be left that could end the sleep.
-    if (schedule_.due() == DrawSchedule::never && previewer_->render().progress().running == false)
-      return true;
-    if (now_seconds_ >= schedule_.due()) {
+    const bool due = schedule_.due() != DrawSchedule::never;
+    if (!due && !previewer_->render().progress().running) return true;
+    if (due) {
+      now_seconds_ = std::max(now_seconds_, schedule_.due());
       schedule_.begin_frame(now_seconds_);
       draw();
       schedule_.end_frame(content_->seconds_to_redraw());
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    // Time for other threads, whose work the clock does not drive.
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return false;
 }
@@ -195,13 +206,33 @@ bool of_pixel(const std::string& name) {
 
 }  // namespace
 
+// The bar and its lists are never scrolled.
+bool UiRig::of_bar(const std::string& name) {
+  const std::string head = name.substr(0, name.find('/'));
+  return head == "Layer" || head.ends_with(" in bar");
+}
+
+void UiRig::open_tab_of(const std::string& name) {
+  const auto& all = content_->controls().all();
+  for (const char* tab : {"Antialias", "Scene", "Measure"}) {
+    const std::string button = std::string("Tab/") + tab;
+    if (all.contains(name) || !all.contains(button)) return;
+    move_to(control(button).centre());
+    press(MouseButton::left);
+    release(MouseButton::left);
+    for (int i = 0; i < 3; ++i) frame();
+  }
+}
+
 Controls::Placed UiRig::control(const std::string& name) {
   const auto& all = content_->controls().all();
+  if (!all.contains(name)) open_tab_of(name);
   constexpr int most_turns = 100;
   for (int turn = 0;; ++turn) {
     const auto found = all.find(name);
     if (found == all.end()) throw std::runtime_error("no control named " + name);
     const Controls::Placed at = found->second;
+    if (of_bar(name)) return at;
     const WindowRect& panel = content_->layout().panel;
     const auto height = static_cast<float>(size_.y);
     // What stands over the picture is not turned to.

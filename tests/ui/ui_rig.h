@@ -21,8 +21,8 @@ namespace asos::test {
 inline const DisplayTransform usual_display = DisplaySettings{}.transform();
 
 /// The window's content in a context in memory, with a clock, a mouse and a keyboard that a test
-/// moves. Opens nothing by itself. The panel shows all of its tabs, and there is no bar under the
-/// picture, so that it has the size that tests expect.
+/// moves. Opens nothing by itself. It shows what a user sees at first: the panel's tab Antialias,
+/// and the bar under the picture.
 class UiRig {
  public:
   /// Which sky scenes have that do not ask for one: one colour behind all of them, or their usual
@@ -31,16 +31,21 @@ class UiRig {
   explicit UiRig(LoadFunction load, glm::ivec2 size = {640, 400}, float content_scale = 1.0f,
                  Skies skies = Skies::neutral);
 
+  /// A window with a bar whose picture is as large as that of one of this size without it.
+  [[nodiscard]] static glm::ivec2 with_bar(glm::ivec2 size);
+
   Previewer& previewer() { return *previewer_; }
   WindowContent& content() { return *content_; }
 
   void frame();
+  /// A frame at this time of the rig's clock, which never falls.
+  void frame_at(double now_seconds);
   /// Draws frames until `done`; false after `limit_seconds` of real time, ten times that under the
   /// sanitizers.
   [[nodiscard]] bool frames_until(const std::function<bool()>& done, double limit_seconds = 60.0);
-  /// Draws as the window does: only frames that are due. True once none is any more; false after
-  /// `limit_seconds` of the rig's time, which goes on as real time does.
-  [[nodiscard]] bool sleeps(double limit_seconds = 60.0);
+  /// Draws as the window does: only frames that are due. The rig's time jumps from one to the next.
+  /// True once none is due any more; false after `limit_seconds` of that time.
+  [[nodiscard]] bool sleeps(double limit_seconds = 600.0);
   /// Frames until the render is finished and shown and the input is used up.
   [[nodiscard]] bool settle();
   void resize(glm::ivec2 size);
@@ -55,7 +60,8 @@ class UiRig {
   void key(Key key);
   void chord(Key modifier, Key key);
   void type(const std::string& ascii);
-  /// Fails the test where the control is not there; scrolls the panel to it.
+  /// Fails the test where the control is not there; opens its tab and scrolls the panel to it, as a
+  /// person would.
   Controls::Placed control(const std::string& name);
   void click(const std::string& name);
   /// Sees to it that a section of the panel is open.
@@ -76,6 +82,8 @@ class UiRig {
  private:
   void run_input();
   void draw();
+  void open_tab_of(const std::string& name);
+  [[nodiscard]] static bool of_bar(const std::string& name);
 
   std::unique_ptr<OsmesaContext> context_;
   std::unique_ptr<Previewer> previewer_;

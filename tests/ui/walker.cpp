@@ -170,7 +170,10 @@ void Walker::press_key() {
 
 void Walker::resize() {
   const bool minimised = below(4) == 0;
-  const glm::ivec2 size(40 + static_cast<int>(below(400)), 40 + static_cast<int>(below(300)));
+  // Some have room for the whole bar under the picture.
+  const bool wide = below(6) == 0;
+  const glm::ivec2 size(40 + static_cast<int>(below(400)) + (wide ? 700 : 0),
+                        40 + static_cast<int>(below(300)) + (wide ? 250 : 0));
   if (minimised) {
     named("minimise").run = [](WalkedWindow& window) { window.resize({0, 0}); };
     pause("minimised", below(3));

@@ -25,6 +25,23 @@ TEST(WindowLayout, CoversEveryWindow) {
   }
 }
 
+// Small windows have no room for two rows: they once had no bar at all.
+TEST(WindowLayout, SmallWindowsHaveABarOfOneRow) {
+  constexpr float em = 15.0f;
+  const auto bar_em = [&](glm::vec2 window, bool show_panel) {
+    const WindowLayout layout = WindowLayout::of(window, em, show_panel, true);
+    EXPECT_NEAR(area(layout.picture) + area(layout.status) + area(layout.panel) + area(layout.bar),
+                window.x * window.y, 1e-2f);
+    EXPECT_GE(layout.picture.size.y, 1.4f * layout.bar.size.y) << "the picture has the most";
+    return layout.bar.size.y / em;
+  };
+  EXPECT_NEAR(bar_em({1280, 720}, true), theme::bar_height_em, 0.1f);
+  EXPECT_NEAR(bar_em({420, 300}, true), theme::compact_bar_height_em, 0.1f);
+  EXPECT_NEAR(bar_em({660, 1000}, true), theme::compact_bar_height_em, 0.1f) << "narrow";
+  EXPECT_EQ(bar_em({200, 700}, false), 0.0f);
+  EXPECT_EQ(bar_em({420, 160}, true), 0.0f);
+}
+
 // Below its width, names of methods and rows of numbers are cut.
 TEST(WindowLayout, ThePanelIsNeverNarrowerThanItsTexts) {
   constexpr float em = 15.0f;

@@ -68,34 +68,28 @@ void choose(Controls& controls, const char* label, std::span<const Controls::Opt
 constexpr const char* forecast_tooltip =
     "Estimated share of split pixels and render time, from a few test blocks.";
 
-// Whether the control just drawn is being dragged.
-bool is_held() {
-  return ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput;
-}
-
-// There for typed values, too; gone where it is of other settings or of another view.
+// Gone where it is of other settings or of another view.
 void forecast_row(Controls& controls, const Previewer& previewer, const SplitForecast& forecast) {
   const Forecast* told = forecast.of(previewer);
-  if (!told) return controls.row("Estimate", "comes with EPS or MAX", forecast_tooltip, {true, 1});
-  controls.row("Estimate", forecast_words(*told), forecast_tooltip, {true, 1});
+  const auto estimate = time_estimate(previewer, told);
+  controls.row("Estimate",
+               told && estimate ? estimate_words(told->split_share, *estimate) : std::string("-"),
+               forecast_tooltip, {true, 1});
 }
 
-void asos_controls(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
+void asos_controls(Controls& controls, Previewer& previewer, const SplitForecast& forecast) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderSettings usual;
-  bool changed = controls.log_slider(
+  controls.log_slider(
       "EPS",
       "Largest error allowed per pixel, 0 to 1. 1/256 is one 8-bit step. Larger is faster. "
       "Ctrl+click to type a value.",
       settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
-  changed |= is_held();
-  changed |= controls.slider(
+  controls.slider(
       "MAX",
       "Maximum splits per pixel, 0 to 8. Level n has cells of 1/2^n pixel, each with up to four "
       "samples. Smaller is faster and coarser. Ctrl+click to type a value.",
       settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
-  changed |= is_held();
-  if (changed) forecast.ask(previewer);
   forecast_row(controls, previewer, forecast);
 }
 
@@ -195,6 +189,9 @@ void texture_controls(Controls& controls, RenderSettings& settings) {
   choose(controls, "Texture filter", texture_filters, settings.texture.filter,
          usual.texture.filter);
   if (!in_object_space(settings.method)) return;
+  // Averages over an area need no further samples; a TR above 1 still takes them.
+  if (settings.texture.filter == TextureFilter::footprint && settings.texture.resolution == 1)
+    return;
   controls.slider("TR",
                   "TR x TR texture samples per pixel without edges, 1 to 8 (CGF'98 section 3.2). "
                   "Only needed with point filtering.",
@@ -227,7 +224,7 @@ std::vector<Method> methods_for(const RenderSettings& settings, const RenderScen
   return offered;
 }
 
-void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast& forecast) {
+void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderScene* scene = previewer.scene().get();
   if (!controls.section("Antialiasing")) return;
@@ -248,8 +245,9 @@ void advanced_panel(Controls& controls, Previewer& previewer) {
   if (!controls.section("Advanced", false)) return;
   if (in_object_space(settings.method)) splitting_controls(controls, settings);
   if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
-  if (!scene || scene->needs.textures) texture_controls(controls, settings);
-  if (scene && !scene->needs.culling) return;
+  // Before a scene is there, only what every scene has.
+  if (scene && scene->needs.textures) texture_controls(controls, settings);
+  if (!scene || !scene->needs.culling) return;
   controls.checkbox("Back-face culling", "Hide the backs of single-sided materials, as glTF asks.",
                     settings.cull, usual.cull);
 }

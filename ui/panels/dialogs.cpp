@@ -209,8 +209,12 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (!in_panel && shortcut_pressed(Key::page_down)) page(state, previewer, 1);
   if (!in_panel && shortcut_pressed(Key::page_up)) page(state, previewer, -1);
   if (shortcut_pressed(Key::x)) flip(state, previewer.render().film());
-  if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
+  if (shortcut_pressed(Key::m)) {
+    state.display.show_split_map = state.show_error || !state.display.show_split_map;
+    state.show_error = false;
+  }
   if (shortcut_pressed(Key::c)) {
+    state.show_error = false;
     SplitMapColours& colours = state.display.split_colours;
     colours = colours == SplitMapColours::time
                   ? SplitMapColours::level

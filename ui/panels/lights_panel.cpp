@@ -1,4 +1,6 @@
+#include "renderer/files/counted.h"
 #include "ui/new_lights.h"
+#include "ui/panels/inner_list.h"
 #include "ui/panels/light_editor.h"
 #include "ui/panels/named_like.h"
 #include "ui/panels/panels.h"
@@ -111,7 +113,7 @@ void group_row(Controls& controls, SceneEdits& edits, LightChoice& choice,
   const bool open = ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
   controls.placed("Surface/" + number, "Emissive surface with several lights. Click to list them.",
                   Controls::Use::edits);
-  right_aligned(std::to_string(group.count) + " lights");
+  right_aligned(counted(group.count, "light"));
   ImGui::PopID();
   if (!open) return;
   ImGui::Indent();
@@ -133,7 +135,7 @@ void light_list(Controls& controls, SceneEdits& edits, LightChoice& choice) {
   const float rows = groups.size() < edits.lights().size()
                          ? most_lights_shown
                          : std::min(static_cast<float>(groups.size()), most_lights_shown);
-  ImGui::BeginChild("lights", {0.0f, rows * line});
+  const InnerList list("lights", {0.0f, rows * line});
   for (const LightGroup& group : groups) {
     if (!named_like(name_of(edits.lights()[group.first], group.first), choice.find)) continue;
     if (group.count > 1) {
@@ -142,7 +144,6 @@ void light_list(Controls& controls, SceneEdits& edits, LightChoice& choice) {
       light_row(controls, edits, choice, group.first);
     }
   }
-  ImGui::EndChild();
 }
 
 void add(SceneEdits& edits, LightChoice& choice, Light light) {

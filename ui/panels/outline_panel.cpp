@@ -1,6 +1,7 @@
 #include "ui/panels/outline_panel.h"
 
 #include "ui/hidden_objects.h"
+#include "ui/panels/inner_list.h"
 #include "ui/panels/named_like.h"
 
 #include <fmt/format.h>
@@ -238,7 +239,7 @@ void tree(Controls& controls, const World& world, OutlineChoice& choice) {
   for (std::size_t i = 0; i < world.parts.size(); ++i)
     if (named_like(name_or(world.parts[i].name, "Object", i), choice.find))
       objects[world.parts[i].material].push_back(i);
-  ImGui::BeginChild("outline", {0.0f, list_rows * ImGui::GetTextLineHeightWithSpacing()});
+  const InnerList list("outline", {0.0f, list_rows * ImGui::GetTextLineHeightWithSpacing()});
   for (std::size_t m = 0; m < objects.size(); ++m) {
     if (objects[m].empty()) continue;
     material_row(controls, world.materials[m], m, objects[m].size());
@@ -262,7 +263,6 @@ void tree(Controls& controls, const World& world, OutlineChoice& choice) {
     }
     ImGui::Unindent();
   }
-  ImGui::EndChild();
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct PictureArea {
 /// picks a pixel.
 void picture_area(Controls& controls, Previewer& previewer, UiState& state,
                   const PictureArea& area);
-/// Two rows under the picture: its layers, method, EPS and MAX, exposure and zoom.
+/// Two rows under the picture: its layers, method, EPS and MAX, exposure and zoom; or one with
+/// layers, EPS and MAX where there is little room.
 void picture_bar(Controls& controls, Previewer& previewer, UiState& state);
 
 /// Whether keys are held that keep the camera moving, so that the next frame is due at once.
@@ -59,6 +60,13 @@ struct MapFacts {
 };
 [[nodiscard]] bool split_legend(Controls& controls, const DisplaySettings& display,
                                 const MapFacts& map, const WindowRect& area, bool at_right);
+
+/// The scale of the layer Error, at the lower left of the picture.
+struct ErrorFacts {
+  int samples = 0;        ///< of a pixel of the reference; 0: there is none yet
+  bool finished = false;  ///< the picture is
+};
+void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect& area);
 
 /// Why a pixel was split, in a sentence.
 [[nodiscard]] const char* words_of(SplitCause cause);

@@ -4,6 +4,7 @@
 #include "ui/frames.h"
 #include "ui/panels/controls.h"
 #include "ui/previewer.h"
+#include "ui/shown_progress.h"
 #include "ui/split_forecast.h"
 #include "ui/window_look.h"
 
@@ -22,8 +23,7 @@ namespace asos {
 /// render any.
 [[nodiscard]] std::vector<Method> methods_for(const RenderSettings& settings,
                                               const RenderScene* scene);
-/// `forecast` is asked while EPS or MAX is held.
-void antialiasing_panel(Controls& controls, Previewer& previewer, SplitForecast& forecast);
+void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast);
 /// Settings of the method that are rarely changed.
 void advanced_panel(Controls& controls, Previewer& previewer);
 /// Controls of shadows, or of soft shadows, that `scene` does not need are not shown.
@@ -70,6 +70,8 @@ struct StatusLine {
   int zoom = 1;
   std::optional<glm::ivec2> pixel;  ///< the one under the pointer
   DisplayTransform display;
+  double fraction = 0.0;  ///< see ShownProgress
+  std::optional<TimeEstimate> estimate;
   std::string names;  ///< of the object and the material under the pointer; empty: none
 };
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status);

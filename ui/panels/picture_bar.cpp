@@ -23,13 +23,18 @@ constexpr std::array layers{
     Controls::Option{"Cause", "Split map: why pixels are split (M, C)."},
     Controls::Option{"Rays", "Split map: rays per pixel (M, C)."},
     Controls::Option{"Time", "Split map: CPU time per pixel (M, C)."},
+    Controls::Option{"Error",
+                     "Error in display steps against a reference of 256 samples. Starts the "
+                     "reference once the picture is finished."},
     Controls::Option{"Difference", "Difference from the chosen snapshot (S keeps one)."},
 };
+constexpr int error_layer = static_cast<int>(layers.size()) - 2;
 constexpr int difference_layer = static_cast<int>(layers.size()) - 1;
 
 int shown_layer(const UiState& state) {
   if (state.frames.compared() && state.frames.comparison == Comparison::difference)
     return difference_layer;
+  if (state.show_error) return error_layer;
   if (!state.display.show_split_map) return 0;
   return 1 + static_cast<int>(state.display.split_colours);
 }
@@ -40,10 +45,13 @@ void show_layer(UiState& state, int layer) {
       state.said = "No snapshot yet: press S to keep one";
       return;
     }
+    state.show_error = false;
     state.frames.comparison = Comparison::difference;
     return;
   }
   if (state.frames.comparison == Comparison::difference) state.frames.comparison = Comparison::none;
+  state.show_error = layer == error_layer;
+  if (state.show_error) return;
   state.display.show_split_map = layer > 0;
   if (layer > 0) state.display.split_colours = static_cast<SplitMapColours>(layer - 1);
 }
@@ -188,13 +196,35 @@ void lower_row(Controls& controls, Previewer& previewer, UiState& state, float w
   cells.add(zoom, [&] { zoom_buttons(controls, state.view); });
 }
 
+// All that fits into one row: the layer from a list, EPS and MAX.
+void compact_row(Controls& controls, Previewer& previewer, UiState& state, float width,
+                 float height) {
+  const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+  Cells cells("compact", height);
+  const float list = 7.0f * em;
+  cells.add(list, [&] {
+    std::vector<std::string> names;
+    for (const Controls::Option& layer : layers) names.emplace_back(layer.name);
+    int layer = shown_layer(state);
+    const char* tooltip = layers[static_cast<std::size_t>(layer)].tooltip;
+    if (controls.list("Layer", tooltip, names, layer)) show_layer(state, layer);
+  });
+  const Method method = previewer.edits().settings().method;
+  if (in_object_space(method) || row_of(method).samples_by_eps)
+    splitting_sliders(controls, previewer, cells, width - list - 2.0f * gap);
+}
+
 }  // namespace
 
 void picture_bar(Controls& controls, Previewer& previewer, UiState& state) {
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
   const Controls::Unlabelled unlabelled(controls);
-  upper_row(controls, previewer, state, width, height);
-  lower_row(controls, previewer, state, width, height);
+  if (ImGui::GetContentRegionAvail().y < 2.0f * height) {
+    compact_row(controls, previewer, state, width, height);
+  } else {
+    upper_row(controls, previewer, state, width, height);
+    lower_row(controls, previewer, state, width, height);
+  }
   controls.placed_window("Picture bar");
 }
 

@@ -1,5 +1,6 @@
 #include "renderer/comparison/method.h"
 #include "renderer/film/split_map.h"
+#include "ui/panels/inner_list.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/theme.h"
@@ -8,8 +9,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace asos {
 
@@ -109,25 +112,22 @@ struct PixelCanvas {
 /// The pyray that is drawn: the pixel itself, or one that a leaf of the pixel sent on.
 struct ShownPyray {
   const std::vector<TracedCell>& cells;
-  const std::vector<glm::vec3>& seen;
+  const std::vector<SeenPart>& seen;
   DisplayTransform display;
   int deepest = 1000;  ///< the level down to which cells are drawn
 };
 
+// Without smoothed sides, which would let the ground through between parts.
 void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
-  constexpr int grid = PixelReport::grid;
-  const auto place = [](int x, int y) { return glm::vec2(x, y) / static_cast<float>(grid); };
-  for (int y = 0; y < grid; ++y) {
-    // Neighbours of one colour in one piece.
-    for (int begin = 0; begin < grid;) {
-      const glm::vec3 seen = shown.seen[static_cast<std::size_t>(y * grid + begin)];
-      int end = begin + 1;
-      while (end < grid && shown.seen[static_cast<std::size_t>(y * grid + end)] == seen) ++end;
-      draw.AddRectFilled(canvas.at(place(begin, y)), canvas.at(place(end, y + 1)),
-                         shown_colour(seen, shown.display));
-      begin = end;
-    }
+  const ImDrawListFlags smooth = std::exchange(draw.Flags, ImDrawListFlags_None);
+  for (const SeenPart& part : shown.seen) {
+    std::array<ImVec2, 4> corners{};
+    std::transform(part.corners.begin(), part.corners.end(), corners.begin(),
+                   [&](glm::vec2 corner) { return canvas.at(corner); });
+    draw.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()),
+                             shown_colour(part.radiance, shown.display));
   }
+  draw.Flags = smooth;
 }
 
 void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
@@ -243,7 +243,7 @@ void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
   constexpr float most_rows = 5.5f;
   const float rows = std::min(static_cast<float>(children.size()), most_rows);
   ImGui::TextDisabled("Shadow and mirror rays (click to open)");
-  ImGui::BeginChild("pyrays", {0.0f, rows * ImGui::GetTextLineHeightWithSpacing()});
+  const InnerList list("pyrays", {0.0f, rows * ImGui::GetTextLineHeightWithSpacing()});
   for (const int child : children) {
     ImGui::PushID(child);
     if (ImGui::Selectable(report.pyray_names[static_cast<std::size_t>(child)].c_str()))
@@ -254,7 +254,6 @@ void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
                     Controls::Use::edits);
     ImGui::PopID();
   }
-  ImGui::EndChild();
 }
 
 /// The papers' table: for each level the object that could change most.

@@ -33,8 +33,9 @@ std::string status_words(const Previewer& previewer, const StatusLine& status) {
   if (!status.message.empty()) return status.message;
   if (!previewer.scene()) return previewer.scene().loading() ? "Loading" : "No scene";
   if (changes_ground(previewer)) return "Updating ground";
-  return progress_words(previewer.render().progress(), previewer.refinement().rest(),
-                        looks_for_boundaries(previewer), previewer.render().reached());
+  return progress_words({previewer.render().progress(), status.fraction,
+                         previewer.refinement().rest(), looks_for_boundaries(previewer),
+                         previewer.render().reached(), status.estimate});
 }
 
 // Of one width each, so that nothing dances under a moving pointer.
@@ -91,9 +92,9 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
     const float height = std::max(2.0f, ImGui::GetFontSize() * 0.15f);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->PushClipRect(corner, {corner.x + width, corner.y + height});  // ours ends at the padding
-    draw->AddRectFilled(
-        corner, {corner.x + width * static_cast<float>(progress.fraction), corner.y + height},
-        theme::packed(theme::accent_bright));
+    draw->AddRectFilled(corner,
+                        {corner.x + width * static_cast<float>(status.fraction), corner.y + height},
+                        theme::packed(theme::accent_bright));
     draw->PopClipRect();
   }
 

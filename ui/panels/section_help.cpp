@@ -15,14 +15,33 @@ namespace {
 
 using Ink = Sketch::Ink;
 
-// A pixel, an edge through it, and what it is split into.
+constexpr std::array sketched{
+    SketchedPixel{0, 0},
+    SketchedPixel{1, 0},
+    SketchedPixel{5, 3},
+};
+
+// A pixel without an edge, one that an edge cuts, and one that many edges split.
 void antialiasing(const Sketch& s) {
-  s.split_square({1.0f, 1.0f}, 4.0f, {4.0f, 2.6f}, 0);
-  s.shape({{1.0f, 4.2f}, {5.0f, 2.2f}, {5.0f, 5.0f}, {1.0f, 5.0f}}, Ink::warm, 0.5f);
-  s.split_square({6.0f, 1.0f}, 4.0f, {9.5f, 2.4f}, 1);
-  s.shape({{6.0f, 4.2f}, {10.0f, 2.2f}, {10.0f, 5.0f}, {6.0f, 5.0f}}, Ink::warm, 0.5f);
-  s.split_square({11.0f, 1.0f}, 4.0f, {14.5f, 2.4f}, 3);
-  s.shape({{11.0f, 4.2f}, {15.0f, 2.2f}, {15.0f, 5.0f}, {11.0f, 5.0f}}, Ink::warm, 0.5f);
+  float left = 1.0f;
+  for (const SketchedPixel& pixel : sketched) {
+    const glm::vec2 lo(left, 1.0f);
+    const auto at = [&](float x, float y) { return lo + glm::vec2(x, y); };
+    // Strips that meet in one corner, or a single large part.
+    for (int i = 0; i < pixel.edges / 2; ++i) {
+      const float y = 0.6f + 1.2f * static_cast<float>(i);
+      s.shape({at(3.9f, 0.1f), at(0.0f, y), at(0.0f, y + 0.6f)}, Ink::warm, 0.6f);
+    }
+    if (pixel.edges % 2 == 1)
+      s.shape(
+          {at(0.0f, 3.2f), at(4.0f, pixel.edges > 1 ? 2.6f : 1.2f), at(4.0f, 4.0f), at(0.0f, 4.0f)},
+          Ink::warm, 0.6f);
+    s.split_square(lo, 4.0f, at(3.5f, 0.4f), pixel.levels);
+    // Draw a sample in each part of an unsplit pixel.
+    if (pixel.levels == 0) s.disc(at(1.4f, pixel.edges > 0 ? 1.1f : 2.0f), 0.2f, Ink::plain);
+    if (pixel.levels == 0 && pixel.edges > 0) s.disc(at(2.3f, 3.0f), 0.2f, Ink::plain);
+    left += 5.0f;
+  }
 }
 
 // Passes, each finer.
@@ -284,6 +303,10 @@ const Help* help_of(std::string_view section) {
 }
 
 }  // namespace
+
+std::span<const SketchedPixel> sketched_pixels() {
+  return sketched;
+}
 
 bool has_section_help(std::string_view section) {
   return help_of(section) != nullptr;

@@ -48,7 +48,7 @@ void quality_controls(Controls& controls, RenderSettings& settings) {
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
   const RenderSettings usual;
   if (!controls.section("Shadows")) return;
-  if (!scene || scene->needs.shadows)
+  if (scene && scene->needs.shadows)
     controls.checkbox("Shadows", "Lights cast shadows.", settings.shadow.cast, usual.shadow.cast);
   if (settings.shadow.cast)
     controls.checkbox("Ambient occlusion",

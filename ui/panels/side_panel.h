@@ -12,7 +12,7 @@ class ViewStudy;
 
 /// What the panel's sections ask to be done in the background.
 struct PanelJobs {
-  SplitForecast& forecast;
+  const SplitForecast& forecast;
   SkyReader& sky_reader;
   EqualTimeJob& equal_time;
   const SplitCheck& check;

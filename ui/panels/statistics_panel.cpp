@@ -1,4 +1,5 @@
 #include "renderer/comparison/method.h"
+#include "renderer/files/counted.h"
 #include "renderer/settings/names.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/panels.h"
@@ -97,11 +98,11 @@ void statistics_panel(Controls& controls, const RenderStatistics& statistics,
   ray_rows(controls, statistics, scene, finished);
   if (in_object_space(settings.method)) split_rows(controls, statistics, finished);
   if (statistics.rejected_samples > 0) {
-    controls.row("Rejected", fmt::format("{} samples", statistics.rejected_samples),
+    controls.row("Rejected", counted(statistics.rejected_samples, "sample"),
                  "Samples dropped for not being finite numbers.");
   }
   if (statistics.cut_stacks > 0) {
-    controls.row("Cut stacks", fmt::format("{} rays", statistics.cut_stacks),
+    controls.row("Cut stacks", counted(statistics.cut_stacks, "ray"),
                  "Rays that passed 1,024 surfaces and went no farther.");
   }
 }

@@ -1,5 +1,7 @@
 #include "ui/panels/time_words.h"
 
+#include "renderer/files/counted.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,30 +55,31 @@ std::string processor_words(double seconds) {
 std::string pass_words(const Reached& reached) {
   if (reached.final_share >= 0.01)
     return fmt::format("{} % of pixels final", static_cast<int>(100.0 * reached.final_share));
-  if (reached.pass != Reached::Pass::samples) return "";
-  return fmt::format("{} {} per pixel", reached.samples,
-                     reached.samples == 1 ? "sample" : "samples");
+  if (reached.pass == Reached::Pass::nothing) return "";
+  if (reached.pass != Reached::Pass::samples) return "first samples";
+  return counted(static_cast<std::uint64_t>(reached.samples), "sample") + " per pixel";
 }
 
-std::string progress_words(const Progress& progress, Rest rest, bool without_boundaries,
-                           const Reached& reached) {
+std::string progress_words(const ProgressFacts& facts) {
+  const Progress& progress = facts.progress;
   if (progress.failed) return "Not enough memory for edges";
-  if (without_boundaries && rest == Rest::none)
-    return "Finding edges   " + duration_words(progress.seconds);
   if (progress.finished) return "Finished in " + duration_words(progress.seconds);
   // Slow renders move by less than a percent a second.
-  const double percent = 100.0 * progress.fraction;
-  std::string text = fmt::format("{} {:.{}f} %   ", doing(rest), percent, percent < 9.95 ? 1 : 0);
-  if (const std::string pass = pass_words(reached); !pass.empty()) text += pass + "   ";
+  const double percent = 100.0 * facts.fraction;
+  std::string text =
+      fmt::format("{} {:.{}f} %   ", doing(facts.rest), percent, percent < 9.95 ? 1 : 0);
+  const bool searching = facts.without_edges && facts.rest == Rest::none;
+  const std::string pass = searching ? "finding edges" : pass_words(facts.reached);
+  if (!pass.empty()) text += pass + "   ";
   text += duration_words(progress.seconds);
-  if (progress.seconds_left >= 0.0) text += "   " + wait_words(progress.seconds_left);
+  if (facts.estimate) text += "   " + wait_words(facts.estimate->left);
   return text;
 }
 
-std::string forecast_words(const Forecast& forecast) {
-  const double percent = 100.0 * forecast.split_share;
+std::string estimate_words(double split_share, const TimeEstimate& estimate) {
+  const double percent = 100.0 * split_share;
   return fmt::format("about {:.{}f} % split, {}", percent, percent < 1.0 ? 1 : 0,
-                     rough_duration(forecast.wait_seconds));
+                     rough_duration(estimate.all));
 }
 
 }  // namespace asos

@@ -2,8 +2,9 @@
 
 #include "renderer/session/render_session.h"
 #include "ui/refinement.h"
-#include "ui/split_forecast.h"
+#include "ui/shown_progress.h"
 
+#include <optional>
 #include <string>
 
 // How long things take, in words that say whose seconds they are: the clock's, which a person
@@ -13,18 +14,27 @@ namespace asos {
 
 /// "4.2 s", "1 min 05 s": of the clock, measured.
 [[nodiscard]] std::string duration_words(double seconds);
-/// "about 5 s to wait": of the clock, an estimate that says no more than it knows.
+/// "5 s left": of the clock, an estimate that says no more than it knows.
 [[nodiscard]] std::string wait_words(double seconds);
-/// "4.2 s of one processor".
+/// "4.2 s CPU".
 [[nodiscard]] std::string processor_words(double seconds);
 
-/// What a render does, how far it is, and how long it still takes; `without_boundaries`: they are
-/// being looked for.
-[[nodiscard]] std::string progress_words(const Progress& progress, Rest rest,
-                                         bool without_boundaries, const Reached& reached = {});
-/// How far all pixels have come: "4 samples per pixel", or how many are final; empty before that.
+/// What is known of a render's progress.
+struct ProgressFacts {
+  Progress progress;
+  double fraction = 0.0;  ///< that is shown: see ShownProgress
+  Rest rest = Rest::none;
+  bool without_edges = false;  ///< they are searched
+  Reached reached;
+  std::optional<TimeEstimate> estimate;
+};
+/// "Rendering 40 %   4 samples per pixel   2.0 s   4 s left": the percentage over all passes, the
+/// pass that runs, the time so far and the time left.
+[[nodiscard]] std::string progress_words(const ProgressFacts& facts);
+/// The pass that runs: "first samples", "4 samples per pixel", "12 % of pixels final"; empty
+/// before.
 [[nodiscard]] std::string pass_words(const Reached& reached);
-/// "3.1 ± 0.2 % split, about 5 s to wait".
-[[nodiscard]] std::string forecast_words(const Forecast& forecast);
+/// "about 3.1 % split, 5 s": the whole render's time.
+[[nodiscard]] std::string estimate_words(double split_share, const TimeEstimate& estimate);
 
 }  // namespace asos

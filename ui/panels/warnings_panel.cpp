@@ -1,5 +1,6 @@
 #include "renderer/files/printable.h"
 #include "renderer/scene/remarks.h"
+#include "ui/panels/inner_list.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
 
@@ -38,13 +39,14 @@ void warnings_panel(Controls& controls, const SceneNotes& notes, OpenScene& scen
     height +=
         ImGui::CalcTextSize(line.c_str(), nullptr, false, wrap).y + ImGui::GetStyle().ItemSpacing.y;
   }
-  ImGui::BeginChild("warnings", {0.0f, std::min(height, most_rows * spacing)});
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
-  ImGui::PushTextWrapPos(wrap);
-  for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::EndChild();
+  {
+    const InnerList list("warnings", {0.0f, std::min(height, most_rows * spacing)});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
+    ImGui::PushTextWrapPos(wrap);
+    for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
   controls.placed("Warnings", nullptr);
   if (controls.button("Copy warnings", "Copy the warnings to the clipboard.", -1.0f)) {
     ImGui::SetClipboardText(text.c_str());

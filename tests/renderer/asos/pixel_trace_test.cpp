@@ -72,6 +72,15 @@ void check_tree(const PixelTrace& trace) {
   EXPECT_EQ(found, expected);
 }
 
+double area_of(const std::vector<BorderEdge>& border) {
+  double area = 0.0;
+  for (const BorderEdge& side : border) {
+    const glm::dvec2 a(side.from), b(side.to);
+    area += 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  return area;
+}
+
 // Each finished cell's samples carry its area; together they make the pixel.
 void check_samples(const PixelTrace& trace) {
   double total = 0.0, unresolved = 0.0;
@@ -80,6 +89,8 @@ void check_samples(const PixelTrace& trace) {
     double weight = 0.0;
     for (const TracedSample& s : cell.samples) {
       weight += s.weight;
+      const double area = s.border.empty() ? area_of(cell) : area_of(s.border);
+      EXPECT_NEAR(area, s.weight, 1e-5) << "a part has the sides of its area";
       colour += s.weight * glm::dvec3(s.radiance);
       const glm::vec2 in = (s.at - cell.corner) / cell.side;
       EXPECT_TRUE(in.x > -1e-4f && in.y > -1e-4f && in.x < 1.0001f && in.y < 1.0001f);
@@ -248,6 +259,29 @@ TEST(PixelTrace, TellsWhatSamplesFound) {
     }
   }
   EXPECT_GT(sampled, 0);
+}
+
+// A pixel cut in three by a corner once had fewer rays than samples.
+TEST(PixelTrace, HasARayForEachSample) {
+  World world;
+  add_quad(world, {-5, -5, -1}, {10, 0, 0}, {0, 10, 0}, unlit({0.2f, 0.4f, 0.8f}));
+  add_quad(world, {-1.2f, -1.1f, 0}, {2, 0.3f, 0}, {-0.4f, 2, 0}, unlit({1, 1, 1}));
+  add_quad(world, {0.3f, 0.4f, 1}, {1, -0.3f, 0}, {0.4f, 1, 0}, unlit({1, 0, 0}));
+  const auto scene = make_render_scene(std::move(world));
+  const RenderSettings settings = settings_of(16, 16);
+  const View view(orthographic(4.0), settings.width, settings.height);
+  const Film film = render(*scene, view, settings);
+  std::size_t most = 0;
+  for (int y = 0; y < settings.height; ++y) {
+    for (int x = 0; x < settings.width; ++x) {
+      const PixelTrace trace = trace_pixel(*scene, view, settings, x, y);
+      std::size_t samples = 0;
+      for (const TracedCell& cell : trace.cells) samples += cell.samples.size();
+      EXPECT_GE(film.rays[film.index(x, y)], static_cast<float>(samples)) << x << ", " << y;
+      most = std::max(most, samples);
+    }
+  }
+  EXPECT_GE(most, 3u) << "some pixel is cut in three";
 }
 
 // Two planes that cross, with the boundaries of a world in which they do not.

@@ -44,6 +44,27 @@ TEST(ImportLimits, AGlbsHeaderIsJudgedBeforeTheFileIsRead) {
   EXPECT_NE(with_head("glTF", std::uintmax_t{9} << 30).find("the limit is"), std::string::npos);
 }
 
+// They were called broken JSON.
+TEST(ImportLimits, AFileOfAnotherKindIsNamedByItsFirstBytes) {
+  using std::string_literals::operator""s;
+  const test::TemporaryFolder folder;
+  const auto of = [&](const std::string& name, const std::string& bytes) {
+    return reason(folder.write(name, bytes));
+  };
+  EXPECT_EQ(of("a.glb", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s), "is a PNG picture, not a glTF scene");
+  EXPECT_EQ(of("b.gltf", "\xff\xd8\xff\xe0"s), "is a JPEG picture, not a glTF scene");
+  EXPECT_EQ(of("c.glb", "PK\3\4 and so on"s), "is a ZIP archive, not a glTF scene");
+  EXPECT_EQ(of("d.gltf", "<!DOCTYPE html><html>"s), "is an XML or HTML text, not a glTF scene");
+  std::string glb = GltfBuilder::square().glb();
+  ASSERT_EQ(glb.substr(0, 4), "glTF");
+  glb[3] = 'G';
+  EXPECT_EQ(of("e.glb", glb), "is a GLB file with the magic 'glTG' instead of 'glTF'");
+  glb[1] = '\0';
+  EXPECT_EQ(of("f.glb", glb), "is a GLB file with the magic 'g\\x00TG' instead of 'glTF'");
+  EXPECT_EQ(of("g.glb", "\2 something"s), "is neither GLB nor JSON: it begins with the byte 0x02");
+  EXPECT_NE(of("h.gltf", "{"s).find("the JSON is broken"), std::string::npos);
+}
+
 /// `count` primitives of `vertices` zeros each, drawn without indices.
 GltfBuilder zeros(int count, std::size_t vertices) {
   GltfBuilder b;

@@ -14,7 +14,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <sys/resource.h>
 #include <thread>
+#include <unistd.h>
 
 namespace asos {
 namespace {
@@ -50,6 +52,23 @@ TEST(WorkerCount, UsesAllCoresAndLeavesOneToAWindowWhereThereAreMoreThanTwo) {
   EXPECT_EQ(worker_count_on(16, 5, true), 5);
   // Where the machine does not tell.
   EXPECT_EQ(worker_count_on(0, 0, false), 1);
+}
+
+// A window's frames would else wait for their turn on a busy processor.
+TEST(RenderSession, WorkersBesideAWindowHaveALowerPriority) {
+  const int own = getpriority(PRIO_PROCESS, 0);
+  constexpr int lowest = 19;
+  for (const bool beside_window : {false, true}) {
+    std::atomic<int> of_worker = -100;
+    RenderSession session(
+        [&] { of_worker = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())); });
+    Snapshot snapshot = snapshot_of(Method::asos, 64, 48, 1);
+    snapshot.beside_window = beside_window;
+    session.restart(snapshot);
+    session.wait();
+    EXPECT_EQ(of_worker, beside_window ? std::min(lowest, own + 5) : own);
+  }
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), own) << "of the caller";
 }
 
 RenderSettings plan_settings(int width, int height, PixelRect crop = {}) {

@@ -1,0 +1,107 @@
+#include "tests/ui/panels_fixture.h"
+#include "ui/panels/section_help.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <set>
+#include <string>
+#include <thread>
+
+// Faults of the panel that users met.
+
+namespace asos {
+namespace {
+
+using test::PanelsTest;
+
+// Texture filtering by area needs no texture samples.
+TEST_F(PanelsTest, TrIsOfferedWhereItCounts) {
+  rig.previewer().scene().open("textured");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "textured"; }));
+  const auto offered = [&] {
+    for (int i = 0; i < 3; ++i) rig.frame();
+    return rig.content().controls().all().contains("TR");
+  };
+  ASSERT_EQ(settings().texture.filter, TextureFilter::footprint);
+  EXPECT_FALSE(offered());
+  rig.click("Texture filter/Point");
+  EXPECT_TRUE(offered());
+  settings().texture.resolution = 2;
+  rig.click("Texture filter/Area");
+  EXPECT_TRUE(offered()) << "it still takes samples";
+  settings().texture.resolution = 1;
+  EXPECT_FALSE(offered());
+}
+
+// The drawing once quartered a pixel that one edge crosses, which the default cuts.
+TEST(SectionHelp, DrawsPixelsAsTheDefaultSplitsThem) {
+  bool cut = false, split = false;
+  for (const SketchedPixel& pixel : sketched_pixels()) {
+    EXPECT_TRUE(pixel.edges > 2 || pixel.levels == 0) << pixel.edges << " edges";
+    cut |= pixel.edges == 1;
+    split |= pixel.levels > 0;
+  }
+  EXPECT_TRUE(cut);
+  EXPECT_TRUE(split);
+}
+
+TEST_F(PanelsTest, AListTakesTheWheelOnlyOnceItWasClicked) {
+  rig.previewer().scene().open("nine lights");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "nine lights"; }));
+  rig.resize({660, 420});
+  for (int i = 0; i < 4; ++i) rig.frame();
+  const glm::vec2 row = rig.control("Light/2").centre();
+  const auto section_y = [&] { return rig.content().controls().all().at("section/Lights").lo.y; };
+  const auto row_y = [&] { return rig.content().controls().all().at("Light/2").lo.y; };
+  float section = section_y(), light = row_y();
+  rig.wheel(row, -1.0f);
+  rig.frame();
+  EXPECT_LT(section_y(), section) << "the panel scrolls";
+  EXPECT_NEAR(row_y() - light, section_y() - section, 1.0f) << "and the list does not";
+  rig.click("Light/2");
+  rig.click("Light/2");
+  for (int i = 0; i < 3; ++i) rig.frame();
+  section = section_y();
+  light = row_y();
+  rig.wheel(rig.content().controls().all().at("Light/3").centre(), -1.0f);
+  rig.frame();
+  EXPECT_EQ(section_y(), section);
+  EXPECT_LT(row_y(), light) << "a clicked list scrolls";
+}
+
+// It once offered everything until the scene was there, and then took most of it away.
+TEST(Panel, OnlyGrowsWhenTheSceneComes) {
+  std::atomic<bool> released = false;
+  test::UiRig rig{[&](const SceneSource& source) -> Result<Scene> {
+                    while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                    return test::two_triangles({1, 0, 0}, source.path);
+                  },
+                  {660, 1000}};
+  rig.set_blind(true);
+  StoredSettings stored = rig.content().stored_settings();
+  stored.tab = PanelTab::all;
+  stored.sections["Advanced"] = true;
+  rig.content().apply(stored);
+  rig.previewer().scene().open("plain");
+  const auto controls = [&] {
+    for (int i = 0; i < 4; ++i) rig.frame();
+    std::set<std::string> names;
+    for (const auto& [name, placed] : rig.content().controls().all())
+      if (placed.edits) names.insert(name);
+    return names;
+  };
+  const std::set<std::string> before = controls();
+  released = true;
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+  ASSERT_TRUE(rig.settle());
+  const std::set<std::string> after = controls();
+  EXPECT_GT(before.size(), 10u);
+  for (const std::string& name : before) EXPECT_TRUE(after.contains(name)) << name << " was there";
+}
+
+}  // namespace
+}  // namespace asos

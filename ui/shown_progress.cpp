@@ -1,0 +1,58 @@
+#include "ui/shown_progress.h"
+
+#include "ui/previewer.h"
+#include "ui/split_forecast.h"
+
+#include <algorithm>
+
+namespace asos {
+
+namespace {
+
+// How far the percentage may go beyond the work that is done, as a share of what is left.
+constexpr double most_ahead = 0.5;
+// Of a render whose time is not known.
+constexpr double usual_seconds = 60.0;
+
+}  // namespace
+
+std::optional<TimeEstimate> time_estimate(const Progress& progress, const Forecast* forecast) {
+  if (progress.failed) return std::nullopt;
+  if (progress.finished) return TimeEstimate{progress.seconds, 0.0};
+  if (progress.seconds_left >= 0.0)
+    return TimeEstimate{progress.seconds + progress.seconds_left, progress.seconds_left};
+  if (!forecast) return std::nullopt;
+  return TimeEstimate{forecast->wait_seconds,
+                      std::max(0.0, forecast->wait_seconds - progress.seconds)};
+}
+
+std::optional<TimeEstimate> time_estimate(const Previewer& previewer, const Forecast* forecast) {
+  const AsosSettings& asked = previewer.edits().settings().asos;
+  const AsosSettings& rendered = previewer.render().settings().asos;
+  const bool followed = asked.eps == rendered.eps && asked.max_level == rendered.max_level;
+  return time_estimate(followed ? previewer.render().progress() : Progress{}, forecast);
+}
+
+void ShownProgress::update(const Progress& progress, std::optional<TimeEstimate> estimate,
+                           std::uint64_t restarts, double now_seconds) {
+  const double passed = std::max(0.0, now_seconds - now_seconds_);
+  now_seconds_ = now_seconds;
+  if (restarts != restarts_) {
+    restarts_ = restarts;
+    fraction_ = 0.0;
+    return;
+  }
+  if (progress.finished) {
+    fraction_ = 1.0;
+    return;
+  }
+  fraction_ = std::max(fraction_, std::min(progress.fraction, 1.0));
+  if (!progress.running) return;
+  // The nearer to the limit, the slower.
+  const double limit = progress.fraction + most_ahead * (1.0 - progress.fraction);
+  const double all = std::max(1.0, estimate ? estimate->all : usual_seconds);
+  const double share = passed / (passed + all);
+  fraction_ += share * std::max(0.0, limit - fraction_);
+}
+
+}  // namespace asos
