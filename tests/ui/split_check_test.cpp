@@ -109,6 +109,7 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
   check.update(rig.previewer(), false, 1.0 / 64.0);
   EXPECT_EQ(check.findings(), nullptr);
 }
+  EXPECT_TRUE(checked()) << "switched on again, it checks the same picture again";
 
 TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {
   settings().asos.max_level = 0;
