@@ -5,6 +5,7 @@
 #include "ui/panels/check_panel.h"
 #include "ui/panels/equal_time_panel.h"
 #include "ui/panels/file_browser.h"
+#include "ui/panels/open_question.h"
 #include "ui/panels/outline_panel.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/quit_dialog.h"
@@ -61,6 +62,7 @@ struct UiState {
   bool tour_asked = false;      ///< to be begun, or begun again
   bool popup_was_open = false;  ///< in the frame before: Escape closes that, and nothing else
   bool forget = false;          ///< go back to how the window was at first
+  OpenChoice opening;
   std::string said;             ///< by a key or a panel, to become the message
   std::string message;          ///< in the status line, until `message_until_seconds`
   double message_until_seconds = 0.0;

@@ -249,6 +249,7 @@ StoredSettings WindowContent::stored_settings() const {
   stored.display = state_.display;
   stored.display.show_split_map = false;
   if (state_.tour.card) stored.display.split_colours = state_.tour.before.colours;
+  open_question(controls_, previewer_.scene(), state_.opening, unsaved_.edits(previewer_));
   stored.look = state_.look;
   stored.tour_seen = state_.tour.seen;
   stored.show_panel = state_.show_panel;

@@ -115,7 +115,7 @@ class EveryControlTest : public PanelsTest {
                s.study.error;
       case Part::files:
         return numbers(p.scene().times_opened(), p.scene().loading().has_value()) +
-               p.scene().asked_for();
+               p.scene().asked_for() + s.opening.wanted;
       case Part::save:
         return numbers(static_cast<int>(s.save.what), s.save.exr, s.save.size.x, s.save.size.y,
                        s.save.show);

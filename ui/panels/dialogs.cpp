@@ -125,7 +125,7 @@ void page(UiState& state, Previewer& previewer, int step) {
     state.said = "No other model in this folder";
     return;
   }
-  previewer.scene().open(next->path);
+  state.opening = {next->path};
   state.said = fmt::format("{} of {}: {}", next->number, next->count,
                            std::filesystem::path(next->path).filename().string());
 }
@@ -189,7 +189,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
     previewer.viewpoint().frame_all();
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
     store(state, previewer);
-  if (shortcut_pressed(Key::r)) previewer.scene().reload();
+  if (shortcut_pressed(Key::r) && previewer.scene()) state.opening = {{}, true};
   if (!in_panel && shortcut_pressed(Key::page_down)) page(state, previewer, 1);
   if (!in_panel && shortcut_pressed(Key::page_up)) page(state, previewer, -1);
   if (shortcut_pressed(Key::x)) flip(state, previewer.render().film());

@@ -46,7 +46,7 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   // A built-in scene never changes.
   if (scene && !scene->geometry->source.starts_with("builtin:")) {
     if (controls.button("Reload", "Reload the file and keep the view (R).", width))
-      previewer.scene().reload();
+      state.opening = {{}, true};
     ImGui::SameLine();
     ImGui::Checkbox("Watch file", &state.watch);
     controls.placed("Watch file", "Reload automatically when the file changes.",
