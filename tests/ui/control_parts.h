@@ -128,6 +128,7 @@ inline const std::map<std::string, Part> parts{
     {"Mark", Part::lights},
     {"Keep snapshot", Part::frames},
     {"Delete snapshot", Part::frames},
+    {"Keep reference", Part::frames},
     {"Snapshot", Part::frames},
     {"Compare", Part::frames},
     {"Wipe", Part::frames},

@@ -285,7 +285,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
       start_tour(s, 0.0);
       show_card(s, card, 0.0);
       // A rival would render for a while: there is no room for its frame.
-      while (card == 4 && s.frames.store(rig.previewer().render().film(), "full")) continue;
+      while (card == 4 && s.frames.store(rig.previewer().render().film(), "full", "")) continue;
     });
   use_all("the map's card, by causes", [&] {
     start_tour(s, 0.0);
@@ -298,8 +298,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
        {Comparison::none, Comparison::wipe, Comparison::flip, Comparison::difference})
     use_all("compare", [&, comparison] {
       rig.unfold("Compare");
-      s.frames.store(rig.previewer().render().film(), "one");
-      s.frames.store(rig.previewer().render().film(), "two");
+      s.frames.store(rig.previewer().render().film(), "one", "");
+      s.frames.store(rig.previewer().render().film(), "two", "");
       s.frames.comparison = comparison;
     });
   const auto open = [&](const std::string& source) {
@@ -387,8 +387,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     s.display.tone = ToneCurve::none;
     settings().shadow.light_rule = LightRule::published;
     s.study.reduction = 1;
-    s.frames.store(rig.previewer().render().film(), "one");
-    s.frames.store(rig.previewer().render().film(), "two");
+    s.frames.store(rig.previewer().render().film(), "one", "");
+    s.frames.store(rig.previewer().render().film(), "two", "");
     s.frames.chosen = 0;
   });
   use_all("open dialog", [&] {
@@ -407,7 +407,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     s.browser.folder = files_.path() / "deep";
   });
   use_all("leaving", [&] {
-    s.frames.store(rig.previewer().render().film(), "one");
+    s.frames.store(rig.previewer().render().film(), "one", "");
     s.leaving.asked = true;
   });
   use_all("save dialog", [&] {

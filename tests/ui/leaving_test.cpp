@@ -176,7 +176,7 @@ TEST_F(LeavingTest, StoredFramesAreAskedAbout) {
   rig.key(Key::s);
   EXPECT_EQ(state().frames.stored.size(), 1u);
   rig.frame();
-  EXPECT_EQ(state().message, "Kept as snapshot A");
+  EXPECT_EQ(state().message, "Kept 1: ASOS, EPS 1/256, MAX 2");
   state().leaving.asked = true;  // the window's own button
   rig.frame();
   rig.frame();

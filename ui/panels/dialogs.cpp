@@ -25,7 +25,7 @@ constexpr std::array help_lines{
     HelpLine{"Right drag, with W A S D Q E", "look around, fly; Shift: faster"},
     HelpLine{"Shift + right drag", "rotate lights and sky"},
     HelpLine{"Home, F", "frame the whole scene"},
-    HelpLine{"1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
+    HelpLine{"Keypad or Shift + 1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
     HelpLine{"T", "turntable on or off"},
     HelpLine{"Click", "inspect a pixel"},
     HelpLine{nullptr, nullptr},
@@ -33,6 +33,7 @@ constexpr std::array help_lines{
     HelpLine{"Right drag, zoomed", "move the picture"},
     HelpLine{"0", "zoom back to 1:1"},
     HelpLine{"S, X", "keep snapshot, switch to it and back"},
+    HelpLine{"1 to 9", "show snapshot, and picture again"},
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level, cause, rays, time"},
     HelpLine{"V", "last finished EPS and MAX, and back"},
@@ -83,6 +84,15 @@ namespace {
 
 // Shows the stored frame in place of the picture, or no longer.
 void flip(UiState& state, const Film& film) {
+void say_flipped(UiState& state, const Film& film) {
+  const Frames& frames = state.frames;
+  const StoredFrame& frame = *frames.compared();
+  state.said = frames.flipped ? fmt::format("Snapshot {}: {}", frames.chosen + 1, frame.name)
+                              : std::string("Current picture");
+  if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
+    state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
+}
+
   Frames& frames = state.frames;
   if (frames.stored.empty()) {
     state.said = "No snapshot yet: press S to keep one";
@@ -90,10 +100,24 @@ void flip(UiState& state, const Film& film) {
   }
   frames.flipped = !(frames.comparison == Comparison::flip && frames.flipped);
   frames.comparison = Comparison::flip;
-  const StoredFrame& frame = *frames.compared();
-  state.said = frames.flipped ? "Snapshot " + frame.name : std::string("Current picture");
-  if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
-    state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
+  say_flipped(state, film);
+}
+
+// Shows the snapshot of a number key, or the picture again.
+void snapshot_keys(UiState& state, const Film& film) {
+  constexpr std::array keys{Key::one, Key::two,   Key::three, Key::four, Key::five,
+                            Key::six, Key::seven, Key::eight, Key::nine};
+  static_assert(keys.size() == Frames::most);
+  if (ImGui::GetIO().KeyShift) return;  // the camera's
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!shortcut_pressed(keys[i])) continue;
+    if (i >= state.frames.stored.size()) {
+      state.said = fmt::format("No snapshot {} yet: press S to keep one", i + 1);
+      return;
+    }
+    state.frames.flip_to(static_cast<int>(i));
+    say_flipped(state, film);
+  }
 }
 
 // Shows the picture of the last finished EPS and MAX, or no longer.
@@ -112,8 +136,8 @@ void show_before(UiState& state, const PreviewRender& render) {
 
 void store(UiState& state, const Previewer& previewer) {
   state.said = store_frame(state.frames, previewer)
-                   ? "Kept as snapshot " + state.frames.stored.back().name
-                   : std::string("Eight snapshots at most: delete one first");
+                   ? kept_words(state.frames)
+                   : std::string("Nine snapshots at most: delete one first");
 }
 
 // To another model of the folder.
@@ -140,14 +164,21 @@ void pause_or_go_on(Refinement& refinement) {
 
 void camera_shortcuts(Viewpoint& viewpoint) {
   using Side = Viewpoint::Side;
-  constexpr std::array keys{Key::one, Key::three, Key::seven};
+// The keypad's, or the digits' with Shift.
+bool view_key(Key pad, Key digit, bool opposite) {
+  return shortcut_pressed(pad, opposite) ||
+         (ImGui::GetIO().KeyShift && shortcut_pressed(digit, opposite));
+}
+
+  constexpr std::array pads{Key::pad_one, Key::pad_three, Key::pad_seven};
+  constexpr std::array digits{Key::one, Key::three, Key::seven};
   constexpr std::array sides{Side::front, Side::right, Side::top};
   constexpr std::array opposites{Side::back, Side::left, Side::bottom};
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (shortcut_pressed(keys[i])) viewpoint.look_from(sides[i]);
-    if (shortcut_pressed(keys[i], true)) viewpoint.look_from(opposites[i]);
+  for (std::size_t i = 0; i < pads.size(); ++i) {
+    if (view_key(pads[i], digits[i], false)) viewpoint.look_from(sides[i]);
+    if (view_key(pads[i], digits[i], true)) viewpoint.look_from(opposites[i]);
   }
-  if (!shortcut_pressed(Key::five)) return;
+  if (!view_key(Key::pad_five, Key::five, false)) return;
   OrbitCamera& camera = viewpoint.camera();
   const bool perspective = camera.camera().type == Camera::Type::perspective;
   camera.set_projection(perspective ? Camera::Type::orthographic : Camera::Type::perspective);
@@ -199,6 +230,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
     colours = colours == SplitMapColours::time
                   ? SplitMapColours::level
                   : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
+  snapshot_keys(state, previewer.render().film());
   }
   if (shortcut_pressed(Key::v)) show_before(state, previewer.render());
   if (!in_panel && shortcut_pressed(Key::space)) pause_or_go_on(previewer.refinement());

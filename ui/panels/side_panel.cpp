@@ -85,7 +85,7 @@ void measure_tab(Controls& controls, Previewer& previewer, UiState& state, const
   const RenderScene* scene = previewer.scene().get();
   compare_panel(controls, previewer, state.frames);
   equal_time_panel(controls, previewer, state.equal_time, jobs.equal_time, state.frames);
-  check_panel(controls, previewer, state.check, jobs.check);
+  check_panel(controls, previewer, state.check, jobs.check, state.frames);
   if (!scene) return;
   statistics_panel(controls, previewer.render().statistics(), previewer.render().settings(), *scene,
                    previewer.render().progress().fraction);

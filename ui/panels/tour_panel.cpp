@@ -106,13 +106,12 @@ void ask_rival(Controls& controls, const Previewer& previewer, UiState& state, E
     if (start_equal_time(previewer, state.equal_time, job, state.frames))
       tour.frames_when_asked = state.frames.stored.size();
     else if (!job.busy())
-      state.said = finished ? "Eight snapshots at most: delete one first"
+      state.said = finished ? "Nine snapshots at most: delete one first"
                             : "Wait until the picture is finished";
   }
   ImGui::SameLine();
   std::string words =
       finished ? row_of(state.equal_time.method).title : std::string("(when finished)");
-  if (job.busy()) words += " is rendering";
   if (state.frames.comparison == Comparison::wipe && !job.busy()) words += " is on the right";
   ImGui::TextDisabled("%s", words.c_str());
 }
