@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -27,6 +28,10 @@ class ViewStudy {
     std::shared_ptr<const RenderScene> scene;
     Camera camera;  ///< relative to scene->world().origin
     StudyPlan plan;
+    /// Of the clock, for all of the study, without pauses; none: as long as the plan takes. Then
+    /// the plan's size is the largest, and `plan_in_time` replaces it once the scene's cost is
+    /// measured.
+    std::optional<double> seconds = std::nullopt;
   };
 
   enum class Phase { none, running, stopped, finished };
@@ -40,6 +45,11 @@ class ViewStudy {
     bool quiet = false;  ///< the reference's noise is a quarter of the smallest error, or less
     SceneStudy study;    ///< the points run so far; of the measures, RMSE alone
   };
+
+  /// The plan with a size and repetitions for which reference and settings take about half of
+  /// `seconds`, where a sample of a pixel takes `sample_seconds`. The rest is for the reference.
+  [[nodiscard]] static StudyPlan plan_in_time(StudyPlan plan, double sample_seconds,
+                                              double seconds);
 
   /// Begins anew. Errors, which leave everything as it was: no scene, a plan that `make_jobs`
   /// refuses, a method that cannot render the scene, a study that has not yet ended.

@@ -144,6 +144,7 @@ inline const std::map<std::string, Part> parts{
     {"Projection", Part::camera},
     {"Field of view", Part::camera},
     {"Study", Part::study},
+    {"Budget", Part::study},
     {"Theme", Part::window},
     {"Picture bar", Part::window},
     {"Tab", Part::view},

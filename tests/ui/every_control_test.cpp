@@ -111,7 +111,7 @@ class EveryControlTest : public PanelsTest {
                        s.frames.scale_stops);
       case Part::study:
         return numbers(s.study.rivals.size(), s.study.budget_seconds, s.study.repetitions,
-                       s.study.reduction, rig.content().study().busy()) +
+                       s.study.reduction, s.study.automatic, rig.content().study().busy()) +
                s.study.error;
       case Part::files:
         return numbers(p.scene().times_opened(), p.scene().loading().has_value()) +
@@ -379,6 +379,10 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   });
   rig.click("section/Objects");
   use_all("study", [&] { rig.unfold("Error vs. time"); });
+  use_all("study, custom", [&] {
+    s.study.automatic = false;
+    rig.unfold("Error vs. time");
+  });
   use_all("other choices", [&] {
     settings().asos.leaf = LeafKind::point;
     settings().asos.rule = StoppingRule::published;
@@ -386,6 +390,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     settings().texture.filter = TextureFilter::point;
     s.display.tone = ToneCurve::none;
     settings().shadow.light_rule = LightRule::published;
+    s.study.automatic = false;
     s.study.reduction = 1;
     s.frames.store(rig.previewer().render().film(), "one", "");
     s.frames.store(rig.previewer().render().film(), "two", "");

@@ -97,6 +97,7 @@ void tab_choice(Controls& controls, UiState& state) {
       Controls::Option{"Antialias", "Method, EPS, MAX, rendering limits, display."},
       Controls::Option{"Scene", "Animation, lights, sky, materials, camera, objects."},
       Controls::Option{"Measure", "Snapshots, equal time, checks, statistics, study."},
+  if (!state.study.said.empty()) state.said = std::exchange(state.study.said, {});
   };
   // A search shows all of them; a click ends it.
   const bool one = state.tab != PanelTab::all && state.search.empty();
