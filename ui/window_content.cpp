@@ -100,7 +100,7 @@ void WindowContent::draw(const FrameInput& in) {
   lay_out(in);
   ImGui::Render();
 
-  history_.update(previewer_, state_.display, ImGui::IsAnyMouseDown(), in.time_seconds);
+  keep_history(in.time_seconds);
   // Changes by the widgets take effect in this frame, before it is shown.
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
                                           in.time_seconds);
@@ -119,6 +119,16 @@ void WindowContent::draw(const FrameInput& in) {
   keep_saving();
   present(in);
   save_window(in);
+}
+
+// The tour's cards make no steps, and what it leaves is one step at most.
+void WindowContent::keep_history(double now_seconds) {
+  const bool touring = state_.tour.card.has_value();
+  const DisplaySettings display = display_without_card(state_);
+  if (touring && !history_.grouped()) history_.begin_group(previewer_, display);
+  if (!touring && touring_) history_.end_group(previewer_, display);
+  touring_ = touring;
+  history_.update(previewer_, display, ImGui::IsAnyMouseDown(), now_seconds);
 }
 
 // Takes over the results of other threads.
@@ -160,6 +170,8 @@ void WindowContent::lay_out(const FrameInput& in) {
   const glm::vec2 window(in.window_size);
   const float em = ImGui::GetFontSize();
   layout_ = WindowLayout::of(window, em, state_.show_panel, state_.look.show_bar);
+  if (state_.tour.card && !has_room_for_tour(layout_, em))
+    layout_ = WindowLayout::of(window, em, false, false);
   const WindowRect& picture = layout_.picture;
   const glm::vec2 scale = glm::vec2(in.framebuffer_size) / window;
   const glm::ivec2 pixels(glm::round(picture.size * scale));
@@ -248,8 +260,7 @@ StoredSettings WindowContent::stored_settings() const {
   StoredSettings stored;
   stored.display = state_.display;
   stored.display.show_split_map = false;
-  if (state_.tour.card) stored.display.split_colours = state_.tour.before.colours;
-  open_question(controls_, previewer_.scene(), state_.opening, unsaved_.edits(previewer_));
+  if (state_.tour.card) stored.display.split_colours = state_.tour.before.display.split_colours;
   stored.look = state_.look;
   stored.tour_seen = state_.tour.seen;
   stored.show_panel = state_.show_panel;
@@ -284,7 +295,12 @@ void WindowContent::follow_files(double now_seconds) {
     state_.recent = std::move(stored.recent);
     state_.lights.selected = -1;
     state_.outline.selected = -1;
-    if (const auto opened = previewer_.scene().take_opened_display())
+    // The map is a question about one file; a tour's card asks it of each.
+    if (std::exchange(source_seen_, scene->geometry->source) != scene->geometry->source) {
+      state_.tour.before.display.show_split_map = false;
+      if (!state_.tour.card) state_.display.show_split_map = false;
+    }
+    if (const auto opened = previewer_.scene().take_opened_display()) {
       show_as(*opened, state_.display);
   }
   if (state_.watch && !previewer_.scene().loading() &&
@@ -292,10 +308,16 @@ void WindowContent::follow_files(double now_seconds) {
     previewer_.scene().reload();
 }
 
+      // The tour restores what the opened picture asks for.
+      if (state_.tour.card)
+        state_.tour.before = {previewer_.edits().settings(), state_.display, std::nullopt,
+                              state_.frames.comparison, state_.frames.chosen};
+    }
 void WindowContent::take_back() {
   const bool again = ImGui::GetIO().KeyShift;
-  const bool done =
-      again ? history_.redo(previewer_, state_.display) : history_.undo(previewer_, state_.display);
+  DisplaySettings display = display_without_card(state_);
+  const bool done = again ? history_.redo(previewer_, display) : history_.undo(previewer_, display);
+  state_.display = display_with_card(state_, display);
   if (!done) say(again ? "Nothing to redo" : "Nothing to undo");
 }
 

@@ -89,6 +89,7 @@ class WindowContent {
   void follow_files(double now_seconds);
   void say(std::string message);
   void settle();
+  void keep_history(double now_seconds);
 
   Previewer& previewer_;
   GlDisplay display_;
@@ -119,6 +120,8 @@ class WindowContent {
   std::optional<theme::Appearance> applied_;  // that the fonts were made for
   double time_seconds_ = 0.0;
   int settling_frames_ = 0;  // Dear ImGui needs a few frames to come to rest after a change
+  bool touring_ = false;              // in the frame before
 };
 
+  std::string source_seen_;
 }  // namespace asos

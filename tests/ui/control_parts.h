@@ -162,6 +162,7 @@ inline const std::map<std::string, Part> parts{
     {"Close tour", Part::tour},
     {"Done", Part::tour},
     {"Replay", Part::tour},
+    {"Show on the fence scene", Part::files},
     {"Tolerance (EPS)", Part::settings},
     {"Map by", Part::display},
     {"Compare now", Part::message},

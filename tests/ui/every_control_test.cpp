@@ -282,14 +282,14 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     });
   for (int card = 0; card < Tour::cards; ++card)
     use_all("card " + std::to_string(card) + " of the tour", [&, card] {
-      start_tour(s, 0.0);
-      show_card(s, card, 0.0);
+      start_tour(s, rig.previewer(), 0.0);
+      show_card(s, rig.previewer(), card, 0.0);
       // A rival would render for a while: there is no room for its frame.
       while (card == 4 && s.frames.store(rig.previewer().render().film(), "full", "")) continue;
     });
   use_all("the map's card, by causes", [&] {
-    start_tour(s, 0.0);
-    show_card(s, static_cast<int>(Tour::Card::map), 0.0);
+    start_tour(s, rig.previewer(), 0.0);
+    show_card(s, rig.previewer(), static_cast<int>(Tour::Card::map), 0.0);
     s.display.split_colours = SplitMapColours::cause;
   });
   use_all("turning", [&] { rig.previewer().turntable().set_turning(true); });

@@ -191,7 +191,7 @@ void close_something(UiState& state, Previewer& previewer) {
   } else if (previewer.scene().error()) {
     previewer.scene().dismiss_error();
   } else if (state.tour.card) {
-    end_tour(state);
+    end_tour(state, previewer);
   } else if (state.picked) {
     state.picked.reset();
   } else if (state.lights.selected >= 0) {
