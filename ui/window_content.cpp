@@ -238,12 +238,18 @@ void WindowContent::dialogs(const WindowRect& picture) {
   if (state_.save.show && state_.save.stem.empty() && previewer_.scene())
     state_.save.stem =
         free_stem(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source));
-  save_dialog(controls_, state_.save, {film.width, film.height});
+  save_dialog(controls_, state_.save,
+              {{film.width, film.height}, clip_seconds(previewer_.playback())});
+  if (state_.save_scene.show && state_.save_scene.path.empty() && previewer_.scene())
+    state_.save_scene.path =
+        free_scene_path(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source));
+  save_scene_dialog(controls_, state_.save_scene);
   if (saving_notice(controls_, saver_.job(), picture)) say(saver_.stop());
   const bool saving = saver_.job().pending();
   if (!state_.said.empty()) say(std::exchange(state_.said, {}));
   quit_dialog(controls_, state_.leaving, unsaved_.lines(previewer_, state_.frames, saver_.job()),
               saving);
+  open_question(controls_, previewer_.scene(), state_.opening, unsaved_.edits(previewer_));
   state_.popup_was_open =
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
@@ -302,17 +308,17 @@ void WindowContent::follow_files(double now_seconds) {
     }
     if (const auto opened = previewer_.scene().take_opened_display()) {
       show_as(*opened, state_.display);
+      // The tour restores what the opened picture asks for.
+      if (state_.tour.card)
+        state_.tour.before = {previewer_.edits().settings(), state_.display, std::nullopt,
+                              state_.frames.comparison, state_.frames.chosen};
+    }
   }
   if (state_.watch && !previewer_.scene().loading() &&
       watch_.changed(previewer_.scene().files(), now_seconds))
     previewer_.scene().reload();
 }
 
-      // The tour restores what the opened picture asks for.
-      if (state_.tour.card)
-        state_.tour.before = {previewer_.edits().settings(), state_.display, std::nullopt,
-                              state_.frames.comparison, state_.frames.chosen};
-    }
 void WindowContent::take_back() {
   const bool again = ImGui::GetIO().KeyShift;
   DisplaySettings display = display_without_card(state_);
@@ -341,6 +347,8 @@ std::uint32_t WindowContent::activity() const {
                            equal_time_.pending(),
                            saver_.job().pending(),
                            saver_.job().state().has_value(),
+                           scene_export_.pending(),
+                           clipboard_.pending(),
                            previewer_.scene().loading().has_value(),
                            previewer_.scene().error().has_value(),
                            progress.running,
@@ -379,7 +387,9 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
   if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
-  if (previewer_.scene().loading() || saver_.job().pending()) also(0.1);
+  if (previewer_.scene().loading() || saver_.job().pending() || scene_export_.pending() ||
+      clipboard_.pending())
+    also(0.1);
   if (const std::optional<double> save = saver_.seconds_to_due(time_seconds_)) also(*save);
   if (previewer_.render().progress().running) also(0.25);
   if (previewer_.scene() && !previewer_.scene()->geometry->boundaries.known()) also(0.25);

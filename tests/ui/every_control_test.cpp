@@ -118,7 +118,7 @@ class EveryControlTest : public PanelsTest {
                p.scene().asked_for() + s.opening.wanted;
       case Part::save:
         return numbers(static_cast<int>(s.save.what), s.save.exr, s.save.size.x, s.save.size.y,
-                       s.save.show);
+                       s.save.show, s.save_scene.show, s.save.frames, s.save.fps, s.save.mp4);
       case Part::message:
         return s.message + clipboard_ + numbers(p.scene().error().has_value());
     }
@@ -419,6 +419,28 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     s.save.show = true;
     s.save.size = {64, 32};
   });
+  use_all("save dialog, turntable", [&] {
+    s.save.show = true;
+    s.save.what = SaveChoice::What::turntable;
+    // MP4 is offered where there is an ffmpeg.
+    std::filesystem::create_directories(files_.path() / "programs");
+    files_.write("programs/ffmpeg", "#!/bin/sh\n");
+    std::filesystem::permissions(files_.path() / "programs" / "ffmpeg",
+                                 std::filesystem::perms::owner_all);
+    setenv("PATH", (files_.path() / "programs").c_str(), 1);
+  });
+  use_all("save dialog, MP4", [&] {
+    s.save.show = true;
+    s.save.what = SaveChoice::What::turntable;
+    s.save.mp4 = true;
+  });
+  use_all("checked splits", [&] {
+    s.check.check = true;
+    rig.unfold("Check splits");
+    (void)rig.frames_until(
+        [&] { return rig.content().controls().all().contains("Keep reference"); });
+  });
+  use_all("save scene dialog", [&] { s.save_scene.show = true; });
   use_all("save dialog, EXR", [&] {
     s.save.show = true;
     s.save.exr = true;

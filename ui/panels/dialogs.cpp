@@ -49,6 +49,8 @@ constexpr std::array help_lines{
     HelpLine{"R", "reload the file"},
     HelpLine{"P, F12", "save the picture as PNG"},
     HelpLine{"Ctrl + S", "save as EXR, larger, or with the window"},
+    HelpLine{"Ctrl + Shift + S", "save the scene with lights and DFRs"},
+    HelpLine{"Ctrl + C", "copy the picture"},
     HelpLine{"F1, ?", "this help"},
     HelpLine{"Esc; Ctrl + Q", "close what is open; quit"},
 };
@@ -82,8 +84,6 @@ void help_overlay(UiState& state, const WindowRect& area) {
 
 namespace {
 
-// Shows the stored frame in place of the picture, or no longer.
-void flip(UiState& state, const Film& film) {
 void say_flipped(UiState& state, const Film& film) {
   const Frames& frames = state.frames;
   const StoredFrame& frame = *frames.compared();
@@ -93,6 +93,8 @@ void say_flipped(UiState& state, const Film& film) {
     state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
 }
 
+// Shows the stored frame in place of the picture, or no longer.
+void flip(UiState& state, const Film& film) {
   Frames& frames = state.frames;
   if (frames.stored.empty()) {
     state.said = "No snapshot yet: press S to keep one";
@@ -162,14 +164,14 @@ void pause_or_go_on(Refinement& refinement) {
   }
 }
 
-void camera_shortcuts(Viewpoint& viewpoint) {
-  using Side = Viewpoint::Side;
 // The keypad's, or the digits' with Shift.
 bool view_key(Key pad, Key digit, bool opposite) {
   return shortcut_pressed(pad, opposite) ||
          (ImGui::GetIO().KeyShift && shortcut_pressed(digit, opposite));
 }
 
+void camera_shortcuts(Viewpoint& viewpoint) {
+  using Side = Viewpoint::Side;
   constexpr std::array pads{Key::pad_one, Key::pad_three, Key::pad_seven};
   constexpr std::array digits{Key::one, Key::three, Key::seven};
   constexpr std::array sides{Side::front, Side::right, Side::top};
@@ -203,11 +205,15 @@ void close_something(UiState& state, Previewer& previewer) {
 
 void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::q, true)) state.leaving.asked = true;
-  if (state.show_open || state.save.show || state.popup_was_open) return;
+  if (state.show_open || state.save.show || state.save_scene.show || state.popup_was_open) return;
   // While the panel is used by keyboard, some keys are its own.
   const bool in_panel = ImGui::GetIO().NavVisible;
   if (shortcut_pressed(Key::o, true)) state.show_open = true;
-  if (shortcut_pressed(Key::s, true)) state.save.show = true;
+  if (shortcut_pressed(Key::s, true)) {
+    const bool scene = ImGui::GetIO().KeyShift;
+    (scene ? state.save_scene.show : state.save.show) = !scene || previewer.scene();
+  }
+  if (!ImGui::GetIO().WantTextInput && shortcut_pressed(Key::c, true)) state.copy_requested = true;
   if (shortcut_pressed(Key::f, true)) {
     state.show_panel = true;
     state.focus_search = true;
@@ -224,13 +230,13 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (!in_panel && shortcut_pressed(Key::page_down)) page(state, previewer, 1);
   if (!in_panel && shortcut_pressed(Key::page_up)) page(state, previewer, -1);
   if (shortcut_pressed(Key::x)) flip(state, previewer.render().film());
+  snapshot_keys(state, previewer.render().film());
   if (shortcut_pressed(Key::m)) state.display.show_split_map = !state.display.show_split_map;
   if (shortcut_pressed(Key::c)) {
     SplitMapColours& colours = state.display.split_colours;
     colours = colours == SplitMapColours::time
                   ? SplitMapColours::level
                   : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
-  snapshot_keys(state, previewer.render().film());
   }
   if (shortcut_pressed(Key::v)) show_before(state, previewer.render());
   if (!in_panel && shortcut_pressed(Key::space)) pause_or_go_on(previewer.refinement());

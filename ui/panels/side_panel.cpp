@@ -41,6 +41,13 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
                       width))
     state.save.show = true;
   ImGui::SameLine();
+  if (controls.button("Save scene...", "Save as glTF with your lights and DFRs (Ctrl+Shift+S).",
+                      width) &&
+      scene)
+    state.save_scene.show = true;
+  if (controls.button("Copy picture", "Copy the picture to the clipboard (Ctrl+C).", width))
+    state.copy_requested = true;
+  ImGui::SameLine();
   if (controls.button("Tour", "Five cards that explain the program.", width))
     state.tour_asked = true;
   // A built-in scene never changes.
@@ -90,6 +97,7 @@ void measure_tab(Controls& controls, Previewer& previewer, UiState& state, const
   statistics_panel(controls, previewer.render().statistics(), previewer.render().settings(), *scene,
                    previewer.render().progress().fraction);
   study_panel(controls, state.study, jobs.study, previewer);
+  if (!state.study.said.empty()) state.said = std::exchange(state.study.said, {});
 }
 
 void tab_choice(Controls& controls, UiState& state) {
@@ -97,7 +105,6 @@ void tab_choice(Controls& controls, UiState& state) {
       Controls::Option{"Antialias", "Method, EPS, MAX, rendering limits, display."},
       Controls::Option{"Scene", "Animation, lights, sky, materials, camera, objects."},
       Controls::Option{"Measure", "Snapshots, equal time, checks, statistics, study."},
-  if (!state.study.said.empty()) state.said = std::exchange(state.study.said, {});
   };
   // A search shows all of them; a click ends it.
   const bool one = state.tab != PanelTab::all && state.search.empty();
