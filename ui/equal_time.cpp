@@ -25,7 +25,7 @@ int samples_for(Method method, double wanted) {
   return side * side;
 }
 
-// Renders one quality after the other, and tells how far each is.
+// Renders one quality after the other and reports the progress.
 class Tries {
  public:
   Tries(const std::function<bool()>& stop, const TellEqualTime& tell) : stop_(stop), tell_(tell) {}

@@ -20,7 +20,7 @@ struct EqualTimeFrame {
 /// Whether a method's quality has one measure: its number of samples, or EPS.
 [[nodiscard]] bool can_be_timed(const MethodRow& method);
 
-/// What a comparison does, or what came of it.
+/// The progress of a comparison, or its result.
 struct EqualTimeNews {
   std::optional<EqualTimeFrame> frame;  ///< at the end
   std::string doing;                    ///< the render's quality: "19 spp"

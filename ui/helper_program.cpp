@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::chrono::milliseconds look_interval{20};
 
-/// A file of its own for what a program complains of, gone with the object.
+/// A temporary file for the error output of a program.
 class Complaints {
  public:
   Complaints() {
@@ -75,7 +75,7 @@ class Actions {
   posix_spawn_file_actions_t actions_{};
 };
 
-// The program's end as waitpid tells it; nothing where it was stopped.
+// Waits for the program and returns its status. Error: it was stopped.
 Result<int> wait_for(pid_t child, const std::string& name, const std::function<bool()>& stop) {
   int status = 0;
   while (true) {

@@ -66,7 +66,7 @@ class Strip {
   }
 
  private:
-  // Of the strip's own words: one or two bytes each.
+  // Decodes UTF-8 of one or two bytes.
   static int decode(const char* at, const char* end, unsigned int& character) {
     const auto first = static_cast<unsigned char>(*at);
     if (first < 0x80 || at + 1 >= end) {

@@ -35,7 +35,7 @@ class MovieFiles {
   MovieFiles(const MovieFiles&) = delete;
   MovieFiles& operator=(const MovieFiles&) = delete;
 
-  /// Makes a folder beside the MP4 for its frames.
+  /// Makes a folder next to the MP4 for its frames.
   Result<void> prepare() {
     if (!order_.mp4) return {};
     std::string name = order_.stem + "-frames-XXXXXX";

@@ -55,7 +55,7 @@ class PictureSaver {
   std::optional<SaveChoice> due_;
   double due_seconds_ = 0.0;
   int saved_ = 0;
-  bool movie_ = false;  // is what the job writes: it does not hold the edits
+  bool movie_ = false;  // the job writes a movie, which does not hold the edits
 };
 
 }  // namespace asos

@@ -52,7 +52,7 @@ void start_tour(UiState& state, const Previewer& previewer, double now_seconds) 
   tour.seen = true;
   tour.pixel.reset();
   tour.chosen.reset();
-  // Begun again, it still restores what was set before the first time.
+  // A replayed tour still restores the settings from before its first card.
   if (!tour.card)
     tour.before = {previewer.edits().settings(), state.display, state.picked,
                    state.frames.comparison, state.frames.chosen};

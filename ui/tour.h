@@ -65,9 +65,9 @@ void switch_scene(UiState& state, const Previewer& previewer);
 /// the scene, where the tour opened another one.
 void end_tour(UiState& state, Previewer& previewer);
 
-/// The display without what the shown card sets: undo steps hold this.
+/// The display settings without those of the shown card, for undo steps.
 [[nodiscard]] DisplaySettings display_without_card(const UiState& state);
-/// The display with what the shown card sets.
+/// The display settings with those of the shown card.
 [[nodiscard]] DisplaySettings display_with_card(const UiState& state, DisplaySettings display);
 
 }  // namespace asos

@@ -66,7 +66,7 @@ class ViewStudy::Work {
     return static_cast<std::size_t>(std::count_if(
         jobs.begin(), jobs.end(), [](const Job& job) { return may_be_given_up(job.kind); }));
   }
-  /// What is left of the time for all, in seconds.
+  /// Returns the remaining time in seconds.
   [[nodiscard]] double seconds_left() const {
     return subject_.seconds ? *subject_.seconds - spent_seconds_
                             : std::numeric_limits<double>::infinity();

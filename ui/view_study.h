@@ -28,9 +28,9 @@ class ViewStudy {
     std::shared_ptr<const RenderScene> scene;
     Camera camera;  ///< relative to scene->world().origin
     StudyPlan plan;
-    /// Of the clock, for all of the study, without pauses; none: as long as the plan takes. Then
-    /// the plan's size is the largest, and `plan_in_time` replaces it once the scene's cost is
-    /// measured.
+    /// Wall-clock seconds of the whole study, without pauses; none: unlimited. With a limit the
+    /// plan's size is the largest; `plan_in_time` chooses the size after measuring the scene's
+    /// cost.
     std::optional<double> seconds = std::nullopt;
   };
 
@@ -46,8 +46,8 @@ class ViewStudy {
     SceneStudy study;    ///< the points run so far; of the measures, RMSE alone
   };
 
-  /// The plan with a size and repetitions for which reference and settings take about half of
-  /// `seconds`, where a sample of a pixel takes `sample_seconds`. The rest is for the reference.
+  /// Chooses size and repetitions so that the first reference and all settings take about half of
+  /// `seconds`. `sample_seconds`: time per sample. More reference passes take the rest.
   [[nodiscard]] static StudyPlan plan_in_time(StudyPlan plan, double sample_seconds,
                                               double seconds);
 

@@ -121,7 +121,7 @@ void WindowContent::draw(const FrameInput& in) {
   save_window(in);
 }
 
-// The tour's cards make no steps, and what it leaves is one step at most.
+// Cards of the tour make no undo steps. All edits during the tour are one step.
 void WindowContent::keep_history(double now_seconds) {
   const bool touring = state_.tour.card.has_value();
   const DisplaySettings display = display_without_card(state_);
@@ -308,7 +308,7 @@ void WindowContent::follow_files(double now_seconds) {
     }
     if (const auto opened = previewer_.scene().take_opened_display()) {
       show_as(*opened, state_.display);
-      // The tour restores what the opened picture asks for.
+      // At its end the tour restores the opened picture's settings.
       if (state_.tour.card)
         state_.tour.before = {previewer_.edits().settings(), state_.display, std::nullopt,
                               state_.frames.comparison, state_.frames.chosen};

@@ -14,7 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-// Scenes with edits, pictures on the clipboard, and what the next file keeps.
+// Saved scenes, the clipboard, the legend of a saved split map.
 
 namespace asos::test::save_more_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// What the tour leaves behind, which pixels it shows, and where its card stands.
+// The end of the tour, its pixels, and the place of its card.
 
 namespace asos::test::tour_end_test {
 namespace {

@@ -15,7 +15,7 @@ float overlap(const WindowRect& a, const WindowRect& b) {
   return hi.x > lo.x && hi.y > lo.y ? (hi.x - lo.x) * (hi.y - lo.y) : 0.0f;
 }
 
-// The ends of the room first, the far one before the near one; then beside what is taken.
+// Lists coordinates to try: both ends of the room, then those next to taken rectangles.
 std::vector<float> starts(const WindowRect& room, float size, std::span<const WindowRect> taken,
                           glm::length_t axis, float gap) {
   const float first = room.lo[axis], last = std::max(first, first + room.size[axis] - size);

@@ -61,7 +61,7 @@ void choose_movie(Controls& controls, SaveChoice& choice, const SaveFacts& facts
   int format = choice.mp4 ? 1 : 0;
   if (joins && controls.options("Movie format", options, format)) choice.mp4 = format == 1;
   if (!joins)
-    controls.row("No MP4", "PNG frames. MP4 needs ffmpeg, which is not installed.",
+    controls.row("Movie format", "PNG frames. MP4 needs ffmpeg, which is not installed.",
                  "Install ffmpeg to save videos.");
   const auto whole = [](double n) { return fmt::format("{:.0f}", n); };
   if (choice.what == SaveChoice::What::turntable) {

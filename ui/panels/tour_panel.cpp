@@ -164,7 +164,7 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
   }
 }
 
-// Puts the next button beside the last one where the card is wide enough.
+// Keeps the next button in the line if the card is wide enough.
 void stay_in_line(const char* name) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float width = ImGui::CalcTextSize(name).x + 2.0f * style.FramePadding.x;
