@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace asos {
@@ -28,28 +29,31 @@ void headline(Controls& controls, const RenderScene* scene) {
 
 void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   const RenderScene* scene = previewer.scene().get();
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (controls.button("Open...", "Open a scene (Ctrl+O), or drop a file on the window.", width)) {
+  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  const float third = std::floor((room - 2.0f * gap) / 3.0f), width = 0.5f * (room - gap);
+  // Three names in a row need less padding.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0f, ImGui::GetStyle().FramePadding.y});
+  if (controls.button("Open...", "Open a scene (Ctrl+O), or drop a file on the window.", third))
     state.show_open = true;
-  }
   ImGui::SameLine();
-  if (controls.button("Save picture", "Save as PNG, with the split map if shown (P, F12).",
-                      width)) {
+  if (controls.button("Save picture", "Save as PNG, with the split map if shown (P, F12).", third))
     state.screenshot_requested = true;
-  }
-  if (controls.button("Save as...", "Save as EXR, at another size, or with the window (Ctrl+S).",
-                      width))
-    state.save.show = true;
   ImGui::SameLine();
+  if (controls.button("Save as...",
+                      "Save as EXR, at another size, with the window, or as a movie (Ctrl+S).",
+                      third))
+    state.save.show = true;
   if (controls.button("Save scene...", "Save as glTF with your lights and DFRs (Ctrl+Shift+S).",
-                      width) &&
+                      third) &&
       scene)
     state.save_scene.show = true;
-  if (controls.button("Copy picture", "Copy the picture to the clipboard (Ctrl+C).", width))
+  ImGui::SameLine();
+  if (controls.button("Copy picture", "Copy the picture to the clipboard (Ctrl+C).", third))
     state.copy_requested = true;
   ImGui::SameLine();
-  if (controls.button("Tour", "Five cards that explain the program.", width))
+  if (controls.button("Tour", "Five cards that explain the program.", third))
     state.tour_asked = true;
+  ImGui::PopStyleVar();
   // A built-in scene never changes.
   if (scene && !scene->geometry->source.starts_with("builtin:")) {
     if (controls.button("Reload", "Reload the file and keep the view (R).", width))
