@@ -3,10 +3,8 @@
 #include "app/values.h"
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <filesystem>
-#include <numbers>
 
 namespace asos {
 namespace {
@@ -38,16 +36,6 @@ Result<FrameRange> parse_frames(std::string_view text) {
   if (!first || !last) return fault("names a frame that is not from 0 to N - 1");
   if (*last < *first) return fault("ends before it begins");
   return FrameRange{*first, *last, *count};
-}
-
-Camera turned_camera(const Camera& camera, glm::dvec3 middle, int frame, int count) {
-  if (frame % count == 0) return camera;
-  const double angle = 2.0 * std::numbers::pi * frame / count;
-  Camera turned = camera;
-  turned.world_from_camera = glm::translate(glm::dmat4(1.0), middle) *
-                             glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(0, 1, 0)) *
-                             glm::translate(glm::dmat4(1.0), -middle) * camera.world_from_camera;
-  return turned;
 }
 
 std::string frame_path(const std::string& path, int frame, int count) {

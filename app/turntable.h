@@ -1,9 +1,7 @@
 #pragma once
 
 #include "renderer/result.h"
-#include "renderer/scene/scene.h"
-
-#include <glm/glm.hpp>
+#include "renderer/scene/turned_camera.h"
 
 #include <string>
 #include <string_view>
@@ -22,10 +20,6 @@ inline constexpr int most_frames = 100'000;
 
 /// "A-B/N", "A/N" for one frame, "N" for all: frames from 0 to N - 1.
 [[nodiscard]] Result<FrameRange> parse_frames(std::string_view text);
-
-/// The camera turned by frame / count of a whole turn about the vertical through `middle`,
-/// counter-clockwise as seen from above; frame 0 is the camera itself, to the bit.
-[[nodiscard]] Camera turned_camera(const Camera& camera, glm::dvec3 middle, int frame, int count);
 
 /// "a/turn.png" of frame 7 of 120: "a/turn-007.png", so that names sort as frames do.
 [[nodiscard]] std::string frame_path(const std::string& path, int frame, int count);

@@ -25,9 +25,7 @@ void EditHistory::update(const Previewer& previewer, const DisplaySettings& disp
     settled_ = seen_ = state_of(previewer, display);
     return;
   }
-  const bool same = previewer.edits().same_as(seen_->edits) &&
-                    previewer.viewpoint().same_as(seen_->viewpoint) && display == seen_->display;
-  if (!same) {
+  if (!is(previewer, display, *seen_)) {
     seen_ = state_of(previewer, display);
     changed_ = true;
     changed_seconds_ = now_seconds;
@@ -37,10 +35,37 @@ void EditHistory::update(const Previewer& previewer, const DisplaySettings& disp
 
 void EditHistory::end_step() {
   past_.push_back(std::move(*settled_));
-  if (past_.size() > most_steps) past_.pop_front();
+  if (past_.size() > most_steps) {
+    past_.pop_front();
+    if (group_ && *group_ > 0) --*group_;
+  }
   settled_ = seen_;
   changed_ = false;
   future_.clear();
+}
+
+void EditHistory::begin_group(const Previewer& previewer, const DisplaySettings& display) {
+  update(previewer, display, true, changed_seconds_);
+  if (changed_) end_step();
+  group_ = past_.size();
+}
+
+void EditHistory::end_group(const Previewer& previewer, const DisplaySettings& display) {
+  const std::optional<std::size_t> group = std::exchange(group_, std::nullopt);
+  if (!group || !settled_ || scene_ != previewer.scene().times_opened()) return;
+  if (past_.size() > *group) {
+    settled_ = std::move(past_[*group]);
+    past_.erase(past_.begin() + static_cast<std::ptrdiff_t>(*group), past_.end());
+    future_.clear();
+  }
+  seen_ = state_of(previewer, display);
+  changed_ = !is(previewer, display, *settled_);
+}
+
+bool EditHistory::is(const Previewer& previewer, const DisplaySettings& display,
+                     const State& state) {
+  return previewer.edits().same_as(state.edits) && previewer.viewpoint().same_as(state.viewpoint) &&
+         display == state.display;
 }
 
 bool EditHistory::undo(Previewer& previewer, DisplaySettings& display) {
@@ -56,6 +81,7 @@ bool EditHistory::redo(Previewer& previewer, DisplaySettings& display) {
 bool EditHistory::step(std::deque<State>& from, std::deque<State>& to, Previewer& previewer,
                        DisplaySettings& display) {
   if (from.empty() || !settled_) return false;
+  if (group_ && &from == &past_ && past_.size() <= *group_) group_.reset();
   previewer.edits().restore(from.back().edits);
   previewer.viewpoint().restore(from.back().viewpoint);
   display = from.back().display;

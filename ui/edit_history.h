@@ -23,6 +23,12 @@ class EditHistory {
   bool undo(Previewer& previewer, DisplaySettings& display);
   bool redo(Previewer& previewer, DisplaySettings& display);
 
+  /// From begin to end all steps count as one, or as none where the end equals the begin. Ends
+  /// itself with the scene, and where steps from before it were taken back.
+  void begin_group(const Previewer& previewer, const DisplaySettings& display);
+  void end_group(const Previewer& previewer, const DisplaySettings& display);
+  [[nodiscard]] bool grouped() const { return group_.has_value(); }
+
   [[nodiscard]] bool can_undo() const { return changed_ || !past_.empty(); }
   [[nodiscard]] bool can_redo() const { return !changed_ && !future_.empty(); }
   /// When `update` should be called though nothing happens, in seconds; none: when it does.
@@ -35,6 +41,8 @@ class EditHistory {
     DisplaySettings display;
   };
   [[nodiscard]] static State state_of(const Previewer& previewer, const DisplaySettings& display);
+  [[nodiscard]] static bool is(const Previewer& previewer, const DisplaySettings& display,
+                               const State& state);
   void end_step();
   bool step(std::deque<State>& from, std::deque<State>& to, Previewer& previewer,
             DisplaySettings& display);
@@ -45,6 +53,7 @@ class EditHistory {
   double changed_seconds_ = 0.0;
   std::uint64_t scene_ = 0;
   std::deque<State> past_, future_;
+  std::optional<std::size_t> group_;  // steps that were there when it began
 };
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #include "ui/equal_time.h"
 
-#include "renderer/study/timed_render.h"
+#include "renderer/session/film_render.h"
+#include "ui/snapshot_name.h"
 
 #include <fmt/format.h>
 
@@ -24,25 +25,43 @@ int samples_for(Method method, double wanted) {
   return side * side;
 }
 
-EqualTimeFrame frame_of(TimedRender rendered, const RenderSettings& settings,
-                        const std::string& quality, double wanted) {
-  const double taken = processor_seconds(rendered.film);
-  return {std::move(rendered.film),
-          fmt::format("{}, {}, {:.2f} s CPU ({:.0f} % of {:.2f} s)", row_of(settings.method).name,
+// Renders one quality after the other and reports the progress.
+class Tries {
+ public:
+  Tries(const std::function<bool()>& stop, const TellEqualTime& tell) : stop_(stop), tell_(tell) {}
+
+  std::optional<Film> render(const Snapshot& snapshot, const std::string& doing) {
+    std::optional<RenderResult> rendered = render_.render(
+        snapshot, [&] { return !stop_(); },
+        [&](const Progress& progress) {
+          if (tell_) tell_({std::nullopt, doing, progress.fraction});
+        });
+    if (!rendered) return std::nullopt;
+    return std::move(rendered->film);
+  }
+
+ private:
+  const std::function<bool()>& stop_;
+  const TellEqualTime& tell_;
+  FilmRender render_;
+};
+
+EqualTimeFrame frame_of(Film film, const RenderSettings& settings, const std::string& quality,
+                        double wanted) {
+  const double taken = processor_seconds(film);
+  return {std::move(film), snapshot_name(settings, taken),
+          fmt::format("{}, {}, {:.2f} s CPU ({:.0f} % of {:.2f} s)", row_of(settings.method).title,
                       quality, taken, 100.0 * taken / wanted, wanted)};
 }
 
-using Stop = std::function<bool()>;
-
-std::optional<EqualTimeFrame> render_by_samples(Snapshot snapshot, double seconds,
-                                                const Stop& stop) {
+std::optional<EqualTimeFrame> render_by_samples(Snapshot snapshot, double seconds, Tries& tries) {
   const auto render = [&](int samples) {
     snapshot.settings.sampling.spp = samples;
-    return timed_render(snapshot, stop);
+    return tries.render(snapshot, fmt::format("{} spp", samples));
   };
   auto rendered = render(1);
   if (!rendered) return std::nullopt;
-  double taken = processor_seconds(rendered->film);
+  double taken = processor_seconds(*rendered);
   int samples = 1;
   // A few samples tell better than one what many take.
   constexpr int few = 4;
@@ -50,18 +69,17 @@ std::optional<EqualTimeFrame> render_by_samples(Snapshot snapshot, double second
     samples = few;
     rendered = render(few);
     if (!rendered) return std::nullopt;
-    taken = processor_seconds(rendered->film);
+    taken = processor_seconds(*rendered);
   }
   const int wanted =
       samples_for(snapshot.settings.method, seconds / std::max(taken, 1e-9) * samples);
   if (wanted != samples) rendered = render(wanted);
   if (!rendered) return std::nullopt;
-  return frame_of(std::move(*rendered), snapshot.settings, fmt::format("{} samples", wanted),
-                  seconds);
+  return frame_of(std::move(*rendered), snapshot.settings, fmt::format("{} spp", wanted), seconds);
 }
 
 // How the time grows as EPS falls depends on the scene: each try tells the next one.
-std::optional<EqualTimeFrame> render_by_eps(Snapshot snapshot, double seconds, const Stop& stop) {
+std::optional<EqualTimeFrame> render_by_eps(Snapshot snapshot, double seconds, Tries& tries) {
   constexpr int most_tries = 5;
   constexpr double coarsest = 0.25;
   constexpr double finest = 1.0 / 65536.0;
@@ -73,18 +91,18 @@ std::optional<EqualTimeFrame> render_by_eps(Snapshot snapshot, double seconds, c
   double exponent = 1.0;  // of the time in 1 / EPS
   double eps_before = eps;
   double taken_before = 0.0;
-  for (int tries = 1;; ++tries) {
+  for (int tried = 1;; ++tried) {
     settings.asos.eps = eps;
-    auto rendered = timed_render(snapshot, stop);
+    auto rendered = tries.render(snapshot, fmt::format("EPS {:.2g}", eps));
     if (!rendered) return std::nullopt;
-    const double taken = std::max(processor_seconds(rendered->film), 1e-9);
+    const double taken = std::max(processor_seconds(*rendered), 1e-9);
     if (eps != eps_before)
       exponent = std::clamp(std::log(taken / taken_before) / std::log(eps_before / eps), 0.25, 2.0);
     const double finer = std::pow(std::max(seconds, 1e-9) / taken, 1.0 / exponent);
     const double next =
         std::clamp(eps / std::clamp(finer, 1.0 / most_at_once, most_at_once), finest, coarsest);
     const bool there = std::abs(taken - seconds) <= near_enough * seconds;
-    if (there || tries == most_tries || next == eps)
+    if (there || tried == most_tries || next == eps)
       return frame_of(std::move(*rendered), settings, fmt::format("EPS {:.2g}", eps), seconds);
     eps_before = std::exchange(eps, next);
     taken_before = taken;
@@ -102,11 +120,13 @@ bool can_be_timed(const MethodRow& method) {
 }
 
 std::optional<EqualTimeFrame> render_in_time(Snapshot snapshot, Method method, double seconds,
-                                             const std::function<bool()>& stop) {
+                                             const std::function<bool()>& stop,
+                                             const TellEqualTime& tell) {
   snapshot.progressive = false;
   snapshot.settings.method = method;
-  return row_of(method).samples_by_eps ? render_by_eps(std::move(snapshot), seconds, stop)
-                                       : render_by_samples(std::move(snapshot), seconds, stop);
+  Tries tries(stop, tell);
+  return row_of(method).samples_by_eps ? render_by_eps(std::move(snapshot), seconds, tries)
+                                       : render_by_samples(std::move(snapshot), seconds, tries);
 }
 
 }  // namespace asos

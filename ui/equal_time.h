@@ -13,21 +13,32 @@ namespace asos {
 /// A picture by another method that took about as long as the one in the window.
 struct EqualTimeFrame {
   Film film;
+  std::string name;     ///< see snapshot_name
   std::string summary;  ///< method, samples or EPS, and times, in a line
 };
 
 /// Whether a method's quality has one measure: its number of samples, or EPS.
 [[nodiscard]] bool can_be_timed(const MethodRow& method);
 
-/// Renders the view by such a method, as well as it can in `seconds` of processor time, which
-/// quicker renders before it tell. Nothing once `stop` says so.
+/// The progress of a comparison, or its result.
+struct EqualTimeNews {
+  std::optional<EqualTimeFrame> frame;  ///< at the end
+  std::string doing;                    ///< the render's quality: "19 spp"
+  double fraction = 0.0;                ///< of this render, 0 to 1
+};
+using TellEqualTime = std::function<void(EqualTimeNews)>;
+
+/// Renders the view by such a method, as well as it can in `seconds` of CPU time, which quicker
+/// renders before it tell. Nothing once `stop` says so. `tell`: hears of each render's progress;
+/// may be empty.
 [[nodiscard]] std::optional<EqualTimeFrame> render_in_time(Snapshot snapshot, Method method,
                                                            double seconds,
-                                                           const std::function<bool()>& stop);
+                                                           const std::function<bool()>& stop,
+                                                           const TellEqualTime& tell = {});
 
 /// The processor time of a finished picture's pixels.
 [[nodiscard]] double processor_seconds(const Film& film);
 
-using EqualTimeJob = StoppableJob<EqualTimeFrame>;
+using EqualTimeJob = StoppableJob<EqualTimeNews>;
 
 }  // namespace asos

@@ -3,25 +3,33 @@
 #include "renderer/geometry/largest.h"
 #include "ui/resampled.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace asos {
 
-bool Frames::store(const Film& film, std::string summary) {
+bool Frames::store(const Film& film, std::string name, std::string summary) {
   if (stored.size() >= most || film.width <= 0) return false;
-  // The first letter that is free.
-  char letter = 'A';
-  const auto taken = [&](char c) {
+  const auto taken = [&](const std::string& wanted) {
     return std::any_of(stored.begin(), stored.end(),
-                       [c](const StoredFrame& frame) { return frame.name == std::string(1, c); });
+                       [&](const StoredFrame& frame) { return frame.name == wanted; });
   };
-  while (taken(letter)) ++letter;
-  stored.push_back({std::string(1, letter), std::move(summary), film});
+  std::string free = name;
+  for (int number = 2; taken(free); ++number) free = fmt::format("{} ({})", name, number);
+  stored.push_back({std::move(free), std::move(summary), film});
   chosen = static_cast<int>(stored.size()) - 1;
   ++revision;
   return true;
+}
+
+void Frames::flip_to(int index) {
+  if (index < 0 || index >= static_cast<int>(stored.size())) return;
+  flipped = !(comparison == Comparison::flip && flipped && chosen == index);
+  comparison = Comparison::flip;
+  chosen = index;
 }
 
 void Frames::remove(int index) {

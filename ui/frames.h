@@ -15,7 +15,7 @@ namespace asos {
 
 /// A picture that was put by, to compare with.
 struct StoredFrame {
-  std::string name;     ///< "A" to "H"
+  std::string name;     ///< of the method and its quality, unlike all others: see snapshot_name
   std::string summary;  ///< how it was made, in a line
   Film film;
 };
@@ -25,7 +25,7 @@ enum class Comparison { none, wipe, flip, difference };
 
 /// Pictures put by, `most` at most, and how one of them is compared.
 struct Frames {
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t most = 9;  ///< one for each number key
 
   std::vector<StoredFrame> stored;
   std::uint64_t revision = 0;  ///< grows when `stored` changes
@@ -35,21 +35,26 @@ struct Frames {
   bool flipped = false;       ///< the stored frame is shown
   float scale_stops = -4.0f;  ///< the largest difference that is told, 2^scale_stops
 
-  // Which comparison `rmse` is of.
+  // Which comparison the errors are of.
   struct Measured {
     std::uint64_t restarts = 0;  ///< of the picture
     std::uint64_t revision = 0;
     int chosen = -1;
+    bool finished = false;  ///< the picture is
     bool operator==(const Measured&) const = default;
   };
   Measured measured;
-  double rmse = 0.0;
+  double rmse = 0.0;  ///< of the picture against the chosen one; not a number: unknown
+  std::vector<double> stored_rmse;  ///< of each stored one
 
   /// A frame as large as the picture: its own film, or that resampled, which is kept until another
   /// one is asked for. `index` is one of a stored frame.
   [[nodiscard]] const Film& at_size(int index, glm::ivec2 size);
-  /// Puts a picture by; false where there are `most` already.
-  bool store(const Film& film, std::string summary);
+  /// Keeps a picture, under this name or, where it is taken, with a number behind it; false where
+  /// there are `most` already.
+  bool store(const Film& film, std::string name, std::string summary);
+  /// Shows a snapshot in place of the picture, or the picture again where it is shown already.
+  void flip_to(int index);
   void remove(int index);
   /// The one to compare with; null where nothing is compared.
   [[nodiscard]] const StoredFrame* compared() const;

@@ -55,14 +55,21 @@ void OpenScene::show_variant(const std::string& variant) {
   if (scene_) load_again(variant, hidden_);
 }
 
-void OpenScene::load_again(const std::string& variant, std::vector<int> hidden) {
+SceneSource OpenScene::shown_source() const {
   const SceneContents& contents = scene_->geometry->contents;
-  ask_for({scene_->geometry->source,
-           variant,
-           name_of(contents, contents.shown_scene),
-           {},
-           std::move(hidden),
-           asset_root_});
+  return {scene_->geometry->source,
+          contents.variant,
+          name_of(contents, contents.shown_scene),
+          {},
+          hidden_,
+          asset_root_};
+}
+
+void OpenScene::load_again(const std::string& variant, std::vector<int> hidden) {
+  SceneSource source = shown_source();
+  source.variant = variant;
+  source.hidden = std::move(hidden);
+  ask_for(std::move(source));
   reloading_ = true;
 }
 

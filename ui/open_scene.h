@@ -54,6 +54,9 @@ class OpenScene {
   /// Grows whenever another scene is opened: what was done before cannot be taken back then.
   [[nodiscard]] std::uint64_t times_opened() const { return times_opened_; }
 
+  /// The source of the open scene as it is shown: variant, scene of the file and hidden objects.
+  /// Only with a scene.
+  [[nodiscard]] SceneSource shown_source() const;
   /// The source that was opened last, whether it could be or not.
   [[nodiscard]] const std::string& asked_for() const { return asked_for_; }
   [[nodiscard]] std::optional<SceneLoader::Loading> loading() const { return loader_.loading(); }

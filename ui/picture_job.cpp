@@ -22,14 +22,25 @@ Result<std::unique_ptr<PictureWriter>> writer_of(const PictureOrder& order) {
 
 }  // namespace
 
-void PictureJob::start(PictureOrder order) {
+std::optional<Result<std::string>> write_picture(const PictureOrder& order,
+                                                 const std::stop_token& stop,
+                                                 const std::function<void(double)>& on_progress) {
+  const auto writer = writer_of(order);
+  if (!writer) return unexpected(writer.error());
+  const auto rendered = render_strips(order.snapshot, **writer, stop, on_progress);
+  if (!rendered) return unexpected(rendered.error());
+  if (*rendered == StripsEnd::stopped) return std::nullopt;
+  return (*writer)->finish().map([&] { return order.path; });
+}
+
+void PictureJob::start(std::string path, Work work) {
   cancel();
-  path_ = order.path;
+  path_ = std::move(path);
   start_ = std::chrono::steady_clock::now();
   fraction_ = 0.0;
   running_ = true;
   thread_ = std::jthread(
-      [this, order = std::move(order)](const std::stop_token& stop) { run(stop, order); });
+      [this, work = std::move(work)](const std::stop_token& stop) { run(stop, work); });
 }
 
 void PictureJob::cancel() {
@@ -38,30 +49,20 @@ void PictureJob::cancel() {
   outcome_.reset();
 }
 
-void PictureJob::run(const std::stop_token& stop, const PictureOrder& order) {
-  Result<std::string> outcome = order.path;
-  bool stopped = false;
+void PictureJob::run(const std::stop_token& stop, const Work& work) {
+  std::optional<Result<std::string>> outcome;
   // Memory can run out; that is an error to show, not an end.
   try {
-    const auto writer = writer_of(order);
-    const auto rendered = writer ? render_strips(order.snapshot, **writer, stop,
-                                                 [this](double fraction) {
-                                                   const std::scoped_lock lock(mutex_);
-                                                   fraction_ = fraction;
-                                                 })
-                                 : Result<StripsEnd>(unexpected(writer.error()));
-    stopped = rendered && *rendered == StripsEnd::stopped;
-    if (!rendered) {
-      outcome = unexpected(rendered.error());
-    } else if (!stopped) {
-      outcome = (*writer)->finish().map([&] { return order.path; });
-    }
+    outcome = work(stop, [this](double fraction) {
+      const std::scoped_lock lock(mutex_);
+      fraction_ = fraction;
+    });
   } catch (const std::exception& e) {
-    outcome = unexpected(Error{order.path, e.what()});
+    outcome = unexpected(Error{path_, e.what()});
   }
   const std::scoped_lock lock(mutex_);
   running_ = false;
-  if (!stopped) outcome_ = std::move(outcome);
+  outcome_ = std::move(outcome);
 }
 
 std::optional<PictureJob::State> PictureJob::state() const {

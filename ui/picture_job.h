@@ -5,6 +5,7 @@
 #include "renderer/session/render_session.h"
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -20,12 +21,21 @@ struct PictureOrder {
   ImageText text;
 };
 
-/// Renders a picture of any size into a file, on threads of its own, in bounded memory. One picture
-/// at a time; one controlling thread. The destructor cancels.
+/// Renders the picture in bounded memory. The path, or why not; nothing where it was stopped.
+[[nodiscard]] std::optional<Result<std::string>> write_picture(
+    const PictureOrder& order, const std::stop_token& stop,
+    const std::function<void(double)>& on_progress);
+
+/// Writes a picture of any size, or a movie, on threads of its own. One at a time; one controlling
+/// thread. The destructor cancels.
 class PictureJob {
  public:
-  /// Cancels what is under way.
-  void start(PictureOrder order);
+  /// The path that was written, or why not; nothing where it was stopped. Tells the finished share.
+  using Work = std::function<std::optional<Result<std::string>>(
+      const std::stop_token&, const std::function<void(double)>&)>;
+
+  /// Cancels what is under way. `path` names the file in the meantime.
+  void start(std::string path, Work work);
   /// Leaves nothing of the file.
   void cancel();
 
@@ -42,7 +52,7 @@ class PictureJob {
   [[nodiscard]] std::optional<Result<std::string>> take_outcome();
 
  private:
-  void run(const std::stop_token& stop, const PictureOrder& order);
+  void run(const std::stop_token& stop, const Work& work);
 
   std::string path_;
   std::chrono::steady_clock::time_point start_;

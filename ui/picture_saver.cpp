@@ -2,6 +2,8 @@
 
 #include "renderer/picture/picture_text.h"
 #include "ui/gl_display.h"
+#include "ui/legend_strip.h"
+#include "ui/movie.h"
 #include "ui/previewer.h"
 #include "ui/screenshot.h"
 
@@ -24,11 +26,41 @@ std::string PictureSaver::words(const Result<std::string>& saved) {
   return "Saved " + *saved;
 }
 
+double clip_seconds(const Playback& playback) {
+  if (playback.animations().empty()) return 0.0;
+  return playback.time() ? playback.duration_seconds() : playback.animations().front().seconds;
+}
+
+void PictureSaver::begin_movie(const SaveChoice& choice, Snapshot snapshot,
+                               const DisplayTransform& display) {
+  const Playback& playback = previewer_.playback();
+  MovieOrder order;
+  order.snapshot = std::move(snapshot);
+  order.display = display;
+  order.stem = choice.stem;
+  order.mp4 = choice.mp4;
+  order.frames = choice.frames;
+  order.fps = choice.fps;
+  order.middle = previewer_.viewpoint().camera().pivot();
+  if (choice.what == SaveChoice::What::clip && playback.available()) {
+    order.animation = playback.time() ? playback.time()->animation : 0;
+    order.frames = frames_of(clip_seconds(playback), choice.fps);
+    order.lights = playback.edited_lights();
+    order.dfrs = playback.edited_dfrs();
+  }
+  movie_ = true;
+  job_.start(choice.path(),
+             [order = std::move(order)](const std::stop_token& stop, const auto& on_progress) {
+               return write_movie(order, stop, on_progress);
+             });
+}
+
 std::string PictureSaver::save_shown(const DisplaySettings& shown) {
   const RenderScene* scene = previewer_.scene().get();
   if (!scene || display_.width() <= 0) return no_picture;
-  const RgbImage image{display_.width(), display_.height(), display_.seen_rgb(shown),
-                       screenshot_text(previewer_, shown)};
+  RgbImage image{display_.width(), display_.height(), display_.seen_rgb(shown),
+                 screenshot_text(previewer_, shown)};
+  if (shown.show_split_map && shown.show_legend) add_legend(image, shown.split_colours);
   return words(
       save_screenshot(image, screenshot_folder(), screenshot_stem(scene->geometry->source)));
 }
@@ -36,7 +68,7 @@ std::string PictureSaver::save_shown(const DisplaySettings& shown) {
 std::optional<std::string> PictureSaver::begin(const SaveChoice& choice,
                                                const DisplaySettings& shown, double now_seconds) {
   if (!previewer_.scene() || display_.width() <= 0) return no_picture;
-  if (choice.what != SaveChoice::What::picture) {
+  if (choice.what != SaveChoice::What::picture && !choice.is_movie()) {
     due_ = choice;
     due_seconds_ = now_seconds + dialog_fades_seconds;
     return std::nullopt;
@@ -46,18 +78,28 @@ std::optional<std::string> PictureSaver::begin(const SaveChoice& choice,
     snapshot.settings.width = choice.size.x;
     snapshot.settings.height = choice.size.y;
   }
+  movie_ = false;
   DisplaySettings plain;
   plain.exposure_ev = shown.exposure_ev;
   plain.tone = shown.tone;
+  if (choice.is_movie()) {
+    begin_movie(choice, std::move(snapshot), plain.transform());
+    return std::nullopt;
+  }
   const ImageText text =
       picture_text(describe(*snapshot.scene, snapshot.camera, snapshot.settings, described(plain)));
-  job_.start({std::move(snapshot), choice.path(), plain.transform(), text});
+  const PictureOrder order{std::move(snapshot), choice.path(), plain.transform(), text};
+  job_.start(order.path, [order](const std::stop_token& stop, const auto& on_progress) {
+    return write_picture(order, stop, on_progress);
+  });
   return std::nullopt;
 }
 
 std::optional<std::string> PictureSaver::take_outcome() {
   const auto outcome = job_.take_outcome();
-  return outcome ? std::optional(words(*outcome)) : std::nullopt;
+  if (!outcome) return std::nullopt;
+  if (movie_ && *outcome) return "Saved " + **outcome;
+  return words(*outcome);
 }
 
 std::string PictureSaver::stop() {

@@ -9,8 +9,12 @@
 namespace asos {
 
 class GlDisplay;
+class Playback;
 class Previewer;
 struct DisplaySettings;
+
+/// The length of the animation that is chosen, or of the first one; 0: there is none.
+[[nodiscard]] double clip_seconds(const Playback& playback);
 
 /// Saves what the window shows: the film as it is, the picture rendered to the end at any size, or
 /// the framebuffer. Each member that saves returns what to tell the person, or nothing yet. One
@@ -20,7 +24,7 @@ class PictureSaver {
   PictureSaver(const Previewer& previewer, const GlDisplay& display)
       : previewer_(previewer), display_(display) {}
 
-  /// The film as it is shown, as a PNG under the next free name.
+  /// The film as it is shown, as a PNG under the next free name; below a split map its legend.
   [[nodiscard]] std::string save_shown(const DisplaySettings& shown);
   /// Begins what the dialog was asked for.
   [[nodiscard]] std::optional<std::string> begin(const SaveChoice& choice,
@@ -43,6 +47,7 @@ class PictureSaver {
 
  private:
   [[nodiscard]] std::string words(const Result<std::string>& saved);
+  void begin_movie(const SaveChoice& choice, Snapshot snapshot, const DisplayTransform& display);
 
   const Previewer& previewer_;
   const GlDisplay& display_;
@@ -50,6 +55,7 @@ class PictureSaver {
   std::optional<SaveChoice> due_;
   double due_seconds_ = 0.0;
   int saved_ = 0;
+  bool movie_ = false;  // the job writes a movie, which does not hold the edits
 };
 
 }  // namespace asos

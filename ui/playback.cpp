@@ -130,9 +130,30 @@ void Playback::ask(const std::optional<WantedStrokes>& strokes) {
                   scene_.times_opened(),
                   edits_.settings().ground,
                   strokes};
-  if (scene_->lighting != scene_->own_lighting) request.lights = lights_on(edits_.lights());
-  if (edits_.dfrs() != dfrs_without_ground(scene_->world())) request.dfrs = edits_.dfrs();
+  request.lights = edited_lights();
+  request.dfrs = edited_dfrs();
   job_.ask(std::move(request));
+}
+
+std::optional<std::vector<Light>> Playback::edited_lights() const {
+  if (scene_->lighting == scene_->own_lighting) return std::nullopt;
+  return lights_on(edits_.lights());
+}
+
+std::optional<MaterialDfrs> Playback::edited_dfrs() const {
+  if (edits_.dfrs() == dfrs_without_ground(scene_->world())) return std::nullopt;
+  return edits_.dfrs();
+}
+
+Result<std::shared_ptr<const RenderScene>> Playback::scene_at(
+    const RenderScene& from, const std::optional<ClipTime>& time,
+    const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
+    Ground ground) {
+  const Result<Scene> scene = from.geometry->rig->pose(time);
+  if (!scene) return unexpected(scene.error());
+  return prepare(*scene, from.forced, &from.geometry->stage).and_then([&](auto prepared) {
+    return with_look(std::move(prepared), lights, dfrs, ground);
+  });
 }
 
 Playback::Pose Playback::posed(const Request& request) {

@@ -70,6 +70,15 @@ class Playback {
   [[nodiscard]] std::optional<WantedStrokes> take_drawn_strokes() {
     return std::exchange(drawn_strokes_, std::nullopt);
   }
+  /// The scene of `from`'s file at another time, with edits; without: as the file has it. Only
+  /// where `available`. Any thread.
+  [[nodiscard]] static Result<std::shared_ptr<const RenderScene>> scene_at(
+      const RenderScene& from, const std::optional<ClipTime>& time,
+      const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
+      Ground ground);
+  /// The edits of lights and materials that `scene_at` is to keep; none where there are none.
+  [[nodiscard]] std::optional<std::vector<Light>> edited_lights() const;
+  [[nodiscard]] std::optional<MaterialDfrs> edited_dfrs() const;
   /// Whether the scene is not at the wanted time yet.
   [[nodiscard]] bool posing() const;
   /// What a pose took last, in seconds: posing, and making ready to render.

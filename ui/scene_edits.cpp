@@ -39,11 +39,14 @@ void SceneEdits::reset() {
 
 std::vector<EditedLight>& SceneEdits::edit_lights() {
   ++now_.look.lights_revision;
+  now_.lights_edited = true;
   return now_.look.lights;
 }
 
 void SceneEdits::reset_lights() {
-  if (scene_) edit_lights() = lights_to_edit(lights_under(*scene_, now_.settings.sky.get()));
+  if (!scene_) return;
+  edit_lights() = lights_to_edit(lights_under(*scene_, now_.settings.sky.get()));
+  now_.lights_edited = false;
 }
 
 void SceneEdits::set_sky(std::shared_ptr<const Sky> sky) {
@@ -73,15 +76,19 @@ void SceneEdits::turn_surroundings(double by_rad) {
 
 MaterialDfrs& SceneEdits::edit_dfrs() {
   ++now_.look.dfrs_revision;
+  now_.dfrs_edited = true;
   return now_.look.dfrs;
 }
 
 void SceneEdits::reset_dfrs() {
-  if (scene_) edit_dfrs() = dfrs_without_ground(scene_->world());
+  if (!scene_) return;
+  edit_dfrs() = dfrs_without_ground(scene_->world());
+  now_.dfrs_edited = false;
 }
 
 void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
   edit_lights() = lights_to_edit(scene_->own_lighting->lights);
+  now_.lights_edited = false;
   reset_dfrs();
   relighter_.start_from(now_.look);
   if (!picture) {
@@ -111,6 +118,8 @@ void SceneEdits::restore(const State& state) {
   sky_chosen_ = now_.settings.sky != first_settings_.sky;
   if (now_.look.lights_revision != state.look.lights_revision) edit_lights() = state.look.lights;
   if (now_.look.dfrs_revision != state.look.dfrs_revision) edit_dfrs() = state.look.dfrs;
+  now_.lights_edited = state.lights_edited;
+  now_.dfrs_edited = state.dfrs_edited;
 }
 
 void SceneEdits::set_all_but_size(RenderSettings settings) {

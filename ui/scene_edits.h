@@ -67,6 +67,8 @@ class SceneEdits {
   struct State {
     RenderSettings settings;
     SceneLook look;
+    bool lights_edited = false;  ///< else they are those of the scene or of its sky
+    bool dfrs_edited = false;
   };
   [[nodiscard]] const State& state() const { return now_; }
   /// Whether this is the state; the picture's size, which is the window's, does not count.

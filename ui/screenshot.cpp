@@ -67,6 +67,14 @@ std::string free_stem(const std::filesystem::path& folder, const std::string& na
   }
 }
 
+std::string free_scene_path(const std::filesystem::path& folder, const std::string& name) {
+  for (int number = 1;; ++number) {
+    const std::string path = (folder / fmt::format("{}-{:03}.glb", name, number)).string();
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return path;
+  }
+}
+
 Result<std::string> save_screenshot(const RgbImage& image, const std::filesystem::path& folder,
                                     const std::string& name) {
   const std::string path = free_stem(folder, name) + ".png";

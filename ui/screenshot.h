@@ -22,6 +22,10 @@ struct DisplaySettings;
 /// FOLDER/NAME-001, or the next number that no picture has.
 [[nodiscard]] std::string free_stem(const std::filesystem::path& folder, const std::string& name);
 
+/// FOLDER/NAME-001.glb, or the next number that no file has.
+[[nodiscard]] std::string free_scene_path(const std::filesystem::path& folder,
+                                          const std::string& name);
+
 /// The metadata of a saved picture: how it can be made again, time and statistics. Only with a
 /// picture.
 [[nodiscard]] ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& display);

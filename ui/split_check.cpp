@@ -152,7 +152,10 @@ void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm, b
   const bool ready = wanted && splits && previewer.scene() && render.progress().finished &&
                      !previewer.seconds_to_update(0.0);
   current_ = ready && subject_ == subject;
-  if (!ready) findings_.reset();
+  if (!ready) {
+    findings_.reset();
+    subject_.reset();  // what was stopped begins again
+  }
   if ((!current_ || held) && job_.busy()) {
     cut_short_ |= current_ && !job_.stopping();
     job_.stop();

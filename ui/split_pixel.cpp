@@ -24,6 +24,7 @@ bool bounded(SplitCause cause) {
 // Shadows and mirrors have pyrays of their own: what bounds an object splits the pixel itself, and
 // what is not resolved at MAX has split it all the way.
 int rank_of(const Film& film, std::size_t i) {
+  if (!film.unfinished.empty() && film.unfinished[i] != 0) return 0;
   const SplitCause cause = film.cause[i];
   if (film.split_level[i] == 0 && !bounded(cause)) return 0;
   const int sort = cause == SplitCause::depth_limit ? 2 : (bounded(cause) ? 1 : 0);
@@ -41,6 +42,29 @@ int contrast_around(const Film& film, glm::ivec2 pixel) {
     }
   }
   return brightest - darkest;
+}
+
+int apart(glm::u8vec3 a, glm::u8vec3 b) {
+  const glm::ivec3 d = glm::abs(glm::ivec3(a) - glm::ivec3(b));
+  return std::max({d.x, d.y, d.z});
+}
+
+// How far apart the colours on both sides of a pixel are, in steps that one sees; 0 where that is
+// little, or where a side is no plain colour.
+int clearness(const Film& film, const std::vector<glm::u8vec3>& shown, glm::ivec2 pixel) {
+  constexpr int least = 64, most = 128, step = 32, plain = 12;  // bytes
+  int clearest = 0;
+  for (const glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1), {1, -1}}) {
+    const auto at = [&](int n) {
+      const glm::ivec2 p = pixel + n * way;
+      return shown[film.index(p.x, p.y)];
+    };
+    if (apart(at(-2), at(-1)) > plain || apart(at(1), at(2)) > plain) continue;
+    const int across = apart(at(-1), at(1));
+    const bool between = apart(at(0), at(-1)) > plain && apart(at(0), at(1)) > plain;
+    if (across >= least && between) clearest = std::max(clearest, std::min(across, most) / step);
+  }
+  return clearest;
 }
 
 struct Candidate {
@@ -102,6 +126,28 @@ double interest(const PixelTrace& trace) {
 }
 
 }  // namespace
+
+std::optional<glm::ivec2> clear_edge_pixel(const Film& film, const DisplayTransform& display) {
+  constexpr int reach = 2;
+  if (film.width <= 2 * reach || film.height <= 2 * reach) return std::nullopt;
+  std::vector<glm::u8vec3> shown(film.radiance.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = display_bytes(film, i, display);
+  std::optional<glm::ivec2> best;
+  int clearest = 0;
+  double nearest = 0.0;
+  const glm::dvec2 middle = 0.5 * glm::dvec2(film.width, film.height);
+  for (int y = reach; y < film.height - reach; ++y) {
+    for (int x = reach; x < film.width - reach; ++x) {
+      const int clear = clearness(film, shown, {x, y});
+      const double away = glm::distance(glm::dvec2(x + 0.5, y + 0.5), middle);
+      if (clear == 0 || clear < clearest || (clear == clearest && away >= nearest)) continue;
+      best = glm::ivec2(x, y);
+      clearest = clear;
+      nearest = away;
+    }
+  }
+  return best;
+}
 
 std::optional<glm::ivec2> most_split_pixel(const Film& film) {
   std::optional<glm::ivec2> best;

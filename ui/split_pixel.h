@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/film.h"
+#include "renderer/film/tone.h"
 #include "renderer/session/render_session.h"
 #include "ui/latest_job.h"
 
@@ -16,9 +17,14 @@ namespace asos {
 
 class Previewer;
 
-/// Of the pixels that were split deepest the one nearest to the middle, and rather such as the
-/// bounds of objects split; none: nothing was split.
+/// Of the final pixels that were split deepest the one nearest to the middle, and rather such as
+/// the bounds of objects split; none: nothing was split.
 [[nodiscard]] std::optional<glm::ivec2> most_split_pixel(const Film& film);
+
+/// Returns a pixel on an edge between two clearly different colours, each of which fills the two
+/// pixels next to it; of those the one nearest to the middle. None: there is no such edge.
+[[nodiscard]] std::optional<glm::ivec2> clear_edge_pixel(const Film& film,
+                                                         const DisplayTransform& display);
 
 /// Looks in the background for a pixel of the finished picture on which one sees what splitting is.
 /// Edges that cut a pixel cleanly split none, and few pixels are left: of many from all over the

@@ -1,17 +1,20 @@
 #include "ui/tour.h"
 
+#include "ui/previewer.h"
 #include "ui/ui_state.h"
+
+#include <utility>
 
 namespace asos {
 
 namespace {
 
-// The picture as a card needs it, whatever the card before it has left.
+// Shows the picture as a card needs it, whatever the card before it has left.
 void act(UiState& state, double now_seconds) {
   Tour& tour = state.tour;
   tour.since_seconds = now_seconds;
-  state.display.show_split_map = tour.before.show_split_map;
-  state.display.split_colours = tour.before.colours;
+  state.display.show_split_map = tour.before.display.show_split_map;
+  state.display.split_colours = tour.before.display.split_colours;
   state.picked = tour.before.picked;
   state.picked_pyray = -1;
   state.shown_level.reset();
@@ -31,40 +34,89 @@ void act(UiState& state, double now_seconds) {
   }
 }
 
+void restore(const RenderSettings& before, RenderSettings& settings) {
+  RenderSettings back = before;
+  back.width = settings.width;
+  back.height = settings.height;
+  back.threads = settings.threads;
+  back.sky = settings.sky;
+  back.background = settings.background;
+  back.ground = settings.ground;
+  settings = std::move(back);
+}
+
 }  // namespace
 
-void start_tour(UiState& state, double now_seconds) {
-  end_tour(state);
+void start_tour(UiState& state, const Previewer& previewer, double now_seconds) {
   Tour& tour = state.tour;
   tour.seen = true;
   tour.pixel.reset();
-  tour.before = {state.display.show_split_map, state.display.split_colours, state.picked,
-                 state.frames.comparison};
-  show_card(state, 0, now_seconds);
+  tour.chosen.reset();
+  // A replayed tour still restores the settings from before its first card.
+  if (!tour.card)
+    tour.before = {previewer.edits().settings(), state.display, state.picked,
+                   state.frames.comparison, state.frames.chosen};
+  tour.card = Tour::Card::pyray;
+  act(state, now_seconds);
 }
 
-void show_card(UiState& state, int card, double now_seconds) {
+void show_card(UiState& state, Previewer& previewer, int card, double now_seconds) {
   if (card < 0 || card >= Tour::cards) {
-    end_tour(state);
+    end_tour(state, previewer);
     return;
   }
   state.tour.card = static_cast<Tour::Card>(card);
   act(state, now_seconds);
 }
 
-void end_tour(UiState& state) {
+void switch_scene(UiState& state, const Previewer& previewer) {
+  if (!previewer.scene()) return;
+  Tour& tour = state.tour;
+  const std::string shown = previewer.scene()->geometry->source;
+  if (shown != tour_scene) {
+    tour.own_source = shown;
+    state.opening = {tour_scene};
+  } else if (!tour.own_source.empty()) {
+    state.opening = {std::exchange(tour.own_source, {})};
+  }
+}
+
+void end_tour(UiState& state, Previewer& previewer) {
   Tour& tour = state.tour;
   if (!tour.card) return;
+  if (previewer.scene() && previewer.scene()->geometry->source == tour_scene &&
+      !tour.own_source.empty())
+    state.opening = {tour.own_source};
+  tour.own_source.clear();
   tour.card = Tour::Card::pyray;  // which shows nothing
   act(state, 0.0);
   tour.card.reset();
-  // Nobody is asked about a frame that he did not store.
+  state.display = tour.before.display;
+  restore(tour.before.settings, previewer.edits().settings());
+  // Nobody is asked about a snapshot that they did not keep.
   Frames& frames = state.frames;
   for (std::size_t i = frames.stored.size(); i-- > 0;)
     if (frames.stored[i].name == tour.rival) frames.remove(static_cast<int>(i));
   tour.rival.clear();
   tour.frames_when_asked.reset();
-  frames.comparison = tour.before.comparison;
+  frames.comparison = frames.stored.empty() ? Comparison::none : tour.before.comparison;
+  if (tour.before.chosen < static_cast<int>(frames.stored.size()))
+    frames.chosen = tour.before.chosen;
+}
+
+DisplaySettings display_without_card(const UiState& state) {
+  DisplaySettings display = state.display;
+  if (!state.tour.card) return display;
+  display.show_split_map = state.tour.before.display.show_split_map;
+  display.split_colours = state.tour.before.display.split_colours;
+  return display;
+}
+
+DisplaySettings display_with_card(const UiState& state, DisplaySettings display) {
+  if (!state.tour.card) return display;
+  display.show_split_map = state.display.show_split_map;
+  display.split_colours = state.display.split_colours;
+  return display;
 }
 
 }  // namespace asos

@@ -6,10 +6,12 @@
 #include "ui/panels/equal_time_panel.h"
 #include "ui/panels/file_browser.h"
 #include "ui/panels/lens_panel.h"
+#include "ui/panels/open_question.h"
 #include "ui/panels/outline_panel.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/quit_dialog.h"
 #include "ui/panels/reflections_panel.h"
+#include "ui/panels/save_scene_dialog.h"
 #include "ui/panels/sky_panel.h"
 #include "ui/panels/study_panel.h"
 #include "ui/picture_view.h"
@@ -61,8 +63,11 @@ struct UiState {
   bool show_open = false;
   FileBrowser browser;
   bool screenshot_requested = false;
+  bool copy_requested = false;  ///< of the picture as it is shown, to the clipboard
+  SaveSceneChoice save_scene;
   SaveChoice save;
   QuitChoice leaving;
+  OpenChoice opening;
   bool tour_asked = false;      ///< to be begun, or begun again
   bool popup_was_open = false;  ///< in the frame before: Escape closes that, and nothing else
   bool forget = false;          ///< go back to how the window was at first

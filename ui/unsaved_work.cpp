@@ -25,13 +25,25 @@ void UnsavedWork::note_saved(const Previewer& previewer) {
   saved_ = edits_of(previewer);
 }
 
-std::vector<std::string> UnsavedWork::lines(const Previewer& previewer, const Frames& frames,
-                                            const PictureJob& saving) const {
+void UnsavedWork::note_exported(const Previewer& previewer) {
+  const Edits now = edits_of(previewer);
+  saved_.lights = now.lights;
+  saved_.dfrs = now.dfrs;
+}
+
+std::vector<std::string> UnsavedWork::edits(const Previewer& previewer) const {
   std::vector<std::string> lines;
   const Edits now = edits_of(previewer);
-  if (now.lights != saved_.lights) lines.emplace_back("Edited lights");
-  if (now.dfrs != saved_.dfrs) lines.emplace_back("DFR edits");
-  if (now.sky != saved_.sky) lines.emplace_back("Chosen sky");
+  const SceneEdits::State& state = previewer.edits().state();
+  if (state.lights_edited && now.lights != saved_.lights) lines.emplace_back("Edited lights");
+  if (state.dfrs_edited && now.dfrs != saved_.dfrs) lines.emplace_back("DFR edits");
+  return lines;
+}
+
+std::vector<std::string> UnsavedWork::lines(const Previewer& previewer, const Frames& frames,
+                                            const PictureJob& saving) const {
+  std::vector<std::string> lines = edits(previewer);
+  if (edits_of(previewer).sky != saved_.sky) lines.emplace_back("Chosen sky");
   if (const std::size_t count = frames.stored.size(); count > 0)
     lines.push_back(count == 1 ? std::string("1 snapshot") : fmt::format("{} snapshots", count));
   if (const auto state = saving.state())

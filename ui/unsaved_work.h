@@ -18,8 +18,12 @@ class UnsavedWork {
   void update(const Previewer& previewer);
   /// A picture was saved, with the edits as they are.
   void note_saved(const Previewer& previewer);
+  /// The scene was saved with its lights and DFRs.
+  void note_exported(const Previewer& previewer);
 
-  /// What would be lost, a line each; empty: nothing.
+  /// The edits that end with the scene, a line each; empty: none.
+  [[nodiscard]] std::vector<std::string> edits(const Previewer& previewer) const;
+  /// What would be lost if the window closed, a line each; empty: nothing.
   [[nodiscard]] std::vector<std::string> lines(const Previewer& previewer, const Frames& frames,
                                                const PictureJob& saving) const;
 

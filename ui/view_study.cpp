@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -27,14 +28,14 @@ class ViewStudy::Work {
   Work(Subject subject, std::vector<Job> jobs)
       : subject_(std::move(subject)), jobs_(std::move(jobs)) {
     state_.phase = Phase::running;
-    state_.points = static_cast<std::size_t>(std::count_if(
-        jobs_.begin(), jobs_.end(), [](const Job& job) { return may_be_given_up(job.kind); }));
+    state_.points = points_of(jobs_);
     study_.scene = subject_.plan.scenes.front();
   }
 
   /// On the thread.
   void run(const std::stop_token& stop) {
-    const bool measured = run_pass(0, stop) && run_points(stop) && watch_renders(stop);
+    const bool measured =
+        fit_into_time(stop) && run_pass(0, stop) && run_points(stop) && watch_renders(stop);
     for (int pass = 1; measured && !quiet_ && pass < reference_passes; ++pass)
       if (!run_pass(pass, stop)) break;
     const std::lock_guard lock(mutex_);
@@ -61,6 +62,42 @@ class ViewStudy::Work {
   [[nodiscard]] const RenderScene* scene() const { return subject_.scene.get(); }
 
  private:
+  static std::size_t points_of(const std::vector<Job>& jobs) {
+    return static_cast<std::size_t>(std::count_if(
+        jobs.begin(), jobs.end(), [](const Job& job) { return may_be_given_up(job.kind); }));
+  }
+  /// Returns the remaining time in seconds.
+  [[nodiscard]] double seconds_left() const {
+    return subject_.seconds ? *subject_.seconds - spent_seconds_
+                            : std::numeric_limits<double>::infinity();
+  }
+
+  /// Measures the cost of a sample, and chooses the size by it. False on a stop.
+  bool fit_into_time(const std::stop_token& stop) {
+    if (!subject_.seconds) return true;
+    Job probe;
+    for (const Job& job : jobs_)
+      if (job.kind == JobKind::reference) probe = job;
+    constexpr int samples = 4, reduction = 4;
+    RenderSettings& settings = probe.rung.settings;
+    settings.sampling.spp = samples;
+    settings.width = std::max(1, settings.width / reduction);
+    settings.height = std::max(1, settings.height / reduction);
+    // Costlier scenes count as if they took all of this.
+    const double longest = 0.05 * *subject_.seconds;
+    const auto rendered = render(probe, longest, stop);
+    if (stop.stop_requested()) return false;
+    const double taken = rendered ? rendered->wall_seconds : longest;
+    const double pixels = static_cast<double>(settings.width) * settings.height;
+    subject_.plan = plan_in_time(subject_.plan, taken / (pixels * samples), *subject_.seconds);
+    auto jobs = make_jobs(subject_.plan);
+    if (!jobs) return false;
+    jobs_ = *std::move(jobs);
+    const std::lock_guard lock(mutex_);
+    state_.points = points_of(jobs_);
+    return true;
+  }
+
   /// Waits until nothing disturbs; says then how often something has. Nothing on a stop.
   std::optional<std::uint64_t> wait_for_calm(const Job& job, const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
@@ -82,7 +119,11 @@ class ViewStudy::Work {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         return stop.stop_requested() || disturbances_ != *before || passed.count() > seconds;
       });
-      if (disturbances_ == *before) return outcome;
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+      if (disturbances_ == *before) {
+        spent_seconds_ += took.count();
+        return outcome;
+      }
     }
     return Outcome{};
   }
@@ -99,8 +140,9 @@ class ViewStudy::Work {
     std::vector<Film> halves;
     for (const Job& job : jobs_) {
       if (job.kind != JobKind::reference || job.pass != pass) continue;
-      const double left = pass == 0 ? std::numeric_limits<double>::infinity()
-                                    : subject_.plan.budget_seconds - reference_seconds_;
+      const double left =
+          pass == 0 ? std::numeric_limits<double>::infinity()
+                    : std::min(subject_.plan.budget_seconds - reference_seconds_, seconds_left());
       if (left <= 0.0) return false;
       auto rendered = render(job, left, stop);
       if (!rendered) return false;
@@ -122,8 +164,9 @@ class ViewStudy::Work {
     GivenUp given_up;
     for (const Job& job : jobs_) {
       if (job.kind != JobKind::point) continue;
+      const double longest = std::min(subject_.plan.longest_seconds, seconds_left());
       auto rendered =
-          given_up.holds(job) ? std::nullopt : render(job, subject_.plan.longest_seconds, stop);
+          given_up.holds(job) || longest <= 0.0 ? std::nullopt : render(job, longest, stop);
       if (stop.stop_requested()) return false;
       if (rendered) {
         add(job.rung, *std::move(rendered));
@@ -138,8 +181,13 @@ class ViewStudy::Work {
   bool watch_renders(const std::stop_token& stop) {
     for (const Job& job : jobs_) {
       if (job.kind != JobKind::progress) continue;
-      WatchedRender watched = undisturbed(
-          job, subject_.plan.longest_seconds, stop, [&](const std::function<bool()>& ends) {
+      const double longest = std::min(subject_.plan.longest_seconds, seconds_left());
+      if (longest <= 0.0) {
+        publish(1);
+        continue;
+      }
+      WatchedRender watched =
+          undisturbed(job, longest, stop, [&](const std::function<bool()>& ends) {
             return watch_render({subject_.scene, subject_.camera, job.rung.settings, true},
                                 study_factor, ends);
           });
@@ -194,10 +242,10 @@ class ViewStudy::Work {
     state_.quiet = quiet_;
   }
 
-  const Subject subject_;
-  const std::vector<Job> jobs_;
-
-  // The thread's own
+  // The thread's own; before it runs, of the one that makes it. The scene never changes.
+  Subject subject_;
+  std::vector<Job> jobs_;
+  double spent_seconds_ = 0.0;  // of the clock, without pauses
   Reference reference_;
   Film reference_film_;
   double reference_seconds_ = 0.0;
@@ -212,6 +260,34 @@ class ViewStudy::Work {
   std::atomic<std::uint64_t> disturbances_ = 0;  // changed under the mutex
   State state_;
 };
+
+StudyPlan ViewStudy::plan_in_time(StudyPlan plan, double sample_seconds, double seconds) {
+  // Methods that take no counted samples, and ASOS: so many for each of their settings.
+  constexpr int uncounted = 24;
+  double samples = 2.0 * reference_samples(0);
+  for (const std::string& method : plan.methods) {
+    const auto rungs = ladder_of(method, {});
+    if (!rungs) continue;
+    for (const Rung& rung : *rungs) {
+      const bool counted = row_of(rung.settings.method).samples != SampleCount::none;
+      samples += counted ? rung.settings.sampling.spp : uncounted;
+    }
+  }
+  constexpr double part = 0.5;  // the rest: renders that are watched, and the reference
+  constexpr int smallest = 32;  // pixels
+  const double pixels = part * seconds / std::max(1e-12, sample_seconds * samples);
+  const double fits =
+      std::sqrt(pixels / (static_cast<double>(plan.width) * static_cast<double>(plan.height)));
+  const auto side = [&](int whole) {
+    return std::clamp(static_cast<int>(fits * whole), std::min(smallest, whole), whole);
+  };
+  plan.width = side(plan.width);
+  plan.height = side(plan.height);
+  plan.repetitions = 1;
+  plan.budget_seconds = seconds;
+  plan.longest_seconds = 0.25 * seconds;
+  return plan;
+}
 
 Result<void> ViewStudy::start(const Subject& subject) {
   if (busy()) return unexpected(Error{"study", "the previous measurement is still running"});

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -27,6 +28,10 @@ class ViewStudy {
     std::shared_ptr<const RenderScene> scene;
     Camera camera;  ///< relative to scene->world().origin
     StudyPlan plan;
+    /// Wall-clock seconds of the whole study, without pauses; none: unlimited. With a limit the
+    /// plan's size is the largest; `plan_in_time` chooses the size after measuring the scene's
+    /// cost.
+    std::optional<double> seconds = std::nullopt;
   };
 
   enum class Phase { none, running, stopped, finished };
@@ -40,6 +45,11 @@ class ViewStudy {
     bool quiet = false;  ///< the reference's noise is a quarter of the smallest error, or less
     SceneStudy study;    ///< the points run so far; of the measures, RMSE alone
   };
+
+  /// Chooses size and repetitions so that the first reference and all settings take about half of
+  /// `seconds`. `sample_seconds`: time per sample. More reference passes take the rest.
+  [[nodiscard]] static StudyPlan plan_in_time(StudyPlan plan, double sample_seconds,
+                                              double seconds);
 
   /// Begins anew. Errors, which leave everything as it was: no scene, a plan that `make_jobs`
   /// refuses, a method that cannot render the scene, a study that has not yet ended.

@@ -53,19 +53,20 @@ constexpr std::pair<int, Key> named_keys[] = {
     {GLFW_KEY_KP_ADD, Key::plus},
     {GLFW_KEY_KP_SUBTRACT, Key::minus},
     {GLFW_KEY_KP_0, Key::zero},
-    {GLFW_KEY_KP_1, Key::one},
-    {GLFW_KEY_KP_3, Key::three},
-    {GLFW_KEY_KP_5, Key::five},
-    {GLFW_KEY_KP_7, Key::seven},
+    {GLFW_KEY_KP_1, Key::pad_one},
+    {GLFW_KEY_KP_3, Key::pad_three},
+    {GLFW_KEY_KP_5, Key::pad_five},
+    {GLFW_KEY_KP_7, Key::pad_seven},
 };
 
 constexpr std::pair<std::string_view, Key> printed_keys[] = {
-    {"a", Key::a},    {"b", Key::b},     {"h", Key::h},        {"i", Key::i},     {"k", Key::k},
-    {"l", Key::l},    {"n", Key::n},     {"u", Key::u},        {"c", Key::c},     {"d", Key::d},
-    {"e", Key::e},    {"f", Key::f},     {"m", Key::m},        {"o", Key::o},     {"p", Key::p},
-    {"q", Key::q},    {"r", Key::r},     {"s", Key::s},        {"t", Key::t},     {"v", Key::v},
-    {"w", Key::w},    {"x", Key::x},     {"y", Key::y},        {"z", Key::z},     {"0", Key::zero},
-    {"1", Key::one},  {"3", Key::three}, {"5", Key::five},     {"7", Key::seven}, {"+", Key::plus},
+    {"a", Key::a},    {"b", Key::b},     {"c", Key::c},        {"d", Key::d},    {"e", Key::e},
+    {"f", Key::f},    {"h", Key::h},     {"i", Key::i},        {"k", Key::k},    {"l", Key::l},
+    {"m", Key::m},    {"n", Key::n},     {"o", Key::o},        {"p", Key::p},    {"q", Key::q},
+    {"r", Key::r},    {"s", Key::s},     {"t", Key::t},        {"u", Key::u},    {"v", Key::v},
+    {"w", Key::w},    {"x", Key::x},     {"y", Key::y},        {"z", Key::z},    {"0", Key::zero},
+    {"1", Key::one},  {"2", Key::two},   {"3", Key::three},    {"4", Key::four}, {"5", Key::five},
+    {"6", Key::six},  {"7", Key::seven}, {"8", Key::eight},    {"9", Key::nine}, {"+", Key::plus},
     {"=", Key::plus}, {"-", Key::minus}, {"?", Key::question},
 };
 

@@ -102,7 +102,7 @@ void WindowContent::draw(const FrameInput& in) {
   lay_out(in);
   ImGui::Render();
 
-  history_.update(previewer_, state_.display, ImGui::IsAnyMouseDown(), in.time_seconds);
+  keep_history(in.time_seconds);
   forecast_.follow(previewer_);
   // Changes by the widgets take effect in this frame, before it is shown.
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
@@ -124,6 +124,16 @@ void WindowContent::draw(const FrameInput& in) {
   keep_saving();
   present(in);
   save_window(in);
+}
+
+// Cards of the tour make no undo steps. All edits during the tour are one step.
+void WindowContent::keep_history(double now_seconds) {
+  const bool touring = state_.tour.card.has_value();
+  const DisplaySettings display = display_without_card(state_);
+  if (touring && !history_.grouped()) history_.begin_group(previewer_, display);
+  if (!touring && touring_) history_.end_group(previewer_, display);
+  touring_ = touring;
+  history_.update(previewer_, display, ImGui::IsAnyMouseDown(), now_seconds);
 }
 
 // Takes over the results of other threads.
@@ -165,6 +175,8 @@ void WindowContent::lay_out(const FrameInput& in) {
   const glm::vec2 window(in.window_size);
   const float em = ImGui::GetFontSize();
   layout_ = WindowLayout::of(window, em, state_.show_panel, state_.look.show_bar);
+  if (state_.tour.card && !has_room_for_tour(layout_, em))
+    layout_ = WindowLayout::of(window, em, false, false);
   const WindowRect& picture = layout_.picture;
   const glm::vec2 scale = glm::vec2(in.framebuffer_size) / window;
   const glm::ivec2 pixels(glm::round(picture.size * scale));
@@ -242,12 +254,18 @@ void WindowContent::dialogs(const WindowRect& picture) {
   if (state_.save.show && state_.save.stem.empty() && previewer_.scene())
     state_.save.stem =
         free_stem(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source));
-  save_dialog(controls_, state_.save, {film.width, film.height});
+  save_dialog(controls_, state_.save,
+              {{film.width, film.height}, clip_seconds(previewer_.playback())});
+  if (state_.save_scene.show && state_.save_scene.path.empty() && previewer_.scene())
+    state_.save_scene.path =
+        free_scene_path(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source));
+  save_scene_dialog(controls_, state_.save_scene);
   if (saving_notice(controls_, saver_.job(), picture)) say(saver_.stop());
   const bool saving = saver_.job().pending();
   if (!state_.said.empty()) say(std::exchange(state_.said, {}));
   quit_dialog(controls_, state_.leaving, unsaved_.lines(previewer_, state_.frames, saver_.job()),
               saving);
+  open_question(controls_, previewer_.scene(), state_.opening, unsaved_.edits(previewer_));
   state_.popup_was_open =
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
@@ -264,7 +282,7 @@ StoredSettings WindowContent::stored_settings() const {
   StoredSettings stored;
   stored.display = state_.display;
   stored.display.show_split_map = false;
-  if (state_.tour.card) stored.display.split_colours = state_.tour.before.colours;
+  if (state_.tour.card) stored.display.split_colours = state_.tour.before.display.split_colours;
   stored.look = state_.look;
   stored.tour_seen = state_.tour.seen;
   stored.show_panel = state_.show_panel;
@@ -299,8 +317,18 @@ void WindowContent::follow_files(double now_seconds) {
     state_.recent = std::move(stored.recent);
     state_.lights.selected = -1;
     state_.outline.selected = -1;
-    if (const auto opened = previewer_.scene().take_opened_display())
+    // The map is a question about one file; a tour's card asks it of each.
+    if (std::exchange(source_seen_, scene->geometry->source) != scene->geometry->source) {
+      state_.tour.before.display.show_split_map = false;
+      if (!state_.tour.card) state_.display.show_split_map = false;
+    }
+    if (const auto opened = previewer_.scene().take_opened_display()) {
       show_as(*opened, state_.display);
+      // At its end the tour restores the opened picture's settings.
+      if (state_.tour.card)
+        state_.tour.before = {previewer_.edits().settings(), state_.display, std::nullopt,
+                              state_.frames.comparison, state_.frames.chosen};
+    }
   }
   if (state_.watch && !previewer_.scene().loading() &&
       watch_.changed(previewer_.scene().files(), now_seconds))
@@ -309,8 +337,9 @@ void WindowContent::follow_files(double now_seconds) {
 
 void WindowContent::take_back() {
   const bool again = ImGui::GetIO().KeyShift;
-  const bool done =
-      again ? history_.redo(previewer_, state_.display) : history_.undo(previewer_, state_.display);
+  DisplaySettings display = display_without_card(state_);
+  const bool done = again ? history_.redo(previewer_, display) : history_.undo(previewer_, display);
+  state_.display = display_with_card(state_, display);
   if (!done) say(again ? "Nothing to redo" : "Nothing to undo");
 }
 
@@ -346,6 +375,8 @@ std::uint32_t WindowContent::activity() const {
                            equal_time_.pending(),
                            saver_.job().pending(),
                            saver_.job().state().has_value(),
+                           scene_export_.pending(),
+                           clipboard_.pending(),
                            previewer_.scene().loading().has_value(),
                            previewer_.scene().error().has_value(),
                            progress.running,
@@ -385,7 +416,9 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
   if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
-  if (previewer_.scene().loading() || saver_.job().pending()) also(0.1);
+  if (previewer_.scene().loading() || saver_.job().pending() || scene_export_.pending() ||
+      clipboard_.pending())
+    also(0.1);
   if (const std::optional<double> save = saver_.seconds_to_due(time_seconds_)) also(*save);
   if (previewer_.render().progress().running) also(0.25);
   if (previewer_.scene() && !previewer_.scene()->geometry->boundaries.known()) also(0.25);

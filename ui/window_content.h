@@ -11,8 +11,10 @@
 #include "ui/panels/grid_overlay.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/scroll_anchor.h"
+#include "ui/picture_clipboard.h"
 #include "ui/picture_saver.h"
 #include "ui/previewer.h"
+#include "ui/scene_export.h"
 #include "ui/shown_progress.h"
 #include "ui/split_check.h"
 #include "ui/split_forecast.h"
@@ -87,8 +89,11 @@ class WindowContent {
   void dialogs(const WindowRect& picture);
   void keep_saving();
   void save_window(const FrameInput& in);
+  void keep_exporting();
+  void keep_copying();
   [[nodiscard]] std::uint32_t activity() const;
   void take_back();
+  void keep_history(double now_seconds);
   void explain_a_pixel();
   void follow_files(double now_seconds);
   void say(std::string message);
@@ -117,14 +122,19 @@ class WindowContent {
   EqualTimeJob equal_time_;
   FileWatch watch_;
   PictureSaver saver_;
+  SceneExportJob scene_export_;
+  SceneEdits::Revisions exported_;  // the edits that it writes
+  ClipboardJob clipboard_;
   UnsavedWork unsaved_;
   int saves_noted_ = 0;
   std::uint64_t restarts_seen_ = 0;
   bool before_shown_ = false;
   DisplaySettings shown_display_;     // as the picture is shown now
   std::uint64_t surfaces_shown_ = 0;  // their revision; 0: the picture is shown
+  bool touring_ = false;              // in the frame before
   std::uint32_t shown_activity_ = 0;  // what went on when the frame was laid out
   std::uint64_t scenes_seen_ = 0;
+  std::string source_seen_;
   PixelRect picture_rect_;
   WindowLayout layout_;
   std::optional<theme::Appearance> applied_;  // that the fonts were made for

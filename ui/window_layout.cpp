@@ -39,6 +39,13 @@ WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool 
   return layout;
 }
 
+bool has_room_for_tour(const WindowLayout& layout, float em) {
+  constexpr float across_em = 44.0f, down_em = 44.0f, above_panel_em = 24.0f;
+  const glm::vec2 picture = layout.picture.size / em;
+  const bool below = layout.panel.size.y > 0.0f && layout.panel.lo.x <= layout.picture.lo.x;
+  return below ? picture.y >= above_panel_em : picture.x >= across_em || picture.y >= down_em;
+}
+
 float fitting_text_scale(float asked, float window_width) {
   // In steps, so that a window that is being resized does not make its fonts anew all the time.
   constexpr float steps = 8.0f;

@@ -21,6 +21,10 @@ struct WindowLayout {
                                        bool show_bar = false);
 };
 
+/// Whether a card of the tour and the panel about a pixel find room in the picture, side by side or
+/// one above the other, or that panel below the picture.
+[[nodiscard]] bool has_room_for_tour(const WindowLayout& layout, float em);
+
 /// The scale of text that a window of this width has room for: the one that was asked for, or less,
 /// in steps of an eighth, where the panel's texts would be cut; but no less than 1.
 [[nodiscard]] float fitting_text_scale(float asked, float window_width);

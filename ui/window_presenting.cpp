@@ -71,6 +71,42 @@ void WindowContent::keep_saving() {
   if (auto words = saver_.take_outcome()) say(*words);
   if (std::exchange(saves_noted_, saver_.saved()) != saver_.saved())
     unsaved_.note_saved(previewer_);
+  keep_exporting();
+  keep_copying();
+}
+
+void WindowContent::keep_exporting() {
+  if (std::exchange(state_.save_scene.asked, false) && previewer_.scene()) {
+    if (scene_export_.busy()) {
+      say("A scene is being saved already");
+    } else {
+      exported_ = previewer_.edits().revisions();
+      scene_export_.start(
+          [order = order_of(previewer_, std::exchange(state_.save_scene.path, {}))](
+              const std::stop_token&, const auto& tell) { tell(export_edited(order)); });
+    }
+  }
+  const auto outcome = scene_export_.take_outcome();
+  if (!outcome) return;
+  say(*outcome ? "Saved " + **outcome : "Not saved: " + outcome->error().message());
+  const SceneEdits::Revisions now = previewer_.edits().revisions();
+  if (*outcome && now.lights == exported_.lights && now.dfrs == exported_.dfrs)
+    unsaved_.note_exported(previewer_);
+}
+
+void WindowContent::keep_copying() {
+  if (std::exchange(state_.copy_requested, false)) {
+    if (!previewer_.scene() || display_.width() <= 0) {
+      say("No picture to copy yet");
+    } else if (const auto begun =
+                   copy_picture(clipboard_, {display_.width(), display_.height(),
+                                             display_.seen_rgb(state_.display), ImageText{}});
+               !begun) {
+      say("Not copied: " + begun.error().message());
+    }
+  }
+  if (const auto outcome = clipboard_.take_outcome())
+    say(*outcome ? std::string("Copied the picture") : "Not copied: " + outcome->error().message());
 }
 
 // Saves the framebuffer, once the dialog has faded from it.

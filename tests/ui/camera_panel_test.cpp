@@ -15,17 +15,17 @@ TEST_F(CameraPanelTest, LooksFromASideByKeyOrButton) {
     EXPECT_LT(glm::distance(back(), expected), 1e-12);
   };
   const glm::dvec3 pivot = rig.previewer().viewpoint().camera().pivot();
-  rig.key(Key::three);
+  rig.key(Key::pad_three);
   expect_back({1, 0, 0});
-  rig.chord(Key::ctrl, Key::three);
+  rig.chord(Key::ctrl, Key::pad_three);
   expect_back({-1, 0, 0});
-  rig.key(Key::seven);
+  rig.key(Key::pad_seven);
   expect_back({0, 1, 0});
-  rig.chord(Key::ctrl, Key::seven);
+  rig.chord(Key::ctrl, Key::pad_seven);
   expect_back({0, -1, 0});
-  rig.chord(Key::ctrl, Key::one);
+  rig.chord(Key::ctrl, Key::pad_one);
   expect_back({0, 0, -1});
-  rig.key(Key::one);
+  rig.key(Key::pad_one);
   expect_back({0, 0, 1});
   rig.click("Right");
   expect_back({1, 0, 0});
@@ -44,22 +44,22 @@ TEST_F(CameraPanelTest, FromASideTheWholeSceneIsFramedAsItWasBefore) {
   viewpoint.choose_camera(-1);
   rig.frame();
   const double all = distance();
-  rig.key(Key::three);
+  rig.key(Key::pad_three);
   const double from_the_side = distance();
   EXPECT_LT(from_the_side, 0.9 * all) << "the triangles are seen edge on";
-  rig.key(Key::one);
+  rig.key(Key::pad_one);
   EXPECT_GT(distance(), 1.1 * from_the_side);
   // But who came closer stays there.
   rig.wheel({200, 300}, 3.0f);
   const double near = distance();
-  rig.key(Key::three);
+  rig.key(Key::pad_three);
   EXPECT_NEAR(distance(), near, 1e-9 * near);
 }
 
 TEST_F(CameraPanelTest, TheLensIsChangedAndUndone) {
   const auto lens = [this] { return rig.previewer().viewpoint().camera().camera(); };
   const double fov = lens().fov_y_rad;
-  rig.key(Key::five);
+  rig.key(Key::pad_five);
   EXPECT_EQ(lens().type, Camera::Type::orthographic);
   EXPECT_TRUE(restarted());
   EXPECT_FALSE(rig.content().controls().all().contains("Field of view"));
@@ -91,7 +91,7 @@ TEST_F(CameraPanelTest, PlanesOfTheFilesCameraCanBeSwitchedOff) {
   EXPECT_FALSE(viewpoint.left_chosen()) << "it is still the file's camera";
   rig.click("Clip at planes");
   EXPECT_EQ(near(), 1.5);
-  rig.key(Key::three);
+  rig.key(Key::pad_three);
   EXPECT_EQ(near(), 1.5);
   rig.click("Frame all");
   EXPECT_EQ(near(), std::nullopt);
@@ -110,7 +110,7 @@ TEST_F(CameraPanelTest, ProjectionKeepsThePlanesPlaces) {
   };
   const double before = place();
   const double distance = viewpoint.camera().distance();
-  rig.key(Key::five);
+  rig.key(Key::pad_five);
   EXPECT_GT(viewpoint.camera().distance(), 1.1 * distance);
   EXPECT_NEAR(place(), before, 1e-12);
 }

@@ -1,7 +1,10 @@
 #include "renderer/film/split_map.h"
+#include "renderer/study/measures.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/frames.h"
+#include "ui/panels/snapshot_table.h"
 #include "ui/resampled.h"
+#include "ui/snapshot_name.h"
 
 #include <gtest/gtest.h>
 
@@ -116,18 +119,70 @@ TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
   EXPECT_TRUE(rig.content().controls().all().contains("Difference legend"));
 }
 
-TEST_F(ComparePanelTest, EightFramesAreKept) {
-  for (int i = 0; i < 9; ++i) rig.key(Key::s);
+TEST_F(ComparePanelTest, NineSnapshotsAreKept) {
+  for (int i = 0; i < 10; ++i) rig.key(Key::s);
   ASSERT_EQ(frames().stored.size(), Frames::most);
-  EXPECT_EQ(frames().stored.back().name, "H");
-  rig.click("Snapshot/C");
+  EXPECT_EQ(frames().stored.front().name, "ASOS, EPS 1/256, MAX 2");
+  EXPECT_EQ(frames().stored.back().name, "ASOS, EPS 1/256, MAX 2 (9)");
+  rig.click("Snapshot/3");
   EXPECT_EQ(frames().chosen, 2);
   rig.click("Delete snapshot");
   rig.click("Keep snapshot");
   ASSERT_EQ(frames().stored.size(), Frames::most);
-  EXPECT_EQ(frames().stored.back().name, "C") << "the letter that was free";
-  for (int i = 0; i < 9; ++i) rig.click("Delete snapshot");
+  EXPECT_EQ(frames().stored.back().name, "ASOS, EPS 1/256, MAX 2 (3)") << "the name that was free";
+  for (int i = 0; i < 10; ++i) rig.click("Delete snapshot");
   EXPECT_TRUE(frames().stored.empty());
+}
+
+TEST_F(ComparePanelTest, NumberKeysShowSnapshots) {
+  store_and_change();
+  rig.click("Keep snapshot");
+  rig.key(Key::one);
+  EXPECT_EQ(frames().chosen, 0);
+  EXPECT_TRUE(frames().flipped);
+  expect_area([&](int, std::size_t i) { return then(i); });
+  rig.key(Key::two);
+  EXPECT_EQ(frames().chosen, 1);
+  EXPECT_TRUE(frames().flipped);
+  rig.key(Key::two);
+  EXPECT_FALSE(frames().flipped);
+  expect_area([&](int, std::size_t i) { return now(i); });
+  const std::uint64_t revision = rig.previewer().viewpoint().camera().revision();
+  rig.key(Key::three);
+  rig.frame();
+  EXPECT_EQ(rig.content().state().message, "No snapshot 3 yet: press S to keep one");
+  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision) << "no view of the camera";
+}
+
+TEST_F(ComparePanelTest, ErrorsStandBesideTheNames) {
+  store_and_change();
+  rig.click("Keep snapshot");
+  for (int i = 0; i < 2; ++i) rig.frame();
+  rig.click("Snapshot/1");
+  for (int i = 0; i < 2; ++i) rig.frame();
+  ASSERT_EQ(frames().stored_rmse.size(), 2u);
+  const Film& film = rig.previewer().render().film();
+  const double rmse = root_mean_square(film, frames().stored[0].film, true);
+  EXPECT_GT(rmse, 0.0);
+  EXPECT_DOUBLE_EQ(frames().rmse, rmse);
+  EXPECT_DOUBLE_EQ(frames().stored_rmse[1], rmse) << "the same picture";
+  EXPECT_EQ(frames().stored_rmse[0], 0.0);
+  EXPECT_EQ(psnr_words(0.1), "20.0 dB");
+  EXPECT_EQ(psnr_words(0.0), "identical");
+}
+
+TEST(SnapshotName, SaysMethodAndQuality) {
+  RenderSettings settings;
+  EXPECT_EQ(snapshot_name(settings, 8.7), "ASOS, EPS 1/256");
+  settings.asos.max_level = 2;
+  settings.asos.eps = 0.125;
+  EXPECT_EQ(snapshot_name(settings, 8.7), "ASOS, EPS 1/8, MAX 2");
+  settings.method = Method::sobol;
+  settings.sampling.spp = 19;
+  EXPECT_EQ(snapshot_name(settings, 8.7), "Sobol, 19 spp, 8.7 s");
+  EXPECT_EQ(snapshot_name(settings, 93.4), "Sobol, 19 spp, 93 s");
+  settings.method = Method::whitted;
+  EXPECT_EQ(snapshot_name(settings, 0.52), "Whitted, 0.52 s");
 }
 
 TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {

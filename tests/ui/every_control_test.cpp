@@ -113,14 +113,14 @@ class EveryControlTest : public PanelsTest {
                        s.frames.scale_stops);
       case Part::study:
         return numbers(s.study.rivals.size(), s.study.budget_seconds, s.study.repetitions,
-                       s.study.reduction, rig.content().study().busy()) +
+                       s.study.reduction, s.study.automatic, rig.content().study().busy()) +
                s.study.error;
       case Part::files:
         return numbers(p.scene().times_opened(), p.scene().loading().has_value()) +
-               p.scene().asked_for();
+               p.scene().asked_for() + s.opening.wanted;
       case Part::save:
         return numbers(static_cast<int>(s.save.what), s.save.exr, s.save.size.x, s.save.size.y,
-                       s.save.show);
+                       s.save.show, s.save_scene.show, s.save.frames, s.save.fps, s.save.mp4);
       case Part::picture:
         return numbers(d.show_split_map, static_cast<int>(d.split_colours), s.show_error,
                        s.show_before, s.view.zoom(), static_cast<int>(s.frames.comparison),
@@ -289,21 +289,21 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     });
   for (int card = 0; card < Tour::cards; ++card)
     use_all("card " + std::to_string(card) + " of the tour", [&, card] {
-      start_tour(s, 0.0);
-      show_card(s, card, 0.0);
+      start_tour(s, rig.previewer(), 0.0);
+      show_card(s, rig.previewer(), card, 0.0);
       // A rival would render for a while: there is no room for its frame.
-      while (card == 4 && s.frames.store(rig.previewer().render().film(), "full")) continue;
+      while (card == 4 && s.frames.store(rig.previewer().render().film(), "full", "")) continue;
     });
   use_all("the map's card, by causes", [&] {
-    start_tour(s, 0.0);
-    show_card(s, static_cast<int>(Tour::Card::map), 0.0);
+    start_tour(s, rig.previewer(), 0.0);
+    show_card(s, rig.previewer(), static_cast<int>(Tour::Card::map), 0.0);
     s.display.split_colours = SplitMapColours::cause;
   });
   for (const bool changed : {false, true})
     for (const bool before : {false, true})
       use_all("a bar of two rows", [&, changed, before] {
         rig.resize({1100, 480});
-        s.frames.store(rig.previewer().render().film(), "one");
+        s.frames.store(rig.previewer().render().film(), "one", "");
         s.display.show_split_map = before;
         (void)rig.settle();
         if (!changed) return;
@@ -319,8 +319,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
        {Comparison::none, Comparison::wipe, Comparison::flip, Comparison::difference})
     use_all("compare", [&, comparison] {
       rig.unfold("Compare");
-      s.frames.store(rig.previewer().render().film(), "one");
-      s.frames.store(rig.previewer().render().film(), "two");
+      s.frames.store(rig.previewer().render().film(), "one", "");
+      s.frames.store(rig.previewer().render().film(), "two", "");
       s.frames.comparison = comparison;
     });
   const auto open = [&](const std::string& source) {
@@ -410,6 +410,10 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   });
   rig.click("section/Objects");
   use_all("study", [&] { rig.unfold("Error vs. time"); });
+  use_all("study, custom", [&] {
+    s.study.automatic = false;
+    rig.unfold("Error vs. time");
+  });
   use_all("other choices", [&] {
     settings().asos.leaf = LeafKind::point;
     settings().asos.rule = StoppingRule::published;
@@ -417,9 +421,10 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     settings().texture.filter = TextureFilter::point;
     s.display.tone = ToneCurve::none;
     settings().shadow.light_rule = LightRule::published;
+    s.study.automatic = false;
     s.study.reduction = 1;
-    s.frames.store(rig.previewer().render().film(), "one");
-    s.frames.store(rig.previewer().render().film(), "two");
+    s.frames.store(rig.previewer().render().film(), "one", "");
+    s.frames.store(rig.previewer().render().film(), "two", "");
     s.frames.chosen = 0;
   });
   use_all("open dialog", [&] {
@@ -438,13 +443,35 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     s.browser.folder = files_.path() / "deep";
   });
   use_all("leaving", [&] {
-    s.frames.store(rig.previewer().render().film(), "one");
+    s.frames.store(rig.previewer().render().film(), "one", "");
     s.leaving.asked = true;
   });
   use_all("save dialog", [&] {
     s.save.show = true;
     s.save.size = {64, 32};
   });
+  use_all("save dialog, turntable", [&] {
+    s.save.show = true;
+    s.save.what = SaveChoice::What::turntable;
+    // MP4 is offered where there is an ffmpeg.
+    std::filesystem::create_directories(files_.path() / "programs");
+    files_.write("programs/ffmpeg", "#!/bin/sh\n");
+    std::filesystem::permissions(files_.path() / "programs" / "ffmpeg",
+                                 std::filesystem::perms::owner_all);
+    setenv("PATH", (files_.path() / "programs").c_str(), 1);
+  });
+  use_all("save dialog, MP4", [&] {
+    s.save.show = true;
+    s.save.what = SaveChoice::What::turntable;
+    s.save.mp4 = true;
+  });
+  use_all("checked splits", [&] {
+    s.check.check = true;
+    rig.unfold("Check splits");
+    (void)rig.frames_until(
+        [&] { return rig.content().controls().all().contains("Keep reference"); });
+  });
+  use_all("save scene dialog", [&] { s.save_scene.show = true; });
   use_all("save dialog, EXR", [&] {
     s.save.show = true;
     s.save.exr = true;

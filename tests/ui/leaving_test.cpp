@@ -84,6 +84,78 @@ TEST_F(LeavingTest, EditedLightsAreAskedAbout) {
   EXPECT_TRUE(state().leaving.quit);
 }
 
+// Dropped files, the dialog, recent files and the folder's next model all come this way.
+TEST_F(LeavingTest, OpeningAnotherSceneAsksAboutEditedLights) {
+  const auto opened = [&] { return rig.previewer().scene()->geometry->source; };
+  rig.click("Add light");
+  const std::size_t lights = rig.previewer().edits().lights().size();
+  state().opening = {"grating"};
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_FALSE(rig.previewer().scene().loading().has_value());
+  ASSERT_TRUE(shown("Open"));
+  rig.click("Cancel");
+  rig.frame();
+  EXPECT_EQ(opened(), "scene");
+  EXPECT_EQ(rig.previewer().edits().lights().size(), lights);
+  state().opening = {"grating"};
+  for (int i = 0; i < 3; ++i) rig.frame();
+  rig.click("Open");
+  ASSERT_TRUE(rig.frames_until([&] { return opened() == "grating"; }));
+  ASSERT_TRUE(rig.settle());
+  state().opening = {"scene"};
+  rig.frame();
+  EXPECT_TRUE(rig.previewer().scene().loading().has_value()) << "nothing would be lost";
+}
+
+TEST_F(LeavingTest, ResetAndUndoneLightsAreNoEdit) {
+  rig.click("Add light");
+  rig.click("Reset lights");
+  rig.frame();
+  state().opening = {"grating"};
+  rig.frame();
+  EXPECT_TRUE(rig.previewer().scene().loading().has_value());
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  ASSERT_TRUE(rig.settle());
+  rig.click("Add light");
+  for (int i = 0; i < 40; ++i) rig.frame();
+  rig.chord(Key::ctrl, Key::z);
+  rig.frame();
+  state().opening = {"scene"};
+  rig.frame();
+  EXPECT_TRUE(rig.previewer().scene().loading().has_value());
+}
+
+TEST_F(LeavingTest, ReloadingAsksAboutEditedLights) {
+  rig.click("Add light");
+  rig.key(Key::r);
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_FALSE(rig.previewer().scene().loading().has_value());
+  ASSERT_TRUE(shown("Reload anyway"));
+  rig.key(Key::escape);
+  rig.frame();
+  EXPECT_FALSE(shown("Reload anyway"));
+  rig.key(Key::r);
+  for (int i = 0; i < 3; ++i) rig.frame();
+  const std::uint64_t opened = rig.previewer().scene().times_opened();
+  rig.click("Reload anyway");
+  EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+}
+
+TEST_F(LeavingTest, TheDialogAsksAboutEditedLights) {
+  rig.click("Add light");
+  rig.chord(Key::ctrl, Key::o);
+  for (int i = 0; i < 3; ++i) rig.frame();
+  rig.click("Built-in/office");
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_FALSE(rig.previewer().scene().loading().has_value());
+  EXPECT_EQ(state().opening.wanted, "builtin:office");
+  ASSERT_TRUE(shown("Open"));
+  rig.click("Cancel");
+  rig.frame();
+  EXPECT_TRUE(state().opening.wanted.empty());
+}
+
 TEST_F(LeavingTest, AskingTwiceIsMeant) {
   rig.click("Add light");
   ask();
@@ -104,7 +176,7 @@ TEST_F(LeavingTest, StoredFramesAreAskedAbout) {
   rig.key(Key::s);
   EXPECT_EQ(state().frames.stored.size(), 1u);
   rig.frame();
-  EXPECT_EQ(state().message, "Kept as snapshot A");
+  EXPECT_EQ(state().message, "Kept 1: ASOS, EPS 1/256, MAX 2");
   state().leaving.asked = true;  // the window's own button
   rig.frame();
   rig.frame();

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asos {
@@ -108,31 +109,53 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
   }
   check.update(rig.previewer(), false, 1.0 / 64.0);
   EXPECT_EQ(check.findings(), nullptr);
+  EXPECT_TRUE(checked()) << "switched on again, it checks the same picture again";
 }
 
 TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {
   settings().asos.max_level = 0;
   settings().asos.leaf = LeafKind::point;
-  state().display.tone = ToneCurve::none;  // the object stays as red as no mark is
+  state().display.tone = ToneCurve::none;  // the object is as bright a red as there is
   EXPECT_TRUE(restarted());
-  const auto reds = [&] {
-    int count = 0;
+  // How many pixels are magenta, and the brightest channel of those that are neither mark.
+  struct Seen {
+    int marks = 0;
+    int brightest = 0;
+  };
+  const auto seen = [&] {
+    Seen found;
     const std::vector<glm::u8vec3> pixels = rig.pixels();
     const PixelRect area = rig.content().picture_rect();
     for (int y = 0; y < area.height; ++y)
       for (int x = 0; x < area.width; ++x) {
         const glm::u8vec3 c = pixels[static_cast<std::size_t>(y * rig.size().x + x)];
-        count += c.x > 180 && c.y > 30 && c.y < 120 && c.z > 20 && c.z < 110;
+        const bool magenta = c == glm::u8vec3(255, 0, 255), cyan = c == glm::u8vec3(0, 255, 255);
+        found.marks += magenta;
+        if (!magenta && !cyan)
+          found.brightest = std::max({found.brightest, int{c.x}, int{c.y}, int{c.z}});
       }
-    return count;
+    return found;
   };
-  EXPECT_LT(reds(), 10);
+  EXPECT_EQ(seen().marks, 0);
+  EXPECT_GT(seen().brightest, 200);
   state().check.check = true;
-  ASSERT_TRUE(rig.frames_until([&] { return reds() > 40; })) << "along the edges";
+  ASSERT_TRUE(rig.frames_until([&] { return seen().marks > 40; })) << "along the edges";
+  EXPECT_LT(seen().brightest, 128) << "the picture is dimmed: no surface looks like a mark";
   EXPECT_FALSE(restarted()) << "looking for faults renders nothing again";
   state().check.mark_missed = false;
   rig.frame();
-  EXPECT_LT(reds(), 10);
+  EXPECT_EQ(seen().marks, 0);
+}
+
+TEST_F(SplitCheckTest, TheReferenceBecomesASnapshot) {
+  state().check.check = true;
+  rig.unfold("Check splits");
+  const auto& all = rig.content().controls().all();
+  ASSERT_TRUE(rig.frames_until([&] { return all.contains("Keep reference"); }));
+  rig.click("Keep reference");
+  ASSERT_EQ(state().frames.stored.size(), 1u);
+  EXPECT_TRUE(state().frames.stored[0].name.starts_with("Reference, "))
+      << state().frames.stored[0].name;
 }
 
 TEST_F(SplitCheckTest, AForecastComesNearToWhatIsRendered) {
@@ -175,14 +198,18 @@ TEST_F(SplitCheckTest, DraggingEpsForecastsBeforeTheRenderIsThere) {
 
 TEST_F(SplitCheckTest, ARivalGetsTheTimeItIsGiven) {
   const auto never = [] { return false; };
-  const auto frame = render_in_time(snapshot(), Method::stochastic, 0.05, never);
+  std::vector<std::string> told;
+  const auto frame = render_in_time(snapshot(), Method::stochastic, 0.05, never,
+                                    [&](const EqualTimeNews& news) { told.push_back(news.doing); });
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.front(), "1 spp") << "the first try";
   ASSERT_TRUE(frame.has_value());
   EXPECT_EQ(frame->film.width, rig.previewer().render().film().width);
-  EXPECT_NE(frame->summary.find("stochastic"), std::string::npos);
+  EXPECT_NE(frame->summary.find("Stochastic"), std::string::npos);
   EXPECT_GT(processor_seconds(frame->film), 0.0);
   const auto adaptive = render_in_time(snapshot(), Method::sobol_adaptive, 0.05, never);
   ASSERT_TRUE(adaptive.has_value());
-  EXPECT_NE(adaptive->summary.find("sobol-adaptive, EPS "), std::string::npos) << adaptive->summary;
+  EXPECT_NE(adaptive->summary.find("Adaptive Sobol, EPS "), std::string::npos) << adaptive->summary;
   EXPECT_FALSE(render_in_time(snapshot(), Method::sobol_adaptive, 0.05, [] { return true; }));
   EXPECT_FALSE(render_in_time(snapshot(), Method::sobol, 0.05, [] { return true; }).has_value());
 }
@@ -194,7 +221,7 @@ TEST_F(SplitCheckTest, TheSplitScreenShowsTheRivalAtTheRight) {
   rig.click("Render and compare");
   ASSERT_TRUE(rig.frames_until([&] { return !state().frames.stored.empty(); }));
   EXPECT_EQ(state().frames.comparison, Comparison::wipe);
-  EXPECT_NE(state().frames.stored[0].summary.find("sobol"), std::string::npos);
+  EXPECT_NE(state().frames.stored[0].summary.find("Sobol"), std::string::npos);
   EXPECT_FALSE(restarted());
 }
 

@@ -1,6 +1,8 @@
 #include "renderer/study/reference.h"
 #include "renderer/study/timed_render.h"
 #include "tests/ui/panels_fixture.h"
+#include "ui/panels/study_export.h"
+#include "ui/panels/study_marks.h"
 #include "ui/panels/study_plot.h"
 #include "ui/theme.h"
 #include "ui/view_study.h"
@@ -110,6 +112,36 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
     EXPECT_EQ(again.equal_error[i].speedup, state.study.equal_error[i].speedup);
 }
 
+// A sample of a pixel costs so much that the whole size would take far too long.
+TEST(StudyInTime, SizeFollowsFromTheScenesCost) {
+  StudyPlan plan;
+  plan.methods = {"asos", "sobol"};
+  plan.width = 1280;
+  plan.height = 640;
+  plan.repetitions = 3;
+  const StudyPlan cheap = ViewStudy::plan_in_time(plan, 1e-9, 60.0);
+  EXPECT_EQ(cheap.width, 1280);
+  const StudyPlan dear = ViewStudy::plan_in_time(plan, 1e-6, 60.0);
+  EXPECT_EQ(dear.repetitions, 1);
+  EXPECT_NEAR(dear.width, 2 * dear.height, 2);
+  // 128 samples of the reference, 341 of Sobol, and nine settings of ASOS
+  const double samples = 128 + 341 + 9 * 24;
+  EXPECT_NEAR(1e-6 * dear.width * dear.height * samples, 30.0, 1.0);
+  EXPECT_EQ(ViewStudy::plan_in_time(plan, 1.0, 60.0).width, 32) << "the least that tells anything";
+}
+
+TEST_F(ViewStudyTest, EndsInTimeWithAVerdict) {
+  ViewStudy::Subject large = endless();
+  large.seconds = 2.0;
+  ASSERT_TRUE(study.start(large).has_value());
+  ASSERT_TRUE(eventually([&] { return !study.busy(); }));
+  const ViewStudy::State state = study.state();
+  EXPECT_EQ(state.phase, ViewStudy::Phase::finished);
+  EXPECT_EQ(state.points_run, state.points) << "given up or measured";
+  ASSERT_FALSE(state.study.points.empty());
+  EXPECT_LE(state.study.points[0].rung.settings.width, 512);
+}
+
 TEST_F(ViewStudyTest, StopsAndKeepsWhatItFound) {
   ASSERT_TRUE(study.start(endless()).has_value());
   ASSERT_TRUE(eventually([&] { return study.state().points_run > 0; }));
@@ -198,6 +230,85 @@ TEST(StudyPlot, ShowsPointsByCurveAndLeavesOutWhatHasNoLogarithm) {
     EXPECT_TRUE(method == "average" || method_colour(method) != theme::plot_text) << method;
 }
 
+// CIELAB of a colour as people see it with normal sight or without one kind of cone (Machado,
+// Oliveira and Fernandes 2009, severity 1).
+glm::dvec3 lab_of(std::uint32_t rgb, const glm::dmat3& sight) {
+  const auto linear = [&](int shift) {
+    const double c = static_cast<double>(rgb >> shift & 255u) / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  const glm::dvec3 seen =
+      glm::clamp(glm::dvec3(linear(16), linear(8), linear(0)) * sight, 0.0, 1.0);
+  const glm::dmat3 to_xyz(0.4339, 0.3763, 0.1899, 0.2126, 0.7152, 0.0722, 0.0177, 0.1095, 0.8728);
+  const auto curve = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+  const glm::dvec3 xyz = seen * to_xyz;
+  const glm::dvec3 f(curve(xyz.x), curve(xyz.y), curve(xyz.z));
+  return {116.0 * f.y - 16.0, 500.0 * (f.x - f.y), 200.0 * (f.y - f.z)};
+}
+
+TEST(StudyMarks, DifferForEveryoneByColourAndShape) {
+  const glm::dmat3 sights[] = {
+      glm::dmat3(1.0),
+      {0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998},
+      {0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881},
+      {1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367,
+       0.303900}};
+  const std::vector<std::string> methods = ladder_methods();
+  ASSERT_GE(methods.size(), 10u);
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_NE(method_mark(methods[i]), method_mark(methods[j])) << methods[i] << methods[j];
+      for (const glm::dmat3& sight : sights) {
+        const glm::dvec3 a = lab_of(method_colour(methods[i]), sight);
+        const glm::dvec3 b = lab_of(method_colour(methods[j]), sight);
+        EXPECT_GT(glm::distance(a, b), 28.0) << methods[i] << ' ' << methods[j];
+      }
+    }
+  }
+}
+
+TEST(StudyMarks, NamesAreTheButtons) {
+  EXPECT_EQ(method_title("sobol-adaptive"), "Adaptive Sobol");
+  EXPECT_EQ(curve_title("whitted spheres", "whitted"), "Whitted spheres");
+  EXPECT_EQ(method_title("guessing"), "guessing");
+}
+
+SceneStudy small_study() {
+  SceneStudy study;
+  study.scene = "a, b";
+  StudyPoint point;
+  point.rung.method = point.rung.curve = "sobol";
+  point.rung.setting = "16 spp";
+  point.costs = {{0.5, 0.25, 0.0}};
+  point.measures.rmse = 0.01;
+  point.rays = 7;
+  study.points = {point};
+  study.while_rendering = {{"asos", "EPS 1/256", true, {{0.5, 0.002}}}};
+  study.floor = 0.003;
+  return study;
+}
+
+TEST(StudyExport, WritesAllPointsAsCsv) {
+  EXPECT_EQ(study_csv(small_study()),
+            "scene,picture,method,setting,cpu_seconds,rmse,below_noise_floor,noise_floor,rays\n"
+            "\"a, b\",finished,Sobol,16 spp,0.25,0.01,0,0.003,7\n"
+            "\"a, b\",while rendering,ASOS,EPS 1/256,0.5,0.002,1,0.003,\n");
+}
+
+TEST(StudyExport, DrawsThePlotAsSvg) {
+  const std::string svg = plot_svg(plot_of(small_study()), "a & b");
+  EXPECT_TRUE(svg.starts_with("<svg xmlns=")) << svg;
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  for (const char* part : {">a &amp; b<", ">Sobol<", ">noise floor<", "#2794ff", ">RMSE, linear"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+}
+
+TEST(StudyExport, SaysWhatCannotBeWritten) {
+  const auto saved = save_study_text("/no/such/folder", "fence", "csv", "text");
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().message(), "/no/such/folder/fence-study-001.csv: cannot be written");
+}
+
 TEST(StudyPlot, ShowsPicturesWhileTheyRender) {
   SceneStudy study;
   study.while_rendering = {{"asos", "MAX 4 EPS 1/256", true, {{0.01, 0.1}, {0.02, 0.0004}}},
@@ -223,8 +334,10 @@ class StudyPanelTest : public PanelsTest {
     rig.frame();
     StudyChoice& choice = rig.content().state().study;
     choice.rivals = {"average"};
+    choice.automatic = false;
     choice.budget_seconds = 1;
     choice.repetitions = 1;
+    rig.frame();
     rig.click("Resolution/1/4");
   }
   void open(const std::string& source) {

@@ -173,7 +173,7 @@ TEST_F(TourTest, NothingCoversTheWatchedPixelInANarrowWindow) {
   ASSERT_TRUE(rig.settle());
   begin();
   for (int k = 0; k < 3; ++k) rig.frame();  // the card finds its size
-  show_card(state(), 1, 0.0);
+  show_card(state(), rig.previewer(), 1, 0.0);
   ASSERT_TRUE(rig.frames_until([&] { return has("Subdivision"); }));
   ASSERT_TRUE(rig.settle());
   for (int i = 0; i < 3; ++i) rig.frame();
@@ -220,9 +220,9 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   next();
   EXPECT_FALSE(state().picked);
   EXPECT_TRUE(state().display.show_split_map);
-  const double before = settings().asos.eps;
+  const double eps = settings().asos.eps;
   slide("Tolerance (EPS)", 0.6f, 0.1f);
-  EXPECT_NE(settings().asos.eps, before);
+  EXPECT_NE(settings().asos.eps, eps);
   EXPECT_TRUE(restarted());
 
   next();
@@ -247,10 +247,11 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   rig.frame();
   EXPECT_FALSE(state().tour.card);
   ASSERT_EQ(state().frames.stored.size(), 1u) << "the rival went, so that nobody is asked about it";
-  EXPECT_EQ(state().frames.stored[0].name, "A");
+  EXPECT_TRUE(state().frames.stored[0].name.starts_with("ASOS, EPS"));
   EXPECT_EQ(state().frames.comparison, Comparison::none);
   EXPECT_FALSE(state().picked);
   EXPECT_EQ(state().display, DisplaySettings{});
+  EXPECT_EQ(settings().asos.eps, eps) << "the slider's edit, too";
   EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision);
 }
 

@@ -157,7 +157,12 @@ void Walker::save() {
   const auto what = static_cast<SaveChoice::What>(below(3));
   named("save a picture").run = [=, this, &s = *session_](WalkedWindow&) {
     SaveChoice& choice = s.content->state().save;
-    choice = {what, exr, size, folder_ + "/walk", false, true};
+    choice.what = what;
+    choice.exr = exr;
+    choice.size = size;
+    choice.stem = folder_ + "/walk";
+    choice.show = false;
+    choice.asked = true;
   };
 }
 

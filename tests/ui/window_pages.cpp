@@ -97,7 +97,7 @@ void card(UiRig& rig, int number) {
   rig.frame();
   // The first one has chosen its pixel, and maybe a better one; some pictures have none.
   (void)rig.frames_until([&] { return rig.content().state().tour.found.has_value(); }, 5.0);
-  show_card(rig.content().state(), number, 0.0);
+  show_card(rig.content().state(), rig.previewer(), number, 0.0);
   // The pixel's splitting is shown to its end.
   for (int i = 0; i < 300 && rig.content().state().shown_level; ++i) rig.frame();
 }

@@ -35,9 +35,9 @@ void side_buttons(Controls& controls, Viewpoint& viewpoint) {
     Side side;
   };
   constexpr std::array buttons{
-      Button{"Front", "View along -Z (1). From behind: Ctrl+1.", Side::front},
-      Button{"Right", "View along -X (3). From the left: Ctrl+3.", Side::right},
-      Button{"Top", "View from above (7). From below: Ctrl+7.", Side::top},
+      Button{"Front", "View along -Z (keypad 1). From behind: Ctrl+keypad 1.", Side::front},
+      Button{"Right", "View along -X (keypad 3). From the left: Ctrl+keypad 3.", Side::right},
+      Button{"Top", "View from above (keypad 7). From below: Ctrl+keypad 7.", Side::top},
   };
   const float gaps = 2.0f * ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gaps) / 3.0f;
@@ -48,8 +48,8 @@ void side_buttons(Controls& controls, Viewpoint& viewpoint) {
 }
 
 constexpr std::array projections{
-    Controls::Option{"Perspective", "Distant objects look smaller (5)."},
-    Controls::Option{"Orthographic", "Distant objects keep their size (5)."},
+    Controls::Option{"Perspective", "Distant objects look smaller (keypad 5)."},
+    Controls::Option{"Orthographic", "Distant objects keep their size (keypad 5)."},
 };
 
 void lens_controls(Controls& controls, OrbitCamera& camera) {

@@ -2,6 +2,7 @@
 
 #include "renderer/comparison/method.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/snapshot_table.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -15,8 +16,10 @@ namespace asos {
 
 namespace {
 
-constexpr std::uint32_t missed_rgb = 0xff3b2f;
-constexpr std::uint32_t wasted_rgb = 0x35a7ff;
+// The picture under the marks is so dark that no pixel of it can have their colours.
+constexpr std::uint32_t missed_rgb = 0xff00ff;
+constexpr std::uint32_t wasted_rgb = 0x00ffff;
+constexpr float dimming = 0.65f;
 constexpr std::size_t most_runs = 12'000;  // that are drawn
 
 std::string alarm_words(double alarm) {
@@ -38,7 +41,8 @@ void finding_rows(Controls& controls, const SplitFindings* found, const Film& fi
         film.radiance.size() - std::min(found->split_pixels, film.radiance.size());
     missed = share_of(found->missed_pixels, whole);
     wasted = share_of(found->wasted_pixels, found->split_pixels);
-    rmse = fmt::format("{:.2g}, noise {:.2g}", found->rmse, found->noise);
+    rmse = fmt::format("{:.2g} ({}), noise {:.2g}", found->rmse, psnr_words(found->rmse),
+                       found->noise);
   }
   controls.row("Missed splits", missed,
                "Unsplit pixels with an error above the threshold and the reference's noise. "
@@ -66,7 +70,7 @@ void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const Pictu
     const glm::vec2 end = area.rect.lo + area.rect.size;
     if (hi.x < area.rect.lo.x || hi.y < area.rect.lo.y || lo.x > end.x || lo.y > end.y) continue;
     if (++drawn > most_runs) return;
-    draw.AddRectFilled(lo, hi, theme::packed(rgb, large ? 0.25f : 0.85f));
+    draw.AddRectFilled(lo, hi, theme::packed(rgb, large ? 0.35f : 1.0f));
     if (large) draw.AddRect(lo, hi, theme::packed(rgb));
   }
 }
@@ -74,7 +78,7 @@ void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const Pictu
 }  // namespace
 
 void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
-                 const SplitCheck& check) {
+                 const SplitCheck& check, Frames& frames) {
   if (!previewer.scene() || !in_object_space(previewer.edits().settings().method) ||
       !controls.section("Check splits", false))
     return;
@@ -88,9 +92,9 @@ void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& ch
       "Threshold",
       "Error above which an unsplit pixel is marked, 0 to 1. Ctrl+click to type a value.",
       choice.alarm, {0.0, 1.0, usual.alarm}, alarm_words);
-  controls.checkbox("Show missed", "Red: not split, but visibly different from the reference.",
+  controls.checkbox("Show missed", "Magenta: not split, but visibly different from the reference.",
                     choice.mark_missed, usual.mark_missed);
-  controls.checkbox("Show unneeded", "Blue: split, but one sample would suffice.",
+  controls.checkbox("Show unneeded", "Cyan: split, but one sample would suffice.",
                     choice.mark_wasted, usual.mark_wasted);
   const SplitFindings* found = check.findings();
   std::string words = "(when finished)";
@@ -100,11 +104,21 @@ void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& ch
                         check.busy() ? ", continuing" : "");
   controls.row("Reference", words, "Samples per pixel of the reference.");
   finding_rows(controls, found, previewer.render().film());
+  if (found && frames.stored.size() < Frames::most &&
+      controls.button("Keep reference", "Keep the reference as a snapshot, to measure others by.",
+                      -1.0f))
+    frames.store(*found->reference,
+                 fmt::format("Reference, {} spp", found->passes * SplitCheck::samples_each),
+                 "Sobol samples of this view");
 }
 
 void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,
                  const PictureArea& area) {
   if (!findings || !choice.check || view.scale() <= 0.0f) return;
+  if (!choice.mark_missed && !choice.mark_wasted) return;
+  const glm::vec2 end = area.rect.lo + area.rect.size;
+  ImGui::GetWindowDrawList()->AddRectFilled({area.rect.lo.x, area.rect.lo.y}, {end.x, end.y},
+                                            theme::packed(0x000000, dimming));
   if (choice.mark_wasted) draw_runs(findings->wasted, wasted_rgb, view, area);
   if (choice.mark_missed) draw_runs(findings->missed, missed_rgb, view, area);
 }

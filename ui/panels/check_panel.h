@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/display_settings.h"
+#include "ui/frames.h"
 #include "ui/panels/controls.h"
 #include "ui/picture_view.h"
 #include "ui/previewer.h"
@@ -20,9 +21,9 @@ struct CheckChoice {
 
 /// Alarms about pixels that should have been split; only while ASOS renders.
 void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
-                 const SplitCheck& check);
+                 const SplitCheck& check, Frames& frames);
 
-/// The pixels in question, over the picture.
+/// Dims the picture and marks the pixels in question.
 void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,
                  const PictureArea& area);
 

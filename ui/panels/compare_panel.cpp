@@ -1,7 +1,9 @@
 #include "renderer/comparison/method.h"
 #include "renderer/film/split_map.h"
+#include "ui/equal_time.h"
 #include "ui/panels/panels.h"
-#include "ui/resampled.h"
+#include "ui/panels/snapshot_table.h"
+#include "ui/snapshot_name.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -11,7 +13,7 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace asos {
 
@@ -28,7 +30,7 @@ constexpr std::array comparisons{
 std::string summary_of(const Previewer& previewer) {
   const RenderSettings& s = previewer.render().settings();
   const Progress progress = previewer.render().progress();
-  std::string text = row_of(s.method).name;
+  std::string text = row_of(s.method).title;
   text += in_object_space(s.method) || row_of(s.method).samples_by_eps
               ? fmt::format(", EPS {:.4g}, MAX {}", s.asos.eps, s.asos.max_level)
               : fmt::format(", {} samples", s.sampling.spp);
@@ -58,42 +60,13 @@ void difference_legend(Controls& controls, const std::string& most) {
   controls.placed("Difference legend", "Black: no difference. White: the scale's maximum or more.");
 }
 
-/// Of that part of the picture which the frame shows, too; `sized`: the frame at its size.
-double common_rmse(const Film& film, const Film& frame, const Film& sized) {
-  const PixelRect area = resampled_area(frame, {film.width, film.height});
-  double sum = 0.0;
-  for (int y = area.y; y < area.y + area.height; ++y) {
-    for (int x = area.x; x < area.x + area.width; ++x) {
-      const glm::dvec3 d(film.radiance[film.index(x, y)] - sized.radiance[sized.index(x, y)]);
-      sum += glm::dot(d, d) / 3.0;
-    }
-  }
-  return std::sqrt(sum / std::max(1.0, static_cast<double>(area.width) * area.height));
-}
-
-/// Told anew when the picture is finished or another frame is chosen.
-void error_row(Controls& controls, const Previewer& previewer, Frames& frames) {
-  const StoredFrame& frame = frames.stored[static_cast<std::size_t>(frames.chosen)];
-  const PreviewRender& render = previewer.render();
-  const Film& film = render.film();
-  const bool same = frame.film.width == film.width && frame.film.height == film.height;
-  std::string words = "(when finished)";
-  if (render.progress().finished && film.width > 0) {
-    const Frames::Measured now{render.restarts(), frames.revision, frames.chosen};
-    if (!(now == frames.measured)) {
-      frames.measured = now;
-      frames.rmse =
-          common_rmse(film, frame.film, frames.at_size(frames.chosen, {film.width, film.height}));
-    }
-    words = fmt::format("{:.3g}", frames.rmse);
-  }
-  controls.row("RMSE", words, "RMS difference between picture and snapshot, linear values.");
-  if (same) return;
-  controls.row("Resampled",
-               fmt::format("{} x {} to {} x {}", frame.film.width, frame.film.height, film.width,
-                           film.height),
-               "The snapshot has another size and is resampled. Edges differ for that reason. For "
-               "exact differences keep a snapshot of this size.");
+void size_row(Controls& controls, const Film& film, const Film& frame) {
+  if (frame.width == film.width && frame.height == film.height) return;
+  controls.row(
+      "Resampled",
+      fmt::format("{} x {} to {} x {}", frame.width, frame.height, film.width, film.height),
+      "The snapshot has another size and is resampled. Edges differ for that reason. For "
+      "exact differences keep a snapshot of this size.");
 }
 
 void comparison_controls(Controls& controls, Frames& frames) {
@@ -129,7 +102,7 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   const bool full = frames.stored.size() >= Frames::most;
   if (controls.button("Keep snapshot",
-                      full ? "Eight snapshots at most: delete one first."
+                      full ? "Nine snapshots at most: delete one first."
                            : "Keep the picture to compare with (S).",
                       width))
     store_frame(frames, previewer);
@@ -138,18 +111,24 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
     frames.remove(frames.chosen);
   if (frames.stored.empty()) return;
 
-  std::vector<Controls::Option> options;
-  for (const StoredFrame& frame : frames.stored)
-    options.push_back({frame.name.c_str(), frame.summary.c_str()});
-  controls.options("Snapshot", options, frames.chosen);
-  controls.row("Settings", frames.stored[static_cast<std::size_t>(frames.chosen)].summary,
-               "Settings of the chosen snapshot.");
-  error_row(controls, previewer, frames);
+  snapshot_table(controls, previewer, frames);
+  const StoredFrame& chosen = frames.stored[static_cast<std::size_t>(frames.chosen)];
+  controls.row("Settings", chosen.summary, "Settings of the chosen snapshot.");
+  size_row(controls, previewer.render().film(), chosen.film);
   comparison_controls(controls, frames);
 }
 
+std::string kept_words(const Frames& frames) {
+  return fmt::format("Kept {}: {}", frames.stored.size(), frames.stored.back().name);
+}
+
 bool store_frame(Frames& frames, const Previewer& previewer) {
-  return frames.store(previewer.render().film(), summary_of(previewer));
+  const PreviewRender& render = previewer.render();
+  std::string name = snapshot_name(render.settings(), processor_seconds(render.film()));
+  const Progress progress = render.progress();
+  if (!progress.finished)
+    name += fmt::format(", {:.0f} % done", std::floor(100.0 * progress.fraction));
+  return frames.store(render.film(), std::move(name), summary_of(previewer));
 }
 
 }  // namespace asos

@@ -26,7 +26,7 @@ constexpr std::array help_lines{
     HelpLine{"Right drag, with W A S D Q E", "look around, fly; Shift: faster"},
     HelpLine{"Shift + right drag", "rotate lights and sky"},
     HelpLine{"Home, F", "frame the whole scene"},
-    HelpLine{"1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
+    HelpLine{"Keypad or Shift + 1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
     HelpLine{"T", "turntable on or off"},
     HelpLine{"Click", "inspect a pixel"},
     HelpLine{nullptr, nullptr},
@@ -34,6 +34,7 @@ constexpr std::array help_lines{
     HelpLine{"Right drag, zoomed", "move the picture"},
     HelpLine{"0", "zoom back to 1:1"},
     HelpLine{"S, X", "keep snapshot, switch to it and back"},
+    HelpLine{"1 to 9", "show snapshot, and picture again"},
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level, cause, rays, time"},
     HelpLine{"V", "last finished EPS and MAX, and back"},
@@ -51,6 +52,8 @@ constexpr std::array help_lines{
     HelpLine{"R", "reload the file"},
     HelpLine{"P, F12", "save the picture as PNG"},
     HelpLine{"Ctrl + S", "save as EXR, larger, or with the window"},
+    HelpLine{"Ctrl + Shift + S", "save the scene with lights and DFRs"},
+    HelpLine{"Ctrl + C", "copy the picture"},
     HelpLine{"F1, ?", "this help"},
     HelpLine{"Esc; Ctrl + Q", "close what is open; quit"},
 };
@@ -84,6 +87,15 @@ void help_overlay(UiState& state, const WindowRect& area) {
 
 namespace {
 
+void say_flipped(UiState& state, const Film& film) {
+  const Frames& frames = state.frames;
+  const StoredFrame& frame = *frames.compared();
+  state.said = frames.flipped ? fmt::format("Snapshot {}: {}", frames.chosen + 1, frame.name)
+                              : std::string("Current picture");
+  if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
+    state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
+}
+
 // Shows the stored frame in place of the picture, or no longer.
 void flip(UiState& state, const Film& film) {
   Frames& frames = state.frames;
@@ -93,10 +105,24 @@ void flip(UiState& state, const Film& film) {
   }
   frames.flipped = !(frames.comparison == Comparison::flip && frames.flipped);
   frames.comparison = Comparison::flip;
-  const StoredFrame& frame = *frames.compared();
-  state.said = frames.flipped ? "Snapshot " + frame.name : std::string("Current picture");
-  if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
-    state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
+  say_flipped(state, film);
+}
+
+// Shows the snapshot of a number key, or the picture again.
+void snapshot_keys(UiState& state, const Film& film) {
+  constexpr std::array keys{Key::one, Key::two,   Key::three, Key::four, Key::five,
+                            Key::six, Key::seven, Key::eight, Key::nine};
+  static_assert(keys.size() == Frames::most);
+  if (ImGui::GetIO().KeyShift) return;  // the camera's
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!shortcut_pressed(keys[i])) continue;
+    if (i >= state.frames.stored.size()) {
+      state.said = fmt::format("No snapshot {} yet: press S to keep one", i + 1);
+      return;
+    }
+    state.frames.flip_to(static_cast<int>(i));
+    say_flipped(state, film);
+  }
 }
 
 // Shows the picture of the last finished EPS and MAX, or no longer.
@@ -115,8 +141,8 @@ void show_before(UiState& state, const PreviewRender& render) {
 
 void store(UiState& state, const Previewer& previewer) {
   state.said = store_frame(state.frames, previewer)
-                   ? "Kept as snapshot " + state.frames.stored.back().name
-                   : std::string("Eight snapshots at most: delete one first");
+                   ? kept_words(state.frames)
+                   : std::string("Nine snapshots at most: delete one first");
 }
 
 // To another model of the folder.
@@ -128,7 +154,7 @@ void page(UiState& state, Previewer& previewer, int step) {
     state.said = "No other model in this folder";
     return;
   }
-  previewer.scene().open(next->path);
+  state.opening = {next->path};
   state.said = fmt::format("{} of {}: {}", next->number, next->count,
                            std::filesystem::path(next->path).filename().string());
 }
@@ -141,16 +167,23 @@ void pause_or_go_on(Refinement& refinement) {
   }
 }
 
+// The keypad's, or the digits' with Shift.
+bool view_key(Key pad, Key digit, bool opposite) {
+  return shortcut_pressed(pad, opposite) ||
+         (ImGui::GetIO().KeyShift && shortcut_pressed(digit, opposite));
+}
+
 void camera_shortcuts(Viewpoint& viewpoint) {
   using Side = Viewpoint::Side;
-  constexpr std::array keys{Key::one, Key::three, Key::seven};
+  constexpr std::array pads{Key::pad_one, Key::pad_three, Key::pad_seven};
+  constexpr std::array digits{Key::one, Key::three, Key::seven};
   constexpr std::array sides{Side::front, Side::right, Side::top};
   constexpr std::array opposites{Side::back, Side::left, Side::bottom};
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (shortcut_pressed(keys[i])) viewpoint.look_from(sides[i]);
-    if (shortcut_pressed(keys[i], true)) viewpoint.look_from(opposites[i]);
+  for (std::size_t i = 0; i < pads.size(); ++i) {
+    if (view_key(pads[i], digits[i], false)) viewpoint.look_from(sides[i]);
+    if (view_key(pads[i], digits[i], true)) viewpoint.look_from(opposites[i]);
   }
-  if (!shortcut_pressed(Key::five)) return;
+  if (!view_key(Key::pad_five, Key::five, false)) return;
   OrbitCamera& camera = viewpoint.camera();
   const bool perspective = camera.camera().type == Camera::Type::perspective;
   camera.set_projection(perspective ? Camera::Type::orthographic : Camera::Type::perspective);
@@ -176,7 +209,7 @@ void close_something(UiState& state, Previewer& previewer) {
   } else if (previewer.scene().error()) {
     previewer.scene().dismiss_error();
   } else if (state.tour.card) {
-    end_tour(state);
+    end_tour(state, previewer);
   } else if (state.picked) {
     state.picked.reset();
   } else if (state.lights.selected >= 0) {
@@ -188,11 +221,15 @@ void close_something(UiState& state, Previewer& previewer) {
 
 void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::q, true)) state.leaving.asked = true;
-  if (state.show_open || state.save.show || state.popup_was_open) return;
+  if (state.show_open || state.save.show || state.save_scene.show || state.popup_was_open) return;
   // While the panel is used by keyboard, some keys are its own.
   const bool in_panel = ImGui::GetIO().NavVisible;
   if (shortcut_pressed(Key::o, true)) state.show_open = true;
-  if (shortcut_pressed(Key::s, true)) state.save.show = true;
+  if (shortcut_pressed(Key::s, true)) {
+    const bool scene = ImGui::GetIO().KeyShift;
+    (scene ? state.save_scene.show : state.save.show) = !scene || previewer.scene();
+  }
+  if (!ImGui::GetIO().WantTextInput && shortcut_pressed(Key::c, true)) state.copy_requested = true;
   if (shortcut_pressed(Key::f, true)) {
     state.show_panel = true;
     state.focus_search = true;
@@ -205,10 +242,11 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
     previewer.viewpoint().frame_all();
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
     store(state, previewer);
-  if (shortcut_pressed(Key::r)) previewer.scene().reload();
+  if (shortcut_pressed(Key::r) && previewer.scene()) state.opening = {{}, true};
   if (!in_panel && shortcut_pressed(Key::page_down)) page(state, previewer, 1);
   if (!in_panel && shortcut_pressed(Key::page_up)) page(state, previewer, -1);
   if (shortcut_pressed(Key::x)) flip(state, previewer.render().film());
+  snapshot_keys(state, previewer.render().film());
   if (shortcut_pressed(Key::m)) {
     state.display.show_split_map = state.show_error || !state.display.show_split_map;
     state.show_error = false;

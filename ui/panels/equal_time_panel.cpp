@@ -2,9 +2,11 @@
 
 #include "ui/panels/time_words.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,13 +36,17 @@ void rival_choice(Controls& controls, Method& method) {
 }  // namespace
 
 // A frame that was rendered for another picture is of no use beside this one.
-void update_equal_time(const Previewer& previewer, const EqualTimeChoice& choice, EqualTimeJob& job,
+void update_equal_time(const Previewer& previewer, EqualTimeChoice& choice, EqualTimeJob& job,
                        Frames& frames) {
   const bool current = choice.restarts == previewer.render().restarts();
   if (!current && job.busy()) job.stop();
   auto outcome = job.take_outcome();
   if (!outcome || !current) return;
-  if (!frames.store(outcome->film, outcome->summary)) return;
+  if (!outcome->frame) {
+    choice.news = std::move(*outcome);
+    return;
+  }
+  if (!frames.store(outcome->frame->film, outcome->frame->name, outcome->frame->summary)) return;
   frames.comparison = Comparison::wipe;
 }
 
@@ -51,15 +57,28 @@ bool start_equal_time(const Previewer& previewer, EqualTimeChoice& choice, Equal
       frames.stored.size() >= Frames::most)
     return false;
   choice.restarts = render.restarts();
+  choice.news = {};
   Snapshot snapshot{previewer.scene().shared(), previewer.viewpoint().camera().camera(),
                     render.settings(), false};
   snapshot.settings.judged_tone = previewer.shown_tone();
   job.start([snapshot, method = choice.method, seconds = processor_seconds(render.film())](
                 const std::stop_token& stop, const auto& tell) {
-    auto frame = render_in_time(snapshot, method, seconds, [&] { return stop.stop_requested(); });
-    if (frame) tell(std::move(*frame));
+    auto frame = render_in_time(
+        snapshot, method, seconds, [&] { return stop.stop_requested(); }, tell);
+    if (frame) tell({std::move(frame), {}, 1.0});
   });
   return true;
+}
+
+void equal_time_progress(Controls& controls, const EqualTimeChoice& choice) {
+  const EqualTimeNews& news = choice.news;
+  const std::string words = news.doing.empty()
+                                ? std::string("starting")
+                                : fmt::format("{}, {}: {:.0f} %", row_of(choice.method).title,
+                                              news.doing, std::floor(100.0 * news.fraction));
+  ImGui::ProgressBar(static_cast<float>(news.fraction), {-1.0f, 0.0f}, words.c_str());
+  controls.placed_words("Comparison progress", words,
+                        "Short renders first find the quality that takes the same CPU time.");
 }
 
 void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
@@ -69,6 +88,7 @@ void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeC
   rival_choice(controls, choice.method);
   if (job.busy()) {
     if (controls.button("Cancel comparison", "Stop rendering the other method.", -1.0f)) job.stop();
+    equal_time_progress(controls, choice);
   } else if (controls.button("Render and compare",
                              "Render this view by another method in the same CPU time. The result "
                              "is kept as a snapshot and shown behind a divider.",

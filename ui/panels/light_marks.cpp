@@ -167,7 +167,7 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
       {x, top}, {x, bottom}, theme::packed(lit ? over_picture(theme::accent_bright) : 0xffffff),
       1.5f);
   side_label("current picture", {x - 1.5f * grip, top}, 1.0f);
-  side_label("snapshot " + frames.compared()->name, {x + 1.5f * grip, top}, 0.0f);
+  side_label(frames.compared()->name, {x + 1.5f * grip, top}, 0.0f);
 }
 
 }  // namespace asos

@@ -116,7 +116,7 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
     std::error_code ignored;
     const std::filesystem::path file = chosen;
     if (std::filesystem::is_regular_file(file, ignored)) state.browser.folder = file.parent_path();
-    previewer.scene().open(chosen);
+    state.opening = {chosen};
   }
   if (!chosen.empty() || cancelled) {
     state.show_open = false;

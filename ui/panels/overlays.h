@@ -75,9 +75,13 @@ void help_overlay(UiState& state, const WindowRect& area);
 /// Asks for a path or a built-in scene and opens it.
 void open_dialog(Controls& controls, UiState& state, Previewer& previewer);
 
-/// Asks what of the picture to save, how large and where; `shown` is the size of the picture in the
-/// window.
-void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown);
+/// What can be saved.
+struct SaveFacts {
+  glm::ivec2 shown{0};        ///< the size of the picture in the window
+  double clip_seconds = 0.0;  ///< of the animation; 0: there is none
+};
+/// Asks what of the picture to save, how large and where.
+void save_dialog(Controls& controls, SaveChoice& choice, const SaveFacts& facts);
 /// How far the picture is that is being saved in the background. True: it is to be stopped.
 [[nodiscard]] bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& area);
 

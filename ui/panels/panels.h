@@ -47,6 +47,8 @@ void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
 void compare_panel(Controls& controls, const Previewer& previewer, Frames& frames);
 /// False where there are enough already.
 bool store_frame(Frames& frames, const Previewer& previewer);
+/// "Kept 2: ASOS, EPS 1/256", of the newest one.
+[[nodiscard]] std::string kept_words(const Frames& frames);
 
 void display_panel(Controls& controls, DisplaySettings& display);
 void camera_panel(Controls& controls, Previewer& previewer);

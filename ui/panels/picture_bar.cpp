@@ -163,8 +163,8 @@ void upper_row(Controls& controls, Previewer& previewer, UiState& state, float w
   cells.add(snapshot, [&] {
     if (controls.button("Snapshot", "Keep the picture to compare with (S).", -1.0f))
       state.said = store_frame(state.frames, previewer)
-                       ? "Kept as snapshot " + state.frames.stored.back().name
-                       : std::string("Eight snapshots at most: delete one first");
+                       ? kept_words(state.frames)
+                       : std::string("Nine snapshots at most: delete one first");
   });
 }
 

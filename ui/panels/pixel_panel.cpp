@@ -48,8 +48,9 @@ void values(Controls& controls, const Film& film, const Frames& frames,
                "Linear red, green and blue; 1 is white at exposure 0.");
   controls.row("8-bit", fmt::format("{} {} {}", bytes.x, bytes.y, bytes.z),
                "Display values, 0 to 255.");
-  for (const StoredFrame& frame : frames.stored) {
-    const std::string name = "vs. " + frame.name;
+  for (std::size_t k = 0; k < frames.stored.size(); ++k) {
+    const StoredFrame& frame = frames.stored[k];
+    const std::string name = fmt::format("vs. snapshot {}", k + 1);
     if (pixel.x >= frame.film.width || pixel.y >= frame.film.height ||
         frame.film.width != film.width || frame.film.height != film.height) {
       controls.row(name.c_str(), "another size", "The snapshot has another size.");

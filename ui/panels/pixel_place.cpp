@@ -58,7 +58,16 @@ std::optional<PixelPlace> picked_place(const UiState& state, const PictureArea& 
   if (!state.picked || state.view.scale() <= 0.0f) return std::nullopt;
   const WindowRect at = shown_pixel(*state.picked, state.view, area);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  return place_beside_pixel(at.lo + 0.5f * at.size, area.rect, {window.x, window.y}, em);
+  PixelPlace place =
+      place_beside_pixel(at.lo + 0.5f * at.size, area.rect, {window.x, window.y}, em);
+  const bool over = place.side == PixelPlace::Side::left || place.side == PixelPlace::Side::right;
+  if (!state.tour.card || !over) return place;
+  // The card needs the other half.
+  constexpr float least_em = 16.0f;
+  const float width = std::min(place.width, std::max(least_em * em, 0.5f * area.rect.size.x - em));
+  if (place.side == PixelPlace::Side::right) place.lo.x += place.width - width;
+  place.width = width;
+  return place;
 }
 
 }  // namespace asos

@@ -1,4 +1,6 @@
+#include "ui/helper_program.h"
 #include "ui/input.h"
+#include "ui/movie.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
 
@@ -10,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 namespace asos {
@@ -28,13 +31,18 @@ constexpr std::array named_sizes{
     NamedSize{"8K", "7680 x 4320 pixels.", {7680, 4320}},
 };
 
-void choose_what(Controls& controls, SaveChoice& choice) {
+void choose_what(Controls& controls, SaveChoice& choice, bool moves) {
   constexpr std::array options{
       Controls::Option{"Render", "The picture alone, rendered in the background at any size."},
       Controls::Option{"Viewport", "The viewport with split map, gizmos and messages."},
-      Controls::Option{"Window", "The whole window."}};
+      Controls::Option{"Window", "The whole window."},
+      Controls::Option{"Turntable", "A whole turn about the orbit centre, as frames or MP4."},
+      Controls::Option{"Clip", "The chosen animation from its beginning, as frames or MP4."}};
+  if (!moves && choice.what == SaveChoice::What::clip) choice.what = SaveChoice::What::picture;
   int what = static_cast<int>(choice.what);
-  if (controls.options("Content", options, what)) choice.what = static_cast<SaveChoice::What>(what);
+  const std::span offered(options.data(), moves ? options.size() : options.size() - 1);
+  if (controls.options("Content", offered, what, {false, std::nullopt}))
+    choice.what = static_cast<SaveChoice::What>(what);
 }
 
 void choose_format(Controls& controls, SaveChoice& choice) {
@@ -43,6 +51,30 @@ void choose_format(Controls& controls, SaveChoice& choice) {
       Controls::Option{"EXR", "Linear radiance, 32-bit floats, without exposure."}};
   int format = choice.exr ? 1 : 0;
   if (controls.options("Format", options, format)) choice.exr = format == 1;
+}
+
+void choose_movie(Controls& controls, SaveChoice& choice, const SaveFacts& facts) {
+  constexpr std::array options{Controls::Option{"Frames", "Numbered PNG files."},
+                               Controls::Option{"MP4", "An H.264 video, made by ffmpeg."}};
+  const bool joins = !find_program("ffmpeg").empty();
+  choice.mp4 &= joins;
+  int format = choice.mp4 ? 1 : 0;
+  if (joins && controls.options("Movie format", options, format)) choice.mp4 = format == 1;
+  if (!joins)
+    controls.row("Movie format", "PNG frames. MP4 needs ffmpeg, which is not installed.",
+                 "Install ffmpeg to save videos.");
+  const auto whole = [](double n) { return fmt::format("{:.0f}", n); };
+  if (choice.what == SaveChoice::What::turntable) {
+    double frames = choice.frames;
+    const Controls::Drag drag{{2.0, double{SaveChoice::most_frames}, 120.0}, 1.0, true};
+    if (controls.number("Frames", "Number of frames of the turn.", frames, drag, whole))
+      choice.frames = static_cast<int>(std::round(frames));
+  }
+  controls.number("Frame rate", "Frames per second.", choice.fps, {{1.0, 120.0, 24.0}, 0.1, true},
+                  [](double fps) { return fmt::format("{:.3g} fps", fps); });
+  const bool turns = choice.what == SaveChoice::What::turntable;
+  const int frames = turns ? choice.frames : frames_of(facts.clip_seconds, choice.fps);
+  controls.row("Length", fmt::format("{} frames, {:.1f} s", frames, frames / choice.fps));
 }
 
 // What a picture of another shape shows. The line is always there, so that nothing moves.
@@ -83,7 +115,8 @@ void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
 // The path, and what would go.
 void choose_file(Controls& controls, SaveChoice& choice) {
   ImGui::Spacing();
-  ImGui::TextDisabled("File name (%s is added)", choice.as_exr() ? ".exr" : ".png");
+  const std::string added = choice.path().substr(choice.stem.size());
+  ImGui::TextDisabled("File name (%s is added)", added.c_str());
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##file", &choice.stem);
   controls.placed("File name", "Path of the file. The ending follows from the format.",
@@ -100,7 +133,7 @@ void choose_file(Controls& controls, SaveChoice& choice) {
 
 }  // namespace
 
-void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
+void save_dialog(Controls& controls, SaveChoice& choice, const SaveFacts& facts) {
   constexpr const char* title = "Save picture";
   if (choice.show && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const float em = ImGui::GetFontSize();
@@ -112,11 +145,11 @@ void save_dialog(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
                                   ImGuiWindowFlags_NoSavedSettings |
                                   ImGuiWindowFlags_AlwaysAutoResize))
     return;
-  choose_what(controls, choice);
-  if (choice.what == SaveChoice::What::picture) {
-    choose_format(controls, choice);
-    choose_size(controls, choice, shown);
-  }
+  choose_what(controls, choice, facts.clip_seconds > 0.0);
+  if (choice.what == SaveChoice::What::picture) choose_format(controls, choice);
+  if (choice.is_movie()) choose_movie(controls, choice, facts);
+  if (choice.what == SaveChoice::What::picture || choice.is_movie())
+    choose_size(controls, choice, facts.shown);
   choose_file(controls, choice);
   const bool save =
       controls.button("Save", "Save in the background.", 6.0f * em) && !choice.stem.empty();

@@ -12,6 +12,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace asos {
@@ -29,25 +30,35 @@ void headline(Controls& controls, const RenderScene* scene) {
 
 void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   const RenderScene* scene = previewer.scene().get();
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (controls.button("Open...", "Open a scene (Ctrl+O), or drop a file on the window.", width)) {
+  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  const float third = std::floor((room - 2.0f * gap) / 3.0f), width = 0.5f * (room - gap);
+  // Three names in a row need less padding.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0f, ImGui::GetStyle().FramePadding.y});
+  if (controls.button("Open...", "Open a scene (Ctrl+O), or drop a file on the window.", third))
     state.show_open = true;
-  }
   ImGui::SameLine();
-  if (controls.button("Save picture", "Save as PNG, with the split map if shown (P, F12).",
-                      width)) {
+  if (controls.button("Save picture", "Save as PNG, with the split map if shown (P, F12).", third))
     state.screenshot_requested = true;
-  }
-  if (controls.button("Save as...", "Save as EXR, at another size, or with the window (Ctrl+S).",
-                      width))
-    state.save.show = true;
   ImGui::SameLine();
-  if (controls.button("Tour", "Five cards that explain the program.", width))
+  if (controls.button("Save as...",
+                      "Save as EXR, at another size, with the window, or as a movie (Ctrl+S).",
+                      third))
+    state.save.show = true;
+  if (controls.button("Save scene...", "Save as glTF with your lights and DFRs (Ctrl+Shift+S).",
+                      third) &&
+      scene)
+    state.save_scene.show = true;
+  ImGui::SameLine();
+  if (controls.button("Copy picture", "Copy the picture to the clipboard (Ctrl+C).", third))
+    state.copy_requested = true;
+  ImGui::SameLine();
+  if (controls.button("Tour", "Five cards that explain the program.", third))
     state.tour_asked = true;
+  ImGui::PopStyleVar();
   // A built-in scene never changes.
   if (scene && !scene->geometry->source.starts_with("builtin:")) {
     if (controls.button("Reload", "Reload the file and keep the view (R).", width))
-      previewer.scene().reload();
+      state.opening = {{}, true};
     ImGui::SameLine();
     ImGui::Checkbox("Watch file", &state.watch);
     controls.placed("Watch file", "Reload automatically when the file changes.",
@@ -88,11 +99,12 @@ void measure_tab(Controls& controls, Previewer& previewer, UiState& state, const
   const RenderScene* scene = previewer.scene().get();
   compare_panel(controls, previewer, state.frames);
   equal_time_panel(controls, previewer, state.equal_time, jobs.equal_time, state.frames);
-  check_panel(controls, previewer, state.check, jobs.check);
+  check_panel(controls, previewer, state.check, jobs.check, state.frames);
   if (!scene) return;
   statistics_panel(controls, previewer.render().statistics(), previewer.render().settings(), *scene,
                    previewer.render().progress().fraction);
   study_panel(controls, state.study, jobs.study, previewer);
+  if (!state.study.said.empty()) state.said = std::exchange(state.study.said, {});
 }
 
 void tab_choice(Controls& controls, UiState& state) {

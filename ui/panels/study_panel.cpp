@@ -1,5 +1,8 @@
 #include "ui/panels/study_panel.h"
 
+#include "ui/input.h"
+#include "ui/panels/study_export.h"
+#include "ui/panels/study_marks.h"
 #include "ui/screenshot.h"
 #include "ui/theme.h"
 
@@ -8,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <vector>
 
 namespace asos {
 
@@ -19,6 +24,11 @@ constexpr std::array reductions{
     Controls::Option{"Full", "The window's resolution."},
     Controls::Option{"1/2", "Half the width and height, a quarter of the time."},
     Controls::Option{"1/4", "A quarter of the width and height."},
+};
+
+constexpr std::array budgets{
+    Controls::Option{"60 s", "About a minute: the resolution follows from the scene's cost."},
+    Controls::Option{"Custom", "Choose resolution, reference time and repetitions."},
 };
 
 constexpr std::array curve_options{
@@ -36,7 +46,7 @@ void rival_boxes(Controls& controls, StudyChoice& choice) {
     if (method == subject) continue;
     if (place++ % 2 == 1) ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + column);
     bool chosen = choice.rivals.contains(method);
-    if (ImGui::Checkbox(method.c_str(), &chosen)) {
+    if (ImGui::Checkbox(method_title(method).c_str(), &chosen)) {
       if (chosen)
         choice.rivals.insert(method);
       else
@@ -50,6 +60,9 @@ void rival_boxes(Controls& controls, StudyChoice& choice) {
 void choice_controls(Controls& controls, StudyChoice& choice) {
   const StudyChoice usual;
   rival_boxes(controls, choice);
+  int budget = choice.automatic ? 0 : 1;
+  if (controls.options("Budget", budgets, budget, {true, 0})) choice.automatic = budget == 0;
+  if (choice.automatic) return;
   int chosen = choice.reduction == 1 ? 0 : choice.reduction == 2 ? 1 : 2;
   if (controls.options("Resolution", reductions, chosen, {true, 1})) choice.reduction = 1 << chosen;
   controls.slider("Reference time",
@@ -66,7 +79,9 @@ void start(StudyChoice& choice, ViewStudy& study, const Previewer& previewer) {
   const RenderSettings& shown = previewer.render().settings();
   const auto scene = previewer.scene().shared();
   const StudyPlan plan = plan_of(choice, screenshot_stem(scene->geometry->source), shown);
-  const auto started = study.start({scene, previewer.viewpoint().camera().camera(), plan});
+  const auto started = study.start(
+      {scene, previewer.viewpoint().camera().camera(), plan,
+       choice.automatic ? std::optional(StudyChoice::automatic_seconds) : std::nullopt});
   choice.error = started ? "" : started.error().message();
 }
 
@@ -87,7 +102,7 @@ void buttons(Controls& controls, StudyChoice& choice, ViewStudy& study,
   controls.placed("Study error", nullptr);
 }
 
-std::string words(const ViewStudy::State& state) {
+std::string words(const ViewStudy::State& state, bool automatic) {
   switch (state.phase) {
     case ViewStudy::Phase::none:
       return "";
@@ -100,18 +115,19 @@ std::string words(const ViewStudy::State& state) {
     case ViewStudy::Phase::finished:
       break;
   }
-  return state.quiet ? "Finished"
-                     : "Finished. The reference is noisy; increase the reference time.";
+  if (state.quiet) return "Finished";
+  return automatic ? "Finished. Hollow points are below the noise floor."
+                   : "Finished. The reference is noisy; increase the reference time.";
 }
 
-void progress(Controls& controls, const ViewStudy::State& state) {
+void progress(Controls& controls, const ViewStudy::State& state, bool automatic) {
   if (state.phase == ViewStudy::Phase::running) {
     const float share = static_cast<float>(state.points_run) /
                         static_cast<float>(std::max<std::size_t>(1, state.points));
     const std::string text = fmt::format("{} of {} renders", state.points_run, state.points);
     ImGui::ProgressBar(share, {-1.0f, 0.0f}, text.c_str());
   }
-  ImGui::TextWrapped("%s", words(state).c_str());
+  ImGui::TextWrapped("%s", words(state, automatic).c_str());
   controls.placed("Study progress", nullptr);
 }
 
@@ -124,7 +140,7 @@ void curves_choice(Controls& controls, StudyChoice& choice) {
 std::string median_text(const Verdict& verdict) {
   if (verdict.measured() == 0 && verdict.extrapolated > 0)
     return fmt::format("~{:.2f}", verdict.beyond_median);
-  if (verdict.measured() == 0) return "n/a";
+  if (verdict.measured() == 0) return "not reached";
   return fmt::format("{:.2f}", verdict.median);
 }
 
@@ -140,28 +156,99 @@ std::string range_text(const Verdict& verdict) {
   return text;
 }
 
+void speed_row(Controls& controls, const std::string& method, const std::string& median,
+               const std::string& range) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(method_title(method).c_str());
+  controls.placed_words("Slower/" + method, median.empty() ? range : median, nullptr);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(median.c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", range.c_str());
+}
+
+// The methods that were measured, in their order, without ASOS.
+std::vector<std::string> rivals_of(const SceneStudy& study) {
+  std::vector<std::string> methods;
+  for (const StudyPoint& point : study.points)
+    if (point.rung.method != subject &&
+        std::find(methods.begin(), methods.end(), point.rung.method) == methods.end())
+      methods.push_back(point.rung.method);
+  return methods;
+}
+
 void speed_table(Controls& controls, const SceneStudy& study) {
   const std::vector<Verdict> rows = verdicts(study.equal_error);
   ImGui::Spacing();
   ImGui::TextWrapped("Time over ASOS at equal error (below 1: faster)");
-  if (!ImGui::BeginTable("slower", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp))
-    return;
-  for (const char* head : {"Method", "Median", "Range"}) ImGui::TableSetupColumn(head);
+  if (!ImGui::BeginTable("slower", 3, ImGuiTableFlags_RowBg)) return;
+  const float em = ImGui::GetFontSize();
+  ImGui::TableSetupColumn("Method", ImGuiTableColumnFlags_WidthFixed, 7.5f * em);
+  ImGui::TableSetupColumn("Median", ImGuiTableColumnFlags_WidthFixed, 4.0f * em);
+  ImGui::TableSetupColumn("Range", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableHeadersRow();
-  for (const Verdict& row : rows) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row.method.c_str());
-    controls.placed("Slower/" + row.method, nullptr);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(median_text(row).c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(range_text(row).c_str());
+  for (const std::string& rival : rivals_of(study)) {
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Verdict& verdict) { return verdict.method == rival; });
+    if (row != rows.end())
+      speed_row(controls, rival, median_text(*row), range_text(*row));
+    else
+      speed_row(controls, rival, "", "below the noise floor");
   }
   ImGui::EndTable();
   controls.placed("Slower",
                   "Time ratios over ASOS's best settings above the noise floor: median, minimum "
                   "and maximum. Not reached: the method did not reach that error.");
+}
+
+void enlarged_plot(Controls& controls, StudyChoice& choice, const StudyPlot& plot) {
+  constexpr const char* title = "Error vs. CPU time";
+  if (choice.enlarged && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({0.94f * window.x, 0.94f * window.y});
+  if (!ImGui::BeginPopupModal(
+          title, nullptr,
+          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings))
+    return;
+  // The legend has a line for each curve at most.
+  const float others_em = 3.5f + 1.3f * static_cast<float>(plot.lines.size());
+  draw_plot(plot, std::max(10.0f, ImGui::GetContentRegionAvail().y / em - others_em));
+  const bool closed = controls.button("Close plot", "Back to the panel (Esc).") ||
+                      ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
+  if (closed) {
+    choice.enlarged = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void save_text(StudyChoice& choice, const std::string& source, const char* extension,
+               const std::string& text) {
+  const auto saved =
+      save_study_text(screenshot_folder().string(), screenshot_stem(source), extension, text);
+  choice.said = saved ? "Saved " + *saved : "Not saved: " + saved.error().message();
+}
+
+void plot_buttons(Controls& controls, StudyChoice& choice, const SceneStudy& study,
+                  const StudyPlot& plot, const std::string& source) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  if (controls.button("Enlarge plot", "Show the plot over the whole window.", width))
+    choice.enlarged = true;
+  ImGui::SameLine();
+  if (controls.button("Copy table", "Copy all points as CSV to the clipboard.", width)) {
+    ImGui::SetClipboardText(study_csv(study).c_str());
+    choice.said = "Copied the study as CSV";
+  }
+  if (controls.button("Save plot", "Save the plot as SVG.", width))
+    save_text(choice, source, "svg", plot_svg(plot, screenshot_stem(source)));
+  ImGui::SameLine();
+  if (controls.button("Save table", "Save all points as CSV.", width))
+    save_text(choice, source, "csv", study_csv(study));
+  enlarged_plot(controls, choice, plot);
 }
 
 }  // namespace
@@ -175,8 +262,9 @@ StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
     if (method == subject || choice.rivals.contains(method)) plan.methods.push_back(method);
   plan.look = look_of(shown);
   plan.texture_resolution = shown.texture.resolution;
-  plan.width = std::max(1, shown.width / choice.reduction);
-  plan.height = std::max(1, shown.height / choice.reduction);
+  const int reduction = choice.automatic ? 1 : choice.reduction;
+  plan.width = std::max(1, shown.width / reduction);
+  plan.height = std::max(1, shown.height / reduction);
   plan.repetitions = choice.repetitions;
   plan.budget_seconds = choice.budget_seconds;
   plan.threads = worker_count(shown.threads, true);
@@ -200,7 +288,7 @@ void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
   buttons(controls, choice, study, previewer);
   const ViewStudy::State state = study.state();
   if (state.phase == ViewStudy::Phase::none) return;
-  progress(controls, state);
+  progress(controls, state, choice.automatic);
   if (state.study.points.empty()) return;
   curves_choice(controls, choice);
   const StudyPlot plot = plot_of(state.study, choice.curves);
@@ -210,6 +298,7 @@ void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
   controls.placed("Study plot",
                   "RMSE vs. CPU time (log-log); lower left is better. Hollow points are below the "
                   "reference's noise and are not compared.");
+  plot_buttons(controls, choice, state.study, plot, previewer.scene()->geometry->source);
   if (!state.study.equal_error.empty()) {
     speed_table(controls, state.study);
   } else if (state.phase != ViewStudy::Phase::running) {

@@ -1,6 +1,6 @@
 #include "ui/panels/study_plot.h"
 
-#include "renderer/film/split_cause.h"
+#include "ui/panels/study_marks.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -14,32 +14,17 @@ namespace asos {
 
 namespace {
 
-constexpr float plot_height_em = 13.0f;
-
-struct MethodColour {
-  const char* method;
-  std::uint32_t rgb;
-};
-
-constexpr std::uint32_t as_split_map(SplitCause cause) {
-  const glm::u8vec3 c = split_cause_colour(cause);
-  return static_cast<std::uint32_t>(c.x) << 16 | static_cast<std::uint32_t>(c.y) << 8 | c.z;
+void draw_mark(ImDrawList& draw, const std::string& method, ImVec2 at, float radius, bool hollow) {
+  std::vector<ImVec2> corners;
+  for (const glm::vec2 corner : method_mark(method))
+    corners.push_back({at.x + radius * corner.x, at.y + radius * corner.y});
+  const std::uint32_t colour = theme::packed(method_colour(method));
+  const auto count = static_cast<int>(corners.size());
+  if (hollow)
+    draw.AddPolyline(corners.data(), count, colour, ImDrawFlags_Closed, 0.2f * radius);
+  else
+    draw.AddConvexPolyFilled(corners.data(), count, colour);
 }
-
-/// The split map's colours, which are distinct to the colour-blind (Okabe and Ito 2008), but for
-/// its dark blue; and two greys.
-constexpr MethodColour method_colours[] = {
-    {"asos", as_split_map(SplitCause::cut_out)},
-    {"asos-published", as_split_map(SplitCause::saturation)},
-    {"uniform", 0xc4c9cf},
-    {"stochastic", as_split_map(SplitCause::crease)},
-    {"sobol", as_split_map(SplitCause::shading)},
-    {"sobol-adaptive", as_split_map(SplitCause::outline)},
-    {"whitted", as_split_map(SplitCause::shadow)},
-    {"mitchell", as_split_map(SplitCause::intersection)},
-    {"ray-bound", as_split_map(SplitCause::depth_limit)},
-    {"average", 0x62676e},
-};
 
 /// Where a plot's square is in the window, and what is drawn into it.
 class Canvas {
@@ -86,17 +71,14 @@ class Canvas {
 
   void line(const StudyPlot::Line& line) const {
     const std::uint32_t colour = theme::packed(method_colour(line.method));
-    const float radius = 0.22f * em_;
+    const float radius = 0.3f * em_;
     for (std::size_t i = 0; i < line.marks.size(); ++i) {
       const StudyPlot::Mark& mark = line.marks[i];
       const ImVec2 at{x_of(mark.seconds), y_of(mark.rmse)};
       if (i > 0)
         draw_->AddLine({x_of(line.marks[i - 1].seconds), y_of(line.marks[i - 1].rmse)}, at, colour,
                        0.12f * em_);
-      if (mark.under_floor)
-        draw_->AddCircle(at, radius, colour);
-      else
-        draw_->AddCircleFilled(at, radius, colour);
+      draw_mark(*draw_, line.method, at, radius, mark.under_floor);
     }
   }
 
@@ -136,18 +118,18 @@ void draw_legend(const StudyPlot& plot) {
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   bool first = true;
   for (const StudyPlot::Line& line : plot.lines) {
-    const float width = ImGui::CalcTextSize(line.curve.c_str()).x + 1.2f * em;
+    const std::string title = curve_title(line.curve, line.method);
+    const float width = ImGui::CalcTextSize(title.c_str()).x + 1.2f * em;
     if (!first && ImGui::GetItemRectMax().x + 0.8f * em + width < right)
       ImGui::SameLine(0.0f, 0.8f * em);
     first = false;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddCircleFilled(
-        {at.x + 0.4f * em, at.y + 0.5f * ImGui::GetTextLineHeight()}, 0.25f * em,
-        theme::packed(method_colour(line.method)));
+    draw_mark(*ImGui::GetWindowDrawList(), line.method,
+              {at.x + 0.4f * em, at.y + 0.5f * ImGui::GetTextLineHeight()}, 0.3f * em, false);
     ImGui::BeginGroup();
     ImGui::Dummy({0.9f * em, ImGui::GetTextLineHeight()});
     ImGui::SameLine(0.0f, 0.0f);
-    ImGui::TextUnformatted(line.curve.c_str());
+    ImGui::TextUnformatted(title.c_str());
     ImGui::EndGroup();
   }
 }
@@ -201,19 +183,13 @@ StudyPlot plot_of(const SceneStudy& study, StudyCurves curves) {
   return plot;
 }
 
-std::uint32_t method_colour(const std::string& method) {
-  for (const MethodColour& known : method_colours)
-    if (method == known.method) return known.rgb;
-  return theme::plot_text;
-}
-
-void draw_plot(const StudyPlot& plot) {
+void draw_plot(const StudyPlot& plot, float height_em) {
   const float em = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::Dummy({width, plot_height_em * em});
+  ImGui::Dummy({width, height_em * em});
   const glm::vec2 lo(corner.x + 2.6f * em, corner.y + 1.5f * em);
-  const glm::vec2 hi(corner.x + width - 1.2f * em, corner.y + (plot_height_em - 2.8f) * em);
+  const glm::vec2 hi(corner.x + width - 1.2f * em, corner.y + (height_em - 2.8f) * em);
   if (hi.x - lo.x < em) return;
   const Canvas canvas(plot, lo, hi);
   canvas.axes();

@@ -45,10 +45,8 @@ enum class StudyCurves { finished, while_rendering };
 [[nodiscard]] StudyPlot plot_of(const SceneStudy& study,
                                 StudyCurves curves = StudyCurves::finished);
 
-/// sRGB, 0xRRGGBB; the same for the same method.
-[[nodiscard]] std::uint32_t method_colour(const std::string& method);
-
-/// Draws into the current Dear ImGui window, over its width, with the legend below.
-void draw_plot(const StudyPlot& plot);
+/// Draws into the current Dear ImGui window, over its width, with the legend below. `height_em`: of
+/// the axes with their labels, in heights of text.
+void draw_plot(const StudyPlot& plot, float height_em = 13.0f);
 
 }  // namespace asos

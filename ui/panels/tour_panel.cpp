@@ -1,6 +1,7 @@
 #include "ui/panels/tour_panel.h"
 
 #include "renderer/comparison/method.h"
+#include "ui/panels/card_place.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/panels/sketch.h"
 #include "ui/split_pixel.h"
@@ -18,7 +19,6 @@ namespace asos {
 
 namespace {
 
-constexpr float card_width_em = 25.0f;
 constexpr const char* none_is_split =
     "Edges cut this pixel cleanly, so exact areas are used. Otherwise a pixel is split into four, "
     "again and again.";
@@ -75,7 +75,7 @@ void eps_slider(Controls& controls, Previewer& previewer) {
   RenderSettings& settings = previewer.edits().settings();
   controls.log_slider(
       "Tolerance (EPS)",
-      "Error allowed per pixel, 0 to 1. Undo with Ctrl+Z, reset with a double click.",
+      "Error allowed per pixel, 0 to 1. Double-click to reset. Closing the tour restores it.",
       settings.asos.eps, {0.0, 1.0, RenderSettings{}.asos.eps},
       [](double eps) { return eps > 0.0 ? fmt::format("1/{:.0f}", 1.0 / eps) : std::string("0"); });
   controls.row("Split", fmt::format("{:.1f} % of pixels", 100.0 * previewer.render().split_share()),
@@ -106,15 +106,26 @@ void ask_rival(Controls& controls, const Previewer& previewer, UiState& state, E
     if (start_equal_time(previewer, state.equal_time, job, state.frames))
       tour.frames_when_asked = state.frames.stored.size();
     else if (!job.busy())
-      state.said = finished ? "Eight snapshots at most: delete one first"
+      state.said = finished ? "Nine snapshots at most: delete one first"
                             : "Wait until the picture is finished";
   }
   ImGui::SameLine();
   std::string words =
       finished ? row_of(state.equal_time.method).title : std::string("(when finished)");
-  if (job.busy()) words += " is rendering";
   if (state.frames.comparison == Comparison::wipe && !job.busy()) words += " is on the right";
   ImGui::TextDisabled("%s", words.c_str());
+  if (job.busy()) equal_time_progress(controls, state.equal_time);
+}
+
+// To the scene that the cards are made for, and back.
+void scene_button(Controls& controls, const Previewer& previewer, UiState& state) {
+  if (!previewer.scene()) return;
+  const bool own = previewer.scene()->geometry->source != tour_scene;
+  if (!own && state.tour.own_source.empty()) return;
+  if (controls.button(own ? "Show on the fence scene" : "Show on my scene",
+                      own ? "Open a scene with many thin edges. Closing the tour reopens yours."
+                          : "Open your scene again."))
+    switch_scene(state, previewer);
 }
 
 // The drawing, or the part of the picture, that the card is about.
@@ -127,9 +138,13 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
       // Low windows have room for one of them.
       if (room_down > 28.0f * ImGui::GetFontSize() || !state.tour.pixel) draw_pyray(Sketch(width));
       if (state.tour.pixel) loupe(controls, film, *state.tour.pixel, state.display.transform());
+      scene_button(controls, previewer, state);
       break;
     case Tour::Card::split:
-      if (!state.tour.pixel) ImGui::TextDisabled("No pixel is split.");
+      if (!state.tour.pixel)
+        ImGui::TextDisabled("%s", previewer.render().progress().finished
+                                      ? "No pixel is split."
+                                      : "Waiting for a pixel that is split.");
       if (controls.button("Replay", "Show the splitting from the whole pixel again.")) {
         state.shown_level = 0;
         state.tour.since_seconds = now_seconds;
@@ -149,6 +164,14 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
   }
 }
 
+// Keeps the next button in the line if the card is wide enough.
+void stay_in_line(const char* name) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = ImGui::CalcTextSize(name).x + 2.0f * style.FramePadding.x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
+}
+
 // On, back, and out. Returns the card to go to; none: this one. The way on stays where it is, so
 // that it can be clicked again and again.
 std::optional<int> buttons(Controls& controls, int card) {
@@ -161,36 +184,50 @@ std::optional<int> buttons(Controls& controls, int card) {
   } else if (controls.button("Next", "Next card.")) {
     next = card + 1;
   }
-  ImGui::SameLine();
   if (card > 0) {
+    stay_in_line("Previous");
     if (controls.button("Previous", "Previous card.")) next = card - 1;
-    ImGui::SameLine();
   }
   if (!last) {
+    stay_in_line("Close tour");
     if (controls.button("Close tour", end)) next = Tour::cards;
-    ImGui::SameLine();
   }
   const std::string count = fmt::format("{} of {}", card + 1, Tour::cards);
   const float left = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x;
-  if (ImGui::GetCursorPosX() > left) return next;
+  ImGui::SameLine();
+  if (ImGui::GetCursorPosX() > left) ImGui::NewLine();
   ImGui::SetCursorPosX(left);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", count.c_str());
   return next;
 }
 
-// The pixel that the cards speak of: from the coarse picture at once, and the one that was looked
-// for in the finished one.
+// The first card's pixel is on a clear edge of the picture as it is. The second card's is final,
+// and split: one from the refining picture at first, then the one that the search found.
+std::optional<glm::ivec2> pixel_for_card(const Previewer& previewer, const UiState& state) {
+  const Tour& tour = state.tour;
+  const Film& film = previewer.render().film();
+  if (*tour.card == Tour::Card::split) return tour.found ? tour.found : most_split_pixel(film);
+  const auto edge = clear_edge_pixel(film, state.display.transform());
+  return edge ? edge : most_split_pixel(film);
+}
+
 void choose_pixel(const Previewer& previewer, UiState& state, double now_seconds) {
   Tour& tour = state.tour;
-  const Film& film = previewer.render().film();
-  const bool gone = tour.pixel && (tour.pixel->x >= film.width || tour.pixel->y >= film.height);
   const bool watched = *tour.card == Tour::Card::split;
-  if (*tour.card != Tour::Card::pyray && tour.pixel && !gone && !(watched && tour.found)) return;
-  const bool stays = previewer.render().progress().finished && tour.pixel && !gone;
-  const std::optional<glm::ivec2> pixel =
-      tour.found ? tour.found : (stays ? tour.pixel : most_split_pixel(film));
-  if (pixel == tour.pixel) return;
+  if (*tour.card > Tour::Card::split) return;
+  const PreviewRender& render = previewer.render();
+  // Each card keeps its pixel until the picture has changed much; what was found is final.
+  const Progress progress = render.progress();
+  const int quarters = progress.finished ? 5 : static_cast<int>(4.0 * progress.fraction);
+  const Tour::Chosen now{render.restarts(), *tour.card, quarters, tour.found.has_value()};
+  const bool keeps = tour.chosen == now;
+  const bool still = tour.pixel && watched && tour.chosen && tour.chosen->card == now.card &&
+                     tour.chosen->restarts == now.restarts && !tour.found;
+  if (keeps || still) return;
+  const std::optional<glm::ivec2> pixel = pixel_for_card(previewer, state);
+  tour.chosen = now;
+  if (pixel == tour.pixel && (!watched || pixel == state.picked)) return;
   tour.pixel = pixel;
   if (!watched) return;
   state.picked = pixel;
@@ -205,32 +242,41 @@ void next_level(UiState& state, int deepest, double now_seconds) {
   if (++*state.shown_level > deepest) state.shown_level.reset();
 }
 
+WindowRect room_for_card(const WindowRect& picture, float em) {
+  return {picture.lo + 0.5f * em, picture.size - em};
+}
+
+// The parts of the picture that a card must leave free: other panels, and the picked pixel.
+std::vector<WindowRect> taken_places(const Controls& controls, const UiState& state,
+                                     const PictureArea& area) {
+  std::vector<WindowRect> taken;
+  for (const char* name : {"Pixel panel", "Map legend"}) {
+    const auto at = controls.all().find(name);
+    if (at != controls.all().end()) taken.push_back({at->second.lo, at->second.hi - at->second.lo});
+  }
+  if (state.picked && state.view.scale() > 0.0f) {
+    const float clear = ImGui::GetFontSize();
+    const WindowRect pixel = shown_pixel(*state.picked, state.view, area);
+    taken.push_back({pixel.lo - clear, pixel.size + 2.0f * clear});
+  }
+  return taken;
+}
+
 }  // namespace
 
 void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob& equal_time,
                 const PictureArea& area, double now_seconds) {
-  if (std::exchange(state.tour_asked, false)) start_tour(state, now_seconds);
+  if (std::exchange(state.tour_asked, false)) start_tour(state, previewer, now_seconds);
   if (!state.tour.card) return;
   const float em = ImGui::GetFontSize();
-  const float width = std::min(card_width_em * em, area.rect.size.x - em);
-  if (width < 12.0f * em || area.rect.size.y < 10.0f * em) return;
+  if (area.rect.size.x < 13.0f * em || area.rect.size.y < 10.0f * em) return;
   choose_pixel(previewer, state, now_seconds);
   next_level(state, previewer.edits().settings().asos.max_level, now_seconds);
 
-  // In a corner below, or above, that neither the picked pixel nor its panel is in.
-  glm::vec2 corner{1.0f, 1.0f};
-  if (const std::optional<PixelPlace> explained = picked_place(state, area, em)) {
-    if (explained->side == PixelPlace::Side::right) corner.x = 0.0f;
-    const WindowRect pixel = shown_pixel(*state.picked, state.view, area);
-    const bool low = pixel.lo.y > area.rect.lo.y + 0.5f * area.rect.size.y;
-    if (explained->side == PixelPlace::Side::below_pixel ||
-        (low && explained->side == PixelPlace::Side::below_picture))
-      corner.y = 0.0f;
-  }
-  const glm::vec2 at =
-      glm::mix(area.rect.lo + 0.5f * em, area.rect.lo + area.rect.size - 0.5f * em, corner);
-  ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {corner.x, corner.y});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, area.rect.size.y - em});
+  const CardPlace place = card_place(room_for_card(area.rect, em), state.tour.card_size,
+                                     taken_places(controls, state, area), em);
+  ImGui::SetNextWindowPos({place.lo.x, place.lo.y});
+  ImGui::SetNextWindowSizeConstraints({place.width, 0.0f}, {place.width, area.rect.size.y - em});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::Begin("tour", nullptr,
@@ -248,9 +294,11 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   body(controls, previewer, state, equal_time, area.rect.size.y, now_seconds);
   const std::optional<int> next = buttons(controls, card);
   controls.placed_window("Card");
+  const ImVec2 size = ImGui::GetWindowSize();
+  state.tour.card_size = {size.x, size.y};
   ImGui::End();
   ImGui::PopStyleVar(2);
-  if (next) show_card(state, *next, now_seconds);
+  if (next) show_card(state, previewer, *next, now_seconds);
 }
 
 std::optional<double> seconds_to_card(const UiState& state, double now_seconds) {

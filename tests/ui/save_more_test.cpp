@@ -1,0 +1,256 @@
+#include "renderer/gltf/load.h"
+#include "renderer/picture/picture_description.h"
+#include "renderer/session/render_session.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/panels_fixture.h"
+#include "ui/helper_program.h"
+#include "ui/legend_strip.h"
+#include "ui/scene_export.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+// Saved scenes, the clipboard, the legend of a saved split map.
+
+namespace asos::test::save_more_test {
+namespace {
+
+/// An environment variable that is put back.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() {
+    if (before_)
+      setenv(name_, before_->c_str(), 1);
+    else
+      unsetenv(name_);
+  }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+class SceneExportTest : public testing::Test {
+ protected:
+  SceneExportTest() {
+    RenderSettings settings;
+    settings.threads = 1;
+    previewer = std::make_unique<Previewer>(Previewer::Hooks{{}, [] {}}, settings);
+    open("builtin:office");
+  }
+  void open(const std::string& source) {
+    const std::uint64_t before = previewer->scene().times_opened();
+    previewer->scene().open(source);
+    for (int i = 0; i < 60000 && previewer->scene().times_opened() == before; ++i) wait();
+    ASSERT_GT(previewer->scene().times_opened(), before);
+  }
+  void wait() {
+    previewer->update(now += 0.01);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  void relit() {
+    for (int i = 0; i < 20000 && previewer->edits().relighting(); ++i) wait();
+    ASSERT_FALSE(previewer->edits().relighting());
+  }
+  [[nodiscard]] Film picture() const {
+    RenderSettings settings;
+    settings.width = 64;
+    settings.height = 40;
+    settings.threads = 1;
+    const auto scene = previewer->scene().shared();
+    return render_to_end({scene, scene->world().cameras.front(), settings, false}).film;
+  }
+
+  TemporaryFolder folder;
+  std::unique_ptr<Previewer> previewer;
+  double now = 0.0;
+};
+
+TEST_F(SceneExportTest, KeepsLightsDfrsAndThePicture) {
+  std::vector<EditedLight>& lights = previewer->edits().edit_lights();
+  ASSERT_FALSE(lights.empty());
+  lights[0].light.intensity *= 2.0f;
+  lights[0].light.position.y -= 0.1;
+  Dfr dfr;
+  dfr.rgb[0].max = dfr.rgb[1].max = dfr.rgb[2].max = 0.25;
+  MaterialDfrs& dfrs = previewer->edits().edit_dfrs();
+  dfrs[0] = dfr;
+  relit();
+  const Film before = picture();
+  const std::vector<Light> lights_before = previewer->scene()->lights();
+  const glm::dvec3 origin_before = previewer->scene()->world().origin;
+  const MaterialDfrs dfrs_before = previewer->edits().dfrs();
+
+  const Result<std::string> written =
+      export_edited(order_of(*previewer, folder.file("edited.glb")));
+  ASSERT_TRUE(written) << written.error().message();
+  EXPECT_EQ(*written, folder.file("edited.glb"));
+  open(folder.file("edited.glb"));
+
+  const std::vector<Light>& lights_after = previewer->scene()->lights();
+  ASSERT_EQ(lights_after.size(), lights_before.size());
+  const glm::dvec3 origin_after = previewer->scene()->world().origin;
+  for (std::size_t i = 0; i < lights_after.size(); ++i) {
+    EXPECT_EQ(lights_after[i].type, lights_before[i].type) << i;
+    EXPECT_FLOAT_EQ(lights_after[i].intensity, lights_before[i].intensity) << i;
+    EXPECT_LT(glm::distance(lights_after[i].position + origin_after,
+                            lights_before[i].position + origin_before),
+              1e-6)
+        << i;
+  }
+  ASSERT_EQ(previewer->edits().dfrs().size(), dfrs_before.size());
+  EXPECT_EQ(previewer->edits().dfrs(), dfrs_before);
+  const Film after = picture();
+  int largest = 0;
+  for (std::size_t i = 0; i < before.radiance.size(); ++i) {
+    const glm::ivec3 d = glm::abs(glm::ivec3(display_bytes(before.radiance[i], 0.0f)) -
+                                  glm::ivec3(display_bytes(after.radiance[i], 0.0f)));
+    largest = std::max({largest, d.x, d.y, d.z});
+  }
+  EXPECT_LE(largest, 1) << "one step of an 8-bit picture";
+}
+
+TEST_F(SceneExportTest, WithoutEditsTheFileKeepsItsOwnLights) {
+  const SceneOrder order = order_of(*previewer, folder.file("same.glb"));
+  EXPECT_FALSE(order.lights);
+  EXPECT_FALSE(order.dfrs);
+}
+
+TEST_F(SceneExportTest, SaysWhatCannotBeWritten) {
+  const auto error = [&](const std::string& path) {
+    const Result<std::string> written = export_edited(order_of(*previewer, path));
+    return written ? std::string("written") : written.error().message();
+  };
+  EXPECT_EQ(error(folder.file("scene.obj")),
+            folder.file("scene.obj") + ": a scene is written as .glb or .gltf");
+  EXPECT_TRUE(error(folder.file("no/such.glb")).starts_with(folder.file("no/such.glb") + ": "));
+  ASSERT_EQ(error(folder.file("own.glb")), "written");
+  open(folder.file("own.glb"));
+  EXPECT_EQ(error(folder.file("own.glb")),
+            folder.file("own.glb") + ": is the open file; choose another name");
+}
+
+class SaveMoreTest : public PanelsTest {
+ protected:
+  SaveMoreTest() : PanelsTest(1) {}
+  UiState& state() { return rig.content().state(); }
+  void install(const std::string& name, const std::string& script) {
+    folder.write(name, "#!/bin/sh\n" + script);
+    std::filesystem::permissions(folder.file(name), std::filesystem::perms::owner_all);
+  }
+  [[nodiscard]] bool says(const std::string& words) {
+    return rig.frames_until([&] { return state().message.starts_with(words); }, 20.0);
+  }
+
+  TemporaryFolder folder;
+  Variable pictures{"XDG_PICTURES_DIR", folder.path().string()};
+  Variable programs{"PATH", folder.path().string()};
+  Variable wayland{"WAYLAND_DISPLAY", ""};
+};
+
+TEST_F(SaveMoreTest, ThePictureIsCopiedByXclip) {
+  install("xclip", "echo \"$@\" > " + folder.file("arguments") + "\n/bin/cat > " +
+                       folder.file("copied.png") + "\n");
+  rig.chord(Key::ctrl, Key::c);
+  ASSERT_TRUE(says("Copied the picture")) << state().message;
+  EXPECT_EQ(content_of(folder.file("arguments")), "-selection clipboard -t image/png -i\n");
+  const Result<RgbImage> copied = read_png(folder.file("copied.png"));
+  ASSERT_TRUE(copied) << copied.error().message();
+  const Film& film = rig.previewer().render().film();
+  ASSERT_EQ(glm::ivec2(copied->width, copied->height), glm::ivec2(film.width, film.height));
+  const glm::u8vec3 first = display_bytes(film, 0, usual_display);
+  EXPECT_EQ(glm::u8vec3(copied->rgb[0], copied->rgb[1], copied->rgb[2]), first);
+}
+
+TEST_F(SaveMoreTest, SaysWhyThePictureIsNotCopied) {
+  rig.chord(Key::ctrl, Key::c);
+  EXPECT_TRUE(says("Not copied: clipboard: copying pictures needs xclip")) << state().message;
+  install("xclip", "echo no display >&2\nexit 3\n");
+  rig.chord(Key::ctrl, Key::c);
+  EXPECT_TRUE(says("Not copied: xclip: ended with code 3: no display")) << state().message;
+}
+
+TEST_F(SaveMoreTest, TheDialogSavesTheScene) {
+  rig.previewer().scene().open("builtin:fence");
+  rig.content().input().add(KeyChanged{Key::shift, true});
+  rig.chord(Key::ctrl, Key::s);
+  rig.content().input().add(KeyChanged{Key::shift, false});
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_FALSE(state().save.show);
+  ASSERT_TRUE(state().save_scene.show);
+  EXPECT_EQ(state().save_scene.path, folder.file("scene-001.glb"));
+  state().save_scene.path = folder.file("scene.obj");
+  rig.frame();
+  rig.click("Save scene");
+  EXPECT_TRUE(state().save_scene.show) << "the name has to end in .glb or .gltf";
+  rig.key(Key::escape);
+  rig.frame();
+  EXPECT_FALSE(state().save_scene.show);
+}
+
+TEST_F(SaveMoreTest, TheSplitMapIsOffForTheNextFile) {
+  rig.key(Key::m);
+  EXPECT_TRUE(display().show_split_map);
+  rig.previewer().scene().reload();
+  const std::uint64_t opened = rig.previewer().scene().times_opened();
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+  rig.frame();
+  EXPECT_TRUE(display().show_split_map) << "it is the same file";
+  rig.previewer().scene().open("grating");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  rig.frame();
+  EXPECT_FALSE(display().show_split_map);
+}
+
+TEST_F(SaveMoreTest, ASavedSplitMapHasItsLegend) {
+  rig.key(Key::m);
+  rig.key(Key::p);
+  const Result<RgbImage> saved = read_png(folder.file("scene-001.png"));
+  ASSERT_TRUE(saved) << saved.error().message();
+  const Film& film = rig.previewer().render().film();
+  EXPECT_EQ(saved->width, film.width);
+  ASSERT_GT(saved->height, film.height + 20);
+  const auto below = [&](glm::u8vec3 colour) {
+    int count = 0;
+    const auto first = 3 * static_cast<std::size_t>(film.width * film.height);
+    for (std::size_t i = first; i < saved->rgb.size(); i += 3)
+      count += glm::u8vec3(saved->rgb[i], saved->rgb[i + 1], saved->rgb[i + 2]) == colour;
+    return count;
+  };
+  for (const LegendEntry& entry : legend_entries(SplitMapColours::level))
+    EXPECT_GT(below(entry.colour), 60) << entry.words;
+  EXPECT_GT(below(glm::u8vec3(0xe0)), 10) << "letters";
+  state().display.show_legend = false;
+  rig.key(Key::p);
+  EXPECT_EQ(read_png(folder.file("scene-002.png"))->height, film.height);
+}
+
+TEST(HelperProgram, IsFoundOnThePath) {
+  TemporaryFolder folder;
+  folder.write("tool", "#!/bin/sh\n");
+  const Variable path("PATH", "/no/such/folder:" + folder.path().string());
+  EXPECT_EQ(find_program("tool"), "") << "nobody may run it";
+  std::filesystem::permissions(folder.file("tool"), std::filesystem::perms::owner_all);
+  EXPECT_EQ(find_program("tool"), folder.file("tool"));
+  EXPECT_FALSE(run_program({"/no/such/program"}, "", {}));
+}
+
+TEST(HelperProgram, CanBeStopped) {
+  const Result<void> ended = run_program({"/bin/sleep", "60"}, "", [] { return true; });
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(ended.error().message(), "sleep: stopped");
+}
+
+}  // namespace
+}  // namespace asos::test::save_more_test

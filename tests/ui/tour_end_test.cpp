@@ -1,0 +1,208 @@
+#include "tests/ui/panels_fixture.h"
+#include "ui/panels/card_place.h"
+#include "ui/split_pixel.h"
+#include "ui/tour.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+// The end of the tour, its pixels, and the place of its card.
+
+namespace asos::test::tour_end_test {
+namespace {
+
+class TourEndTest : public PanelsTest {
+ protected:
+  UiState& state() { return rig.content().state(); }
+  void rest() {
+    for (int i = 0; i < 40; ++i) rig.frame();
+  }
+  void undo() {
+    rig.chord(Key::ctrl, Key::z);
+    rig.frame();
+  }
+  // To the card with the EPS slider, which is dragged.
+  void edit_eps() {
+    rig.click("Tour");
+    for (int card = 0; card < 2; ++card) {
+      for (int i = 0; i < 3; ++i) rig.frame();
+      rig.click("Next");
+    }
+    for (int i = 0; i < 3; ++i) rig.frame();
+    const double before = settings().asos.eps;
+    slide("Tolerance (EPS)", 0.6f, 0.05f);
+    ASSERT_NE(settings().asos.eps, before);
+    rest();
+  }
+};
+
+TEST_F(TourEndTest, RestoresSettingsAndLeavesNothingToUndo) {
+  const RenderSettings before = settings();
+  edit_eps();
+  rig.click("Close tour");
+  rest();
+  EXPECT_EQ(settings().asos, before.asos);
+  EXPECT_FALSE(state().display.show_split_map);
+  undo();
+  EXPECT_EQ(state().message, "Nothing to undo");
+  EXPECT_EQ(settings().asos, before.asos);
+  EXPECT_FALSE(state().display.show_split_map);
+}
+
+TEST_F(TourEndTest, KeepsEditsAsOneStep) {
+  const double eps = settings().asos.eps;
+  const glm::dmat4 camera = rig.previewer().viewpoint().camera().camera().world_from_camera;
+  edit_eps();
+  rig.drag({100, 100}, {140, 110});
+  rest();
+  rig.wheel({100, 100}, 1.0f);
+  rest();
+  rig.click("Close tour");
+  rest();
+  EXPECT_EQ(settings().asos.eps, eps);
+  EXPECT_NE(rig.previewer().viewpoint().camera().camera().world_from_camera, camera);
+  undo();
+  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, camera);
+  EXPECT_EQ(settings().asos.eps, eps);
+  undo();
+  EXPECT_EQ(state().message, "Nothing to undo");
+}
+
+TEST_F(TourEndTest, KeepsEarlierSteps) {
+  rig.click("Jitter unresolved cells");
+  rest();
+  edit_eps();
+  rig.key(Key::escape);
+  rest();
+  EXPECT_TRUE(settings().asos.jitter);
+  undo();
+  EXPECT_FALSE(settings().asos.jitter);
+}
+
+TEST_F(TourEndTest, UndoWithinTheTourKeepsTheCardsMap) {
+  edit_eps();
+  const double edited = settings().asos.eps;
+  undo();
+  EXPECT_NE(settings().asos.eps, edited);
+  EXPECT_TRUE(state().display.show_split_map) << "the card shows it";
+}
+
+TEST_F(TourEndTest, ReopensTheScene) {
+  const auto opened = [&](const std::string& source) {
+    return rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; });
+  };
+  rig.click("Tour");
+  for (int i = 0; i < 3; ++i) rig.frame();
+  rig.click("Show on the fence scene");
+  ASSERT_TRUE(opened("builtin:fence"));
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(state().tour.card, Tour::Card::pyray);
+  rig.click("Close tour");
+  EXPECT_TRUE(opened("scene"));
+}
+
+TEST_F(TourEndTest, AsksBeforeTheFenceSceneIsOpened) {
+  rig.click("Add light");
+  rig.click("Tour");
+  for (int i = 0; i < 3; ++i) rig.frame();
+  rig.click("Show on the fence scene");
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_FALSE(rig.previewer().scene().loading().has_value());
+  rig.click("Cancel");
+  rig.frame();
+  EXPECT_EQ(rig.previewer().scene()->geometry->source, "scene");
+}
+
+// Dark on the left, bright from x = 10 on, and a checkerboard of black and white at the top.
+Film with_edge() {
+  Film film(20, 16);
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      const float edge = x < 10 ? 0.05f : x == 10 ? 0.3f : 0.8f;
+      film.radiance[film.index(x, y)] = glm::vec3(y < 4 ? static_cast<float>((x + y) % 2) : edge);
+    }
+  }
+  return film;
+}
+
+TEST(ClearEdgePixel, IsBetweenTwoPlainColours) {
+  const Film film = with_edge();
+  EXPECT_EQ(clear_edge_pixel(film, 0.0f), glm::ivec2(10, 7));
+  EXPECT_FALSE(clear_edge_pixel(Film(20, 16), 0.0f)) << "one colour";
+  EXPECT_FALSE(clear_edge_pixel(Film{}, 0.0f));
+}
+
+TEST(MostSplitPixel, IsFinal) {
+  Film film(9, 5);
+  film.unfinished.assign(film.radiance.size(), 0);
+  film.split_level[film.index(4, 2)] = 3;
+  film.split_level[film.index(0, 0)] = 1;
+  EXPECT_EQ(most_split_pixel(film), glm::ivec2(4, 2));
+  film.unfinished[film.index(4, 2)] = 1;
+  EXPECT_EQ(most_split_pixel(film), glm::ivec2(0, 0)) << "the other one is predicted";
+}
+
+bool touch(const WindowRect& a, const WindowRect& b) {
+  return a.lo.x < b.lo.x + b.size.x && b.lo.x < a.lo.x + a.size.x && a.lo.y < b.lo.y + b.size.y &&
+         b.lo.y < a.lo.y + a.size.y;
+}
+
+TEST(CardPlace, TouchesNothingWhereThereIsRoom) {
+  constexpr float em = 10.0f;
+  const WindowRect room{{5, 5}, {650, 500}};
+  const std::vector<WindowRect> taken{{{5, 5}, {320, 500}}, {{420, 60}, {20, 20}}};
+  const CardPlace place = card_place(room, {250, 160}, taken, em);
+  for (const WindowRect& rect : taken)
+    EXPECT_FALSE(touch({place.lo, {place.width, 160}}, rect)) << place.lo.x << ' ' << place.lo.y;
+  const std::vector<WindowRect> wide{{{5, 5}, {450, 500}}};
+  const CardPlace narrow = card_place(room, {250, 160}, wide, em);
+  EXPECT_LT(narrow.width, 250.0f) << "a narrower card fits";
+  EXPECT_GE(narrow.lo.x, 455.0f);
+}
+
+Controls::Placed placed(UiRig& rig, const std::string& name) {
+  return rig.content().controls().all().at(name);
+}
+
+// At the sizes that people use, whatever pixel the card speaks of.
+TEST(TourCard, CoversNoOtherPanel) {
+  struct Case {
+    glm::ivec2 size;
+    float scale;
+  };
+  for (const Case& c : {Case{{1000, 640}, 1.0f}, Case{{1000, 640}, 2.0f}, Case{{1280, 800}, 2.0f},
+                        Case{{420, 760}, 1.0f}}) {
+    SCOPED_TRACE(std::to_string(c.size.x) + " at " + std::to_string(c.scale));
+    UiRig rig(LoadFunction{}, c.size, c.scale);
+    rig.set_blind(true);
+    rig.set_pixel_size(4);
+    rig.previewer().edits().settings().asos.max_level = 2;
+    rig.previewer().scene().open("builtin:fence");
+    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+    ASSERT_TRUE(rig.settle());
+    rig.content().state().tour_asked = true;
+    rig.frame();
+    for (int card = 0; card < Tour::cards; ++card) {
+      show_card(rig.content().state(), rig.previewer(), card, 0.0);
+      ASSERT_TRUE(rig.settle());
+      for (int i = 0; i < 30; ++i) rig.frame();
+      const auto& all = rig.content().controls().all();
+      ASSERT_TRUE(all.contains("Card")) << card;
+      const Controls::Placed at = placed(rig, "Card");
+      for (const char* other : {"Pixel panel", "Map legend"}) {
+        if (!all.contains(other)) continue;
+        const Controls::Placed over = placed(rig, other);
+        EXPECT_FALSE(touch({at.lo, at.hi - at.lo}, {over.lo, over.hi - over.lo}))
+            << card << " and " << other << ": " << at.lo.x << ' ' << at.lo.y << ' ' << at.hi.x
+            << ' ' << at.hi.y << ", " << over.lo.x << ' ' << over.lo.y << ' ' << over.hi.x << ' '
+            << over.hi.y;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asos::test::tour_end_test

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "renderer/result.h"
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// The path of a program on $PATH; empty: it is not installed.
+[[nodiscard]] std::string find_program(const std::string& name);
+
+/// Runs a program without a shell and waits for its end. The first argument is its path. Its input
+/// is `input_file`; empty: none. `stop` is called some dozens of times a second and ends the
+/// program by returning true. Errors name the program and its last line of error output.
+[[nodiscard]] Result<void> run_program(const std::vector<std::string>& arguments,
+                                       const std::string& input_file,
+                                       const std::function<bool()>& stop);
+
+}  // namespace asos

@@ -1,0 +1,56 @@
+#include "ui/panels/card_place.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace asos {
+
+namespace {
+
+constexpr float widths_em[] = {25.0f, 21.0f, 17.0f, 14.5f};
+
+float overlap(const WindowRect& a, const WindowRect& b) {
+  const glm::vec2 lo = glm::max(a.lo, b.lo), hi = glm::min(a.lo + a.size, b.lo + b.size);
+  return hi.x > lo.x && hi.y > lo.y ? (hi.x - lo.x) * (hi.y - lo.y) : 0.0f;
+}
+
+// Lists coordinates to try: both ends of the room, then those next to taken rectangles.
+std::vector<float> starts(const WindowRect& room, float size, std::span<const WindowRect> taken,
+                          glm::length_t axis, float gap) {
+  const float first = room.lo[axis], last = std::max(first, first + room.size[axis] - size);
+  std::vector<float> all{last, first};
+  for (const WindowRect& rect : taken) {
+    all.push_back(std::clamp(rect.lo[axis] - gap - size, first, last));
+    all.push_back(std::clamp(rect.lo[axis] + rect.size[axis] + gap, first, last));
+  }
+  return all;
+}
+
+}  // namespace
+
+CardPlace card_place(const WindowRect& room, glm::vec2 size, std::span<const WindowRect> taken,
+                     float em) {
+  const float gap = 0.3f * em;
+  const glm::vec2 drawn = size.x > 0.0f ? size : em * glm::vec2(widths_em[0], 14.0f);
+  CardPlace best;
+  float least = std::numeric_limits<float>::infinity();
+  for (const float width_em : widths_em) {
+    const float width = std::min(width_em * em, room.size.x);
+    // The same words on other lines; titles and buttons stay as high.
+    const float height = std::min(drawn.y * std::max(1.0f, drawn.x / width), room.size.y);
+    for (const float y : starts(room, height, taken, 1, gap)) {
+      for (const float x : starts(room, width, taken, 0, gap)) {
+        float hidden = 0.0f;
+        for (const WindowRect& rect : taken) hidden += overlap({{x, y}, {width, height}}, rect);
+        if (hidden >= least) continue;
+        least = hidden;
+        best = {{x, y}, width};
+      }
+    }
+    if (least <= 0.0f) break;
+  }
+  return best;
+}
+
+}  // namespace asos

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ui/panels/controls.h"
+
+#include <string>
+
+namespace asos {
+
+/// A person's choice of where to write the scene.
+struct SaveSceneChoice {
+  std::string path;    ///< .glb or .gltf; empty: the next that is free
+  bool show = false;   ///< the dialog
+  bool asked = false;  ///< it was answered: to be saved now
+};
+
+void save_scene_dialog(Controls& controls, SaveSceneChoice& choice);
+
+}  // namespace asos

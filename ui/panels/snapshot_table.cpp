@@ -1,0 +1,107 @@
+#include "ui/panels/snapshot_table.h"
+
+#include "renderer/study/measures.h"
+#include "ui/resampled.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace asos {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double error_of(Frames& frames, const Film& film) {
+  if (film.width <= 0) return unknown;
+  const StoredFrame& chosen = frames.stored[static_cast<std::size_t>(frames.chosen)];
+  return common_rmse(film, chosen.film, frames.at_size(frames.chosen, {film.width, film.height}));
+}
+
+// Measures again when the picture is finished, or another snapshot is chosen.
+void measure_all(const PreviewRender& render, Frames& frames) {
+  const Film& film = render.film();
+  const bool finished = render.progress().finished && film.width > 0;
+  const Frames::Measured now{render.restarts(), frames.revision, frames.chosen, finished};
+  if (now == frames.measured) return;
+  frames.measured = now;
+  frames.rmse = finished ? error_of(frames, film) : unknown;
+  frames.stored_rmse.clear();
+  for (std::size_t i = 0; i < frames.stored.size(); ++i)
+    frames.stored_rmse.push_back(
+        static_cast<int>(i) == frames.chosen ? 0.0 : error_of(frames, frames.stored[i].film));
+}
+
+void cells(double rmse, bool reference) {
+  ImGui::TableNextColumn();
+  if (reference) {
+    ImGui::TextDisabled("reference");
+    ImGui::TableNextColumn();
+    return;
+  }
+  const bool known = !std::isnan(rmse);
+  ImGui::TextUnformatted(
+      known ? (rmse > 0.0 ? fmt::format("{:.1e}", rmse) : std::string("0")).c_str() : "...");
+  ImGui::TableNextColumn();
+  if (known) ImGui::TextUnformatted(psnr_words(rmse).c_str());
+}
+
+bool snapshot_row(Controls& controls, const Frames& frames, std::size_t index) {
+  const StoredFrame& frame = frames.stored[index];
+  const bool chosen = static_cast<int>(index) == frames.chosen;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(static_cast<int>(index));
+  const bool clicked = ImGui::Selectable(fmt::format("{}  {}", index + 1, frame.name).c_str(),
+                                         chosen, ImGuiSelectableFlags_SpanAllColumns);
+  ImGui::PopID();
+  const std::string tooltip =
+      fmt::format("{}. Press {} to show it, and again for the picture.", frame.summary, index + 1);
+  controls.placed(fmt::format("Snapshot/{}", index + 1), tooltip.c_str(), Controls::Use::edits);
+  cells(frames.stored_rmse[index], chosen);
+  return clicked;
+}
+
+}  // namespace
+
+double common_rmse(const Film& a, const Film& b, const Film& sized) {
+  const PixelRect area = resampled_area(b, {a.width, a.height});
+  double sum = 0.0;
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    for (int x = area.x; x < area.x + area.width; ++x) {
+      const std::size_t i = a.index(x, y);
+      sum += squared_error(a.radiance[i], sized.radiance[i], true);
+    }
+  }
+  return std::sqrt(sum / std::max(1.0, static_cast<double>(area.width) * area.height));
+}
+
+std::string psnr_words(double rmse) {
+  return rmse > 0.0 ? fmt::format("{:.1f} dB", -20.0 * std::log10(rmse)) : "identical";
+}
+
+void snapshot_table(Controls& controls, const Previewer& previewer, Frames& frames) {
+  measure_all(previewer.render(), frames);
+  if (!ImGui::BeginTable("snapshots", 3, ImGuiTableFlags_RowBg)) return;
+  const float em = ImGui::GetFontSize();
+  ImGui::TableSetupColumn("Snapshot", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("RMSE", ImGuiTableColumnFlags_WidthFixed, 4.0f * em);
+  ImGui::TableSetupColumn("PSNR", ImGuiTableColumnFlags_WidthFixed, 4.6f * em);
+  ImGui::TableHeadersRow();
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted("Current picture");
+  controls.placed("Picture error",
+                  "Error against the chosen snapshot, linear values from 0 to 1. Known when the "
+                  "picture is finished.");
+  cells(frames.rmse, false);
+  for (std::size_t i = 0; i < frames.stored.size(); ++i)
+    if (snapshot_row(controls, frames, i)) frames.chosen = static_cast<int>(i);
+  ImGui::EndTable();
+}
+
+}  // namespace asos

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "ui/frames.h"
+#include "ui/panels/controls.h"
+#include "ui/previewer.h"
+
+namespace asos {
+
+/// Lists the picture and the snapshots with RMSE and PSNR against the chosen snapshot. A click
+/// chooses another one. Only with snapshots.
+void snapshot_table(Controls& controls, const Previewer& previewer, Frames& frames);
+
+/// RMSE over the pixels that both show, of linear values clipped to 0 to 1. `sized`: `b` at the
+/// size of `a`.
+[[nodiscard]] double common_rmse(const Film& a, const Film& b, const Film& sized);
+/// "32.1 dB" of a peak of 1; "identical" where there is no error.
+[[nodiscard]] std::string psnr_words(double rmse);
+
+}  // namespace asos

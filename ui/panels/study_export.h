@@ -1,0 +1,23 @@
+#pragma once
+
+#include "renderer/result.h"
+#include "renderer/study/analysis.h"
+#include "ui/panels/study_plot.h"
+
+#include <string>
+
+namespace asos {
+
+/// The plot as a drawing of 800 x 560 units, legend included.
+[[nodiscard]] std::string plot_svg(const StudyPlot& plot, const std::string& title);
+
+/// A line for each setting, and for each picture of the renders that were watched.
+[[nodiscard]] std::string study_csv(const SceneStudy& study);
+
+/// Writes `text` into the next free FOLDER/STEM-study-001.EXTENSION, and returns its path.
+[[nodiscard]] Result<std::string> save_study_text(const std::string& folder,
+                                                  const std::string& stem,
+                                                  const std::string& extension,
+                                                  const std::string& text);
+
+}  // namespace asos
