@@ -15,6 +15,7 @@
 #include "app/render_warnings.h"
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
+#include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_strokes.h"
@@ -185,15 +186,16 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   const auto started = std::chrono::steady_clock::now();
   auto prepared = work.scene.at(frame.time, picture);
   if (!prepared) return tl::unexpected(prepared.error());
-  if (!wanted.sky_chosen) arguments.picture.settings.sky = usual_sky(**prepared);
   CameraChoice choice = wanted.camera;
   if (wanted.from) choice.given = picture.camera_from((*prepared)->world().origin);
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
   const Result<Camera> camera = work.scene.camera(**prepared, choice, aspect);
   if (!camera) return tl::unexpected(camera.error());
-  prepared = with_ground(*std::move(prepared), wanted.settings.ground).and_then([&](auto grounded) {
-    return with_strokes(std::move(grounded), stroke_picture(*camera, wanted.settings));
-  });
+  take_default_look(arguments.picture, **prepared, *camera);
+  if (!picture.lights) prepared = lit_under(*prepared, wanted.settings.sky.get());
+  if (prepared) prepared = with_ground(*std::move(prepared), wanted.settings.ground);
+  if (prepared) work.scene.keep(*prepared);
+  if (prepared) prepared = with_strokes(*prepared, stroke_picture(*camera, wanted.settings));
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
   if (const auto fits = check_method(ready, wanted.settings); !fits)

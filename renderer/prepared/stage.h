@@ -18,6 +18,7 @@ struct Stage {
   glm::dvec3 origin{0.0};          ///< World::origin
   bool lit_by_rig = false;         ///< next to no light comes from the scene itself
   std::vector<Light> rig;          ///< then these are there, too; relative to the origin
+  bool rig_inside = false;         ///< walls shut out a studio's lights: the rig hangs inside
   MipChains mips;                  ///< of its images
   std::shared_ptr<const Sky> sky;  ///< the file's own surroundings; null: it has none
 };

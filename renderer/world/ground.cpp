@@ -15,7 +15,8 @@ Material ground_material(Ground ground) {
   Material material;
   material.name = ground_name;
   material.metallic = 0.0f;
-  material.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
+  // White and black models stand out on it.
+  material.base_color = {0.38f, 0.38f, 0.38f, 1.0f};
   material.specular = 0.0f;
   material.double_sided = true;
   if (ground != Ground::mirror) return material;

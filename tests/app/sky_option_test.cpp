@@ -102,6 +102,24 @@ TEST_F(SkyOption, AnEnvironmentBringsItsLights) {
   EXPECT_EQ(render("x.exr", {"--sky", "noon"}).exit_code, 2);
 }
 
+// With the rig in its place, the turned and brighter picture is made again from its file.
+TEST_F(SkyOption, ADefaultPictureIsRenderedAgainAsItWas) {
+  const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
+  const auto shot = [&](const std::vector<std::string>& words, const std::string& to) {
+    const AsosRun run = run_asos(std::vector<std::string>{"render"} + words +
+                                 std::vector<std::string>{"-o", folder_.file(to)});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return read_exr(folder_.file(to)).value().film.radiance;
+  };
+  const std::vector<std::string> small{bare, "--size", "24x16"};
+  const auto plain = shot(small, "plain.exr");
+  EXPECT_TRUE(shot({"--from", folder_.file("plain.exr")}, "again.exr") == plain);
+  const auto placed = shot(
+      small + std::vector<std::string>{"--sky-turn", "120", "--sky-brightness", "2"}, "placed.exr");
+  EXPECT_TRUE(placed != plain);
+  EXPECT_TRUE(shot({"--from", folder_.file("placed.exr")}, "placed2.exr") == placed);
+}
+
 TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
   const std::string bad = picture("bad.exr", {1, std::numeric_limits<float>::quiet_NaN(), 1});
   const std::string missing = folder_.file("missing.hdr");
@@ -118,8 +136,8 @@ TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
       contains(render("x.exr", {"--sky", bad}).err, "128 of its 128 pixels are not finite"));
 }
 
-// Scenes with lights, and whoever asks for another sky, keep what they had.
-TEST_F(SkyOption, IsAStudioForScenesWithoutLights) {
+// Scenes with lights, and whoever asks for another sky, have none of it.
+TEST_F(SkyOption, ScenesWithoutLightsStandInAStudioWithSoftBoxes) {
   const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
   const auto sky_of = [&](const std::string& scene, const std::vector<std::string>& words) {
     const AsosRun run = run_asos(
@@ -128,9 +146,25 @@ TEST_F(SkyOption, IsAStudioForScenesWithoutLights) {
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return read_description(folder_.file("a.png")).value().sky;
   };
-  EXPECT_EQ(sky_of(bare, {}).environment, Environment::studio);
+  const auto settings = [&] { return read_description(folder_.file("a.png")).value().settings; };
+  EXPECT_EQ(sky_of(bare, {}).environment, Environment::softboxes);
+  EXPECT_EQ(settings().ground, Ground::on);
+  EXPECT_EQ(settings().background.kind, BackgroundKind::colours);
+  const SkyChoice placed = sky_of(bare, {"--sky-turn", "40", "--sky-brightness", "2"});
+  EXPECT_EQ(placed.environment, Environment::softboxes);
+  EXPECT_EQ(placed.turn_deg, 40.0);
+  EXPECT_EQ(placed.brightness, 2.0);
+  EXPECT_EQ(sky_of(bare, {"--ground", "off", "--background", "environment"}).environment,
+            Environment::softboxes);
+  EXPECT_EQ(settings().ground, Ground::off);
+  EXPECT_EQ(settings().background, Background{});
+  EXPECT_EQ(sky_of(bare, {"--sky", "studio"}).environment, Environment::studio);
+  EXPECT_EQ(settings().ground, Ground::off) << "the look goes with the sky";
+  EXPECT_EQ(settings().background, Background{});
   EXPECT_EQ(sky_of(bare, {"--sky", "neutral"}), SkyChoice{});
   EXPECT_EQ(sky_of("builtin:boxes", {}), SkyChoice{});
+  EXPECT_EQ(settings().ground, Ground::off);
+  EXPECT_EQ(settings().background, Background{});
   // A picture from before there was such a default is rendered again as it was.
   EXPECT_EQ(sky_of(bare, {"--sky", "neutral"}), SkyChoice{});
   const AsosRun again =

@@ -199,7 +199,7 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
   EXPECT_EQ(names(), "key fill ");
   rig.click("Sky/Preset");
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(sky()->choice().environment, Environment::studio);
+  EXPECT_EQ(sky()->choice().environment, Environment::softboxes);
   EXPECT_EQ(names(), "key fill ");
   choose("daylight");
   EXPECT_EQ(sky()->choice().environment, Environment::daylight);

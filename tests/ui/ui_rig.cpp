@@ -43,7 +43,7 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skie
   stored.tab = PanelTab::all;
   stored.sections["Advanced"] = true;
   content_->apply(stored);
-  if (skies == Skies::neutral) previewer_->edits().keep_first_sky();
+  if (skies == Skies::neutral) previewer_->edits().keep_first({true, true, true});
 }
 
 void UiRig::frame() {

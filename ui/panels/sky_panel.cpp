@@ -36,8 +36,8 @@ SkyKind kind_of_sky(const RenderSettings& settings, const SkyEdit& choice) {
   if (choice.file) return SkyKind::file;
   const Sky* sky = settings.sky.get();
   if (!sky) return SkyKind::neutral;
-  if (sky->is_picture()) return SkyKind::file;
   if (sky->choice().environment) return SkyKind::environment;
+  if (sky->is_picture()) return SkyKind::file;
   return sky->choice().colours->zenith != sky->choice().colours->horizon || choice.gradient
              ? SkyKind::gradient
              : SkyKind::colour;
