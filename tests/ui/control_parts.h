@@ -126,6 +126,8 @@ inline const std::map<std::string, Part> parts{
     {"Casts shadows", Part::lights},
     {"Show gizmos", Part::choice},
     {"Mark", Part::lights},
+    {"Light arrow", Part::choice},
+    {"Keep total power", Part::choice},
     {"Keep snapshot", Part::frames},
     {"Delete snapshot", Part::frames},
     {"Snapshot", Part::frames},
