@@ -121,6 +121,13 @@ void WindowContent::draw(const FrameInput& in) {
   save_window(in);
 }
 
+void WindowContent::open_dropped(const std::string& path) {
+  if (is_sky_file(path))
+    read_as_sky(state_.sky, sky_reader_, path);
+  else
+    previewer_.scene().open(path);
+}
+
 // Takes over the results of other threads.
 void WindowContent::take_outcomes() {
   update_sky(previewer_.edits(), state_.sky, sky_reader_);

@@ -60,6 +60,9 @@ class WindowContent {
   /// there is input, or the previewer wakes.
   [[nodiscard]] std::optional<double> seconds_to_redraw() const;
 
+  /// Opens a file that was dropped on the window: a sky, or else a scene or a saved picture.
+  void open_dropped(const std::string& path);
+
   [[nodiscard]] UiState& state() { return state_; }
   /// The part of the state that is worth remembering.
   [[nodiscard]] StoredSettings stored_settings() const;
