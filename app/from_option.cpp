@@ -20,6 +20,7 @@ void add_from_option(CLI::App& app, PictureArguments& arguments) {
     arguments.sky_chosen = arguments.ground_chosen = arguments.background_chosen = true;
     arguments.needs = read->needs;
     arguments.exposure_ev = read->display.exposure_ev;
+    arguments.exposure_chosen = true;
     arguments.tone = read->display.tone;
     arguments.from = *std::move(read);
   };

@@ -295,10 +295,15 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
              "A camera of the file cuts off what is nearer than its znear or farther than its zfar",
              clip_names, arguments.camera.planes);
   add_parsed_option(app, "--exposure", "EV",
-                    "Exposure of PNG pictures in stops, -32 to 32; each doubles the brightness",
-                    number(-32, 32),
-                    [&](double ev) { arguments.exposure_ev = static_cast<float>(ev); })
-      ->default_str("0");
+                    "Exposure of PNG pictures in stops, -32 to 32; each doubles the brightness. "
+                    "auto: by the picture's brightness",
+                    parse_exposure,
+                    [&](std::optional<float> ev) {
+                      arguments.exposure_ev = ev.value_or(0.0f);
+                      arguments.exposure_chosen = true;
+                      arguments.exposure_metered = !ev;
+                    })
+      ->default_str("0; auto where a file's lights whiten over a tenth of the picture");
   add_choice(
       app, "--tone", "CURVE",
       "Tone curve of PNG files: none (clipped), neutral (Khronos PBR Neutral) or agx (film-like)",

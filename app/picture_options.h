@@ -32,6 +32,8 @@ struct PictureArguments {
   bool ground_chosen = false;      ///< else its ground, where the sky is not chosen either
   bool background_chosen = false;  ///< else it has default_background of the sky
   float exposure_ev = 0.0f;
+  bool exposure_chosen = false;   ///< else it is usual_exposure
+  bool exposure_metered = false;  ///< "auto" was chosen
   ToneCurve tone = ToneCurve::neutral;
   NeedsChoice needs = NeedsChoice::scene;
 

@@ -1,4 +1,5 @@
 #include "app/camera_choice.h"
+#include "app/chosen_exposure.h"
 #include "app/command.h"
 #include "app/exit_code.h"
 #include "app/frame_list.h"
@@ -286,6 +287,10 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
   Result<Work> work = open(arguments, bar, interrupt);
   if (!work) return tl::unexpected(work.error());
 
+  const Result<std::string> exposed = choose_exposure(
+      arguments.picture, work->scene, wanted_picture(arguments.picture, work->scene.contents()));
+  if (!exposed) return tl::unexpected(exposed.error());
+
   const std::vector<FrameRequest> frames =
       frames_of(arguments, work->scene.contents(), work->scene.time());
   if (frames.empty())
@@ -307,6 +312,8 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
     if (!arguments.quiet) {
       if (done.finished == 0) say_warnings(*report, streams.err);
       if (done.finished == 0) say_notes(arguments, frames, work->scene, streams.err);
+      if (done.finished == 0)
+        if (!exposed->empty()) streams.err << "asos: note: " << *exposed << "\n";
       if (done.finished == 0)
         for (const std::string& note : report->camera_notes)
           streams.err << "asos: note: " << note << "\n";

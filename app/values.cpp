@@ -156,6 +156,13 @@ Result<SkyChoice> parse_sky(std::string_view text) {
   return SkyChoice{SkyChoice::Colours{colours->first, colours->second}, "", 0.0};
 }
 
+Result<std::optional<float>> parse_exposure(std::string_view text) {
+  if (text == "auto") return std::optional<float>();
+  return parse_number(text, -32.0, 32.0).map([](double ev) {
+    return std::optional<float>(static_cast<float>(ev));
+  });
+}
+
 Result<Background> parse_background(std::string_view text) {
   Background background;
   for (const auto& kind : background_names) {

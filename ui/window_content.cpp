@@ -255,6 +255,7 @@ StoredSettings WindowContent::stored_settings() const {
   StoredSettings stored;
   stored.display = state_.display;
   stored.display.show_split_map = false;
+  if (std::exchange(stored.display.auto_exposure, false)) stored.display.exposure_ev = 0.0f;
   if (state_.tour.card) stored.display.split_colours = state_.tour.before.colours;
   stored.look = state_.look;
   stored.tour_seen = state_.tour.seen;
@@ -290,9 +291,12 @@ void WindowContent::follow_files(double now_seconds) {
     state_.recent = std::move(stored.recent);
     state_.lights.selected = -1;
     state_.outline.selected = -1;
-    if (const auto opened = previewer_.scene().take_opened_display())
-      show_as(*opened, state_.display);
+    const auto opened = previewer_.scene().take_opened_display();
+    metered_exposure_.scene_opened(state_.display, opened.has_value());
+    if (opened) show_as(*opened, state_.display);
   }
+  if (std::string said = metered_exposure_.update(previewer_, state_.display); !said.empty())
+    say(std::move(said));
   if (state_.watch && !previewer_.scene().loading() &&
       watch_.changed(previewer_.scene().files(), now_seconds))
     previewer_.scene().reload();
@@ -355,7 +359,8 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };
   if (const std::optional<double> step = history_.seconds_to_update(time_seconds_)) also(*step);
   if (flying()) also(0.0);
-  if (inspector_.busy() || split_search_.busy() || sky_reader_.busy() || forecast_.busy())
+  if (inspector_.busy() || split_search_.busy() || sky_reader_.busy() || forecast_.busy() ||
+      metered_exposure_.busy())
     also(0.02);
   if (check_.pending() || equal_time_.pending()) also(0.1);
   if (keys_repeat()) also(0.03);

@@ -6,6 +6,7 @@
 #include "ui/file_watch.h"
 #include "ui/gl_display.h"
 #include "ui/input.h"
+#include "ui/metered_exposure.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/grid_overlay.h"
 #include "ui/panels/overlays.h"
@@ -106,6 +107,7 @@ class WindowContent {
   PixelInspector inspector_;
   SplitPixelSearch split_search_;
   SkyReader sky_reader_;
+  MeteredExposure metered_exposure_;
   SplitForecast forecast_;
   SplitCheck check_;
   EqualTimeJob equal_time_;

@@ -203,5 +203,50 @@ TEST_F(SkyOption, BackgroundAndGroundTravelWithThePicture) {
             read_exr(folder_.file("plain.exr")).value().film.radiance);
 }
 
+/// A square under a sun, which a camera sees straight on.
+std::string sunlit_square(double lux) {
+  test::GltfBuilder b = test::GltfBuilder::square();
+  b.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  b.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "directional"}, {"intensity", lux}}};
+  b.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  b.json["scenes"][0]["nodes"] = {0, 1};
+  b.json["materials"] = {{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}}}};
+  b.json["meshes"][0]["primitives"][0]["material"] = 0;
+  return b.glb();
+}
+
+TEST_F(SkyOption, ExposureFollowsLightsThatWhitenThePicture) {
+  const std::string bright = folder_.write("bright.glb", sunlit_square(100000.0));
+  const std::string dim = folder_.write("dim.glb", sunlit_square(1.0));
+  const auto shot = [&](const std::string& scene, const std::vector<std::string>& words,
+                        const std::string& size = "16x16") {
+    const AsosRun run = run_asos(
+        std::vector<std::string>{"render", scene, "-o", folder_.file("a.png"), "--size", size,
+                                 "--method", "sobol", "--look-at", "0.5,0.5,1,0.5,0.5,0"} +
+        words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return std::pair(read_description(folder_.file("a.png")).value().display.exposure_ev, run.err);
+  };
+  const auto [stops, said] = shot(bright, {});
+  EXPECT_LT(stops, -14.0f);
+  EXPECT_GT(stops, -16.0f);
+  EXPECT_TRUE(contains(said, "note: exposure -15")) << said;
+  EXPECT_EQ(shot(bright, {"--threads", "3"}, "48x48").first, stops);
+  const auto [kept, quiet] = shot(bright, {"--exposure", "0"});
+  EXPECT_EQ(kept, 0.0f);
+  EXPECT_FALSE(contains(quiet, "exposure")) << quiet;
+  EXPECT_EQ(shot(dim, {}).first, 0.0f);
+  const auto [lifted, why] = shot(dim, {"--exposure", "auto"});
+  EXPECT_GT(lifted, 0.1f);
+  EXPECT_TRUE(contains(why, "note: exposure +")) << why;
+  // A saved picture is rendered again as it was.
+  (void)shot(bright, {"--exposure", "1"});
+  const AsosRun again =
+      run_asos({"render", "--from", folder_.file("a.png"), "-o", folder_.file("b.png")});
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(read_description(folder_.file("b.png")).value().display.exposure_ev, 1.0f);
+}
+
 }  // namespace
 }  // namespace asos

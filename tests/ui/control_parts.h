@@ -96,6 +96,7 @@ inline const std::map<std::string, Part> parts{
     {"Divisions", Part::settings},
     {"Light rule", Part::settings},
     {"Exposure", Part::display},
+    {"Auto exposure", Part::display},
     {"Tone", Part::display},
     {"Split map", Part::display},
     {"Dimming", Part::display},

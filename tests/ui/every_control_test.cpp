@@ -88,7 +88,7 @@ class EveryControlTest : public PanelsTest {
       case Part::tour:
         return numbers(s.tour.card ? static_cast<int>(*s.tour.card) : -1, s.tour.since_seconds);
       case Part::display:
-        return numbers(d.exposure_ev, static_cast<int>(d.tone), d.show_split_map,
+        return numbers(d.exposure_ev, d.auto_exposure, static_cast<int>(d.tone), d.show_split_map,
                        d.show_legend, d.show_grid, d.split_dimming,
                        static_cast<int>(d.split_colours));
       case Part::lights:

@@ -294,5 +294,49 @@ TEST_F(SkyPanelTest, TheStatusLineSaysThatTheGroundChanges) {
   EXPECT_EQ(words(), "Updating ground");
 }
 
+class ExposureTest : public PanelsTest {
+ protected:
+  void open(const std::string& source) {
+    rig.previewer().scene().open(source);
+    EXPECT_TRUE(rig.frames_until([&] {
+      return rig.previewer().scene() && rig.previewer().scene()->geometry->source == source;
+    }));
+    EXPECT_TRUE(rig.settle());
+  }
+};
+
+TEST_F(ExposureTest, FollowsABrightSceneUntilAPersonSetsIt) {
+  open("sunlit");
+  ASSERT_TRUE(rig.frames_until([&] { return display().auto_exposure; }));
+  EXPECT_LT(display().exposure_ev, -5.0f);
+  EXPECT_NE(rig.content().state().message.find("Auto exposure"), std::string::npos);
+  EXPECT_FALSE(rig.content().stored_settings().display.auto_exposure);
+  EXPECT_EQ(rig.content().stored_settings().display.exposure_ev, 0.0f) << "of this scene alone";
+  // A light of half the power is metered again.
+  const float before = display().exposure_ev;
+  rig.previewer().edits().edit_lights()[0].light.intensity *= 0.25f;
+  ASSERT_TRUE(rig.frames_until([&] { return display().exposure_ev > before + 1.5f; }));
+  EXPECT_TRUE(display().auto_exposure);
+  rig.click("Auto exposure");
+  rig.frame();
+  EXPECT_FALSE(display().auto_exposure);
+  EXPECT_EQ(display().exposure_ev, 0.0f);
+  rig.click("Auto exposure");
+  ASSERT_TRUE(rig.frames_until([&] { return display().exposure_ev < -1.0f; }));
+  display().exposure_ev = 1.0f;  // as the slider does
+  rig.frame();
+  rig.frame();
+  EXPECT_FALSE(display().auto_exposure);
+  EXPECT_EQ(display().exposure_ev, 1.0f);
+}
+
+TEST_F(ExposureTest, IsThatOfEachScene) {
+  open("sunlit");
+  ASSERT_TRUE(rig.frames_until([&] { return display().auto_exposure; }));
+  open("scene");
+  EXPECT_FALSE(display().auto_exposure);
+  EXPECT_EQ(display().exposure_ev, 0.0f);
+}
+
 }  // namespace
 }  // namespace asos
