@@ -72,6 +72,10 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                      scene.time ? HierarchyUse::moment : HierarchyUse::lasting);
   if (!geometry) return unexpected(Error{scene.source, geometry.error().message()});
   Geometry& built = **geometry;
+  if (stage)
+    own.floor = stage->floor;
+  else if (!built.world.bounds.empty())
+    own.floor = static_cast<double>(built.world.bounds.lo.y);
   if (own.lit_by_rig && stage) {
     own.rig = stage->rig;
     own.rig_inside = stage->rig_inside;
