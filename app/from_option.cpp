@@ -17,9 +17,10 @@ void add_from_option(CLI::App& app, PictureArguments& arguments) {
     arguments.scene = read->scene;
     arguments.settings = read->settings;
     arguments.sky = read->sky;
-    arguments.sky_chosen = true;
+    arguments.sky_chosen = arguments.ground_chosen = arguments.background_chosen = true;
     arguments.needs = read->needs;
     arguments.exposure_ev = read->display.exposure_ev;
+    arguments.exposure_chosen = true;
     arguments.tone = read->display.tone;
     arguments.from = *std::move(read);
   };

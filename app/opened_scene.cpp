@@ -92,6 +92,11 @@ Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<C
   return newest_ = *std::move(prepared);
 }
 
+Result<std::shared_ptr<const RenderScene>> OpenedScene::at_rest(const PictureDescription& picture) {
+  if (stage_) return stage_;
+  return at(std::nullopt, picture);
+}
+
 Result<Camera> OpenedScene::camera(const RenderScene& scene, const CameraChoice& choice,
                                    double aspect_ratio) const {
   const World& world = scene.world();

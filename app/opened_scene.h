@@ -31,6 +31,12 @@ class OpenedScene {
   /// last is kept. Its boundaries may still be looked for.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
                                                               const PictureDescription& picture);
+  /// The scene as the file's nodes place it, where it moves; else as `at` has it.
+  [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at_rest(
+      const PictureDescription& picture);
+  /// Keeps this scene, lit and on its ground, in place of the one that was asked for last: `at` of
+  /// the same time returns it. The hierarchies of the one before go.
+  void keep(std::shared_ptr<const RenderScene> scene) { newest_ = std::move(scene); }
   /// The camera of a picture of `scene`, which is one of those above. Where the file has none, it
   /// frames all of the animation that is shown.
   [[nodiscard]] Result<Camera> camera(const RenderScene& scene, const CameraChoice& choice,

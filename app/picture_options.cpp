@@ -5,7 +5,9 @@
 #include "renderer/comparison/method.h"
 #include "renderer/geometry/coordinates.h"
 #include "renderer/geometry/lens.h"
+#include "renderer/prepared/default_look.h"
 #include "renderer/settings/names.h"
+#include "renderer/shading/environments.h"
 
 #include <fmt/format.h>
 
@@ -198,11 +200,18 @@ void add_method_options(CLI::App& app, RenderSettings& settings) {
       ->default_str("0");
 }
 
+std::string environment_words() {
+  std::string words;
+  for (const EnvironmentRow& row : environments)
+    words += (words.empty() ? "" : ", ") + std::string(row.name);
+  return words;
+}
+
 void add_sky_options(CLI::App& app, PictureArguments& arguments, const char* usual) {
   add_parsed_option(app, "--sky", "WHAT",
-                    "Sky: neutral (grey), an environment (studio, daylight, dusk, white, grey; "
-                    "with a light for scenes without lights), R,G,B (linear), R,G,B:R,G,B "
-                    "(zenith:horizon), FILE.hdr or FILE.exr (equirectangular)",
+                    "Sky: neutral (grey), an environment (" + environment_words() +
+                        "; with a light for scenes without lights), R,G,B (linear), R,G,B:R,G,B "
+                        "(zenith:horizon), FILE.hdr or FILE.exr (equirectangular)",
                     parse_sky,
                     [&](SkyChoice sky) {
                       sky.turn_deg = arguments.sky.turn_deg;
@@ -211,28 +220,37 @@ void add_sky_options(CLI::App& app, PictureArguments& arguments, const char* usu
                       arguments.sky_chosen = true;
                     })
       ->default_str(usual);
-  add_parsed_option(app, "--sky-turn", "DEG",
-                    "Rotation of a picture sky about the vertical, counter-clockwise from above, "
-                    "-360 to 360 degrees",
-                    number(-360, 360), [&](double degrees) { arguments.sky.turn_deg = degrees; })
+  add_parsed_option(
+      app, "--sky-turn", "DEG",
+      "Rotation of a picture or environment about the vertical, counter-clockwise from above, "
+      "-360 to 360 degrees",
+      number(-360, 360), [&](double degrees) { arguments.sky.turn_deg = degrees; })
       ->default_str("0");
   add_parsed_option(app, "--sky-brightness", "TIMES",
-                    "Brightness factor of a picture sky, 0 to 1000",
+                    "Brightness factor of a picture or environment, 0 to 1000",
                     number(0, SkyChoice::most_brightness),
                     [&](double times) { arguments.sky.brightness = times; })
       ->default_str("1");
 }
 
-void add_stage_options(CLI::App& app, RenderSettings& settings) {
+void add_stage_options(CLI::App& app, PictureArguments& arguments) {
   add_parsed_option(app, "--background", "WHAT",
                     "Background: environment (the sky), blurred, transparent (alpha channel), "
                     "R,G,B (linear) or R,G,B:R,G,B (upper:lower border)",
                     parse_background,
-                    [&](const Background& background) { settings.background = background; })
-      ->default_str("environment");
-  add_choice(app, "--ground", "WHAT",
-             "Ground plane: off, on (catches shadows) or mirror (also reflects)", ground_names,
-             settings.ground);
+                    [&](const Background& background) {
+                      arguments.settings.background = background;
+                      arguments.background_chosen = true;
+                    })
+      ->default_str("environment; a grey gradient for softboxes and windows");
+  add_parsed_option(app, "--ground", "WHAT",
+                    "Ground plane: off, on (catches shadows) or mirror (also reflects)",
+                    parse_name(std::span(ground_names)),
+                    [&](Ground ground) {
+                      arguments.settings.ground = ground;
+                      arguments.ground_chosen = true;
+                    })
+      ->default_str("on for a scene without lights in its default sky, else off");
 }
 
 // The camera, but for what is shown of its picture.
@@ -295,8 +313,8 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
       [&](PictureSize s) { settings.width = s.width, settings.height = s.height; })
       ->default_str(fmt::format("{}x{}", settings.width, settings.height));
   add_method_options(app, settings);
-  add_sky_options(app, arguments, "studio for a scene without lights, else neutral");
-  add_stage_options(app, settings);
+  add_sky_options(app, arguments, "softboxes for a scene without lights, else neutral");
+  add_stage_options(app, arguments);
   add_needs_option(app, arguments.needs);
 }
 
@@ -312,10 +330,15 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments) {
              "A camera of the file cuts off what is nearer than its znear or farther than its zfar",
              clip_names, arguments.camera.planes);
   add_parsed_option(app, "--exposure", "EV",
-                    "Exposure of PNG pictures in stops, -32 to 32; each doubles the brightness",
-                    number(-32, 32),
-                    [&](double ev) { arguments.exposure_ev = static_cast<float>(ev); })
-      ->default_str("0");
+                    "Exposure of PNG pictures in stops, -32 to 32; each doubles the brightness. "
+                    "auto: by the picture's brightness",
+                    parse_exposure,
+                    [&](std::optional<float> ev) {
+                      arguments.exposure_ev = ev.value_or(0.0f);
+                      arguments.exposure_chosen = true;
+                      arguments.exposure_metered = !ev;
+                    })
+      ->default_str("0; auto where a file's lights whiten over a tenth of the picture");
   add_choice(
       app, "--tone", "CURVE",
       "Tone curve of PNG files: none (clipped), neutral (Khronos PBR Neutral) or agx (film-like)",
@@ -372,6 +395,20 @@ Result<RenderSettings> with_sky(const PictureArguments& arguments) {
     settings.sky = std::move(sky);
     return settings;
   });
+}
+
+void take_default_look(PictureArguments& arguments, const RenderScene& scene,
+                       const Camera& camera) {
+  RenderSettings& settings = arguments.settings;
+  if (!arguments.sky_chosen) {
+    const DefaultLook look = default_look(scene, camera);
+    settings.sky = look.sky;
+    if (look.sky)
+      settings.sky = std::make_shared<const Sky>(
+          look.sky->turned(arguments.sky.turn_deg).brightened(arguments.sky.brightness));
+    if (!arguments.ground_chosen) settings.ground = look.ground;
+  }
+  if (!arguments.background_chosen) settings.background = default_background(settings.sky.get());
 }
 
 }  // namespace asos

@@ -27,9 +27,13 @@ struct PictureArguments {
   RenderSettings settings;
   CameraChoice camera;
   ClipChoice clip;
-  SkyChoice sky;            ///< until with_sky makes it settings.sky
-  bool sky_chosen = false;  ///< else the scene has its usual_sky
+  SkyChoice sky;                   ///< until with_sky makes it settings.sky
+  bool sky_chosen = false;         ///< else the scene has that of its default_look
+  bool ground_chosen = false;      ///< else its ground, where the sky is not chosen either
+  bool background_chosen = false;  ///< else it has default_background of the sky
   float exposure_ev = 0.0f;
+  bool exposure_chosen = false;   ///< else it is usual_exposure
+  bool exposure_metered = false;  ///< "auto" was chosen
   ToneCurve tone = ToneCurve::neutral;
   NeedsChoice needs = NeedsChoice::scene;
 
@@ -63,6 +67,9 @@ void add_look_options(CLI::App& app, PictureArguments& arguments);
 
 /// The settings with the sky that was asked for, which is read where it is a file; errors name it.
 [[nodiscard]] Result<RenderSettings> with_sky(const PictureArguments& arguments);
+
+/// Gives the settings what nobody chose: sky, ground and background of the scene's default look.
+void take_default_look(PictureArguments& arguments, const RenderScene& scene, const Camera& camera);
 
 /// The largest width and height of a picture, in pixels.
 inline constexpr int largest_side = 32768;

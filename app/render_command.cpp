@@ -1,4 +1,5 @@
 #include "app/camera_choice.h"
+#include "app/chosen_exposure.h"
 #include "app/command.h"
 #include "app/exit_code.h"
 #include "app/frame_list.h"
@@ -16,6 +17,7 @@
 #include "app/scene_argument.h"
 #include "renderer/comparison/method.h"
 #include "renderer/files/counted.h"
+#include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_strokes.h"
@@ -186,15 +188,16 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   const auto started = std::chrono::steady_clock::now();
   auto prepared = work.scene.at(frame.time, picture);
   if (!prepared) return tl::unexpected(prepared.error());
-  if (!wanted.sky_chosen) arguments.picture.settings.sky = usual_sky(**prepared);
   CameraChoice choice = wanted.camera;
   if (wanted.from) choice.given = picture.camera_from((*prepared)->world().origin);
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
   const Result<Camera> camera = work.scene.camera(**prepared, choice, aspect);
   if (!camera) return tl::unexpected(camera.error());
-  prepared = with_ground(*std::move(prepared), wanted.settings.ground).and_then([&](auto grounded) {
-    return with_strokes(std::move(grounded), stroke_picture(*camera, wanted.settings));
-  });
+  take_default_look(arguments.picture, **prepared, *camera);
+  if (!picture.lights) prepared = lit_under(*prepared, wanted.settings.sky.get());
+  if (prepared) prepared = with_ground(*std::move(prepared), wanted.settings.ground);
+  if (prepared) work.scene.keep(*prepared);
+  if (prepared) prepared = with_strokes(*prepared, stroke_picture(*camera, wanted.settings));
   if (!prepared) return tl::unexpected(prepared.error());
   const RenderScene& ready = **prepared;
   if (const auto fits = check_method(ready, wanted.settings); !fits)
@@ -286,6 +289,10 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
   Result<Work> work = open(arguments, bar, interrupt);
   if (!work) return tl::unexpected(work.error());
 
+  const Result<std::string> exposed = choose_exposure(
+      arguments.picture, work->scene, wanted_picture(arguments.picture, work->scene.contents()));
+  if (!exposed) return tl::unexpected(exposed.error());
+
   const std::vector<FrameRequest> frames =
       frames_of(arguments, work->scene.contents(), work->scene.time());
   if (frames.empty())
@@ -307,6 +314,8 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
     if (!arguments.quiet) {
       if (done.finished == 0) say_warnings(*report, streams.err);
       if (done.finished == 0) say_notes(arguments, frames, work->scene, streams.err);
+      if (done.finished == 0)
+        if (!exposed->empty()) streams.err << "asos: note: " << *exposed << "\n";
       if (done.finished == 0)
         for (const std::string& note : report->camera_notes)
           streams.err << "asos: note: " << note << "\n";

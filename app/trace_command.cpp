@@ -67,11 +67,15 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   if (!prepared) return tl::unexpected(prepared.error());
   RenderSettings settings = as_published(*with);
   settings.judged_tone = judged_as_shown(wanted).judged_tone;
-  if (!wanted.sky_chosen) settings.sky = usual_sky(**prepared);
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const Result<Camera> camera = scene->camera(**prepared, wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
-  prepared = with_ground(*std::move(prepared), settings.ground)
+  PictureArguments shown = wanted;
+  shown.settings = settings;
+  take_default_look(shown, **prepared, *camera);
+  settings = shown.settings;
+  prepared = lit_under(*std::move(prepared), settings.sky.get())
+                 .and_then([&](auto lit) { return with_ground(std::move(lit), settings.ground); })
                  .and_then([&](auto grounded) {
                    return with_strokes(std::move(grounded), stroke_picture(*camera, settings));
                  })

@@ -149,11 +149,18 @@ Result<SkyChoice> parse_sky(std::string_view text) {
   if (text.ends_with(".hdr") || text.ends_with(".exr"))
     return SkyChoice{{}, std::string(text), 0.0};
   const auto colours = read_colours(text,
-                                    "not neutral, studio, daylight, dusk, white, grey, R,G,B such "
-                                    "as 0.3,0.5,0.9, R,G,B:R,G,B (zenith and horizon) or a "
-                                    "file that ends in .hdr or .exr");
+                                    "not neutral, softboxes, windows, studio, daylight, dusk, "
+                                    "white, grey, R,G,B such as 0.3,0.5,0.9, R,G,B:R,G,B (zenith "
+                                    "and horizon) or a file that ends in .hdr or .exr");
   if (!colours) return tl::unexpected(colours.error());
   return SkyChoice{SkyChoice::Colours{colours->first, colours->second}, "", 0.0};
+}
+
+Result<std::optional<float>> parse_exposure(std::string_view text) {
+  if (text == "auto") return std::optional<float>();
+  return parse_number(text, -32.0, 32.0).map([](double ev) {
+    return std::optional<float>(static_cast<float>(ev));
+  });
 }
 
 Result<Background> parse_background(std::string_view text) {

@@ -46,6 +46,8 @@ struct LookAt {
 /// "neutral", "R,G,B", "R,G,B:R,G,B" (zenith and horizon; linear, 0 to 1e6) or the name of a file
 /// that ends in .hdr or .exr, which is not opened.
 [[nodiscard]] Result<SkyChoice> parse_sky(std::string_view text);
+/// Stops, -32 to 32; none: "auto".
+[[nodiscard]] Result<std::optional<float>> parse_exposure(std::string_view text);
 /// "environment", "blurred", "transparent", "R,G,B" or "R,G,B:R,G,B" (from the picture's upper to
 /// its lower border; linear, 0 to 1e6).
 [[nodiscard]] Result<Background> parse_background(std::string_view text);

@@ -35,7 +35,7 @@ int run_view(const PictureArguments& arguments, bool own_size, const Streams& st
                         arguments.asset_root},
                        *settings,
                        own_size,
-                       arguments.sky_chosen,
+                       {arguments.sky_chosen, arguments.ground_chosen, arguments.background_chosen},
                        forced_by(arguments.needs)});
   streams.err << "asos: no display to open a window on. Render to a file instead:\n"
               << "  asos render '" << printable(arguments.scene) << "' -o picture.png\n";

@@ -8,9 +8,10 @@ namespace asos {
 /// How a finished picture is shown. Nothing here restarts a render but the tone curve, by which EPS
 /// judges what shows (judged_by).
 struct DisplaySettings {
-  static constexpr float exposure_limit_ev = 10.0f;
+  static constexpr float exposure_limit_ev = 20.0f;  // suns have 100,000 lx
 
-  float exposure_ev = 0.0f;  ///< stops
+  float exposure_ev = 0.0f;    ///< stops
+  bool auto_exposure = false;  ///< it follows the scene: see MeteredExposure
   ToneCurve tone = ToneCurve::neutral;
   bool show_split_map = false;  ///< over the picture: the split pixels in colours
   float split_dimming = 0.7f;   ///< how dark the split map makes the other pixels, 0 to 1

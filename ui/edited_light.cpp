@@ -146,13 +146,15 @@ void lay_outlines(Light& light, const Basis& basis, PolygonShape shape, double r
   }
 }
 
-void give_shape(Light& light, LightKind kind, const Basis& basis, double half) {
+/// `half`: half of its width. `distance`: to the surface that it lights.
+void give_shape(Light& light, LightKind kind, const Basis& basis, double half, double distance) {
   light.radius = 0.0;
   light.angular_diameter_rad = 0.0;
   light.half_u = light.half_v = glm::dvec3(0.0);
   light.outlines.clear();
   switch (kind) {
     case LightKind::sphere:
+    case LightKind::spot:
     case LightKind::disk:
       light.radius = half;
       break;
@@ -166,9 +168,10 @@ void give_shape(Light& light, LightKind kind, const Basis& basis, double half) {
     case LightKind::polygon:
       lay_outlines(light, basis, PolygonShape::hexagon, half);
       break;
-    case LightKind::point:
-    case LightKind::spot:
     case LightKind::directional:
+      light.angular_diameter_rad = 2.0 * std::atan(half / distance);
+      break;
+    case LightKind::point:
       break;
   }
 }
@@ -233,19 +236,15 @@ Light as_kind(const Light& light, LightKind kind, const SceneSize& scene) {
   if (!has_direction(light)) other.direction = unit_or(scene.middle - other.position, {0, -1, 0});
   const double distance = std::max(glm::distance(other.position, scene.middle), 0.1 * scene.radius);
 
-  // A light of its own size keeps it; one of no size gets a small one, which leaves its distance
-  // much larger than itself.
-  constexpr double usual_size = 0.05, most_of_distance = 0.2;
+  // A light of its own size keeps it.
   double half = half_size(light, distance);
-  if (!(half > 0.0)) half = std::min(usual_size * scene.radius, most_of_distance * distance);
+  if (!(half > 0.0)) half = usual_half_size * distance;
   other.type = type_of(kind);
   Light facing = other;
   facing.type = Light::Type::spot;  // turned by its direction alone
   LightTurn turn = turn_of(facing);
   if (light.type == Light::Type::rectangle) turn = turn_of(light);
-  give_shape(other, kind, basis_of(turn), half);
-  if (kind == LightKind::directional && half_size(light, distance) > 0.0)
-    other.angular_diameter_rad = 2.0 * std::atan(half / distance);
+  give_shape(other, kind, basis_of(turn), half, distance);
   const double candela = static_cast<double>(light.intensity) * candela_per_unit(light, distance);
   other.intensity = static_cast<float>(candela / candela_per_unit(other, distance));
   // That holds from afar; close by, or where the light shines elsewhere, what arrives decides.
@@ -328,6 +327,29 @@ void set_polygon_radius(Light& light, double radius) {
 void set_polygon_shape(Light& light, PolygonShape shape) {
   const double radius = polygon_radius(light);
   lay_outlines(light, basis_of(turn_of(light)), shape, radius);
+}
+
+std::optional<PolygonShape> polygon_shape(const Light& light) {
+  const double radius = polygon_radius(light);
+  const auto same = [&](const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](glm::dvec3 p, glm::dvec3 q) {
+      return glm::distance(p, q) <= 1e-6 * radius;
+    });
+  };
+  for (std::size_t i = 0; i < polygon_shape_count; ++i) {
+    Light regular = light;
+    set_polygon_shape(regular, static_cast<PolygonShape>(i));
+    if (std::equal(light.outlines.begin(), light.outlines.end(), regular.outlines.begin(),
+                   regular.outlines.end(), same))
+      return static_cast<PolygonShape>(i);
+  }
+  return std::nullopt;
+}
+
+void keep_power(Light& light, double area_before) {
+  const double area = area_of(light);
+  if (area > 0.0 && area_before > 0.0)
+    light.intensity = static_cast<float>(static_cast<double>(light.intensity) * area_before / area);
 }
 
 void tidy_light(Light& light) {

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace asos {
@@ -34,8 +35,12 @@ struct SceneSize {
   [[nodiscard]] static SceneSize of(const Box& bounds);
 };
 
+/// Half of what a light measures across that is given a size, per distance from what it lights: its
+/// shadows have penumbrae that can be seen.
+inline constexpr double usual_half_size = 0.05;
+
 /// The light as another kind: in the same place, turned the same way, of the same size, and as
-/// bright as before in the middle of `scene`. One that had no size gets one of a twentieth of it.
+/// bright as before in the middle of `scene`. One that had no size gets one of usual_half_size.
 [[nodiscard]] Light as_kind(const Light& light, LightKind kind, const SceneSize& scene);
 
 /// Area of the side that shines: flat lights, 0 for others.
@@ -66,6 +71,12 @@ void set_polygon_radius(Light& light, double radius);
 enum class PolygonShape { triangle, hexagon, star, frame };
 inline constexpr std::size_t polygon_shape_count = 4;
 void set_polygon_shape(Light& light, PolygonShape shape);
+/// Which of them a polygon has; none: another outline.
+[[nodiscard]] std::optional<PolygonShape> polygon_shape(const Light& light);
+
+/// Scales the intensity of a flat light whose area was `area_before`, so that its power stays. The
+/// units of other lights do not depend on their size.
+void keep_power(Light& light, double area_before);
 
 /// Brings a file's light into the form that the window edits: a colour of 1 at most, and a
 /// polygon's position in its middle. It shines as before.

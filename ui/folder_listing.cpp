@@ -20,6 +20,11 @@ bool is_picture(const fs::path& file) {
   return ending == ".png" || ending == ".exr";
 }
 
+bool is_sky(const fs::path& file) {
+  const std::string ending = lower(file.extension().string());
+  return ending == ".hdr" || ending == ".exr";
+}
+
 // Numbers by their values, letters by the alphabet: "2" comes before "10".
 bool by_name(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -73,8 +78,9 @@ bool is_model(const fs::path& file) {
   return ending == ".gltf" || ending == ".glb";
 }
 
-FolderListing FolderListing::of(const fs::path& folder) {
+FolderListing FolderListing::of(const fs::path& folder, Kind kind) {
   FolderListing listing;
+  listing.kind = kind;
   listing.folder = folder;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
@@ -86,7 +92,9 @@ FolderListing FolderListing::of(const fs::path& folder) {
     entry.is_folder = at->is_directory(ignored);
     if (!entry.is_folder) {
       if (!at->is_regular_file(ignored)) continue;
-      if (!is_model(at->path()) && !is_picture(at->path())) continue;
+      const bool listed =
+          kind == Kind::skies ? is_sky(at->path()) : is_model(at->path()) || is_picture(at->path());
+      if (!listed) continue;
       entry.bytes = at->file_size(ignored);
       entry.written = at->last_write_time(ignored);
     }

@@ -21,12 +21,16 @@ struct FolderEntry {
 /// Hidden ones are left out.
 struct FolderListing {
   static constexpr std::size_t most = 5000;
+  enum class Kind { scenes, skies };
+
+  Kind kind = Kind::scenes;  ///< of the files that are listed
 
   std::filesystem::path folder;
   std::vector<FolderEntry> entries;
   std::string error;  ///< why the folder cannot be read
 
-  [[nodiscard]] static FolderListing of(const std::filesystem::path& folder);
+  [[nodiscard]] static FolderListing of(const std::filesystem::path& folder,
+                                        Kind kind = Kind::scenes);
   /// The entries, by index, in whose names the letters of `filter` occur, whatever their case;
   /// those that begin with them first.
   [[nodiscard]] std::vector<std::size_t> matching(const std::string& filter) const;

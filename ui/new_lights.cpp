@@ -68,7 +68,7 @@ Light new_light(glm::dvec3 eye, glm::dvec3 subject, double scene_radius) {
   light.position = glm::mix(subject, eye, 0.5);
   const double distance = std::max(glm::distance(subject, light.position), 1e-3 * scene_radius);
   light.direction = (subject - light.position) / distance;
-  light.radius = std::min(0.05 * scene_radius, 0.2 * distance);
+  light.radius = usual_half_size * distance;
   constexpr double radiance = 0.5;
   light.intensity = static_cast<float>(radiance * std::numbers::pi * distance * distance);
   return light;

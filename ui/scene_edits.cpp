@@ -1,5 +1,6 @@
 #include "ui/scene_edits.h"
 
+#include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/world/ground.h"
 
@@ -54,17 +55,50 @@ void SceneEdits::set_sky(std::shared_ptr<const Sky> sky) {
   put_sky(std::move(sky));
 }
 
+void SceneEdits::follow_background(const Sky* sky) {
+  Background& background = now_.settings.background;
+  if (!keeps_.background && background == default_background(now_.settings.sky.get()))
+    background = default_background(sky);
+}
+
 void SceneEdits::put_sky(std::shared_ptr<const Sky> sky) {
   const auto brings_lights = [this](const std::shared_ptr<const Sky>& s) {
     return scene_ && changes_lights(*scene_, s.get());
   };
   const bool relit = brings_lights(sky) || brings_lights(now_.settings.sky);
+  follow_background(sky.get());
   now_.settings.sky = std::move(sky);
   if (relit) reset_lights();
 }
 
+bool SceneEdits::environment_lights_scene() const {
+  const Sky* sky = now_.settings.sky.get();
+  return scene_ && scene_->geometry->stage.lit_by_rig && sky && sky->choice().environment;
+}
+
+void SceneEdits::turn_sky(double turn_deg) {
+  if (!now_.settings.sky) return;
+  if (environment_lights_scene())
+    return turn_surroundings(glm::radians(turn_deg - now_.settings.sky->choice().turn_deg));
+  now_.settings.sky = std::make_shared<const Sky>(now_.settings.sky->turned(turn_deg));
+}
+
+void SceneEdits::brighten_sky(double times) {
+  if (!now_.settings.sky) return;
+  const double before = now_.settings.sky->choice().brightness;
+  auto brightened = std::make_shared<const Sky>(now_.settings.sky->brightened(times));
+  const bool lights = environment_lights_scene();
+  follow_background(brightened.get());
+  now_.settings.sky = std::move(brightened);
+  if (!lights || before == times) return;
+  if (!(before > 0.0)) return reset_lights();  // they were black
+  for (EditedLight& edited : edit_lights())
+    edited.light.intensity *= static_cast<float>(times / before);
+}
+
 void SceneEdits::turn_surroundings(double by_rad) {
-  if (const Sky* sky = now_.settings.sky.get(); sky && sky->is_picture()) {
+  if (const Sky* sky = now_.settings.sky.get();
+      sky && (sky->is_picture() || sky->choice().environment)) {
     const double turn = sky->choice().turn_deg + glm::degrees(by_rad);
     now_.settings.sky = std::make_shared<const Sky>(sky->turned(std::remainder(turn, 360.0)));
   }
@@ -92,7 +126,7 @@ void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
   reset_dfrs();
   relighter_.start_from(now_.look);
   if (!picture) {
-    if (!keeps_sky_ && !sky_chosen_) now_.settings.sky = first_settings_.sky = usual_sky(*scene_);
+    take_default_look();
     if (changes_lights(*scene_, now_.settings.sky.get())) reset_lights();
     return;
   }
@@ -103,6 +137,19 @@ void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
   RenderSettings settings = without_crop(picture->settings);
   settings.threads = now_.settings.threads;
   set_all_but_size(std::move(settings));
+}
+
+void SceneEdits::take_default_look() {
+  RenderSettings& now = now_.settings;
+  const bool own_ground = keeps_.sky || keeps_.ground || now.ground != first_settings_.ground;
+  const bool own_background =
+      keeps_.background || now.background != default_background(now.sky.get());
+  const DefaultLook look = default_look(*scene_);
+  if (!keeps_.sky && !sky_chosen_) now.sky = first_settings_.sky = look.sky;
+  if (!own_ground) now.ground = first_settings_.ground = look.ground;
+  if (own_background) return;
+  now.background = default_background(now.sky.get());
+  first_settings_.background = default_background(first_settings_.sky.get());
 }
 
 bool SceneEdits::same_as(const State& state) const {

@@ -2,6 +2,7 @@
 
 #include "renderer/picture/picture_description.h"
 #include "renderer/settings/settings.h"
+#include "ui/chosen_look.h"
 #include "ui/open_scene.h"
 #include "ui/relighter.h"
 
@@ -33,13 +34,20 @@ class SceneEdits {
   [[nodiscard]] std::vector<EditedLight>& edit_lights();
   /// The lights that the scene was opened with, or those that its sky brings.
   void reset_lights();
-  /// Scenes that are opened have the first settings' sky, and not their usual_sky.
-  void keep_first_sky() { keeps_sky_ = true; }
+  /// Scenes that are opened have these parts of the first settings, not their default look.
+  void keep_first(const ChosenLook& parts) { keeps_ = parts; }
   /// Another sky, null: the neutral one, which scenes keep that are opened from then on. The lights
-  /// of a scene without its own follow where it or the one before brings any (lights_under).
+  /// of a scene without its own follow where it or the one before brings any (lights_under); the
+  /// background follows where nobody chose one.
   void set_sky(std::shared_ptr<const Sky> sky);
+  /// Turns a sky that is a picture or an environment to this angle from its first position, with
+  /// the lights of a scene that an environment lights.
+  void turn_sky(double turn_deg);
+  /// Multiplies the radiance of such a sky by `times`, and those lights.
+  void brighten_sky(double times);
   /// Turns what surrounds the scene about the vertical, counter-clockwise as seen from above: a sky
-  /// of a picture; and the lights of a scene without its own, with which it is lit.
+  /// of a picture or an environment; and the lights of a scene without its own, with which it is
+  /// lit.
   void turn_surroundings(double by_rad);
   /// How the scene's materials blur what they mirror. Edits reach the scene as those of lights do.
   [[nodiscard]] const MaterialDfrs& dfrs() const { return now_.look.dfrs; }
@@ -78,10 +86,13 @@ class SceneEdits {
  private:
   void set_all_but_size(RenderSettings settings);
   void put_sky(std::shared_ptr<const Sky> sky);
+  void take_default_look();
+  void follow_background(const Sky* sky);
+  [[nodiscard]] bool environment_lights_scene() const;
 
   OpenScene& scene_;
   RenderSettings first_settings_;
-  bool keeps_sky_ = false;
+  ChosenLook keeps_;
   bool sky_chosen_ = false;  // by set_sky
   State now_;
   Relighter relighter_;

@@ -1,5 +1,6 @@
 #include "ui/scene_loader.h"
 
+#include "renderer/prepared/default_look.h"
 #include "renderer/scene/rig.h"
 #include "renderer/scene/source_files.h"
 #include "ui/hidden_objects.h"
@@ -75,6 +76,8 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
   } else {
     outcome.scene = outcome.picture ? prepare(*scene, *outcome.picture)
                                     : prepare_at(*scene, source.clip, forced);
+    // Its environment is painted here, and not when the window takes the scene over.
+    if (outcome.scene) (void)default_look(**outcome.scene);
   }
 }
 

@@ -57,7 +57,7 @@ int run_viewer(const ViewerOptions& options) {
     Window::wake();
   };
   Previewer previewer({{}, wake, options.forced}, settings);
-  if (options.own_sky) previewer.edits().keep_first_sky();
+  previewer.edits().keep_first(options.own_look);
   const Result<std::unique_ptr<WindowContent>> content = WindowContent::make(previewer);
   if (!content) return fail(content.error());
   if (stored) (*content)->apply(*stored);

@@ -2,6 +2,7 @@
 
 #include "renderer/settings/settings.h"
 #include "renderer/world/needs.h"
+#include "ui/chosen_look.h"
 #include "ui/scene_loader.h"
 
 namespace asos {
@@ -12,7 +13,7 @@ struct ViewerOptions {
   /// offer; from then on the picture follows the window.
   RenderSettings settings;
   bool own_size = false;  ///< the size was asked for, so that the remembered one does not count
-  bool own_sky = false;   ///< the sky was asked for; else scenes have their usual_sky
+  ChosenLook own_look;    ///< what of the settings was asked for
   SceneNeeds forced;      ///< see prepare
 };
 

@@ -136,6 +136,13 @@ void WindowContent::keep_history(double now_seconds) {
   history_.update(previewer_, display, ImGui::IsAnyMouseDown(), now_seconds);
 }
 
+void WindowContent::open_dropped(const std::string& path) {
+  if (is_sky_file(path))
+    read_as_sky(state_.sky, sky_reader_, path);
+  else
+    state_.opening = {path};
+}
+
 // Takes over the results of other threads.
 void WindowContent::take_outcomes() {
   update_sky(previewer_.edits(), state_.sky, sky_reader_);
@@ -282,6 +289,7 @@ StoredSettings WindowContent::stored_settings() const {
   StoredSettings stored;
   stored.display = state_.display;
   stored.display.show_split_map = false;
+  if (std::exchange(stored.display.auto_exposure, false)) stored.display.exposure_ev = 0.0f;
   if (state_.tour.card) stored.display.split_colours = state_.tour.before.display.split_colours;
   stored.look = state_.look;
   stored.tour_seen = state_.tour.seen;
@@ -322,7 +330,9 @@ void WindowContent::follow_files(double now_seconds) {
       state_.tour.before.display.show_split_map = false;
       if (!state_.tour.card) state_.display.show_split_map = false;
     }
-    if (const auto opened = previewer_.scene().take_opened_display()) {
+    const auto opened = previewer_.scene().take_opened_display();
+    metered_exposure_.scene_opened(state_.display, opened.has_value());
+    if (opened) {
       show_as(*opened, state_.display);
       // At its end the tour restores the opened picture's settings.
       if (state_.tour.card)
@@ -330,6 +340,8 @@ void WindowContent::follow_files(double now_seconds) {
                               state_.frames.comparison, state_.frames.chosen};
     }
   }
+  if (std::string said = metered_exposure_.update(previewer_, state_.display); !said.empty())
+    say(std::move(said));
   if (state_.watch && !previewer_.scene().loading() &&
       watch_.changed(previewer_.scene().files(), now_seconds))
     previewer_.scene().reload();
@@ -407,7 +419,8 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };
   if (const std::optional<double> step = history_.seconds_to_update(time_seconds_)) also(*step);
   if (flying()) also(0.0);
-  if (inspector_.busy() || split_search_.busy() || sky_reader_.busy() || forecast_.busy())
+  if (inspector_.busy() || split_search_.busy() || sky_reader_.busy() || forecast_.busy() ||
+      metered_exposure_.busy())
     also(0.02);
   if (surfaces_.busy()) also(0.02);
   if (check_.pending() || equal_time_.pending()) also(0.1);

@@ -7,6 +7,7 @@
 #include "ui/file_watch.h"
 #include "ui/gl_display.h"
 #include "ui/input.h"
+#include "ui/metered_exposure.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/grid_overlay.h"
 #include "ui/panels/overlays.h"
@@ -65,6 +66,9 @@ class WindowContent {
   /// there is input, or the previewer wakes.
   [[nodiscard]] std::optional<double> seconds_to_redraw() const;
 
+  /// Opens a file that was dropped on the window: a sky, or else a scene or a saved picture.
+  void open_dropped(const std::string& path);
+
   [[nodiscard]] UiState& state() { return state_; }
   /// The part of the state that is worth remembering.
   [[nodiscard]] StoredSettings stored_settings() const;
@@ -114,6 +118,7 @@ class WindowContent {
   PixelInspector inspector_;
   SplitPixelSearch split_search_;
   SkyReader sky_reader_;
+  MeteredExposure metered_exposure_;
   SplitForecast forecast_;
   ShownProgress progress_;
   SplitCheck check_;

@@ -41,7 +41,7 @@ void WindowLoop::take_events() {
   if (!happened.input.empty() || happened.needs_redraw) schedule_.note_input();
   for (const InputEvent& event : happened.input) content_.input().add(event);
   if (!happened.dropped_files.empty()) {
-    content_.state().opening = {happened.dropped_files.front()};
+    content_.open_dropped(happened.dropped_files.front());
     schedule_.note_input();
   }
   if (happened.asked_to_close) {

@@ -50,6 +50,7 @@ void each_setting(Fields& fields, Settings& s) {
 // Only written where they are not as usual: pictures from before there was such a choice have none.
 constexpr const char* sky_shadows_key = "sky_shadows";
 constexpr const char* bounces_key = "bounces";
+constexpr const char* sky_turn_key = "turn_deg";
 constexpr const char* sky_brightness_key = "brightness";
 constexpr const char* environment_key = "environment";
 constexpr const char* line_width_key = "line_width";
@@ -86,17 +87,25 @@ OrderedJson sky_json(const SkyChoice& sky) {
   FieldWriter fields;
   if (sky.environment) {
     fields.named(environment_key, environments, *sky.environment);
+    if (sky.turn_deg != 0.0) fields(sky_turn_key, sky.turn_deg);
+    if (sky.brightness != 1.0) fields(sky_brightness_key, sky.brightness);
   } else if (sky.colours) {
     fields("zenith", sky.colours->zenith);
     fields("horizon", sky.colours->horizon);
   } else if (!sky.file.empty()) {
     fields("file", text_of_path(sky.file));
-    fields("turn_deg", sky.turn_deg);
+    fields(sky_turn_key, sky.turn_deg);
     if (sky.brightness != 1.0) fields(sky_brightness_key, sky.brightness);
   } else {
     return "neutral";
   }
   return fields.take();
+}
+
+void read_brightness(FieldReader& fields, SkyChoice& sky) {
+  if (fields.has(sky_brightness_key)) fields(sky_brightness_key, sky.brightness);
+  if (!(sky.brightness >= 0.0 && sky.brightness <= SkyChoice::most_brightness))
+    fields.refuse(sky_brightness_key, "is out of range");
 }
 
 void read_sky_choice(FieldReader& settings, SkyChoice& sky) {
@@ -105,13 +114,13 @@ void read_sky_choice(FieldReader& settings, SkyChoice& sky) {
   FieldReader fields(*at, "sky");
   if (fields.has(environment_key)) {
     fields.named(environment_key, environments, sky.environment.emplace());
+    if (fields.has(sky_turn_key)) fields(sky_turn_key, sky.turn_deg);
+    read_brightness(fields, sky);
   } else if (at->contains("file")) {
     fields("file", sky.file);
     sky.file = path_of_text(sky.file);
-    fields("turn_deg", sky.turn_deg);
-    if (fields.has(sky_brightness_key)) fields(sky_brightness_key, sky.brightness);
-    if (!(sky.brightness >= 0.0 && sky.brightness <= SkyChoice::most_brightness))
-      fields.refuse(sky_brightness_key, "is out of range");
+    fields(sky_turn_key, sky.turn_deg);
+    read_brightness(fields, sky);
   } else {
     sky.colours = SkyChoice::Colours{};
     fields("zenith", sky.colours->zenith);

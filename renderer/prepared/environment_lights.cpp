@@ -1,5 +1,7 @@
 #include "renderer/prepared/environment_lights.h"
 
+#include "renderer/world/ground.h"
+
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -11,31 +13,68 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// `radiance` is what a white diffuse surface reflects that faces it.
-Light sun(double elevation_deg, double angular_diameter_deg, glm::vec3 colour, double radiance) {
-  constexpr double azimuth = -40.0 * degree;  // of the side that it shines from, about +Y from +Z
-  const double elevation = elevation_deg * degree;
+/// A directional light of an environment.
+struct Sun {
+  const char* name;
+  double elevation_deg, angular_diameter_deg;
+  glm::vec3 colour;
+  double radiance;  ///< of a white diffuse surface that faces it
+};
+
+Light sun_of(const Sun& sun, const SkyChoice& sky) {
+  // Azimuth of the light, about +Y from +Z.
+  const double azimuth = (-40.0 + sky.turn_deg) * degree;
+  const double elevation = sun.elevation_deg * degree;
   Light light;
-  light.name = "sun";
+  light.name = sun.name;
   light.type = Light::Type::directional;
   light.direction = -glm::dvec3(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
                                 std::cos(azimuth) * std::cos(elevation));
-  light.angular_diameter_rad = angular_diameter_deg * degree;
-  light.color = colour;
-  light.intensity = static_cast<float>(std::numbers::pi * radiance);
+  light.angular_diameter_rad = sun.angular_diameter_deg * degree;
+  light.color = sun.colour;
+  light.intensity = static_cast<float>(std::numbers::pi * sun.radiance * sky.brightness);
   return light;
 }
 
-/// In place of a rig; none: the rig stays.
-std::optional<std::vector<Light>> lights_of(const Sky* sky) {
+/// Turns a light about the vertical through a point, counter-clockwise as seen from above.
+void turn_about(Light& light, glm::dvec3 about, double turn_rad) {
+  const double s = std::sin(turn_rad), c = std::cos(turn_rad);
+  const auto turned = [&](glm::dvec3 v) {
+    return glm::dvec3(c * v.x + s * v.z, v.y, c * v.z - s * v.x);
+  };
+  light.position = about + turned(light.position - about);
+  for (glm::dvec3* v : {&light.direction, &light.half_u, &light.half_v}) *v = turned(*v);
+}
+
+/// The rig under an environment that keeps it. An interior's hangs from its walls and does not
+/// turn.
+std::vector<Light> rig_under(const RenderScene& scene, const SkyChoice& sky) {
+  const Stage& stage = scene.geometry->stage;
+  std::vector<Light> rig = stage.rig;
+  const Box bounds = bounds_without_ground(scene.world());
+  const glm::dvec3 middle = 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
+  for (Light& light : rig) {
+    light.intensity *= static_cast<float>(sky.brightness);
+    if (!stage.rig_inside && sky.turn_deg != 0.0) turn_about(light, middle, sky.turn_deg * degree);
+  }
+  return rig;
+}
+
+/// In place of the rig as it was prepared; none: that stays.
+std::optional<std::vector<Light>> lights_of(const RenderScene& scene, const Sky* sky) {
   if (!sky || !sky->choice().environment) return std::nullopt;
-  switch (*sky->choice().environment) {
+  const SkyChoice& choice = sky->choice();
+  switch (*choice.environment) {
+    case Environment::softboxes:
     case Environment::studio:
-      break;
+      if (choice.turn_deg == 0.0 && choice.brightness == 1.0) return std::nullopt;
+      return rig_under(scene, choice);
+    case Environment::windows:
+      return std::vector{sun_of({"window", 30.0, 14.0, {1.0f, 1.0f, 1.0f}, 0.55}, choice)};
     case Environment::daylight:
-      return std::vector{sun(45.0, 0.53, {1.0f, 0.95f, 0.87f}, 0.75)};
+      return std::vector{sun_of({"sun", 45.0, 0.53, {1.0f, 0.95f, 0.87f}, 0.75}, choice)};
     case Environment::dusk:
-      return std::vector{sun(12.0, 2.0, {1.0f, 0.55f, 0.28f}, 0.6)};
+      return std::vector{sun_of({"sun", 12.0, 2.0, {1.0f, 0.55f, 0.28f}, 0.6}, choice)};
     case Environment::white:
     case Environment::grey:
       return std::vector<Light>{};
@@ -48,7 +87,7 @@ std::optional<std::vector<Light>> lights_of(const Sky* sky) {
 std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky) {
   std::vector<Light> lights = scene.own_lighting->lights;
   const Stage& stage = scene.geometry->stage;
-  std::optional<std::vector<Light>> of_sky = lights_of(sky);
+  std::optional<std::vector<Light>> of_sky = lights_of(scene, sky);
   if (!stage.lit_by_rig || !of_sky) return lights;
   // The rig comes last.
   lights.resize(lights.size() - stage.rig.size());
@@ -56,13 +95,8 @@ std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky) {
   return lights;
 }
 
-std::shared_ptr<const Sky> usual_sky(const RenderScene& scene) {
-  return scene.geometry->stage.lit_by_rig ? std::make_shared<const Sky>(Environment::studio)
-                                          : nullptr;
-}
-
 bool changes_lights(const RenderScene& scene, const Sky* sky) {
-  return scene.geometry->stage.lit_by_rig && lights_of(sky);
+  return scene.geometry->stage.lit_by_rig && lights_of(scene, sky);
 }
 
 Result<std::shared_ptr<const RenderScene>> lit_under(std::shared_ptr<const RenderScene> scene,

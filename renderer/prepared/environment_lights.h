@@ -9,13 +9,10 @@
 namespace asos {
 
 /// The lights that shine on the scene as it was prepared when this sky surrounds it (null: the
-/// neutral one). Those that the scene has of its own stay whatever the sky is; in place of a rig an
-/// environment has its sun, which is a disk at infinity, or nothing.
+/// neutral one). Those that the scene has of its own stay whatever the sky is. In place of a rig an
+/// environment has its sun, which is a disk at infinity, or nothing; or the rig follows its turn
+/// and brightness.
 [[nodiscard]] std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky);
-
-/// The sky of a scene for which none was chosen: a studio where it has no lights of its own, else
-/// the neutral one, which is null.
-[[nodiscard]] std::shared_ptr<const Sky> usual_sky(const RenderScene& scene);
 
 /// Whether they are others than those that the scene was prepared with.
 [[nodiscard]] bool changes_lights(const RenderScene& scene, const Sky* sky);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -80,16 +81,20 @@ bool needs_rig(const World& world, std::span<const Light> lights_of_file,
   return !(mean_irradiance(emissive, radius) >= least_share_of_sky * sky);
 }
 
-std::vector<Light> rig_for(const World& world, const RayScene& rays) {
-  const Camera camera =
-      world.cameras.empty() ? default_camera(world, 16.0 / 9.0) : world.cameras.front();
+Camera first_camera(const World& world) {
+  return world.cameras.empty() ? default_camera(world, 16.0 / 9.0) : world.cameras.front();
+}
+
+DefaultRig rig_for(const World& world, const RayScene& rays) {
+  const Camera camera = first_camera(world);
   std::vector<Light> studio = studio_rig(camera, world.bounds);
   const std::vector<SeenPoint> seen = look_around(world, rays, camera);
   const FreeDistance way = [&](glm::dvec3 from, glm::dvec3 direction) {
     return free_distance(rays, from, direction);
   };
-  if (seen.empty() || reached_share(studio, seen, way) >= least_reached_share) return studio;
-  return interior_rig(camera, world.bounds, seen, way);
+  if (seen.empty() || reached_share(studio, seen, way) >= least_reached_share)
+    return {std::move(studio), false};
+  return {interior_rig(camera, world.bounds, seen, way), true};
 }
 
 }  // namespace asos

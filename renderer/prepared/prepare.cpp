@@ -72,7 +72,18 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                      scene.time ? HierarchyUse::moment : HierarchyUse::lasting);
   if (!geometry) return unexpected(Error{scene.source, geometry.error().message()});
   Geometry& built = **geometry;
-  if (own.lit_by_rig) own.rig = stage ? stage->rig : rig_for(built.world, built.rays);
+  if (stage)
+    own.floor = stage->floor;
+  else if (!built.world.bounds.empty())
+    own.floor = static_cast<double>(built.world.bounds.lo.y);
+  if (own.lit_by_rig && stage) {
+    own.rig = stage->rig;
+    own.rig_inside = stage->rig_inside;
+  } else if (own.lit_by_rig) {
+    DefaultRig rig = rig_for(built.world, built.rays);
+    own.rig = std::move(rig.lights);
+    own.rig_inside = rig.inside;
+  }
   lights.insert(lights.end(), own.rig.begin(), own.rig.end());
   Lighting lighting = prepare_lighting(built.world, std::move(lights));
   lighting.default_rig = own.lit_by_rig;

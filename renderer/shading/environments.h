@@ -11,17 +11,21 @@
 
 namespace asos {
 
-/// An environment: its colours, linear radiance, and how it is named and explained. What lights
-/// come with it: environment_lights.h.
+/// An environment: its name, its hint, and its colours as linear radiance, unless it has a picture
+/// (environment_picture.h). environment_lights.h has the lights that come with it.
 struct EnvironmentRow {
   const char* name;
   Environment value;
   const char* hint;
-  Gradient::Colours colours;
+  Gradient::Colours colours{};
   SideLight::Amounts sides{};  ///< added to the colours
 };
 
 inline constexpr std::array environments{
+    EnvironmentRow{"softboxes", Environment::softboxes,
+                   "A bright studio with soft boxes and dark panels."},
+    EnvironmentRow{"windows", Environment::windows,
+                   "A room with windows; soft window light for a scene without lights."},
     EnvironmentRow{"studio",
                    Environment::studio,
                    "A room over a darker floor, darkest behind the scene.",

@@ -4,6 +4,7 @@
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/dfr.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/environment_picture.h"
 #include "renderer/shading/environments.h"
 
 #include <fmt/format.h>
@@ -80,9 +81,9 @@ Sky::Sky(glm::vec3 zenith, glm::vec3 horizon) : gradient_({zenith, horizon, hori
   choice_.colours = {zenith, horizon};
 }
 
-Sky::Sky(Environment environment)
-    : gradient_(row_of(environment).colours), sides_(row_of(environment).sides) {
+Sky::Sky(Environment environment) : map_(environment_picture(environment)) {
   choice_.environment = environment;
+  follow_environment();
 }
 
 Sky::Sky(SkyMap map, double turn_deg, std::string file)
@@ -92,23 +93,42 @@ Sky::Sky(SkyMap map, double turn_deg, std::string file)
 
 Sky Sky::turned(double turn_deg) const {
   Sky sky = *this;
-  if (!map_) return sky;
+  if (!map_ && !choice_.environment) return sky;
   sky.choice_.turn_deg = turn_deg;
   sky.turn_cos_ = std::cos(turn_deg * std::numbers::pi / 180.0);
   sky.turn_sin_ = std::sin(turn_deg * std::numbers::pi / 180.0);
+  sky.follow_environment();
   return sky;
 }
 
 Sky Sky::brightened(double times) const {
   Sky sky = *this;
-  if (map_) sky.choice_.brightness = sky.brightness_ = times;
+  if (!map_ && !choice_.environment) return sky;
+  sky.choice_.brightness = sky.brightness_ = times;
+  sky.follow_environment();
   return sky;
 }
 
+/// Makes the gradient of an environment without a picture follow its turn and brightness.
+void Sky::follow_environment() {
+  if (map_ || !choice_.environment) return;
+  const EnvironmentRow& row = row_of(*choice_.environment);
+  Gradient::Colours scaled = row.colours;
+  for (glm::vec3* colour : {&scaled.zenith, &scaled.above, &scaled.below, &scaled.nadir})
+    *colour *= static_cast<float>(choice_.brightness);
+  gradient_ = Gradient(scaled);
+  SideLight::Amounts sides = row.sides;
+  sides.one *= choice_.brightness;
+  sides.two *= choice_.brightness;
+  sides.one_deg += choice_.turn_deg;
+  sides.two_deg += choice_.turn_deg;
+  sides_ = SideLight(sides);
+}
+
 std::string Sky::name() const {
-  if (choice_.environment) return row_of(*choice_.environment).name;
   if (choice_.colours) return colours(choice_.colours->zenith, choice_.colours->horizon);
-  std::string name = choice_.file;
+  std::string name =
+      choice_.environment ? std::string(row_of(*choice_.environment).name) : choice_.file;
   if (choice_.turn_deg != 0.0) name += fmt::format(", turned by {} degrees", choice_.turn_deg);
   if (choice_.brightness != 1.0) name += fmt::format(", {} times as bright", choice_.brightness);
   return name;
@@ -193,7 +213,9 @@ glm::vec3 Sky::ambient(glm::vec3 normal) const {
 }
 
 Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice) {
-  if (choice.environment) return std::make_shared<const Sky>(*choice.environment);
+  if (choice.environment)
+    return std::make_shared<const Sky>(
+        Sky(*choice.environment).turned(choice.turn_deg).brightened(choice.brightness));
   if (choice.colours)
     return std::make_shared<const Sky>(choice.colours->zenith, choice.colours->horizon);
   if (choice.file.empty()) return nullptr;

@@ -24,7 +24,7 @@ class Sky {
   /// From the horizon to the zenith linear in the sine of the elevation; below the horizon as at
   /// the horizon.
   Sky(glm::vec3 zenith, glm::vec3 horizon);
-  /// A gradient up and down from the horizon, and what varies with the azimuth.
+  /// A gradient up and down from the horizon, and what varies with the azimuth; or a picture.
   explicit Sky(Environment environment);
   /// An equirectangular picture that is turned about +Y, counter-clockwise as seen from above; at 0
   /// its middle is at -Z. `file` is where it comes from.
@@ -48,10 +48,10 @@ class Sky {
   [[nodiscard]] SkyDirection bright_direction(glm::dvec2 place) const;
   [[nodiscard]] double bright_density(glm::vec3 direction) const;
 
-  /// The same sky with its picture turned by so much from where it was at first. One without a
-  /// picture stays as it is.
+  /// The same sky with its picture or environment turned by this angle from its first position. A
+  /// sky of colours stays as it is.
   [[nodiscard]] Sky turned(double turn_deg) const;
-  /// The same sky with the radiance of its picture so many times what it was at first, likewise.
+  /// The same sky with the radiance of its picture or environment multiplied by `times`, likewise.
   [[nodiscard]] Sky brightened(double times) const;
 
   /// Whether it is the same all over.
@@ -68,6 +68,7 @@ class Sky {
   struct Directions {
     glm::dvec3 middle, right, down;
   };
+  void follow_environment();
   [[nodiscard]] glm::dvec3 mean_of_parts(const Directions& all, int across_right,
                                          int across_down) const;
   [[nodiscard]] glm::dvec3 in_map(glm::dvec3 direction) const;

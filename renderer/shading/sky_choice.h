@@ -13,7 +13,7 @@ namespace asos {
 class Sky;
 
 /// Surroundings that the program brings along; see environments.h.
-enum class Environment { studio, daylight, dusk, white, grey };
+enum class Environment { softboxes, windows, studio, daylight, dusk, white, grey };
 
 /// The surroundings of a scene, as a person asks for them: nothing but the neutral grey, two
 /// colours, a file, an environment.
@@ -24,9 +24,10 @@ struct SkyChoice {
     bool operator==(const Colours&) const = default;
   };
   std::optional<Colours> colours;
-  std::string file;       ///< empty: none
-  double turn_deg = 0.0;  ///< of a file, about +Y, counter-clockwise as seen from above
-  /// Of a file: what its radiance is multiplied by, 0 to most_brightness.
+  std::string file;  ///< empty: none
+  /// Of a file or an environment: about +Y, counter-clockwise as seen from above.
+  double turn_deg = 0.0;
+  /// Of a file or an environment: a factor of the radiance, 0 to most_brightness.
   double brightness = 1.0;
   static constexpr double most_brightness = 1000.0;
   std::optional<Environment> environment = std::nullopt;

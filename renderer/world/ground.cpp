@@ -15,7 +15,8 @@ Material ground_material(Ground ground) {
   Material material;
   material.name = ground_name;
   material.metallic = 0.0f;
-  material.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
+  // White and black models stand out on it.
+  material.base_color = {0.38f, 0.38f, 0.38f, 1.0f};
   material.specular = 0.0f;
   material.double_sided = true;
   if (ground != Ground::mirror) return material;
@@ -108,7 +109,7 @@ MaterialDfrs dfrs_without_ground(const World& world) {
   return dfrs;
 }
 
-void put_on_ground(World& world, Ground ground) {
+void put_on_ground(World& world, Ground ground, std::optional<double> floor) {
   take_ground_away(world);
   if (ground == Ground::off || world.bounds.empty()) return;
   const glm::dvec3 lo(world.bounds.lo), hi(world.bounds.hi);
@@ -125,7 +126,7 @@ void put_on_ground(World& world, Ground ground) {
   world.materials.push_back(ground_material(ground));
 
   // A fan, so that no triangle is longer than the plate is wide.
-  const double height = lo.y - below_in_radii * scene_radius;
+  const double height = floor.value_or(lo.y) - below_in_radii * scene_radius;
   const glm::dvec3 middle(0.5 * (lo.x + hi.x), height, 0.5 * (lo.z + hi.z));
   add_vertex(world, glm::vec3(middle));
   for (std::uint32_t i = 0; i < plate_corners; ++i) {

@@ -3,6 +3,8 @@
 #include "renderer/settings/choices.h"
 #include "renderer/world/world.h"
 
+#include <optional>
+
 namespace asos {
 
 /// Puts the surfaces of a world whose lines and points are not drawn on this ground, in place of
@@ -10,8 +12,8 @@ namespace asos {
 /// their bounding sphere wide. It lies below the lowest point by so little that what ends there is
 /// not mistaken for it. A mirroring plate blurs by a defocusing ratio: sharp at grazing angles. It
 /// is the last of the parts that are not of lines and points, and its material the last one. A
-/// world without extent stays as it is.
-void put_on_ground(World& world, Ground ground);
+/// world without extent stays as it is. `floor`: height in place of that of the lowest point.
+void put_on_ground(World& world, Ground ground, std::optional<double> floor = std::nullopt);
 
 inline constexpr double ground_radii = 10.0;
 

@@ -102,6 +102,24 @@ TEST_F(SkyOption, AnEnvironmentBringsItsLights) {
   EXPECT_EQ(render("x.exr", {"--sky", "noon"}).exit_code, 2);
 }
 
+// With the rig in its place, the turned and brighter picture is made again from its file.
+TEST_F(SkyOption, ADefaultPictureIsRenderedAgainAsItWas) {
+  const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
+  const auto shot = [&](const std::vector<std::string>& words, const std::string& to) {
+    const AsosRun run = run_asos(std::vector<std::string>{"render"} + words +
+                                 std::vector<std::string>{"-o", folder_.file(to)});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return read_exr(folder_.file(to)).value().film.radiance;
+  };
+  const std::vector<std::string> small{bare, "--size", "24x16"};
+  const auto plain = shot(small, "plain.exr");
+  EXPECT_TRUE(shot({"--from", folder_.file("plain.exr")}, "again.exr") == plain);
+  const auto placed = shot(
+      small + std::vector<std::string>{"--sky-turn", "120", "--sky-brightness", "2"}, "placed.exr");
+  EXPECT_TRUE(placed != plain);
+  EXPECT_TRUE(shot({"--from", folder_.file("placed.exr")}, "placed2.exr") == placed);
+}
+
 TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
   const std::string bad = picture("bad.exr", {1, std::numeric_limits<float>::quiet_NaN(), 1});
   const std::string missing = folder_.file("missing.hdr");
@@ -118,8 +136,8 @@ TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
       contains(render("x.exr", {"--sky", bad}).err, "128 of its 128 pixels are not finite"));
 }
 
-// Scenes with lights, and whoever asks for another sky, keep what they had.
-TEST_F(SkyOption, IsAStudioForScenesWithoutLights) {
+// Scenes with lights, and whoever asks for another sky, have none of it.
+TEST_F(SkyOption, ScenesWithoutLightsStandInAStudioWithSoftBoxes) {
   const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
   const auto sky_of = [&](const std::string& scene, const std::vector<std::string>& words) {
     const AsosRun run = run_asos(
@@ -128,9 +146,25 @@ TEST_F(SkyOption, IsAStudioForScenesWithoutLights) {
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return read_description(folder_.file("a.png")).value().sky;
   };
-  EXPECT_EQ(sky_of(bare, {}).environment, Environment::studio);
+  const auto settings = [&] { return read_description(folder_.file("a.png")).value().settings; };
+  EXPECT_EQ(sky_of(bare, {}).environment, Environment::softboxes);
+  EXPECT_EQ(settings().ground, Ground::on);
+  EXPECT_EQ(settings().background.kind, BackgroundKind::colours);
+  const SkyChoice placed = sky_of(bare, {"--sky-turn", "40", "--sky-brightness", "2"});
+  EXPECT_EQ(placed.environment, Environment::softboxes);
+  EXPECT_EQ(placed.turn_deg, 40.0);
+  EXPECT_EQ(placed.brightness, 2.0);
+  EXPECT_EQ(sky_of(bare, {"--ground", "off", "--background", "environment"}).environment,
+            Environment::softboxes);
+  EXPECT_EQ(settings().ground, Ground::off);
+  EXPECT_EQ(settings().background, Background{});
+  EXPECT_EQ(sky_of(bare, {"--sky", "studio"}).environment, Environment::studio);
+  EXPECT_EQ(settings().ground, Ground::off) << "the look goes with the sky";
+  EXPECT_EQ(settings().background, Background{});
   EXPECT_EQ(sky_of(bare, {"--sky", "neutral"}), SkyChoice{});
   EXPECT_EQ(sky_of("builtin:boxes", {}), SkyChoice{});
+  EXPECT_EQ(settings().ground, Ground::off);
+  EXPECT_EQ(settings().background, Background{});
   // A picture from before there was such a default is rendered again as it was.
   EXPECT_EQ(sky_of(bare, {"--sky", "neutral"}), SkyChoice{});
   const AsosRun again =
@@ -167,6 +201,51 @@ TEST_F(SkyOption, BackgroundAndGroundTravelWithThePicture) {
             {"--from", folder_.file("a.exr"), "--ground", "off", "--background", "environment"});
   EXPECT_EQ(read_exr(folder_.file("c.exr")).value().film.radiance,
             read_exr(folder_.file("plain.exr")).value().film.radiance);
+}
+
+/// A square under a sun, which a camera sees straight on.
+std::string sunlit_square(double lux) {
+  test::GltfBuilder b = test::GltfBuilder::square();
+  b.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  b.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "directional"}, {"intensity", lux}}};
+  b.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  b.json["scenes"][0]["nodes"] = {0, 1};
+  b.json["materials"] = {{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}}}};
+  b.json["meshes"][0]["primitives"][0]["material"] = 0;
+  return b.glb();
+}
+
+TEST_F(SkyOption, ExposureFollowsLightsThatWhitenThePicture) {
+  const std::string bright = folder_.write("bright.glb", sunlit_square(100000.0));
+  const std::string dim = folder_.write("dim.glb", sunlit_square(1.0));
+  const auto shot = [&](const std::string& scene, const std::vector<std::string>& words,
+                        const std::string& size = "16x16") {
+    const AsosRun run = run_asos(
+        std::vector<std::string>{"render", scene, "-o", folder_.file("a.png"), "--size", size,
+                                 "--method", "sobol", "--look-at", "0.5,0.5,1,0.5,0.5,0"} +
+        words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return std::pair(read_description(folder_.file("a.png")).value().display.exposure_ev, run.err);
+  };
+  const auto [stops, said] = shot(bright, {});
+  EXPECT_LT(stops, -14.0f);
+  EXPECT_GT(stops, -16.0f);
+  EXPECT_TRUE(contains(said, "note: exposure -15")) << said;
+  EXPECT_EQ(shot(bright, {"--threads", "3"}, "48x48").first, stops);
+  const auto [kept, quiet] = shot(bright, {"--exposure", "0"});
+  EXPECT_EQ(kept, 0.0f);
+  EXPECT_FALSE(contains(quiet, "exposure")) << quiet;
+  EXPECT_EQ(shot(dim, {}).first, 0.0f);
+  const auto [lifted, why] = shot(dim, {"--exposure", "auto"});
+  EXPECT_GT(lifted, 0.1f);
+  EXPECT_TRUE(contains(why, "note: exposure +")) << why;
+  // A saved picture is rendered again as it was.
+  (void)shot(bright, {"--exposure", "1"});
+  const AsosRun again =
+      run_asos({"render", "--from", folder_.file("a.png"), "-o", folder_.file("b.png")});
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(read_description(folder_.file("b.png")).value().display.exposure_ev, 1.0f);
 }
 
 }  // namespace

@@ -85,6 +85,53 @@ TEST(EditedLight, ALampBecomesNoCeiling) {
   }
 }
 
+// A tenth of the distance across, whichever scene it lights: a penumbra that can be seen.
+TEST(EditedLight, ALightWithoutSizeGetsOneThatSoftensShadows) {
+  Light bulb = small_ball();
+  bulb.radius = 0.0;
+  for (const double scene_radius : {0.1, 1.0, 40.0}) {
+    const SceneSize scene{glm::dvec3(0.0), scene_radius};
+    for (const LightKind kind : {LightKind::sphere, LightKind::spot, LightKind::disk})
+      EXPECT_NEAR(as_kind(bulb, kind, scene).radius, 0.25, 1e-12) << static_cast<int>(kind);
+    const Light rectangle = as_kind(bulb, LightKind::rectangle, scene);
+    EXPECT_NEAR(glm::length(rectangle.half_u), 0.25, 1e-12);
+    EXPECT_NEAR(glm::length(as_kind(bulb, LightKind::linear, scene).half_u), 0.25, 1e-12);
+    EXPECT_NEAR(polygon_radius(as_kind(bulb, LightKind::polygon, scene)), 0.25, 1e-12);
+    EXPECT_NEAR(as_kind(bulb, LightKind::directional, scene).angular_diameter_rad,
+                2.0 * std::atan(0.05), 1e-12);
+  }
+}
+
+TEST(EditedLight, APolygonTellsItsShape) {
+  Light light = as_kind(small_ball(), LightKind::polygon, unit_scene);
+  EXPECT_EQ(polygon_shape(light), PolygonShape::hexagon);
+  for (std::size_t i = 0; i < polygon_shape_count; ++i) {
+    set_polygon_shape(light, static_cast<PolygonShape>(i));
+    set_polygon_radius(light, 0.3 + 0.1 * static_cast<double>(i));
+    turn_light(light, {0.4 + static_cast<double>(i), -0.6, 1.1});
+    move_light(light, {1, 2, 3});
+    EXPECT_EQ(polygon_shape(light), static_cast<PolygonShape>(i));
+  }
+  light.outlines[0][1] *= 1.01;
+  EXPECT_EQ(polygon_shape(light), std::nullopt);
+}
+
+TEST(EditedLight, FlatLightsKeepTheirPower) {
+  for (const LightKind kind : {LightKind::rectangle, LightKind::disk, LightKind::polygon}) {
+    Light light = as_kind(small_ball(), kind, unit_scene);
+    const double area = area_of(light), power = area * static_cast<double>(light.intensity);
+    light.radius *= 3.0;
+    light.half_u *= 3.0;
+    if (kind == LightKind::polygon) set_polygon_radius(light, 2.0);
+    keep_power(light, area);
+    EXPECT_GT(area_of(light), 2.0 * area);
+    EXPECT_NEAR(area_of(light) * static_cast<double>(light.intensity), power, 1e-6 * power);
+  }
+  Light ball = small_ball();
+  keep_power(ball, 0.0);
+  EXPECT_EQ(ball.intensity, small_ball().intensity);
+}
+
 TEST(EditedLight, OutlinesHaveTheirAreas) {
   Light light = as_kind(small_ball(), LightKind::polygon, unit_scene);
   set_polygon_radius(light, 2.0);
@@ -146,6 +193,8 @@ TEST(NewLights, MakeAWhiteSurfaceHalfWhite) {
   const Light light = new_light({0, 6, 0}, {0, 0, 0}, 3.0);
   EXPECT_EQ(kind_of(light), LightKind::sphere);
   EXPECT_NEAR(irradiance_in_the_middle(light) / std::numbers::pi, 0.5, 0.02);
+  EXPECT_NEAR(light.radius, 0.05 * 3.0, 1e-12) << "of its distance, for a penumbra";
+  EXPECT_NEAR(new_light({0, 6, 0}, {0, 0, 0}, 0.1).radius, 0.05 * 3.0, 1e-12);
 }
 
 // A box's face: two triangles of one part, whose other faces are left out.

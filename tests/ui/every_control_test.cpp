@@ -90,8 +90,9 @@ class EveryControlTest : public PanelsTest {
       case Part::tour:
         return numbers(s.tour.card ? static_cast<int>(*s.tour.card) : -1, s.tour.since_seconds);
       case Part::display:
-        return numbers(d.exposure_ev, static_cast<int>(d.tone), d.show_split_map, d.show_legend,
-                       d.show_grid, d.split_dimming, static_cast<int>(d.split_colours));
+        return numbers(d.exposure_ev, d.auto_exposure, static_cast<int>(d.tone), d.show_split_map,
+                       d.show_legend, d.show_grid, d.split_dimming,
+                       static_cast<int>(d.split_colours));
       case Part::lights:
         return numbers(p.edits().state().look.lights_revision);
       case Part::camera:
@@ -104,9 +105,10 @@ class EveryControlTest : public PanelsTest {
                                                    ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
                                                    ImGui::GetIO().WantTextInput);
       case Part::choice:
-        return numbers(s.lights.selected, s.lights.show_marks, s.watch, s.show_boundaries,
-                       s.picked.has_value(), static_cast<int>(s.reflections.channel),
-                       s.picked_pyray, s.outline.selected, s.lens.click_to_focus);
+        return numbers(s.lights.selected, s.lights.show_marks, s.lights.keep_power, s.watch,
+                       s.show_boundaries, s.picked.has_value(),
+                       static_cast<int>(s.reflections.channel), s.picked_pyray, s.outline.selected,
+                       s.lens.click_to_focus);
       case Part::frames:
         return numbers(s.frames.stored.size(), s.frames.chosen,
                        static_cast<int>(s.frames.comparison), s.frames.wipe, s.frames.flipped,
@@ -270,6 +272,19 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
         LightKind::linear, LightKind::rectangle, LightKind::disk, LightKind::polygon})
     use_all("light of kind " + std::to_string(static_cast<int>(kind)),
             [&, kind] { select_kind(kind); });
+  for (const int selected : {0, 1})
+    use_all("lights outside the picture", [&, selected] {
+      std::vector<EditedLight>& all = rig.previewer().edits().edit_lights();
+      all.push_back(all[0]);
+      all[0].light.position = {50, 0, 0};
+      all[1].light.position = {-50, 0, 0};
+      lights().selected = selected;
+    });
+  // A hexagon is what other kinds become.
+  use_all("a star", [&] {
+    select_kind(LightKind::polygon);
+    set_polygon_shape(rig.previewer().edits().edit_lights()[0].light, PolygonShape::star);
+  });
   for (const auto method :
        {Method::sobol, Method::sobol_adaptive, Method::stochastic, Method::asos_published})
     use_all("method " + std::to_string(static_cast<int>(method)),

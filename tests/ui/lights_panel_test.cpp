@@ -163,6 +163,95 @@ TEST_F(LightsPanelTest, EveryKindHasItsSizes) {
   EXPECT_TRUE(restarted());
 }
 
+TEST_F(LightsPanelTest, ALargerLightKeepsItsPowerUnlessToldNotTo) {
+  rig.click("Type/Polygon");
+  rig.frame();
+  const auto power = [this] { return area_of(light()) * static_cast<double>(light().intensity); };
+  const double before = power(), radius = polygon_radius(light());
+  type_into("Radius", std::to_string(2.0 * radius));
+  EXPECT_NEAR(polygon_radius(light()), 2.0 * radius, 1e-5);
+  EXPECT_NEAR(power(), before, 1e-4 * before);
+  rig.click("Shape/Star");
+  EXPECT_NEAR(power(), before, 1e-4 * before);
+  rig.click("Keep total power");
+  const float intensity = light().intensity;
+  type_into("Radius", std::to_string(4.0 * radius));
+  EXPECT_EQ(light().intensity, intensity);
+  EXPECT_GT(power(), 2.0 * before);
+  rig.click("Type/Sphere");
+  rig.frame();
+  EXPECT_FALSE(rig.content().controls().all().contains("Keep total power"))
+      << "candela do not depend on the size";
+}
+
+// Wherever the camera looks.
+TEST_F(LightsPanelTest, ALightOutsideThePictureHasAnArrowAtItsBorder) {
+  const auto& all = rig.content().controls().all();
+  const auto picture = rig.content().layout().picture;
+  const auto arrow_at = [&](double x, double y, double z) {
+    rig.previewer().edits().edit_lights()[0].light.position = {x, y, z};
+    rig.frame();
+    rig.frame();
+    EXPECT_FALSE(all.contains("Mark/1"));
+    EXPECT_TRUE(all.contains("Light arrow/1"));
+    const auto found = all.find("Light arrow/1");
+    return found == all.end() ? glm::vec2(-1.0f)
+                              : (found->second.centre() - picture.lo) / picture.size;
+  };
+  // The camera is at z = 3 and looks along -Z.
+  EXPECT_GT(arrow_at(50, 0, 0).x, 0.9f);
+  EXPECT_LT(arrow_at(-50, 0, 0).x, 0.1f);
+  EXPECT_LT(arrow_at(0, 50, 0).y, 0.1f);
+  EXPECT_GT(arrow_at(0, -50, 0).y, 0.9f);
+  EXPECT_GT(arrow_at(5, 0, 20).x, 0.9f) << "behind the viewer";
+  EXPECT_LT(arrow_at(0, 5, 20).y, 0.1f);
+  rig.previewer().edits().edit_lights()[0].light.position = {0, 0, 0};
+  rig.frame();
+  rig.frame();
+  EXPECT_TRUE(all.contains("Mark/1"));
+  EXPECT_FALSE(all.contains("Light arrow/1"));
+}
+
+TEST_F(LightsPanelTest, AnArrowSelectsItsLight) {
+  rig.click("Add light");
+  rig.previewer().edits().edit_lights()[0].light.position = {50, 0, 0};
+  rig.frame();
+  rig.frame();
+  ASSERT_EQ(rig.content().state().lights.selected, 1);
+  rig.click("Light arrow/1");
+  EXPECT_EQ(rig.content().state().lights.selected, 0);
+}
+
+TEST_F(LightsPanelTest, ResetLeavesTheEditorOpen) {
+  type_into("Position/y", "1.75");
+  rig.click("Reset lights");
+  EXPECT_TRUE(restarted());
+  EXPECT_NEAR(light().position.y + world().origin.y, 1.0, 1e-9);
+  EXPECT_EQ(rig.content().state().lights.selected, 0);
+  rig.click("Add light");
+  rig.click("Reset lights");
+  EXPECT_EQ(rig.content().state().lights.selected, -1) << "the added one is gone";
+}
+
+TEST_F(LightsPanelTest, ASelectedRowKeepsItsColourUnderThePointer) {
+  rig.set_blind(false);
+  rig.set_pixel_size(1);
+  const Controls::Placed row = rig.control("Light/1");
+  const auto colour = [&] {
+    rig.frame();
+    const auto pixels = rig.pixels();
+    const glm::ivec2 at(row.lo + glm::vec2(1.0f, 2.0f));
+    return pixels[static_cast<std::size_t>(at.y * rig.size().x + at.x)];
+  };
+  rig.move_to({5, 5});
+  const glm::u8vec3 marked = colour();
+  rig.move_to(row.centre());
+  EXPECT_EQ(colour(), marked);
+  rig.content().state().lights.selected = -1;
+  rig.move_to({5, 5});
+  EXPECT_NE(colour(), marked);
+}
+
 TEST_F(LightsPanelTest, LightsAreTurned) {
   rig.click("Type/Rectangle");
   rig.frame();
@@ -214,7 +303,7 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   rig.click("Reset lights");
   EXPECT_TRUE(restarted());
   EXPECT_EQ(kind_of(light()), LightKind::point);
-  rig.click("Light/1");
+  EXPECT_EQ(rig.content().state().lights.selected, 0) << "the editor stays open";
   rig.click("Remove light");
   EXPECT_TRUE(restarted());
   EXPECT_TRUE(lights().empty()) << "black, as asked for, and no rig";

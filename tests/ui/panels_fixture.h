@@ -65,6 +65,16 @@ class PanelsTest : public testing::Test {
     light.position = {0, 1, 2};
     if (source == "point light") scene.lights.assign(1, light);
     if (source == "nine lights") scene.lights.assign(9, light);
+    if (source == "sunlit") {  // matte, under a sun behind the viewer
+      for (Material& material : scene.materials) {
+        material.unlit = false;
+        material.metallic = 0.0f;
+      }
+      light.type = Light::Type::directional;
+      light.direction = {0, 0, -1};
+      light.intensity = 1000.0f;
+      scene.lights.assign(1, light);
+    }
     if (source == "mirrors") {
       // Two that look alike, and another.
       scene.materials.resize(2);

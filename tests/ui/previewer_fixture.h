@@ -68,8 +68,11 @@ inline RenderSettings small_picture() {
   return settings;
 }
 
+/// Scenes have neither ground nor sky, unless a test lets them have their default look.
 class PreviewerTest : public testing::Test {
  protected:
+  PreviewerTest() { previewer.edits().keep_first({true, true, true}); }
+
   bool update_until(const std::function<bool()>& done) {
     for (int i = 0; i < 20000 && !done(); ++i) {
       previewer.update(now);

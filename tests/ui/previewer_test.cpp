@@ -110,25 +110,40 @@ TEST_F(PreviewerTest, LinesAndLightsChangeTogether) {
   EXPECT_TRUE(previewer.scene()->world().strokes.drawn());
 }
 
-TEST_F(PreviewerTest, AStudioSurroundsScenesWithoutLights) {
+TEST_F(PreviewerTest, ScenesWithoutLightsOpenOnTheGroundInAStudio) {
+  previewer.edits().keep_first({});
   previewer.viewpoint().set_picture_size(48, 32, now);
   const auto sky = [&] { return previewer.edits().settings().sky.get(); };
   previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
   ASSERT_TRUE(sky());
-  EXPECT_EQ(sky()->choice().environment, Environment::studio);
+  EXPECT_EQ(sky()->choice().environment, Environment::softboxes);
+  const auto settings = [&]() -> RenderSettings& { return previewer.edits().settings(); };
+  EXPECT_EQ(settings().ground, Ground::on);
+  EXPECT_EQ(settings().background.kind, BackgroundKind::colours);
   previewer.scene().open("many");
   ASSERT_TRUE(opened("many"));
   EXPECT_EQ(sky(), nullptr) << "it has lights";
+  EXPECT_EQ(settings().ground, Ground::off);
+  EXPECT_EQ(settings().background, Background{});
   // Once a person has chosen one it stays, until all is reset.
   previewer.edits().set_sky(std::make_shared<const Sky>(Environment::dusk));
   previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
   EXPECT_EQ(sky()->choice().environment, Environment::dusk);
+  EXPECT_EQ(settings().background, Background{}) << "that of the sky";
   previewer.edits().reset();
   previewer.scene().open("green");
   ASSERT_TRUE(opened("green"));
-  EXPECT_EQ(sky()->choice().environment, Environment::studio);
+  EXPECT_EQ(sky()->choice().environment, Environment::softboxes);
+  EXPECT_EQ(settings().background.kind, BackgroundKind::colours);
+  // So does what a person chose apart.
+  settings().ground = Ground::off;
+  settings().background.kind = BackgroundKind::blurred;
+  previewer.scene().open("red");
+  ASSERT_TRUE(opened("red"));
+  EXPECT_EQ(settings().ground, Ground::off);
+  EXPECT_EQ(settings().background.kind, BackgroundKind::blurred);
   previewer.edits().set_sky(nullptr);
   previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));

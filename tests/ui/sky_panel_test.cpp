@@ -1,4 +1,5 @@
 #include "renderer/film/image_io.h"
+#include "renderer/prepared/environment_lights.h"
 #include "renderer/shading/sky.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/panels_fixture.h"
@@ -190,16 +191,13 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
     return all;
   };
   const auto choose = [this](const std::string& name) {
-    rig.rest();
-    rig.click("Preset sky");
-    rig.frame();
-    rig.click("Preset sky/" + name);
+    rig.click("Environment/" + name);
     EXPECT_TRUE(restarted());
   };
   EXPECT_EQ(names(), "key fill ");
   rig.click("Sky/Preset");
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(sky()->choice().environment, Environment::studio);
+  EXPECT_EQ(sky()->choice().environment, Environment::softboxes);
   EXPECT_EQ(names(), "key fill ");
   choose("daylight");
   EXPECT_EQ(sky()->choice().environment, Environment::daylight);
@@ -217,6 +215,73 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
 }
 
 // Large scenes take seconds to be put on another ground, in the background.
+TEST_F(SkyPanelTest, AnEnvironmentIsTurnedAndBrightenedWithItsLights) {
+  const auto light = [this]() -> const Light& { return rig.previewer().edits().lights()[0].light; };
+  rig.click("Environment/softboxes");
+  ASSERT_TRUE(restarted());
+  const Light before = light();
+  slide("Turn", 0.5f, 0.75f);
+  ASSERT_TRUE(restarted());
+  EXPECT_NEAR(sky()->choice().turn_deg, 90.0, 5.0);
+  EXPECT_GT(glm::distance(light().position, before.position), 1.0);
+  const Sky turned = *sky();
+  const std::vector<Light> expected = lights_under(*rig.previewer().scene().shared(), &turned);
+  EXPECT_NEAR(glm::distance(light().position, expected[0].position), 0.0, 1e-6);
+  slide("Brightness", 0.3f, 0.8f);
+  const double times = sky()->choice().brightness;
+  EXPECT_GT(times, 1.1);
+  EXPECT_NEAR(static_cast<double>(light().intensity), times * static_cast<double>(before.intensity),
+              1e-3 * times);
+  EXPECT_TRUE(restarted());
+}
+
+TEST_F(SkyPanelTest, ShiftAndTheRightButtonUpBrightenTheSky) {
+  rig.click("Environment/daylight");
+  ASSERT_TRUE(restarted());
+  rig.content().input().add(KeyChanged{Key::shift, true});
+  const float up = 0.25f * rig.content().layout().picture.size.y;
+  rig.drag({20, 300}, {20, 300 - up}, MouseButton::right);
+  rig.content().input().add(KeyChanged{Key::shift, false});
+  rig.frame();
+  EXPECT_NEAR(sky()->choice().brightness, std::sqrt(2.0), 0.02);
+  EXPECT_EQ(sky()->choice().turn_deg, 0.0);
+}
+
+TEST_F(SkyPanelTest, ADroppedPictureBecomesTheSky) {
+  const test::TemporaryFolder folder;
+  const std::string hdr = folder.file("sky.hdr"), exr = folder.file("sky.exr");
+  write_sky(hdr);
+  ASSERT_TRUE(write_exr(exr, Film(16, 8), {}));
+  const std::string scene = rig.previewer().scene()->geometry->source;
+  for (const std::string& file : {hdr, exr}) {
+    rig.content().open_dropped(file);
+    ASSERT_TRUE(rig.frames_until([&] { return sky() && sky()->choice().file == file; })) << file;
+    EXPECT_EQ(rig.previewer().scene()->geometry->source, scene);
+  }
+  rig.content().open_dropped(folder.file("missing.hdr"));
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.content().state().sky.error.empty(); }));
+  EXPECT_EQ(sky()->choice().file, exr) << "the sky stays";
+}
+
+TEST_F(SkyPanelTest, BrowsesForSkies) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("my sky.hdr");
+  write_sky(path);
+  folder.write("model.glb", "x");
+  rig.click("Sky/File");
+  rig.content().state().sky.path = path + "x";
+  rig.frame();
+  rig.click("Browse...");
+  rig.frame();
+  rig.frame();
+  const FolderListing& listing = rig.content().state().sky.browser.listing;
+  ASSERT_EQ(listing.entries.size(), 1u) << "no models";
+  EXPECT_EQ(listing.entries[0].name, "my sky.hdr");
+  rig.click("Open");
+  ASSERT_TRUE(rig.frames_until([&] { return sky() && sky()->is_picture(); }));
+  EXPECT_EQ(sky()->choice().file, path);
+}
+
 TEST_F(SkyPanelTest, TheStatusLineSaysThatTheGroundChanges) {
   const auto words = [this] { return rig.content().controls().all().at("Progress").words; };
   settings().ground = Ground::on;
@@ -227,6 +292,50 @@ TEST_F(SkyPanelTest, TheStatusLineSaysThatTheGroundChanges) {
   settings().ground = Ground::off;
   rig.frame();
   EXPECT_EQ(words(), "Updating ground");
+}
+
+class ExposureTest : public PanelsTest {
+ protected:
+  void open(const std::string& source) {
+    rig.previewer().scene().open(source);
+    EXPECT_TRUE(rig.frames_until([&] {
+      return rig.previewer().scene() && rig.previewer().scene()->geometry->source == source;
+    }));
+    EXPECT_TRUE(rig.settle());
+  }
+};
+
+TEST_F(ExposureTest, FollowsABrightSceneUntilAPersonSetsIt) {
+  open("sunlit");
+  ASSERT_TRUE(rig.frames_until([&] { return display().auto_exposure; }));
+  EXPECT_LT(display().exposure_ev, -5.0f);
+  EXPECT_NE(rig.content().state().message.find("Auto exposure"), std::string::npos);
+  EXPECT_FALSE(rig.content().stored_settings().display.auto_exposure);
+  EXPECT_EQ(rig.content().stored_settings().display.exposure_ev, 0.0f) << "of this scene alone";
+  // A light of half the power is metered again.
+  const float before = display().exposure_ev;
+  rig.previewer().edits().edit_lights()[0].light.intensity *= 0.25f;
+  ASSERT_TRUE(rig.frames_until([&] { return display().exposure_ev > before + 1.5f; }));
+  EXPECT_TRUE(display().auto_exposure);
+  rig.click("Auto exposure");
+  rig.frame();
+  EXPECT_FALSE(display().auto_exposure);
+  EXPECT_EQ(display().exposure_ev, 0.0f);
+  rig.click("Auto exposure");
+  ASSERT_TRUE(rig.frames_until([&] { return display().exposure_ev < -1.0f; }));
+  display().exposure_ev = 1.0f;  // as the slider does
+  rig.frame();
+  rig.frame();
+  EXPECT_FALSE(display().auto_exposure);
+  EXPECT_EQ(display().exposure_ev, 1.0f);
+}
+
+TEST_F(ExposureTest, IsThatOfEachScene) {
+  open("sunlit");
+  ASSERT_TRUE(rig.frames_until([&] { return display().auto_exposure; }));
+  open("scene");
+  EXPECT_FALSE(display().auto_exposure);
+  EXPECT_EQ(display().exposure_ev, 0.0f);
 }
 
 }  // namespace

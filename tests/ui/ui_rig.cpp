@@ -41,7 +41,7 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skie
       content_(value_or_throw(WindowContent::make(*previewer_))),
       size_(size),
       content_scale_(content_scale) {
-  if (skies == Skies::neutral) previewer_->edits().keep_first_sky();
+  if (skies == Skies::neutral) previewer_->edits().keep_first({true, true, true});
 }
 
 glm::ivec2 UiRig::with_bar(glm::ivec2 size) {

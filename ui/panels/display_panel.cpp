@@ -39,6 +39,12 @@ void display_panel(Controls& controls, DisplaySettings& display) {
       display.exposure_ev,
       {-DisplaySettings::exposure_limit_ev, DisplaySettings::exposure_limit_ev, usual.exposure_ev},
       [](float ev) { return fmt::format("{:+.2f} EV", ev); });
+  if (controls.checkbox("Auto exposure",
+                        "Set the exposure by the brightness of the scene. Moving the slider "
+                        "turns it off.",
+                        display.auto_exposure, usual.auto_exposure) &&
+      !display.auto_exposure)
+    display.exposure_ev = usual.exposure_ev;
   int tone = static_cast<int>(display.tone);
   if (controls.options("Tone", tone_options, tone, {true, static_cast<int>(usual.tone)}))
     display.tone = static_cast<ToneCurve>(tone);

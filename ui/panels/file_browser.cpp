@@ -99,7 +99,7 @@ std::string FileBrowser::filter() const {
 void FileBrowser::follow() {
   const fs::path shown = shown_folder();
   if (listing.folder != shown) {
-    listing = FolderListing::of(shown);
+    listing = FolderListing::of(shown, listing.kind);
     chosen = 0;
   }
 }
@@ -108,7 +108,7 @@ void FileBrowser::enter(const fs::path& into) {
   folder = into.has_filename() || into == into.root_path() ? into : into.parent_path();
   typed.clear();
   chosen = 0;
-  listing = FolderListing::of(folder);
+  listing = FolderListing::of(folder, listing.kind);
   scroll_to_chosen = focus = true;
 }
 

@@ -62,13 +62,16 @@ class LightEditor {
         same_kind_(kind_of(edited.original) == kind_of(edited.light)),
         scene_(around.scene),
         looked_at_(around.looked_at),
-        origin_(around.origin) {}
+        origin_(around.origin),
+        keep_power_(around.keep_power) {}
 
   /// Whether anything was changed.
   bool run() {
     kind();
     brightness();
+    const double area = area_of(light_);
     size();
+    if (keep_power_ && area != area_of(light_)) keep_power(light_, area);
     place();
     turn();
     flags();
@@ -169,7 +172,8 @@ class LightEditor {
   }
 
   void polygon() {
-    int shape = -1;
+    const std::optional<PolygonShape> now = polygon_shape(light_);
+    int shape = now ? static_cast<int>(*now) : -1;
     if (controls_.options("Shape", outline_options, shape)) {
       set_polygon_shape(light_, static_cast<PolygonShape>(shape));
       changed_ = true;
@@ -183,6 +187,10 @@ class LightEditor {
   }
 
   void cone() {
+    changed_ |= controls_.number(
+        "Radius", "Radius in metres. 0: sharp shadows. Ctrl+click to type a value.", light_.radius,
+        {{0.0, 1e3 * scene_.radius, original(edited_.original.radius)}, 1e-4 * scene_.radius, true},
+        metres);
     constexpr float widest = 89.9f;
     if (degrees("Cone", "Half angle of the cone in degrees.", light_.outer_cone_rad,
                 {0.1f, widest, 45.0f}))
@@ -240,6 +248,7 @@ class LightEditor {
   const SceneSize& scene_;
   const SceneSize& looked_at_;
   glm::dvec3 origin_;
+  bool keep_power_;
   bool changed_ = false;
 };
 

@@ -14,6 +14,7 @@ struct LightSurroundings {
   SceneSize scene;
   SceneSize looked_at;     ///< where a light of another kind is to be as bright as before
   glm::dvec3 origin{0.0};  ///< the world's
+  bool keep_power = true;  ///< of a flat light whose size is edited
 };
 
 /// One light's controls: its kind, brightness, size, place and direction. Whether anything was

@@ -79,17 +79,53 @@ void draw_outline(const Projection& projection, const Light& light, const Camera
     projection.line(draw, light.position, light.position + stroke * light.direction, colour);
 }
 
-/// Dragging moves the light; a click selects it.
+/// An arrow at the border of the picture towards a light outside it; a click selects the light.
+void border_arrow(Controls& controls, LightChoice& choice, const Projection& projection,
+                  glm::dvec3 h, std::size_t index) {
+  const float r = mark_radius_em * ImGui::GetFontSize();
+  const ImVec2 lo = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const glm::vec2 centre(lo.x + 0.5f * size.x, lo.y + 0.5f * size.y);
+  const glm::vec2 room = 0.5f * glm::vec2(size.x, size.y) - 2.0f * r;
+  if (room.x <= 0.0f || room.y <= 0.0f) return;
+  // A light behind the viewer is projected to the other side.
+  const bool before = projection.visible(h);
+  if (h.z == 0.0) h.z = -1e-9;
+  const ImVec2 at = projection.window(h);
+  const glm::vec2 way = (before ? 1.0f : -1.0f) * (glm::vec2(at.x, at.y) - centre);
+  if (!(glm::length(way) > 0.0f) || !std::isfinite(glm::length(way))) return;
+  const glm::vec2 place =
+      centre + way * std::min(room.x / std::max(std::abs(way.x), 1e-6f * room.x),
+                              room.y / std::max(std::abs(way.y), 1e-6f * room.y));
+  const bool selected = choice.selected == static_cast<int>(index);
+  ImGui::SetCursorScreenPos({place.x - 1.5f * r, place.y - 1.5f * r});
+  ImGui::PushID(static_cast<int>(index));
+  if (ImGui::InvisibleButton("light arrow", {3.0f * r, 3.0f * r}))
+    choice.selected = static_cast<int>(index);
+  ImGui::PopID();
+  controls.placed("Light arrow/" + std::to_string(index + 1),
+                  "This light is outside the picture. Click to select it.", Controls::Use::edits);
+  const bool lit = selected || ImGui::IsItemHovered();
+  const glm::vec2 ahead = glm::normalize(way), aside(-ahead.y, ahead.x);
+  const auto corner = [&](float along, float across) {
+    const glm::vec2 p = place + r * (along * ahead + across * aside);
+    return ImVec2{p.x, p.y};
+  };
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddCircleFilled({place.x, place.y}, 1.4f * r, theme::packed(theme::plot_ground, 0.8f));
+  draw.AddTriangleFilled(corner(1.1f, 0.0f), corner(-0.7f, 0.8f), corner(-0.7f, -0.8f),
+                         theme::packed(over_picture(lit ? theme::warning : theme::dim_text)));
+}
+
+/// Dragging moves the light; a click selects it. A light outside the picture has an arrow.
 void mark(Controls& controls, SceneEdits& edits, LightChoice& choice, const Projection& projection,
           std::size_t index) {
   const EditedLight& edited = edits.lights()[index];
   const glm::dvec3 h = projection.homogeneous(edited.light.position);
-  if (!projection.visible(h)) return;
-  const ImVec2 at = projection.window(h);
+  const ImVec2 at = projection.visible(h) ? projection.window(h) : ImVec2{-1e9f, -1e9f};
   const float r = mark_radius_em * ImGui::GetFontSize();
   const ImVec2 lo = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   if (!(at.x > lo.x + r && at.y > lo.y + r && at.x < lo.x + size.x - r && at.y < lo.y + size.y - r))
-    return;
+    return border_arrow(controls, choice, projection, h, index);
   const bool selected = choice.selected == static_cast<int>(index);
   ImGui::SetCursorScreenPos({at.x - 1.5f * r, at.y - 1.5f * r});
   ImGui::PushID(static_cast<int>(index));

@@ -79,9 +79,15 @@ void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const bool selected = choice.selected == static_cast<int>(i);
-  ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyle().Colors[ImGuiCol_SliderGrab]);
+  // A selected row keeps its colour under the pointer.
+  const ImVec4* colours = ImGui::GetStyle().Colors;
+  const ImVec4 marked = colours[ImGuiCol_SliderGrab];
+  ImGui::PushStyleColor(ImGuiCol_Header, marked);
+  ImGui::PushStyleColor(ImGuiCol_HeaderHovered,
+                        selected ? marked : colours[ImGuiCol_HeaderHovered]);
+  ImGui::PushStyleColor(ImGuiCol_HeaderActive, selected ? marked : colours[ImGuiCol_HeaderActive]);
   const bool pressed = ImGui::Selectable(name.c_str(), selected);
-  ImGui::PopStyleColor();
+  ImGui::PopStyleColor(3);
   if (pressed) choice.selected = selected ? -1 : static_cast<int>(i);
   controls.placed("Light/" + number,
                   stands_for_surface ? "Light of an emissive surface. Click to edit; click again "
@@ -200,7 +206,9 @@ void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
   ImGui::SameLine();
   if (controls.button("Reset lights", "Restore the scene's lights.", width)) {
     previewer.edits().reset_lights();
-    choice.selected = -1;
+    // The editor stays open, unless its light was an added one.
+    if (choice.selected >= static_cast<int>(previewer.edits().lights().size()))
+      choice.selected = -1;
   }
 }
 
@@ -230,8 +238,13 @@ void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
   EditedLight edited = edits.lights()[index];
   const World& world = previewer.scene()->world();
   if (edit_light(controls, edited,
-                 {SceneSize::of(world.bounds), looked_at(previewer.viewpoint()), world.origin}))
+                 {SceneSize::of(world.bounds), looked_at(previewer.viewpoint()), world.origin,
+                  choice.keep_power}))
     edits.edit_lights()[index] = std::move(edited);
+  if (area_of(edits.lights()[index].light) > 0.0)
+    controls.checkbox("Keep total power",
+                      "A larger light gets darker, so that the scene stays as bright.",
+                      choice.keep_power, true);
   controls.checkbox(
       "Show gizmos",
       "Show lights in the picture. Drag a gizmo to move the light; click one to select it.",

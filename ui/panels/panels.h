@@ -36,6 +36,7 @@ void refinement_panel(Controls& controls, Previewer& previewer);
 struct LightChoice {
   int selected = -1;       ///< -1: none
   bool show_marks = true;  ///< in the picture, while one is selected
+  bool keep_power = true;  ///< of flat lights whose size is edited
   std::string find;        ///< letters that the names of listed lights hold
   std::string error;       ///< why no light could be made of a face
 };

@@ -53,8 +53,13 @@ void drag(Previewer& previewer, UiState& state, glm::vec2 delta, float area_heig
   const bool left = io.MouseDown[0], right = io.MouseDown[1], middle = io.MouseDown[2];
   if (right && state.turns_surroundings) {
     // As the horizon ahead follows the pointer.
-    previewer.edits().turn_surroundings(-orbit_rad_per_height * static_cast<double>(delta.x) /
-                                        static_cast<double>(area_height));
+    SceneEdits& edits = previewer.edits();
+    const glm::dvec2 heights = glm::dvec2(delta) / static_cast<double>(area_height);
+    edits.turn_surroundings(-orbit_rad_per_height * heights.x);
+    // Half the height up doubles the brightness.
+    if (const Sky* sky = edits.settings().sky.get(); sky && heights.y != 0.0)
+      edits.brighten_sky(std::min(sky->choice().brightness * std::exp2(-2.0 * heights.y),
+                                  SkyChoice::most_brightness));
   } else if (right && view.zoom() > 1) {
     view.pan(delta);
   } else if (right) {

@@ -1,7 +1,10 @@
 #include "ui/panels/sky_panel.h"
 
+#include "renderer/picture/picture_description.h"
 #include "renderer/shading/environments.h"
+#include "ui/input.h"
 #include "ui/panels/background_panel.h"
+#include "ui/panels/sky_thumbnails.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -10,10 +13,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
-#include <vector>
 
 namespace asos {
 
@@ -36,8 +41,8 @@ SkyKind kind_of_sky(const RenderSettings& settings, const SkyEdit& choice) {
   if (choice.file) return SkyKind::file;
   const Sky* sky = settings.sky.get();
   if (!sky) return SkyKind::neutral;
-  if (sky->is_picture()) return SkyKind::file;
   if (sky->choice().environment) return SkyKind::environment;
+  if (sky->is_picture()) return SkyKind::file;
   return sky->choice().colours->zenith != sky->choice().colours->horizon || choice.gradient
              ? SkyKind::gradient
              : SkyKind::colour;
@@ -55,19 +60,23 @@ void choose_kind(SceneEdits& edits, SkyEdit& choice, SkyKind kind) {
     edits.set_sky(std::make_shared<const Sky>(first_zenith, first_horizon));
 }
 
-void environment_controls(Controls& controls, SceneEdits& edits) {
-  std::vector<std::string> names;
-  std::string hint = "Environment of the scene.";
-  int chosen = 0;
-  for (const EnvironmentRow& row : environments) {
-    if (row.value == *edits.settings().sky->choice().environment)
-      chosen = static_cast<int>(names.size());
-    names.emplace_back(row.name);
-    hint += fmt::format(" {}: {}", row.name, row.hint);
-  }
-  if (controls.list("Preset sky", hint.c_str(), names, chosen))
-    edits.set_sky(
-        std::make_shared<const Sky>(environments[static_cast<std::size_t>(chosen)].value));
+/// Turn and brightness of a picture or an environment.
+void placing_controls(Controls& controls, SceneEdits& edits) {
+  const double turned = edits.settings().sky->choice().turn_deg;
+  float turn = static_cast<float>(turned);
+  if (controls.slider("Turn",
+                      "Rotation about the vertical in degrees, counter-clockwise from above. Also "
+                      "Shift + right drag sideways in the picture.",
+                      turn, {-180.0f, 180.0f, 0.0f},
+                      [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
+    edits.turn_sky(static_cast<double>(turn));
+  double brightness = edits.settings().sky->choice().brightness;
+  if (controls.number("Brightness",
+                      "Brightness factor, 0 to 1000. Also Shift + right drag up or down in the "
+                      "picture.",
+                      brightness, {{0.0, SkyChoice::most_brightness, 1.0}, 0.01, true},
+                      [](double times) { return fmt::format("{:.4g} x", times); }))
+    edits.brighten_sky(brightness);
 }
 
 /// Radiance as a colour of 0 to 1 and how many times as bright it is.
@@ -115,15 +124,19 @@ void warn(Controls& controls, const char* name, const std::string& text) {
   controls.placed(name, nullptr);
 }
 
-void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice,
-                   SkyReader& reader) {
+void file_controls(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
+  const RenderSettings& settings = edits.settings();
   ImGui::SetNextItemWidth(-1.0f);
   const bool entered = ImGui::InputTextWithHint("##sky path", "path of a .hdr or .exr file",
                                                 &choice.path, ImGuiInputTextFlags_EnterReturnsTrue);
   controls.placed("Sky path", "Path of an equirectangular .hdr or .exr picture.");
-  if (controls.button(reader.busy() ? "Reading..." : "Load sky",
-                      "Load the picture as the sky (Enter).", -1.0f) ||
-      entered) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  const bool pressed = controls.button(reader.busy() ? "Reading..." : "Load sky",
+                                       "Load the picture as the sky (Enter).", width);
+  ImGui::SameLine();
+  if (controls.button("Browse...", "Choose an .hdr or .exr file.", width)) choice.browse = true;
+  if (pressed || entered) {
     choice.error.clear();
     choice.reading = FileStamp::of(choice.path);
     // The same sky again would only begin the render anew.
@@ -133,22 +146,65 @@ void file_controls(Controls& controls, RenderSettings& settings, SkyEdit& choice
     reader.read(choice.path);
   }
   if (!choice.error.empty()) warn(controls, "Sky error", choice.error);
-  if (!settings.sky || !settings.sky->is_picture()) return;
+  if (!settings.sky || settings.sky->choice().file.empty()) return;
   if (!choice.remark.empty()) warn(controls, "Sky remark", choice.remark);
   controls.row("Picture", settings.sky->choice().file, "File of the sky.");
-  float turn = static_cast<float>(settings.sky->choice().turn_deg);
-  if (controls.slider(
-          "Turn", "Rotation about the vertical in degrees, counter-clockwise from above.", turn,
-          {-180.0f, 180.0f, 0.0f}, [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
-    settings.sky = std::make_shared<const Sky>(settings.sky->turned(static_cast<double>(turn)));
-  double brightness = settings.sky->choice().brightness;
-  if (controls.number("Brightness", "Brightness factor of the picture, 0 to 1000.", brightness,
-                      {{0.0, SkyChoice::most_brightness, 1.0}, 0.01, true},
-                      [](double times) { return fmt::format("{:.4g} x", times); }))
-    settings.sky = std::make_shared<const Sky>(settings.sky->brightened(brightness));
+  placing_controls(controls, edits);
+}
+
+std::filesystem::path first_sky_folder(const SkyEdit& choice) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::path(choice.path).parent_path();
+  if (!folder.empty() && std::filesystem::is_directory(folder, error)) return folder;
+  return std::filesystem::current_path(error);
+}
+
+void browse_skies(Controls& controls, SkyEdit& choice, SkyReader& reader) {
+  constexpr const char* title = "Open a sky";
+  if (choice.browse && !ImGui::IsPopupOpen(title)) {
+    ImGui::OpenPopup(title);
+    choice.browser.listing.kind = FolderListing::Kind::skies;
+    choice.browser.begin(first_sky_folder(choice));
+  }
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(40.0f * em, 0.94f * window.x), 0.0f});
+  if (!ImGui::BeginPopupModal(
+          title, nullptr,
+          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings))
+    return;
+  std::string chosen = browse_files(controls, choice.browser,
+                                    std::clamp(window.y - 14.0f * em, 3.0f * em, 24.0f * em));
+  ImGui::Spacing();
+  if (controls.button("Open", "Open the chosen or typed file (Enter).", 6.0f * em))
+    chosen = choice.browser.take_entered();
+  ImGui::SameLine();
+  const bool cancelled = controls.button("Cancel", "Close (Esc).", 6.0f * em) ||
+                         ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
+  if (!chosen.empty()) read_as_sky(choice, reader, chosen);
+  if (!chosen.empty() || cancelled) {
+    choice.browse = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
 }
 
 }  // namespace
+
+bool is_sky_file(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".hdr" || (ending == ".exr" && !read_description(path));
+}
+
+void read_as_sky(SkyEdit& choice, SkyReader& reader, const std::string& path) {
+  choice.file = true;
+  choice.error.clear();
+  choice.path = path;
+  choice.reading = FileStamp::of(path);
+  reader.read(path);
+}
 
 void update_sky(SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
   auto outcome = reader.take_outcome();
@@ -166,6 +222,8 @@ void update_sky(SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
 void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
   if (!controls.section("Sky", false)) return;
   RenderSettings& settings = edits.settings();
+  sky_thumbnails(controls, edits);
+  if (const Sky* sky = settings.sky.get(); sky && sky->choice().environment) choice.file = false;
   const SkyKind kind = kind_of_sky(settings, choice);
   int chosen = static_cast<int>(kind);
   if (controls.options("Sky", sky_kinds, chosen, {false, std::nullopt}))
@@ -174,17 +232,18 @@ void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader
     case SkyKind::neutral:
       break;
     case SkyKind::environment:
-      environment_controls(controls, edits);
+      placing_controls(controls, edits);
       break;
     case SkyKind::colour:
     case SkyKind::gradient:
       colour_controls(controls, settings, kind_of_sky(settings, choice));
       break;
     case SkyKind::file:
-      file_controls(controls, settings, choice, reader);
+      file_controls(controls, edits, choice, reader);
       break;
   }
   background_controls(controls, settings);
+  browse_skies(controls, choice, reader);
 }
 
 }  // namespace asos

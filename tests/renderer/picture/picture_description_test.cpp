@@ -161,11 +161,14 @@ TEST(PictureDescription, NoSettingIsAsByDefaultInTheTestAbove) {
 }
 
 TEST(PictureDescription, SkiesAreNeutralColoursFilesOrEnvironments) {
-  SkyChoice dusk, bright{{}, "/a b.exr", 1.5, 1000.0};
+  SkyChoice dusk, turned, bright{{}, "/a b.exr", 1.5, 1000.0};
   dusk.environment = Environment::dusk;
+  turned.environment = Environment::softboxes;
+  turned.turn_deg = -30.5;
+  turned.brightness = 0.25;
   for (const SkyChoice& sky :
        {SkyChoice{}, SkyChoice{SkyChoice::Colours{{0.1f, 2, 3}, {0, 0, 0}}, "", 0.0},
-        SkyChoice{{}, "/a b.exr", -12.5}, dusk, bright}) {
+        SkyChoice{{}, "/a b.exr", -12.5}, dusk, turned, bright}) {
     const auto read = settings_from_json(settings_json({}, sky));
     ASSERT_TRUE(read.has_value()) << read.error().message();
     EXPECT_EQ(read->sky, sky);

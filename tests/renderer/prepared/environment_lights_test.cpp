@@ -36,12 +36,14 @@ TEST(EnvironmentLights, TakeThePlaceOfARigOnly) {
     EXPECT_FALSE(changes_lights(*lit, &sky));
     EXPECT_EQ(lit_under(lit, &sky).value(), lit);
     const std::vector<Light> lights = lights_under(*dark, &sky);
-    EXPECT_EQ(changes_lights(*dark, &sky), row.value != Environment::studio);
-    if (row.value == Environment::studio) {
+    const bool keeps = row.value == Environment::studio || row.value == Environment::softboxes;
+    EXPECT_EQ(changes_lights(*dark, &sky), !keeps);
+    if (keeps) {
       EXPECT_EQ(lights.at(0).name, "key");
       continue;
     }
-    EXPECT_TRUE(std::ranges::all_of(lights, [](const Light& l) { return l.name == "sun"; }));
+    const std::string name = row.value == Environment::windows ? "window" : "sun";
+    EXPECT_TRUE(std::ranges::all_of(lights, [&](const Light& l) { return l.name == name; }));
     EXPECT_EQ(lit_under(dark, &sky).value()->lights().size(), lights.size());
   }
   EXPECT_FALSE(changes_lights(*dark, nullptr));
@@ -53,7 +55,7 @@ TEST(EnvironmentLights, TakeThePlaceOfARigOnly) {
 // A white diffuse surface that faces the sun, which gives it E / pi, and sees the sky behind it.
 TEST(EnvironmentLights, SunsBringWhiteSurfacesNearWhite) {
   const auto dark = ready(unlit("builtin:boxes"));
-  for (const Environment e : {Environment::daylight, Environment::dusk}) {
+  for (const Environment e : {Environment::windows, Environment::daylight, Environment::dusk}) {
     const Sky sky(e);
     const std::vector<Light> lights = lights_under(*dark, &sky);
     ASSERT_EQ(lights.size(), 1u);
@@ -67,6 +69,33 @@ TEST(EnvironmentLights, SunsBringWhiteSurfacesNearWhite) {
     EXPECT_NEAR(sun.x, static_cast<double>(lights[0].intensity) / std::numbers::pi, 1e-3);
     EXPECT_GT(radiance.x, 0.8);
     EXPECT_LT(radiance.x, 1.2);
+  }
+}
+
+TEST(EnvironmentLights, FollowTheTurnAndBrightnessOfTheirSky) {
+  const auto dark = ready(unlit("builtin:boxes"));
+  const glm::dvec3 middle =
+      0.5 * (glm::dvec3(dark->world().bounds.lo) + glm::dvec3(dark->world().bounds.hi));
+  for (const EnvironmentRow& row : environments) {
+    SCOPED_TRACE(row.name);
+    const Sky sky(row.value), placed = sky.turned(90.0).brightened(2.5);
+    const std::vector<Light> before = lights_under(*dark, &sky),
+                             after = lights_under(*dark, &placed);
+    ASSERT_EQ(before.size(), after.size());
+    EXPECT_TRUE(changes_lights(*dark, &placed));
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_FLOAT_EQ(after[i].intensity, 2.5f * before[i].intensity);
+      // Counter-clockwise as seen from above: +Z goes to +X, and +X to -Z.
+      const glm::dvec3 d = before[i].direction;
+      EXPECT_NEAR(glm::distance(after[i].direction, glm::dvec3(d.z, d.y, -d.x)), 0.0, 1e-12);
+      if (before[i].type == Light::Type::directional) continue;
+      const glm::dvec3 p = before[i].position - middle;
+      EXPECT_NEAR(glm::distance(after[i].position, middle + glm::dvec3(p.z, p.y, -p.x)), 0.0,
+                  1e-9 * glm::length(p));
+      const glm::dvec3 u = before[i].half_u;
+      EXPECT_NEAR(glm::distance(after[i].half_u, glm::dvec3(u.z, u.y, -u.x)), 0.0,
+                  1e-9 * glm::length(u));
+    }
   }
 }
 

@@ -1,4 +1,5 @@
 #include "renderer/prepared/render_scene.h"
+#include "renderer/prepared/with_ground.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -48,6 +49,22 @@ TEST(Stage, LightsAndOriginStayWhereTheSceneIsAtRest) {
   // And the stage is handed on.
   const auto again = prepare(at(2.0), {}, &moved->geometry->stage).value();
   EXPECT_EQ(places(*again), places(*rest));
+}
+
+// Feet that leave the ground do not pull it up.
+TEST(Stage, TheGroundStaysWhereItIsAtRest) {
+  const auto rest = prepare(at(0.0)).value();
+  Scene jumps = at(0.0);
+  jumps.instances[0].world_from_mesh = glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.75, 0.0));
+  const auto ground_height = [](const Scene& scene, const Stage* stage) {
+    const auto on = with_ground(prepare(scene, {}, stage).value(), Ground::on).value();
+    const World& world = on->world();
+    return world.origin.y + static_cast<double>(world.positions[world.positions.size() - 1].y);
+  };
+  const double at_rest = ground_height(at(0.0), nullptr);
+  EXPECT_NEAR(at_rest, 0.0, 1e-3);
+  EXPECT_NEAR(ground_height(jumps, &rest->geometry->stage), at_rest, 1e-6);
+  EXPECT_NEAR(ground_height(jumps, nullptr), at_rest + 0.75, 1e-6);
 }
 
 TEST(Stage, TexturesAreNeitherCopiedNorAveragedAgain) {

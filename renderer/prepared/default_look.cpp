@@ -1,0 +1,49 @@
+#include "renderer/prepared/default_look.h"
+
+#include "renderer/prepared/own_lights.h"
+#include "renderer/shading/environment_picture.h"
+#include "renderer/world/ground.h"
+
+#include <algorithm>
+
+namespace asos {
+namespace {
+
+// Radiance at the upper and lower border. White and black models stand out on both.
+constexpr float backdrop_top = 0.25f;
+constexpr float backdrop_bottom = 0.48f;
+
+bool stands_below(const RenderScene& scene, const Camera& camera) {
+  const Box bounds = bounds_without_ground(scene.world());
+  return !bounds.empty() && camera.world_from_camera[3].y > static_cast<double>(bounds.lo.y);
+}
+
+}  // namespace
+
+DefaultLook default_look(const RenderScene& scene, const Camera& camera) {
+  const Stage& stage = scene.geometry->stage;
+  if (!stage.lit_by_rig) return {};
+  const bool ground = !stage.rig_inside && stands_below(scene, camera);
+  return {std::make_shared<const Sky>(Environment::softboxes), ground ? Ground::on : Ground::off};
+}
+
+DefaultLook default_look(const RenderScene& scene) {
+  return default_look(scene, first_camera(scene.world()));
+}
+
+Background default_background(const Sky* sky) {
+  Background background;
+  if (!sky || !sky->choice().environment || !environment_picture(*sky->choice().environment))
+    return background;
+  const auto scaled = [&](float radiance) {
+    const auto most = static_cast<double>(Background::brightest);
+    return glm::vec3(static_cast<float>(
+        std::min(most, sky->choice().brightness * static_cast<double>(radiance))));
+  };
+  background.kind = BackgroundKind::colours;
+  background.top = scaled(backdrop_top);
+  background.bottom = scaled(backdrop_bottom);
+  return background;
+}
+
+}  // namespace asos

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ui/panels/controls.h"
+#include "ui/scene_edits.h"
+
+namespace asos {
+
+/// The program's environments as small panoramas. A click chooses one as the sky.
+void sky_thumbnails(Controls& controls, SceneEdits& edits);
+
+}  // namespace asos
