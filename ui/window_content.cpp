@@ -20,7 +20,8 @@ namespace {
 
 constexpr ImGuiWindowFlags fixed_flags =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+    ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr double message_seconds = 6.0;
 constexpr int frames_to_settle = 3;
 // Seldom: what drawing takes is counted as the study's.
@@ -139,6 +140,8 @@ void WindowContent::keep_history(double now_seconds) {
 // Takes over the results of other threads.
 void WindowContent::take_outcomes() {
   update_sky(previewer_.edits(), state_.sky, sky_reader_);
+  if (auto fault = std::exchange(state_.sky.fault, std::nullopt))
+    previewer_.scene().report(std::move(*fault));
   update_equal_time(previewer_, state_.equal_time, equal_time_, state_.frames);
   forecast_.update();
 }
@@ -187,6 +190,8 @@ void WindowContent::lay_out(const FrameInput& in) {
   begin_fixed("picture area", picture,
               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
+  // Keys are the picture's until the panel is asked for.
+  if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
   const PictureArea shown{picture, scale.y};
   check_marks(check_.findings(), state_.check, state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);

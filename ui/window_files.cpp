@@ -8,10 +8,12 @@
 namespace asos {
 
 void WindowContent::open_dropped(const std::string& path) {
-  if (is_sky_file(path))
-    read_as_sky(state_.sky, sky_reader_, path);
-  else
+  if (!is_sky_file(path)) {
     state_.opening = {path};
+    return;
+  }
+  read_as_sky(state_.sky, sky_reader_, path);
+  state_.sky.dropped = true;
 }
 
 StoredSettings WindowContent::stored_settings() const {

@@ -216,7 +216,10 @@ void update_sky(SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
     choice.read = std::exchange(choice.reading, std::nullopt);
   } else {
     choice.error = outcome->sky.error().message();
+    if (choice.dropped) choice.fault = outcome->sky.error();
+    choice.file &= !choice.dropped;
   }
+  choice.dropped = false;
 }
 
 void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {

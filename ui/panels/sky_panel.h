@@ -21,8 +21,10 @@ struct SkyEdit {
   /// The file that the sky was read from, as it was then: read again, it is no other sky.
   std::optional<FileStamp> read;
   std::optional<FileStamp> reading;
-  std::string error;   ///< why it could not be read
-  std::string remark;  ///< what of the picture is not shown
+  std::string error;           ///< why it could not be read
+  bool dropped = false;        ///< the file was dropped on the window
+  std::optional<Error> fault;  ///< of a dropped file, to be reported over the picture
+  std::string remark;          ///< what of the picture is not shown
 };
 
 /// Whether a file is a sky: an .hdr, or an .exr that is no picture saved by this program.
