@@ -75,18 +75,12 @@ double difference(glm::dvec3 a, glm::dvec3 b) {
   return glm::distance(lab(glm::max(a, 0.0)), lab(glm::max(b, 0.0)));
 }
 
-TEST(Theme, PlotsHaveTheSplitMapsColoursWhichTheColourBlindTellApart) {
+TEST(Theme, PlotsHaveColoursThatTheColourBlindTellApart) {
   constexpr std::array methods{"asos",      "asos-published", "uniform", "stochastic",
                                "sobol",     "sobol-adaptive", "whitted", "mitchell",
                                "ray-bound", "average"};
-  int of_the_map = 0;
   for (const char* method : methods) {
     const std::uint32_t rgb = method_colour(method);
-    for (std::size_t cause = 1; cause < split_cause_count; ++cause) {
-      const glm::u8vec3 c = split_cause_colour(static_cast<SplitCause>(cause));
-      of_the_map += rgb == (static_cast<std::uint32_t>(c.x) << 16 |
-                            static_cast<std::uint32_t>(c.y) << 8 | c.z);
-    }
     EXPECT_GE(contrast(rgb, theme::plot_ground), 3.0) << method;
     for (const char* other : methods) {
       if (std::string(method) >= other) continue;
@@ -96,7 +90,6 @@ TEST(Theme, PlotsHaveTheSplitMapsColoursWhichTheColourBlindTellApart) {
       EXPECT_GE(difference(without_green(a), without_green(b)), 6.0) << method << " and " << other;
     }
   }
-  EXPECT_EQ(of_the_map, 8) << "all but two greys";
 }
 
 class ThemeTest : public PanelsTest {

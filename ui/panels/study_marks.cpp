@@ -25,20 +25,25 @@ struct MethodMark {
   MarkShape shape;
 };
 
-/// Chosen by a search: any two differ by 30 in CIELAB at least, for normal sight and for
-/// protanopia, deuteranopia and tritanopia (Machado et al. 2009), and from the plot's ground.
+/// The colours of the methods that a study has by default were found by a search: any two differ by
+/// 28 in CIELAB at least, for normal sight and for protanopia, deuteranopia and tritanopia (Machado
+/// et al. 2009). Their contrast to the plot's ground is 3 at least. The others share the text's
+/// colour.
 constexpr std::array method_marks{
     MethodMark{"asos", 0xffee85, {16, 0.0f}},
     MethodMark{"asos-published", 0x7affc5, {6, 0.0f}},
-    MethodMark{"uniform", 0x8aa164, {4, 45.0f}},
+    MethodMark{"uniform", 0x99aa66, {4, 45.0f}},
     MethodMark{"stochastic", 0xfd8b00, {3, -90.0f}},
-    MethodMark{"sobol", 0x2794ff, {4, 0.0f}},
+    MethodMark{"sobol", 0xbbddff, {4, 0.0f}},
     MethodMark{"sobol-adaptive", 0x8a00ff, {3, 90.0f}},
-    MethodMark{"whitted", 0x19664b, {5, -90.0f}},
+    MethodMark{"whitted", 0x007755, {5, -90.0f}},
     MethodMark{"mitchell", 0xaf75a8, {3, 0.0f}},
     MethodMark{"ray-bound", 0xc92800, {3, 180.0f}},
-    MethodMark{"average", 0x9f01a5, {4, 45.0f, 0.45f}},
-    MethodMark{"beam", 0xc3e5ff, {4, 0.0f, 0.5f}},
+    MethodMark{"average", 0xbb00bb, {4, 45.0f, 0.45f}},
+    MethodMark{"beam", theme::plot_text, {4, 0.0f, 0.5f}},
+    MethodMark{"cone", theme::plot_text, {5, 90.0f}},
+    MethodMark{"covers", theme::plot_text, {6, 90.0f}},
+    MethodMark{"mask", theme::plot_text, {8, 22.5f}},
 };
 constexpr MethodMark other_mark{"", theme::plot_text, {8, 0.0f, 0.6f}};
 
