@@ -69,7 +69,7 @@ TEST_F(SceneOption, InfoListsThemAndDescribesOne) {
   EXPECT_TRUE(contains(own.out,
                        "Scenes:     2\n  0: without a name, the one described here\n"
                        "  1: \"pair\"\n"));
-  EXPECT_TRUE(contains(own.out, "in 1 instances"));
+  EXPECT_TRUE(contains(own.out, "in 1 instance of 1 mesh"));
   const AsosRun pair = run_asos({"info", file_, "--scene", "1"});
   EXPECT_TRUE(contains(pair.out, "  1: \"pair\", the one described here\n"));
   EXPECT_TRUE(contains(pair.out, "in 2 instances"));

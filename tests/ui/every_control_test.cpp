@@ -108,7 +108,7 @@ class EveryControlTest : public PanelsTest {
         return numbers(s.lights.selected, s.lights.show_marks, s.lights.keep_power, s.watch,
                        s.show_boundaries, s.picked.has_value(),
                        static_cast<int>(s.reflections.channel), s.picked_pyray, s.outline.selected,
-                       s.lens.click_to_focus);
+                       s.lens.click_to_focus, s.surfaces.wireframe);
       case Part::frames:
         return numbers(s.frames.stored.size(), s.frames.chosen,
                        static_cast<int>(s.frames.comparison), s.frames.wipe, s.frames.flipped,
@@ -400,6 +400,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
       s.lens.click_to_focus = waits;
     });
   use_all("no lens", [&] { set_lens({}); });
+  use_all("surfaces", [&] { rig.unfold("Surfaces"); });
   use_all("stopped", [&] {
     rig.previewer().refinement().set_paused(false);
     ASSERT_TRUE(rig.settle());

@@ -65,12 +65,12 @@ TEST_F(LensPanelTest, ClickSetsFocusOnce) {
 
 TEST_F(LensPanelTest, OrthographicCamerasHaveNoLens) {
   rig.click("Depth of field");
-  rig.key(Key::five);
+  rig.key(Key::pad_five);
   rig.frame();
   EXPECT_FALSE(shows("Depth of field"));
   EXPECT_FALSE(lens().blurs());
   EXPECT_TRUE(rig.settle());
-  rig.key(Key::five);
+  rig.key(Key::pad_five);
   EXPECT_TRUE(lens().blurs()) << "the perspective camera keeps its own";
 }
 

@@ -14,7 +14,7 @@ namespace {
 using test::PanelsTest;
 
 TEST_F(PanelsTest, LongLabelsMoveTheirWidgetToTheRight) {
-  const float left = rig.control("Save as...").lo.x;
+  const float left = rig.control("Open...").lo.x;
   const char* name = "Jitter unresolved cells";
   EXPECT_GE(rig.control(name).lo.x, left + ImGui::CalcTextSize(name).x);
   EXPECT_EQ(rig.control("MAX").lo.x, rig.control("EPS").lo.x) << "short ones have a column";

@@ -181,7 +181,6 @@ TEST_F(SaveMoreTest, SaysWhyThePictureIsNotCopied) {
 }
 
 TEST_F(SaveMoreTest, TheDialogSavesTheScene) {
-  rig.previewer().scene().open("builtin:fence");
   rig.content().input().add(KeyChanged{Key::shift, true});
   rig.chord(Key::ctrl, Key::s);
   rig.content().input().add(KeyChanged{Key::shift, false});
