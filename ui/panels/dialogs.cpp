@@ -71,7 +71,7 @@ void help_overlay(UiState& state, const WindowRect& area) {
   ImGui::Begin("help", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav);
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
   for (const HelpLine& line : help_lines) {
     if (!line.input) {
       ImGui::Dummy({0.0f, 0.4f * em});

@@ -14,7 +14,8 @@ namespace {
 
 constexpr ImGuiWindowFlags notice_flags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav;
+    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+    ImGuiWindowFlags_NoFocusOnAppearing;
 
 std::string short_name(const std::string& source) {
   if (source.starts_with("builtin:")) return source.substr(8);

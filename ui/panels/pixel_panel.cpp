@@ -302,7 +302,7 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   ImGui::Begin("pixel", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav);
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
   const glm::ivec2 pixel = *state.picked;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(fmt::format("Pixel {}, {}", pixel.x, pixel.y).c_str());

@@ -176,7 +176,7 @@ bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& 
   ImGui::Begin("saving", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav);
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
   std::string words =
       fmt::format("{}   {:.0f} %", std::filesystem::path(state->path).filename().string(),
                   std::floor(100.0 * state->fraction));
