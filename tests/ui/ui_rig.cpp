@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <thread>
 #include <utility>
 
@@ -42,6 +43,10 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skie
       size_(size),
       content_scale_(content_scale) {
   if (skies == Skies::neutral) previewer_->edits().keep_first({true, true, true});
+  // Workers have a lower priority than a window. Here frames follow each other without a pause and
+  // would starve them: at the lowest priority both are equal.
+  constexpr int lowest_priority = 19;
+  (void)setpriority(PRIO_PROCESS, 0, lowest_priority);
 }
 
 glm::ivec2 UiRig::with_bar(glm::ivec2 size) {
