@@ -22,7 +22,7 @@ struct Wall {
 
 glm::vec3 pixel_by(Method method, const std::vector<Wall>& walls) {
   World world;
-  add_quad(world, {-50, -50, -20}, {100, 0, 0}, {0, 100, 0}, unlit({0, 0, 0}));
+  add_quad(world, {-50, -50, -20}, {100, 0, 0}, {0, 100, 0}, unlit({0, 0, 1}));
   for (const Wall& wall : walls)
     add_quad(world, {wall.left, -20, wall.z}, {wall.right - wall.left, 0, 0}, {0, 40, 0},
              unlit(wall.colour));
@@ -58,21 +58,26 @@ TEST(PolygonMethods, FractionsCountWhatIsHiddenBehindEachOther) {
   for (const Method exact : {Method::beam, Method::mask}) {
     EXPECT_NEAR(pixel_by(exact, walls).r, 0.5, tolerance);
     EXPECT_NEAR(pixel_by(exact, walls).g, 0.0, tolerance);
+    EXPECT_NEAR(pixel_by(exact, walls).b, 0.5, tolerance);
   }
   for (const Method fraction : {Method::cone, Method::covers}) {
     EXPECT_NEAR(pixel_by(fraction, walls).r, 0.5, tolerance);
     EXPECT_NEAR(pixel_by(fraction, walls).g, 0.25, tolerance);
+    EXPECT_NEAR(pixel_by(fraction, walls).b, 0.25, tolerance);
   }
 }
 
-// Two walls side by side cover all of the pixel; by fractions a quarter of it shows the black wall.
+// Two walls side by side cover all of the pixel; by fractions a quarter of it shows the blue wall.
 TEST(PolygonMethods, FractionsLetTheBackgroundThroughBesideEachOther) {
   const std::vector<Wall> walls{{-20, 0.5f, 0, red}, {0.5f, 20, -2, green}};
-  for (const Method exact : {Method::beam, Method::mask})
+  for (const Method exact : {Method::beam, Method::mask}) {
     EXPECT_NEAR(pixel_by(exact, walls).g, 0.5, tolerance);
+    EXPECT_NEAR(pixel_by(exact, walls).b, 0.0, tolerance);
+  }
   for (const Method fraction : {Method::cone, Method::covers}) {
     EXPECT_NEAR(pixel_by(fraction, walls).r, 0.5, tolerance);
     EXPECT_NEAR(pixel_by(fraction, walls).g, 0.25, tolerance);
+    EXPECT_NEAR(pixel_by(fraction, walls).b, 0.25, tolerance);
   }
 }
 
