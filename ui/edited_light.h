@@ -35,8 +35,8 @@ struct SceneSize {
   [[nodiscard]] static SceneSize of(const Box& bounds);
 };
 
-/// Half of what a light measures across that is given a size, per distance from what it lights: its
-/// shadows have penumbrae that can be seen.
+/// Half the width that a light without a size gets, per distance from the point it lights. Its
+/// penumbrae are wide enough to see.
 inline constexpr double usual_half_size = 0.05;
 
 /// The light as another kind: in the same place, turned the same way, of the same size, and as

@@ -23,7 +23,7 @@ class UnsavedWork {
 
   /// The edits that end with the scene, a line each; empty: none.
   [[nodiscard]] std::vector<std::string> edits(const Previewer& previewer) const;
-  /// What would be lost if the window closed, a line each; empty: nothing.
+  /// The work that closing the window would lose, one line each; empty: none.
   [[nodiscard]] std::vector<std::string> lines(const Previewer& previewer, const Frames& frames,
                                                const PictureJob& saving) const;
 

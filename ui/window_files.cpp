@@ -45,7 +45,7 @@ void WindowContent::apply(const StoredSettings& stored) {
   state_.recent = stored.recent;
 }
 
-// Remembers what was opened, and loads again what has changed.
+// Adds the opened scene to the recent files, and reloads it when its file changes.
 void WindowContent::follow_files(double now_seconds) {
   const RenderScene* scene = previewer_.scene().get();
   if (!scene) return;

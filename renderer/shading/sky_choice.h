@@ -25,9 +25,9 @@ struct SkyChoice {
   };
   std::optional<Colours> colours;
   std::string file;  ///< empty: none
-  /// Of a file or an environment: about +Y, counter-clockwise as seen from above.
+  /// Turn of a file or an environment about +Y, counter-clockwise as seen from above.
   double turn_deg = 0.0;
-  /// Of a file or an environment: a factor of the radiance, 0 to most_brightness.
+  /// Factor of the radiance of a file or an environment, 0 to most_brightness.
   double brightness = 1.0;
   static constexpr double most_brightness = 1000.0;
   std::optional<Environment> environment = std::nullopt;

@@ -80,7 +80,7 @@ struct SaveFacts {
   glm::ivec2 shown{0};        ///< the size of the picture in the window
   double clip_seconds = 0.0;  ///< of the animation; 0: there is none
 };
-/// Asks what of the picture to save, how large and where.
+/// Asks for the part of the picture to save, its size and its path.
 void save_dialog(Controls& controls, SaveChoice& choice, const SaveFacts& facts);
 /// How far the picture is that is being saved in the background. True: it is to be stopped.
 [[nodiscard]] bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& area);
