@@ -59,7 +59,10 @@ WatchedRender watch_render(const Snapshot& snapshot, double factor,
     const Reached reached = session.reached();
     for (const FinishedTile& tile : session.take_finished()) film.put(tile);
     watched.finished = progress.finished;
-    if (progress.finished || reached.pass != Reached::Pass::nothing) {
+    // All pixels can be final a moment before the render says that it is finished.
+    const bool between =
+        reached.pass != Reached::Pass::nothing && reached.pass != Reached::Pass::final_pixels;
+    if (progress.finished || between) {
       watched.pictures.push_back({now, radiance_of(film), reached, progress});
       next = factor * now;
     } else {

@@ -7,6 +7,7 @@
 #include "ui/theme.h"
 #include "ui/view_study.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -302,7 +303,10 @@ TEST(StudyExport, DrawsThePlotAsSvg) {
   const std::string svg = plot_svg(plot_of(small_study()), "a & b");
   EXPECT_TRUE(svg.starts_with("<svg xmlns=")) << svg;
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
-  for (const char* part : {">a &amp; b<", ">Sobol<", ">noise floor<", "#2794ff", ">RMSE, linear"})
+  const std::string colour = fmt::format("#{:06x}", method_colour("sobol"));
+  for (const std::string& part :
+       {std::string(">a &amp; b<"), std::string(">Sobol<"), std::string(">noise floor<"), colour,
+        std::string(">RMSE, linear")})
     EXPECT_NE(svg.find(part), std::string::npos) << part;
 }
 
