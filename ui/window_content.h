@@ -43,6 +43,7 @@ struct FrameInput {
   glm::ivec2 framebuffer_size{0};  ///< pixels
   float content_scale = 1.0f;      ///< how much larger than on a plain screen text should be
   double time_seconds = 0.0;       ///< never falls
+  bool shown = true;               ///< false: everything but the drawing, for tests
 };
 
 /// All that the window shows: picture, panel and dialogs, drawn into the current OpenGL context,

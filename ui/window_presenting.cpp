@@ -43,6 +43,10 @@ void WindowContent::update_display() {
 }
 
 void WindowContent::present(const FrameInput& in) {
+  // The film may have changed its size since the layout.
+  state_.view.set_sizes({picture_rect_.width, picture_rect_.height},
+                        {display_.width(), display_.height()});
+  if (!in.shown) return;
   gl::glDisable(GL_SCISSOR_TEST);
   gl::glViewport(0, 0, in.framebuffer_size.x, in.framebuffer_size.y);
   const auto part = [](std::uint32_t shift) {
@@ -50,9 +54,6 @@ void WindowContent::present(const FrameInput& in) {
   };
   gl::glClearColor(part(16), part(8), part(0), 1.0f);
   gl::glClear(GL_COLOR_BUFFER_BIT);
-  // The film may have changed its size since the layout.
-  state_.view.set_sizes({picture_rect_.width, picture_rect_.height},
-                        {display_.width(), display_.height()});
   static const Frames no_frames;
   const Frames& frames = surfaces_shown_ == 0 ? state_.frames : no_frames;
   display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, shown_display_, frames);

@@ -113,10 +113,4 @@ std::optional<double> CostForecast::seconds_left() const {
   return left;
 }
 
-double CostForecast::share_done() const {
-  const std::optional<double> left = seconds_left();
-  if (!left || !(done_ > 0.0)) return 0.0;
-  return done_ / (done_ + *left);
-}
-
 }  // namespace asos

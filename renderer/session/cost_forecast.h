@@ -31,8 +31,6 @@ class CostForecast {
   [[nodiscard]] double seconds_done() const { return done_; }
   /// None before there is a block to tell from.
   [[nodiscard]] std::optional<double> seconds_left() const;
-  /// The share of the work that is done, 0 to 1; 0 before anything is known.
-  [[nodiscard]] double share_done() const;
 
  private:
   struct PassCosts {

@@ -6,6 +6,7 @@ namespace asos {
 namespace {
 
 constexpr std::chrono::milliseconds pace_step{100};
+constexpr std::chrono::milliseconds forecast_step{50};
 constexpr std::chrono::seconds pace_window{10};
 constexpr std::chrono::milliseconds pace_enough{250};
 
@@ -18,11 +19,13 @@ double seconds(std::chrono::steady_clock::duration d) {
 void RunClock::leave_out(std::size_t pass) {
   const std::lock_guard lock(mutex_);
   forecast_.leave_out(pass);
+  made_.reset();
 }
 
 void RunClock::set_likeness(std::span<const double> values) {
   const std::lock_guard lock(mutex_);
   forecast_.set_likeness(values);
+  made_.reset();
 }
 
 void RunClock::begin_forecast() {
@@ -88,11 +91,23 @@ bool RunClock::wait_while_paused(const std::stop_token& stop) {
   return !stop.stop_requested();
 }
 
+// Under the mutex. Work that was done after the last forecast is taken off it. A forecast is made
+// anew after a while, and where much of it is done.
+std::optional<double> RunClock::work_left(Clock::time_point now) const {
+  constexpr double most_of_it = 0.25;
+  const double done = forecast_.seconds_done();
+  const bool holds = made_ && made_->left && now - made_->time < forecast_step &&
+                     done - made_->done <= most_of_it * *made_->left;
+  if (!holds) made_ = Forecast{forecast_.seconds_left(), done, now};
+  if (!made_->left) return std::nullopt;
+  return *made_->left - (done - made_->done);
+}
+
 // Under the mutex.
 double RunClock::seconds_left(Clock::time_point now) const {
   if (complete_) return 0.0;
   if (pace_.empty() || closed_) return -1.0;
-  const std::optional<double> left = forecast_.seconds_left();
+  const std::optional<double> left = work_left(now);
   const double passed = seconds(now - pace_.front().time);
   const double done = forecast_.seconds_done() - pace_.front().seconds;
   if (!left || passed < seconds(pace_enough) || done <= 0.0) return -1.0;
@@ -109,7 +124,12 @@ Progress RunClock::progress() const {
   progress.failed = failed_;
   progress.paused = paused_ && !complete_ && !closed_;
   progress.running = !complete_ && !closed_ && !paused_;
-  fraction_ = complete_ ? 1.0 : std::max(fraction_, forecast_.share_done());
+  const double done = forecast_.seconds_done();
+  if (complete_) {
+    fraction_ = 1.0;
+  } else if (const std::optional<double> left = work_left(now); left && done > 0.0) {
+    fraction_ = std::max(fraction_, done / (done + *left));
+  }
   progress.fraction = fraction_;
   progress.seconds = std::max(0.0, seconds(now - start_ - rested_));
   progress.seconds_left = seconds_left(now);

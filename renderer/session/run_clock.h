@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <utility>
@@ -52,6 +53,15 @@ class RunClock {
     double seconds;  // of processors
   };
 
+  /// The forecast when it was last made: it looks at every block, and progress is asked for several
+  /// times in each frame.
+  struct Forecast {
+    std::optional<double> left;  // seconds of processors
+    double done = 0.0;           // the same, by then
+    Clock::time_point time;
+  };
+
+  [[nodiscard]] std::optional<double> work_left(Clock::time_point now) const;
   [[nodiscard]] double seconds_left(Clock::time_point now) const;
 
   const Clock::time_point start_ = Clock::now();
@@ -62,8 +72,9 @@ class RunClock {
   Clock::time_point paused_since_;
   Clock::duration rested_{0};  // before
   CostForecast forecast_;
-  mutable double fraction_ = 0.0;  // that was told: it never goes back
-  std::deque<Pace> pace_;          // of the last seconds
+  mutable std::optional<Forecast> made_;  // none: something other than work has changed since
+  mutable double fraction_ = 0.0;         // that was told: it never goes back
+  std::deque<Pace> pace_;                 // of the last seconds
   bool complete_ = false;
   bool failed_ = false;
   bool closed_ = false;

@@ -15,7 +15,6 @@ namespace {
 class AssetRootTest : public testing::Test {
  protected:
   AssetRootTest() {
-    rig.set_blind(true);
     rig.set_pixel_size(3);
     std::filesystem::create_directories(folder.path() / "a/b/c/d/e");
   }

@@ -17,7 +17,6 @@ class ChoiceTest : public testing::Test {
  protected:
   /// `list`: the control's name.
   ChoiceTest(std::string list, const GltfBuilder& file) : list_(std::move(list)) {
-    rig.set_blind(true);
     rig.set_pixel_size(3);
     rig.previewer().edits().settings().asos.max_level = 1;
     open(folder_.write("file.glb", file.glb()));

@@ -30,7 +30,7 @@ using test::parts;
 
 class EveryControlTest : public PanelsTest {
  protected:
-  EveryControlTest() {
+  EveryControlTest() : PanelsTest(8) {
     ImGui::GetIO().ClipboardUserData = &clipboard_;
     ImGui::GetIO().SetClipboardTextFn = [](void* to, const char* text) {
       *static_cast<std::string*>(to) = text;
@@ -155,7 +155,7 @@ class EveryControlTest : public PanelsTest {
       if (!at) return false;
       rig.drag(at->centre(), at->centre() + way);
       if (state_of(part) != before) return true;
-      for (int i = 0; i < 20; ++i) rig.frame();  // the next is no double click, which resets
+      rig.rest();  // the next is no double click, which resets
     }
     for (const float share : {0.5f, 0.15f, 0.85f}) {
       const std::optional<Controls::Placed> at = still_there(name);

@@ -35,7 +35,6 @@ testing::AssertionResult harmless(const std::string& text, std::size_t lines) {
 class HostileFiles : public testing::Test {
  protected:
   HostileFiles() {
-    rig_.set_blind(true);
     rig_.set_pixel_size(3);
     ImGui::GetIO().ClipboardUserData = &copied_;
     ImGui::GetIO().SetClipboardTextFn = [](void* to, const char* text) {

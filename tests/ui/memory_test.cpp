@@ -141,7 +141,6 @@ TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
         return waves(source == "large" ? 250 : 60, source);
       },
       {300, 200});
-  rig.set_blind(true);
   rig.set_pixel_size(3);
   rig.previewer().edits().settings().asos.max_level = 0;
   std::vector<std::weak_ptr<const RenderScene>> seen;

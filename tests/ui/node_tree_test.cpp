@@ -58,7 +58,6 @@ Scene with_nodes(const std::string& source) {
 class NodeListTest : public testing::Test {
  protected:
   NodeListTest() {
-    rig.set_blind(true);
     rig.set_pixel_size(3);
     rig.previewer().scene().open("nodes");
     EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));

@@ -81,7 +81,6 @@ TEST(Panel, OnlyGrowsWhenTheSceneComes) {
                     return test::two_triangles({1, 0, 0}, source.path);
                   },
                   {660, 1000}};
-  rig.set_blind(true);
   StoredSettings stored = rig.content().stored_settings();
   stored.tab = PanelTab::all;
   stored.sections["Advanced"] = true;

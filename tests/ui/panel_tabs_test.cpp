@@ -25,7 +25,6 @@ TEST(FirstWindow, ShowsTheBarAndTheFirstTab) {
                     return test::two_triangles({1, 0, 0}, source);
                   },
                   {1100, 600}};
-  rig.set_blind(true);
   rig.previewer().scene().open("plain");
   ASSERT_TRUE(rig.settle());
   const auto& all = rig.content().controls().all();

@@ -18,7 +18,6 @@ namespace asos::test {
 class PanelsTest : public testing::Test {
  protected:
   explicit PanelsTest(int pixel_size = 3) {
-    rig.set_blind(true);
     rig.set_pixel_size(pixel_size);
     StoredSettings stored = rig.content().stored_settings();
     stored.tab = PanelTab::all;

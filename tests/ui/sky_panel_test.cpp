@@ -301,7 +301,6 @@ class ExposureTest : public PanelsTest {
     EXPECT_TRUE(rig.frames_until([&] {
       return rig.previewer().scene() && rig.previewer().scene()->geometry->source == source;
     }));
-    EXPECT_TRUE(rig.settle());
   }
 };
 
@@ -334,6 +333,7 @@ TEST_F(ExposureTest, IsThatOfEachScene) {
   open("sunlit");
   ASSERT_TRUE(rig.frames_until([&] { return display().auto_exposure; }));
   open("scene");
+  EXPECT_TRUE(rig.settle());
   EXPECT_FALSE(display().auto_exposure);
   EXPECT_EQ(display().exposure_ev, 0.0f);
 }

@@ -30,7 +30,6 @@ GltfBuilder two_squares() {
 class Timeline : public testing::Test {
  protected:
   Timeline() {
-    rig.set_blind(true);
     rig.set_pixel_size(3);
     rig.previewer().edits().settings().asos.max_level = 1;
     open("moving");

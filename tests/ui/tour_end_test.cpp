@@ -177,7 +177,6 @@ TEST(TourCard, CoversNoOtherPanel) {
                         Case{{420, 760}, 1.0f}}) {
     SCOPED_TRACE(std::to_string(c.size.x) + " at " + std::to_string(c.scale));
     UiRig rig(LoadFunction{}, c.size, c.scale);
-    rig.set_blind(true);
     rig.set_pixel_size(4);
     rig.previewer().edits().settings().asos.max_level = 2;
     rig.previewer().scene().open("builtin:fence");

@@ -57,7 +57,6 @@ TEST(MostSplitPixel, IsTheDeepestNearestToTheMiddle) {
 class TourOf {
  public:
   TourOf(const std::string& scene, int max_level) : rig(LoadFunction{}, {700, 300}) {
-    rig.set_blind(true);
     rig.set_pixel_size(3);
     rig.previewer().edits().settings().asos.max_level = max_level;
     rig.previewer().scene().open(scene);
@@ -314,7 +313,6 @@ TEST_F(TourTest, FitsIntoAnyWindow) {
 TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
   for (const float scale : {1.0f, 2.0f}) {
     UiRig rig(LoadFunction{}, {420, 760}, scale);
-    rig.set_blind(true);
     rig.set_pixel_size(3);
     rig.previewer().edits().settings().asos.max_level = 1;
     rig.previewer().scene().open("builtin:boxes");

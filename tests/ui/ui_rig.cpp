@@ -12,7 +12,6 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
-#include <sys/resource.h>
 #include <thread>
 #include <utility>
 
@@ -43,10 +42,6 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skie
       size_(size),
       content_scale_(content_scale) {
   if (skies == Skies::neutral) previewer_->edits().keep_first({true, true, true});
-  // Workers have a lower priority than a window. Here frames follow each other without a pause and
-  // would starve them: at the lowest priority both are equal.
-  constexpr int lowest_priority = 19;
-  (void)setpriority(PRIO_PROCESS, 0, lowest_priority);
 }
 
 glm::ivec2 UiRig::with_bar(glm::ivec2 size) {
@@ -65,11 +60,9 @@ void UiRig::frame() {
 }
 
 void UiRig::draw() {
-  if (blind_) gl::glEnable(GL_RASTERIZER_DISCARD);
   const glm::ivec2 framebuffer = glm::max(size_ / pixel_size_, glm::min(size_, 1));
-  content_->draw(
-      {size_, framebuffer, content_scale_ / static_cast<float>(pixel_size_), now_seconds_});
-  if (blind_) gl::glDisable(GL_RASTERIZER_DISCARD);
+  content_->draw({size_, framebuffer, content_scale_ / static_cast<float>(pixel_size_),
+                  now_seconds_, !blind_});
   // As where a window shows its frame: without it the driver keeps what frames upload, for ever.
   gl::glFinish();
 }
@@ -143,7 +136,8 @@ void UiRig::move_to(glm::vec2 position) {
 
 void UiRig::rest() {
   constexpr double seconds_between_clicks = 0.4;
-  while (now_seconds_ < pressed_seconds_ + seconds_between_clicks) frame();
+  if (now_seconds_ < pressed_seconds_ + seconds_between_clicks)
+    frame_at(pressed_seconds_ + seconds_between_clicks);
 }
 
 void UiRig::press(MouseButton button) {

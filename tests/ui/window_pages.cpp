@@ -38,7 +38,6 @@ class Pages {
   };
   void add(const Page& page) {
     UiRig rig(LoadFunction{}, page.size, page.scale, UiRig::Skies::usual);
-    rig.set_blind(true);
     RenderSettings& settings = rig.previewer().edits().settings();
     settings = {};
     settings.threads = 2;

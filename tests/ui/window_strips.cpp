@@ -70,7 +70,6 @@ class Recorder {
  public:
   explicit Recorder(const std::string& source)
       : rig_(LoadFunction{}, window_size, 1.0f, UiRig::Skies::usual) {
-    rig_.set_blind(true);
     rig_.previewer().edits().settings() = {};
     rig_.content().state().show_panel = false;
     rig_.content().state().display.show_split_map = true;

@@ -55,7 +55,6 @@ TEST(CostForecast, TellsARenderWithoutPassesFromATenthOn) {
     // A picture of 1280x720 has sixteen times the blocks: there it was 1.1 to 1.3.
     EXPECT_LT(worst.of_rest, 1.6) << recorded.scene;
     EXPECT_NEAR(*forecast.seconds_left(), 0.0, 1e-4);
-    EXPECT_NEAR(forecast.share_done(), 1.0, 1e-3);
   }
 }
 
@@ -155,10 +154,8 @@ TEST(CostForecast, IgnoresBlocksThatEndedInThePassBefore) {
 TEST(CostForecast, KnowsNothingBeforeABlockIsDone) {
   CostForecast forecast(10);
   EXPECT_FALSE(forecast.seconds_left());
-  EXPECT_EQ(forecast.share_done(), 0.0);
   forecast.add(0, 3, 2.0);
   EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 18.0);
-  EXPECT_DOUBLE_EQ(forecast.share_done(), 0.1);
 }
 
 TEST(CostForecast, TakesThePassBeforeForAGuide) {
@@ -187,7 +184,6 @@ TEST(CostForecast, BlocksThatCostNothingHarmNothing) {
   CostForecast forecast(3, {1.0, 1.0});
   for (const std::size_t pass : {0, 1, 2}) forecast.add(pass, 0, 0.0);
   EXPECT_EQ(*forecast.seconds_left(), 0.0);
-  EXPECT_EQ(forecast.share_done(), 0.0);
 }
 
 TEST(WorkPlan, SpreadOrdersHoldEachBlockOnce) {
