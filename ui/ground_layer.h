@@ -31,7 +31,7 @@ class GroundLayer {
     Result<std::shared_ptr<const RenderScene>> scene;
   };
 
-  std::weak_ptr<const Geometry> tried_;  // the scene for which building the ground failed
+  std::weak_ptr<const Geometry> tried_;  // ground_ could not be built for it
   Ground tried_ground_ = Ground::off;
   LatestJob<Request, Built> job_;
 };

@@ -114,7 +114,7 @@ class Playback {
   SceneEdits& edits_;
   Options options_;
   std::optional<ClipTime> time_;
-  std::optional<ClipTime> failed_;  // the time for which posing failed; it is not tried again
+  std::optional<ClipTime> failed_;  // posing failed there; it is not tried again
   bool has_failed_ = false;
   bool playing_ = false;
   std::optional<double> updated_seconds_;

@@ -8,8 +8,8 @@ namespace asos {
 
 namespace {
 
-// Time in seconds for which changes wait for the first coarse picture of the running render. Its
-// tiles wait for each other as long, so that the picture appears as a whole.
+// Time in seconds that changes wait for the first coarse picture of the running render. Its tiles
+// wait for each other as long, so that the picture appears as a whole.
 constexpr double first_picture_seconds = 0.25;
 
 // Whether the subjects differ in EPS and MAX only.

@@ -9,7 +9,7 @@ namespace asos {
 
 namespace {
 
-// Time for which each view of an animation or a turntable may refine.
+// Time in seconds that each view of an animation or a turntable may refine.
 constexpr double view_seconds = 1.0 / 24.0;
 
 }  // namespace
@@ -41,7 +41,7 @@ void Previewer::update(double now_seconds) {
   strokes_.update(scene_, subject(), edits_.relighting(), now_seconds);
   render_.update(subject(), now_seconds);
   free_memory_.update();
-  // By then the previous scene and the memory used for loading are free.
+  // The previous scene and the memory used for loading are free by then.
   if (holds_free_memory_ && !scene_.loading() && !render_.first_picture_pending() &&
       !render_.out_of_date(subject()) && scene_->geometry->boundaries.known()) {
     holds_free_memory_ = false;

@@ -6,7 +6,7 @@
 namespace asos {
 namespace {
 
-// Time for which the camera has to be still before lines and points are drawn again.
+// Lines and points are drawn again once the camera has been still for this time.
 constexpr double rest_seconds = 0.15;
 
 }  // namespace

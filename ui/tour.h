@@ -16,7 +16,7 @@ namespace asos {
 class Previewer;
 struct UiState;
 
-/// The introductory tour: a few cards, each of which demonstrates something on the current picture.
+/// The introductory tour: a few cards that each demonstrate something on the current picture.
 /// Closing it restores all settings.
 struct Tour {
   enum class Card { pyray, split, eps, map, better };

@@ -33,7 +33,7 @@ void begin_fixed(const char* name, const WindowRect& rect, ImGuiWindowFlags flag
   ImGui::Begin(name, nullptr, fixed_flags | flags);
 }
 
-// Whether a repeating key is held, which needs frames.
+// Returns true while a repeating key is held, which needs frames.
 bool keys_repeat() {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.WantTextInput && !io.NavVisible) return false;
