@@ -59,7 +59,7 @@ std::string case_row(const PaperRow& row) {
                      compared ? error_text(row.rival_rmse) : "-", escaped(row.scene));
 }
 
-/// Counts the published cases in which ASOS is faster here, and those with the published ratio or
+/// Counts the published cases that ASOS wins here, and those won by the published ratio or
 /// more.
 std::string cases_sentence(const std::vector<PaperRow>& rows) {
   int compared = 0;
