@@ -39,14 +39,14 @@ TEST(Choose, SamplesWithoutABound) {
 }
 
 TEST(Choose, CheaperOfSplitAndSamples) {
-  // Twice the tolerance: four leaves, whatever is left of the error.
+  // Twice the tolerance: a split costs four leaves.
   LeafChoice leaf = leaf_of(2.0 / 256.0);
   const double samples = allowance_of(4).samples(1.0, Allowance::usual_contrast);
   leaf.price = 0.99 * samples / 4.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::split);
   leaf.price = 1.01 * samples / 4.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::samples);
-  // A light part deserves few samples.
+  // A leaf with a small weight needs few samples.
   leaf.price = 3.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::split);
   leaf.weight = 1.0 / 256.0;
@@ -56,7 +56,7 @@ TEST(Choose, CheaperOfSplitAndSamples) {
 TEST(Choose, LeastErrorAtMax) {
   LeafChoice leaf = leaf_of(1.0);
   leaf.may_split = false;
-  leaf.weight = 1.0 / 256.0;  // a finest cell of MAX 4: four samples
+  leaf.weight = 1.0 / 256.0;  // a cell at level MAX 4: four samples
   const double of_samples = Allowance::error_of_samples(4.0, Allowance::usual_contrast);
   leaf.bound.error = 1.02 * of_samples;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::samples);

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 
-// Something far brighter than white beside a tangle.
+// A light far brighter than white behind a tangle of twigs.
 
 namespace asos::test {
 namespace {
 
-// Twigs before a globe of a lamp, thirty times as bright as white: of two pixels one shows five
-// thousandths of it, which few samples miss.
+// Twigs in front of a lamp thirty times as bright as white. Five thousandths of one pixel of each
+// pair show it, which few samples hit.
 TEST(Glare, OfASliverBetweenTwigsIsSeen) {
   const auto scene = *prepare(*builtin_scene("park"));
   RenderSettings settings;

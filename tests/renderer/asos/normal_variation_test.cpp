@@ -27,7 +27,7 @@ std::vector<glm::vec3> turned(Angle angle) {
 
 const std::vector<std::uint32_t> one_surface(side* side, 7);
 
-// A cylinder's normals turn evenly: the second difference of a circle of step a is 2 - 2 cos a.
+// A cylinder's normals have a constant second difference: 2 - 2 cos a for a step of angle a.
 TEST(NormalVariation, OfACylinderAreThoseOfItsCircle) {
   const double step = 0.2;
   NormalVariation normals;
@@ -37,14 +37,15 @@ TEST(NormalVariation, OfACylinderAreThoseOfItsCircle) {
       EXPECT_NEAR(normals.error(x, y), (2.0 - 2.0 * std::cos(step)) / 24.0, 1e-7) << x << ' ' << y;
 }
 
-// The midpoint rule's error itself: the mean of a cosine over pixels whose normal swings.
+// The actual error of the midpoint rule for the mean of a cosine over pixels with oscillating
+// normals.
 TEST(NormalVariation, BoundTheErrorOfTheMidpointRule) {
   const double amplitude = 0.3, frequency = 0.9;
   const auto angle = [&](double x) { return amplitude * std::sin(frequency * x); };
   NormalVariation normals;
   normals.find(side, turned(angle), one_surface, background);
   for (int x = 1; x + 1 < side; ++x) {
-    // Light along the surface sees most of the swing.
+    // Light along the surface is the most sensitive direction.
     double mean = 0.0;
     constexpr int steps = 1000;
     for (int i = 0; i < steps; ++i) mean += std::sin(angle(x - 0.5 + (i + 0.5) / steps)) / steps;
@@ -60,14 +61,14 @@ TEST(NormalVariation, AreNoneBetweenSurfacesAndInTheBackground) {
     for (int x = 4; x < side; ++x)
       surfaces[static_cast<std::size_t>(y * side + x)] = y < 4 ? 8 : background;
   }
-  // A crease between the two surfaces, which are flat.
+  // A crease between two flat surfaces.
   NormalVariation normals;
   normals.find(side, turned([](int x) { return x < 4 ? 0.0 : 1.0; }), surfaces, background);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) EXPECT_EQ(normals.error(x, y), 0.0f) << x << ' ' << y;
 }
 
-// A cylinder's neighbours are where the turn of its circle leads, but for its bend.
+// On a cylinder the normal's linear extrapolation is correct, except for its curvature.
 TEST(NormalVariation, StrayFromATurnByHowFarTheyAreFromIt) {
   const double step = 0.02, bend = 1.01 * step * step;
   NormalVariation normals;

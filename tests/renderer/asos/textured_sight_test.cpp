@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-// Where the mean of a texture over the patch that a pixel shows is not what it shows.
+// Pixels whose colour is not the mean of a texture over their patch.
 
 namespace asos::test::textured_sight_test {
 namespace {
@@ -23,7 +23,7 @@ struct Difference {
   double mean = 0.0, rms = 0.0;
 };
 
-/// Of ASOS's picture from what 1024 samples find.
+/// Difference of ASOS's picture from one with 1024 samples.
 Difference difference_from_samples(World world, const Camera& camera) {
   const auto scene = make_textured_scene(std::move(world));
   RenderSettings settings;
@@ -43,8 +43,8 @@ Difference difference_from_samples(World world, const Camera& camera) {
   return difference;
 }
 
-// Dark metal with bright paint on it, which is rougher, both finer than pixels: what is seen is
-// neither what a half metal shows nor what is half as rough. Means alone are off by 0.058.
+// Dark metal with bright and rougher paint on it, both finer than pixels. The pixel's value differs
+// from that of a material with mean properties, by 0.058.
 TEST(TexturedSight, OfSeveralTexturesIsThatOfTheirProducts) {
   World world;
   const auto painted = [](int x, int y) { return (x / 3 + y / 5) % 2 == 0; };
@@ -65,8 +65,8 @@ TEST(TexturedSight, OfSeveralTexturesIsThatOfTheirProducts) {
   EXPECT_LT(d.rms, 0.004);
 }
 
-// A lid that is seen nearly from its side, all of it in two rows of pixels, half black and half
-// white: the far half is seen smaller. 0.008 where it is not looked at more closely.
+// A lid seen nearly from the side, within two rows of pixels, half black and half white: its far
+// half is foreshortened. The error was 0.008 without refinement.
 TEST(TexturedSight, OfWhatRecedesIsNotEven) {
   World world;
   const Image halves = make_image(64, 64, [](int, int y) {
@@ -81,9 +81,9 @@ TEST(TexturedSight, OfWhatRecedesIsNotEven) {
   EXPECT_LT(difference_from_samples(std::move(world), camera).rms, 0.004);
 }
 
-// A flat sheet whose corners lie anywhere in a texture of broad stripes: beyond its edges no
-// triangle tells what is seen. 0.099 where it is asked all the same; few samples, which have
-// footprints of their own, are off by 0.013.
+// A flat sheet whose corners have random coordinates in a texture of broad stripes: a triangle's
+// mapping must not be extrapolated beyond its edges. With extrapolation the error was 0.099; a few
+// samples with their own footprints have 0.013.
 TEST(TexturedSight, OfSeveralTrianglesIsTheirs) {
   constexpr std::uint32_t cells = 6;
   World world;
@@ -111,8 +111,8 @@ TEST(TexturedSight, OfSeveralTrianglesIsTheirs) {
   EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.02);
 }
 
-// Corners of a flat sheet that are black or white: an edge between its triangles is no boundary,
-// but colours bend there. 0.093 where one of them is taken to go on.
+// A flat sheet with black and white corners: edges between its triangles are no edges for ASOS, but
+// the colour gradient changes there. With extrapolation of one triangle the error was 0.093.
 TEST(TexturedSight, OfColoursThatBendAtAnEdge) {
   constexpr std::uint32_t cells = 20;
   World world;
@@ -134,8 +134,8 @@ TEST(TexturedSight, OfColoursThatBendAtAnEdge) {
   EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.008);
 }
 
-// A card with a black rim that is a tenth of a pixel wide, and so a strip of triangles along what
-// bounds it. 0.023 where the card is taken to go on.
+// A card with a black rim a tenth of a pixel wide, made of a strip of triangles along its edge.
+// With extrapolation of the card the error was 0.023.
 TEST(TexturedSight, OfANarrowRimIsTheRims) {
   World world;
   const Image rim = make_image(2, 2, [](int, int y) {
