@@ -122,7 +122,7 @@ TEST(ShadowRayCount, IsNoneForLightsThatGiveNothing) {
     EXPECT_EQ(picture.statistics.shadow_pyrays, 0u) << light.name;
     EXPECT_EQ(picture.film.radiance, dark.film.radiance) << light.name;
   }
-  // The same next to a contributing light, for which leaves are refined.
+  // The same next to a contributing light, whose leaves are refined.
   const std::size_t useful = lights.size();
   lights.push_back(rectangle_light());
   RenderSettings refined = settings;
@@ -134,8 +134,8 @@ TEST(ShadowRayCount, IsNoneForLightsThatGiveNothing) {
   EXPECT_NE(together.film.radiance, dark.film.radiance);
 }
 
-// The tolerance of each light is EPS divided by the number of lights. Such a weak light's shading
-// is not refined, but a ray decides whether it is visible.
+// The tolerance of each light is EPS divided by the number of lights. The shading by such a weak
+// light is not refined, but a ray decides whether it is visible.
 TEST(ShadowRayCount, IsOneAPixelForLightsTooWeakToMatter) {
   RenderSettings settings = settings_with(8);
   settings.asos.eps = 1.0 / 64.0;

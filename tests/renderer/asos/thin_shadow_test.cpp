@@ -37,7 +37,7 @@ double mean_behind(int slats, float period, float share) {
 }
 
 // Slats hide a twentieth of the lamp, with a few of them above each pixel. Stopping once rays agree
-// would favour the majority: that made it 0.02 too bright, of which 0.004 remain.
+// would favour the majority: that was 0.02 too bright; 0.004 remain.
 TEST(ThinShadow, IsAsDarkAsSlatsAreWide) {
   for (const float period : {0.0093f, 0.0131f, 0.0187f}) {
     const double lit = mean_behind(400, period, 0.05f) / mean_behind(0, period, 0.05f);

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-// KHR_materials_clearcoat and KHR_materials_sheen as files say them: gltf/MATERIALS.md.
+// KHR_materials_clearcoat and KHR_materials_sheen in files: gltf/MATERIALS.md.
 
 namespace asos {
 namespace {
@@ -175,7 +175,7 @@ TEST(ImportLayers, VolumesOutOfRangeAreRemarkedOn) {
 }
 
 TEST(ImportLayers, ByDefaultThereAreNone) {
-  // Their textures need not even be there.
+  // Missing textures are tolerated.
   const Scene bare = coated({{"clearcoatTexture", {{"index", 0}}}});
   EXPECT_EQ(bare.materials.at(0).coat.factor, 0.0f);
   EXPECT_EQ(bare.materials.at(0).coat.roughness, 0.0f);

@@ -12,7 +12,7 @@ namespace {
 
 using test::GltfBuilder;
 
-/// Scenes of one, two and three squares; the second is the file's own.
+/// Scenes of one, two and three squares; the second is the file's default.
 GltfBuilder three_scenes() {
   GltfBuilder b = GltfBuilder::square();
   b.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 5}}});
@@ -73,7 +73,7 @@ TEST(ImportScenes, ADefaultThatDoesNotExistIsTheFirst) {
   EXPECT_NE(scene->notes.warnings[0].find("default scene 7 does not exist"), std::string::npos);
 }
 
-// Node 1 of the file is below node 2, which is shown first.
+// In the file node 1 is a child of node 2, which is listed first.
 TEST(ImportScenes, KeepTheTreeOfTheirNodes) {
   GltfBuilder b = three_scenes();
   b.json["scenes"] = {{{"nodes", {0, 2}}}};

@@ -11,7 +11,7 @@
 namespace asos::test::light_intersections_test {
 namespace {
 
-/// A light of 2 x 1 in y = 2, its middle at x = z = 0, that shines downwards.
+/// A light of 2 x 1 in y = 2, centred at x = z = 0, facing down.
 Light ceiling_light() {
   Light light;
   light.type = Light::Type::rectangle;
@@ -68,7 +68,7 @@ TEST(LightIntersections, AreWhereSurfacesEndOnTheSideThatShines) {
 }
 
 TEST(LightIntersections, AreNotAlongTheOutlineNorInThePlane) {
-  // A shade that hangs from the outline of a light in a ceiling.
+  // A lampshade along the outline of a light in a ceiling.
   World world = wall(1.0, 0.0, 2.0);
   add_quad(world, {-9, 2, -9}, {18, 0, 0}, {0, 0, 18}, matte({0.5f, 0.5f, 0.5f}));
   EXPECT_TRUE(cuts_of(world, ceiling_light()).empty());
@@ -77,7 +77,7 @@ TEST(LightIntersections, AreNotAlongTheOutlineNorInThePlane) {
   triangle.outlines = {{{0.25, 2, -0.75}, {0.25, 2, 0.75}, {-1, 2, 0}}};
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 2.0), triangle).empty());
   EXPECT_FALSE(cuts_of(wall(0.125, 0.0, 2.0), triangle).empty());
-  // Inside of the rectangle around it, outside of the light.
+  // Within the bounding rectangle, but outside the light.
   World beside;
   add_quad(beside, {-1.5f, 1.0f, 0.625f}, {0.875f, 0, 0}, {0, 2, 0}, matte({0.5f, 0.5f, 0.5f}));
   EXPECT_TRUE(cuts_of(beside, triangle).empty());
@@ -102,7 +102,7 @@ TEST(LightIntersections, AreNotOfTheLightsOwnPartNorOfLightsWithoutShadows) {
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 8.0), light).empty());
 }
 
-// Through a disk: the length of the chord.
+// For a disk: the length of the chord.
 TEST(LightIntersections, OfADiskAreChords) {
   Light disk = ceiling_light();
   disk.type = Light::Type::disk;

@@ -84,7 +84,7 @@ TEST(BoundaryFeatures, TellThatTheyCouldNotBeFound) {
 TEST(FeatureSet, EndsSoonOnceAStopIsRequested) {
   const auto flat = flatten(load_scene("builtin:dense").value()).value();
   using Clock = std::chrono::steady_clock;
-  // At moments of each stage, in thousandths of a second.
+  // Times in milliseconds, one within each stage.
   for (const int moment : {0, 20, 100, 400, 1200}) {
     std::stop_source source;
     std::optional<Clock::time_point> asked;
@@ -101,7 +101,7 @@ TEST(FeatureSet, EndsSoonOnceAStopIsRequested) {
     }
     asks.join();
     const std::chrono::duration<double> taken = Clock::now() - *asked;
-    // The whole takes seconds; where it was quicker than the request it was not stopped.
+    // The whole search takes seconds; a search that ended before the request was not stopped.
     EXPECT_LT(taken.count(), 1.0) << moment;
     if (moment == 0) {
       EXPECT_TRUE(stopped);

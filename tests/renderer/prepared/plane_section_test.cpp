@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-// Where a plane cuts the triangles of a world.
+// Lines along which a plane cuts the triangles of a world.
 
 namespace asos::test::plane_section_test {
 namespace {

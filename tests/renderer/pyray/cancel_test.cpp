@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-// A subdivision that is cancelled in its middle asks about no sample that it has not taken.
+// A subdivision that is cancelled asks only about samples that it has taken.
 
 namespace asos::test {
 namespace {
 
-/// Is cancelled from a number of questions on, and counts samples that are none of its own.
+/// Is cancelled after a number of calls, and counts samples that it did not return.
 class ImpatientCaster final : public BruteForceCaster {
  public:
   ImpatientCaster(const World& world, const FeatureSet& features, const Frame& frame, int patience)

@@ -1,4 +1,4 @@
-// Renders of scenes whose boundaries are still looked for.
+// Renders of scenes whose edges are still being searched.
 
 #include "renderer/features/stoppable_loop.h"
 #include "renderer/session/film_render.h"
@@ -20,7 +20,7 @@ namespace {
 
 using test::Gate;
 
-/// Finds its boundaries once `gate` is open.
+/// A geometry that finds its edges once `gate` is open.
 std::shared_ptr<Geometry> held_geometry(Gate& gate) {
   auto geometry = test::make_geometry(test::still_life().world);
   geometry->boundaries.find([&gate, &world = geometry->world](const std::stop_token& stop) {
@@ -49,7 +49,7 @@ bool reaches(const RenderSession& session, Reached::Pass pass) {
   return session.reached().pass >= pass;
 }
 
-// Samples go on: 8 and more a pixel, where boundaries that are known would end them earlier.
+// Sampling continues: 8 and more samples per pixel, where known edges would end it earlier.
 TEST(BeforeBoundaries, SamplesComeAndNothingElse) {
   Gate gate;
   RenderSession session;
@@ -122,7 +122,7 @@ TEST(BeforeBoundaries, ARenderCanBeCancelledAndReplaced) {
   EXPECT_FALSE(session.progress().finished);
   EXPECT_FALSE(session.progress().running);
   session.restart(snapshot_of(held_geometry(closed)));
-  // It ends here, whatever its workers do.
+  // The session is destroyed here, whatever its workers are doing.
 }
 
 TEST(BeforeBoundaries, WithoutThemTheRenderFails) {

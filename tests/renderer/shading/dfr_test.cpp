@@ -24,7 +24,7 @@ TEST(Dfr, WidensPyraysAsThePapersTable) {
 }
 
 TEST(Dfr, FollowsThePapersFigureOverTheIncidenceAngle) {
-  // CGF'98, figure 7: every ten degrees from 0 to 90, from the text's formula by other code.
+  // CGF'98, figure 7: every ten degrees from 0 to 90, from the text's formula by independent code.
   struct Curve {
     double exponent;
     double increase[10];
@@ -95,7 +95,8 @@ TEST(Dfr, IsPerturbedByPlaceAlone) {
     least = std::min(least, factor);
     most = std::max(most, factor);
   }
-  // Five standard deviations of the mean of uniform numbers; the extremes of so many are near.
+  // Five standard deviations of the mean of uniform numbers. With so many points the extremes are
+  // close.
   EXPECT_NEAR(sum / places, 1.0, 5.0 * 0.3 / std::sqrt(3.0 * places));
   EXPECT_GE(least, 0.7);
   EXPECT_LT(least, 0.71);
@@ -109,8 +110,8 @@ TEST(Dfr, WithoutPerturbationIsTheCurves) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(at[k], dfr_at(dfr.rgb[k], 0.5));
 }
 
-/// The tangent, from the mirrored direction, within which half of the light lies that a GGX
-/// surface seen square on reflects of a parallel beam.
+/// Tangent of the angle to the mirrored direction that contains half of the light of a parallel
+/// beam, for a GGX surface at normal incidence.
 double median_tangent(float roughness) {
   constexpr int steps = 200000;
   const auto energy = [&](double angle) {
@@ -133,7 +134,7 @@ double median_tangent(float roughness) {
 
 TEST(LobeWidth, HoldsHalfOfTheLightWhereAGgxLobeDoes) {
   for (float roughness : {0.1f, 0.2f, 0.3f}) {
-    // The disk of the square's area has this radius, and half of its light within 1 / sqrt(2).
+    // The disk of the square's area has this radius; half of its light is within 1 / sqrt(2) of it.
     const double radius = lobe_width(static_cast<double>(roughness)) / std::sqrt(std::numbers::pi);
     EXPECT_NEAR(radius / std::sqrt(2.0) / median_tangent(roughness), 1.0, 0.02) << roughness;
   }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-// What shading makes of a highlight in closed form.
+// Highlights in closed form.
 
 namespace asos::reflected_light_test {
 namespace {
@@ -25,7 +25,7 @@ PreparedLight rectangle(glm::vec3 color) {
   return prepare_light(light);
 }
 
-/// A point that is seen at 45 degrees, whose mirrored view meets the middle of the light.
+/// A point seen at 45 degrees, whose mirrored view direction hits the light's centre.
 struct Seen {
   Seen() {
     point.geometric_normal = point.shading_normal = {0, 0, 1};
@@ -63,7 +63,7 @@ TEST(ReflectedLights, SendOnDiffuseLightAndTheSpecularIntegral) {
   Seen seen;
   seen.material.f90 = glm::vec3(0.7f);
   seen.material.falloff = 0.6f;
-  // Also of a light that lacks a colour.
+  // Also for a light without one of the colours.
   const PreparedLight light = rectangle({1.0f, 0.25f, 0.0f});
   const Receiver receiver = receiver_at(seen.point);
   const ReflectedIntegral all =
@@ -88,7 +88,7 @@ TEST(ReflectedLights, AreFainterWhereNormalsTurn) {
   const glm::vec3 turned = seen.radiance(light);
   EXPECT_LT(turned.x, 0.9f * flat.x);
   EXPECT_GT(turned.x, 0.2f * flat.x);
-  // As a rougher surface that is flat.
+  // Like a rougher flat surface.
   const PatchLobe lobe(seen.point.spread, 0.3f, seen.point.shading_normal);
   ASSERT_TRUE(lobe.wider());
   seen.point.spread = {};

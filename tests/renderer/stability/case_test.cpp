@@ -37,7 +37,7 @@ TEST(StabilityCase, IsBrokenByAPixelThatIsNotFinite) {
   finding.outcome.bad_pixels = 1;
   EXPECT_FALSE(holds(finding));
   finding.outcome.bad_pixels = 0;
-  finding.outcome.rejected_samples = 1;  // dropped and told is as it should be
+  finding.outcome.rejected_samples = 1;  // rejected and reported, as it should be
   EXPECT_TRUE(holds(finding));
 }
 

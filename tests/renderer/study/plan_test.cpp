@@ -46,7 +46,7 @@ TEST(Plan, RepetitionsFollowEachOtherAndMethodsTakeTurns) {
     if (job.kind != JobKind::point || job.scene != "builtin:boxes") continue;
     EXPECT_GE(job.repetition, last);
     last = job.repetition;
-    // The first step of every method comes before the second of any.
+    // The first step of every method comes before the second step of any.
     if (met.size() < default_methods().size()) {
       EXPECT_TRUE(met.insert(job.rung.method).second) << job.title();
     }
@@ -244,7 +244,7 @@ class RenderedScene : public testing::Test {
     snapshot_.settings.threads = 2;
   }
 
-  /// How many pixels of a cause are in a region.
+  /// Number of pixels of a cause in a region.
   static std::size_t count(const RegionMap& map, SplitCause cause, Region region) {
     std::size_t n = 0;
     for (std::size_t i = 0; i < map.region.size(); ++i)
@@ -260,8 +260,8 @@ class RenderedBoxes : public RenderedScene {
   void SetUp() override { open("builtin:boxes"); }
 };
 
-// The house stands on a mirror: what its edges split there is the mirror's, and so is what shows no
-// edge; without bounces nothing mirrors.
+// The house stands on a mirror: pixels split there by reflected edges belong to the mirror, as do
+// those without an edge. Without bounces there is no mirror.
 TEST_F(RenderedScene, MirrorsAreARegionOfTheirOwn) {
   open("builtin:house-mirror");
   snapshot_.settings = region_settings(snapshot_.settings);

@@ -20,7 +20,7 @@ World flat(const Scene& scene, std::uint64_t fewest_copied) {
   return std::move(flattened->world);
 }
 
-/// The triangle with the number that a part's triangle has, by the part's own numbers.
+/// The corners of a part's triangle, by the part's own numbering.
 glm::uvec3 corners(const World& world, const Part& part, std::uint32_t t) {
   return world.triangles[part.first_triangle + t];
 }
