@@ -11,8 +11,7 @@ namespace asos::bench {
 /// RMSE over pixels and channels of radiance clipped to 0..1.
 struct KnownError {
   double rmse = 0.0;
-  bool known =
-      true;  ///< its square is more than twice what the reference's noise makes it stray by
+  bool known = true;  ///< its square exceeds twice the reference's noise
 };
 
 /// Error of the picture's mean, over pixels and channels, of radiance clipped to 0..1.

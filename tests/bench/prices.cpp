@@ -61,7 +61,7 @@ class PointLights final : public LightTransport {
     const glm::vec3 all = lit.reflected * lit.unshadowed;
     constexpr float least_intensity = 1.0f / 32.0f;
     if (lit.layer > 0 || std::max({all.x, all.y, all.z}) < least_intensity) return;
-    // The first call computes what the block shares.
+    // The first call also computes the data that the block shares.
     (void)ask(lit, exact);
     const Answer exactly = ask(lit, exact);
     const Answer by_rays = ask(lit, coarse);

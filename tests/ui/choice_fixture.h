@@ -12,7 +12,7 @@
 
 namespace asos::test {
 
-/// A file of which a list in the panel shows one thing or another.
+/// A file for which a list in the panel offers several choices.
 class ChoiceTest : public testing::Test {
  protected:
   /// `list`: the control's name.

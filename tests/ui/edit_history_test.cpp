@@ -55,7 +55,7 @@ TEST_F(EditHistoryTest, TheCameraGoesBackExactly) {
   const glm::dmat4 first = rig.previewer().viewpoint().camera().camera().world_from_camera;
   rig.drag({200, 200}, {260, 180});
   const glm::dmat4 second = rig.previewer().viewpoint().camera().camera().world_from_camera;
-  // Turns of the wheel that follow quickly are one step.
+  // Turns of the wheel in quick succession are one step.
   rest();
   rig.wheel({200, 200}, 1.0f);
   rig.wheel({200, 200}, 1.0f);
@@ -73,7 +73,7 @@ TEST_F(EditHistoryTest, LightsAndDisplayGoBack) {
   rest();
   slide("Exposure", 0.5f, 0.7f);
   EXPECT_GT(display().exposure_ev, 1.0f);
-  undo();  // at once: the step ends with it
+  undo();  // at once: undo ends the step
   EXPECT_EQ(display().exposure_ev, 0.0f);
   EXPECT_EQ(rig.previewer().edits().lights().size(), lights + 1);
   undo();

@@ -46,7 +46,7 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
   EXPECT_EQ(*loaded, settings);
 }
 
-// The split map is of a picture: a window that opened with it would not show what it opened.
+// The split map belongs to one picture: a new window would show it over the next one.
 TEST(StoredSettings, TheSplitMapIsNotRemembered) {
   const test::TemporaryFolder folder;
   StoredSettings settings;
@@ -142,7 +142,7 @@ TEST(FileWatch, TellsOfAChangeOnceItRests) {
   EXPECT_FALSE(watch.changed({}, 22.0));
 }
 
-// A file whose text says what is in it.
+// A file whose text names its content.
 class WatchedFileTest : public testing::Test {
  protected:
   WatchedFileTest() {
@@ -194,8 +194,8 @@ TEST_F(WatchedFileTest, WatchingSurvivesAHalfWrittenFile) {
   EXPECT_FALSE(rig.previewer().scene().error().has_value());
 }
 
-// A .gltf whose buffer and texture lie beside it: each of them is watched, and one that is half
-// written leaves the scene as it is until it is whole.
+// A .gltf with its buffer and texture in the same folder: each of them is watched, and a partly
+// written one leaves the scene unchanged until it is complete.
 TEST(WatchedGltf, SideFilesAreLoadedAgain) {
   const test::TemporaryFolder folder;
   const auto triangle = [](float x) {
@@ -243,7 +243,7 @@ TEST(WatchedGltf, SideFilesAreLoadedAgain) {
 
 TEST_F(WatchedFileTest, RecentFilesAreOffered) {
   rig.previewer().scene().open("missing");
-  // Its message comes before all else, whenever it comes.
+  // The error's message has priority, whenever it comes.
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   rig.frame();
   rig.content().state().recent = {path};
@@ -255,7 +255,7 @@ TEST_F(WatchedFileTest, RecentFilesAreOffered) {
   rig.click("Recent/1");
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
   EXPECT_FALSE(rig.content().state().show_open);
-  EXPECT_TRUE(rig.settle());  // or sections that appear at the end may move the button
+  EXPECT_TRUE(rig.settle());  // sections that appear at the end may move the button
   rig.content().state().display.exposure_ev = 2.0f;
   rig.click("Reset window");
   EXPECT_TRUE(rig.content().state().recent.empty());

@@ -14,12 +14,12 @@
 #include <cstdlib>
 #include <filesystem>
 
-// Saved scenes, the clipboard, the legend of a saved split map.
+// Saving of scenes, the clipboard, and the legend below a saved split map.
 
 namespace asos::test::save_more_test {
 namespace {
 
-/// An environment variable that is put back.
+/// An environment variable that is restored.
 class Variable {
  public:
   Variable(const char* name, const std::string& value) : name_(name) {

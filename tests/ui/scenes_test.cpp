@@ -10,7 +10,7 @@
 namespace asos::test::scenes_test {
 namespace {
 
-/// A scene of one square, and one of two far apart; the second is the file's own.
+/// A scene of one square, and one of two distant squares; the second is the file's default.
 GltfBuilder two_scenes() {
   GltfBuilder b = GltfBuilder::square();
   b.json["nodes"].push_back({{"mesh", 0}, {"translation", {30, 0, 0}}});

@@ -20,7 +20,7 @@ namespace {
 
 using test::PanelsTest;
 
-/// Waits, for at most a minute.
+/// Waits for at most a minute.
 bool eventually(const std::function<bool()>& done) {
   const auto start = std::chrono::steady_clock::now();
   while (!done()) {
@@ -43,7 +43,7 @@ class ViewStudyTest : public testing::Test {
     subject.plan.budget_seconds = 0.05;
     subject.plan.threads = 2;
   }
-  /// So much that no test waits for its end.
+  /// A plan so large that no test waits for its end.
   [[nodiscard]] ViewStudy::Subject endless() const {
     ViewStudy::Subject large = subject;
     large.plan.width = large.plan.height = 512;
@@ -113,7 +113,7 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
     EXPECT_EQ(again.equal_error[i].speedup, state.study.equal_error[i].speedup);
 }
 
-// A sample of a pixel costs so much that the whole size would take far too long.
+// The time per sample is so long that the full size would take far too long.
 TEST(StudyInTime, SizeFollowsFromTheScenesCost) {
   StudyPlan plan;
   plan.methods = {"asos", "sobol"};
@@ -231,8 +231,8 @@ TEST(StudyPlot, ShowsPointsByCurveAndLeavesOutWhatHasNoLogarithm) {
     EXPECT_TRUE(method == "average" || method_colour(method) != theme::plot_text) << method;
 }
 
-// CIELAB of a colour as people see it with normal sight or without one kind of cone (Machado,
-// Oliveira and Fernandes 2009, severity 1).
+// CIELAB of a colour for normal sight, or for one kind of colour blindness (Machado, Oliveira and
+// Fernandes 2009, severity 1).
 glm::dvec3 lab_of(std::uint32_t rgb, const glm::dmat3& sight) {
   const auto linear = [&](int shift) {
     const double c = static_cast<double>(rgb >> shift & 255u) / 255.0;
@@ -354,7 +354,7 @@ class StudyPanelTest : public PanelsTest {
     rig.frame();
   }
   [[nodiscard]] ViewStudy::State state() { return rig.content().study().state(); }
-  /// So many have the method's colour.
+  /// Number of pixels with the method's colour.
   [[nodiscard]] int pixels_in_plot(const char* method) {
     rig.frame();
     const Controls::Placed plot = rig.control("Study plot");
@@ -388,7 +388,7 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   const RenderSettings& settings = found.study.points[0].rung.settings;
   EXPECT_EQ(settings.width, rig.previewer().render().settings().width / 4);
   EXPECT_EQ(settings.height, rig.previewer().render().settings().height / 4);
-  // ASOS may be exact at all of its settings here, below the floor: nothing is compared then.
+  // All settings of ASOS may be exact here, below the noise floor: then nothing is compared.
   EXPECT_EQ(shown("Slower/average"), !found.study.equal_error.empty());
 
   EXPECT_GT(pixels_in_plot("asos"), 50) << "marks and lines of asos, one error at all settings";

@@ -16,7 +16,7 @@ namespace {
 
 using TimeWordsTest = test::PanelsTest;
 
-// Seconds of the clock are those that are waited for; a processor's are always called so.
+// Wall-clock seconds have no label; CPU seconds are always labelled.
 TEST(TimeWords, SayWhoseSecondsTheyAre) {
   EXPECT_EQ(wait_words(0.2), "1 s left");
   EXPECT_EQ(wait_words(12.0), "15 s left");
@@ -78,7 +78,8 @@ TEST(TimeEstimate, IsTheRendersOwnAsSoonAsItHasOne) {
   EXPECT_EQ(time_estimate(progress, &forecast)->left, 0.0);
 }
 
-// A session's share rests through all that is visible of a slow render, and jumps.
+// A session's finished fraction stands still during the visible part of a slow render, and then
+// jumps.
 TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
   ShownProgress shown;
   Progress progress;
@@ -110,7 +111,7 @@ TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
   EXPECT_EQ(shown.fraction(), 0.0) << "another render";
 }
 
-// The window's rows are these words, of these seconds.
+// The window's rows contain these texts, for these times.
 TEST_F(TimeWordsTest, TheWindowShowsThem) {
   rig.previewer().scene().open("point light");
   ASSERT_TRUE(

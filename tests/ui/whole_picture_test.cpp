@@ -7,7 +7,7 @@
 #include <numbers>
 #include <thread>
 
-// A camera that moves fast never leaves parts of two poses in one picture.
+// With a fast camera the picture never mixes two poses.
 
 namespace asos {
 namespace {

@@ -142,7 +142,7 @@ TEST(CurvedMirror, OfAMeshIsNotTakenForThatOfOneTriangle) {
 }
 
 // The normals of neighbouring mesh corners lean in alternating directions, four corners per pixel.
-// So each triangle suggests a much larger curvature than the mirror has.
+// Each triangle suggests a much larger curvature than the mirror has.
 TEST(CurvedMirror, IsSampledWhereTrianglesSmallerThanPixelsDoNotTellItsBend) {
   constexpr int side = 160;
   constexpr float leans = 0.005f;
