@@ -157,7 +157,7 @@ TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   EXPECT_FALSE(other.scene().take_opened_display().has_value()) << "once";
 }
 
-TEST_F(FromOption, WhatIsWrongIsSaidWithItsFile) {
+TEST_F(FromOption, ErrorsNameTheFile) {
   const RgbImage image{1, 1, {1, 2, 3}, {}};
   ASSERT_TRUE(write_png(path("plain.png"), image));
   AsosRun run = render({"--from", path("plain.png")}, "x.png");

@@ -41,7 +41,7 @@ TEST(DrawSchedule, TilesAreShownSeldomUnlessTheyAreWaitedFor) {
 
 // A job that is polled every tenth of a second may end in between. Then no frame is requested any
 // more, but the end has to be shown.
-TEST(DrawSchedule, AWishHoldsThoughItsReasonBeOver) {
+TEST(DrawSchedule, DrawsRequestedFrameEvenIfItsReasonIsGone) {
   DrawSchedule schedule;
   draw(schedule, 0.0, 0.1);
   EXPECT_NEAR(schedule.due(), 0.1, 1e-9);

@@ -63,7 +63,7 @@ TEST(EditedLight, SizeIsKeptFromKindToKind) {
 
 // A lamp among small objects keeps its size for every kind of light. The brightness at the subject
 // stays, even if the light is near and does not face it.
-TEST(EditedLight, ALampBecomesNoCeiling) {
+TEST(EditedLight, ASmallLampStaysSmallAsAnyKind) {
   Light lamp;
   lamp.position = {0.3, 0.5, 0.2};
   lamp.intensity = 185.0f;

@@ -70,7 +70,7 @@ TEST(Resampled, AveragesTheUnlitPart) {
   EXPECT_EQ(small.unlit.at(1), glm::vec4(0.0f));
 }
 
-TEST(Resampled, NothingComesOfNothing) {
+TEST(Resampled, EmptyPicturesStayEmpty) {
   EXPECT_TRUE(resampled(Film{}, {0, 0}).radiance.empty());
   const Film black = resampled(Film{}, {3, 2});
   EXPECT_EQ(black.radiance, std::vector<glm::vec3>(6, glm::vec3(0.0f)));

@@ -190,7 +190,7 @@ TEST(Asos, WallsThatPassThroughEachOtherMeetInAnExactLine) {
   }
 }
 
-TEST(Asos, MoreLevelsNeverLoseWeight) {
+TEST(Asos, KeepsUniformGreyAtEveryLevel) {
   Picture picture;
   std::mt19937 random(14);
   std::uniform_real_distribution<double> unit(0.0, 16.0);

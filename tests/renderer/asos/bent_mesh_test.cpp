@@ -140,7 +140,7 @@ TEST(BentMesh, LooksTheSameThroughClearGlass) {
 }
 
 // Near the silhouette, triangles face away from the light although their normals face it.
-TEST(BentMesh, HasTheLightThatSamplesFind) {
+TEST(BentMesh, MatchesSampledLight) {
   for (const float metallic : {0.0f, 1.0f}) {
     const auto scene = lit_ball(metallic);
     const double expected = mean_of(*scene, Method::sobol);
@@ -149,7 +149,7 @@ TEST(BentMesh, HasTheLightThatSamplesFind) {
   }
 }
 
-TEST(BentMesh, TheTraceOfAPixelSaysThatItIsSampled) {
+TEST(BentMesh, TraceReportsSampling) {
   const auto scene = lit_ball(0.0f);
   const RenderSettings settings = settings_of(Method::asos);
   const View view(before(*scene), side, side);

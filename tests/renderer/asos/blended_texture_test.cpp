@@ -62,11 +62,11 @@ double error_of_asos(AlphaMode mode, float cutoff) {
 
 // Transparent black texels do not darken the labels. The error was 0.09 when colours and alpha were
 // averaged separately.
-TEST(BlendedTexture, LabelsAreAsBrightAsSamplesFindThem) {
+TEST(BlendedTexture, BlendedLabelsAreAsBrightAsSampled) {
   EXPECT_LT(error_of_asos(AlphaMode::blend, 0.5f), 0.001);
 }
 
-TEST(BlendedTexture, SoAreThoseThatAreCutOut) {
+TEST(BlendedTexture, MaskedLabelsAreAsBrightAsSampled) {
   for (const float cutoff : {0.2f, 0.5f})
     EXPECT_LT(error_of_asos(AlphaMode::mask, cutoff), 0.001) << cutoff;
 }
@@ -120,7 +120,7 @@ double mean_of_shining_labels(bool own, Method method) {
 }
 
 // The emission of labels is proportional to their coverage, not to its square.
-TEST(BlendedTexture, LabelsThatShineDoSoWhereTheyAre) {
+TEST(BlendedTexture, EmissionIsWeightedByCoverageOnce) {
   constexpr double labelled = 13.0 * 13.0 / (32.0 * 32.0);
   for (const Method method : {Method::asos, Method::sobol})
     EXPECT_NEAR(mean_of_shining_labels(true, method), 0.5 * labelled, 0.001)
@@ -131,7 +131,7 @@ TEST(BlendedTexture, LabelsThatShineDoSoWhereTheyAre) {
 
 // The transmission of two sheets is not the product of their averages. Coincident labels hide as
 // much as one of them, and adjacent labels hide as much as both.
-TEST(BlendedTexture, LayersThatHideTheSamePlacesHideThemOnce) {
+TEST(BlendedTexture, CoincidentLayersHideOnce) {
   const Film once = labels_before_wall({{0, 0}}, Method::asos);
   const Film twice = labels_before_wall({{0, 0}, {0, 0}}, Method::asos);
   EXPECT_LT(rmse(once, twice), 0.003);
@@ -143,7 +143,7 @@ TEST(BlendedTexture, LayersThatHideTheSamePlacesHideThemOnce) {
   EXPECT_GT(by_samples(twice), side * side / 8);
 }
 
-TEST(BlendedTexture, LayersThatHideOtherPlacesHideBoth) {
+TEST(BlendedTexture, DisjointLayersAddUp) {
   const std::vector<glm::vec2> beside{{0, 0}, {13.0f / 128.0f, 0}};
   const Film asos = labels_before_wall(beside, Method::asos);
   EXPECT_LT(rmse(asos, labels_before_wall(beside, Method::sobol)), 0.003);

@@ -97,7 +97,7 @@ World half_plane(const Material& material, double at) {
 class EveryBlur : public testing::TestWithParam<double> {};
 
 // The profile of an edge in a blurred mirror: a convolution of the pixel's width and the lobe's.
-TEST_P(EveryBlur, OfAHalfPlaneIsItsClosedForm) {
+TEST_P(EveryBlur, HalfPlaneMatchesClosedForm) {
   Material material = mirror();
   blur(material, GetParam());
   Edge edge;
@@ -111,7 +111,7 @@ TEST_P(EveryBlur, OfAHalfPlaneIsItsClosedForm) {
 
 INSTANTIATE_TEST_SUITE_P(Ratios, EveryBlur, testing::Values(1.0, 0.9, 0.5, 0.2, 0.05));
 
-TEST(BlurredMirror, IsWhatSamplesConvergeTo) {
+TEST(BlurredMirror, MatchesSampledReflection) {
   Material material = mirror();
   blur(material, 0.2);
   Edge edge;
@@ -128,7 +128,7 @@ TEST(BlurredMirror, IsWhatSamplesConvergeTo) {
 
 // A mirror meets a wall in a corner that runs through all pixels from side to side. Half of the
 // rectangle around a leaf would be behind the wall, where nothing is reflected.
-TEST(BlurredMirror, IsOfTheLeafAndNotOfWhatLiesBeyondACorner) {
+TEST(BlurredMirror, StaysWithinTheLeafAtACorner) {
   World world;
   Material blurred = mirror();
   blur(blurred, 0.0125);
@@ -176,7 +176,7 @@ TEST(BlurredMirror, BlursColoursByTheirOwnCurves) {
 
 // The highlight is the light itself with the same blur as everything else: its fraction of the
 // lobe.
-TEST(BlurredMirror, ShowsALightThatNoSurfaceShows) {
+TEST(BlurredMirror, ShowsLightsWithoutGeometry) {
   Material material = mirror();
   blur(material, 0.1);
   World world = half_plane(material, -8.0);

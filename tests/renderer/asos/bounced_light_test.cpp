@@ -70,7 +70,7 @@ double brightness(const RenderScene& scene, Method method, int bounces, glm::dve
 
 // White furnace: all surroundings have a radiance of 1, so a surface reflects its albedo, plus its
 // albedo times what the others reflect.
-TEST(BouncedLight, AFurnaceIsTheSumOfItsAlbedosPowers) {
+TEST(BouncedLight, WhiteFurnaceMatchesTheGeometricSeries) {
   for (const float albedo : {0.5f, 0.8f}) {
     World world;
     add_room(world, chalk(albedo));
@@ -100,7 +100,7 @@ TEST(BouncedLight, UnlitWallsShineOnWhatTheyEnclose) {
 
 // A floor next to an endless wall under a uniform sky. The wall sees half of the sky and the black
 // floor; the floor's point sees the wall with its form factor.
-TEST(BouncedLight, AWallThatTheSkyLightsSendsItToTheFloor) {
+TEST(BouncedLight, SkyLitWallLightsTheFloor) {
   constexpr double albedo = 0.5, height = 2.0;
   World world;
   add_quad(world, {0.5f, 0, 1000}, {0, 0, -2000}, {0, static_cast<float>(height), 0},

@@ -30,7 +30,7 @@ struct WhiteFloor {
 };
 
 // The maximum over the shading points; zero after start() has cleared them.
-TEST(CarriedLight, IsWhatAWhiteFloorShowsOfIt) {
+TEST(CarriedLight, MatchesRadianceOfAWhiteFloor) {
   std::vector<Light> lights{point_light(), rectangle_light()};
   for (Light& light : lights) light.intensity = 0.2f;
   const std::vector<PreparedLight> all = prepared(lights);
@@ -49,7 +49,7 @@ TEST(CarriedLight, IsWhatAWhiteFloorShowsOfIt) {
 }
 
 // At most two sides of a part's faces are visible from anywhere, however many faces there are.
-TEST(CarriedLight, OfOnePartHidesEachOther) {
+TEST(CarriedLight, IsLimitedToTwoSidesOfOnePart) {
   std::vector<PreparedLight> all = prepared(std::vector<Light>(40, rectangle_light()));
   for (PreparedLight& light : all) light.own_part = 3;
   CarriedLight carried(all);

@@ -23,7 +23,7 @@ LeafChoice leaf_of(double error, double weight = 1.0) {
   return leaf;
 }
 
-TEST(Choose, CentreWithinTheAllowance) {
+TEST(Choose, ChoosesCentreWithinTheAllowance) {
   EXPECT_EQ(choose(allowance_of(3), leaf_of(1.0 / 256.0)), Estimator::centre);
   EXPECT_EQ(choose(allowance_of(3), leaf_of(0.0)), Estimator::centre);
   EXPECT_NE(choose(allowance_of(3), leaf_of(1.01 / 256.0)), Estimator::centre);
@@ -38,7 +38,7 @@ TEST(Choose, SamplesWithoutABound) {
   EXPECT_EQ(choose(allowance_of(3), leaf), Estimator::samples);
 }
 
-TEST(Choose, CheaperOfSplitAndSamples) {
+TEST(Choose, ChoosesCheaperOfSplitAndSamples) {
   // Twice the tolerance: a split costs four leaves.
   LeafChoice leaf = leaf_of(2.0 / 256.0);
   const double samples = allowance_of(4).samples(1.0, Allowance::usual_contrast);
@@ -53,7 +53,7 @@ TEST(Choose, CheaperOfSplitAndSamples) {
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::samples);
 }
 
-TEST(Choose, LeastErrorAtMax) {
+TEST(Choose, ChoosesLeastErrorAtMax) {
   LeafChoice leaf = leaf_of(1.0);
   leaf.may_split = false;
   leaf.weight = 1.0 / 256.0;  // a cell at level MAX 4: four samples

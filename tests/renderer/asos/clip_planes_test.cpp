@@ -153,7 +153,7 @@ TEST(ClipPlanes, CutAPlaneAlongAnyLine) {
   EXPECT_EQ(picture.statistics.missed_splits, 0u);
 }
 
-TEST(ClipPlanes, MirrorsShowWhatTheyCutOff) {
+TEST(ClipPlanes, ClippedSurfacesAppearInMirrors) {
   World world;
   Material mirror;
   mirror.base_color = glm::vec4(1.0f);
@@ -170,7 +170,7 @@ TEST(ClipPlanes, MirrorsShowWhatTheyCutOff) {
               1.0 / 81.0 * glm::dvec3(outer), 1e-3);
 }
 
-TEST(ClipPlanes, ShadowsAreCastByWhatTheyCutOff) {
+TEST(ClipPlanes, ClippedSurfacesCastShadows) {
   const auto lit = [](bool with_card) {
     World world;
     add_quad(world, {-9, -9, -5}, {18, 0, 0}, {0, 18, 0}, matte(glm::vec3(0.5f)));
@@ -204,7 +204,7 @@ TEST(ClipPlanes, BlendedSurfacesBeyondTheFarPlaneAreNotSeen) {
 }
 
 // Planes that clip nothing change no bit.
-TEST(ClipPlanes, ThatCutNothingChangeNoBit) {
+TEST(ClipPlanes, ChangeNoBitIfTheyClipNothing) {
   World world = turned_box();
   add_sphere(world, {0.5f, 0.3f, -4}, 0.8f, 8, matte({0.4f, 0.5f, 0.6f}));
   Light light;

@@ -24,7 +24,7 @@ std::vector<KnownValue> nine(const Function& of, double variance) {
   return known;
 }
 
-TEST(Course, MeetsWhatIsOfSecondDegree) {
+TEST(Course, FitsQuadraticsExactly) {
   const auto course = Course::through(nine(bent, 1e-6));
   ASSERT_TRUE(course);
   EXPECT_LT(course->misfit(), 1e-9);
@@ -35,7 +35,7 @@ TEST(Course, MeetsWhatIsOfSecondDegree) {
 }
 
 // The misfit, relative to the values' noise, reveals a step between the nodes.
-TEST(Course, TellsThatAStepIsNone) {
+TEST(Course, MisfitDetectsAStep) {
   const auto step = [](glm::dvec2 p) { return glm::dvec3(p.x < 0.4 ? 0.2 : 0.8, 0.5, 0.5); };
   const auto course = Course::through(nine(step, 1e-4));
   ASSERT_TRUE(course);
@@ -50,7 +50,7 @@ TEST(Course, TellsThatAStepIsNone) {
 }
 
 // Noise of the assumed variance gives a mean misfit of 1.
-TEST(Course, HasTheMisfitOfItsNoise) {
+TEST(Course, MisfitOfNoiseIsOne) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0.0, 0.01);
   double sum = 0.0;

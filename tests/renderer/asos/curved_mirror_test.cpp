@@ -123,7 +123,7 @@ TEST(CurvedMirror, ConvergesWhenItIsRough) {
 }
 
 // A real car model: its windscreen has a frame thinner than a pixel.
-TEST(CurvedMirror, OfAMeshIsNotTakenForThatOfOneTriangle) {
+TEST(CurvedMirror, MeshIsNotExtrapolatedFromOneTriangle) {
   const auto shared = shared_dir();
   if (!shared) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";
   const auto loaded = load_scene((*shared / "scenes/ToyCar/ToyCar.gltf").string());
@@ -143,7 +143,7 @@ TEST(CurvedMirror, OfAMeshIsNotTakenForThatOfOneTriangle) {
 
 // The normals of neighbouring mesh corners lean in alternating directions, four corners per pixel.
 // Each triangle suggests a much larger curvature than the mirror has.
-TEST(CurvedMirror, IsSampledWhereTrianglesSmallerThanPixelsDoNotTellItsBend) {
+TEST(CurvedMirror, SamplesMeshesFinerThanPixels) {
   constexpr int side = 160;
   constexpr float leans = 0.005f;
   std::vector<test::TinyVertex> vertices;

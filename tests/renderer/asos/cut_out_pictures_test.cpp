@@ -91,7 +91,7 @@ std::vector<Light> small_area_lights() {
 // The error is within the reference's noise, except under a light from above for far pixels that
 // show hundreds of texels. At any MAX it is smaller than with samples only, and takes less than
 // half the rays.
-TEST(CutOutPictures, UnderHardLightsAreExactWhereTexelsAreFew) {
+TEST(CutOutPictures, AreExactUnderHardLightsForFewTexels) {
   for (const Light& light : hard_lights()) {
     const Picture truth = picture_of(light, Method::uniform, 3, 1024);
     for (int max_level = 3; max_level <= 4; ++max_level) {
@@ -106,16 +106,16 @@ TEST(CutOutPictures, UnderHardLightsAreExactWhereTexelsAreFew) {
   }
 }
 
-TEST(CutOutPictures, LeftToSamplesGetExacterWithEveryLevelUnderHardLights) {
+TEST(CutOutPictures, SampledErrorFallsWithMaxUnderHardLights) {
   for (const Light& light : hard_lights()) expect_error_falls(light, Method::uniform, 1024);
 }
 
-TEST(CutOutPictures, LeftToSamplesGetExacterWithEveryLevelUnderSmallAreaLights) {
+TEST(CutOutPictures, SampledErrorFallsWithMaxUnderSmallAreaLights) {
   for (const Light& light : small_area_lights()) expect_error_falls(light, Method::sobol, 1024);
 }
 
 // Leaves in front of leaves, iron in front of its own shadow: many outlines per pixel.
-TEST(CutOutPictures, OfTheBuiltInScenesAreThoseOfManySamples) {
+TEST(CutOutPictures, BuiltInScenesMatchManySamples) {
   for (const char* source : {"builtin:railing", "builtin:foliage"}) {
     const auto loaded = load_scene(source);
     ASSERT_TRUE(loaded);
@@ -169,7 +169,7 @@ Picture upon_mirror(bool mirrored) {
                         look_at({0.3, 2.5, 7}, {0, 0, 0}, 0.6), settings);
 }
 
-TEST(CutOutPictures, AreAsExactInAMirror) {
+TEST(CutOutPictures, AreEquallyExactInMirrors) {
   const Picture seen = upon_mirror(true), built = upon_mirror(false);
   EXPECT_EQ(seen.statistics.missed_splits, 0u);
   EXPECT_LT(rms(seen, built), 2e-3);

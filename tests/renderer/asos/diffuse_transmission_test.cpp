@@ -51,7 +51,7 @@ void expect_near(glm::vec3 found, glm::vec3 expected) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-4f) << c;
 }
 
-TEST(DiffuseTransmission, SharesTheLightOfEitherSide) {
+TEST(DiffuseTransmission, MixesTheLightOfBothSides) {
   constexpr float share = 0.6f, slope = 0.5f;
   for (const Method method : {Method::asos, Method::sobol, Method::whitted}) {
     SCOPED_TRACE(static_cast<int>(method));
@@ -68,7 +68,7 @@ TEST(DiffuseTransmission, SharesTheLightOfEitherSide) {
   }
 }
 
-TEST(DiffuseTransmission, LiesInTheShadowOfWhatIsBehind) {
+TEST(DiffuseTransmission, IsShadowedFromBehind) {
   for (const Method method : {Method::asos, Method::sobol}) {
     World world;
     add_quad(world, {-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, leaf(1.0f));

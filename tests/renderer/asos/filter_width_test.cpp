@@ -50,7 +50,7 @@ TEST_P(AsosFilter, AStraightEdgeIsExact) {
   }
 }
 
-TEST_P(AsosFilter, OnePixelAloneSeesTheSame) {
+TEST_P(AsosFilter, TracedPixelMatchesThePicture) {
   const auto scene = slanted_cards();
   RenderSettings settings = settings_for(Method::asos);
   settings.filter_width = GetParam();
@@ -105,7 +105,7 @@ TEST(FilterWidth, RivalsSampleTheSameSquare) {
   }
 }
 
-TEST(FilterWidth, WhatIsOutOfRangeIsRefused) {
+TEST(FilterWidth, RejectsWidthsOutOfRange) {
   for (const double width : {0.99, 4.01, -1.0, std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()}) {
     RenderSettings settings;

@@ -13,7 +13,7 @@ namespace {
 
 // Twigs in front of a lamp thirty times as bright as white. Five thousandths of one pixel of each
 // pair show it, which few samples hit.
-TEST(Glare, OfASliverBetweenTwigsIsSeen) {
+TEST(Glare, ShowsLampThroughNarrowGaps) {
   const auto scene = *prepare(*builtin_scene("park"));
   RenderSettings settings;
   settings.width = 160;

@@ -46,7 +46,7 @@ TEST(NestedGlass, BendsByTheRatioOfBothIndices) {
 }
 
 // In an overlap the smaller volume attenuates, and the boundary of the larger one is invisible.
-TEST(NestedGlass, IsTheSmallerOneWhereTwoOverlap) {
+TEST(NestedGlass, SmallerVolumeWinsInAnOverlap) {
   Material water = clear(water_index), glass = clear(1.5f);
   water.volume.attenuation_color = {0.25f, 0.5f, 1.0f};
   water.volume.attenuation_distance = 2.0f;
@@ -69,7 +69,7 @@ TEST(NestedGlass, IsTheSmallerOneWhereTwoOverlap) {
 }
 
 // A volume with the index of its surroundings is invisible, and reflects nothing.
-TEST(NestedGlass, OfTheSameIndexIsInvisible) {
+TEST(NestedGlass, IsInvisibleWithTheSameIndex) {
   Material glass = clear(1.5f);
   glass.specular = 1.0f;
   const auto sky =

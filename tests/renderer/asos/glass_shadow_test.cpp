@@ -72,7 +72,7 @@ void expect_near(glm::dvec3 found, glm::dvec3 expected, double relative, Method 
         << "colour " << c << ", method " << static_cast<int>(method);
 }
 
-TEST(GlassShadow, OfAPlateIsItsWallsAndItsWay) {
+TEST(GlassShadow, PlateTransmitsByInterfacesAndThickness) {
   for (const double angle : {0.0, 0.6, 1.1}) {
     Light sun;
     sun.type = Light::Type::directional;
@@ -86,7 +86,7 @@ TEST(GlassShadow, OfAPlateIsItsWallsAndItsWay) {
   }
 }
 
-TEST(GlassShadow, OfALightWithASizeIsTheMeanOverIt) {
+TEST(GlassShadow, AveragesOverAreaLights) {
   Light lamp = rectangle_light();
   lamp.position = {0.5, 3.0, 0.0};
   lamp.direction = {0, -1, 0};

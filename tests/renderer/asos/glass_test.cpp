@@ -86,7 +86,7 @@ TEST(Glass, APrismTurnsRaysByItsAngleOfDeviation) {
   }
 }
 
-TEST(Glass, DispersionPartsTheColours) {
+TEST(Glass, DispersionSeparatesColours) {
   // The indices of red and blue are n -+ (n - 1) / (2 V); the dispersion is 20 / V.
   constexpr double n = 1.6, abbe = 25.0, far = 1e4;
   const double angle = 0.7;

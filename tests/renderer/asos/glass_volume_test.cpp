@@ -105,7 +105,7 @@ void expect_attenuated(World world, const Camera& camera, double way) {
   }
 }
 
-TEST(GlassVolume, AttenuatesFromTheEyeWhereThatIsWithin) {
+TEST(GlassVolume, AttenuatesFromAnEyeInsideTheGlass) {
   World world;
   add_plate(world, 0.0, 1.0, green());
   Camera camera = orthographic(0.5);

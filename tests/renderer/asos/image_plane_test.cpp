@@ -39,7 +39,7 @@ Picture slope(glm::dvec2 line_at, glm::dvec2 up, int max_level) {
   return render_picture(*make_render_scene(std::move(world)), in_plane(), settings);
 }
 
-TEST(ImagePlane, CutsWhatPassesThroughItExactly) {
+TEST(ImagePlane, CutsCrossingSurfacesExactly) {
   // The line is horizontal within row 11; the slope covers the upper 0.22 of that row.
   const double pixel = 4.0 / side;
   const Picture picture = slope({0.0, 2.0 - 11.22 * pixel}, {0.0, 1.0}, 3);

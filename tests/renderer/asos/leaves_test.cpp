@@ -64,7 +64,7 @@ PyrayLeaf pixel_leaf(const EyeBlock& block, int x, int y, double weight = 1.0) {
   return {number, number, weight, block.leaf(x, y).region};
 }
 
-TEST(LeafChooser, TakesTheCentreOfWhatIsEvenlyLit) {
+TEST(LeafChooser, ChoosesCentreForEvenLight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun()});
   LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
   chooser.learn_normals(EyeBlock::side);
@@ -75,7 +75,7 @@ TEST(LeafChooser, TakesTheCentreOfWhatIsEvenlyLit) {
 }
 
 // A bulb 0.1 units in front of a wall, with pixels of 1 unit: its light falls off within a pixel.
-TEST(LeafChooser, DividesOrSamplesWhatIsNot) {
+TEST(LeafChooser, SplitsOrSamplesUnevenLight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)});
   LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
   chooser.learn_normals(EyeBlock::side);
@@ -87,7 +87,7 @@ TEST(LeafChooser, DividesOrSamplesWhatIsNot) {
   EXPECT_NE(last.estimator, Estimator::split) << "it may not";
 }
 
-TEST(LeafChooser, AsksNothingAtMax0) {
+TEST(LeafChooser, ChoosesCentreAtMax0) {
   EyeBlock block =
       block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)}, at_max(0));
   LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
@@ -163,7 +163,7 @@ TEST(SingleSamples, ShadeByOneSampleEach) {
 }
 
 // One important bulb, and many unimportant ones that deserve few rays together.
-TEST(WeakLights, AreTheManyDimOnes) {
+TEST(WeakLights, AreTheDimLights) {
   std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
   for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));
   EyeBlock many = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
@@ -180,7 +180,7 @@ TEST(WeakLights, AreTheManyDimOnes) {
 }
 
 // For callers that send a single ray.
-TEST(WeakLights, AreAllOfThemOnDemand) {
+TEST(WeakLights, IncludeAllLightsOnDemand) {
   std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
   for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));
   EyeBlock many = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);

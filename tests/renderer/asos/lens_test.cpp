@@ -175,7 +175,7 @@ TEST(Lens, EdgesInFocusAreThoseOfAPinhole) {
   }
 }
 
-TEST(Lens, MattePlaneInFocusIsThatOfAPinhole) {
+TEST(Lens, MattePlaneInFocusMatchesAPinhole) {
   World world;
   add_quad(world, {-40, -40, -4}, {80, 0, 0}, {0, 80, 0}, matte({0.8f, 0.5f, 0.2f}));
   Light light;

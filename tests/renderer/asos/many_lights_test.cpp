@@ -94,7 +94,7 @@ std::vector<Light> area_lights() {
 // Both the pixel and the sum have the rounding of a hundred floats.
 constexpr double rounding = 1e-5;
 
-TEST(ManyLights, WithoutShadowsAreTheirSum) {
+TEST(ManyLights, WithoutShadowsAddUp) {
   RenderSettings settings = exact_settings();
   settings.shadow.cast = false;
   for (const auto& types : {all_lights(), area_lights()})
@@ -103,13 +103,13 @@ TEST(ManyLights, WithoutShadowsAreTheirSum) {
 
 // The few edges of these shadows cut leaves exactly. Nothing is sampled, which would depend on a
 // light's index.
-TEST(ManyLights, WithShadowsAreTheirSum) {
+TEST(ManyLights, WithShadowsAddUp) {
   for (const auto& types : {all_lights(), area_lights()})
     EXPECT_LT(off_from_sum(hundred_of(types, 22), exact_settings()), rounding);
 }
 
 // Two useful lights, then 98 that are out of range, below the floor or turned away.
-TEST(ManyLights, ThatGiveNothingCostNothing) {
+TEST(ManyLights, WithoutContributionCostNothing) {
   RandomSpace random(23);
   std::vector<Light> useful{rectangle_light(), point_light()};
   std::vector<Light> lights = useful;
@@ -170,7 +170,7 @@ std::vector<Light> hundred_dim_lights() {
 }
 
 // Lights too dim for individual shadow tests are sampled together, to within EPS.
-TEST(ManyLights, GetAsManyRaysAsTheyAreWorthTogether) {
+TEST(ManyLights, SampledTogetherAreWithinEps) {
   const std::vector<Light> lights = hundred_dim_lights();
   const Picture exact = picture_of(lights, exact_settings());
   RenderSettings settings = exact_settings();
@@ -185,7 +185,7 @@ TEST(ManyLights, GetAsManyRaysAsTheyAreWorthTogether) {
 }
 
 // No two rays go to the same light. If one light has all the light, it gets all the rays.
-TEST(ManyLights, OneThatIsAllOfTheirLightGetsAllTheirRays) {
+TEST(ManyLights, ADominantLightGetsAllRays) {
   Light panel = rectangle_light();
   panel.position = {0.3, 2.0, 0.2};
   panel.direction = {0, -1, 0};
@@ -232,7 +232,7 @@ double error_of_sunk_lights(const Light& shape) {
 }
 
 // A light's centre may be below the floor although the light illuminates it.
-TEST(ManyLights, ThatStandInTheFloorAreWorthTheirRays) {
+TEST(ManyLights, PartlyBelowTheFloorAreWithinEps) {
   Light rectangle = rectangle_light();
   rectangle.intensity = 4.0f;
   EXPECT_LT(error_of_sunk_lights(rectangle), 1.0 / 256.0);
@@ -244,7 +244,7 @@ TEST(ManyLights, ThatStandInTheFloorAreWorthTheirRays) {
 
 // The weights are computed on each surface, even if no pixel's centre shows it: here the centres
 // show only black surfaces.
-TEST(ManyLights, AreWorthTheirRaysOnWhatIsThinnerThanAPixel) {
+TEST(ManyLights, SampledTogetherAreWithinEpsOnSubpixelSurfaces) {
   constexpr float pixel = 0.1f;
   World world;
   add_quad(world, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10}, matte(glm::vec3(0.0f)));
@@ -285,7 +285,7 @@ TEST(ManyLights, AreWorthTheirRaysOnWhatIsThinnerThanAPixel) {
 }
 
 // In mirrors, too.
-TEST(ManyLights, AreWorthAsManyRaysInAMirror) {
+TEST(ManyLights, SampledTogetherAreWithinEpsInMirrors) {
   World world = furnished();
   Material mirror = matte(glm::vec3(0.9f));
   mirror.metallic = 1.0f;
@@ -310,7 +310,7 @@ TEST(ManyLights, AreWorthAsManyRaysInAMirror) {
 }
 
 // A sample sends few rays to many lights, with the correct expectation.
-TEST(ManyLights, AreSampledByFewRays) {
+TEST(ManyLights, AreSampledWithFewRays) {
   const std::vector<Light> lights = hundred_dim_lights();
   const Picture exact = picture_of(lights, exact_settings());
   RenderSettings settings = exact_settings();

@@ -14,7 +14,7 @@ namespace {
 
 // A column of pixels with four images of lights, reflected by a sphere and then by a cylinder. An
 // image displaced by a fraction of a pixel would be in another pixel.
-TEST(MirroredLight, OfABentMirrorInAnotherIsWhereItIs) {
+TEST(MirroredLight, HasTheRightPlaceAfterTwoCurvedMirrors) {
   const auto scene = *prepare(*builtin_scene("solids"));
   RenderSettings settings;
   settings.width = 160;
@@ -41,7 +41,7 @@ TEST(MirroredLight, OfABentMirrorInAnotherIsWhereItIs) {
 
 // The image is a hundredth of the pixel, but brighter than white over all of it; 16 or 64 samples
 // miss it.
-TEST(MirroredLight, IsMetWhereFewSamplesMissIt) {
+TEST(MirroredLight, IsFoundWhereFewSamplesMissIt) {
   const auto scene = *prepare(*builtin_scene("solids"));
   const Camera camera = first_camera(scene->world(), 320.0 / 180.0);
   for (const int x : {140, 162}) {

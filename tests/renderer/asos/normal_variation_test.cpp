@@ -28,7 +28,7 @@ std::vector<glm::vec3> turned(Angle angle) {
 const std::vector<std::uint32_t> one_surface(side* side, 7);
 
 // A cylinder's normals have a constant second difference: 2 - 2 cos a for a step of angle a.
-TEST(NormalVariation, OfACylinderAreThoseOfItsCircle) {
+TEST(NormalVariation, MatchesClosedFormOnACylinder) {
   const double step = 0.2;
   NormalVariation normals;
   normals.find(side, turned([&](int x) { return step * x; }), one_surface, background);
@@ -55,7 +55,7 @@ TEST(NormalVariation, BoundTheErrorOfTheMidpointRule) {
   }
 }
 
-TEST(NormalVariation, AreNoneBetweenSurfacesAndInTheBackground) {
+TEST(NormalVariation, IsZeroBetweenSurfacesAndInTheBackground) {
   std::vector<std::uint32_t> surfaces = one_surface;
   for (int y = 0; y < side; ++y) {
     for (int x = 4; x < side; ++x)
@@ -69,7 +69,7 @@ TEST(NormalVariation, AreNoneBetweenSurfacesAndInTheBackground) {
 }
 
 // On a cylinder the normal's linear extrapolation is correct, except for its curvature.
-TEST(NormalVariation, StrayFromATurnByHowFarTheyAreFromIt) {
+TEST(NormalVariation, MeasuresDeviationFromALinearTurn) {
   const double step = 0.02, bend = 1.01 * step * step;
   NormalVariation normals;
   normals.find(side, turned([&](int x) { return step * x; }), one_surface, background);
@@ -89,7 +89,7 @@ TEST(NormalVariation, StrayFromATurnByHowFarTheyAreFromIt) {
   EXPECT_EQ(normals.strays(3, 3, glm::vec3(1), glm::vec3(1)), 0.0f) << "other surfaces";
 }
 
-TEST(NormalVariation, AreNoneOutsideAndInBlocksTooSmallToTell) {
+TEST(NormalVariation, IsZeroOutsideAndInTinyBlocks) {
   NormalVariation normals;
   normals.find(side, turned([](int x) { return 0.3 * x * x; }), one_surface, background);
   EXPECT_GT(normals.error(3, 3), 0.0f);

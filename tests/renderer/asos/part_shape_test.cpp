@@ -32,7 +32,7 @@ TEST(PartShape, OfWholeSquaresIsTheSquare) {
   EXPECT_EQ(shape.down, glm::vec2(0.0f, 1.0f));
 }
 
-TEST(PartShape, OfAStripIsTheStrip) {
+TEST(PartShape, MatchesAStrip) {
   // 0.64 wide and 0.25 high: the square of equal area has the side 0.4.
   for (const bool turned : {false, true}) {
     std::vector<glm::vec2> corners{{0.1f, 0.5f}, {0.74f, 0.5f}, {0.74f, 0.75f}, {0.1f, 0.75f}};
@@ -87,7 +87,7 @@ glm::dvec3 spread_of(const PartShape& shape) {
 }
 
 // Together they have the area, the centre and the second moments of the whole.
-TEST(PartShape, ItsPartsMakeUpTheWhole) {
+TEST(PartShape, PartsHaveTheMomentsOfTheWhole) {
   std::mt19937 rng(12);
   std::uniform_real_distribution<float> u(0.0f, 1.0f);
   for (int i = 0; i < 50; ++i) {

@@ -52,7 +52,7 @@ void add_floor(World& world, const Material& material) {
 
 // The camera looks through the back of a single-sided wall that stands in a floor. Within one block
 // of pixels the wall occludes the light on one side of its foot, without an edge nearby.
-TEST(PartlySeenLight, EndsAtTheFootOfAWallThatTheEyeLooksThrough) {
+TEST(PartlySeenLight, EndsAtTheFootOfASingleSidedWall) {
   for (const float slope : {0.0f, 0.3f}) {
     World world;
     add_floor(world, matte(glm::vec3(0.8f)));
@@ -70,7 +70,7 @@ TEST(PartlySeenLight, EndsAtTheFootOfAWallThatTheEyeLooksThrough) {
 }
 
 // An object within a sphere light occludes nothing of it, wherever pyrays towards its rim go.
-TEST(PartlySeenLight, IsAllOfABallThatSomethingLiesIn) {
+TEST(PartlySeenLight, IsUnoccludedByObjectsInsideASphereLight) {
   Light ball;
   ball.type = Light::Type::point;
   ball.position = {0, 3, 0};
@@ -93,7 +93,7 @@ TEST(PartlySeenLight, IsAllOfABallThatSomethingLiesIn) {
 }
 
 // Inside a sphere light, light comes from everywhere, and a wall occludes some of it.
-TEST(PartlySeenLight, IsWhatAWallLeavesOfABallAround) {
+TEST(PartlySeenLight, IsOccludedByAWallInsideASphereLight) {
   Light ball;
   ball.type = Light::Type::point;
   ball.radius = 3.0;
@@ -113,7 +113,7 @@ TEST(PartlySeenLight, IsWhatAWallLeavesOfABallAround) {
 
 // Rough metal reflects one end of a large light more strongly than the other. A panel with one half
 // covered must look like the other half alone.
-TEST(PartlySeenLight, OfRoughMetalIsTheHalfThatIsSeen) {
+TEST(PartlySeenLight, OnRoughMetalMatchesTheVisibleHalf) {
   Material metal = matte(glm::vec3(0.9f));
   metal.metallic = 1.0f;
   const Camera camera = look_at({-6, 1.5, 0}, {0, 0, 0}, 0.5);

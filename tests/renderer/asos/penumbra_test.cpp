@@ -42,12 +42,12 @@ double off(const char* scene, PixelRect part, int max_level, int samples) {
 // The start of a box's shadow: a few leaves are more accurate than samples, whose error estimate is
 // too small in a pixel here and there. Sampled, the error was a third of EPS at MAX 3, and an
 // eighth at MAX 2, where shadow tests are less strict.
-TEST(Penumbra, IsSplitWhereThatTakesFewLeaves) {
+TEST(Penumbra, IsSplitIfFewLeavesSuffice) {
   EXPECT_LT(off("boxes", {32, 96, 32, 16}, 3, 4096), 0.2);
 }
 
 // Shadows of a fence's pales, half a pixel wide.
-TEST(Penumbra, GetsExacterWithMaxUntilItIsWithinEps) {
+TEST(Penumbra, ErrorFallsWithMaxUntilWithinEps) {
   const auto error = [](int max_level) {
     return off("turning-fence", {40, 112, 160, 4}, max_level, 1024);
   };

@@ -106,7 +106,7 @@ std::vector<glm::vec3> low_wall(bool by_mirror, Method method) {
   return test::render_picture(*scene, camera, settings).film.radiance;
 }
 
-TEST(PlaneMirror, ShowsWhatStandsOnItDownToTheFoot) {
+TEST(PlaneMirror, ShowsObjectsDownToTheirFoot) {
   EXPECT_LT(worst_difference(low_wall(true, Method::asos), low_wall(false, Method::asos)), 2e-3);
   // The same samples.
   const auto seen = low_wall(true, Method::sobol), direct = low_wall(false, Method::sobol);
@@ -139,7 +139,7 @@ std::vector<glm::vec3> behind_bars(double eps) {
 
 // Each leaf's reflection has a fraction of EPS as its tolerance: a pixel's standard error is at
 // most half of EPS.
-TEST(PlaneMirror, LeavesThatAreMirroredStayWithinEpsTogether) {
+TEST(PlaneMirror, ManyReflectedLeavesStayWithinEps) {
   const auto found = behind_bars(0.125), exact = behind_bars(0.0);
   double squares = 0.0;
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -268,7 +268,7 @@ TEST(RoughMeshes, FlippedFacesLookTheSame) {
 }
 
 // A wall of two halves with separate vertices and a continuous texture.
-TEST(RoughMeshes, ATextureThatGoesOnAcrossASplitMeshCostsNothing) {
+TEST(RoughMeshes, ContinuousTexturesNeedNoSeam) {
   const auto wall = [](float jump) {
     RoughScene rough;
     Material paint = unlit({1, 1, 1});

@@ -40,7 +40,7 @@ Picture picture_of(const RenderScene& scene, int max_level, double eps, double h
   return render_picture(scene, orthographic(height), settings);
 }
 
-TEST(SampledLeaves, OfAPenumbraAreAsExactAsEpsAsks) {
+TEST(SampledLeaves, PenumbraIsWithinEps) {
   const auto scene = penumbra();
   const Picture sampled = picture_of(*scene, 3, 1.0 / 256.0);
   const Picture exact = picture_of(*scene, 6, 0.0);
@@ -109,7 +109,7 @@ auto rumpled() {
 }
 
 // The texture mapping of one triangle says nothing about its neighbours'.
-TEST(SampledLeaves, OfATextureOnSmallTrianglesAreAsExactAsEpsAsks) {
+TEST(SampledLeaves, TexturesOnSmallTrianglesAreWithinEps) {
   const auto scene = rumpled();
   const Picture sampled = picture_of(*scene, 3, 1.0 / 256.0);
   RenderSettings settings;

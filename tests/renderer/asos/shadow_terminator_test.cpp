@@ -119,7 +119,7 @@ TEST_P(EveryLight, MeshIsLitAsTheTrueSphere) {
 INSTANTIATE_TEST_SUITE_P(ShadowTerminator, EveryLight, testing::ValuesIn(lamps()));
 
 /// Seen from inside, a sphere is hollow, and its triangles do shadow each other.
-TEST(ShadowTerminator, AHollowMeshIsSeenByLightsAsItsTriangles) {
+TEST(ShadowTerminator, AHollowMeshShadowsItself) {
   World world;
   add_sphere(world, {0, 0, 0}, 1.0f, 8, matte(glm::vec3(1.0f)));
   const SceneNeeds needs = find_needs(world);

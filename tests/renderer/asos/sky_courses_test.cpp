@@ -61,7 +61,7 @@ bool interpolated(Leaves& leaves, Value&& value) {
   return courses.tell(cells.front());
 }
 
-TEST(SkyCourses, InterpolateWhatVariesEvenly) {
+TEST(SkyCourses, InterpolateSmoothVariation) {
   Leaves leaves(ramp);
   ASSERT_TRUE(interpolated(leaves, ramp));
   for (const SkyLit& lit : leaves.lits) {
@@ -71,7 +71,7 @@ TEST(SkyCourses, InterpolateWhatVariesEvenly) {
 }
 
 // A shadow's edge, which no quadratic fits.
-TEST(SkyCourses, DoNotInterpolateAcrossAnEdge) {
+TEST(SkyCourses, RefuseToInterpolateAcrossAnEdge) {
   const auto edge = [](glm::vec2 at) { return at.x + 0.3f * at.y < 0.6f ? 0.9 : 0.55; };
   Leaves leaves(edge);
   EXPECT_FALSE(interpolated(leaves, edge));
@@ -79,7 +79,7 @@ TEST(SkyCourses, DoNotInterpolateAcrossAnEdge) {
 }
 
 // A leaf whose own rays contradict the fit is sampled instead.
-TEST(SkyCourses, LeaveOutWhatContradictsThem) {
+TEST(SkyCourses, ExcludeLeavesThatContradictTheFit) {
   Leaves leaves(ramp);
   const std::uint32_t odd = Leaves::side + 1;  // not a node: see choose_nodes
   leaves.set_rays(odd, 8, 0.05);

@@ -100,7 +100,7 @@ TEST(SkyPicture, LightsAMatteFloorByItsClosedForm) {
 
 // Metal that is followed as a mirror and metal just too rough for that have the same brightness
 // under an open sky.
-TEST(SkyPicture, WhatIsTooRoughToMirrorGoesOnFromMirrors) {
+TEST(SkyPicture, RoughMetalMatchesMirrorsAtTheLimit) {
   const Camera camera = look_at({0, 3, 0.5}, {0, 0, 0}, 0.3);
   for (const Method method : {Method::asos, Method::sobol}) {
     const auto shown = [&](double roughness) {

@@ -133,7 +133,7 @@ std::vector<Place> places() {
 }
 
 // All pixels of such a picture share results, so a picture has the noise of a single pixel.
-TEST(SkyShadows, AreTheFormFactorsOfWhatHidesTheSky) {
+TEST(SkyShadows, MatchFormFactorsOfOccluders) {
   for (const Place& place : places()) {
     EXPECT_NEAR(seen_share(place.world, {.seeds = 64}), place.seen, 2e-3) << place.name;
     EXPECT_NEAR(seen_share(place.world, {.method = Method::sobol, .spp = 1024}), place.seen, 1e-3)
@@ -142,7 +142,7 @@ TEST(SkyShadows, AreTheFormFactorsOfWhatHidesTheSky) {
 }
 
 // At EPS 0, the mean over seeds is within 1e-4 of the catalogue.
-TEST(SkyShadows, AreAsExactAsEpsAsksFor) {
+TEST(SkyShadows, AreExactAtEpsZero) {
   for (const Place& place : places())
     EXPECT_NEAR(seen_share(place.world, {.seeds = 16, .exact = true}), place.seen, 1e-4)
         << place.name;
@@ -231,7 +231,7 @@ TEST(SkyShadows, AreTheMeanOverAPixelThatAWallBorders) {
 }
 
 // A dark shadow between the nodes, narrower than a pixel, is found by the leaves inside it.
-TEST(SkyShadows, OfWhatIsSmallAreNotSharedAway) {
+TEST(SkyShadows, SmallShadowsSurviveSharing) {
   const World world = specks(0.02f);
   constexpr int size = 64;
   const Film found = floor_picture(world, Method::asos, size).film;
@@ -242,7 +242,7 @@ TEST(SkyShadows, OfWhatIsSmallAreNotSharedAway) {
 
 // On glossy surfaces each ray sees another part of a gradient. Its light is as accurate as EPS
 // requires even if a few rays prove that nothing is hidden.
-TEST(SkyShadows, WhatShinesUnderAGradientIsAsExactAsEpsAsksFor) {
+TEST(SkyShadows, GlossyReflectionOfAGradientIsWithinEps) {
   for (const float metallic : {0.0f, 1.0f}) {
     World world;
     Material material = matte(glm::vec3(0.8f));
@@ -307,7 +307,7 @@ TEST(SkyShadows, CountTheirRays) {
 
 // occlusionTexture, 1 + strength * (red - 1), applies only without sky shadows; otherwise occlusion
 // would count twice.
-TEST(SkyShadows, AMaterialsOcclusionStandsInForThem) {
+TEST(SkyShadows, ReplaceTheMaterialsOcclusion) {
   for (const Method method : {Method::asos, Method::sobol}) {
     for (const bool shadows : {false, true}) {
       World world;

@@ -184,7 +184,7 @@ TEST(TextureResolution, LeavesWhatBoundariesCutToTheirOwnAreas) {
 
 // A texture that changes its colour where it becomes hidden, like textures beyond their seams. The
 // hidden part must hardly contribute to a pixel on the seam.
-TEST(TextureResolution, WhatBoundariesHideOfATextureIsNotSeen) {
+TEST(TextureResolution, HiddenPartsOfTexturesDoNotContribute) {
   World world;
   Material m = unlit(glm::vec3(1.0f));
   const Image halves = make_image(256, 1, [](int x, int) {

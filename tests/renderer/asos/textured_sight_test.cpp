@@ -45,7 +45,7 @@ Difference difference_from_samples(World world, const Camera& camera) {
 
 // Dark metal with bright and rougher paint on it, both finer than pixels. The pixel's value differs
 // from that of a material with mean properties, by 0.058.
-TEST(TexturedSight, OfSeveralTexturesIsThatOfTheirProducts) {
+TEST(TexturedSight, AveragesProductsOfTextures) {
   World world;
   const auto painted = [](int x, int y) { return (x / 3 + y / 5) % 2 == 0; };
   Material m = matte(glm::vec3(1.0f));
@@ -67,7 +67,7 @@ TEST(TexturedSight, OfSeveralTexturesIsThatOfTheirProducts) {
 
 // A lid seen nearly from the side, within two rows of pixels, half black and half white: its far
 // half is foreshortened. The error was 0.008 without refinement.
-TEST(TexturedSight, OfWhatRecedesIsNotEven) {
+TEST(TexturedSight, WeightsForeshortenedTextures) {
   World world;
   const Image halves = make_image(64, 64, [](int, int y) {
     const std::uint8_t c = y < 32 ? 255 : 0;
@@ -84,7 +84,7 @@ TEST(TexturedSight, OfWhatRecedesIsNotEven) {
 // A flat sheet whose corners have random coordinates in a texture of broad stripes: a triangle's
 // mapping must not be extrapolated beyond its edges. With extrapolation the error was 0.099; a few
 // samples with their own footprints have 0.013.
-TEST(TexturedSight, OfSeveralTrianglesIsTheirs) {
+TEST(TexturedSight, DoesNotExtrapolateOneTriangle) {
   constexpr std::uint32_t cells = 6;
   World world;
   const Image stripes = make_image(256, 256, [](int x, int) {
@@ -113,7 +113,7 @@ TEST(TexturedSight, OfSeveralTrianglesIsTheirs) {
 
 // A flat sheet with black and white corners: edges between its triangles are no edges for ASOS, but
 // the colour gradient changes there. With extrapolation of one triangle the error was 0.093.
-TEST(TexturedSight, OfColoursThatBendAtAnEdge) {
+TEST(TexturedSight, InterpolatesVertexColoursPerTriangle) {
   constexpr std::uint32_t cells = 20;
   World world;
   std::mt19937 random(5);
@@ -136,7 +136,7 @@ TEST(TexturedSight, OfColoursThatBendAtAnEdge) {
 
 // A card with a black rim a tenth of a pixel wide, made of a strip of triangles along its edge.
 // With extrapolation of the card the error was 0.023.
-TEST(TexturedSight, OfANarrowRimIsTheRims) {
+TEST(TexturedSight, ShowsNarrowRims) {
   World world;
   const Image rim = make_image(2, 2, [](int, int y) {
     const std::uint8_t c = y == 0 ? 255 : 0;

@@ -38,7 +38,7 @@ double mean_behind(int slats, float period, float share) {
 
 // Slats hide a twentieth of the lamp, with a few of them above each pixel. Stopping once rays agree
 // would favour the majority: that was 0.02 too bright; 0.004 remain.
-TEST(ThinShadow, IsAsDarkAsSlatsAreWide) {
+TEST(ThinShadow, DarknessMatchesTheWidthOfSlats) {
   for (const float period : {0.0093f, 0.0131f, 0.0187f}) {
     const double lit = mean_behind(400, period, 0.05f) / mean_behind(0, period, 0.05f);
     RecordProperty("off_" + std::to_string(period), std::to_string(lit - 0.95));

@@ -86,7 +86,7 @@ TEST(TrueLight, OnABox) {
 
 // A glossy floor under an emissive panel made of triangles. Its lobe shows the panel, its
 // reflection does not, and the light is not lost. Textured emission is left to the reflection.
-TEST(TrueLight, ShowsAPanelThatShinesOnce) {
+TEST(TrueLight, CountsAnEmissivePanelOnce) {
   const Reflector reflector{{0.9, 0.6, 0.3}, 1.0, 0.3};
   const Light panel = light_of("rectangle");
   const auto exact = truth(Subject::plane, reflector, prepare_light(panel), 2);
@@ -112,7 +112,7 @@ TEST(TrueLight, ShowsAPanelThatShinesOnce) {
 
 // A flat emissive surface does not light itself: it has its own radiance, for any orientation and
 // rounding.
-TEST(TrueLight, DoesNotFallOnWhatShinesItself) {
+TEST(TrueLight, EmittersDoNotLightThemselves) {
   RandomSpace space(11);
   for (int i = 0; i < 8; ++i) {
     const glm::vec3 normal(space.direction());
@@ -150,7 +150,7 @@ TEST(TrueLight, DoesNotFallOnWhatShinesItself) {
 
 // Where a light is partly below the horizon, its part above the horizon is visible. Testing the
 // other part finds no occluder.
-TEST(TrueLight, DoesNotGoOutWhereALightSets) {
+TEST(TrueLight, StaysWhereALightSets) {
   World world;
   add_sphere(world, glm::vec3(0.0f), 0.45f, 64, matte(glm::vec3(0.9f)));
   Light light = placed(rectangle_light());

@@ -17,7 +17,7 @@
 namespace asos::test::turned_lobe_test {
 namespace {
 
-TEST(TurnedLobe, IsTheMeanOfItsTexelsHighlights) {
+TEST(TurnedLobe, AveragesTheTexelsHighlights) {
   constexpr int side = 40;
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> any(0.0, 6.283185307179586);

@@ -31,7 +31,7 @@ Light panel_of(float intensity) {
   return panel;
 }
 
-TEST(UnsureHighlight, HasTheSkysLightOnce) {
+TEST(UnsureHighlight, CountsSkyLightOnce) {
   // A glossy floor under a panel that a board half covers.
   World world;
   Material floor = matte(glm::vec3(0.4f));
@@ -55,7 +55,7 @@ TEST(UnsureHighlight, HasTheSkysLightOnce) {
 
 // A bar hides a twenty-fifth of a panel, but all of it that a smooth floor reflects at its centre.
 // A highlight's visibility is that of its own part of the light, not the light's mean visibility.
-TEST(UnsureHighlight, IsHiddenWhereItsPlaceOfTheLightIs) {
+TEST(UnsureHighlight, IsHiddenWithItsPartOfTheLight) {
   World world;
   Material floor = matte(glm::vec3(0.2f));
   floor.roughness = 0.08f;
@@ -93,7 +93,7 @@ TEST(UnsureHighlight, IsHiddenWhereItsPlaceOfTheLightIs) {
 
 // Arrows whose heads occlude most of a panel for their shafts. The first few samples may all miss
 // its visible rest, and then agree on darkness.
-TEST(UnsureHighlight, IsNotTakenForNoneByItsFirstSamples) {
+TEST(UnsureHighlight, IsFoundEvenIfFirstSamplesMissIt) {
   const auto shared = shared_dir();
   if (!shared) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";
   const auto loaded = load_scene(*shared / "scenes/OrientationTest/OrientationTest.glb");

@@ -59,13 +59,13 @@ double most_off(const RenderSettings& settings) {
   return most;
 }
 
-TEST(Background, AsosKnowsTheCoverageOfAHalfPlaneExactly) {
+TEST(Background, AsosCoverageOfAHalfPlaneIsExact) {
   EXPECT_LT(most_off(clear(Method::asos)), 2e-6);
   EXPECT_LT(most_off(clear(Method::beam)), 2e-6);
 }
 
 // With n strata per side the error is less than the strata that the line crosses.
-TEST(Background, SamplersCountIt) {
+TEST(Background, SamplersEstimateCoverage) {
   for (const Method method : {Method::uniform, Method::stochastic, Method::sobol}) {
     const double off = most_off(clear(method, 256));
     EXPECT_LT(off, 2.0 / 16.0) << static_cast<int>(method);
@@ -94,7 +94,7 @@ TEST(Background, ADiskCoversItsArea) {
 }
 
 // Pixels are mixed by coverage for every kind of background, so edges are equally exact.
-TEST(Background, IsMixedByTheCoverage) {
+TEST(Background, IsBlendedByCoverage) {
   const auto scene = test::make_render_scene(half_plane(test::matte(glm::vec3(0.7f, 0.2f, 0.1f))));
   for (const Method method : {Method::asos, Method::sobol, Method::beam}) {
     const BlockResult alone = test::render_small(*scene, clear(method));

@@ -107,7 +107,7 @@ TEST(ExactVisibility, ATriangleWithinTheSquareKeepsItsAreaAndCentroid) {
   EXPECT_NEAR(seen.parts[0].centroid.y, 1.3 / 3.0, 1e-14);
 }
 
-TEST(ExactVisibility, ARectangleWithinTheSquareIsAllThatIsLookedAt) {
+TEST(ExactVisibility, LimitsTheResultToARectangle) {
   const FrameRectangle rectangle{{0.25, 0.5}, {0.5, 0.75}};
   const Seen seen({Corners{at(-1, -1, 2), at(3, -1, 2), at(-1, 1.25, 2)}}, unit_frame(), rectangle);
   // The hypotenuse u * 2.25 + v * 4 = 2.75 crosses v = 0.5 at u = 1 / 3.
@@ -173,7 +173,7 @@ TEST(ExactVisibility, CornersBehindTheApexNeedNoSpecialCase) {
   EXPECT_NEAR(seen.total, 1.0, 1e-11);
 }
 
-TEST(ExactVisibility, WhatHasNoAreaIsNotThere) {
+TEST(ExactVisibility, IgnoresTrianglesWithoutArea) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Frame frame = unit_frame();
   EXPECT_FALSE(make_facet(frame, 0, {at(0, 0, 1), at(1, 1, 2), at(0.5, 0.5, 3)}));  // edge-on

@@ -174,7 +174,7 @@ double worst(const Furnace& f, Method method) {
 class EveryLobe : public testing::TestWithParam<Lobe> {};
 
 // A pixel of 512 samples, or one within EPS of its mean, differs only by noise.
-TEST_P(EveryLobe, ReturnsWhatItDoesOfAFlatSurface) {
+TEST_P(EveryLobe, ReflectsAsOnAFlatSurface) {
   constexpr double of_samples = 0.02, of_asos = 0.03;
   for (const Mesh mesh : {Mesh::sphere, Mesh::normal_map}) {
     for (const double roughness : {0.0, 0.05, 0.1, 0.2, 0.35, 0.5, 1.0}) {

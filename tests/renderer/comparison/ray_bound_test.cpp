@@ -60,7 +60,7 @@ TEST(RayBound, SamplesConvergeOnTheCoverageOfAnObliqueEdge) {
   }
 }
 
-TEST(RayBound, FindsWhatNoSampleMeetsAndNotWhatIsHidden) {
+TEST(RayBound, FindsUnsampledButNotHiddenObjects) {
   World world;
   add_card(world, {-9, -9}, {17, 17}, unlit(glm::vec3(0)));
   add_card(world, {2.03f, 5.04f}, {2.06f, 5.07f}, unlit(glm::vec3(1)), 1.0f);

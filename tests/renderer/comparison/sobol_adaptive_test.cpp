@@ -51,7 +51,7 @@ TEST(SobolAdaptive, AnEdgeAndItsNeighboursTakeMoreSamplesThanTheRest) {
 }
 
 // A wire 1/25 pixel wide, which the 16 samples of every third pixel miss.
-TEST(SobolAdaptive, WhatTheFirstSamplesMissIsFoundByTheNeighbours) {
+TEST(SobolAdaptive, NeighboursFindWhatFirstSamplesMiss) {
   World world;
   add_card(world, {-9, -9}, {17, 17}, unlit(glm::vec3(0)));
   add_card(world, {3.51f, -9}, {3.55f, 17}, unlit(glm::vec3(1)), 0.5f);
@@ -87,7 +87,7 @@ TEST(SobolAdaptive, EqualsSobolWithAsManySamples) {
   for (int x = 0; x < 8; ++x) EXPECT_NEAR(red_at(all, x, 5), red_at(sobol, x, 5), 1e-6) << x;
 }
 
-TEST(SobolAdaptive, WhatIsWhiteAsShownIsDone) {
+TEST(SobolAdaptive, StopsAtDisplayedWhite) {
   const auto white = make_render_scene(two_colours(3.3f, glm::vec3(2), glm::vec3(9)));
   EXPECT_EQ(render_small(*white, adaptive(0.0, 8)).statistics.eye_rays, pixels * 16);
   const auto grey = make_render_scene(two_colours(3.3f, glm::vec3(0.5f), glm::vec3(9)));
@@ -99,7 +99,7 @@ TEST(SobolAdaptive, WhatIsWhiteAsShownIsDone) {
 
 // Neutral displays values above white with differences of several steps, so an edge between two of
 // them is refined.
-TEST(SobolAdaptive, WhatTheCurveTellsApartGoesOn) {
+TEST(SobolAdaptive, RefinesDifferencesVisibleThroughTheCurve) {
   const auto bright = make_render_scene(two_colours(3.3f, glm::vec3(1.2f), glm::vec3(4)));
   RenderSettings settings = adaptive(1.0 / 4096.0, 4);
   EXPECT_EQ(render_small(*bright, settings).statistics.split_pixels, 0u);

@@ -58,7 +58,7 @@ class ContourOf : public testing::TestWithParam<Case> {};
 
 // A path between a transparent and an opaque point crosses the curve an odd number of times; one
 // between points of the same kind, an even number.
-TEST_P(ContourOf, PartsWhatIsCutOutFromWhatIsNot) {
+TEST_P(ContourOf, SeparatesOpaqueFromTransparent) {
   constexpr double tolerance = 1e-4;
   for (const Wrap wrap_u : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
     for (const Wrap wrap_v : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(Textures, ContourOf, testing::ValuesIn(cases),
                          [](const auto& tested) { return tested.param.name; });
 
 // A checkerboard at half its alpha: the curve's arcs meet halfway between four texels.
-TEST(AlphaContour, IsTwoLinesWhereSaddlesLieOnIt) {
+TEST(AlphaContour, SplitsSaddlesIntoTwoLines) {
   Texture sampler;
   const Image image = make_image(2, 2, [](int x, int y) -> Texel {
     return {0, 0, 0, static_cast<std::uint8_t>(x == y ? 254 : 0)};

@@ -70,7 +70,7 @@ bool solid(const World& world, glm::dvec2 p) {
   return false;
 }
 
-TEST(CutOuts, LinesPartHolesFromWhatRaysMeet) {
+TEST(CutOuts, LinesSeparateHolesFromOpaqueParts) {
   for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
     for (const Filter filter : {Filter::linear, Filter::nearest}) {
       const World world = fan(wrap, filter);
@@ -165,7 +165,7 @@ TEST(CutOuts, StandOnTheTriangles) {
 }
 
 // Cut-outs without an outline are marked as such and get no lines.
-TEST(CutOuts, LeaveToSamplesWhatTheyDoNotOutline) {
+TEST(CutOuts, MarkCutOutsWithoutOutlineForSampling) {
   const auto left_out = [](World world, const CutOutBudget& budget = {}) {
     const CutOuts found = find_cut_outs(world, budget);
     EXPECT_TRUE(found.lines.empty());
@@ -219,7 +219,7 @@ void add_thicket(World& world, const Material& material) {
 }
 
 // Trees with too many lines use up little of the budget for the others.
-TEST(CutOuts, WhatHasFarTooManyLinesLeavesTheOthersTheirLooks) {
+TEST(CutOuts, ComplexCutOutsLeaveBudgetForOthers) {
   World world = fan(Wrap::repeat, Filter::linear);
   const Material material = world.materials[0];
   world = World{};
@@ -238,7 +238,7 @@ TEST(CutOuts, WhatHasFarTooManyLinesLeavesTheOthersTheirLooks) {
   EXPECT_GT(found.lines.size(), 100u);
 }
 
-TEST(CutOuts, TellWhichSidesAreCutOut) {
+TEST(CutOuts, FindTransparentSides) {
   World world;
   Material material = matte({1, 1, 1});
   material.alpha_mode = AlphaMode::mask;
@@ -272,7 +272,7 @@ TEST(CutOuts, TellWhichSidesAreCutOut) {
 }
 
 // Sides through the outer halves of a texture's first and last texels.
-TEST(CutOuts, SayOfNoSideThatIsMetThatItIsCutOut) {
+TEST(CutOuts, VisibleSidesAreNeverDropped) {
   for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
     World world;
     Material material = matte({1, 1, 1});

@@ -50,7 +50,7 @@ class ExrClaims : public testing::Test {
   std::string whole_;
 };
 
-TEST_F(ExrClaims, OfWhatIsThereAreFine) {
+TEST_F(ExrClaims, HonestSizesAreAccepted) {
   EXPECT_EQ(fault_of(whole_), "");
   EXPECT_EQ(fault_of(with_attribute(whole_, attribute("string", "abc", 3))), "");
   const auto read = read_exr(folder_.file("whole.exr"));

@@ -84,7 +84,7 @@ TEST_F(PictureWriterTest, CoverageIsTheAlphaChannel) {
   png_image_free(&image);
 }
 
-TEST_F(PictureWriterTest, WhatIsNotFinishedLeavesNothing) {
+TEST_F(PictureWriterTest, UnfinishedFilesAreRemoved) {
   folder.write("old.png", "old");
   for (const char* name : {"old.png", "new.exr"}) {
     const std::string to = folder.file(name);

@@ -115,7 +115,7 @@ TEST(AnimationFaults, JointsThatDoNotExistAreIgnoredWithARemark) {
   EXPECT_EQ(world_vertex(posed(scene, 1), 0), glm::dvec3(2, 0, 0));
 }
 
-TEST(AnimationFaults, ACircleOfNodesIsCutAndMovesAllTheSame) {
+TEST(AnimationFaults, NodeCyclesAreCutAndStillMove) {
   GltfBuilder b = moving({0, 1}, two);
   b.json["nodes"] = {{{"mesh", 0}, {"children", {1}}}, {{"children", {0}}}};
   const Scene scene = with_rig(b);
@@ -125,7 +125,7 @@ TEST(AnimationFaults, ACircleOfNodesIsCutAndMovesAllTheSame) {
 
 // A key with a huge scale places a node at infinity: there is nothing to draw at that time, but at
 // others there is.
-TEST(AnimationFaults, AMomentWithNothingToDrawIsAnErrorOfItsOwn) {
+TEST(AnimationFaults, EmptyMomentIsAnError) {
   GltfBuilder b = GltfBuilder::square();
   b.json["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"children", {3}}}};
   b.json["nodes"] = nlohmann::json::array();
@@ -143,7 +143,7 @@ TEST(AnimationFaults, AMomentWithNothingToDrawIsAnErrorOfItsOwn) {
 
 // The samplers use different ranges of the same bytes. Expanded separately, they would take a
 // thousand times the memory.
-TEST(AnimationFaults, KeysThatLieOverEachOtherDoNotFillTheMemory) {
+TEST(AnimationFaults, OverlappingKeysUseBoundedMemory) {
   GltfBuilder b = GltfBuilder::square();
   const std::size_t count = 1 << 15;
   const int view = b.view(std::vector<float>(count + 4096, 0.0f));

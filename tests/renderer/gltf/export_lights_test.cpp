@@ -109,7 +109,7 @@ TEST(ExportLights, EveryKindComesBackAsItWas) {
   EXPECT_TRUE(back.instances[1].shows_light);
 }
 
-TEST(ExportLights, NothingIsAskedOfOtherPrograms) {
+TEST(ExportLights, RequiresNoExtension) {
   const json root = exported(lit_scene());
   EXPECT_FALSE(root.contains("extensionsRequired"));
   EXPECT_EQ(root["extensionsUsed"], (json{"EXT_lights_area", "KHR_lights_punctual"}));

@@ -51,7 +51,7 @@ float largest(glm::vec3 v) {
 
 class AimKernel : public testing::TestWithParam<AimedBy> {};
 
-TEST_P(AimKernel, RaysAreTheOnesOfThePointsOneByOne) {
+TEST_P(AimKernel, RaysMatchTheScalarFunctions) {
   const bool by_radiance = GetParam() == AimedBy::radiance;
   for (const auto& [scale, offset] : scales) {
     const LitSubjects batch(static_cast<std::uint64_t>(std::log10(scale) + 60.0), scale, offset);
@@ -156,7 +156,7 @@ TEST(RepeatedPoint, HasNoSheenThatAnotherHad) {
 }
 
 // The mean is the closed form of the light (Lambert's sum; the view factor for spheres and disks).
-TEST(AimedRays, WeighTogetherWhatTheWholeLightGives) {
+TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
   SurfacePoint point;
   point.position = {0.7f, 0.0f, 0.2f};
   point.shading_normal = point.geometric_normal = {0, 1, 0};

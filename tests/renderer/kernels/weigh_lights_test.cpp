@@ -67,7 +67,7 @@ Carried carried_of(const LitSubjects& batch, const LightConstants& light, std::u
 }
 
 // Otherwise the mean would miss lights that are never selected.
-TEST(WeighLights, GivesWeightToAllThatMayCarrySomething) {
+TEST(WeighLights, GivesEveryContributingLightAWeight) {
   for (const auto& [scale, offset] : scales) {
     const LitSubjects batch(17, scale, offset);
     const std::vector<NamedLight> all = lights(scale, offset);
@@ -92,7 +92,7 @@ TEST(WeighLights, GivesWeightToAllThatMayCarrySomething) {
 
 // With selection probabilities w, the variance is the sum of E[c^2] / w; small w give noise. The
 // optimal w is the root of E[c^2].
-TEST(WeighLights, IsAboutWhatLightsAreWorth) {
+TEST(WeighLights, IsNearTheOptimalWeights) {
   const LitSubjects batch(18, 1.0, {0, 0, 0});
   const std::vector<NamedLight> all = lights(1.0, {0, 0, 0});
   const Table table(all);
@@ -142,7 +142,7 @@ TEST(WeighLights, IsTheIrradianceOfSmallLights) {
 
 // A wall light: a floor point next to it sees half of its hemisphere filled, whatever the light's
 // length and centre.
-TEST(WeighLights, KnowsALargeLightByWhatIsNear) {
+TEST(WeighLights, UsesTheNearPartOfLargeLights) {
   LitSubject s;
   s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
   s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, {0, 1, 0}, 1.0f});

@@ -51,7 +51,7 @@ TEST(Irradiance, OfADirectionalLightIsItsLux) {
     EXPECT_NEAR(irradiance(test::sun_light(diameter), facing), 5.0, 1e-5) << diameter;
 }
 
-TEST(Irradiance, OfABallIsItsCandelaOverTheSquare) {
+TEST(Irradiance, OfASphereMatchesAPointAtItsCentre) {
   // A sphere light that the horizon does not cut acts as a point light at its centre.
   for (const double radius : {1e-4, 0.5, 1.9}) {
     EXPECT_NEAR(irradiance(test::ball_light(radius), {{0, 0, 0}, up, up}), 1.25, 1e-6) << radius;

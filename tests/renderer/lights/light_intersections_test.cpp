@@ -53,7 +53,7 @@ TEST(LightIntersections, LieWhereASurfaceMeetsTheLightsPlane) {
   EXPECT_NEAR(length_of(cuts), 1.0 + 1.0 / 16.0, 1e-6);
 }
 
-TEST(LightIntersections, AreOnlyOfWhatMeetsTheLight) {
+TEST(LightIntersections, AreFoundOnlyForCrossingSurfaces) {
   EXPECT_TRUE(cuts_of(wall(1.01, 0.0, 8.0), ceiling_light()).empty());
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 1.999), ceiling_light()).empty());
   EXPECT_TRUE(cuts_of(wall(0.25, 2.001, 8.0), ceiling_light()).empty());

@@ -117,7 +117,7 @@ TEST(SampleLight, BySolidAngleIsEvenUnderALargeRectangle) {
 
 // No sample is wasted below a floor for an upright rectangle that stands in it; few are for a
 // tilted one.
-TEST(SampleLight, OfARectangleGoesToWhatIsAboveTheHorizons) {
+TEST(SampleLight, SamplesOnlyThePartAboveTheHorizons) {
   Light wall = test::rectangle_light();
   wall.position = {0, -0.2, -1.0};
   wall.direction = {0, 0, 1};

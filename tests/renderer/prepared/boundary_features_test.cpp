@@ -25,7 +25,7 @@ TEST(BoundaryFeatures, AreKnownToBeNoneWithoutASearch) {
   EXPECT_TRUE(boundaries.get().edges().empty());
 }
 
-TEST(BoundaryFeatures, WhoAsksWaitsUntilTheyAreFound) {
+TEST(BoundaryFeatures, BlocksUntilTheSearchEnds) {
   const World world = test::still_life().world;
   Gate gate;
   BoundaryFeatures boundaries;
@@ -60,7 +60,7 @@ TEST(BoundaryFeatures, WaitingEndsWithAStop) {
   });
 }
 
-TEST(BoundaryFeatures, TheirEndStopsTheSearch) {
+TEST(BoundaryFeatures, DestructionStopsTheSearch) {
   Gate never;
   bool stopped = false;
   {
@@ -73,7 +73,7 @@ TEST(BoundaryFeatures, TheirEndStopsTheSearch) {
   EXPECT_TRUE(stopped);
 }
 
-TEST(BoundaryFeatures, TellThatTheyCouldNotBeFound) {
+TEST(BoundaryFeatures, ReportsAFailedSearch) {
   BoundaryFeatures boundaries;
   boundaries.find([](const std::stop_token&) -> FeatureSet { throw std::bad_alloc(); });
   EXPECT_FALSE(boundaries.wait());

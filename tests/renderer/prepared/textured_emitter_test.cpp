@@ -110,7 +110,7 @@ TEST(TexturedEmitter, AGradientIsWithinItsBlocks) {
   expect_integral(emitter(ramp, Filter::linear, false), false, 0.05);
 }
 
-TEST(TexturedEmitter, WhatIsMaskedAwayDoesNotShine) {
+TEST(TexturedEmitter, MaskedPartsDoNotEmit) {
   const Image holes = make_image(4, 4, [](int x, int y) {
     return Texel{255, 255, 255, static_cast<std::uint8_t>(x == 0 || y == 3 ? 255 : 0)};
   });

@@ -86,7 +86,7 @@ TEST(WithGround, LiesAtTheLowestPointAndIsSizedByTheScene) {
 }
 
 // The original scene stays unchanged, in all that is reported about it.
-TEST(WithGround, IsNoPartOfTheSceneThatItWasPutUnder) {
+TEST(WithGround, DoesNotChangeTheOriginalScene) {
   const auto bare = ready(board(false));
   const auto before = bare->world().triangles.size();
   const auto scene = with_ground(bare, Ground::mirror).value();
@@ -185,7 +185,7 @@ TEST(WithGround, LinesAreNoGroundToStandOn) {
   EXPECT_EQ(with_ground(only, Ground::on).value(), only);
 }
 
-TEST(WithGround, NothingIsPutUnderNothing) {
+TEST(WithGround, EmptyScenesGetNoGround) {
   const auto bare = ready(board(false));
   EXPECT_EQ(with_ground(bare, Ground::off).value(), bare);
   Scene empty = board(false);

@@ -262,7 +262,7 @@ double sum_of(const std::vector<double>& shares) {
 }
 
 // CGF'98 section 3.1 claims "accurate to within the tolerance", but considers one object at a time.
-TEST(PublishedRule, BreaksItsPromiseWhereSeveralObjectsChangeTogether) {
+TEST(PublishedRule, FailsForSeveralObjectsThatChangeTogether) {
   const PolygonScene scene = four_rectangles();
   const double eps = 0.25;
   const double truth = sum_of(by_oracle(scene.world));

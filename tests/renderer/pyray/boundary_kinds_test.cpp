@@ -41,13 +41,13 @@ TEST(BoundaryKinds, AnOpenEdge) {
     expect_kinds(subdivide(scene.world, rules_of(3, 0.0, exact)).outcome, {FeatureKind::open});
 }
 
-TEST(BoundaryKinds, AKinkOfWhichBothSidesAreSeen) {
+TEST(BoundaryKinds, CreaseWithBothSidesVisible) {
   const PolygonScene scene = ridge(4.0, 3.0);
   for (const bool exact : {true, false})
     expect_kinds(subdivide(scene.world, rules_of(3, 0.0, exact)).outcome, {FeatureKind::crease});
 }
 
-TEST(BoundaryKinds, AKinkOfWhichOneSideIsTurnedAwayIsASilhouette) {
+TEST(BoundaryKinds, CreaseWithOneSideHiddenIsASilhouette) {
   const PolygonScene scene = ridge(-2.9, 9.0);
   const SubdivisionOutcome outcome = subdivide(scene.world, rules_of(3)).outcome;
   expect_kinds(outcome, {FeatureKind::silhouette});
@@ -62,7 +62,7 @@ TEST(BoundaryKinds, ALineWhereSurfacesPassThroughEachOther) {
   expect_kinds(subdivide(scene.world, rules_of(3)).outcome, {FeatureKind::intersection});
 }
 
-TEST(BoundaryKinds, WhatIsHiddenDoesNotCount) {
+TEST(BoundaryKinds, IgnoresHiddenEdges) {
   PolygonScene scene = ridge(4.0, 3.0);
   add_polygon(scene, half_plane({0.5, 0.5}, 1.0), 50.0);
   // The sample at the centre reveals that it is hidden.

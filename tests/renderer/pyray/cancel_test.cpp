@@ -49,7 +49,7 @@ class ImpatientCaster final : public BruteForceCaster {
 
 class Cancel : public testing::TestWithParam<StoppingRule> {};
 
-TEST_P(Cancel, AtAnyMomentAsksAboutNoSampleThatWasNotTaken) {
+TEST_P(Cancel, NeverReadsSamplesThatWereNotTaken) {
   PolygonScene scene;
   add_polygon(scene, half_plane({0.3, 0.4}, 0.7), 3.0);
   add_polygon(scene, half_plane({0.6, 0.5}, 2.1), 2.0);

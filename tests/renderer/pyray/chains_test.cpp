@@ -119,7 +119,7 @@ TEST(ChainSimplifier, StaysWithinToleranceBothWays) {
   }
 }
 
-TEST(ChainSimplifier, KeepsWhatBendsMoreThanItMay) {
+TEST(ChainSimplifier, KeepsStrongBends) {
   const Segments corner = chain_of({{0, 0, 1}, {0.5f, 0.5f, 1}, {1, 0, 1}});
   EXPECT_EQ(simplify(corner, 0.49f).size(), 2u);
   EXPECT_EQ(simplify(corner, 0.51f).size(), 1u);
@@ -147,7 +147,7 @@ TEST(ChainSimplifier, SegmentsThatDoNotMeetStay) {
   EXPECT_TRUE(simplify({}, 0.1f).empty());
 }
 
-TEST(ChainSimplifier, WhereThreeMeetAllThreeEnd) {
+TEST(ChainSimplifier, EndsChainsAtJunctions) {
   std::mt19937 random(4);
   const glm::vec3 junction(0.4f, 0.6f, 1.0f);
   Segments arms;
@@ -215,7 +215,7 @@ TEST(ChainSimplifier, TheSameInputGivesTheSameBitsFromUsedMemory) {
 
 // A hidden piece must be hidden completely: a piece is as near as the nearest of the segments that
 // it replaces.
-TEST(ChainSimplifier, IsNowhereFartherThanTheChain) {
+TEST(ChainSimplifier, IsNeverFartherThanTheChain) {
   std::mt19937 random(9);
   const auto joints = wave(200, random);
   for (const Segment& s : simplify(chain_of(joints), 0.01f)) {

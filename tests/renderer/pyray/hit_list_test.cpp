@@ -107,7 +107,7 @@ TEST(HitLists, ChildrenNeedOnlyTheirParentsList) {
 
 // Thousands of open edges across the whole square, such as those of points as wide as a pixel, all
 // in front of the sampled surface.
-TEST(HitLists, ASaturatedCellKeepsTheRestClosedForItsQuarters) {
+TEST(HitLists, ASaturatedCellKeepsNodesClosed) {
   PolygonScene scene;
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);

@@ -116,7 +116,7 @@ TEST(ManyParts, FewAreCutWhateverSamplesCost) {
   EXPECT_NEAR(strips.wall, 0.8, 1e-6);
 }
 
-TEST(ManyParts, OfWhatWasSplitAreCut) {
+TEST(ManyParts, AreCutAfterASplit) {
   Strips strips(many);
   strips.trace(0, 0.5, 0.15);
   EXPECT_EQ(strips.outcome.deepest, 2) << "a fifth of it was uneven";

@@ -74,7 +74,7 @@ TEST(CellPartition, CrossingLinesMakeFourFaces) {
   EXPECT_NEAR(part_near(parts, 0.75f, 0.6f).area, 0.375, 1e-6);
 }
 
-TEST(CellPartition, AnIslandIsTakenFromWhatHoldsIt) {
+TEST(CellPartition, SubtractsIslandsFromTheirSurroundings) {
   CellPartition partition;
   const Segment lines[3] = {line(0.4, 0.4, 0.6, 0.4), line(0.6, 0.4, 0.5, 0.6),
                             line(0.5, 0.6, 0.4, 0.4)};
@@ -139,7 +139,7 @@ TEST(CellPartition, LinesAlongTheBorderBoundNothing) {
 }
 
 // An outline too small to cut along: its sample must not represent the cell.
-TEST(CellPartition, SamplesLieBesideSpecks) {
+TEST(CellPartition, PlacesSamplesOffSpecks) {
   CellPartition partition;
   for (const float size : {0.0f, 1e-7f, 1e-6f, 3e-6f, 1e-5f, 1e-3f}) {
     for (const glm::vec2 at : {glm::vec2(0.5f), glm::vec2(0.25f, 0.5f), glm::vec2(0.25f, 0.625f)}) {

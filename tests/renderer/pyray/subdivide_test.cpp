@@ -11,7 +11,7 @@
 namespace asos::test {
 namespace {
 
-TEST(Subdivide, NothingThereIsOneSample) {
+TEST(Subdivide, AnEmptyPixelTakesOneSample) {
   PolygonScene scene;
   add_polygon(scene, {{3, 3}, {4, 3}, {4, 4}}, 2.0);
   const Answer answer = subdivide(scene.world, rules_of(4));
@@ -73,7 +73,7 @@ TEST(Subdivide, SmallTrianglesInsideAPixelKeepTheirArea) {
 
 // Two overlapping half-planes at different depths: the far one is visible where the near one does
 // not cover it.
-TEST(Subdivide, WhatANearerSurfaceHidesDoesNotCount) {
+TEST(Subdivide, HiddenSurfacesDoNotCount) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < 500; ++i) {

@@ -91,7 +91,7 @@ TEST_P(EveryShare, WarpsUniformPointsToItsOwnDistribution) {
   EXPECT_NEAR(found / static_cast<double>(n), expected, 1.0 / n);
 }
 
-TEST_P(EveryShare, HasTheMomentsOfItsUniformLikenessInAnyPart) {
+TEST_P(EveryShare, MatchesTheMomentsOfItsUniformApproximation) {
   const BlurKernel kernel({GetParam(), 0.1});
   for (const glm::vec2 range : {glm::vec2(0, 1), {0.25f, 0.5f}, {0.1f, 0.95f}, {0.5f, 1.0f}}) {
     // The integrals of strips, as masses at their centres.

@@ -41,7 +41,7 @@ glm::dvec2 on_mirror(const PyrayPicture& picture, double u, double v) {
   return {p.x, p.y};
 }
 
-TEST(MirroredPyray, OfAPlaneBeginsAtTheMirroredApex) {
+TEST(MirroredPyray, StartsAtTheMirroredApex) {
   const Meeting m = meeting(0.7, 0.1, 0.1);
   const MirroredPyray sharp = blurred(m, 0.0);
   const glm::dvec3 apex = -10.0 * m.pyray.axis;
@@ -50,7 +50,7 @@ TEST(MirroredPyray, OfAPlaneBeginsAtTheMirroredApex) {
   EXPECT_EQ(sharp.sharp_share, glm::dvec2(1.0));
 }
 
-TEST(MirroredPyray, ABlurredOneOfASquareLeavesFromItsPatch) {
+TEST(MirroredPyray, BlurredStartsFromItsPatch) {
   // The patch is small relative to its distance, so the corners' directions do not matter.
   const MirroredPyray wide = blurred(meeting(0.5, 1e-3, 1e-3), 1e-3);
   const glm::dvec2 a = on_mirror(wide.picture, 0.0, 0.5), b = on_mirror(wide.picture, 1.0, 0.5);
@@ -61,7 +61,7 @@ TEST(MirroredPyray, ABlurredOneOfASquareLeavesFromItsPatch) {
 
 // A surface adjacent to a strip of mirror, such as a frame around a pane, must not be part of the
 // reflected pyray's start.
-TEST(MirroredPyray, ABlurredOneOfAStripDoesNotLeaveBesideIt) {
+TEST(MirroredPyray, BlurredStaysWithinANarrowStrip) {
   for (const double tilt : {0.0, 0.6, 1.2}) {
     for (const auto& [right, down] : {std::pair{1e-3, 8e-3}, {8e-3, 1e-3}, {2e-3, 2e-3}}) {
       for (const double width : {1e-4, 1e-2, 0.05}) {
@@ -83,7 +83,7 @@ TEST(MirroredPyray, ABlurredOneOfAStripDoesNotLeaveBesideIt) {
 }
 
 // Down to 1e-4 radian above the mirror, and with any lobe.
-TEST(MirroredPyray, ABlurredOneIsThereHoweverSteepTheView) {
+TEST(MirroredPyray, IsFoundAtGrazingAngles) {
   for (const double above : {0.1, 1e-2, 2.4e-3, 1e-4}) {
     for (const double width : {1e-9, 1e-6, 1e-3, 0.1}) {
       for (const double aside : {0.0, 0.6}) {

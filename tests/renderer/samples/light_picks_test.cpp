@@ -57,7 +57,7 @@ class Picked : public testing::Test {
   LightPicks picks_;
 };
 
-TEST_F(Picked, AreSoManyAPoint) {
+TEST_F(Picked, AreEvenlySpreadOverPoints) {
   std::vector<int> rays(point_count, 0);
   for (std::size_t light = 0; light < light_count; ++light)
     for (const std::uint32_t point : picks_.of(light).point) ++rays[point];
@@ -81,13 +81,13 @@ TEST_F(Picked, StandForEachLightOnTheAverage) {
   }
 }
 
-TEST_F(Picked, AlwaysHoldWhatIsBrighterThanARaysShare) {
+TEST_F(Picked, AlwaysIncludeBrightLights) {
   const LightPicks::Points picked = picks_.of(0);
   ASSERT_EQ(picked.point.size(), point_count);
   for (const float weight : picked.weight) EXPECT_EQ(weight, 1.0f);
 }
 
-TEST_F(Picked, NeverHoldWhatCarriesNothing) {
+TEST_F(Picked, NeverIncludeLightsWithoutContribution) {
   EXPECT_TRUE(picks_.of(light_count - 1).point.empty());
 }
 

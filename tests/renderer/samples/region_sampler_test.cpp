@@ -79,7 +79,7 @@ class TwoColours : public testing::Test {
 // The pixel in column 4 covers x from 0 to 1.
 constexpr Square crossed{4.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
 
-TEST_F(TwoColours, AreMixedByTheirAreas) {
+TEST_F(TwoColours, MeanMatchesTheAreas) {
   const auto found = sample({crossed, {}}, goal_of(-1.0, 1024));
   EXPECT_EQ(found.cost, 1024.0);
   // A net of 1024 points has 32 columns of 32 points; the line crosses one column.
@@ -105,7 +105,7 @@ TEST_F(TwoColours, StopOnceTheGoalIsMet) {
 }
 
 // A bright strip of a twentieth of the pixel: each sample that hits it changes the mean noticeably.
-TEST_F(TwoColours, GoOnWhereTheyAreFarOffAtMost) {
+TEST_F(TwoColours, SamplingContinuesForLargeErrors) {
   show_strip(0.05f, glm::vec3(60.0f));
   const auto few = sample({crossed, {}}, goal_of(0.004, 512, 64));
   const auto many = sample({crossed, {}}, goal_of(0.004, 4096, 64));
@@ -122,7 +122,7 @@ TEST_F(TwoColours, GoOnWhereTheyAreFarOffAtMost) {
 }
 
 // Variance that a few samples all miss is likely next to a pixel whose samples found it.
-TEST_F(TwoColours, GoOnBesideWhatIsNoisy) {
+TEST_F(TwoColours, SamplingContinuesNextToNoise) {
   show_strip(0.1f, glm::vec3(60.0f));
   RegionSampler::Goal goal = goal_of(0.02, 1024);
   goal.share = 1.0;
@@ -142,7 +142,7 @@ TEST_F(TwoColours, GoOnBesideWhatIsNoisy) {
 }
 
 // Samples that agree by chance may stop too early; this has to be rare.
-TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
+TEST_F(TwoColours, EstimatesMeetTheGoal) {
   constexpr double goal = 0.02;
   constexpr int squares = 512;
   constexpr float side = 1.0f / 64.0f, edge = 4.3f / 8.0f;
@@ -164,7 +164,7 @@ TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
 
 // A blurred reflection has more weight at its centre, also within a part that an edge leaves of a
 // square.
-TEST_F(TwoColours, AreSampledAsAKernelIsDistributed) {
+TEST_F(TwoColours, SamplesFollowTheKernel) {
   const BlurKernel kernel({0.4, 0.4});
   const Square all{0.0f, 0.0f, 1.0f};
   const float edge = 4.3f / 8.0f;  // where red ends
@@ -187,7 +187,7 @@ TEST_F(TwoColours, AreSampledAsAKernelIsDistributed) {
 }
 
 // A change of settings need not wait for a block of samples.
-TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
+TEST_F(TwoColours, SamplingStopsOnRequest) {
   std::stop_source stop;
   RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed, nullptr,
                         stop.get_token());
@@ -199,7 +199,7 @@ TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
 
 // Values above white have the same relative error as white; the value counts by its share of the
 // pixel.
-TEST_F(TwoColours, ThatAreBrighterThanWhiteMayBeAsMuchFurtherOff) {
+TEST_F(TwoColours, GoalIsRelativeAboveWhite) {
   show(glm::vec3(3), glm::vec3(2.5));
   const auto error_of = [&](double share) {
     return sample({crossed, {}}, goal_of(-1.0, 16, 16, share));
@@ -211,7 +211,7 @@ TEST_F(TwoColours, ThatAreBrighterThanWhiteMayBeAsMuchFurtherOff) {
   EXPECT_NEAR(half.error, part.error / (0.5 * part.value.x), 1e-9);
 }
 
-TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
+TEST_F(TwoColours, OnlySamplesInTheRegionCount) {
   // The part of the crossed pixel that is left of the seam, minus a tiny margin.
   const float u0 = crossed.u, u1 = crossed.u + 0.299f * crossed.side;
   const float v0 = crossed.v, v1 = crossed.v + crossed.side;
@@ -226,7 +226,7 @@ TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
 }
 
 // Samples are spread over the bounding rectangle; a thin region covers a small part of it.
-TEST_F(TwoColours, AsManyCountInAThinRegionAsInASquare) {
+TEST_F(TwoColours, ThinRegionsGetAsManySamples) {
   // A strip from corner to corner of a red pixel, an eleventh of its area.
   const Square pixel{1.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
   const auto at = [&](float u, float v) {
@@ -329,7 +329,7 @@ TEST(SharedShadows, PartsOfABumpyPixelTakeOneShadowRayTogether) {
 }
 
 // Two stages, the second by another sampler: within four times the goal, then within the goal.
-TEST_F(TwoColours, TwoStagesByAnySamplers) {
+TEST_F(TwoColours, TwoStagesMatchAcrossSamplers) {
   const auto sampler = [&] {
     return std::make_unique<RegionSampler>(*scene_, *viewer_, settings_, PixelRect{0, 0, 8, 8},
                                            settings_.seed);

@@ -54,7 +54,7 @@ double error_of(const RenderScene& scene, int spp) {
 
 // With footprints of half the square the errors are 0.028 and 0.012, with three quarters 0.020 and
 // 0.0083.
-TEST(SampleColours, AreAveragedOverMostOfWhatASampleStandsFor) {
+TEST(SampleColours, AverageOverMostOfTheFootprint) {
   const auto scene = lines();
   EXPECT_LT(error_of(*scene, 16), 0.024);
   EXPECT_LT(error_of(*scene, 64), 0.010);

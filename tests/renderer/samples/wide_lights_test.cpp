@@ -47,7 +47,7 @@ TEST(WideLights, HaveLittleNoise) {
 
 // Each point keeps one of its nine rays, for a quarter of the light of all nine. Each ray is kept
 // by as many points as it deserves.
-TEST(OnePicked, CarriesAllAndComesFromEachByItsShare) {
+TEST(OnePicked, KeepsTheTotalAndPicksInProportion) {
   constexpr std::size_t rays_a_point = 9, points = 128;
   const auto carried_by = [](std::size_t ray) { return static_cast<float>(ray % 5 + 1) / 6.0f; };
   std::vector<ShadowRayBatch> rays(rays_a_point);

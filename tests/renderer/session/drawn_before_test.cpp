@@ -69,7 +69,7 @@ RenderResult drawn_here(const Subject& subject) {
   return result;
 }
 
-TEST(DrawnBefore, ShowsInNoPicture) {
+TEST(DrawnBefore, LeavesNoTraceInLaterPictures) {
   std::vector<Subject> subjects;
   for (const char* name : {"boxes", "workshop", "office-metal", "glass", "neon"})
     add_subject(subjects, name);

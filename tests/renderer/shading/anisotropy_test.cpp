@@ -35,7 +35,7 @@ Reflector white(Reflector r) {
   return r;
 }
 
-TEST(Anisotropy, OfALightIsTheExtensionsFormula) {
+TEST(Anisotropy, MatchesTheExtensionsFormula) {
   for (const Reflector& reflector : reflectors()) {
     SCOPED_TRACE(reflector.anisotropy);
     expect_formula_under_suns(reflector, angles);
@@ -210,7 +210,7 @@ TEST(Anisotropy, TurnsAsTheMeshesTangentsDo) {
 }
 
 // Without tangents and coordinates there is no direction, and lobes are isotropic.
-TEST(Anisotropy, WithoutADirectionIsNone) {
+TEST(Anisotropy, IsOffWithoutADirection) {
   World world;
   Material m = matte(glm::vec3(0.5f));
   m.anisotropy.strength = 0.5f;

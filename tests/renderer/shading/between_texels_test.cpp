@@ -33,7 +33,7 @@ glm::dvec4 mean_of_seen(const Textured& t, std::optional<float> cutoff, glm::vec
   return {sum / seen, alpha / (n * n)};
 }
 
-TEST(BetweenTexels, ColoursThatAlphaBlendsOrCutsCountByWhatIsSeenOfThem) {
+TEST(BetweenTexels, ColoursAreWeightedByAlpha) {
   const Image columns = make_image(64, 64, [](int x, int) {
     constexpr Texel red{255, 0, 0, 255}, green{0, 255, 0, 102}, blue{0, 0, 255, 0};
     return x / 8 % 4 == 1 ? green : x / 8 % 4 == 2 ? blue : red;
@@ -67,7 +67,7 @@ TEST(BetweenTexels, ColoursThatAlphaBlendsOrCutsCountByWhatIsSeenOfThem) {
 
 // White labels on transparent black: along their outlines, interpolated colour and alpha vary
 // together, as in a point lookup.
-TEST(BetweenTexels, WhatIsSeenIsWhatLookupsAllOverThePatchSee) {
+TEST(BetweenTexels, VisibleColourMatchesLookups) {
   const Image labels = make_image(128, 128, [](int x, int y) {
     const bool label = x % 32 < 13 && y % 32 < 13;
     const std::uint8_t c = label ? 255 : 0;
@@ -106,7 +106,7 @@ glm::dvec3 mean_of_normals(const Textured& t, glm::vec2 middle, glm::vec2 a, glm
   return sum / static_cast<double>(n * n);
 }
 
-TEST(BetweenTexels, NormalsAreThoseOfLookupsAllOverThePatchAndWhatTheyLackIsVariance) {
+TEST(BetweenTexels, MeanNormalsMatchLookupsAndGiveVariance) {
   // Ridges tilted to either side by 30 degrees; random bumps; and a dome over the whole map.
   std::mt19937 rng(7);
   std::uniform_int_distribution<int> any(64, 191);

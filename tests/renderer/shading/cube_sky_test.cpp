@@ -101,7 +101,7 @@ TEST(CubeSky, ColoursAreDividedByAlpha) {
 }
 
 // A uniform grey: its irradiance and its radiance.
-TEST(CubeSky, OfOneColourIsThatSky) {
+TEST(CubeSky, UniformCubeIsAUniformSky) {
   const float grey = srgb_byte_to_linear(128);
   const Sky sky = sky_of(grey_cube(128));
   for (const glm::vec3 d : {glm::vec3(0.6f, 0.8f, 0.0f), glm::vec3(0.0f, -0.28f, 0.96f)}) {

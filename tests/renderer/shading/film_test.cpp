@@ -108,7 +108,7 @@ TEST(Film, ReflectsByAirysSum) {
 }
 
 // At larger angles Schlick's term reflects something even between air and air.
-TEST(Film, ThatIsNotThereIsTheBase) {
+TEST(Film, WithZeroThicknessIsTheBase) {
   for (const float cosine : {1.0f, 0.95f}) {
     const glm::vec3 found = film_fresnel({1.0f, 1.8f, 0.0f}, {0.04f, 0.5f, 0.9f}, cosine);
     const glm::vec3 expected(schlick(0.04, cosine), schlick(0.5, cosine), schlick(0.9, cosine));
@@ -139,7 +139,7 @@ TEST(Film, NeverReturnsMoreThanItGets) {
   }
 }
 
-TEST(Film, OfNoFactorChangesNoBit) {
+TEST(Film, WithZeroFactorChangesNoBit) {
   SurfaceMaterial m;
   m.base_color = {0.8f, 0.3f, 0.1f};
   m.roughness = 0.4f;

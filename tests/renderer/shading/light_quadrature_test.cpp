@@ -140,7 +140,7 @@ TEST(LightQuadrature, ASmallRoundLightIsOneCell) {
 }
 
 // Closed forms: the solid angle of a cone, and the projected one of a disk at normal incidence.
-TEST(LightQuadrature, ACellOfQuartersIsAllOfALight) {
+TEST(LightQuadrature, QuartersOfACellSumToTheLight) {
   std::vector<LightPatch> patches;
   const Receiver receiver{glm::dvec3(0.0), {0, 0, 1}, {0, 0, 1}};
   const PreparedLight sun = light_at("sun", direction(0.0, 0.0), 10.0, 1.0);

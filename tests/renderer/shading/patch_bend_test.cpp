@@ -85,7 +85,7 @@ struct FlatPatch {
 
 // A flat patch under a distant light is uniform. One with varying normals is not, the more so the
 // narrower its lobe; one wider than the highlight is left to the lobe.
-TEST(PatchBend, IsToldByTheLobe) {
+TEST(PatchBend, DependsOnTheLobe) {
   const FlatPatch flat;
   PreparedLight sun;
   sun.shape = PreparedLight::Shape::sun;
@@ -137,7 +137,7 @@ TEST(PatchBend, TurnsTheStretch) {
 }
 
 // With three by two parts, each has two points along each edge, with the same mean.
-TEST(PatchBend, DividesWhatIsWide) {
+TEST(PatchBend, DividesWidePatches) {
   const FlatPatch flat;
   const auto points = points_of(PatchBend{}, flat.view, {}, {3, 2});
   ASSERT_EQ(points.size(), 24u);

@@ -353,7 +353,7 @@ TEST(SpawnOrigin, ClearsTheErrorOfThePointAndNoMore) {
 
 // The shadow on a floor of a kilometre must not be displaced: a ray finds occluders on the line
 // from the point itself, not shifted by the floor's error bound.
-TEST(ShadowRay, ToASunBeginsOnItsOwnWay) {
+TEST(ShadowRay, ToASunStartsOnItsOwnLine) {
   World world;
   add_quad(world, {1000, 0, -1000}, {2000, 0, 0}, {0, 0, 2000}, matte(glm::vec3(1)));
   Hit hit;

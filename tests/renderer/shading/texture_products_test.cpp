@@ -58,7 +58,7 @@ class Surface {
 
 // White dielectric stripes and black metal, all of it rough: half of the surface is white, the
 // other half 0.04 of the remaining sky. The means would be a grey half metal.
-TEST(TextureProducts, MetalWhereColoursAreNot) {
+TEST(TextureProducts, ErrorForMetalBetweenColouredStripes) {
   Surface s;
   s.material.metallic = s.material.roughness = 1.0f;
   s.material.base_color_texture.texture = s.colours();
@@ -70,7 +70,7 @@ TEST(TextureProducts, MetalWhereColoursAreNot) {
 
 // Metal too rough for a mirror shows a fraction of the sky. The mean roughness is that of a mirror
 // in one case, and not in the other.
-TEST(TextureProducts, MirrorsBesideWhatIsTooRoughForThem) {
+TEST(TextureProducts, ErrorForMirrorsBetweenRoughStripes) {
   const float mirror = 26.0f / 255.0f;
   for (const int rough_byte : {120, 255}) {
     Surface s;
@@ -86,7 +86,7 @@ TEST(TextureProducts, MirrorsBesideWhatIsTooRoughForThem) {
 }
 
 // For a single texture the mean is correct, as for two textures that are independent.
-TEST(TextureProducts, NothingIsLostOfASingleTexture) {
+TEST(TextureProducts, NoErrorForASingleTexture) {
   Surface coloured;
   coloured.material.base_color_texture.texture = coloured.colours();
   EXPECT_FALSE(multiplies_textures(coloured.material, {}));

@@ -197,7 +197,7 @@ TEST(ConeError, IsFoundWhereTheRimIs) {
   EXPECT_EQ(cone_error(sharp, on_floor(0.0), square(0.1f)), 0.0f);
 }
 
-TEST(ConeError, OfASoftRimFallsWithTheSquareOfTheSize) {
+TEST(ConeError, FallsWithTheSquareOfTheSizeForSoftRims) {
   const PreparedLight soft = spot(0.2, 1.2);
   const float large = cone_error(soft, on_floor(0.7), square(0.04f));
   const float small = cone_error(soft, on_floor(0.7), square(0.01f));

@@ -81,14 +81,14 @@ double mean_checker_error(int max_level, bool outlined) {
 }
 
 // With known outlines, the sides of texels are edges that cut the light.
-TEST(AlphaShadow, OfAnOutlinedCutOutIsExact) {
+TEST(AlphaShadow, IsExactForOutlinedCutOuts) {
   for (int max_level = 2; max_level <= 6; ++max_level)
     EXPECT_LT(mean_checker_error(max_level, true), 1e-6) << max_level;
 }
 
 // A texel's outline crosses about 4 * 2^MAX finest cells, each with a random error of at most half
 // its area. The mean of many is far below this bound, which shrinks with the cells' side.
-TEST(AlphaShadow, OfACutOutLeftToSamplesGetsExacterWithEveryLevel) {
+TEST(AlphaShadow, ErrorOfSampledCutOutsFallsWithMax) {
   double last = 1.0, before_last = 1.0;
   for (int max_level = 1; max_level <= 6; ++max_level) {
     const double error = mean_checker_error(max_level, false);
@@ -119,7 +119,7 @@ Light bulb() {
 }
 
 // Half of the light is visible through one layer, a quarter through two.
-TEST(AlphaShadow, OfBlendedLayersIsTheProductOfWhatTheyLetThrough) {
+TEST(AlphaShadow, MultipliesTheTransmittanceOfBlendedLayers) {
   for (const Light& light : {panel(), bulb()}) {
     for (const float second : {0.0f, 0.625f}) {
       World world;
@@ -134,7 +134,7 @@ TEST(AlphaShadow, OfBlendedLayersIsTheProductOfWhatTheyLetThrough) {
 
 // A blended pane with an edge across the light: exact, because edges of blended surfaces are
 // searched.
-TEST(AlphaShadow, OfABlendedPanesEdgeIsExact) {
+TEST(AlphaShadow, IsExactAtTheEdgeOfABlendedPane) {
   World world;
   add_quad(world, {0.1f, -5, 1}, {10, 0, 0}, {0, 10, 0}, see_through(0.25f));
   ShadowFixture fixture(std::move(world), panel());
@@ -149,7 +149,7 @@ TEST(AlphaShadow, OfABlendedPanesEdgeIsExact) {
 }
 
 // The lamp's own quad is between the receiver and its light.
-TEST(AlphaShadow, OfALightsOwnPartIsNone) {
+TEST(AlphaShadow, IgnoresTheLightsOwnPart) {
   for (Light light : {panel(), bulb()}) {
     for (const std::int32_t own : {-1, 0, 1}) {
       World world;

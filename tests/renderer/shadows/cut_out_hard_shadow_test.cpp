@@ -185,7 +185,7 @@ Errors errors_at(int max_level, const Light& light, const Pattern& pattern, bool
 }
 
 // With known outlines, the sides of texels are edges that cut the shadow.
-TEST(CutOutHardShadow, IsExactWhereItIsOutlined) {
+TEST(CutOutHardShadow, IsExactForOutlinedCutOuts) {
   for (const Light& light : {bulb(), spot(), distant()}) {
     for (const Pattern& pattern : patterns) {
       for (const int max_level : {2, 4}) {
@@ -198,7 +198,7 @@ TEST(CutOutHardShadow, IsExactWhereItIsOutlined) {
 }
 
 // Another cut-out, far away, that is left to samples does not matter.
-TEST(CutOutHardShadow, IsCutNoLessWhereOthersAreSampled) {
+TEST(CutOutHardShadow, IsExactNextToSampledCutOuts) {
   const Light light = bulb();
   const auto rays_of = [&](bool others) {
     World world = floor_world();
@@ -224,7 +224,7 @@ TEST(CutOutHardShadow, IsCutNoLessWhereOthersAreSampled) {
 
 // The samples of crossed cells have random errors, so their sum falls with the cells' side to the
 // power of 3/2: to an eighth over two levels. Requires half of that reduction.
-TEST(CutOutHardShadow, LeftToSamplesGetsExacterWithEveryLevel) {
+TEST(CutOutHardShadow, ErrorOfSampledCutOutsFallsWithMax) {
   for (const Light& light : {bulb(), spot(), distant()}) {
     for (const Pattern& pattern : patterns) {
       std::vector<double> means;
@@ -273,7 +273,7 @@ double left_behind(const Polygon& region, const std::vector<Polygon>& sheets,
 }
 
 // Three sheets whose edges cross within the pixels.
-TEST(BlendedHardShadow, IsTheProductOfWhatSheetsLetThrough) {
+TEST(BlendedHardShadow, MultipliesTheTransmittanceOfSheets) {
   const std::vector<double> through{0.75, 0.5, 0.125};
   for (const Light& light : {bulb(), spot(), distant()}) {
     World world = floor_world();

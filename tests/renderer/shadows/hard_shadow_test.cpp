@@ -217,7 +217,7 @@ TEST(HardShadow, DoesNotMoveOnLargeTriangles) {
 
 // So many specks that MAX cannot resolve them and cuts are too expensive: they shadow half of the
 // pixel, which is sampled to EPS.
-TEST(HardShadow, OfManySpecksIsKnownToEps) {
+TEST(HardShadow, ManySpecksAreSampledToEps) {
   constexpr int count = 12;
   constexpr double space = 1.0 / count;
   const double size = std::sqrt(0.5) * space;

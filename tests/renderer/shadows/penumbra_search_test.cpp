@@ -101,7 +101,7 @@ TEST_F(PenumbraSearch, LeavesAPatchAloneThatNoShadowReaches) {
 
 // A ledge 0.01 above the plane, with an oblique light: the ledge's edge is behind the patch's
 // centre as seen from the light, but its shadow falls on a part of the patch.
-TEST_F(PenumbraSearch, FindsWhatHangsOverTheFarSideOfAPatch) {
+TEST_F(PenumbraSearch, FindsALedgeBehindThePatch) {
   lean_of_light = 1.1f;  // at 27 degrees: a shadow twice as long as its height
   const Patch patch{{0.1f, 0, 0}, {0, 0, 0.1f}};
   const auto ledge_from = [](double x) {
@@ -115,7 +115,7 @@ TEST_F(PenumbraSearch, FindsWhatHangsOverTheFarSideOfAPatch) {
 
 // The search is skipped if a few rays are accurate enough: for a small part of a pixel, or a dim
 // light.
-TEST_F(PenumbraSearch, IsNotMadeForPartsThatDeserveFewRays) {
+TEST_F(PenumbraSearch, IsSkippedIfFewRaysSuffice) {
   const Patch patch{{0.1f, 0, 0}, {0, 0, 0.1f}};
   EXPECT_GT(look(pole(0.002, 8.0), patch, 1.0).error, 0.1f);
   EXPECT_EQ(look(pole(0.002, 8.0), patch, 1.0 / 1024.0).error, 0.0f);

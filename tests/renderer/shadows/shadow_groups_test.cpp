@@ -116,13 +116,13 @@ void expect_same_shares(const std::string& name, const std::vector<Light>& light
   testing::Test::RecordProperty("worst_error", testing::PrintToString(worst));
 }
 
-TEST(ShadowGroups, SayWhatEachPointSaysAlone) {
+TEST(ShadowGroups, MatchSinglePoints) {
   expect_same_shares("boxes", all_lights(), 1e-5);
 }
 
 // Outlines of fine meshes are cut along chains that depend on the list's contents: equal within a
 // finest cell.
-TEST(ShadowGroups, SayWhatEachPointSaysAloneOfFineMeshes) {
+TEST(ShadowGroups, MatchSinglePointsForFineMeshes) {
   expect_same_shares("primitives", all_lights(), std::ldexp(1.0, -10));
   expect_same_shares("primitives-rectangle", all_lights(), std::ldexp(1.0, -10));
 }

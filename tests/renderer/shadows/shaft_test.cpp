@@ -69,7 +69,7 @@ TEST(Shaft, MissesNoEdgeThatCrossesAWayBetweenItsBoxes) {
 
 // Conservative, but not too much: boxes farther from the hull than a tenth of its size are
 // excluded.
-TEST(Shaft, LeavesOutWhatLiesBesideIt) {
+TEST(Shaft, ExcludesBoxesNextToIt) {
   const auto box = [](glm::vec3 lo, glm::vec3 hi) {
     Box b;
     b.grow(lo);

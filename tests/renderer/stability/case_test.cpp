@@ -23,7 +23,7 @@ TEST(StabilityCase, HoldsUpToItsBound) {
   EXPECT_FALSE(holds(finding_of(0.1000001, 0.1)));
 }
 
-TEST(StabilityCase, IsBrokenByWhatIsNoFigure) {
+TEST(StabilityCase, FailsForNaN) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(holds(finding_of(nan, 1.0)));
   EXPECT_FALSE(holds(finding_of(0.0, nan)));

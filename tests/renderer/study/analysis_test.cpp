@@ -113,7 +113,7 @@ TEST(Analyse, FindsAsosOwnBias) {
 
 // No method takes less than one sample: a rival that is better at its quickest setting has the time
 // of that setting.
-TEST(Analyse, ComparesAsosWhileItRendersWithSobolAtItsEnds) {
+TEST(Analyse, ComparesUnfinishedAsosWithFinishedSobol) {
   SceneStudy study = power_laws();
   EXPECT_TRUE(study.at_moments.empty()) << "no render was watched";
   for (StudyPoint& p : study.points)
@@ -135,7 +135,7 @@ TEST(Analyse, ComparesAsosWhileItRendersWithSobolAtItsEnds) {
   EXPECT_TRUE(study.at_moments[1].under_floor);
 }
 
-TEST(Analyse, ALossIsALoss) {
+TEST(Analyse, ReportsLosses) {
   SceneStudy study;
   study.points = {point("asos", "MAX 1", 2, 0.2), point("sobol", "1 spp", 1, 0.1),
                   point("sobol", "4 spp", 4, 0.05)};
@@ -161,7 +161,7 @@ TEST(Analyse, ComparesARivalAtItsBest) {
 }
 
 // A method whose errors stop falling: no time would suffice, and its longest time is a lower bound.
-TEST(Analyse, WhatIsNeverReachedHasABoundAndNoWinner) {
+TEST(Analyse, GivesALowerBoundForUnreachedErrors) {
   SceneStudy study;
   study.points = {point("asos", "MAX 2", 2, 0.001), point("average", "a", 1, 0.1),
                   point("average", "b", 3, 0.0999)};
@@ -181,7 +181,7 @@ TEST(Analyse, WhatIsNeverReachedHasABoundAndNoWinner) {
 }
 
 // Only a method whose last doublings hardly improve is reported as levelling off.
-TEST(Analyse, WhatLevelsOffIsToldFromWhatWasNotMeasuredLongEnough) {
+TEST(Analyse, DistinguishesLevellingOffFromShortMeasurements) {
   SceneStudy study;
   study.points = {point("asos", "MAX 2", 2, 1e-4), point("average", "a", 1, 0.1),
                   point("average", "b", 2, 0.099), point("average", "c", 4, 0.098)};
@@ -202,7 +202,7 @@ TEST(Analyse, WhatLevelsOffIsToldFromWhatWasNotMeasuredLongEnough) {
   EXPECT_EQ(study.equal_error[0].reading, Reading::measured);
 }
 
-TEST(Analyse, CountsWhatTheNoiseOfTheReferenceHides) {
+TEST(Analyse, CountsSettingsBelowTheNoiseFloor) {
   SceneStudy study;
   study.noise = 0.01;
   study.points = {point("asos", "a", 1, 0.1), point("asos", "b", 2, 0.03),
