@@ -26,7 +26,7 @@ class PictureSaver {
 
   /// Saves the displayed film as a PNG under the next free name, with the legend below a split map.
   [[nodiscard]] std::string save_shown(const DisplaySettings& shown);
-  /// Starts what the save dialog was confirmed with.
+  /// Starts the job that the save dialog has confirmed.
   [[nodiscard]] std::optional<std::string> begin(const SaveChoice& choice,
                                                  const DisplaySettings& shown, double now_seconds);
   /// Returns the message about the rendered picture, once.

@@ -25,7 +25,7 @@ struct SceneOrder {
 [[nodiscard]] SceneOrder order_of(const Previewer& previewer, std::string path);
 
 /// Loads the scene again and writes it with the edits. Returns the path, and a message that lists
-/// what the file cannot represent. Errors name the file and the reason.
+/// the unsupported parts. Errors name the file and the reason.
 [[nodiscard]] Result<std::string> export_edited(const SceneOrder& order);
 
 using SceneExportJob = StoppableJob<Result<std::string>>;

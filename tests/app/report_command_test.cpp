@@ -199,7 +199,7 @@ TEST(ReportCommand, MergedJobsGiveTheSameReportAsASingleRun) {
   const test::TemporaryFolder odd;
   const test::TemporaryFolder even;
   const test::TemporaryFolder merged;
-  // So small that the reference ends by its noise, not by time.
+  // A picture so small that the reference ends by its noise, not by time.
   const std::vector<std::string> study{
       "report",     "builtin:boxes", "--size", "8x6",           "--methods",
       "asos,sobol", "--budget",      "500",    "--repetitions", "1"};

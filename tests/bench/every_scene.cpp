@@ -11,7 +11,7 @@
 // --reference Sobol samples of two other seeds, without their noise (HalvedReference). Times are
 // CPU times, medians of alternating runs. "x" is the ratio of Sobol sampling's time to that of ASOS
 // at the same error, interpolated on its ladder (log-log): `e` marks an extrapolation beyond the
-// ladder, `*` an uncertain error of ASOS, for which x is a lower bound. Scenes with features that
+// ladder, `*` an uncertain error of ASOS, where x is a lower bound. Scenes with features that
 // are far brighter than white and smaller than a pixel need references of thousands of samples: the
 // clipped halves of smaller ones agree by chance.
 //

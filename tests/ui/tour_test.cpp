@@ -73,7 +73,7 @@ class TourOf {
     took_ = std::chrono::steady_clock::now() - begin;
     return found;
   }
-  /// Whether the search may have ended by its time limit, not because it was complete.
+  /// Whether the time limit may have ended the search before it was complete.
   [[nodiscard]] bool cut_short() const { return took_ > 0.9 * SplitPixelSearch::longest; }
   const UiState& state() { return rig.content().state(); }
   const Film& film() { return rig.previewer().render().film(); }

@@ -135,7 +135,7 @@ void Walker::fly() {
   if (below(4) != 0) put("fly", MouseChanged{MouseButton::right, false});
 }
 
-// Plays what the scene offers: its animation, or the turntable.
+// Plays, pauses, seeks or steps the scene's animation, if it has one.
 void Walker::play() {
   const unsigned what = below(4);
   const double seconds = 2.0 * static_cast<double>(share());

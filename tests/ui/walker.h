@@ -16,7 +16,7 @@
 
 namespace asos::test {
 
-/// Test scenes, some of which take a moment to load.
+/// Test scenes; some take a moment to load.
 [[nodiscard]] Result<Scene> load_some(const SceneSource& asked);
 
 /// A window with its model, from opening to closing.

@@ -14,7 +14,8 @@ struct OpenChoice {
   bool reload = false;  ///< the open scene's file
 };
 
-/// Opens the scene at once if `losses` is empty; otherwise lists them and asks for confirmation.
+/// Opens the scene immediately if `losses` is empty; otherwise lists them and asks for
+/// confirmation.
 void open_question(Controls& controls, OpenScene& scene, OpenChoice& choice,
                    const std::vector<std::string>& losses);
 

@@ -26,7 +26,7 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
 /// layers, EPS and MAX in a small window.
 void picture_bar(Controls& controls, Previewer& previewer, UiState& state);
 
-/// Whether keys are held that move the camera, so that the next frame is due at once.
+/// Whether the camera is moving because keys are held, which needs continuous frames.
 [[nodiscard]] bool flying();
 
 /// Draws the lights' marks over the picture, to select and to move lights.

@@ -64,7 +64,7 @@ TEST(GlassVolume, AddsNoLight) {
   }
 }
 
-// A frosted pane reflects what it does not transmit, and no more.
+// A frosted pane reflects the light that it does not transmit, and no more.
 TEST(GlassVolume, FrostedWallsAddNoLight) {
   Material glass = clear(1.5f);
   glass.volume.thickness = 0.0f;

@@ -299,7 +299,7 @@ TEST(RoughMeshes, ContinuousTexturesNeedNoSeam) {
   EXPECT_EQ(a.statistics.eye_rays, b.statistics.eye_rays);
   EXPECT_EQ(b.statistics.missed_splits, 0u);
   EXPECT_GT(render(*broken, Method::asos).statistics.eye_rays, a.statistics.eye_rays);
-  // 3 + u keeps 22 bits of u: 1e-6 of the width of 16 texels, each of which may go from 0 to 1.
+  // 3 + u keeps 22 bits of u: 1e-6 of the width of 16 texels, whose values may go from 0 to 1.
   EXPECT_TRUE(a.same(b, 1e-4f));
 }
 

@@ -27,7 +27,7 @@ TEST(Mitchell, AFlatPictureCostsFourRaysAPixel) {
 }
 
 // Of the sequence's first four points, two are in each half of the pixel, so an edge through its
-// centre is always detected. Of 256 points, each column of width 1/256 has one.
+// centre is always detected. Each column of width 1/256 has one of 256 points.
 TEST(Mitchell, EdgesTakeTheHighDensityAndAreExact) {
   for (const int spp : {16, 64, 256}) {
     const auto scene = make_render_scene(two_colours(4.5f, glm::vec3(1), glm::vec3(0)));

@@ -34,7 +34,7 @@ Lens aperture(int blades, double turn_rad = 0.0) {
   return lens;
 }
 
-/// Whether a point is in the polygon of `aperture`, scaled; by its distances from the sides.
+/// Whether a point is in the scaled polygon of `aperture`. Uses the distances from the sides.
 bool in_polygon(const Lens& lens, glm::dvec2 p, double scale) {
   const double step = 2.0 * pi / lens.blades;
   for (int k = 0; k < lens.blades; ++k) {

@@ -52,7 +52,7 @@ TEST(ImportValues, FiltersAndWrapsThatAreNoneAreSaid) {
     b.json["samplers"] = {{{name, std::string(name).starts_with("wrap") ? 33071 : 9728}}};
     EXPECT_EQ(warnings_of(b, "/samplers"), 0) << name;
   }
-  // Of the two filters, only minification may interpolate between levels.
+  // Only the minification filter may interpolate between levels.
   GltfBuilder b = GltfBuilder::square();
   b.json["samplers"] = {{{"magFilter", 9987}, {"minFilter", 9987}}};
   EXPECT_EQ(warnings_of(b, "Filter is 9987"), 1);

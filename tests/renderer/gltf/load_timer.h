@@ -14,7 +14,7 @@ namespace asos::test {
 /// Time limit to load or reject any file, in every kind of build.
 inline constexpr double longest_load_seconds = 5.0;
 
-/// Loads a file and expects it to stay within that limit of CPU time of all threads. That is at
+/// Loads a file and expects it to stay within that limit of CPU time of all threads. This is at
 /// least the wall-clock time of an idle machine, and independent of other load. A load that blocks
 /// runs into the test's own time limit.
 inline Result<Scene> load_in_time(const std::string& path, const LoadOptions& options = {}) {

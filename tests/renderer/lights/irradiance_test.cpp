@@ -117,7 +117,7 @@ Light turned_light(Light::Type type, RandomSpace& space) {
   return light;
 }
 
-// An emissive surface is in the plane of its own light, except for rounding. That light would fill
+// An emissive surface is in the plane of its own light, except for rounding. The light would fill
 // half of all directions or none, depending on the rounding.
 TEST(Irradiance, IsNothingInTheLightsOwnPlane) {
   RandomSpace space(7);

@@ -45,8 +45,8 @@ TEST(WideLights, HaveLittleNoise) {
   EXPECT_LT(e.rmse, 0.3);
 }
 
-// Each point keeps one of its nine rays, for a quarter of the light of all nine. Each ray is kept
-// by as many points as it deserves.
+// Each point keeps one of its nine rays, for a quarter of the light of all nine. The number of
+// points that keep a ray is proportional to its light.
 TEST(OnePicked, KeepsTheTotalAndPicksInProportion) {
   constexpr std::size_t rays_a_point = 9, points = 128;
   const auto carried_by = [](std::size_t ray) { return static_cast<float>(ray % 5 + 1) / 6.0f; };

@@ -29,7 +29,7 @@ double schlick(double f0, double cosine) {
   return f0 + (1.0 - f0) * std::pow(1.0 - cosine, 5.0);
 }
 
-/// Those of the extension ("Iridescence", evalSensitivity): Gaussians of the wave number. Their
+/// The extension's functions ("Iridescence", evalSensitivity): Gaussians of the wave number. Their
 /// transforms have the exponent -variance * phase^2, so `variance` is half of theirs.
 glm::dvec3 gaussian_sensitivities(double nm) {
   const auto lobe = [nm](double value, double position, double variance) {
