@@ -43,7 +43,7 @@ TEST(CompareFlicker, ReadsRivalsInTheTimeOfAsos) {
   compare_flicker(study);
   EXPECT_TRUE(study.points[1].under_floor);
   EXPECT_FALSE(study.points[0].under_floor);
-  ASSERT_EQ(study.equal_time.size(), 4u) << "exact is under the floor, so that nothing is known";
+  ASSERT_EQ(study.equal_time.size(), 4u) << "an exact method is below the noise floor, so unknown";
   const FlickerAtEqualTime& sobol = study.equal_time[0];
   EXPECT_EQ(sobol.method, "sobol");
   EXPECT_NEAR(sobol.rival_flicker, 0.1, 1e-6) << "half way, both axes logarithmic";

@@ -160,7 +160,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 TEST_F(OutsideText, LossesAreSaidOnceCountedAndKept) {
   for (const int losses : {1, 10, 11, 250}) {
     const std::string file = put(lossy(losses));
-    EXPECT_EQ(render({file, "--quiet"}).err, "") << "the files still say it";
+    EXPECT_EQ(render({file, "--quiet"}).err, "") << "the files still contain it";
     const AsosRun run = render({file});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto lines = static_cast<std::size_t>(std::min(losses, 10));

@@ -213,7 +213,7 @@ TEST_F(RenderCommand, AToneCurveTravelsWithThePicture) {
     }
     const auto said = read_description(path("a.png"));
     EXPECT_EQ(said->display.tone, tone.value);
-    EXPECT_EQ(said->settings.judged_tone, tone.value) << "EPS is judged as it shows";
+    EXPECT_EQ(said->settings.judged_tone, tone.value) << "EPS limits the displayed error";
     render("again.png", {"--from", path("a.png")});
     EXPECT_EQ(description_text(*read_description(path("again.png"))), description_text(*said));
     render("samples.png", {"--method", "sobol", "--spp", "4", "--tone", tone.name});

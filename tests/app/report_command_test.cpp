@@ -280,7 +280,7 @@ TEST(ReportCommand, WhatTakesTooLongIsGivenUpAndNamed) {
   const auto report = json::parse(content_of(folder.path() / "report.json"));
   const auto& scene = report["scenes"][0];
   EXPECT_TRUE(scene["points"].empty());
-  EXPECT_TRUE(scene["while_rendering"].empty()) << "no picture was waited for";
+  EXPECT_TRUE(scene["while_rendering"].empty()) << "no picture had to finish";
   ASSERT_EQ(scene["given_up"].size(), 14u);  // EPS 1/8 to 1/2048, and five settings of sobol
   EXPECT_EQ(scene["given_up"][0], "asos MAX 4 EPS 1/8");
   EXPECT_EQ(report["settings"]["longest_seconds"], 1e-9);

@@ -180,7 +180,8 @@ TEST(HtmlSummary, NamesTheWinnerAndTheLoser) {
   EXPECT_TRUE(contains(text, "<strong>slower</strong> than sobol"));
   EXPECT_TRUE(contains(text, "ASOS loses"));
   EXPECT_TRUE(contains(text, "<td class=\"t loss\">slower:"));
-  EXPECT_TRUE(contains(text, "there is no ASOS picture at all")) << "sobol is quicker than any";
+  EXPECT_TRUE(contains(text, "there is no ASOS picture at all"))
+      << "sobol is quicker than all others";
 }
 
 TEST(HtmlSummary, EscapesWhatAPathIsMadeOf) {

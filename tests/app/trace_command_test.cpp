@@ -137,7 +137,7 @@ TEST(TraceCommand, PyraysOfMirrorsAndLightsAreTold) {
       for (const json& cell : parent.at("cells"))
         for (const json& s : cell.at("samples"))
           is_there |= s.at("at") == p.at("from") && s.at("weight") == p.at("weight");
-      EXPECT_TRUE(is_there) << i << ": no leaf of its parent sent it";
+      EXPECT_TRUE(is_there) << i << ": no leaf of its parent started it";
       EXPECT_FALSE(p.at("cells").empty());
       if (p.at("kind") == "shadow") {
         ++shadows;

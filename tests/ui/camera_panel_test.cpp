@@ -46,7 +46,7 @@ TEST_F(CameraPanelTest, FromASideTheWholeSceneIsFramedAsItWasBefore) {
   const double all = distance();
   rig.key(Key::pad_three);
   const double from_the_side = distance();
-  EXPECT_LT(from_the_side, 0.9 * all) << "the triangles are seen edge on";
+  EXPECT_LT(from_the_side, 0.9 * all) << "from the side the triangles are edge on";
   rig.key(Key::pad_one);
   EXPECT_GT(distance(), 1.1 * from_the_side);
   // A distance that the user changed stays.

@@ -38,7 +38,7 @@ TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
   EXPECT_EQ(settings().asos.eps, eps) << "a drag is one step";
   EXPECT_TRUE(restarted());
   undo();
-  EXPECT_EQ(settings().asos.eps, eps) << "nothing more to take back";
+  EXPECT_EQ(settings().asos.eps, eps) << "nothing more to undo";
   redo();
   EXPECT_EQ(settings().asos.eps, second);
   redo();
@@ -47,7 +47,7 @@ TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
   rig.click("Cell shading/Point sample");
   rest();
   redo();
-  EXPECT_FALSE(settings().asos.jitter) << "a new step ends what could be done again";
+  EXPECT_FALSE(settings().asos.jitter) << "a new step clears the redo steps";
   EXPECT_EQ(settings().asos.leaf, LeafKind::point);
 }
 

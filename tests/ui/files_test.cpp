@@ -117,7 +117,7 @@ TEST(FileWatch, TellsOfAChangeOnceItRests) {
   std::vector<FileStamp> read = stamps();
   FileWatch watch;
   EXPECT_FALSE(watch.changed(read, 0.0));
-  EXPECT_FALSE(watch.changed(read, 1.1)) << "what is missing is nothing new";
+  EXPECT_FALSE(watch.changed(read, 1.1)) << "a missing file is no change";
   for (const std::string& file : {path, side, absent}) {
     write(file, "one and a half");
     EXPECT_FALSE(watch.changed(read, 1.5)) << "not yet a second";
@@ -184,11 +184,11 @@ TEST_F(WatchedFileTest, ReloadKeepsTheView) {
 TEST_F(WatchedFileTest, WatchingSurvivesAHalfWrittenFile) {
   rig.click("Watch file");
   rig.frame();
-  EXPECT_TRUE(rig.content().seconds_to_redraw().has_value()) << "it has to be looked at";
+  EXPECT_TRUE(rig.content().seconds_to_redraw().has_value()) << "the change is found by polling";
   write(path, "gre");
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   EXPECT_TRUE(rig.previewer().scene().reload_failed());
-  EXPECT_FALSE(green()) << "the scene from before stays";
+  EXPECT_FALSE(green()) << "the previous scene stays";
   write(path, "green");
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
   EXPECT_FALSE(rig.previewer().scene().error().has_value());
@@ -235,7 +235,7 @@ TEST(WatchedGltf, SideFilesAreLoadedAgain) {
   folder.write("s.bin", triangle(-3).substr(0, 30));
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   EXPECT_TRUE(rig.previewer().scene().reload_failed());
-  EXPECT_EQ(width(), narrow) << "the scene from before stays";
+  EXPECT_EQ(width(), narrow) << "the previous scene stays";
   folder.write("s.bin", triangle(-3));
   ASSERT_TRUE(rig.frames_until([&] { return width() != narrow; }));
   EXPECT_FALSE(rig.previewer().scene().error().has_value());

@@ -67,7 +67,7 @@ class HostileFiles : public testing::Test {
     const std::uint64_t opened = scene().times_opened();
     open(path);
     if (scene().error()) {
-      EXPECT_EQ(scene().shared(), before) << "the scene from before stays";
+      EXPECT_EQ(scene().shared(), before) << "the previous scene stays";
       EXPECT_EQ(scene().times_opened(), opened);
       const std::string message = copied_by("Copy");
       EXPECT_EQ(message, scene().error()->message());

@@ -92,7 +92,7 @@ TEST_F(LightControlsTest, TheScenePanelCountsLightsByKind) {
   const auto shown = [&](const char* name) {
     return rig.content().controls().all().contains(name);
   };
-  EXPECT_TRUE(shown("   rectangle")) << "the studio rig";
+  EXPECT_TRUE(shown("   rectangle")) << "the default lighting";
   EXPECT_FALSE(shown("   point"));
   rig.previewer().scene().open("point light");
   ASSERT_TRUE(

@@ -62,7 +62,7 @@ TEST_F(LightsPanelTest, TheTypeIsSwitchedAmongAllKinds) {
     ASSERT_EQ(lights().size(), 1u);
     EXPECT_EQ(kind_of(lights()[0]), kinds[i]) << "in the scene that is rendered";
   }
-  EXPECT_EQ(features, &rig.previewer().scene()->features()) << "nothing was built again";
+  EXPECT_EQ(features, &rig.previewer().scene()->features()) << "nothing was rebuilt";
 }
 
 // A lamp with many faces is one row with one switch. Many lights can be filtered by name.
@@ -294,7 +294,7 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   rig.click("Light/1");
   EXPECT_EQ(rig.content().state().lights.selected, 0);
   rig.click("Light/1");
-  EXPECT_EQ(rig.content().state().lights.selected, -1) << "a second click puts it by";
+  EXPECT_EQ(rig.content().state().lights.selected, -1) << "a second click closes the editor";
   rig.click("Light/1");
   rig.click("Remove light");
   EXPECT_TRUE(restarted());
@@ -306,7 +306,7 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   EXPECT_EQ(rig.content().state().lights.selected, 0) << "the editor stays open";
   rig.click("Remove light");
   EXPECT_TRUE(restarted());
-  EXPECT_TRUE(lights().empty()) << "black, as asked for, and no rig";
+  EXPECT_TRUE(lights().empty()) << "black as requested, without default lighting";
   rig.frame();
   EXPECT_FALSE(rig.content().controls().all().contains("Intensity"));
   rig.click("Remove light");

@@ -161,7 +161,7 @@ TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
   }));
   ASSERT_TRUE(rig.frames_until([&] {
     return std::count_if(seen.begin(), seen.end(), [](const auto& s) { return !s.expired(); }) == 1;
-  })) << "scenes of before are held";
+  })) << "previous scenes are still in memory";
   EXPECT_EQ(seen.back().lock(), rig.previewer().scene().shared());
   if (test::sanitized) return;  // they keep what was freed
   // Freed memory went back to the system by itself, so another request returns little.

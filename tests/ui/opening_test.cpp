@@ -51,7 +51,7 @@ TEST_F(OpeningTest, ANewerSceneReplacesOneThatLoads) {
     return !seen.empty() && seen.back() == "red";
   }));
   EXPECT_EQ(seen, std::vector<std::string>{"red"});
-  EXPECT_EQ(loader.calls, 2) << "what was replaced before it began need not be loaded";
+  EXPECT_EQ(loader.calls, 2) << "requests that were replaced early need not be loaded";
 }
 
 TEST_F(OpeningTest, ReplacingScenesWhileTheyRenderIsSafe) {

@@ -78,7 +78,7 @@ TEST(OrbitCamera, ShowsThePivotsDepthAsLargeInEitherProjection) {
   orbit.set_projection(Camera::Type::orthographic);
   EXPECT_EQ(orbit.camera().type, Camera::Type::orthographic);
   EXPECT_NEAR(height(), before, 1e-6);  // rays are floats
-  EXPECT_GE(orbit.eye().z, 8.0) << "outside the scene, of which it would cut something off";
+  EXPECT_GE(orbit.eye().z, 8.0) << "outside the scene, so that nothing is clipped";
   orbit.set_projection(Camera::Type::perspective);
   EXPECT_NEAR(height(), before, 1e-6);  // rays are floats
   EXPECT_NEAR(orbit.distance(), 2.0, 1e-12);

@@ -17,7 +17,7 @@ TEST_F(PanelsTest, LongLabelsMoveTheirWidgetToTheRight) {
   const float left = rig.control("Open...").lo.x;
   const char* name = "Jitter unresolved cells";
   EXPECT_GE(rig.control(name).lo.x, left + ImGui::CalcTextSize(name).x);
-  EXPECT_EQ(rig.control("MAX").lo.x, rig.control("EPS").lo.x) << "short ones have a column";
+  EXPECT_EQ(rig.control("MAX").lo.x, rig.control("EPS").lo.x) << "short labels have a fixed column";
 }
 
 TEST_F(PanelsTest, EpsIsDraggedOnALogarithmicScale) {
@@ -394,7 +394,7 @@ TEST_F(PanelsTest, ATooltipAppearsWhenThePointerRests) {
   rig.move_to(rig.control("EPS").centre());
   const std::vector<glm::u8vec3> before = rig.pixels();
   ASSERT_TRUE(rig.content().seconds_to_redraw().has_value()) << "a frame is due for the tooltip";
-  ASSERT_TRUE(rig.sleeps()) << "it is drawn as it is due, and no more";
+  ASSERT_TRUE(rig.sleeps()) << "drawn when due, and not again";
   EXPECT_NE(rig.pixels(), before);
 }
 

@@ -63,7 +63,7 @@ TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
   settings().asos.eps = 0.3;
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_EQ(all().at("Error reference").words, "Reference: 256 samples per pixel")
-      << "it is of the view, not of an EPS";
+      << "the reference belongs to the view, not to an EPS";
   rig.previewer().viewpoint().camera().orbit(0.1, 0.0);
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_NE(all().at("Error reference").words, "Reference: 256 samples per pixel");

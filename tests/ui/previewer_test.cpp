@@ -45,7 +45,7 @@ TEST_F(PreviewerTest, WhatMovesByItselfIsShownForAMomentOrASampleAPixel) {
     waited |= covered && !long_enough;
     if (render.progress().finished) break;
   }
-  EXPECT_TRUE(waited) << "or nothing was told";
+  EXPECT_TRUE(waited) << "otherwise nothing was tested";
 }
 
 TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
@@ -242,7 +242,7 @@ TEST_F(PreviewerTest, TheViewThatFramesEverythingOrbitsItsMiddle) {
   const glm::dvec3 orbited = camera.eye();
   previewer.viewpoint().set_picture_size(48, 32, now += 1.0);
   previewer.update(now += 1.0);
-  EXPECT_EQ(camera.eye(), orbited) << "it is the person's now";
+  EXPECT_EQ(camera.eye(), orbited) << "the user has moved the camera";
   EXPECT_NE(framed, orbited);
 }
 
@@ -266,7 +266,7 @@ TEST_F(PreviewerTest, AWideCameraFitsThePictureUntilItIsLeft) {
   viewpoint.camera().orbit(0.2, 0.0);
   viewpoint.set_picture_size(48, 32, now += 1.0);
   previewer.update(now += 1.0);
-  EXPECT_NEAR(half_height(), std::tan(0.25), 1e-9) << "it is the person's now";
+  EXPECT_NEAR(half_height(), std::tan(0.25), 1e-9) << "the user has moved the camera";
 }
 
 TEST_F(PreviewerTest, AFramedViewInAnotherShapeIsNoStepToUndo) {

@@ -38,7 +38,7 @@ class RandomWalk : public testing::Test {
   }
   /// Reports, and keeps the maxima over all windows.
   void note(const WalkedWindow& window) {
-    EXPECT_LE(window.most().frames, 1) << "frames were drawn though nothing was heard between them";
+    EXPECT_LE(window.most().frames, 1) << "frames were drawn without processing events in between";
     frames += window.frames();
     if (window.most().wall_ms > slowest_wall.wall_ms) slowest_wall = window.most();
     if (window.most().processor_ms > slowest.processor_ms) slowest = window.most();

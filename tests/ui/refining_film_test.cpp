@@ -105,7 +105,7 @@ TEST(RefiningFilm, NeverShowsLessOfTheMapThanIsKnown) {
   film.begin(of_size(2, 1, 1.0 / 1024.0), true);
   EXPECT_EQ(film.film().unfinished, std::vector<std::uint8_t>(2, 1));
   film.put(tile({0, 0, 2, 1}, glm::vec3(0.5f), true));
-  EXPECT_EQ(film.film().split_level[0], 3) << "a coarse tile tells no levels";
+  EXPECT_EQ(film.film().split_level[0], 3) << "coarse tiles have no levels";
   EXPECT_EQ(film.split_share(), 0.5);
   FinishedTile last = tile({0, 0, 1, 1}, glm::vec3(0.5f), false);
   last.split_level = {4};

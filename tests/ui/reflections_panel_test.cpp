@@ -73,7 +73,7 @@ TEST_F(ReflectionsPanelTest, BouncesAndCurvedMirrorsRestart) {
   slide("Bounces", 0.9f, -1.0f);
   EXPECT_EQ(settings().mirror.bounces, 0);
   rig.frame();
-  EXPECT_FALSE(shows("DFR/Per material")) << "nothing mirrors then";
+  EXPECT_FALSE(shows("DFR/Per material")) << "there is no mirror then";
 }
 
 TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
@@ -169,7 +169,7 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
   ASSERT_TRUE(reached_scene());
   EXPECT_GT(dfr(0)->rgb[0].min, before);
   EXPECT_EQ(rig.previewer().scene().times_opened(), opened);
-  EXPECT_EQ(rig.previewer().scene()->geometry.get(), geometry) << "nothing is built again";
+  EXPECT_EQ(rig.previewer().scene()->geometry.get(), geometry) << "nothing is rebuilt";
   rest();
   rig.chord(Key::ctrl, Key::z);
   ASSERT_TRUE(reached_scene());
@@ -204,7 +204,7 @@ TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
   rig.click("Reset reflections");
   EXPECT_NE(rig.previewer().edits().dfrs(), edited);
   ASSERT_TRUE(reached_scene());
-  EXPECT_FALSE(dfr(0).has_value()) << "what the scene's own file says";
+  EXPECT_FALSE(dfr(0).has_value()) << "the value of the scene's file";
 }
 
 TEST_F(ReflectionsPanelTest, LightsAndMaterialsAreEditedBesideEachOther) {

@@ -239,7 +239,7 @@ TEST(HelperProgram, IsFoundOnThePath) {
   TemporaryFolder folder;
   folder.write("tool", "#!/bin/sh\n");
   const Variable path("PATH", "/no/such/folder:" + folder.path().string());
-  EXPECT_EQ(find_program("tool"), "") << "nobody may run it";
+  EXPECT_EQ(find_program("tool"), "") << "it is not executable";
   std::filesystem::permissions(folder.file("tool"), std::filesystem::perms::owner_all);
   EXPECT_EQ(find_program("tool"), folder.file("tool"));
   EXPECT_FALSE(run_program({"/no/such/program"}, "", {}));

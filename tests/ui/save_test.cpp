@@ -56,7 +56,7 @@ TEST_F(SaveTest, AnySizeIsRenderedAsItIsSaved) {
   const PictureDescription said = read_description(folder.file("scene-002.png")).value();
   EXPECT_EQ(said.settings.width, 321);
   EXPECT_EQ(said.display.exposure_ev, 0.5f);
-  EXPECT_FALSE(restarted()) << "the window's own picture is left alone";
+  EXPECT_FALSE(restarted()) << "the window's own render is unaffected";
 }
 
 // Equals the framebuffer pixel by pixel once the dialog is gone.

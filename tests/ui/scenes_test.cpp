@@ -31,7 +31,7 @@ TEST_F(Scenes, AreChosenFromAList) {
   const double far = distance();
   choose("0: One\\n");
   EXPECT_EQ(triangles(), 2u);
-  EXPECT_LT(distance(), 0.2 * far) << "it is framed, not seen from where the other was";
+  EXPECT_LT(distance(), 0.2 * far) << "it is framed anew, not with the previous camera";
   choose("1");
   EXPECT_EQ(triangles(), 4u);
 }

@@ -239,7 +239,7 @@ TEST_F(SplitMapTest, FollowsEpsAndMaxAtOnce) {
     settings.asos.eps = eps;
     settings.asos.max_level = max_level;
     rig.frame();
-    EXPECT_GE(share(), 0.5 * whole) << "what edges cut is cut at any EPS";
+    EXPECT_GE(share(), 0.5 * whole) << "pixels that an edge cuts are cut at any EPS";
     const Film& film = previewer.render().film();
     EXPECT_LE(*std::max_element(film.split_level.begin(), film.split_level.end()), max_level);
   }

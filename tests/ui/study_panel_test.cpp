@@ -83,7 +83,7 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
   EXPECT_EQ(state.study.noise, truth.noise());
   ASSERT_EQ(state.study.points.size(), 9u + 1u + 5u);
   EXPECT_EQ(state.points, 2u * state.study.points.size() + 3u)
-      << "and one is watched of each method";
+      << "one render of each method is watched";
   EXPECT_EQ(state.points_run, state.points);
   std::size_t next = 0;
   for (const Job& job : jobs) {
@@ -128,7 +128,7 @@ TEST(StudyInTime, SizeFollowsFromTheScenesCost) {
   // 128 samples of the reference, 341 of Sobol, and nine settings of ASOS
   const double samples = 128 + 341 + 9 * 24;
   EXPECT_NEAR(1e-6 * dear.width * dear.height * samples, 30.0, 1.0);
-  EXPECT_EQ(ViewStudy::plan_in_time(plan, 1.0, 60.0).width, 32) << "the least that tells anything";
+  EXPECT_EQ(ViewStudy::plan_in_time(plan, 1.0, 60.0).width, 32) << "the minimum size";
 }
 
 TEST_F(ViewStudyTest, EndsInTimeWithAVerdict) {
@@ -396,7 +396,7 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   ASSERT_EQ(found.study.while_rendering.size(), 2u);
   rig.click("Curves/While rendering");
   EXPECT_EQ(rig.content().state().study.curves, StudyCurves::while_rendering);
-  EXPECT_GT(pixels_in_plot("average"), 2 * finished) << "a curve where there was one point";
+  EXPECT_GT(pixels_in_plot("average"), 2 * finished) << "a curve instead of a single point";
   rig.click("Curves/Finished");
   EXPECT_EQ(pixels_in_plot("average"), finished);
 }

@@ -74,7 +74,7 @@ TEST(TimeEstimate, IsTheRendersOwnAsSoonAsItHasOne) {
   EXPECT_EQ(time_estimate(progress, &forecast)->left, 37.0);
   progress.finished = true;
   ASSERT_TRUE(time_estimate(progress, &forecast));
-  EXPECT_EQ(time_estimate(progress, &forecast)->all, 3.0) << "what it took";
+  EXPECT_EQ(time_estimate(progress, &forecast)->all, 3.0) << "the time that it took";
   EXPECT_EQ(time_estimate(progress, &forecast)->left, 0.0);
 }
 
@@ -101,7 +101,7 @@ TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
   progress.running = false;
   progress.paused = true;
   shown.update(progress, std::nullopt, 1, now + 10.0);
-  EXPECT_EQ(shown.fraction(), before) << "a pause rests";
+  EXPECT_EQ(shown.fraction(), before) << "no progress during a pause";
   progress.finished = true;
   shown.update(progress, std::nullopt, 1, now + 11.0);
   EXPECT_EQ(shown.fraction(), 1.0);
@@ -132,7 +132,8 @@ TEST_F(TimeWordsTest, TheWindowShowsThem) {
   ASSERT_TRUE(rig.frames_until([&] { return all.at("Estimate").words.ends_with(" s"); }))
       << all.at("Estimate").words;
   rig.frame();
-  EXPECT_EQ(rig.control("Cell shading/Exact area").lo, below) << "what is told moves nothing";
+  EXPECT_EQ(rig.control("Cell shading/Exact area").lo, below)
+      << "different texts must not move the layout";
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST_F(Timeline, IsThereOnlyWhereSomethingMoves) {
   }
   EXPECT_FALSE(has("Time")) << "at rest there is no time";
   EXPECT_FALSE(notes_of(*scene()).not_shown.empty());
-  EXPECT_FALSE(has("section/Warnings")) << "that it can be played, one sees";
+  EXPECT_FALSE(has("section/Warnings")) << "the controls show that it can be played";
   open("still");
   EXPECT_FALSE(has("Clip"));
   EXPECT_FALSE(has("section/Animation"));
@@ -98,7 +98,7 @@ TEST_F(Timeline, ShowsTheMomentThatIsSoughtAndTheSameAgain) {
   EXPECT_NEAR(corner_x(), 2.0, 1e-5);
   playback().seek(0.5);
   arrive();
-  EXPECT_EQ(picture(), half) << "whatever came between";
+  EXPECT_EQ(picture(), half) << "independently of other times before";
   playback().choose(-1);
   arrive();
   EXPECT_EQ(picture(), rest);

@@ -192,7 +192,7 @@ TEST_F(TourTest, NothingCoversTheWatchedPixelInANarrowWindow) {
   }
   rig.click("Next");
   rig.frame();
-  EXPECT_EQ(state().tour.card, Tour::Card::eps) << "its buttons are pressed, too";
+  EXPECT_EQ(state().tour.card, Tour::Card::eps) << "its buttons are clicked, too";
 }
 
 TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
@@ -238,7 +238,7 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   EXPECT_FALSE(has("Next")) << "the last one";
   ASSERT_TRUE(rig.settle());
   rig.key(Key::s);
-  ASSERT_EQ(state().frames.stored.size(), 1u) << "a frame of one's own";
+  ASSERT_EQ(state().frames.stored.size(), 1u) << "the user's own snapshot";
   rig.click("Compare now");
   ASSERT_TRUE(rig.frames_until([&] { return state().frames.comparison == Comparison::wipe; }));
   EXPECT_EQ(state().frames.stored.size(), 2u);
@@ -246,7 +246,8 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   rig.click("Done");
   rig.frame();
   EXPECT_FALSE(state().tour.card);
-  ASSERT_EQ(state().frames.stored.size(), 1u) << "the rival went, so that nobody is asked about it";
+  ASSERT_EQ(state().frames.stored.size(), 1u)
+      << "the rival's snapshot is gone, so quitting does not ask about it";
   EXPECT_TRUE(state().frames.stored[0].name.starts_with("ASOS, EPS"));
   EXPECT_EQ(state().frames.comparison, Comparison::none);
   EXPECT_FALSE(state().picked);
@@ -262,7 +263,7 @@ TEST_F(TourTest, IsNotSeenTwiceUnlessItIsAskedFor) {
   rig.key(Key::m);
   EXPECT_TRUE(state().display.show_split_map);
   EXPECT_FALSE(rig.content().stored_settings().display.show_split_map)
-      << "the map is of a picture: a window would begin with it unexplained";
+      << "a new window must not start with the map";
   rig.key(Key::escape);
   rig.frame();
   EXPECT_FALSE(state().tour.card);
@@ -330,7 +331,7 @@ TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
       EXPECT_LE(placed.hi.x, picture.lo.x + picture.size.x) << card << " at " << scale;
       EXPECT_LE(placed.hi.y, picture.lo.y + picture.size.y) << card << " at " << scale;
       const Controls::Placed end = rig.control(card + 1 < Tour::cards ? "Close tour" : "Done");
-      EXPECT_LE(end.hi.y, placed.hi.y) << card << " at " << scale << ": it is seen at once";
+      EXPECT_LE(end.hi.y, placed.hi.y) << card << " at " << scale << ": the difference is obvious";
       if (card + 1 < Tour::cards) rig.click("Next");
     }
   }

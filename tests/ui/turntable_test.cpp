@@ -53,7 +53,7 @@ TEST(Turntable, StopsWhereSomebodyTurnsTheCamera) {
   camera.dolly(0.5);
   camera.pan(0.1, 0.2);
   turntable.update(camera, true, 1.0);
-  EXPECT_TRUE(turntable.turning()) << "moving closer or aside goes beside it";
+  EXPECT_TRUE(turntable.turning()) << "dolly and pan do not stop it";
   const double turned = azimuth_rad(camera);
   EXPECT_GT(turned, 0.0);
   camera.orbit(0.0, 0.1);

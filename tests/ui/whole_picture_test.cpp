@@ -60,7 +60,7 @@ TEST(WholePicture, IsOfOnePoseWhileTheCameraTurns) {
     }
   }
   EXPECT_EQ(torn, 0);
-  EXPECT_GT(turns, 5) << "or nothing was shown at all";
+  EXPECT_GT(turns, 5) << "otherwise nothing was displayed";
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(CarriedLight, IsLimitedToTwoSidesOfOnePart) {
   carried.add({all, floor.view, floor.material});
   double sum = 0.0;
   for (const double one : carried.most()) sum += one;
-  EXPECT_NEAR(sum, 2.0, 1e-6) << "each is whiter than white";
+  EXPECT_NEAR(sum, 2.0, 1e-6) << "each light alone is brighter than white";
 }
 
 }  // namespace

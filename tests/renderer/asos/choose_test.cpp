@@ -79,7 +79,7 @@ TEST(Choose, SmallMaxLeavesAllToSamples) {
   EXPECT_TRUE(samples_cost_least(allowance_of(1), 1.0));
   EXPECT_FALSE(samples_cost_least(allowance_of(2), 1.0));
   EXPECT_TRUE(samples_cost_least(allowance_of(2), 1.0 / 8.0));
-  EXPECT_TRUE(samples_cost_least(allowance_of(8, 1.0 / 8.0), 1.0)) << "EPS asks for no more";
+  EXPECT_TRUE(samples_cost_least(allowance_of(8, 1.0 / 8.0), 1.0)) << "EPS needs no more samples";
 }
 
 TEST(ErrorBound, AddsUpInAnyOrder) {

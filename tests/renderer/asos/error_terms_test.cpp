@@ -131,7 +131,7 @@ TEST(ErrorTerms, MirrorSpreadsWithItsCurvature) {
   World again;
   add_sphere(again, {0, 0, 0}, 5.0f, 24, metal(0.0f));
   const EyeBlock blind = block_of(std::move(again), {}, none);
-  EXPECT_EQ(blind.terms().mirror(blind.leaf(1, 1)).error, 0.0) << "nothing is followed";
+  EXPECT_EQ(blind.terms().mirror(blind.leaf(1, 1)).error, 0.0) << "reflections are off";
 }
 
 // A plate in front of a panel: the edge of its shadow crosses the first block, but not the second

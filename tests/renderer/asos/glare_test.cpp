@@ -28,7 +28,7 @@ TEST(Glare, ShowsLampThroughNarrowGaps) {
       return std::min(1.0f, film.radiance[static_cast<std::size_t>(pixel.y * 160 + pixel.x)].x);
     };
     const float truth = red(Method::sobol);
-    ASSERT_GT(truth, 0.45f) << "the lamp is seen: what is around it is at 0.33";
+    ASSERT_GT(truth, 0.45f) << "the lamp is visible: its surroundings are at 0.33";
     EXPECT_NEAR(red(Method::asos), truth, 0.1f) << pixel.x;
   }
 }

@@ -48,7 +48,7 @@ TEST(ImagePlane, CutsCrossingSurfacesExactly) {
     const auto value = [&](int y) {
       return static_cast<double>(picture.film.radiance[static_cast<std::size_t>(y * side + x)].x);
     };
-    ASSERT_GT(value(12), value(10) + 0.05) << "the background is brighter than the slope";
+    ASSERT_GT(value(12), value(10) + 0.05) << "the background must be brighter than the slope";
     EXPECT_NEAR((value(12) - value(11)) / (value(12) - value(10)), 0.22, 1e-4) << x;
     EXPECT_EQ(value(9), value(10));
   }

@@ -139,7 +139,7 @@ TEST(LeafShader, LeavesRegionsOpen) {
   EXPECT_GT(open.parts[0].so_far.cost, 0.0);
   EXPECT_GT(open.parts[0].so_far.error, 0.0);
   EXPECT_EQ(sums[leaf.root].weight, 0.0);
-  EXPECT_TRUE(shader.take_open().parts.empty()) << "they were taken";
+  EXPECT_TRUE(shader.take_open().parts.empty()) << "open regions are returned once";
 }
 
 TEST(SingleSamples, ShadeByOneSampleEach) {
@@ -174,7 +174,7 @@ TEST(WeakLights, AreTheDimLights) {
   lights.resize(LightPicks::few_lights);
   EyeBlock few = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
   few.weak_lights().find(EyeBlock::side);
-  EXPECT_TRUE(few.weak_lights().lights().empty()) << "so few are asked one by one";
+  EXPECT_TRUE(few.weak_lights().lights().empty()) << "so few lights are tested individually";
   few.weak_lights().take_all();
   EXPECT_TRUE(few.weak_lights().lights().empty());
 }

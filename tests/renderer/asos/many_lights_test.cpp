@@ -201,7 +201,7 @@ TEST(ManyLights, ADominantLightGetsAllRays) {
   settings.asos.eps = 1.0 / 256.0;
   settings.asos.refine_shading = true;
   const Picture sampled = picture_of(lights, settings);
-  EXPECT_EQ(sampled.statistics.shadow_pyrays, 0u) << "it is too dim to be asked by itself";
+  EXPECT_EQ(sampled.statistics.shadow_pyrays, 0u) << "it is too dim for its own shadow test";
   EXPECT_LT(difference(sampled.film, exact.film).rms, 0.25 * settings.asos.eps);
 }
 
@@ -239,7 +239,7 @@ TEST(ManyLights, PartlyBelowTheFloorAreWithinEps) {
   Light disk = disk_light();
   disk.radius = 0.3;
   disk.intensity = 0.5f;
-  EXPECT_LT(error_of_sunk_lights(disk), 1.0 / 256.0) << "whose samples go below the floor, too";
+  EXPECT_LT(error_of_sunk_lights(disk), 1.0 / 256.0) << "some of its samples are below the floor";
 }
 
 // The weights are computed on each surface, even if no pixel's centre shows it: here the centres

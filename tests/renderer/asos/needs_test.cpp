@@ -59,7 +59,7 @@ TEST_P(ForcedBuiltin, GivesTheSamePictureToTheBit) {
   const SharedScene forced = prepare(scene, SceneNeeds::all()).and_then(with_boundaries).value();
   EXPECT_GT(features_left_out(needed->needs).size(), 5u);
   EXPECT_LE(features_left_out(forced->needs).size(), 2u)
-      << "an opacity that varies and a sky's picture are not forced";
+      << "varying opacity and sky images cannot be forced";
   EXPECT_LT(needed->geometry->memory_mb(), forced->geometry->memory_mb());
   expect_same_pictures(*needed, *forced, 24, 16);
 }
@@ -255,7 +255,7 @@ TEST(ForcedNeeds, ASkysPictureIsOfTheSettings) {
   const SharedScene scene = prepare(pane_on_floor()).value();
   RenderSettings settings;
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.4f));
-  EXPECT_FALSE(needs_of(*scene, settings).sky_picture) << "one colour is no picture";
+  EXPECT_FALSE(needs_of(*scene, settings).sky_picture) << "a uniform colour is no image";
   settings.sky = std::make_shared<const Sky>(
       SkyMap(2, 1, std::vector{glm::vec3(0.4f), glm::vec3(0.2f)}), 0.0, "two texels");
   EXPECT_TRUE(needs_of(*scene, settings).sky_picture);

@@ -90,7 +90,7 @@ void check_samples(const PixelTrace& trace) {
     for (const TracedSample& s : cell.samples) {
       weight += s.weight;
       const double area = s.border.empty() ? area_of(cell) : area_of(s.border);
-      EXPECT_NEAR(area, s.weight, 1e-5) << "a part has the sides of its area";
+      EXPECT_NEAR(area, s.weight, 1e-5) << "the part's border encloses its area";
       colour += s.weight * glm::dvec3(s.radiance);
       const glm::vec2 in = (s.at - cell.corner) / cell.side;
       EXPECT_TRUE(in.x > -1e-4f && in.y > -1e-4f && in.x < 1.0001f && in.y < 1.0001f);
@@ -254,7 +254,7 @@ TEST(PixelTrace, TellsWhatSamplesFound) {
       ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
                 0);
       check_samples(trace);
-      EXPECT_EQ(trace.cells.front().samples.size(), 1u) << "stands for those all over the pixel";
+      EXPECT_EQ(trace.cells.front().samples.size(), 1u) << "represents all samples of the pixel";
       EXPECT_FALSE(trace.missed);  // nobody could have known
     }
   }
@@ -344,7 +344,7 @@ TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
       const PixelTrace trace = trace_pixel(*scene, view, settings, x, y);
       ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
                 0)
-          << "writing down changes nothing";
+          << "tracing does not change the result";
       for (int i = 0; i < static_cast<int>(trace.pyrays.size()); ++i) {
         const TracedPyray& pyray = trace.pyrays[static_cast<std::size_t>(i)];
         ASSERT_LT(pyray.parent, i);
@@ -371,7 +371,7 @@ TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
   }
   EXPECT_GT(shadows, 0);
   EXPECT_GT(mirrors, 0);
-  EXPECT_GT(nested, 0) << "what is mirrored has shadows, too";
+  EXPECT_GT(nested, 0) << "reflected surfaces have shadows, too";
   EXPECT_GT(partly_lit, 0) << "a penumbra";
 }
 

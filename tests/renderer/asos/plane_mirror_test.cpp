@@ -113,7 +113,7 @@ TEST(PlaneMirror, ShowsObjectsDownToTheirFoot) {
   int differ = 0;
   for (std::size_t i = 0; i < seen.size(); ++i)
     differ += glm::length(seen[i] - direct[i]) > 0.1f ? 1 : 0;
-  EXPECT_LE(differ, 2) << "pixels of which two samples fall to the other side of an edge";
+  EXPECT_LE(differ, 2) << "pixels with two samples on the other side of an edge";
 }
 
 /// The reflected objects behind a grating of thin bars; each gap is a leaf.

@@ -48,7 +48,7 @@ TEST(LevelPrediction, FollowsEachCause) {
   EXPECT_EQ(LevelPrediction(zero, now).level_of(at_max_zero), 4);
   SplitOutlook shaded;
   shaded.error = 1.0f / 32.0f;
-  EXPECT_EQ(same.level_of(shaded), 2) << "eight times EPS: less than two quarterings are left";
+  EXPECT_EQ(same.level_of(shaded), 2) << "eight times EPS: less than two levels remain";
   EXPECT_EQ(flatter.level_of(shaded), 0);
   SplitOutlook sampled;
   sampled.samples = 64;

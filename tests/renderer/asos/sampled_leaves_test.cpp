@@ -44,8 +44,8 @@ TEST(SampledLeaves, PenumbraIsWithinEps) {
   const auto scene = penumbra();
   const Picture sampled = picture_of(*scene, 3, 1.0 / 256.0);
   const Picture exact = picture_of(*scene, 6, 0.0);
-  EXPECT_EQ(sampled.statistics.pyrays_by_level[1], 0u) << "none is split for its shadow";
-  EXPECT_GT(exact.statistics.pyrays_by_level[1], 0u) << "to be more exact they are split";
+  EXPECT_EQ(sampled.statistics.pyrays_by_level[1], 0u) << "none is split for its penumbra";
+  EXPECT_GT(exact.statistics.pyrays_by_level[1], 0u) << "a smaller EPS splits them";
   double squares = 0.0, off = 0.0;
   std::size_t uneven = 0;
   for (std::size_t i = 0; i < sampled.film.radiance.size(); ++i) {
@@ -60,7 +60,7 @@ TEST(SampledLeaves, PenumbraIsWithinEps) {
   EXPECT_EQ(uneven, sampled.statistics.uneven_pixels);
   const auto count = static_cast<double>(uneven);
   EXPECT_LT(std::sqrt(squares / count), 0.5 / 256.0) << "half of the tolerance";
-  EXPECT_LT(std::abs(off / count), 0.5 / 256.0 / std::sqrt(count) * 3.0) << "and in no direction";
+  EXPECT_LT(std::abs(off / count), 0.5 / 256.0 / std::sqrt(count) * 3.0) << "and without bias";
 }
 
 /// The triangles of a grid of cells x cells squares, with corners stored by row.
@@ -177,7 +177,7 @@ TEST(SampledLeaves, ShowTheHighlightsOfAFineMesh) {
   EXPECT_LT(off.rmse, 0.003);
   const auto count = static_cast<double>(found.film.radiance.size());
   const double samples = static_cast<double>(found.statistics.eye_rays) / count;
-  EXPECT_LT(samples, 256.0) << "and a pixel takes no more than it deserves";
+  EXPECT_LT(samples, 256.0) << "the number of samples per pixel is limited";
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(SkyCourses, ChooseNodesOnlyWhereTheySaveRays) {
   leaves.expected.assign(leaves.lits.size(), {0.04, 8});
   const SkyCourses courses(leaves.lits, leaves.expected, error);
   SkyCourses::Cell cell = courses.cells().front();
-  EXPECT_FALSE(courses.choose_nodes(cell)) << "all have as many as they need";
+  EXPECT_FALSE(courses.choose_nodes(cell)) << "all leaves have enough rays already";
 }
 
 TEST(SkyCourses, DivideIntoQuarters) {

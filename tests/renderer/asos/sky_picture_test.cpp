@@ -115,7 +115,7 @@ TEST(SkyPicture, RoughMetalMatchesMirrorsAtTheLimit) {
     };
     const float mirror = shown(usual_roughest_mirror), beyond = shown(usual_roughest_mirror + 1e-3);
     EXPECT_NEAR(mirror, 1.0f, 0.02f);
-    EXPECT_LT(beyond / mirror, 0.98f) << "both are followed, or none is";
+    EXPECT_LT(beyond / mirror, 0.98f) << "either both are followed or neither";
     EXPECT_GT(beyond / mirror, 0.92f);
   }
 }

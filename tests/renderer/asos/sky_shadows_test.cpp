@@ -227,7 +227,8 @@ TEST(SkyShadows, AreTheMeanOverAPixelThatAWallBorders) {
   }
   // If the first few rays all reach the sky, more are rarely sent: this adds 3e-3.
   EXPECT_NEAR(seen, 0.5 * (1.0 + (std::hypot(side, height) - height) / side), 6e-3);
-  EXPECT_LT(seen, 1.0 - wall_factor(side / 2.0, height) - 0.03) << "what its middle gets";
+  EXPECT_LT(seen, 1.0 - wall_factor(side / 2.0, height) - 0.03)
+      << "the value at the pixel's centre";
 }
 
 // A dark shadow between the nodes, narrower than a pixel, is found by the leaves inside it.
@@ -289,7 +290,7 @@ TEST(SkyShadows, AreSeenInMirrors) {
   const double sampled =
       seen_share(world, {.method = Method::sobol, .spp = 1024, .eye = {0, 0.4, 0.3}});
   EXPECT_NEAR(share, sampled, 4e-3);
-  EXPECT_LT(share, 1.0 - wall_factor(1.0, 2.0) - 0.1) << "the mirror hides some of it, too";
+  EXPECT_LT(share, 1.0 - wall_factor(1.0, 2.0) - 0.1) << "the mirror also occludes the sky";
 }
 
 TEST(SkyShadows, CountTheirRays) {

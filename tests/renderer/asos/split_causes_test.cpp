@@ -172,7 +172,7 @@ TEST(SplitCauses, AKinkAndALineWhereWallsPassThroughEachOther) {
         << "one pixel a row";
     EXPECT_EQ(std::count(picture->film.split_level.begin(), picture->film.split_level.end(), 0),
               size * size)
-        << "one line cuts each of them: exact, and no quarters";
+        << "one line cuts each pixel exactly, without a split";
   }
 }
 

@@ -64,7 +64,7 @@ TEST(StartedBlock, FinishesWithTheBitsOfADirectRender) {
     EXPECT_GT(std::count_if(staged.gains.begin(), staged.gains.end(),
                             [](double gain) { return gain > 0.0; }),
               20)
-        << "or nothing is left for the second stage";
+        << "otherwise nothing is left for the second stage";
     for (std::size_t i = 0; i < staged.direct.size(); ++i) {
       EXPECT_EQ(staged.finished[i].tile.radiance, staged.direct[i].tile.radiance);
       EXPECT_EQ(staged.finished[i].tile.split_level, staged.direct[i].tile.split_level);

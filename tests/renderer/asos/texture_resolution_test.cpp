@@ -302,14 +302,14 @@ TEST(TextureResolution, PartsShareTheirShadows) {
   for (std::size_t i = 0; i < once.film.radiance.size(); ++i)
     worst = std::max(
         worst, static_cast<double>(glm::length(once.film.radiance[i] - parts.film.radiance[i])));
-  EXPECT_LT(worst, 4e-3) << "let pass at MAX 3";
+  EXPECT_LT(worst, 4e-3) << "the tolerance at MAX 3";
 }
 
 TEST(TextureResolution, SmallLeavesAreDividedLess) {
   EXPECT_EQ(texture_divisions(1, 1.0), 1);
   EXPECT_EQ(texture_divisions(4, 1.0), 4);
   EXPECT_EQ(texture_divisions(4, 0.5), 2);
-  EXPECT_EQ(texture_divisions(3, 0.5), 2) << "no part is larger than a pixel's ninth";
+  EXPECT_EQ(texture_divisions(3, 0.5), 2) << "no part is larger than 1/9 pixel";
   EXPECT_EQ(texture_divisions(4, 0.25000001), 1);
   EXPECT_EQ(texture_divisions(8, 1.0 / 16.0), 1);
 }
@@ -325,7 +325,7 @@ TEST(TextureResolution, PartsLieInTheirStrataAndInTheLeaf) {
     EXPECT_EQ(static_cast<std::size_t>(within.y), i / 5);
     places.insert(within.x - std::floor(within.x));
   }
-  EXPECT_GT(places.size(), 20u) << "each has a place of its own";
+  EXPECT_GT(places.size(), 20u) << "places are jittered independently";
   for (const TexturePart& part : texture_parts(square, 5, {{16, 8}, 8}, 0, false)) {
     EXPECT_FLOAT_EQ(part.at.x, part.square.centre_u());
     EXPECT_FLOAT_EQ(part.at.y, part.square.centre_v());

@@ -69,7 +69,7 @@ TEST(Background, SamplersEstimateCoverage) {
   for (const Method method : {Method::uniform, Method::stochastic, Method::sobol}) {
     const double off = most_off(clear(method, 256));
     EXPECT_LT(off, 2.0 / 16.0) << static_cast<int>(method);
-    EXPECT_GT(off, 1e-5) << "they do not know it";
+    EXPECT_GT(off, 1e-5) << "they estimate it only";
   }
   // Adaptive methods take coverage into account: a black surface has edges, too.
   RenderSettings settings = clear(Method::sobol_adaptive);

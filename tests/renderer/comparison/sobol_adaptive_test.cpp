@@ -63,7 +63,7 @@ TEST(SobolAdaptive, NeighboursFindWhatFirstSamplesMiss) {
     if (red_at(few, 3, y) == 0.0f) ++missed;
     EXPECT_NEAR(red_at(many, 3, y), 0.04, 4.0 / 1024.0) << y;
   }
-  EXPECT_GT(missed, 0) << "or there is nothing to find";
+  EXPECT_GT(missed, 0) << "otherwise there is nothing to find";
 }
 
 TEST(SobolAdaptive, EndsAtItsLimits) {

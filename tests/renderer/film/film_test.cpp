@@ -98,7 +98,7 @@ TEST(SplitMap, CostsHaveAbsoluteLogarithmicScales) {
     for (int v = 1; v <= 255; ++v) {
       const glm::u8vec3 c = key.colour(static_cast<std::uint8_t>(v));
       const int sum = c.x + c.y + c.z;
-      EXPECT_GE(sum, before - 1) << v << ": each of the three is rounded";
+      EXPECT_GE(sum, before - 1) << v << ": three roundings";
       before = sum;
     }
   }
@@ -175,7 +175,7 @@ TEST(SplitColour, IsTheMapsColour) {
   EXPECT_EQ(split_words(0, SplitCause::none), "not split");
   EXPECT_EQ(split_words(0, SplitCause::crease), "exact, crease, seam");
   EXPECT_EQ(split_words(4, SplitCause::shading), "level 4, shading");
-  EXPECT_EQ(split_words(2, SplitCause::none), "level 2") << "of a method that tells no causes";
+  EXPECT_EQ(split_words(2, SplitCause::none), "level 2") << "the method records no causes";
 }
 
 TEST(Statistics, AddUp) {

@@ -107,7 +107,7 @@ TEST_F(HdrFile, SoManyPixelsInSoFewBytesAreRefused) {
   EXPECT_NE(refusal(head(11584, 5792) + rows).find("has 11584 x 5792 pixels in "),
             std::string::npos);
   EXPECT_NE(refusal(head(8192, 4096) + rows).find("row 0 is damaged"), std::string::npos)
-      << "these are read from files of any size";
+      << "accepted for any file size";
 }
 
 TEST_F(HdrFile, WhatPixelsWereMultipliedByIsUndone) {

@@ -80,7 +80,7 @@ TEST_F(PictureWriterTest, CoverageIsTheAlphaChannel) {
   film.coverage.clear();
   ASSERT_TRUE(write_png(folder.file("b.png"), film, 0.0f, {}));
   ASSERT_TRUE(png_image_begin_read_from_file(&image, folder.file("b.png").c_str()));
-  EXPECT_EQ(image.format & PNG_FORMAT_FLAG_ALPHA, 0u) << "there is none where all is covered";
+  EXPECT_EQ(image.format & PNG_FORMAT_FLAG_ALPHA, 0u) << "a fully covered picture has no alpha";
   png_image_free(&image);
 }
 

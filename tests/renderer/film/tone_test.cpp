@@ -90,7 +90,7 @@ TEST(Tone, NoDifferenceShowsLargerThanTheCurvesSteepnessSays) {
     }
     const auto steep = static_cast<float>(steepness(tone.value));
     EXPECT_LE(rising, 1.02f * steep) << tone.name;
-    EXPECT_GT(rising, 0.9f * steep) << tone.name << ": it is no more than it has to be";
+    EXPECT_GT(rising, 0.9f * steep) << tone.name << ": the bound is too large";
     EXPECT_LE(any, 2.0f * steep) << tone.name;
   }
 }

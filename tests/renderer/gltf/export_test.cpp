@@ -160,7 +160,7 @@ TEST_F(ExportTest, EmptySceneIsValid) {
   const Parsed file = parse_glb(content_of(path("empty.glb")));
   for (const char* list : {"meshes", "buffers", "bufferViews", "accessors", "materials", "images",
                            "textures", "cameras", "extensionsUsed", "extensions"}) {
-    EXPECT_FALSE(file.root.contains(list)) << list << " must not be there rather than be empty";
+    EXPECT_FALSE(file.root.contains(list)) << list << " must be absent, not empty";
   }
   EXPECT_EQ(file.root["nodes"], json::array({{{"name", "place of nothing"}}}));
 }

@@ -108,7 +108,7 @@ TEST(ImportLayers, AnisotropyIsRead) {
   EXPECT_TRUE(all.texture.used());
   EXPECT_TRUE(scene.notes.unsupported_extensions.empty());
   EXPECT_TRUE(scene.notes.warnings.empty());
-  EXPECT_EQ(scene.meshes.at(0).tangents.size(), 4u) << "made for its direction";
+  EXPECT_EQ(scene.meshes.at(0).tangents.size(), 4u) << "made for the lobe's direction";
   const Scene none = import_with("KHR_materials_anisotropy", {{"anisotropyRotation", 1}});
   EXPECT_FALSE(none.materials.at(0).anisotropy.used());
   EXPECT_TRUE(none.meshes.at(0).tangents.empty());

@@ -135,7 +135,7 @@ TEST(ImportLimits, APictureThatManyImagesNameIsDecodedOnce) {
   for (const char* uri : {"a.png", "./a.png"}) images.push_back({{"uri", uri}});
   const auto scene = load_scene(folder.write("images.glb", with_images(b, images).glb()));
   ASSERT_TRUE(scene) << scene.error().message();
-  EXPECT_EQ(scene->images.size(), 2u) << "that of the buffer, and that of the file";
+  EXPECT_EQ(scene->images.size(), 2u) << "the buffer's limit, and the file's limit";
   EXPECT_EQ(scene->textures.size(), 5u);
 }
 

@@ -154,8 +154,7 @@ TEST(ImportRobust, FilesOutsideTheAssetRootAreNotRead) {
   };
   EXPECT_TRUE(with("in side.bin"));
   EXPECT_TRUE(with("in%20side.bin"));
-  EXPECT_TRUE(with("as%20written.bin"))
-      << "no file of that name but for what the uri itself spells";
+  EXPECT_TRUE(with("as%20written.bin")) << "only the literal URI names a file";
   expect_refused(with("../outside.bin"), "leads out of");
   expect_refused(with("%2e%2e/outside.bin"), "leads out of");
   expect_refused(with("link.bin"), "symbolic link");

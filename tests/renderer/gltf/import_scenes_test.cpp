@@ -46,7 +46,7 @@ TEST(ImportScenes, AreChosenByNumberOrName) {
   EXPECT_EQ(squares("0"), 1u);
   EXPECT_EQ(squares("pair"), 2u);
   EXPECT_EQ(squares("2"), 3u);
-  EXPECT_EQ(squares("1"), 2u) << "a number is one, whatever others are called";
+  EXPECT_EQ(squares("1"), 2u) << "numbers take precedence over names";
 }
 
 TEST(ImportScenes, UnknownOnesAreRefusedWithThoseThatThereAre) {

@@ -165,7 +165,7 @@ TEST(SurfaceKernel, PointsAreTheOnesMadeOneByOne) {
         EXPECT_EQ(found->points.clear_height[i], clear_height(expected));
         spread += !expected.spread.flat();
       }
-      EXPECT_EQ(spread > 40, filtered) << "some normals have to turn";
+      EXPECT_EQ(spread > 40, filtered) << "some normals must vary";
       EXPECT_GT(lifted, 20);
     }
   }

@@ -32,7 +32,8 @@ TEST(Irradiance, OfAPointFallsWithTheSquareAndTheCosine) {
                   5.0f / 9.0f * std::sqrt(0.5f));
   EXPECT_EQ(irradiance(test::point_light(), {{0, -1, 0}, tilted, -up}), 0.0) << "its back";
   EXPECT_EQ(irradiance(test::point_light(), {{0, -1, 0}, -up, up}), 0.0);
-  EXPECT_EQ(irradiance(test::point_light(), {{0, 2, 0}, up, up}), 0.0) << "at its very place";
+  EXPECT_EQ(irradiance(test::point_light(), {{0, 2, 0}, up, up}), 0.0)
+      << "at the light's own position";
 }
 
 TEST(Irradiance, KeepsTheColour) {
@@ -60,7 +61,7 @@ TEST(Irradiance, OfASphereMatchesAPointAtItsCentre) {
   const Receiver aside{{1.0, 0, 0}, up, up};
   const double point = irradiance(spot, aside);
   spot.radius = 0.5;
-  EXPECT_NEAR(irradiance(spot, aside), point, 1e-6) << "cone and range of its middle";
+  EXPECT_NEAR(irradiance(spot, aside), point, 1e-6) << "cone and range use its centre";
   EXPECT_GT(point, 0.0);
 }
 

@@ -137,8 +137,8 @@ TEST(EnteredBalls, AreThoseThatATriangleOfAnotherPartReachesInto) {
   EXPECT_TRUE(entered({-1, -1, 0.5f}, -1)) << "its face, all around the ball";
   EXPECT_FALSE(entered({-1, -1, 1.01f}, -1));
   EXPECT_TRUE(entered({0.5f, -1, 0}, -1)) << "an edge";
-  EXPECT_FALSE(entered({0.72f, 0.72f, 0}, -1)) << "beside a corner";
-  EXPECT_FALSE(entered({-3.3f, -3.3f, 0}, -1)) << "its box alone: beside the longest edge";
+  EXPECT_FALSE(entered({0.72f, 0.72f, 0}, -1)) << "past a corner";
+  EXPECT_FALSE(entered({-3.3f, -3.3f, 0}, -1)) << "only its box: past the longest edge";
   EXPECT_TRUE(entered({0.70f, 0.70f, 0}, -1)) << "a corner";
   EXPECT_FALSE(entered({-1, -1, 0.5f}, 0)) << "its own";
   ball.radius = 0.0;

@@ -46,7 +46,7 @@ TEST(PrepareLight, ConvertsPower) {
 TEST(PrepareLight, MakesLightsOfNoSizePointsOrNothing) {
   EXPECT_EQ(prepare_light(test::sun_light(0.0)).shape, LightShape::distant);
   EXPECT_EQ(prepare_light(test::ball_light(1e-30)).shape, LightShape::point)
-      << "no float holds its nits";
+      << "its radiance overflows a float";
   Light linear = test::linear_light();
   linear.half_u = {0, 0, 0};
   EXPECT_EQ(prepare_light(linear).shape, LightShape::point);

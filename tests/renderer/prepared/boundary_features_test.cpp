@@ -112,7 +112,7 @@ TEST(FeatureSet, EndsSoonOnceAStopIsRequested) {
 TEST(Prepare, LeavesTheBoundariesToFindThemselves) {
   const auto scene = prepare(load_scene("builtin:boxes").value()).value();
   const SceneNeeds before = scene->needs;
-  EXPECT_TRUE(before.intersections) << "nothing is known of them yet";
+  EXPECT_TRUE(before.intersections) << "the search has not ended";
   const auto same = with_boundaries(scene).value();
   EXPECT_EQ(same, scene);
   EXPECT_TRUE(scene->geometry->boundaries.known());

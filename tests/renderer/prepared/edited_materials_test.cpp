@@ -45,7 +45,7 @@ TEST(WithDfrs, GivesThePictureOfASceneWithThoseMaterials) {
   MaterialDfrs dfrs = dfrs_of(fresh->world());
   const auto edited = with_dfrs(before, dfrs);
   ASSERT_TRUE(edited.has_value());
-  EXPECT_EQ((*edited)->geometry, before->geometry) << "nothing is built again";
+  EXPECT_EQ((*edited)->geometry, before->geometry) << "nothing is rebuilt";
   EXPECT_EQ((*edited)->lighting, before->lighting);
   EXPECT_EQ((*edited)->dfrs(), dfrs);
   const Film got = film_of(**edited);

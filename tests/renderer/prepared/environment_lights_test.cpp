@@ -114,7 +114,7 @@ TEST(EnvironmentLights, AStudioIsNeitherTooBrightNorTooDark) {
     radiance +=
         glm::dvec3(unshadowed_irradiance(prepare_light(light), receiver)) / std::numbers::pi;
   EXPECT_GT(radiance.x, 0.9);
-  EXPECT_LT(radiance.x, 1.05) << "what is nearer to the light than the middle may be white";
+  EXPECT_LT(radiance.x, 1.05) << "points nearer to the light than the centre may be white";
   // Contrast of displayed colours (WCAG 2); 3 is the minimum for large text.
   const auto contrast = [](double bright, double dark_one) {
     const auto shown = [](double radiant) {

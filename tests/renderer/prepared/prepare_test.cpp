@@ -213,7 +213,7 @@ TEST(Prepare, NeonHasAboutAHundredLights) {
     bulbs += light.type == Light::Type::point && light.radius > 0.0;
     panes += light.type == Light::Type::rectangle;
   }
-  EXPECT_GE(tubes, 50) << "a stroke of a letter each";
+  EXPECT_GE(tubes, 50) << "one light per stroke of a letter";
   EXPECT_EQ(bulbs, 19);
   EXPECT_EQ(panes, 13);
   EXPECT_NEAR(static_cast<double>(neon->lights().size()), 100.0, 20.0);

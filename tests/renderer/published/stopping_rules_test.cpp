@@ -67,7 +67,7 @@ Answer check_table(const Polygon& polygon, const std::vector<Row>& published, bo
   TracedPyray trace;
   const Answer answer =
       subdivide(scene.world, published_rules(8, 1.0 / 16.0), parallel_pixel(), &trace);
-  EXPECT_EQ(trace.levels.size(), published.size() + 1) << "stops elsewhere";
+  EXPECT_EQ(trace.levels.size(), published.size() + 1) << "stops at another level";
   for (const LevelTally& tally : trace.levels) {
     EXPECT_EQ(tally.objects.size(), 1u);
     const ObjectTally& object = tally.objects.front();

@@ -38,7 +38,7 @@ TEST(Allowance, MaxBoundsSamplesByFourForEachFinestCell) {
   EXPECT_EQ(allowance_of(1).most_samples(1.0), 16.0);
   EXPECT_EQ(allowance_of(3).most_samples(1.0), 256.0);
   EXPECT_EQ(allowance_of(3).most_samples(0.25), 64.0);
-  EXPECT_EQ(allowance_of(3).most_samples(1e-9), 1.0) << "no part has none";
+  EXPECT_EQ(allowance_of(3).most_samples(1e-9), 1.0) << "every part has at least one sample";
   for (int max_level = 0; max_level <= max_level_limit; ++max_level) {
     const Allowance allowance = allowance_of(max_level, 0.0);
     for (double part = 1.0; part > 1e-6; part *= 0.7) {
@@ -56,8 +56,8 @@ TEST(Allowance, EpsEndsSamplesSooner) {
   EXPECT_NEAR(allowance_of(5, 1.0 / 64.0).samples(1.0, 0.5), converged * std::pow(0.5, 4.0 / 3.0),
               1e-6);
   EXPECT_EQ(allowance_of(5, 1.0).samples(1.0, 1.0), 1.0);
-  EXPECT_EQ(allowance_of(2, 0.0).samples(1.0, 1.0), 64.0) << "MAX alone decides";
-  EXPECT_GT(allowance_of(8, 0.0).tolerance, 0.0f) << "nobody sees less";
+  EXPECT_EQ(allowance_of(2, 0.0).samples(1.0, 1.0), 64.0) << "only MAX limits the samples";
+  EXPECT_GT(allowance_of(8, 0.0).tolerance, 0.0f) << "smaller errors are invisible";
 }
 
 // Errors of a pixel's parts are independent, so that their sum stays within EPS.

@@ -69,7 +69,7 @@ TEST_P(Cancel, NeverReadsSamplesThatWereNotTaken) {
       EXPECT_NEAR(caster.total, 1.0, 1e-9);
     }
   }
-  EXPECT_GT(patience, 5) << "it was cancelled here and there";
+  EXPECT_GT(patience, 5) << "some runs must have been cancelled";
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, Cancel,

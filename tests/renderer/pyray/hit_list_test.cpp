@@ -123,7 +123,7 @@ TEST(HitLists, ASaturatedCellKeepsNodesClosed) {
   HitLists::List all, list;
   lists.reset(features, unit_frame(), 0.0f);
   lists.refine(square, {}, lists.root(), all);
-  EXPECT_EQ(all.size(), truth.size()) << "no surface is known, so that any of them may be hidden";
+  EXPECT_EQ(all.size(), truth.size()) << "no surface is known to hide any of them";
 
   lists.reset(features, unit_frame(), 0.0f);
   lists.refine(square, {}, lists.root(), list, true);

@@ -95,8 +95,8 @@ constexpr std::size_t parts = 9;
 TEST(ManyParts, AreSampledWhereSamplesCostNoMore) {
   Strips strips(many);
   strips.trace(parts);
-  ASSERT_EQ(strips.sampled, std::vector<double>{1.0}) << "all of the root, and once";
-  EXPECT_EQ(strips.total, 0.0) << "and nothing else of it";
+  ASSERT_EQ(strips.sampled, std::vector<double>{1.0}) << "the whole root, once";
+  EXPECT_EQ(strips.total, 0.0) << "and no other part of it";
   EXPECT_TRUE(strips.outcome.saturated);
 }
 

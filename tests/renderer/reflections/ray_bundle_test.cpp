@@ -185,7 +185,7 @@ TEST(RayBundle, LobesAddUpTheirMoments) {
     bundle.down = {0, -0.02, 0};
     constexpr double first = 0.2;
     bundle.add_lobe({{1, 0, 0}, {0, -1, 0}, first}, 3.0);
-    EXPECT_NEAR(bundle.right.x, 0.02, 1e-12) << "two boxes are two boxes";
+    EXPECT_NEAR(bundle.right.x, 0.02, 1e-12) << "two boxes are represented exactly";
     EXPECT_NEAR(std::abs(bundle.lobe_right.x), first, 1e-12);
     EXPECT_NEAR(bundle.lobe_right_at.x, 0.0, 1e-12);
     // From the surface to one half a unit away.

@@ -28,7 +28,7 @@ class OnePoint final : public LightTransport {
   }
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
            RenderStatistics& /*counts*/) override {
-    ADD_FAILURE() << "all lights are gathered";
+    ADD_FAILURE() << "lights are gathered, not added one by one";
   }
   bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
                RenderStatistics& /*counts*/) override {

@@ -113,7 +113,7 @@ TEST_F(TwoColours, SamplingContinuesForLargeErrors) {
   EXPECT_EQ(many.cost, 4096.0);
   EXPECT_LT(std::abs(many.value.x - 3.0), 0.03);
   EXPECT_GT(many.error, 0.0);
-  EXPECT_LT(many.error, 0.5 * few.error) << "told by all samples";
+  EXPECT_LT(many.error, 0.5 * few.error) << "estimated from all samples";
   // The error allowed grows with the sample count (Neyman allocation): more samples are better
   // spent elsewhere.
   const double goal = few.error / std::sqrt(512.0 / 64.0);
@@ -175,7 +175,8 @@ TEST_F(TwoColours, SamplesFollowTheKernel) {
   for (const float u1 : {1.0f, 0.7f}) {
     const auto border = rectangle(0.05f, u1), red = rectangle(0.05f, edge);
     const double expected = kernel.integral({all, red}) / kernel.integral({all, border});
-    ASSERT_GT(std::abs(expected - (edge - 0.05) / (u1 - 0.05)), 0.02) << "told from an even one";
+    ASSERT_GT(std::abs(expected - (edge - 0.05) / (u1 - 0.05)), 0.02)
+        << "differs from a uniform kernel";
     RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
     const auto found = sampler.sample({all, border}, goal_of(-1.0, 4096), counts_, &kernel);
     EXPECT_NEAR(found.value.x, expected, 1.0 / 64.0) << u1;
@@ -240,7 +241,7 @@ TEST_F(TwoColours, ThinRegionsGetAsManySamples) {
   EXPECT_GT(all.cost, 128.0);
   EXPECT_LT(all.cost, 512.0);
   const auto even = sample({pixel, sides}, goal_of(1e-3, 256));
-  EXPECT_GT(even.cost, 8.0) << "a few that agree are no answer";
+  EXPECT_GT(even.cost, 8.0) << "a few equal samples are not enough";
   EXPECT_LT(even.cost, 32.0);
 }
 

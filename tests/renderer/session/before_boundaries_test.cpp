@@ -113,7 +113,7 @@ TEST(BeforeBoundaries, ARenderCanBeCancelledAndReplaced) {
   }
   ASSERT_TRUE(reaches(session, Reached::Pass::samples));
   session.restart(snapshot_of(test::make_geometry(test::still_life().world)));
-  EXPECT_TRUE(first.expired()) << "with the search for its boundaries";
+  EXPECT_TRUE(first.expired()) << "the search for edges still uses it";
   session.wait();
   EXPECT_TRUE(session.progress().finished);
 
@@ -134,7 +134,7 @@ TEST(BeforeBoundaries, WithoutThemTheRenderFails) {
   session.wait();
   EXPECT_TRUE(session.progress().failed);
   EXPECT_FALSE(session.progress().finished);
-  EXPECT_EQ(session.reached().pass, Reached::Pass::samples) << "what rays can tell is shown";
+  EXPECT_EQ(session.reached().pass, Reached::Pass::samples) << "the sampled picture is shown";
   EXPECT_FALSE(FilmRender().render(snapshot, {}, {}).has_value());
   EXPECT_FALSE(with_boundaries(snapshot.scene).has_value());
   EXPECT_EQ(notes_of(*snapshot.scene).warnings.size(), 1u);

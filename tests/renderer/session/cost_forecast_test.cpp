@@ -164,7 +164,7 @@ TEST(CostForecast, KnowsNothingBeforeABlockIsDone) {
 TEST(CostForecast, TakesThePassBeforeForAGuide) {
   CostForecast forecast(4, {5.0});
   for (std::size_t i = 0; i < 4; ++i) forecast.add(0, i, 1.0 + static_cast<double>(i));
-  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 50.0) << "by what is known beforehand";
+  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 50.0) << "from the prior alone";
   // A block with a ratio of three: the result is about halfway between the two ratios.
   forecast.add(1, 3, 12.0);
   const double ratio = (12.0 + 5.0 * 10.0) / (4.0 + 10.0);
@@ -180,7 +180,7 @@ TEST(CostForecast, PassesThatAreLeftOutCostNothing) {
   for (const std::size_t block : {0, 1}) forecast.add(0, block, 1.0);
   EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 4.0 + 12.0);
   forecast.leave_out(1);
-  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 12.0) << "the last pass is as dear as before";
+  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 12.0) << "the last pass costs as much as before";
 }
 
 TEST(CostForecast, BlocksThatCostNothingHarmNothing) {

@@ -68,7 +68,7 @@ TEST(RenderSession, WorkersBesideAWindowHaveALowerPriority) {
     session.wait();
     EXPECT_EQ(of_worker, beside_window ? std::min(lowest, own + 5) : own);
   }
-  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), own) << "of the caller";
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), own) << "the caller's priority stays";
 }
 
 RenderSettings plan_settings(int width, int height, PixelRect crop = {}) {
@@ -163,7 +163,7 @@ TEST(RenderSession, APauseHoldsTheFinalPassAndTheClock) {
   std::int64_t pixels = 0;
   while (pixels < 100 * 70) {
     for (const FinishedTile& tile : session.take_finished()) {
-      EXPECT_TRUE(tile.coarse) << "only coarse passes go on";
+      EXPECT_TRUE(tile.coarse) << "only coarse passes continue";
       film.put(tile);
       pixels += static_cast<std::int64_t>(tile.rect.width) * tile.rect.height;
     }

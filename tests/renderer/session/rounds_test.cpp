@@ -140,7 +140,7 @@ TEST(Rounds, ShowTheSameWhateverTheThreads) {
         after_all = true;
         continue;
       }
-      EXPECT_FALSE(after_all) << "a picture that one worker does not show";
+      EXPECT_FALSE(after_all) << "one worker shows no such picture";
       at = next + 1;
       ++same;
     }

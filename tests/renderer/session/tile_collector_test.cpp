@@ -44,7 +44,7 @@ TEST(TileCollector, PublishesWhatIsVisibleOfABlock) {
   TileCollector collector(plan, [&] { ++calls; });
   for (std::size_t b = 16; b-- > 0;)
     EXPECT_FALSE(collector.finish_block(b, block_at(plan.blocks[b].rect)));
-  EXPECT_EQ(calls, 1) << "the others wait with the first";
+  EXPECT_EQ(calls, 1) << "the others wait for the first";
   const std::vector<FinishedTile> tiles = collector.take_finished();
   ASSERT_EQ(tiles.size(), 16u);
   for (std::size_t b = 0; b < 16; ++b) {

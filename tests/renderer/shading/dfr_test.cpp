@@ -62,7 +62,7 @@ TEST(Dfr, HasDefinedLimits) {
   EXPECT_EQ(dfr_at({0.0, 0.0, 1.0}, 0.3), least_dfr);
   EXPECT_EQ(dfr_at({0.9, 0.1, 1.0}, 1.0), 0.9) << "may fall with the angle";
   EXPECT_EQ(dfr_at({0.9, 0.1, 1.0}, 0.0), 0.1);
-  EXPECT_EQ(dfr_at({0.2, 0.7, 0.0}, 1.0), 0.7) << "sin^0 is 1, that of 0 too";
+  EXPECT_EQ(dfr_at({0.2, 0.7, 0.0}, 1.0), 0.7) << "sin^0 is 1, also for an angle of 0";
   EXPECT_EQ(dfr_at({0.2, 0.7, 0.0}, 0.4), 0.7);
   EXPECT_EQ(dfr_at({0.2, 0.7, 1e4}, 0.1), 0.2);
   EXPECT_EQ(dfr_at({0.2, 0.7, 1e4}, 0.0), 0.7);
@@ -87,9 +87,10 @@ TEST(Dfr, IsPerturbedByPlaceAlone) {
   for (int i = 0; i < places; ++i) {
     const glm::vec3 place(0.25f * static_cast<float>(i), -0.0f, 1.5f);
     const auto at = dfr_at(dfr, 0.5, place_bits(place));
-    EXPECT_EQ(at, dfr_at(dfr, 0.5, place_bits({place.x, 0.0f, place.z}))) << "of one place";
+    EXPECT_EQ(at, dfr_at(dfr, 0.5, place_bits({place.x, 0.0f, place.z}))) << "the same place";
     const double factor = at[0] / dfr_at(dfr.rgb[0], 0.5);
-    EXPECT_NEAR(at[1], factor * dfr_at(dfr.rgb[1], 0.5), 1e-12) << "colours go together";
+    EXPECT_NEAR(at[1], factor * dfr_at(dfr.rgb[1], 0.5), 1e-12)
+        << "all colours are perturbed alike";
     EXPECT_LE(at[2], 1.0);
     sum += factor;
     least = std::min(least, factor);

@@ -50,7 +50,7 @@ TEST(ReflectanceError, IsWhatSchlicksTermIsOffOverTurningNormals) {
           << angle << ' ' << turn;
     }
   }
-  EXPECT_GT(mean_less_middle(1.35, 0.2), 1.0 / 256.0) << "more than EPS lets pass";
+  EXPECT_GT(mean_less_middle(1.35, 0.2), 1.0 / 256.0) << "more than EPS";
 }
 
 TEST(ReflectanceError, OfAPixelIsNone) {

@@ -134,7 +134,7 @@ TEST(LobeDirections, GoThroughThinWallsAsTheyAreMirrored) {
     const auto mirrored = lobe.mirrored(places.lobe(i, 0));
     const auto through = lobe.refracted(places.lobe(i, 0), 1.0f);
     ASSERT_TRUE(through);
-    EXPECT_LT(through->z, 0.0f) << "none is lost";
+    EXPECT_LT(through->z, 0.0f) << "no direction is lost";
     if (!mirrored) continue;
     ++above;
     EXPECT_LT(glm::distance(*through, mirrored->unit * glm::vec3(1, 1, -1)), 1e-6f);

@@ -110,13 +110,13 @@ TEST(PatchBend, DependsOnTheLobe) {
   EXPECT_EQ(error(0.3f, 0.3f, 0.1f), 1.0f);
   ASSERT_TRUE(parts);
   EXPECT_EQ(parts->right, 2);
-  EXPECT_EQ(parts->down, 1) << "it turns along one edge only";
+  EXPECT_EQ(parts->down, 1) << "the normals vary along one edge only";
   (void)error(0.3f, 0.3f, 0.4f);
-  EXPECT_EQ(parts->right, 1) << "the light is as wide";
+  EXPECT_EQ(parts->right, 1) << "the highlight is wider than the variation";
   (void)error(0.9f, 0.3f, 0.1f);
   EXPECT_FALSE(parts);
   const glm::vec3 low = glm::normalize(glm::vec3(1.0f, 0.0f, 0.01f));
-  EXPECT_EQ(error(0.02f, 1.0f, 0.1f, low), 1.0f) << "it sets within the patch";
+  EXPECT_EQ(error(0.02f, 1.0f, 0.1f, low), 1.0f) << "the light sets within the patch";
   EXPECT_LT(error(0.005f, 1.0f, 0.1f, low), 1e-4f);
 }
 
@@ -150,7 +150,8 @@ TEST(PatchBend, DividesWidePatches) {
   }
   EXPECT_NEAR(mean, 0.0, 1e-6);
   EXPECT_NEAR(square, 1.0 / 12.0, 1e-6) << "exact to the third degree";
-  EXPECT_NEAR(fourth, 1.0 / 80.0 - 1.0 / (180.0 * 81.0), 1e-6) << "that of a third of the width";
+  EXPECT_NEAR(fourth, 1.0 / 80.0 - 1.0 / (180.0 * 81.0), 1e-6)
+      << "the error of parts a third as wide";
 }
 
 }  // namespace

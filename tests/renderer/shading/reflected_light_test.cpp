@@ -49,10 +49,11 @@ TEST(MirroredLights, AreThoseThatHaveASurface) {
   line.type = Light::Type::linear;
   line.half_u = {1.0, 0.0, 0.0};
   PreparedLight tube = prepare_light(line);
-  EXPECT_FALSE(shows(MirroredLights::all, tube)) << "a line has none";
+  EXPECT_FALSE(shows(MirroredLights::all, tube)) << "a line has no surface to reflect";
   tube.own_part = 0;
-  EXPECT_TRUE(shows(MirroredLights::all, tube)) << "the tube that it stands for is mirrored";
-  EXPECT_FALSE(shows(MirroredLights::patterned, tube)) << "where the lobe shows it";
+  EXPECT_TRUE(shows(MirroredLights::all, tube)) << "the tube that the line replaces is reflected";
+  EXPECT_FALSE(shows(MirroredLights::patterned, tube))
+      << "the lobe shows the light, the mirror does not";
   tube.patterned = true;
   EXPECT_TRUE(shows(MirroredLights::patterned, tube)) << "the lobe would not show its texture";
   EXPECT_FALSE(shows(MirroredLights::none, tube));

@@ -78,7 +78,7 @@ TEST(SampleSky, OfAMatteSurfaceUnderAGradientItsMeanIsTheClosedForm) {
   const glm::dvec3 found = mean_of_samples(seen.under(&sky), 1 << 14);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], (*open)[i], 5e-4);
   EXPECT_FALSE(open_sky(Seen(material_of(1.0f, 0.5f), 0.5).under(&sky)))
-      << "no closed form is known of what shines under a gradient";
+      << "glossy surfaces under a gradient have no closed form";
 }
 
 // With a tilted shading normal a uniform sky gives the same irradiance as with the geometric one.
@@ -121,7 +121,7 @@ TEST(SampleSky, FindsTheSunOfAPicture) {
                        static_cast<double>(seen.seen.diffuse.x);
   EXPECT_GT(many.x, matte) << "its lobe adds some";
   EXPECT_LT(many.x, 1.15 * matte);
-  EXPECT_NEAR(few.x, many.x, 0.1 * many.x) << "a sun of 1e-4 of the sky takes no million samples";
+  EXPECT_NEAR(few.x, many.x, 0.1 * many.x) << "a sun of 1e-4 of the sky needs few samples";
 }
 
 TEST(SkyDistribution, TellsHowDenselyItsDirectionsAre) {

@@ -98,7 +98,7 @@ TEST(TextureProducts, NoErrorForASingleTexture) {
   rough.material.metallic = 0.0f;
   rough.material.roughness = 1.0f;
   rough.material.metallic_roughness_texture.texture = rough.gloss(255, 26, true, true);
-  EXPECT_EQ(rough.error(), 0.0f) << "what is no metal mirrors too little";
+  EXPECT_EQ(rough.error(), 0.0f) << "a dielectric reflects too little";
 }
 
 }  // namespace

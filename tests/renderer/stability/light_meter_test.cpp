@@ -31,7 +31,7 @@ TEST(LightMeter, TellsLightsApartWhateverTheirStrength) {
     EXPECT_TRUE(holds(measured(nits, lux))) << nits;
     EXPECT_FALSE(holds(measured(1.001f * nits, lux))) << nits;
   }
-  EXPECT_FALSE(holds(measured(1e-20f, 0.0))) << "nothing is nothing";
+  EXPECT_FALSE(holds(measured(1e-20f, 0.0))) << "no light gives 0";
 }
 
 }  // namespace

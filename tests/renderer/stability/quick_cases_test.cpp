@@ -74,7 +74,7 @@ void expect_that_it_tells(const Case& item, const Finding& finding) {
   EXPECT_TRUE(tells_usual || tells(share))
       << finding.outcome.got << ", bound " << finding.outcome.bound;
   const bool excused = coarse != coarse_cases().end();
-  EXPECT_EQ(tells_usual, !excused) << "an exception that is none any more";
+  EXPECT_EQ(tells_usual, !excused) << "this exception is no longer needed";
 }
 
 class StabilityQuick : public testing::TestWithParam<Case> {};

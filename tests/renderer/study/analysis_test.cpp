@@ -59,7 +59,7 @@ TEST(Analyse, ComparesAnyPointWithARival) {
   EXPECT_FALSE(at_equal_error(study, study.points.back(), "uniform")) << "not measured";
   study.noise = 0.02;
   analyse(study);
-  EXPECT_FALSE(at_equal_error(study, study.points.back(), "sobol")) << "under the floor";
+  EXPECT_FALSE(at_equal_error(study, study.points.back(), "sobol")) << "below the noise floor";
 }
 
 TEST(Analyse, FindsTheErrorInEqualTime) {
@@ -105,7 +105,7 @@ TEST(Analyse, FindsAsosOwnBias) {
   EXPECT_TRUE(study.bias->levels_off) << "four times the time took 2 % of it";
   study.points[3].measures.rmse = 0.0025;
   analyse(study);
-  EXPECT_FALSE(study.bias->levels_off) << "half of it goes";
+  EXPECT_FALSE(study.bias->levels_off) << "half of it is removed";
   study.noise = 0.002;
   analyse(study);
   EXPECT_FALSE(study.bias) << "the best is under the floor of 0.004";
@@ -122,7 +122,7 @@ TEST(Analyse, ComparesUnfinishedAsosWithFinishedSobol) {
                            {"asos", "MAX 2", true, {{2.0, 0.1}, {10.0, 0.04}, {50.0, 0.003}}}};
   analyse(study);
   // After 1 s there is no picture, after 4 s that of 2 s, after 64 s that of 50 s.
-  ASSERT_EQ(study.at_moments.size(), 2u) << "not of more than 64 samples";
+  ASSERT_EQ(study.at_moments.size(), 2u) << "only up to 64 samples";
   EXPECT_EQ(study.at_moments[0].setting, "4 spp");
   EXPECT_EQ(study.at_moments[0].seconds, 4.0);
   EXPECT_NEAR(study.at_moments[0].ratio, 0.1 / 0.05, 1e-12);

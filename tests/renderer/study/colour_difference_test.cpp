@@ -57,7 +57,7 @@ TEST(Ciede2000, GivesThePublishedDifferences) {
     EXPECT_NEAR(ciede2000(pairs[i].first, pairs[i].second), pairs[i].difference, 0.5e-4)
         << "pair " << i + 1;
     EXPECT_NEAR(ciede2000(pairs[i].second, pairs[i].first), pairs[i].difference, 0.5e-4)
-        << "pair " << i + 1 << ", turned round";
+        << "pair " << i + 1 << ", with the pair swapped";
     EXPECT_EQ(ciede2000(pairs[i].first, pairs[i].first), 0.0) << "pair " << i + 1;
   }
 }

@@ -160,12 +160,12 @@ TEST(Plan, EveryPublishedCaseIsMeasuredOnATruePictureOfItsOwn) {
     }
   }
   const auto blurred = settings_of("builtin:house-mirror DFR 0.05,1,32", "stochastic", "16 spp");
-  ASSERT_TRUE(blurred && blurred->mirror.dfr) << "the rival mirrors as ASOS does";
+  ASSERT_TRUE(blurred && blurred->mirror.dfr) << "the rival reflects like ASOS";
   EXPECT_EQ(blurred->mirror.dfr->rgb[2], (DfrCurve{0.05, 1.0, 32.0}));
   EXPECT_EQ(settings_of("builtin:solids bounces 6", "stochastic", "64 spp")->mirror.bounces, 6);
   EXPECT_EQ(settings_of("builtin:house-textured", "asos", "MAX 2 EPS 0 TR 4")->texture.resolution,
             4);
-  EXPECT_EQ(scenes_of(plan).size(), 7u) << "as many true pictures, each with its own reference";
+  EXPECT_EQ(scenes_of(plan).size(), 7u) << "one true picture each, with its own reference";
   for (const Job& job : *jobs)
     if (job.kind == JobKind::reference && job.scene == "builtin:house-mirror DFR 0.05,1,64") {
       EXPECT_EQ(job.rung.settings.mirror.dfr->rgb[0].exponent, 64.0) << job.title();

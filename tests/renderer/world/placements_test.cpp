@@ -106,7 +106,7 @@ TEST(Placements, ShareNoMeshThatHasDataForEachTriangle) {
     return flat(scene, any_copies).placements != nullptr;
   };
   Scene scene = test::instanced_scene(2, 8);
-  EXPECT_FALSE(shares(scene)) << "of two meshes each is shown once";
+  EXPECT_FALSE(shares(scene)) << "two meshes with one instance each";
   scene = test::instanced_scene(4, 8);
   EXPECT_TRUE(shares(scene));
   scene.materials[0].alpha_mode = AlphaMode::mask;
@@ -118,7 +118,7 @@ TEST(Placements, ShareNoMeshThatHasDataForEachTriangle) {
   scene = test::instanced_scene(4, 8);
   for (Instance& instance : scene.instances)
     instance.world_from_mesh[1] *= instance.mesh < 2 ? 1000.0 : 1.0;
-  EXPECT_FALSE(shares(scene)) << "edges that fold little in one place may fold in another";
+  EXPECT_FALSE(shares(scene)) << "rounding may make flat edges creases";
 }
 
 TEST(Placements, TakeMemoryByTheirMeshes) {

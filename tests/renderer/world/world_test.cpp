@@ -108,7 +108,7 @@ TEST(Flatten, InventsNoTangentsForMeshesWithoutThem) {
   ASSERT_TRUE(world);
   ASSERT_EQ(world->tangents.size(), 6u);
   for (std::size_t v = 0; v < 3; ++v) {
-    EXPECT_EQ(world->tangents[v], glm::vec4(0.0f)) << "the texture's own direction is to be used";
+    EXPECT_EQ(world->tangents[v], glm::vec4(0.0f)) << "the texture's direction must be used";
     EXPECT_EQ(world->tangents[3 + v], glm::vec4(1, 0, 0, -1));
   }
 }
@@ -198,7 +198,7 @@ TEST(DefaultCamera, FramesScenesOfAnySizeAndShape) {
         }
         EXPECT_LT(widest, 1.0);
         if (shape != glm::dvec3(0)) {
-          EXPECT_GT(widest, 0.5) << "the scene is lost in the picture";
+          EXPECT_GT(widest, 0.5) << "the scene is too small in the picture";
         }
         EXPECT_GT(camera.world_from_camera[2].y, 0.0) << "seen from above";
       }
