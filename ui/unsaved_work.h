@@ -10,9 +10,9 @@ class PictureJob;
 class Previewer;
 struct Frames;
 
-/// Determines which of the user's work would be lost by closing the window. Edits of lights,
-/// defocusing ratios and sky count until a picture, whose metadata hold them, is saved. Not
-/// thread-safe.
+/// Determines which of the user's work would be lost by closing the window. Saving a
+/// picture keeps edits of lights, defocusing ratios (DFRs) and sky, because its metadata hold
+/// them. Exporting the scene keeps edits of lights and DFRs. Not thread-safe.
 class UnsavedWork {
  public:
   /// Call once a frame. Values that a scene was opened with are not edits.

@@ -58,7 +58,7 @@ double largest(glm::vec3 v) {
   return std::max({v.x, v.y, v.z});
 }
 
-/// How much brighter the brightest excess pixel is than in the dark picture.
+/// The largest amount by which any channel of a pixel is brighter in `lit` than in `dark`.
 double excess(const Picture& lit, const Picture& dark) {
   double worst = 0.0;
   for (std::size_t i = 0; i < lit.film.radiance.size(); ++i)

@@ -35,7 +35,8 @@ struct Found {
   double place = 0.0, normal = 0.0;  ///< largest deviation from the true sphere
 };
 
-/// Errors of the points of a patch with edges of this size, around the place with this normal.
+/// The largest errors of the points of a patch. Its edges are about `size` long; its centre is
+/// the point of the sphere that has this normal.
 Found errors(double size, glm::dvec3 normal) {
   SurfacePoint middle;
   middle.position = glm::vec3(radius * normal);
