@@ -16,7 +16,7 @@ namespace {
 
 Camera camera_looking(const LookAt& look, glm::dvec3 origin) {
   const glm::dvec3 back = glm::normalize(look.eye - look.target);
-  // +Y is up, but for a camera that looks straight up or down: then the picture's top is -Z.
+  // +Y is up, except for a camera that looks straight up or down: then -Z is up.
   const bool along_y = std::hypot(back.x, back.z) < 1e-9;
   const glm::dvec3 up = along_y ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(up, back));
@@ -32,7 +32,7 @@ std::string called(const Camera& camera) {
   return camera.name.empty() ? "the camera" : fmt::format("camera '{}'", printable(camera.name));
 }
 
-// Fails for orthographic cameras, and where the values leave no lens.
+// Fails for orthographic cameras and for values that make no valid lens.
 Result<void> set_lens(const LensChoice& choice, Camera& camera) {
   if (!choice.any()) return {};
   if (camera.type != Camera::Type::perspective)
@@ -65,7 +65,7 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
     camera = world.cameras[static_cast<std::size_t>(*choice.index)];
   } else if (choice.given) {
     camera = *choice.given;
-    // It has been moved from the origin that its picture names.
+    // The picture may have another origin than the scene, so the moved camera is checked again.
     if (const std::string fault = camera_fault(camera); !fault.empty())
       return tl::unexpected(Error{fmt::format("camera '{}'", camera.name), fault});
   } else {

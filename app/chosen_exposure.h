@@ -9,9 +9,9 @@
 
 namespace asos {
 
-/// Sets the exposure of all pictures where nobody chose a number: see usual_exposure. An animation
-/// is metered at rest, so that its frames may be rendered in any order. `picture`: what `scene` is
-/// prepared by. Returns a note for the person; empty: there is nothing to say.
+/// Sets the exposure of all pictures if the command line sets none: see usual_exposure. Meters an
+/// animation at rest, so that frames can be rendered in any order. `picture`: the description that
+/// `scene` is prepared with. Returns a note for the user; empty: none.
 [[nodiscard]] Result<std::string> choose_exposure(PictureArguments& wanted, OpenedScene& scene,
                                                   const PictureDescription& picture);
 

@@ -11,7 +11,7 @@ namespace asos {
 /// Frames of an animation: frame F is F / fps seconds from its beginning.
 struct ClipFrames {
   int first = 0;
-  std::optional<int> last;  ///< none: the last one before the animation ends
+  std::optional<int> last;  ///< none: the last frame within the animation
   double fps = 24.0;
 };
 

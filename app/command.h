@@ -11,17 +11,16 @@ class App;
 
 namespace asos {
 
-/// A subcommand: its parser, and what to do once the command line has been understood. `run`
-/// returns the exit code.
+/// A subcommand: its parser, and the function to call after parsing. `run` returns the exit code.
 struct Command {
   CLI::App* parser = nullptr;
   std::function<int(const Streams&)> run;
 };
 
-/// Says what went wrong; the exit code of bad input.
+/// Prints the error and returns the exit code for bad input.
 int fail(const Streams& streams, const Error& error);
 
-/// Each adds its subcommand to the program's parser.
+/// Each function adds its subcommand to the program's parser.
 [[nodiscard]] Command add_view_command(CLI::App& program);
 [[nodiscard]] Command add_render_command(CLI::App& program);
 [[nodiscard]] Command add_trace_command(CLI::App& program);

@@ -28,7 +28,8 @@ constexpr const char* program_footer =
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
-// The first word decides: a subcommand, a question about the program, or else the window.
+// The first word is a subcommand or an option of the program itself; anything else is for the
+// window.
 bool is_for_program(const CLI::App& program, const std::string& word) {
   constexpr std::array<const char*, 4> questions{"-h", "--help", "--help-all", "--version"};
   if (std::find(questions.begin(), questions.end(), word) != questions.end()) return true;
@@ -76,11 +77,11 @@ int run_command_line(std::vector<std::string> words, const Streams& streams) {
                             add_stability_command(program), add_info_command(program),
                             add_export_command(program),    add_list_command(program)};
 
-  // Commands inherit the flag, and have nothing below them to explain.
+  // Subcommands inherit --help-all, and have no subcommands of their own to list.
   for (const Command& command : commands) command.parser->set_help_all_flag();
 
   if (words.empty() || !is_for_program(program, words.front())) words.insert(words.begin(), "view");
-  std::reverse(words.begin(), words.end());  // CLI11 takes the last word first
+  std::reverse(words.begin(), words.end());  // CLI11 takes the words in reverse order
   try {
     program.parse(std::move(words));
   } catch (const CLI::Success& question) {  // help and version

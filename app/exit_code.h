@@ -6,7 +6,7 @@ namespace asos {
 enum ExitCode : int {
   exit_ok = 0,
   exit_bad_input = 1,      ///< a scene that cannot be opened, a file that cannot be written
-  exit_usage = 2,          ///< a command line that makes no sense
+  exit_usage = 2,          ///< an invalid command line
   exit_interrupted = 130,  ///< stopped by SIGINT, as shells report it
 };
 

@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-/// Names all files that a picture leaves behind.
+/// Renames all output files of a picture.
 RenderArguments renamed(const RenderArguments& arguments,
                         const std::function<std::string(const std::string&)>& name) {
   RenderArguments one = arguments;
@@ -30,7 +30,7 @@ std::vector<FrameRequest> frames_of(const RenderArguments& arguments, const Scen
       frames.push_back({CameraTurn{i, arguments.turn->count}, {}, time});
   } else if (arguments.clip_frames && time) {
     const ClipFrames& wanted = *arguments.clip_frames;
-    // The end of a clip is a float: a frame that falls on it counts.
+    // An animation's end is a float, so allow for rounding: a frame at the end counts.
     const double to_end = std::floor(end_of(contents, *time) * wanted.fps + 1e-4);
     const int last = wanted.last.value_or(static_cast<int>(std::min<double>(to_end, most_frames)));
     for (int i = wanted.first; i <= last; ++i)

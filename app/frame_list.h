@@ -8,26 +8,26 @@
 
 namespace asos {
 
-/// One of the pictures that a command line asks for.
+/// One of the pictures to render.
 struct FrameRequest {
   std::optional<CameraTurn> turn;
   std::optional<int> of_clip;    ///< its number in an animation
   std::optional<ClipTime> time;  ///< see OpenedScene::time
 };
 
-/// The pictures that the command line asks for: one, unless it asks for frames.
+/// The pictures that the command line selects: one, or several frames.
 [[nodiscard]] std::vector<FrameRequest> frames_of(const RenderArguments& arguments,
                                                   const SceneContents& contents,
                                                   const std::optional<ClipTime>& time);
 
-/// The first of them, as far as it can be told without the scene.
+/// The first of them, without its time: that is known only with the scene.
 [[nodiscard]] FrameRequest first_frame(const RenderArguments& arguments);
 
-/// The arguments of this picture alone: where it is seen from, and what it is called.
+/// The arguments of this picture alone, with its camera and file names.
 [[nodiscard]] RenderArguments arguments_of(const RenderArguments& arguments,
                                            const FrameRequest& frame);
 
-/// The pictures of `frames` that are of times beyond the end of their animation.
+/// Number of `frames` after the end of their animation.
 [[nodiscard]] std::size_t beyond_the_end(const std::vector<FrameRequest>& frames,
                                          const SceneContents& contents);
 

@@ -30,8 +30,8 @@ struct InfoArguments {
   bool all = false;
 };
 
-/// What `info` tells of: the scene as it is at a moment, and all of what a render would do first,
-/// for what a scene does not need is known only then.
+/// The scene at one time, and the prepared scene. `info` prepares it fully, because only then it is
+/// known which features the scene does not need.
 struct Told {
   Scene scene;
   std::shared_ptr<const RenderScene> ready;

@@ -18,15 +18,15 @@ volatile std::sig_atomic_t on_terminal = 0;
 std::atomic<const char*> words_when_abandoned{nullptr};
 static_assert(std::atomic<const char*>::is_always_lock_free, "a signal's handler reads it");
 
-// Called by the handler, too: nothing here may take memory or a lock.
+// Called by the signal handler, too: it must not allocate or lock.
 void abandon_if_allowed() {
   const char* words = words_when_abandoned;
   if (!words) return;
   const auto say = [](const char* text) {
     const ssize_t written = ::write(STDERR_FILENO, text, std::strlen(text));
-    static_cast<void>(written);  // where it fails, there is nobody left to tell
+    static_cast<void>(written);  // a failure cannot be reported
   };
-  if (on_terminal != 0) say("\r\x1b[K");  // where the progress bar stands
+  if (on_terminal != 0) say("\r\x1b[K");  // erases the progress bar
   say(words);
   ::_exit(exit_interrupted);
 }

@@ -2,8 +2,8 @@
 
 namespace asos {
 
-/// While it lives, the first SIGINT or SIGTERM only sets a flag, so that work can stop cleanly; a
-/// second one ends the program at once. One at a time.
+/// During its lifetime, the first SIGINT or SIGTERM only sets a flag, so that work can stop
+/// cleanly; a second one ends the program at once. Only one instance at a time.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -14,12 +14,12 @@ class InterruptGuard {
   [[nodiscard]] bool interrupted() const;
 };
 
-/// While it lives, an InterruptGuard's first signal ends the program at once, too, with the exit
-/// code of an interrupt and `last_words` on stderr: for work that leaves nothing behind and cannot
-/// be asked to stop, such as what libraries do with a file. One at a time.
+/// During its lifetime, the first signal ends the program at once even with an InterruptGuard, with
+/// the exit code of an interrupt and `last_words` on stderr. For work that leaves no files and
+/// cannot be interrupted, such as library calls that read a file. Only one instance at a time.
 class AbandonableWork {
  public:
-  /// `last_words`: a text that lives as long as the program.
+  /// `last_words` must stay valid until the program ends.
   explicit AbandonableWork(const char* last_words);
   ~AbandonableWork();
   AbandonableWork(const AbandonableWork&) = delete;

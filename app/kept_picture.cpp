@@ -26,7 +26,7 @@ const std::string* text_of(const ImageText& text, const char* key) {
   return found == text.end() ? nullptr : &found->second;
 }
 
-/// Whether a limit of time ended the picture before it was finished.
+/// Whether a time limit ended the picture before it was finished.
 bool was_stopped(const std::string& statistics) {
   const auto json = nlohmann::json::parse(statistics, nullptr, false);
   if (!json.is_object()) return true;
@@ -34,7 +34,7 @@ bool was_stopped(const std::string& statistics) {
   return limit != json.end() && !(limit->is_object() && limit->value("finished", false));
 }
 
-/// Whether the file is a finished picture of these settings.
+/// Whether the file is a finished picture with these settings.
 bool holds(const std::string& path, const PictureDescription& wanted) {
   const Result<ImageText> text = read_image_text(path);
   if (!text) return false;

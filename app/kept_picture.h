@@ -8,8 +8,8 @@
 
 namespace asos {
 
-/// Whether all files that `arguments` ask for are there, are newer than `sources`, and the picture
-/// among them is a finished one of these settings: rendering it would only make it again.
+/// Whether all output files of `arguments` exist, are newer than `sources`, and the picture is a
+/// finished one with these settings, so that it need not be rendered again.
 [[nodiscard]] bool is_rendered(const RenderArguments& arguments, const PictureDescription& wanted,
                                const std::vector<std::string>& sources);
 

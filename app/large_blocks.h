@@ -4,9 +4,9 @@
 
 namespace asos {
 
-/// Lets blocks of a megabyte or more go back to the system as soon as they are freed. Else glibc
-/// keeps all below 32 MB for later once it has seen one of that size, which is a fifth more memory
-/// while a large scene is loaded. Call before there are threads.
+/// Makes malloc return blocks of a megabyte or more to the system when they are freed. By default
+/// glibc keeps all blocks below 32 MB once one of that size was freed, which takes a fifth more
+/// memory while a large scene is loaded. Call before threads are started.
 inline void give_back_large_blocks() {
 #ifdef M_MMAP_THRESHOLD
   constexpr int megabyte = 1 << 20;

@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   asos::give_back_large_blocks();
   const asos::Streams streams{std::cout, std::cerr, isatty(STDERR_FILENO) != 0};
   const int code = asos::run_command_line({argv + (argc > 0 ? 1 : 0), argv + argc}, streams);
-  // An answer that nobody got is a failure, as on a full disk.
+  // Output that could not be written, as on a full disk, is a failure.
   errno = 0;
   if (std::cout.flush()) return code;
   std::cerr << "asos: the answer cannot be written"

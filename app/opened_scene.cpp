@@ -9,7 +9,7 @@
 namespace asos {
 namespace {
 
-/// The moment of the picture whose settings are taken, if it is of the same scene.
+/// The time of the picture given by --from, if it shows the same scene.
 std::optional<ClipTime> time_of_from(const PictureArguments& wanted) {
   const bool same = wanted.from && wanted.from->scene == wanted.scene;
   return same ? wanted.from->time : std::nullopt;
@@ -63,7 +63,7 @@ void OpenedScene::frame_animation() {
   for (int i = 0; i <= moments; ++i) {
     const Result<Scene> posed =
         at_rest.rig->pose(ClipTime{time_->animation, clip.seconds * i / moments});
-    if (!posed) continue;  // a moment of which nothing can be drawn
+    if (!posed) continue;  // nothing can be drawn at this time
     Result<FlattenedScene> flat =
         flatten(*posed, most_triangles, at_rest.stage.origin, never_shared);
     if (!flat || flat->world.bounds.empty()) continue;
@@ -87,7 +87,7 @@ Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<C
   }
   auto prepared = prepare_posed(at_rest_, picture, nullptr);
   if (!prepared) return prepared;
-  // What the author wrote is not needed any more.
+  // The unprepared scene is no longer needed.
   at_rest_ = Scene{};
   return newest_ = *std::move(prepared);
 }

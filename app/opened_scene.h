@@ -13,32 +13,31 @@
 
 namespace asos {
 
-/// The scene of a command line, read once, to be rendered at one or at several moments.
+/// The scene of a command line, read once, to be rendered at one or several times of its animation.
 class OpenedScene {
  public:
-  /// Reads it. Where the command line asks for some moment, the scene at rest is made ready, too:
-  /// it says where the picture is seen from and how it is lit if the file does not.
+  /// Reads the scene. If the command line selects a time, the scene at rest is prepared, too: it
+  /// defines the default camera and the default lighting.
   [[nodiscard]] static Result<OpenedScene> open(const PictureArguments& wanted);
 
-  /// The moment that is asked for, or that the picture is of that settings are taken from; none:
-  /// as the file's nodes place things.
+  /// The selected time, or that of the picture given by --from; none: the scene at rest.
   [[nodiscard]] const std::optional<ClipTime>& time() const { return time_; }
   [[nodiscard]] const SceneContents& contents() const { return contents_; }
-  /// How many of the file's cameras are placed.
+  /// Number of cameras that the file places.
   [[nodiscard]] std::size_t cameras() const { return cameras_; }
 
-  /// The scene ready to render at that moment, lit as `picture` says; the one that was asked for
-  /// last is kept. Its boundaries may still be looked for.
+  /// Returns the scene prepared for that time, lit as `picture` says, and keeps the last one. Its
+  /// edges may still be being searched.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
                                                               const PictureDescription& picture);
-  /// The scene as the file's nodes place it, where it moves; else as `at` has it.
+  /// Returns the scene at rest if it is animated; otherwise the same as `at`.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at_rest(
       const PictureDescription& picture);
-  /// Keeps this scene, lit and on its ground, in place of the one that was asked for last: `at` of
-  /// the same time returns it. The hierarchies of the one before go.
+  /// Replaces the last scene by this one with its lights and ground; `at` of the same time returns
+  /// it. Frees the hierarchies of the one before.
   void keep(std::shared_ptr<const RenderScene> scene) { newest_ = std::move(scene); }
-  /// The camera of a picture of `scene`, which is one of those above. Where the file has none, it
-  /// frames all of the animation that is shown.
+  /// Returns the camera for a picture of `scene`, which is one of those above. Without cameras in
+  /// the file, it frames the whole animation.
   [[nodiscard]] Result<Camera> camera(const RenderScene& scene, const CameraChoice& choice,
                                       double aspect_ratio) const;
 
@@ -46,12 +45,12 @@ class OpenedScene {
   [[nodiscard]] Result<void> go_on_stage(const PictureArguments& wanted);
   void frame_animation();
 
-  Scene at_rest_;  // of a scene that moves, its rig alone is kept
+  Scene at_rest_;  // for an animated scene, only its rig is kept
   SceneContents contents_;
   std::size_t cameras_ = 0;
   std::optional<ClipTime> time_;
-  std::shared_ptr<const RenderScene> stage_;  // the scene at rest, made ready; null: nothing moves
-  std::optional<World> framed_;               // at several times of the animation
+  std::shared_ptr<const RenderScene> stage_;  // the prepared scene at rest; null: not animated
+  std::optional<World> framed_;               // bounds of several times of the animation
   std::shared_ptr<const RenderScene> newest_;
 };
 

@@ -13,8 +13,8 @@
 
 namespace asos {
 
-/// Adds an option whose text `parse` reads into `assign`, so that every refusal is a usage error
-/// in our own words. `shape` is what the help shows in the value's place.
+/// Adds an option whose text `parse` converts and `assign` stores; its errors become usage errors.
+/// `shape` is the placeholder for the value in the help.
 template <typename Parse, typename Assign>
 CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std::string& shape,
                                const std::string& help, Parse parse, Assign assign) {
@@ -30,7 +30,7 @@ CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std
       ->type_name(shape);
 }
 
-/// A parser of the names in a table such as leaf_names, which has to outlive it.
+/// Returns a parser of the names in a table such as leaf_names, which must outlive it.
 template <typename Named, std::size_t N>
 auto parse_name(std::span<const Named, N> known) {
   return [known](const std::string& text) -> Result<decltype(Named::value)> {
@@ -43,7 +43,8 @@ auto parse_name(std::span<const Named, N> known) {
   };
 }
 
-/// An option that takes one of the names in a table; its default is what `value` is.
+/// Adds an option with one of the names in a table as its value; the default is the current
+/// `value`.
 template <typename Names, typename T>
 CLI::Option* add_choice(CLI::App& app, const char* option, const char* kind, const char* help,
                         const Names& known, T& value) {

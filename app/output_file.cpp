@@ -26,8 +26,8 @@ std::string reason_of_errno() {
   return std::strerror(errno);
 }
 
-// How names of files on their way to `target` begin: the same in every run, so that the next one
-// finds what one that was killed has left. A hash, for a name may be as long as names can be.
+// Prefix of the temporary files for `target`. It is the same in every run, so that a later run
+// finds the leftovers of a killed one. A hash keeps it short for long names.
 std::string part_prefix(const fs::path& target) {
   std::uint64_t hash = 0;
   for (const char c : target.filename().string())
@@ -35,7 +35,7 @@ std::string part_prefix(const fs::path& target) {
   return fmt::format(".asos-part-{:016x}-", hash);
 }
 
-// Makes the file anew and empty; opening it is the only test that every file system agrees with.
+// Creates the file, empty. Opening it is the only test that works on every file system.
 bool can_create(const fs::path& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   return file >= 0 && ::close(file) == 0;
@@ -46,7 +46,7 @@ bool can_create(const fs::path& path) {
 Result<OutputFile> OutputFile::plan(const std::string& path) {
   OutputFile file;
   file.path_ = path;
-  // Asked of the path as it is: a pipe behind a link has no other name.
+  // Uses the unresolved path: a pipe behind a link has no other name.
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) return fail(path, "it is a directory");
@@ -66,7 +66,7 @@ Result<OutputFile> OutputFile::plan(const std::string& path) {
       fmt::format("{}{}{}", prefix, ::getpid(), file.target_.extension().string()));
   const bool created = can_create(file.temporary_);
   const std::string reason = reason_of_errno();
-  fs::remove(file.temporary_, error);  // there may be one although it could not be closed
+  fs::remove(file.temporary_, error);  // it may exist although closing failed
   if (!created) return fail(path, reason);
   return file;
 }
@@ -77,7 +77,7 @@ Result<void> OutputFile::commit(
   std::error_code error;
   if (Result<void> written = write(temporary_.string()); !written) {
     fs::remove(temporary_, error);
-    // The reason names the temporary file, which the user has never heard of.
+    // The error names the temporary file, which the user does not know.
     return tl::unexpected(Error{path_, written.error().reason});
   }
   fs::rename(temporary_, target_, error);

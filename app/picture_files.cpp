@@ -53,7 +53,7 @@ Result<void> check_inputs_stay(const RenderArguments& arguments) {
   const std::string& scene = arguments.picture.scene;
   const std::string& root = arguments.picture.asset_root;
   std::vector<std::string> inputs{scene, arguments.picture.sky.file};
-  // The scene is read for its textures and buffers only where the output may be one of them.
+  // Reads the scene for its textures and buffers only if the output may be one of them.
   for (const std::string* output : outputs_of(arguments)) {
     std::error_code error;
     if (output->empty() || !fs::exists(*output, error) || same_file(*output, scene)) continue;

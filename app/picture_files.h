@@ -13,7 +13,7 @@
 
 namespace asos {
 
-/// The files that a render is to leave behind, known to be writable.
+/// The output files of a render, checked to be writable.
 struct OutputPlan {
   OutputFile picture;
   std::optional<OutputFile> split_map;
@@ -21,17 +21,17 @@ struct OutputPlan {
   std::optional<OutputFile> stats;
 };
 
-/// Whether the path ends like a format that pictures are written in: .png or .exr.
+/// Whether the path has the extension of a picture format: .png or .exr.
 [[nodiscard]] bool is_picture_path(const std::string& path);
 
-/// How the split map of a picture that is shown like that is shown.
+/// The display settings of the split map that belongs to a picture with these settings.
 [[nodiscard]] PictureDisplay split_map_display(const PictureDisplay& display,
                                                SplitMapColours colours);
 
-/// An error where an output is the scene, one of its files or the sky's, which would be lost.
+/// Error if an output would overwrite the scene, one of its files, or the sky's file.
 [[nodiscard]] Result<void> check_inputs_stay(const RenderArguments& arguments);
 
-/// The same where it is known which files the picture is made of.
+/// The same for known source files.
 [[nodiscard]] Result<void> check_inputs_stay(const RenderArguments& arguments,
                                              const std::vector<std::string>& inputs);
 

@@ -73,7 +73,7 @@ void add_texture_resolution(CLI::App& app, RenderSettings& settings) {
       ->default_str(std::to_string(settings.texture.resolution));
 }
 
-// Options that only the methods that ASOS is compared with have.
+// Options of the methods that ASOS is compared with.
 void add_rival_options(CLI::App& app, RenderSettings& settings) {
   add_parsed_option(app, "--contrast", "C",
                     "whitted: contrast above which a square is split, display intensity 0 to 1",
@@ -92,7 +92,7 @@ void add_rival_options(CLI::App& app, RenderSettings& settings) {
       ->default_str(fmt::format("{}", settings.sampling.contrast_scale));
 }
 
-// Each method's name and hint.
+// Lists each method's name and hint.
 std::string method_words() {
   std::string words;
   const auto methods = method_table();
@@ -104,7 +104,7 @@ std::string method_words() {
   return words;
 }
 
-// The methods of these rows: "asos, uniform and sobol".
+// Joins the names of the selected rows: "asos, uniform and sobol".
 std::string listed(bool (*wanted)(const MethodRow& row)) {
   std::vector<std::string> names;
   for (const MethodRow& row : method_table())
@@ -253,7 +253,7 @@ void add_stage_options(CLI::App& app, PictureArguments& arguments) {
       ->default_str("on for a scene without lights in its default sky, else off");
 }
 
-// The camera, but for what is shown of its picture.
+// Options for the camera, without those for the display of the picture.
 void add_camera_choice(CLI::App& app, CameraChoice& camera) {
   CLI::Option* index = add_parsed_option(
       app, "--camera", "N",

@@ -18,57 +18,58 @@ class App;
 
 namespace asos {
 
-/// The arguments that the window and `render` share: a scene, how to render it, and from where.
+/// The arguments that the window and `render` share: scene, camera and settings.
 struct PictureArguments {
   std::string scene = "builtin:office";
-  std::string variant;        ///< of its materials, as asked for; see load_options_of
-  std::string scene_of_file;  ///< by number or name, as asked for; likewise
+  std::string variant;        ///< material variant, as typed: see load_options_of
+  std::string scene_of_file;  ///< scene of the file, number or name as typed: see load_options_of
   std::string asset_root;     ///< see LoadOptions
   RenderSettings settings;
   CameraChoice camera;
   ClipChoice clip;
-  SkyChoice sky;                   ///< until with_sky makes it settings.sky
-  bool sky_chosen = false;         ///< else the scene has that of its default_look
-  bool ground_chosen = false;      ///< else its ground, where the sky is not chosen either
-  bool background_chosen = false;  ///< else it has default_background of the sky
+  SkyChoice sky;                   ///< with_sky makes it settings.sky
+  bool sky_chosen = false;         ///< false: the sky of default_look
+  bool ground_chosen = false;      ///< false: the ground of default_look, unless the sky is chosen
+  bool background_chosen = false;  ///< false: default_background of the sky
   float exposure_ev = 0.0f;
-  bool exposure_chosen = false;   ///< else it is usual_exposure
+  bool exposure_chosen = false;   ///< false: usual_exposure
   bool exposure_metered = false;  ///< "auto" was chosen
   ToneCurve tone = ToneCurve::neutral;
   NeedsChoice needs = NeedsChoice::scene;
 
-  std::string from_file;                   ///< a picture whose settings these are; empty: none
+  std::string from_file;                   ///< the picture given by --from; empty: none
   std::optional<PictureDescription> from;  ///< its contents
   std::optional<Error> from_error;         ///< why it could not be read
 };
 
-// Each adds options that fill `arguments`, which has to outlive the parser.
+// Each function adds options that fill `arguments`, which must outlive the parser.
 
-/// SCENE, the picture's size, and how to render it.
+/// The scene, the picture's size, and how to render it.
 void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_required);
-/// Where it is seen from, how bright it is shown, and which part of it.
+/// Camera, exposure and crop.
 void add_camera_options(CLI::App& app, PictureArguments& arguments);
-/// Which moment of the file's animations it shows.
+/// The time in the file's animations.
 void add_clip_options(CLI::App& app, ClipChoice& clip);
-/// The option for what is kept of a scene and done although the scene does not need it.
+/// The option that keeps features and work that the scene does not need.
 void add_needs_option(CLI::App& app, NeedsChoice& needs);
-/// Those of the options above that decide on the true picture of a scene, and TR: for commands that
-/// choose methods and their quality by themselves.
+/// The subset of the options above that defines the exact picture of a scene, and TR: for commands
+/// that choose methods and quality themselves.
 void add_look_options(CLI::App& app, PictureArguments& arguments);
 
-/// Which of the file's scenes is shown in which variant of its materials: those asked for, or else
-/// those of the saved picture whose settings are taken, if it is of the same file. A saved picture
-/// grants no asset root, so that a downloaded one cannot.
+/// Selects the scene of the file and the material variant: as on the command line, or as in the
+/// picture given by --from if it shows the same file. The picture's asset root is not used, so that
+/// a downloaded picture cannot grant access to files.
 [[nodiscard]] LoadOptions load_options_of(const PictureArguments& arguments);
 
-/// The settings, judging differences by the curve that the picture is shown by; those of a saved
-/// picture as it did, where nothing else is asked for, so that it comes out the same.
+/// Returns the settings with the displayed tone curve for judging errors. Without other options, a
+/// picture given by --from keeps its own, so that it is reproduced exactly.
 [[nodiscard]] RenderSettings judged_as_shown(const PictureArguments& arguments);
 
-/// The settings with the sky that was asked for, which is read where it is a file; errors name it.
+/// Returns the settings with the selected sky, which is read if it is a file; errors name it.
 [[nodiscard]] Result<RenderSettings> with_sky(const PictureArguments& arguments);
 
-/// Gives the settings what nobody chose: sky, ground and background of the scene's default look.
+/// Completes the settings from the scene's default look: sky, ground and background that were not
+/// chosen.
 void take_default_look(PictureArguments& arguments, const RenderScene& scene, const Camera& camera);
 
 /// The largest width and height of a picture, in pixels.

@@ -14,7 +14,7 @@ std::string json_text(const Json& json) {
 
 Json with_printable_texts(const Json& json) {
   if (json.is_string()) return printable(json.get_ref<const std::string&>());
-  // What is neither a text nor holds others would be its own only item.
+  // A scalar would be its own only item.
   if (!json.is_structured()) return json;
   Json shown = json;
   for (auto& item : shown.items()) item.value() = with_printable_texts(item.value());

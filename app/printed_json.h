@@ -6,10 +6,10 @@
 
 namespace asos {
 
-/// JSON as it is printed: lines of ASCII, in which a terminal finds nothing to obey.
+/// Formats JSON as lines of ASCII, without control characters that a terminal would execute.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 
-/// The same with all texts in it as they may be shown (printable), for reports made of them.
+/// The same JSON with all texts made printable, for reports.
 [[nodiscard]] nlohmann::ordered_json with_printable_texts(const nlohmann::ordered_json& json);
 
 }  // namespace asos

@@ -30,7 +30,7 @@ std::string clock_time(double seconds) {
 
 std::string progress_line(const Progress& progress, int columns) {
   const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
-  // Rounded down, so that 100 % means the end.
+  // Rounds down, so that 100 % means finished.
   std::string text = fmt::format(" {:3} %", static_cast<int>(fraction * 100.0));
   if (progress.seconds_left >= 0.0)
     text += fmt::format("  {} left", clock_time(progress.seconds_left));
@@ -71,7 +71,7 @@ void ProgressBar::say(const std::string& words) {
 }
 
 void ProgressBar::show(const Progress& progress) {
-  // One column stays free: some terminals wrap when the last one is written.
+  // Leaves the last column free: some terminals wrap after it is written.
   if (!is_terminal_) return;
   const int columns = terminal_columns() - 1;
   const std::string which =

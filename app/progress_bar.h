@@ -7,27 +7,27 @@
 
 namespace asos {
 
-/// One line, at most `columns` wide: a bar, the share that is done and the time left. No time is
-/// named before the session has an estimate.
+/// One line of at most `columns` characters: bar, percentage and remaining time. Shows no time
+/// before the session has an estimate.
 [[nodiscard]] std::string progress_line(const Progress& progress, int columns);
 
-/// How far a row of pictures has come, but for the one that is being rendered.
+/// Progress of a series of pictures, without the one being rendered.
 struct PicturesDone {
   int count = 1;         ///< of all
-  int finished = 0;      ///< rendered, or there before
-  int rendered = 0;      ///< of these, those whose time is known
+  int finished = 0;      ///< rendered, or found finished
+  int rendered = 0;      ///< number of these with a known time
   double seconds = 0.0;  ///< that they took
 };
 
-/// The progress of all of them, where `now` is that of the next one: its share of the work is taken
-/// to be as large as the others', and so is its time.
+/// Total progress of the series, with `now` that of the current picture. All pictures are assumed
+/// to take the same amount of work and time.
 [[nodiscard]] Progress progress_of_all(const Progress& now, const PicturesDone& done);
 
 /// "0:07", "12:30", "1:02:03".
 [[nodiscard]] std::string clock_time(double seconds);
 
-/// A line on a terminal that is redrawn in place, and wiped when the bar goes. Where the stream is
-/// no terminal it draws nothing.
+/// A line on a terminal that is redrawn in place and erased by the destructor. Draws nothing if the
+/// stream is no terminal.
 class ProgressBar {
  public:
   ProgressBar(std::ostream& stream, bool is_terminal);
@@ -35,9 +35,9 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void say(const std::string& text);  ///< for phases whose length is not known
+  void say(const std::string& text);  ///< for phases of unknown length
   void show(const Progress& progress);
-  /// Of which row of pictures `show` is told the progress of one from now on.
+  /// Sets the progress of the series; `show` adds that of the current picture.
   void set_done(const PicturesDone& done) { done_ = done; }
   [[nodiscard]] int pictures() const { return done_.count; }
   void wipe();

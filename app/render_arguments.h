@@ -14,13 +14,13 @@ struct RenderArguments {
   PictureArguments picture;
   std::string output;
   std::string frames;                     ///< as typed; empty: one picture
-  std::optional<FrameRange> turn;         ///< of a turn around the scene, one file each
-  std::optional<ClipFrames> clip_frames;  ///< of an animation, one file each
+  std::optional<FrameRange> turn;         ///< frames of a turn around the scene, one file each
+  std::optional<ClipFrames> clip_frames;  ///< frames of an animation, one file each
   std::string split_map;                  ///< empty: not asked for
   SplitMapColours split_map_by = SplitMapColours::level;
   std::string stats_file;                    ///< empty: not asked for
   std::optional<double> time_limit_seconds;  ///< of rendering
-  bool allow_empty = false;                  ///< render a scene of which nothing can be drawn
+  bool allow_empty = false;                  ///< render a scene without anything to draw
   bool quiet = false;
 };
 

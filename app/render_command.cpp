@@ -57,7 +57,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Whether frames are of a turn or of an animation is known when all options are.
+// Reads --frames as frames of a turn or of an animation; this depends on the other options.
 void read_frames(RenderArguments& arguments) {
   const auto read = [&](auto parse, auto& frames) {
     const auto parsed = parse(arguments.frames);
@@ -72,9 +72,9 @@ void read_frames(RenderArguments& arguments) {
   read(parse_clip_frames, arguments.clip_frames);
 }
 
-// Everything about the command line that can be wrong without opening anything.
+// Checks everything that can be wrong with the command line without opening a file.
 void check(const RenderArguments& arguments) {
-  if (arguments.picture.from_error) return;  // which is told later, as bad input
+  if (arguments.picture.from_error) return;  // reported later, as bad input
   if (arguments.picture.scene.empty()) throw CLI::RequiredError("SCENE (or --from)");
   const RenderSettings& settings = arguments.picture.settings;
   const PixelRect crop = settings.crop;
@@ -106,12 +106,12 @@ tl::unexpected<Error> interrupted_error() {
   return tl::unexpected(Error{"render", "interrupted"});
 }
 
-// The parts of the saved picture that are not overridden: its lights belong to its scene alone.
+// The parts of the saved picture that are not overridden. Its lights are used only with its scene.
 PictureDescription wanted_picture(const PictureArguments& wanted, const SceneContents& shown) {
   PictureDescription picture = wanted.from.value_or(PictureDescription{});
   picture.needs = wanted.needs;
   picture.settings.sky = wanted.settings.sky;
-  // An environment brings lights along; those of another one go with it.
+  // The lights of the picture's environment are dropped with it.
   const bool brought = picture.sky.environment && picture.sky != wanted.sky;
   const int number = picture.scene_number < 0 ? shown.default_scene : picture.scene_number;
   if (picture.scene != wanted.scene || number != shown.shown_scene) {
@@ -134,14 +134,14 @@ Error nothing_drawn(const RenderReport& report) {
       fmt::format("there is nothing in it to draw{}; --allow-empty renders it all the same", why)};
 }
 
-/// Everything that lasts over the pictures of one command line.
+/// State that all pictures of one command line share.
 struct Work {
   OpenedScene scene;
   double load_seconds = 0.0;
-  std::vector<std::string> sources;  ///< files that pictures are of
+  std::vector<std::string> sources;  ///< files that the pictures depend on
 };
 
-// Makes the sky that was asked for part of the settings, too.
+// Opens the scene, and reads the selected sky into the settings.
 Result<Work> open(RenderArguments& arguments, ProgressBar& bar, const InterruptGuard& interrupt) {
   const AbandonableWork loading(nothing_written);
   PictureArguments& wanted = arguments.picture;
@@ -174,7 +174,8 @@ RenderReport report_of(const RenderArguments& arguments, const RenderScene& read
   return report;
 }
 
-/// Renders one picture, or, of several, finds that it is there; `arguments` are its own.
+/// Renders one picture; in a series, skips a picture that is finished already. `arguments` are the
+/// picture's own.
 Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame, Work& work,
                             ProgressBar& bar, const InterruptGuard& interrupt) {
   const Result<OutputPlan> outputs = plan_outputs(arguments);
@@ -183,7 +184,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   const PictureArguments& wanted = arguments.picture;
   const PictureDescription picture = wanted_picture(wanted, work.scene.contents());
 
-  // Make it ready to render; with a limit of time the picture begins with what rays alone can tell
+  // Prepares the scene; with a time limit the first passes need no edges
   if (bar.pictures() == 1) bar.say("Building ...");
   const auto started = std::chrono::steady_clock::now();
   auto prepared = work.scene.at(frame.time, picture);
@@ -271,18 +272,18 @@ void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>
         counted(frames.size(), "picture"));
 }
 
-// Reads the scene to know what else it is made of.
+// Reads the scene for its textures and buffers, to check that no output overwrites them.
 Result<void> check_inputs(const RenderArguments& arguments) {
   const AbandonableWork reading(nothing_written);
   return check_inputs_stay(arguments);
 }
 
-// Each as if it were asked for alone, so that frames can be rendered anywhere and in any order.
+// Renders each picture as if alone, so that frames can be rendered in any order and on any machine.
 Result<void> render_all(RenderArguments arguments, const Streams& streams, ProgressBar& bar,
                         const InterruptGuard& interrupt) {
   if (arguments.picture.from_error) return tl::unexpected(*arguments.picture.from_error);
   if (auto fits = check_picture_fits(arguments.picture.settings); !fits) return fits;
-  // Told before the scene is read, which may take long.
+  // Checked before the scene is loaded, which may take long.
   if (auto stay = check_inputs(arguments_of(arguments, first_frame(arguments))); !stay) return stay;
   if (const auto plan = plan_outputs(arguments_of(arguments, first_frame(arguments))); !plan)
     return tl::unexpected(plan.error());
@@ -297,7 +298,7 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
       frames_of(arguments, work->scene.contents(), work->scene.time());
   if (frames.empty())
     return tl::unexpected(Error{arguments.picture.scene, "the animation ends before that frame"});
-  // Before the first of them takes its time.
+  // Checked before the first picture takes its time.
   for (const FrameRequest& frame : frames) {
     const RenderArguments one = arguments_of(arguments, frame);
     if (auto stay = check_inputs_stay(one, work->sources); !stay) return stay;

@@ -10,10 +10,10 @@
 namespace asos {
 namespace {
 
-// How often the progress bar and an interrupt are looked at while no tiles arrive.
+// Interval at which the progress bar and interrupts are updated while no tiles arrive.
 constexpr std::chrono::milliseconds patience{100};
 
-// Lets the workers' callback wake the thread that collects tiles.
+// Wakes the thread that collects tiles from the workers' callback.
 class Bell {
  public:
   void ring() {
@@ -37,7 +37,7 @@ class Bell {
 
 Result<void> check_picture_fits(const RenderSettings& settings) {
   const PixelRect part = settings.visible();
-  // Radiance, level, tiles on their way, and the encoder's copy.
+  // Memory per pixel: radiance, level, pending tiles, and the encoder's copy.
   constexpr double bytes_a_pixel = 40.0;
   const double needed =
       bytes_a_pixel * static_cast<double>(part.width) * static_cast<double>(part.height);
@@ -72,7 +72,7 @@ std::optional<RenderedPicture> run_render_job(Snapshot snapshot, ProgressBar& ba
   auto drawn = std::chrono::steady_clock::now();
   for (bool finished = false; !finished;) {
     bell.wait(time_limit_seconds ? patience / 5 : patience);
-    // Asked before the tiles are taken: what was published up to the end is then among them.
+    // Read before the tiles are taken, so that the last tiles are not missed.
     const Progress progress = session.progress();
     if (interrupt.interrupted() || progress.failed) {
       session.cancel();
@@ -83,7 +83,7 @@ std::optional<RenderedPicture> run_render_job(Snapshot snapshot, ProgressBar& ba
     if (!finished && past_limit(progress)) {
       session.cancel();
       collect();
-      // The workers may have come to the end by then.
+      // The workers may have finished meanwhile.
       if (!session.progress().finished) picture.stopped_at = session.reached();
       break;
     }

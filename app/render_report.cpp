@@ -36,7 +36,7 @@ nlohmann::ordered_json edges_json(const std::optional<FeatureCounts>& edges) {
           {"cut_out", edges->cut_out}};
 }
 
-// The measurements of loading and rendering the scene.
+// The times for loading and rendering the scene.
 nlohmann::ordered_json measured_json(const RenderReport& report) {
   nlohmann::ordered_json measured{
       {"triangles", report.triangles},
@@ -79,7 +79,7 @@ std::string reached_text(const Reached& reached) {
     }
     return "final";
   };
-  // Rounded down: 100 % is all.
+  // Rounds down: 100 % means finished.
   return fmt::format("{} everywhere, {} % final", pass(),
                      static_cast<int>(100.0 * reached.final_share));
 }

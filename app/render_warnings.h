@@ -7,14 +7,14 @@
 
 namespace asos {
 
-/// Writes into a report what of the scene is not in the picture, as far as it is known: boundaries
-/// tell more once they are found.
+/// Adds warnings about parts of the scene that the picture lacks. More are known once the edges
+/// are.
 void tell_warnings(RenderReport& report, const RenderScene& scene, const SkyChoice& sky);
 
-/// Adds a warning of rays that passed too many surfaces, once the picture is rendered.
+/// Adds a warning after rendering if rays passed through too many surfaces.
 void warn_of_cut_stacks(RenderReport& report);
 
-/// Says it, in a bounded number of lines.
+/// Prints the warnings in a limited number of lines.
 void say_warnings(const RenderReport& report, std::ostream& err);
 
 }  // namespace asos

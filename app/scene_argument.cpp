@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view builtin_prefix = "builtin:";
 
-// Levenshtein's distance: how many letters have to be typed differently.
+// Levenshtein distance between two names.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -77,7 +77,7 @@ Result<void> check_scene_argument(const std::string& text) {
     return tl::unexpected(
         Error{text, "this is a directory; name the .gltf or .glb file inside it."});
   if (status.type() == std::filesystem::file_type::not_found) {
-    // Only something like "office" was meant for a name; for a path the list would be noise.
+    // Lists the built-in scenes only for words like "office"; for a path the list does not help.
     const bool looks_like_name = text.find_first_of("/.") == std::string::npos;
     return tl::unexpected(
         Error{text, "there is no such file." + (looks_like_name ? suggestions(text) : "")});

@@ -27,8 +27,8 @@ Json bounds_json(const World& world) {
           {"max", vector_json(world.origin + glm::dvec3(world.bounds.hi))}};
 }
 
-/// Every light is counted under its type; "ball" and "sun" say how many of the points and spots,
-/// and of the directional lights, have a size.
+/// Counts every light under its type. "ball" counts the point and spot lights with a size, "sun"
+/// the directional ones.
 Json lights_json(const Scene& scene) {
   const auto count_if = [&scene](auto wanted) {
     return std::count_if(scene.lights.begin(), scene.lights.end(), wanted);
@@ -89,7 +89,7 @@ Json animations_json(const SceneContents& contents) {
   return animations;
 }
 
-/// What of the file moves, and what there is a choice of.
+/// Animations, skins and morph targets of the file, with its variants and scenes.
 Json contents_json(const SceneContents& contents) {
   Json skins = Json::array(), morphs = Json::array();
   for (const SceneContents::Skin& skin : contents.skins)
@@ -109,7 +109,8 @@ std::string quoted(const Json& name) {
   return name.get<std::string>().empty() ? "" : "\"" + name.get<std::string>() + "\", ";
 }
 
-/// A line for each, as `line(index, entry)` says it, up to `most`, and one for how many more.
+/// Formats one line per entry with `line(index, entry)`, up to `most`, and the number of those left
+/// out.
 template <typename Line>
 std::string lines_of(const Json& list, std::size_t most, Line line) {
   const std::size_t told = std::min(list.size(), most);
@@ -120,7 +121,7 @@ std::string lines_of(const Json& list, std::size_t most, Line line) {
   return text;
 }
 
-/// A line for how many there are and one for each; none where there are none.
+/// A line with the number of entries and one for each; nothing for an empty list.
 template <typename Line>
 std::string numbered_lines(const char* title, const Json& list, std::size_t most, Line line) {
   if (list.empty()) return "";

@@ -11,20 +11,20 @@
 
 namespace asos {
 
-/// The contents of a scene, those not supported, and those left out because nothing needs them.
-/// `ready` is the prepared `scene`. Bounds and positions are the author's coordinates. Lights are
-/// counted by type; "ball" counts those of the points and spots that have a radius, "sun" those of
-/// the directional ones that have an angular diameter.
+/// The contents of a scene, with unsupported features and those left out because nothing needs
+/// them. `ready` is the prepared `scene`. Bounds and positions are in the author's coordinates.
+/// Lights are counted by type; "ball" counts the points and spots with a radius, "sun" the
+/// directional ones with an angular diameter.
 [[nodiscard]] nlohmann::ordered_json scene_info_json(const Scene& scene, const RenderScene& ready);
 
-/// The features that were left out: an array of objects with `feature`, `reason` and, where there
-/// is something of that sort, `stages`, `memory`, `controls` and `rows`.
+/// The features that were left out: an array of objects with `feature`, `reason` and, if present,
+/// `stages`, `memory`, `controls` and `rows`.
 [[nodiscard]] nlohmann::ordered_json left_out_json(const SceneNeeds& needs);
 
 inline constexpr std::size_t most_lines_a_list = 20;
 
-/// A scene's information for a person: lines of text, without what is empty; of each list the first
-/// `most` entries, and how many more there are.
+/// A scene's information as lines of text, without empty items. A list shows its first
+/// `most` entries and the number of the others.
 [[nodiscard]] std::string scene_info_text(const nlohmann::ordered_json& info,
                                           std::size_t most = most_lines_a_list);
 

@@ -33,7 +33,7 @@ constexpr const char* stability_footer =
     "stability\n  asos stability -o stability --quick\n\nExit codes: 0 all cases hold, 1 a bound "
     "is broken or a file cannot be written, 2 bad command\nline, 130 interrupted.";
 
-/// Where the answers go, known to be writable.
+/// The output files, checked to be writable.
 struct StabilityFiles {
   OutputFile page;
   OutputFile table;

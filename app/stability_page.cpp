@@ -58,7 +58,7 @@ constexpr const char* column_heads = R"(<div class="scroll"><table>
 <tbody>
 )";
 
-/// A field of a table in CSV.
+/// Quotes a CSV field.
 std::string quoted_field(const std::string& text) {
   std::string field = "\"";
   for (const char c : text) {
@@ -68,7 +68,7 @@ std::string quoted_field(const std::string& text) {
   return field + '"';
 }
 
-/// The text of the last column: why there is no figure, or why the bound is what it is.
+/// The last column: why a value is missing, or the reason for its bound.
 const std::string& why(const Finding& finding) {
   return finding.fault.empty() ? finding.outcome.reason : finding.fault;
 }

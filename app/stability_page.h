@@ -7,11 +7,10 @@
 
 namespace asos {
 
-/// One line of headings, then one line a finding, as RFC 4180 has it.
+/// CSV as in RFC 4180: a header, then one line per finding.
 [[nodiscard]] std::string stability_csv(const std::vector<stability::Finding>& findings);
 
-/// A page that opens from disk and needs no other file: a summary first, then what is broken, then
-/// all findings by group.
+/// A self-contained HTML page: a summary first, then the failed cases, then all findings by group.
 [[nodiscard]] std::string stability_page(const std::vector<stability::Finding>& findings,
                                          bool quick_only);
 

@@ -4,11 +4,11 @@
 
 namespace asos {
 
-/// Where a command writes: answers to `out`, errors and progress to `err`.
+/// The output streams of a command: results go to `out`, errors and progress to `err`.
 struct Streams {
   std::ostream& out;
   std::ostream& err;
-  bool err_is_terminal = false;  ///< then progress may be drawn and redrawn there
+  bool err_is_terminal = false;  ///< then progress may be redrawn in place
 };
 
 }  // namespace asos

@@ -39,7 +39,7 @@ struct TraceArguments {
   bool json = false;
 };
 
-// Everything about the command line that can be wrong without opening anything.
+// Checks everything that can be wrong with the command line without opening a file.
 void check(const TraceArguments& arguments) {
   const RenderSettings& settings = arguments.picture.settings;
   if (const auto valid = validated(settings); !valid)
@@ -108,7 +108,7 @@ Command add_trace_command(CLI::App& program) {
   add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant,
                     arguments->picture.asset_root);
   add_clip_options(*parser, arguments->picture.clip);
-  // These options say nothing about one pixel's subdivision.
+  // Options that have no effect on one pixel's subdivision.
   for (const char* option : {"--spp", "--threads", "--exposure", "--crop"})
     parser->remove_option(parser->get_option(option));
   add_parsed_option(*parser, "--pixel", "x,y", "Pixel, from the top left corner", parse_pixel,

@@ -65,8 +65,8 @@ const char* name_of(CellFate fate) {
   return "by samples";
 }
 
-/// Names what a person sees: a part and its material, and of a part of several smooth surfaces
-/// which one, counted from 1.
+/// Names objects by part and material; a part with several smooth surfaces also gets a number, from
+/// 1.
 class Namer {
  public:
   explicit Namer(const RenderScene& scene) : scene_(scene) {
@@ -180,7 +180,7 @@ std::string text_of(const Json& value) {
   return value.get<std::string>();
 }
 
-// Cut to so many characters, not in the middle of one that is several bytes long.
+// Truncates to a number of characters, not within a multi-byte one.
 std::string fitted(const std::string& text, std::size_t columns) {
   std::size_t characters = 0, end = text.size();
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -195,7 +195,7 @@ std::string place_text(const Json& p) {
   return fmt::format("{:6.4f} {:6.4f}", p[0].get<double>(), p[1].get<double>());
 }
 
-// Values that are not finite are null in the file.
+// Non-finite values are null in the JSON.
 std::string colour_text(const Json& c) {
   std::string text;
   for (const Json& value : c) {
@@ -229,7 +229,7 @@ std::string head_text(const Json& trace) {
   return text;
 }
 
-// The table of GI'93: a line an object; what belongs to the whole level stands on the first.
+// The table of GI'93 with a line per object; values of the whole level are in its first line.
 std::string levels_text(const Json& levels) {
   if (levels.empty()) return "\nNo cell is marginal.\n";
   std::string text =
@@ -271,7 +271,7 @@ std::string cell_text(const Json& cell) {
   return text;
 }
 
-// A line for each, under the one whose leaf sent it on.
+// One line per pyray, below the one whose leaf started it.
 std::string pyrays_text(const Json& pyrays) {
   if (pyrays.empty()) return "";
   std::string text = fmt::format("\n{:>3} {:>4}  {:<6} {:<13}  {:<6}  {:>5}  {:<20}  {}\n", "No",

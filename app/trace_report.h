@@ -17,14 +17,13 @@ struct TracedPicture {
   RenderSettings settings;  ///< the settings it was rendered with
 };
 
-/// How a pixel was subdivided: the papers' table level by level, then every cell, then the pyrays
-/// that its leaves sent on to lights and by way of mirrors, with the cells of each. Objects are
-/// named by their part and material. Places are shares of the pixel, or of the pyray's own square,
-/// from its top left corner.
+/// The subdivision of a pixel: the papers' table level by level, then every cell, then the shadow
+/// and mirror pyrays of its leaves with their cells. Objects are named by part and material. Places
+/// are fractions of the pixel, or of the pyray's own square, from its top left corner.
 [[nodiscard]] nlohmann::ordered_json trace_json(const PixelTrace& trace, const RenderScene& scene,
                                                 const TracedPicture& picture);
 
-/// The same for a person: tables at most 100 columns wide.
+/// The same as text: tables at most 100 columns wide.
 [[nodiscard]] std::string trace_text(const nlohmann::ordered_json& trace);
 
 }  // namespace asos

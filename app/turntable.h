@@ -8,22 +8,23 @@
 
 namespace asos {
 
-/// Frames `first` to `last` of a whole turn of `count` frames.
+/// Frames `first` to `last` of a full turn of `count` frames.
 struct FrameRange {
   int first = 0;
   int last = 0;
   int count = 1;
 };
 
-/// The most frames of a turn.
+/// Maximum number of frames of a turn.
 inline constexpr int most_frames = 100'000;
 
 /// "A-B/N", "A/N" for one frame, "N" for all: frames from 0 to N - 1.
 [[nodiscard]] Result<FrameRange> parse_frames(std::string_view text);
 
-/// "a/turn.png" of frame 7 of 120: "a/turn-007.png", so that names sort as frames do.
+/// Path of a frame of a turntable: "a/turn.png" becomes "a/turn-007.png" for frame 7 of 120, so
+/// that names sort like frames.
 [[nodiscard]] std::string frame_path(const std::string& path, int frame, int count);
-/// "a/walk.png" of frame 7 of an animation: "a/walk-0007.png".
+/// Path of a frame of an animation: "a/walk.png" becomes "a/walk-0007.png" for frame 7.
 [[nodiscard]] std::string clip_frame_path(const std::string& path, int frame);
 
 }  // namespace asos

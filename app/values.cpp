@@ -20,7 +20,7 @@ tl::unexpected<Error> refuse(std::string_view text, std::string reason) {
   return tl::unexpected(Error{fmt::format("\"{}\"", text), std::move(reason)});
 }
 
-// std::from_chars knows no locale; it takes no leading plus, which people do type.
+// std::from_chars is locale-independent, but does not accept a leading plus, which users type.
 template <typename T>
 std::optional<T> read_all(std::string_view text) {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
@@ -31,7 +31,7 @@ std::optional<T> read_all(std::string_view text) {
   return value;
 }
 
-// The parts of "a,b,c" if there are exactly N of them and each is a T.
+// Parses "a,b,c" with exactly N parts of type T.
 template <typename T, std::size_t N>
 std::optional<std::array<T, N>> read_list(std::string_view text, char separator) {
   std::array<T, N> values{};
@@ -46,7 +46,8 @@ std::optional<std::array<T, N>> read_list(std::string_view text, char separator)
   return values;
 }
 
-// "R,G,B" or "R,G,B:R,G,B"; one colour counts twice. `otherwise`: what to say of all else.
+// Parses "R,G,B" or "R,G,B:R,G,B"; a single colour is used twice. `otherwise`: the error for other
+// texts.
 Result<std::pair<glm::vec3, glm::vec3>> read_colours(std::string_view text, const char* otherwise) {
   constexpr float brightest = 1e6f;
   const std::size_t colon = text.find(':');

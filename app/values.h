@@ -12,9 +12,8 @@
 #include <string>
 #include <string_view>
 
-// Values as a person types them on the command line. They are read the same in every locale, all of
-// the text has to make sense, and what is out of range is an error that says what would be right.
-// The errors' subject is the text itself.
+// Parsers for values on the command line. They are locale-independent and must consume the whole
+// text. Errors for values out of range state the range. The error's subject is the text itself.
 
 namespace asos {
 

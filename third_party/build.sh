@@ -1,4 +1,5 @@
-# Sourced by ./run and ./check, which set `root`: builds a preset, silently unless something fails.
+# Sourced by ./run and ./check, which set `root`. Builds a preset, with output only if something
+# fails.
 
 # Runs a command with its output in a log; shows the log if it fails.
 quietly() {
@@ -17,7 +18,7 @@ build_preset() {
   shift
   local directory="$root/build/$preset"
   mkdir -p -- "$directory"
-  # A tree that was moved or copied with its build folder cannot use it any more.
+  # A tree that was moved or copied cannot use its old build folder.
   local cache="$directory/CMakeCache.txt"
   if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
     rm -rf -- "$directory"

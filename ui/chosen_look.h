@@ -2,8 +2,9 @@
 
 namespace asos {
 
-/// The parts of a scene's look that were asked for, and stay for scenes that are opened. The others
-/// follow the scene: see default_look and default_background. The ground stays with a sky.
+/// The parts of a scene's look that the command line sets. They stay for every scene opened later;
+/// the other parts follow each scene (default_look, default_background). If the sky is set, the
+/// ground stays, too.
 struct ChosenLook {
   bool sky = false;
   bool ground = false;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// The share of two convolved boxes, `a` and `b` wide and around 0, that lies below x.
+/// Integral below x of two convolved unit-area boxes of widths `a` and `b`, centred at 0.
 double below(double x, double a, double b) {
   if (b < 1e-6) return std::clamp(x / a + 0.5, 0.0, 1.0);
   const auto ramp = [](double t) { return t > 0.0 ? t * t : 0.0; };
@@ -51,7 +51,7 @@ void set_curves(Dfr& dfr, DfrChannel channel, double DfrCurve::*member, double v
 }
 
 double widening_axis(const Dfr& dfr) {
-  // A curve rises or falls all the way, so that its ends hold the most.
+  // A curve is monotonic, so one of its ends is the maximum.
   double most = 10.0;
   for (const DfrCurve& curve : dfr.rgb) {
     for (const double cosine : {0.0, 1.0})

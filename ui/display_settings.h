@@ -5,18 +5,18 @@
 
 namespace asos {
 
-/// How a finished picture is shown. Nothing here restarts a render but the tone curve, by which EPS
-/// judges what shows (judged_by).
+/// How a finished picture is displayed. Only the tone curve restarts a render, because EPS limits
+/// the error of displayed colours (judged_by).
 struct DisplaySettings {
   static constexpr float exposure_limit_ev = 20.0f;  // suns have 100,000 lx
 
   float exposure_ev = 0.0f;    ///< stops
-  bool auto_exposure = false;  ///< it follows the scene: see MeteredExposure
+  bool auto_exposure = false;  ///< the exposure follows the scene: see MeteredExposure
   ToneCurve tone = ToneCurve::neutral;
-  bool show_split_map = false;  ///< over the picture: the split pixels in colours
-  float split_dimming = 0.7f;   ///< how dark the split map makes the other pixels, 0 to 1
-  bool show_grid = false;       ///< and the axes, over the picture
-  bool show_legend = true;      ///< of the split map, over the picture
+  bool show_split_map = false;  ///< draws the split pixels in colours over the picture
+  float split_dimming = 0.7f;   ///< darkening of the unsplit pixels in the split map, 0 to 1
+  bool show_grid = false;       ///< draws grid and axes over the picture
+  bool show_legend = true;      ///< draws the split map's legend over the picture
   SplitMapColours split_colours = SplitMapColours::level;
 
   [[nodiscard]] DisplayTransform transform() const { return {exposure_ev, tone}; }

@@ -29,7 +29,7 @@ void DrawSchedule::begin_frame(double now) {
 }
 
 void DrawSchedule::end_frame(std::optional<double> wish) {
-  // What an event shows may need a second frame to find its size.
+  // A window that has just appeared gets its final size in its second frame.
   if (settling_) bring_forward(tiles_frame_seconds);
   if (wish) bring_forward(std::max(*wish, input_frame_seconds));
 }

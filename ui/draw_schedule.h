@@ -5,23 +5,23 @@
 
 namespace asos {
 
-/// Decides when the window draws: what a person does is followed at once; tiles that arrive are
-/// shown less often, because showing them takes time from rendering them; and while nothing
-/// changes, nothing is drawn. Times are seconds on one clock. One thread.
+/// Decides when the window draws. Input is drawn at once. Arriving tiles are drawn less often,
+/// because drawing takes time from rendering. Without changes nothing is drawn. Times are seconds
+/// of one clock. Not thread-safe.
 class DrawSchedule {
  public:
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  /// There was input, or the window has to be drawn again.
+  /// Notes input, or that the window's contents were damaged.
   void note_input();
-  /// Another thread has finished something. `hurried`: it is waited for.
+  /// Notes that another thread has finished something. `hurried`: draw it as soon as input.
   void note_woken(bool hurried);
-  /// A frame is drawn now, which shows all that was noted; before it is.
+  /// Call before drawing a frame, which will show all that was noted.
   void begin_frame(double now);
-  /// The content's wish when to be drawn next though nothing happens, in seconds after this frame.
-  /// It holds though what it was for be over by then: that, too, has to be shown.
+  /// `wish`: when the content wants the next frame although nothing happens, in seconds after this
+  /// one. The frame is drawn even if the reason has gone by then, so that its end shows.
   void end_frame(std::optional<double> wish);
-  /// When the next frame is due; may have passed.
+  /// When the next frame is due; it may lie in the past.
   [[nodiscard]] double due() const { return due_; }
 
  private:
@@ -29,8 +29,8 @@ class DrawSchedule {
 
   double drawn_ = -1.0;    // when the last frame was
   double due_ = 0.0;       // the first frame is due at once
-  bool happened_ = false;  // something was noted since the last frame
-  bool settling_ = false;  // the frame being drawn shows it
+  bool happened_ = false;  // noted since the last frame
+  bool settling_ = false;  // something was noted before the frame being drawn
 };
 
 }  // namespace asos

@@ -7,7 +7,7 @@ namespace asos {
 
 namespace {
 
-// Turns of the wheel that follow each other more quickly are one step.
+// Turns of the mouse wheel within this time of each other are one step.
 constexpr double step_rest_seconds = 0.4;
 
 }  // namespace

@@ -9,29 +9,29 @@
 
 namespace asos {
 
-/// Undo and redo of what a person edits: settings, lights, camera and display. What belongs
-/// together, as a drag or turns of the wheel, is one step: a step ends when nothing has changed for
-/// a moment and nothing is held. Another scene forgets all steps. One thread.
+/// Undo and redo of edits: settings, lights, camera and display. A drag, or a series of wheel
+/// turns, is one step: a step ends when nothing has changed for a moment and no button is held.
+/// Opening another scene clears the history. Not thread-safe.
 class EditHistory {
  public:
   static constexpr std::size_t most_steps = 200;
 
-  /// Call once a frame. `holding`: a mouse button is down, so that the step goes on.
+  /// Call once a frame. `holding`: a mouse button is down, which keeps the step open.
   void update(const Previewer& previewer, const DisplaySettings& display, bool holding,
               double now_seconds);
-  /// False where there is nothing to take back, or to do again.
+  /// Returns false if there is no step to undo or redo.
   bool undo(Previewer& previewer, DisplaySettings& display);
   bool redo(Previewer& previewer, DisplaySettings& display);
 
-  /// From begin to end all steps count as one, or as none where the end equals the begin. Ends
-  /// itself with the scene, and where steps from before it were taken back.
+  /// All steps between begin and end count as one, or as none if the state is the same at both. The
+  /// group ends early when another scene is opened, or when an undo goes back before its begin.
   void begin_group(const Previewer& previewer, const DisplaySettings& display);
   void end_group(const Previewer& previewer, const DisplaySettings& display);
   [[nodiscard]] bool grouped() const { return group_.has_value(); }
 
   [[nodiscard]] bool can_undo() const { return changed_ || !past_.empty(); }
   [[nodiscard]] bool can_redo() const { return !changed_ && !future_.empty(); }
-  /// When `update` should be called though nothing happens, in seconds; none: when it does.
+  /// Seconds until `update` has to be called although nothing happens; none: no such time.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:
@@ -53,7 +53,7 @@ class EditHistory {
   double changed_seconds_ = 0.0;
   std::uint64_t scene_ = 0;
   std::deque<State> past_, future_;
-  std::optional<std::size_t> group_;  // steps that were there when it began
+  std::optional<std::size_t> group_;  // number of steps when the group began
 };
 
 }  // namespace asos

@@ -13,12 +13,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// Where a light shines to, with what is right of it and above it: orthonormal.
+/// Orthonormal frame of a light: the direction it faces, with the directions to its right and up.
 struct Basis {
   glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};
 };
 
-// Built from the angles alone, so that nothing fails at the poles.
+// Built from the angles alone, so it is defined at the poles, too.
 Basis basis_of(const LightTurn& t) {
   const double sa = std::sin(t.azimuth_rad), ca = std::cos(t.azimuth_rad);
   const double se = std::sin(t.elevation_rad), ce = std::cos(t.elevation_rad);
@@ -47,7 +47,7 @@ glm::dvec3 forward_of(const Light& light) {
                                            : unit_or(light.direction, {0, 0, -1});
 }
 
-/// The side by which a roll is told; zero where the light looks the same however it is rolled.
+/// The side that defines the light's roll; zero for lights that are symmetric about their axis.
 glm::dvec3 side_of(const Light& light) {
   if (light.type == Light::Type::rectangle) return light.half_u;
   if (light.type == Light::Type::polygon && !light.outlines.empty() &&
@@ -63,13 +63,13 @@ double outline_area(const std::vector<glm::dvec3>& outline, glm::dvec3 direction
   return 0.5 * glm::dot(sum, direction);
 }
 
-/// Candela that one unit of a light's intensity is, straight ahead and from afar.
+/// Candela per unit of the light's intensity, on its axis and from far away.
 double candela_per_unit(const Light& light, double distance) {
   if (light.type == Light::Type::directional) return distance * distance;
   return is_flat(light.type) ? area_of(light) : 1.0;
 }
 
-/// Half of what a light measures across; 0 for one of no size.
+/// Half of the light's extent; 0 for a light without a size.
 double half_size(const Light& light, double distance) {
   switch (light.type) {
     case Light::Type::directional:
@@ -109,8 +109,8 @@ Light::Type type_of(LightKind kind) {
   return Light::Type::point;
 }
 
-/// Counter-clockwise, the first corner at the right: a light's roll is told by its first corner.
-/// Every other corner is at `inner`.
+/// Corners in counter-clockwise order, starting at the right: the first corner defines a light's
+/// roll. Every other corner has the radius `inner`.
 std::vector<glm::dvec2> ring(int corners, double radius, double inner) {
   std::vector<glm::dvec2> outline;
   for (int i = 0; i < corners; ++i) {
@@ -146,7 +146,7 @@ void lay_outlines(Light& light, const Basis& basis, PolygonShape shape, double r
   }
 }
 
-/// `half`: half of its width. `distance`: to the surface that it lights.
+/// `half`: half of the light's width. `distance`: from the light to the surface that it lights.
 void give_shape(Light& light, LightKind kind, const Basis& basis, double half, double distance) {
   light.radius = 0.0;
   light.angular_diameter_rad = 0.0;
@@ -176,7 +176,7 @@ void give_shape(Light& light, LightKind kind, const Basis& basis, double half, d
   }
 }
 
-/// The irradiance of a surface at `place` that faces the light's middle, nothing between.
+/// Unshadowed irradiance at `place` on a surface that faces the light's centre.
 double arriving(const Light& light, glm::dvec3 place) {
   const glm::dvec3 way =
       light.type == Light::Type::directional ? -light.direction : light.position - place;
@@ -230,27 +230,28 @@ LightKind kind_of(const Light& light) {
 Light as_kind(const Light& light, LightKind kind, const SceneSize& scene) {
   if (kind_of(light) == kind) return light;
   Light other = light;
-  constexpr double away = 1.5;  // radii of the scene, for what comes from infinitely far
+  constexpr double away = 1.5;  // of a light at infinity, in radii of the scene
   if (light.type == Light::Type::directional)
     other.position = scene.middle - away * scene.radius * forward_of(light);
   if (!has_direction(light)) other.direction = unit_or(scene.middle - other.position, {0, -1, 0});
   const double distance = std::max(glm::distance(other.position, scene.middle), 0.1 * scene.radius);
 
-  // A light of its own size keeps it.
+  // A light that has a size keeps it.
   double half = half_size(light, distance);
   if (!(half > 0.0)) half = usual_half_size * distance;
   other.type = type_of(kind);
   Light facing = other;
-  facing.type = Light::Type::spot;  // turned by its direction alone
+  facing.type = Light::Type::spot;  // so that turn_of uses the direction alone
   LightTurn turn = turn_of(facing);
   if (light.type == Light::Type::rectangle) turn = turn_of(light);
   give_shape(other, kind, basis_of(turn), half, distance);
   const double candela = static_cast<double>(light.intensity) * candela_per_unit(light, distance);
   other.intensity = static_cast<float>(candela / candela_per_unit(other, distance));
-  // That holds from afar; close by, or where the light shines elsewhere, what arrives decides.
+  // The candela match far from the light. Scale by the irradiance in the scene's centre, where the
+  // two lights differ because of their extent or direction.
   const double before = arriving(light, scene.middle), after = arriving(other, scene.middle);
   const double factor = after > 0.0 ? before / after : 1.0;
-  constexpr double most_factor = 16.0;  // a light that shines past the middle stays as it was
+  constexpr double most_factor = 16.0;  // more: the light does not face the centre
   if (factor > 1.0 / most_factor && factor < most_factor)
     other.intensity = static_cast<float>(factor * static_cast<double>(other.intensity));
   return other;
@@ -281,7 +282,7 @@ void turn_light(Light& light, const LightTurn& turn) {
     return;
   }
   light.direction = to.forward;
-  // By their lengths: turned again and again, the sides would cease to be square.
+  // Set from their lengths, because repeated rotation would make the sides lose their right angle.
   if (light.type == Light::Type::rectangle) {
     light.half_u = glm::length(light.half_u) * to.right;
     light.half_v = glm::length(light.half_v) * to.up;

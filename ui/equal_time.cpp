@@ -17,7 +17,7 @@ namespace {
 
 constexpr int most_equal_samples = 1 << 14;
 
-/// Number of samples that a method takes for about `wanted`: some methods need a square.
+/// Returns the valid sample count nearest to `wanted`: some methods need a square.
 int samples_for(Method method, double wanted) {
   const double least = std::clamp(wanted, 1.0, 1.0 * most_equal_samples);
   if (row_of(method).samples == SampleCount::any) return static_cast<int>(std::lround(least));
@@ -25,7 +25,7 @@ int samples_for(Method method, double wanted) {
   return side * side;
 }
 
-// Renders one quality after the other and reports the progress.
+// Renders a method at one quality after another and reports the progress.
 class Tries {
  public:
   Tries(const std::function<bool()>& stop, const TellEqualTime& tell) : stop_(stop), tell_(tell) {}
@@ -63,7 +63,7 @@ std::optional<EqualTimeFrame> render_by_samples(Snapshot snapshot, double second
   if (!rendered) return std::nullopt;
   double taken = processor_seconds(*rendered);
   int samples = 1;
-  // A few samples tell better than one what many take.
+  // Time per sample is measured with a few samples: a single one includes fixed costs.
   constexpr int few = 4;
   if (seconds > 2.0 * few * taken) {
     samples = few;
@@ -78,7 +78,7 @@ std::optional<EqualTimeFrame> render_by_samples(Snapshot snapshot, double second
   return frame_of(std::move(*rendered), snapshot.settings, fmt::format("{} spp", wanted), seconds);
 }
 
-// How the time grows as EPS falls depends on the scene: each try tells the next one.
+// The time grows by a scene-dependent power of 1 / EPS, which each try estimates for the next one.
 std::optional<EqualTimeFrame> render_by_eps(Snapshot snapshot, double seconds, Tries& tries) {
   constexpr int most_tries = 5;
   constexpr double coarsest = 0.25;
@@ -86,7 +86,7 @@ std::optional<EqualTimeFrame> render_by_eps(Snapshot snapshot, double seconds, T
   constexpr double near_enough = 0.1;
   constexpr double most_at_once = 8.0;
   RenderSettings& settings = snapshot.settings;
-  settings.asos.max_level = 6;  // EPS alone decides, up to most_equal_samples
+  settings.asos.max_level = 6;  // EPS alone sets the quality, up to most_equal_samples
   double eps = 1.0 / 16.0;
   double exponent = 1.0;  // of the time in 1 / EPS
   double eps_before = eps;

@@ -10,14 +10,14 @@
 
 namespace asos {
 
-/// A picture by another method that took about as long as the one in the window.
+/// Another method's picture that took about as much CPU time as the one in the window.
 struct EqualTimeFrame {
   Film film;
   std::string name;     ///< see snapshot_name
-  std::string summary;  ///< method, samples or EPS, and times, in a line
+  std::string summary;  ///< method, samples or EPS, and times, in one line
 };
 
-/// Whether a method's quality has one measure: its number of samples, or EPS.
+/// Whether the quality of a method has a single parameter: its sample count, or EPS.
 [[nodiscard]] bool can_be_timed(const MethodRow& method);
 
 /// The progress of a comparison, or its result.
@@ -28,15 +28,15 @@ struct EqualTimeNews {
 };
 using TellEqualTime = std::function<void(EqualTimeNews)>;
 
-/// Renders the view by such a method, as well as it can in `seconds` of CPU time, which quicker
-/// renders before it tell. Nothing once `stop` says so. `tell`: hears of each render's progress;
-/// may be empty.
+/// Renders the view by such a method at the best quality that fits into `seconds` of CPU time,
+/// found by quicker trial renders. `tell` (may be empty) is called with each render's progress.
+/// Returns nothing if `stop` returned true.
 [[nodiscard]] std::optional<EqualTimeFrame> render_in_time(Snapshot snapshot, Method method,
                                                            double seconds,
                                                            const std::function<bool()>& stop,
                                                            const TellEqualTime& tell = {});
 
-/// The processor time of a finished picture's pixels.
+/// CPU time of a finished picture's pixels.
 [[nodiscard]] double processor_seconds(const Film& film);
 
 using EqualTimeJob = StoppableJob<EqualTimeNews>;

@@ -13,23 +13,23 @@ namespace asos {
 class Previewer;
 struct SplitFindings;
 
-/// The scale of the layer Error, in display steps: 255 steps from black to white.
+/// Scale of the layer Error in display steps: 255 steps from black to white.
 struct ErrorScale {
   static constexpr double first = 0.25;  ///< and below: black
   static constexpr double last = 64.0;   ///< and above: white
-  /// Where an error of so many steps lies on it, logarithmically: 0 to 1.
+  /// Position on the logarithmic scale of an error in display steps: 0 to 1.
   [[nodiscard]] static float share(double steps);
 };
 
-/// The error of a pixel in display steps: the largest difference of a channel, as it is shown.
+/// Error of a pixel in display steps: the largest difference of any displayed channel.
 [[nodiscard]] double error_steps(const Film& picture, const Film& reference, std::size_t pixel,
                                  const DisplayTransform& display);
 
-/// The reference of the view that is shown, whichever EPS, MAX and method its picture has: the one
-/// that "Check splits" has sampled. It is kept as long as the view stays. One thread.
+/// Keeps the reference picture that "Check splits" has sampled for as long as the view stays,
+/// whatever EPS, MAX and method its picture has. Not thread-safe.
 class ErrorReference {
  public:
-  /// Call once a frame. `findings`: null where there are none.
+  /// Call once a frame. `findings`: null: there are none.
   void update(const Previewer& previewer, const SplitFindings* findings);
   /// Null: none of this view.
   [[nodiscard]] const Film* film() const { return film_.get(); }
@@ -39,7 +39,7 @@ class ErrorReference {
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
  private:
-  /// What a converged picture depends on.
+  /// Everything that a converged picture depends on.
   struct View {
     const void* scene = nullptr;
     std::uint64_t camera_revision = 0;

@@ -21,7 +21,7 @@ bool FileWatch::changed(const std::vector<FileStamp>& read, double now_seconds) 
   bool gone = false;
   for (const FileStamp& stamp : read) {
     found.push_back(FileStamp::of(stamp.path));
-    // As while it is being replaced.
+    // A file may be missing for a moment while it is replaced.
     gone = gone || (stamp.state && !found.back().state);
   }
   const bool still = found == seen_;

@@ -8,9 +8,9 @@
 
 namespace asos {
 
-/// A file as it was at some moment.
+/// A file's state at one moment.
 struct FileStamp {
-  // When it was written last, and its size: some systems' clocks are coarse.
+  // Time of the last write, and size, because some file systems' clocks are coarse.
   struct State {
     std::filesystem::file_time_type written;
     std::uintmax_t size = 0;
@@ -23,15 +23,15 @@ struct FileStamp {
   bool operator==(const FileStamp&) const = default;
 };
 
-/// Looks once a second whether files have changed since they were read. One thread.
+/// Checks once a second whether files have changed since they were read. Not thread-safe.
 class FileWatch {
  public:
   static constexpr double period_seconds = 1.0;
 
-  /// Whether the files are not what they were when they were read, all of them are there that were,
-  /// and all have been the same for a period: a program may still be writing.
+  /// Returns true if files differ from when they were read, none has vanished, and all have been
+  /// unchanged for one period (a program may still be writing).
   [[nodiscard]] bool changed(const std::vector<FileStamp>& read, double now_seconds);
-  /// When to ask again, in seconds.
+  /// Seconds until the next check is due.
   [[nodiscard]] double seconds_to_look(double now_seconds) const;
 
  private:

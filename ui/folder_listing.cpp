@@ -25,7 +25,7 @@ bool is_sky(const fs::path& file) {
   return ending == ".hdr" || ending == ".exr";
 }
 
-// Numbers by their values, letters by the alphabet: "2" comes before "10".
+// Compares numbers by value and letters alphabetically: "2" comes before "10".
 bool by_name(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, k = 0;
@@ -87,7 +87,7 @@ FolderListing FolderListing::of(const fs::path& folder, Kind kind) {
     FolderEntry entry;
     entry.name = at->path().filename().string();
     if (entry.name.starts_with(".")) continue;
-    // What goes away meanwhile, or may not be looked at, is no reason to show nothing.
+    // Entries that vanish meanwhile or cannot be read are left out.
     std::error_code ignored;
     entry.is_folder = at->is_directory(ignored);
     if (!entry.is_folder) {

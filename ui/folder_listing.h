@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// A folder, or a file that can be opened: a model, or a saved picture.
+/// A folder, or a file that can be opened: a model or a saved picture.
 struct FolderEntry {
   std::string name;
   bool is_folder = false;
@@ -17,8 +17,8 @@ struct FolderEntry {
   std::filesystem::file_time_type written;
 };
 
-/// What of a folder is worth showing to who wants to open something: folders first, each by name.
-/// Hidden ones are left out.
+/// The folders and openable files of a folder, without hidden ones: folders first, each group
+/// sorted by name.
 struct FolderListing {
   static constexpr std::size_t most = 5000;
   enum class Kind { scenes, skies };
@@ -31,28 +31,27 @@ struct FolderListing {
 
   [[nodiscard]] static FolderListing of(const std::filesystem::path& folder,
                                         Kind kind = Kind::scenes);
-  /// The entries, by index, in whose names the letters of `filter` occur, whatever their case;
-  /// those that begin with them first.
+  /// Indices of the entries whose names contain `filter`, ignoring case. Names that begin with it
+  /// come first.
   [[nodiscard]] std::vector<std::size_t> matching(const std::string& filter) const;
 };
 
-/// Whether the name ends as those of models do.
+/// Whether the file has the extension of a model.
 [[nodiscard]] bool is_model(const std::filesystem::path& file);
 
-/// The longest text that begins with `typed`, in any case, and that all names of these entries
-/// begin with.
+/// The longest common prefix, ignoring case, of the names of these entries. It begins with `typed`.
 [[nodiscard]] std::string completed(const FolderListing& listing,
                                     const std::vector<std::size_t>& matching,
                                     const std::string& typed);
 
-/// A file among those that one pages through.
+/// The result of paging through a folder's models.
 struct NextModel {
   std::string path;
-  std::size_t number = 0, count = 0;  ///< which one it is, from 1, of how many
+  std::size_t number = 0, count = 0;  ///< its number, from 1, and the number of models
 };
 
-/// The model `step` after this one in its folder, by name, from the last on to the first; where it
-/// is alone there, in the folders beside it. None: it is no file, or the only model.
+/// The model `step` places after this one in its folder, sorted by name and wrapping around. If it
+/// is alone there, the folders next to it are searched. None: `file` is no file, or the only model.
 [[nodiscard]] std::optional<NextModel> next_model(const std::string& file, int step);
 
 }  // namespace asos

@@ -6,8 +6,8 @@
 
 namespace asos {
 
-/// Gives what has been freed back to the system, on a thread of its own: glibc keeps it, in as many
-/// heaps as threads have worked, and after a few scenes that is several times what is in use.
+/// Returns freed memory to the system, on its own thread. glibc keeps it in a heap for each thread,
+/// which after a few scenes is several times the memory in use.
 class FreeMemory {
  public:
   FreeMemory() : job_(give_back, {}, Overtaken::kept) {}

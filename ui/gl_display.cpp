@@ -14,11 +14,11 @@ using namespace gl;
 
 namespace {
 
-// Uploads go by square cells of this side: large enough that a burst of small tiles costs few
-// calls, small enough that one tile does not cost the whole picture.
+// Side of the cells that are uploaded as a whole, in pixels. A burst of small tiles then takes few
+// calls, and one tile does not upload the whole picture.
 constexpr int cell_side = 64;
 
-// Lines over the split map where no pixel is final yet.
+// Colour of the hatching where the split map has no final pixel.
 constexpr glm::u8vec4 hatching{96, 96, 96, 255};
 constexpr int hatching_pitch = 12;
 
@@ -29,7 +29,7 @@ bool on_hatching(int x, int y) {
   return (x + y) % hatching_pitch == 0;
 }
 
-/// What lies behind pixels that surfaces do not cover, as everywhere: a checkerboard.
+/// Blends pixels that surfaces do not fully cover with a checkerboard.
 glm::vec3 before_checkers(const Film& film, std::size_t i) {
   const glm::vec3 radiance = film.radiance[i];
   if (film.coverage.empty() || !(film.coverage[i] < 1.0f)) return radiance;
@@ -59,13 +59,13 @@ void GlDisplay::update(const Film& film, std::span<const PixelRect> changed,
   const PixelRect whole{0, 0, film.width, film.height};
   if (whole.empty()) return;
 
-  // Layers whose size, exposure or split map scale has changed are renewed as a whole.
+  // Layers whose size, exposure or split map scale has changed are converted as a whole.
   const bool resized = film.width != width_ || film.height != height_;
   const bool exposed = display.transform() != shown_;
   const bool rescaled = map_revision != map_revision_ || display.split_colours != split_colours_;
   if (exposed) {
     shown_ = display.transform();
-    // Of a curve, which mixes the channels, the table does the last step only.
+    // Tone curves mix the channels, so the table replaces only the last step, the sRGB encoding.
     tone_ = ToneTable(shown_.tone == ToneCurve::none ? shown_.exposure_ev : 0.0f);
   }
   map_revision_ = map_revision;
@@ -105,8 +105,7 @@ void GlDisplay::convert(const Film& film, const PixelRect& rect, bool picture, b
 }
 
 void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
-  // By level or cause. What has a colour hides the picture; the others only dim it, so that colours
-  // match the legend.
+  // Split pixels hide the picture, so that their colours match the legend; the others only dim it.
   const SplitMapKey key{split_colours_};
   const std::size_t last = key.last();
   std::array<glm::u8vec4, 256> colours;
@@ -217,7 +216,7 @@ void GlDisplay::draw(const PictureView& view, const Target& target, const Displa
   const PixelRect& area = target.area;
   if (area.empty() || width_ <= 0 || view.scale() <= 0.0f) return;
 
-  // Clip coordinates of the picture within the area; OpenGL counts y from the bottom.
+  // Clip coordinates of the picture within the area; OpenGL's y axis points up.
   const glm::vec2 size(static_cast<float>(area.width), static_cast<float>(area.height));
   const glm::vec2 picture(static_cast<float>(width_), static_cast<float>(height_));
   const glm::vec2 lo = view.offset() / size, hi = (view.offset() + picture * view.scale()) / size;
@@ -315,7 +314,7 @@ void GlDisplay::Layer::mark(const PixelRect& rect) {
   }
 }
 
-// Neighbouring stale cells of a row go up in one call.
+// Uploads neighbouring stale cells of a row in one call.
 void GlDisplay::Layer::upload() {
   if (columns_ == 0) return;
   glBindTexture(GL_TEXTURE_2D, texture_.name());

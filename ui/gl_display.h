@@ -18,49 +18,49 @@
 
 namespace asos {
 
-/// Shows a film in the current OpenGL context: display bytes and split map as two RGBA8 textures.
-/// Tone mapping runs on the processor for changed pixels only, and only cells that changed are
+/// Shows a film in the current OpenGL context, with its display bytes and its split map as two
+/// RGBA8 textures. Tone mapping runs on the CPU for changed pixels only, and only changed cells are
 /// uploaded. One thread, one context.
 class GlDisplay {
  public:
-  /// The error holds the driver's message.
+  /// The error is the driver's message.
   [[nodiscard]] static Result<GlDisplay> make();
 
-  /// Brings the textures up to date with `film`, of which `changed` is what differs from the last
-  /// call. Another size, exposure, `map_revision` or choice of the split map's colours renews
-  /// everything that depends on it.
+  /// Updates the textures from `film`; `changed` are the areas that differ from the last call.
+  /// Another size, exposure, `map_revision` or set of split colours updates everything that depends
+  /// on it.
   void update(const Film& film, std::span<const PixelRect> changed, const DisplaySettings& display,
               std::uint64_t map_revision);
-  /// The same for what is compared with `film`; after `update`. A stored frame of another size is
-  /// resampled.
+  /// Updates the snapshot that is compared with `film`; call after `update`. A snapshot of another
+  /// size is resampled.
   void update_compared(const Film& film, std::span<const PixelRect> changed, Frames& frames);
 
-  /// Draws the wireframe of `surfaces` over the picture from now on, where it has the picture's
-  /// size; null: none. `revision` grows with each new picture of surfaces.
+  /// From now on draws the wireframe of `surfaces` over the picture, if it has the picture's size;
+  /// null: none. `revision` grows with each new picture of surfaces.
   void show_wireframe(const SurfacePicture* surfaces, std::uint64_t revision);
-  /// The same for the error of each pixel against `reference`, of the film's size or null: none is
-  /// shown. `revision` counts the references.
+  /// From now on shows the error of each pixel against `reference`, which has the film's size;
+  /// null: none. `revision` counts the references.
   void update_error(const Film& film, std::span<const PixelRect> changed, const Film* reference,
                     std::uint64_t revision);
 
-  /// Where to draw: `area` in framebuffer pixels from the top left of a framebuffer that is
-  /// `framebuffer_height` high.
+  /// Where to draw: `area` is in framebuffer pixels from the top left of a framebuffer of
+  /// `framebuffer_height` pixels.
   struct Target {
     PixelRect area;
     int framebuffer_height = 0;
   };
-  /// Draws the picture, and the split map over it where `display` shows it. Nothing is drawn
-  /// outside the area, nor in it before the first update.
+  /// Draws the picture, with the split map over it if `display` shows it. Draws nothing outside the
+  /// area, and nothing at all before the first update.
   void draw(const PictureView& view, const Target& target, const DisplaySettings& display,
             const Frames& frames) const;
 
-  /// The picture as it is shown, row-major RGB bytes from the top left: the screenshot.
+  /// The displayed picture as row-major RGB bytes from the top left, for screenshots.
   [[nodiscard]] std::vector<std::uint8_t> seen_rgb(const DisplaySettings& display) const;
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
  private:
-  /// One texture with its copy in memory, and which cells of it are out of date.
+  /// A texture with its copy in memory and flags for the cells to upload.
   class Layer {
    public:
     void resize(int width, int height);
@@ -81,7 +81,7 @@ class GlDisplay {
   GlDisplay(gl::Program picture, gl::Program overlay);
   void convert(const Film& film, const PixelRect& rect, bool picture, bool overlay);
   void convert_overlay(const Film& film, const PixelRect& rect);
-  /// Blends a layer over what is there; where its alpha is 0 it darkens that by `dimming`.
+  /// Blends a layer over the framebuffer. Where the layer's alpha is 0 it darkens by `dimming`.
   void draw_over(const Layer& layer, float dimming, const glm::vec4& clip_rect,
                  bool magnified) const;
   void draw_layer(const gl::Program& program, const Layer& layer, const glm::vec4& clip_rect,
@@ -109,7 +109,7 @@ class GlDisplay {
     glm::ivec2 size{0};
     bool operator==(const Compared&) const = default;
   };
-  /// The bytes that show a radiance.
+  /// The display bytes of a radiance.
   [[nodiscard]] glm::u8vec3 bytes_of(glm::vec3 radiance) const {
     return tone_.bytes(shown_.tone == ToneCurve::none ? radiance : tone_mapped(radiance, shown_));
   }

@@ -16,7 +16,7 @@ GroundLayer::GroundLayer(std::function<void()> wake)
 
 void GroundLayer::update(OpenScene& scene, Ground wanted, bool busy) {
   std::optional<Built> done = job_.take_outcome();
-  // Another scene may have been opened meanwhile, or other lights been asked for.
+  // Another scene may have been opened meanwhile, or its lights changed.
   if (done && !busy && scene.shared() == done->request.scene) {
     tried_ = scene->geometry;
     tried_ground_ = done->request.ground;

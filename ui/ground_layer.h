@@ -9,16 +9,16 @@
 
 namespace asos {
 
-/// Puts the open scene on the ground that the settings ask for, on a thread of its own. All members
-/// are for one thread.
+/// Adds the ground that the settings choose to the open scene, on its own thread. All members must
+/// be called from one thread.
 class GroundLayer {
  public:
-  /// `wake` is called from the thread when `update` has something to do.
+  /// `wake` is called from that thread when `update` has a result to take.
   explicit GroundLayer(std::function<void()> wake);
 
-  /// Hands over what was built, and asks for it where the scene stands on another ground than
-  /// `wanted`. `busy`: the scene is being replaced in other lights or materials, which has to be
-  /// done first. Call once or more a frame.
+  /// Puts a finished scene in place, and starts a new one if the scene's ground is not `wanted`.
+  /// `busy`: the scene is being replaced with other lights or materials, which comes first. Call at
+  /// least once a frame.
   void update(OpenScene& scene, Ground wanted, bool busy);
 
  private:
@@ -31,7 +31,7 @@ class GroundLayer {
     Result<std::shared_ptr<const RenderScene>> scene;
   };
 
-  std::weak_ptr<const Geometry> tried_;  // with this ground, which it did not get
+  std::weak_ptr<const Geometry> tried_;  // ground_ could not be built for it
   Ground tried_ground_ = Ground::off;
   LatestJob<Request, Built> job_;
 };

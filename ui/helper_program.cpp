@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::chrono::milliseconds look_interval{20};
 
-/// A temporary file for the error output of a program.
+/// A temporary file for a program's error output.
 class Complaints {
  public:
   Complaints() {
@@ -43,7 +43,7 @@ class Complaints {
   Complaints& operator=(const Complaints&) = delete;
 
   [[nodiscard]] int file() const { return file_; }
-  /// The last line that is not empty.
+  /// The last non-empty line.
   [[nodiscard]] std::string last_line() const {
     std::ifstream file(path_);
     std::string last;

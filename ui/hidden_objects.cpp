@@ -21,7 +21,7 @@ void take_out(Scene& scene, const std::vector<int>& hidden) {
   });
 }
 
-/// Poses what another rig does, without some of its objects.
+/// Poses another rig's scene and removes some of its objects.
 class RigWithout : public Rig, public std::enable_shared_from_this<RigWithout> {
  public:
   RigWithout(std::shared_ptr<Rig> whole, std::vector<int> hidden)

@@ -6,13 +6,13 @@
 
 namespace asos {
 
-/// Takes objects out of a scene that was loaded: `hidden` are their places among those that show
-/// something, ascending, in the order of World::parts. Others, and places beyond the last, do
-/// nothing. What is left moves as before.
+/// Removes objects from a loaded scene. `hidden` are ascending indices among the objects with
+/// surfaces, in the order of World::parts; indices past the last are ignored. The remaining objects
+/// still move.
 void leave_out(Scene& scene, const std::vector<int>& hidden);
 
-/// The place, among all objects, of the one that is `shown`th where `hidden` (ascending) are left
-/// out.
+/// Returns the index among all objects of the one with index `shown` among those not in `hidden`
+/// (ascending).
 [[nodiscard]] int place_among_all(int shown, const std::vector<int>& hidden);
 
 }  // namespace asos

@@ -9,14 +9,14 @@ namespace asos {
 
 namespace {
 
-// The input that a frame has already taken; decides whether the next event may still join it.
+// The input that a frame has taken so far. Decides whether the next event may join the frame.
 struct FrameState {
   bool moved = false;
   bool wheel = false;
   bool typed = false;
   unsigned buttons = 0;                                    // changed in this frame
   std::bitset<static_cast<std::size_t>(Key::count)> keys;  // the same
-  bool plain_key = false;                                  // one of them is no modifier
+  bool plain_key = false;                                  // at least one of them is not a modifier
   bool editing_key = false;                                // one of them edits text
 };
 
@@ -34,7 +34,7 @@ void release_all(ImGuiIO& io) {
   io.KeyCtrl = io.KeyShift = io.KeyAlt = io.KeySuper = false;
 }
 
-// Applies one event, or says that it has to wait for the next frame.
+// Applies one event; returns false if it has to wait for the next frame.
 struct Apply {
   ImGuiIO& io;
   FrameState& state;
@@ -47,8 +47,8 @@ struct Apply {
   }
   bool operator()(const MouseChanged& e) const {
     const unsigned bit = 1u << static_cast<unsigned>(e.button);
-    // A pointer that jumps and presses in the same frame would press what it hovered before, and
-    // one that jumps and lets go would lose the last stretch of a drag.
+    // Moving and pressing in one frame would press the widget that was hovered before. Moving and
+    // releasing would lose the last stretch of a drag.
     if ((state.buttons & bit) || state.moved) return false;
     io.MouseDown[static_cast<int>(e.button)] = e.down;
     state.buttons |= bit;
@@ -63,8 +63,8 @@ struct Apply {
   }
   bool operator()(const KeyChanged& e) const {
     if (e.key == Key::none) return true;
-    // Input that came before a modifier changed must not see it changed, and Dear ImGui takes a
-    // frame's text ahead of its keys.
+    // Input from before a modifier changed must not see the change. Dear ImGui also processes a
+    // frame's text before its keys.
     const bool acted = state.wheel || state.buttons || state.typed || state.plain_key;
     if (is_modifier(e.key) && acted) return false;
     if (state.keys[static_cast<std::size_t>(e.key)]) return false;
@@ -97,7 +97,7 @@ struct Apply {
 void InputQueue::feed(ImGuiIO& io) {
   FrameState state;
   while (!events_.empty() && std::visit(Apply{io, state}, events_.front())) events_.pop_front();
-  // Enter does what Space does, which Dear ImGui alone listens to: sliders let it type their value.
+  // Enter also acts as Space: Dear ImGui reacts to Enter on sliders by starting text input.
   const bool enter =
       io.KeysDown[static_cast<int>(Key::enter)] || io.KeysDown[static_cast<int>(Key::keypad_enter)];
   if (enter && io.NavVisible && !io.WantTextInput) io.NavInputs[ImGuiNavInput_Activate] = 1.0f;

@@ -11,7 +11,7 @@ struct ImGuiIO;
 
 namespace asos {
 
-/// Keys that the window knows; letters are those printed on the user's keyboard.
+/// Keys that the window uses; letters are those printed on the user's keyboard.
 enum class Key : int {
   none,
   tab,
@@ -91,7 +91,7 @@ struct MouseChanged {
   bool down;
 };
 struct WheelTurned {
-  glm::vec2 steps;  ///< y > 0: away from the user
+  glm::vec2 steps;  ///< y > 0: the wheel turns away from the user
 };
 struct KeyChanged {
   Key key;
@@ -105,25 +105,25 @@ struct FocusLost {};
 using InputEvent =
     std::variant<MouseMoved, MouseChanged, WheelTurned, KeyChanged, TextTyped, FocusLost>;
 
-/// Events on their way to Dear ImGui, whose state holds only one change of a button a frame: events
-/// that would hide one another wait for the next frame, so that a click shorter than a frame still
+/// Queues events for Dear ImGui, whose state holds only one change of a button per frame. Events
+/// that would hide each other wait for the next frame, so a click shorter than a frame still
 /// counts. The window and the tests feed the same queue.
 class InputQueue {
  public:
   void add(InputEvent event) { events_.push_back(event); }
   [[nodiscard]] bool empty() const { return events_.empty(); }
 
-  /// Moves what one frame can take into `io`; call ahead of ImGui::NewFrame.
+  /// Moves the events that one frame can take into `io`; call before ImGui::NewFrame.
   void feed(ImGuiIO& io);
 
-  /// Tells Dear ImGui which of our keys is which of its own; once for each context.
+  /// Registers our key codes with Dear ImGui; call once per context.
   static void map_keys(ImGuiIO& io);
 
  private:
   std::deque<InputEvent> events_;
 };
 
-/// Whether `key` went down in this frame (no repeat) while no text is being typed.
+/// Whether `key` went down in this frame (no repeats) while no text is being typed.
 [[nodiscard]] bool shortcut_pressed(Key key, bool with_ctrl = false);
 
 }  // namespace asos

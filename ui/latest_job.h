@@ -9,12 +9,12 @@
 
 namespace asos {
 
-/// Whether the outcome of a request that a newer one overtook while it was worked on still counts.
+/// Whether the outcome of a request counts if a newer request came while it was computed.
 enum class Overtaken { dropped, kept };
 
-/// Works on the newest request on a thread of its own; requests that a newer one replaces before
-/// they are begun are never worked on. The destructor waits for work that runs. `work` runs on the
-/// thread, and so does `wake`, which is called when an outcome waits; `wake` may be empty.
+/// Works on the newest request on its own thread. A request that is replaced before it is started
+/// is never worked on. The destructor waits for running work. `work` runs on that thread, as does
+/// `wake` (may be empty), which is called when an outcome is ready.
 template <typename Request, typename Outcome>
 class LatestJob {
  public:
@@ -35,13 +35,13 @@ class LatestJob {
     requested_.notify_one();
   }
 
-  /// The newest outcome, once.
+  /// Returns the newest outcome, once.
   [[nodiscard]] std::optional<Outcome> take_outcome() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(outcome_, std::nullopt);
   }
 
-  /// Whether a request waits or is worked on, or an outcome has not been taken.
+  /// Whether a request is waiting or running, or an outcome has not been taken.
   [[nodiscard]] bool pending() const {
     const std::scoped_lock lock(mutex_);
     return request_ || working_ || outcome_;
@@ -76,7 +76,7 @@ class LatestJob {
   std::optional<Request> request_;  // not begun
   bool working_ = false;
   std::optional<Outcome> outcome_;
-  std::jthread thread_;  // last: stops before what it uses goes
+  std::jthread thread_;  // last, so that the thread stops before the members it uses are destroyed
 };
 
 }  // namespace asos

@@ -40,7 +40,7 @@ std::vector<LegendEntry> cost_entries(SplitMapColours colours,
   return entries;
 }
 
-/// Draws into rows of an image with the font's own pixels.
+/// Draws text and swatches into an image, with the pixels of the ImGui font.
 class Strip {
  public:
   Strip(RgbImage& image, int first_row) : image_(image), first_row_(first_row) {
@@ -81,7 +81,7 @@ class Strip {
     const float width = glyph.X1 - glyph.X0, height = glyph.Y1 - glyph.Y0;
     const int left = static_cast<int>(std::round(x + glyph.X0));
     const int top = static_cast<int>(std::round(y + glyph.Y0));
-    // The atlas holds several texels for a pixel across.
+    // Averages the atlas's several texels per pixel in x.
     constexpr int taps = 3;
     for (int row = 0; row < static_cast<int>(std::ceil(height)); ++row) {
       for (int column = 0; column < static_cast<int>(std::ceil(width)); ++column) {

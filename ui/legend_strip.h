@@ -16,8 +16,8 @@ struct LegendEntry {
 [[nodiscard]] std::string legend_title(SplitMapColours colours);
 [[nodiscard]] std::vector<LegendEntry> legend_entries(SplitMapColours colours);
 
-/// Adds a strip below the picture that explains the split map's colours, as wide as the picture, in
-/// the current Dear ImGui font.
+/// Adds a legend of the split map's colours below the picture, of the picture's width, in the
+/// current Dear ImGui font.
 void add_legend(RgbImage& image, SplitMapColours colours);
 
 }  // namespace asos

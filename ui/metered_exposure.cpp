@@ -15,7 +15,7 @@ void MeteredExposure::scene_opened(DisplaySettings& display, bool as_saved) {
   metered_.reset();
   if (display.auto_exposure && !as_saved) display.exposure_ev = 0.0f;
   display.auto_exposure = was_auto_ = false;
-  // What a person has chosen stays.
+  // An exposure that the user chose stays.
   looks_ = !as_saved && display.exposure_ev == 0.0f;
 }
 
@@ -23,7 +23,7 @@ std::string MeteredExposure::take(DisplaySettings& display) {
   const auto metered = job_.take_outcome();
   if (!metered) return {};
   const bool switched = !display.auto_exposure;
-  // Meanwhile a person may have moved the slider.
+  // The user may have moved the slider meanwhile.
   if (switched && (metered->whitened <= most_whitened || display.exposure_ev != 0.0f)) return {};
   constexpr float limit = DisplaySettings::exposure_limit_ev;
   display.auto_exposure = was_auto_ = true;

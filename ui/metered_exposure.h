@@ -10,16 +10,16 @@
 
 namespace asos {
 
-/// Keeps the exposure of the window as DisplaySettings::auto_exposure asks. Switches that on for a
-/// scene whose lights would whiten too much of the picture (usual_exposure). Meters on a thread of
-/// its own.
+/// Sets the exposure while DisplaySettings::auto_exposure is on. Switches it on for a scene whose
+/// lights would overexpose too much of the picture (usual_exposure). Meters on its own thread.
 class MeteredExposure {
  public:
   MeteredExposure();
 
-  /// Another scene was opened. `as_saved`: with the exposure of a saved picture, which stays.
+  /// Call when another scene was opened. `as_saved`: the exposure comes from a saved picture and
+  /// stays.
   void scene_opened(DisplaySettings& display, bool as_saved);
-  /// Call once a frame. Returns a message where the exposure was switched to follow the scene.
+  /// Call once a frame. Returns a message when auto exposure was switched on.
   [[nodiscard]] std::string update(const Previewer& previewer, DisplaySettings& display);
   [[nodiscard]] bool busy() const { return looks_ || job_.pending(); }
 
@@ -32,7 +32,7 @@ class MeteredExposure {
   };
   [[nodiscard]] std::string take(DisplaySettings& display);
 
-  bool looks_ = false;      // a scene was opened that is to be metered
+  bool looks_ = false;      // the opened scene is still to be metered
   bool was_auto_ = false;   // in the last frame
   float set_stops_ = 0.0f;  // by this
   std::weak_ptr<const RenderScene> metered_;

@@ -8,19 +8,19 @@
 
 namespace asos {
 
-/// A material that can mirror, with those that look like it: they are edited as one, because no
-/// boundary is looked for where they meet.
+/// A reflecting material with all materials that look the same. They are edited as one, because no
+/// edge is searched where they meet.
 struct MirrorMaterial {
   std::string name;
-  std::vector<std::uint32_t> members;  ///< into World::materials, at least one
+  std::vector<std::uint32_t> members;  ///< indices into World::materials, at least one
 };
 
-/// The materials that `world`, which is that of a scene as it was prepared, shows and that can
-/// mirror: those with a defocusing ratio of their own, metals that are not all rough, and those
-/// that a texture or factor makes smooth enough to mirror by default.
+/// The reflecting materials that are visible in `world`, the world of a prepared scene: those with
+/// their own defocusing ratio, metals that are not fully rough, and those that a texture or factor
+/// makes smooth enough to reflect by default.
 [[nodiscard]] std::vector<MirrorMaterial> mirror_materials(const World& world);
 
-/// Index of the one that `material` belongs to; -1: none.
+/// Index of the entry that contains `material`; -1: none.
 [[nodiscard]] int find_mirror(const std::vector<MirrorMaterial>& mirrors, std::uint32_t material);
 
 }  // namespace asos

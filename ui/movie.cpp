@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a movie as they are made; those that are not kept go with it.
+/// The files of a movie in progress. The destructor deletes those that were not kept.
 class MovieFiles {
  public:
   explicit MovieFiles(const MovieOrder& order) : order_(order) {}
@@ -35,7 +35,7 @@ class MovieFiles {
   MovieFiles(const MovieFiles&) = delete;
   MovieFiles& operator=(const MovieFiles&) = delete;
 
-  /// Makes a folder next to the MP4 for its frames.
+  /// Creates a folder for the frames next to the MP4.
   Result<void> prepare() {
     if (!order_.mp4) return {};
     std::string name = order_.stem + "-frames-XXXXXX";
@@ -127,7 +127,7 @@ int frames_of(double seconds, double fps) {
 
 std::vector<std::string> ffmpeg_command(const std::string& ffmpeg, const std::string& folder,
                                         double fps, const std::string& path) {
-  // H.264 in this form needs even sides.
+  // H.264 with this pixel format needs even sides.
   return {ffmpeg,
           "-y",
           "-loglevel",

@@ -17,7 +17,7 @@ glm::dvec3 corner_of(const World& world, std::uint32_t triangle, int k) {
   return glm::dvec3(world.positions[world.triangles[triangle][k]]);
 }
 
-/// Unit, or zero where the triangle has no area.
+/// Unit normal; zero for a triangle without area.
 glm::dvec3 normal_of(const World& world, std::uint32_t triangle) {
   const glm::dvec3 a = corner_of(world, triangle, 0);
   const glm::dvec3 cross =
@@ -26,8 +26,8 @@ glm::dvec3 normal_of(const World& world, std::uint32_t triangle) {
   return length > 0.0 ? cross / length : glm::dvec3(0.0);
 }
 
-/// The triangles of the same smooth surface in the plane of `picked`, turned to the eye, as a world
-/// of their own that shines.
+/// The triangles of the same smooth surface in the plane of `picked`, facing the eye, as an
+/// emissive world of their own.
 World face_around(const RenderScene& scene, std::uint32_t picked, glm::dvec3 eye) {
   const World& world = scene.world();
   const glm::dvec3 normal = normal_of(world, picked), place = corner_of(world, picked, 0);
@@ -77,7 +77,7 @@ Light new_light(glm::dvec3 eye, glm::dvec3 subject, double scene_radius) {
 std::optional<Light> light_on_face(const RenderScene& scene, std::uint32_t triangle,
                                    glm::dvec3 eye) {
   if (normal_of(scene.world(), triangle) == glm::dvec3(0.0)) return std::nullopt;
-  // The function that gives emissive meshes their lights finds the piece's outline.
+  // The outline comes from the function that makes lights of emissive meshes.
   const World face = face_around(scene, triangle, eye);
   const std::vector<Light> lights = emissive_lights(
       face, [](const World&, std::uint32_t, float, float) { return glm::vec3(1.0f); });
@@ -92,7 +92,7 @@ std::optional<Light> light_on_face(const RenderScene& scene, std::uint32_t trian
   light.own_part = -1;
   light.two_sided = false;
   tidy_light(light);
-  // Just before the surface, which would else hide it.
+  // Offset in front of the surface, which would otherwise occlude the light.
   constexpr double gap = 1e-3;
   move_light(light, gap * std::sqrt(area_of(light)) * light.direction);
   return light;

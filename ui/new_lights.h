@@ -10,12 +10,12 @@
 
 namespace asos {
 
-/// A ball halfway between the viewer and what he looks at, that makes a white surface there half
-/// white.
+/// A sphere light halfway between the eye and the subject, bright enough to make a white surface
+/// there half white.
 [[nodiscard]] Light new_light(glm::dvec3 eye, glm::dvec3 subject, double scene_radius);
 
-/// The flat piece of surface around a triangle as a light of 1 nit that shines to the side of
-/// `eye`: a rectangle or polygon just before it. Nothing where the piece has no area.
+/// Makes a light of 1 cd/m² from the flat piece of surface around a triangle: a rectangle or
+/// polygon just in front of it, emitting towards `eye`. Returns nothing if the piece has no area.
 [[nodiscard]] std::optional<Light> light_on_face(const RenderScene& scene, std::uint32_t triangle,
                                                  glm::dvec3 eye);
 

@@ -26,7 +26,7 @@ NodeTree::NodeTree(const SceneContents& contents) {
         nodes_[i].parent < 0 ? roots_ : nodes_[index(nodes_[i].parent)].children;
     among.push_back(static_cast<int>(i));
   }
-  // Depth first; a node is met again once those below it are done.
+  // Depth first; a node is visited again after its descendants.
   std::vector<std::pair<int, bool>> todo;
   for (auto root = roots_.rbegin(); root != roots_.rend(); ++root) todo.emplace_back(*root, false);
   while (!todo.empty()) {

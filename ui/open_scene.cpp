@@ -19,7 +19,8 @@ LoadFunction load_or_default(LoadFunction load) {
   };
 }
 
-/// Where the file's default is meant, that is what is asked for, whichever it becomes.
+/// The default scene is requested by the empty name, so a file whose default changes shows the new
+/// one.
 std::string name_of(const SceneContents& contents, int scene) {
   return scene == contents.default_scene ? std::string() : std::to_string(scene);
 }

@@ -15,33 +15,33 @@
 
 namespace asos {
 
-/// The scene that is open, and how another one is opened in the background. Like a pointer to the
-/// scene it is null before there is one. One thread; loading happens on another.
+/// The open scene, and the loading of another one in the background. Acts like a pointer to the
+/// scene; null before the first one. All members must be called from one thread.
 class OpenScene {
  public:
-  /// An empty `load` is load_scene. `wake` is called from the loader's thread when `take_opened`
-  /// has something to do. `forced`: see prepare.
+  /// An empty `load` means load_scene. `wake` is called from the loader's thread when `take_opened`
+  /// has a result. `forced`: see prepare.
   OpenScene(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced);
 
-  /// Loads in the background. The open scene stays until the new one is there, and where that
-  /// fails. A saved picture (.png, .exr) brings its scene, camera, lights and settings.
+  /// Starts loading in the background. The open scene stays until the new one is ready, or if
+  /// loading fails. A saved picture (.png, .exr) brings its scene, camera, lights and settings.
   void open(const std::string& source);
   void open(SceneSource source);
-  /// Loads the open scene's file again; the view stays.
+  /// Reloads the open scene's file and keeps the view.
   void reload();
-  /// The same with this variant of its materials, or empty: none.
+  /// Reloads with this material variant; empty: none.
   void show_variant(const std::string& variant);
-  /// Another of the file's scenes, seen as it asks for; an index into SceneContents::scenes.
+  /// Loads another scene of the file with its own camera; `index` is into SceneContents::scenes.
   void show_scene(int index);
 
-  /// Loads it again without an object, or with this one alone, or with all; the view stays. `part`
-  /// is one of World::parts. No part may be hidden that is the only one.
+  /// Reloads without one object, with only that object, or with all; the view stays. `part` is an
+  /// index into World::parts. The last visible part cannot be hidden.
   void hide(int part);
-  /// Loads it again without these objects alone: places among all, ascending.
+  /// Reloads without these objects only: ascending indices among all objects.
   void show_without(std::vector<int> places);
   void show_only(int part);
   void show_all();
-  /// The places of the hidden objects among all; see leave_out.
+  /// Indices of the hidden objects among all objects: see leave_out.
   [[nodiscard]] const std::vector<int>& hidden() const { return hidden_; }
 
   explicit operator bool() const { return scene_ != nullptr; }
@@ -49,47 +49,47 @@ class OpenScene {
   const RenderScene& operator*() const { return *scene_; }
   [[nodiscard]] const RenderScene* get() const { return scene_.get(); }
   [[nodiscard]] const std::shared_ptr<const RenderScene>& shared() const { return scene_; }
-  /// Whether `scene` is the open one, in whatever lights and materials.
+  /// Whether `scene` is the open one, possibly with other lights and materials.
   [[nodiscard]] bool is(const RenderScene& scene) const;
-  /// Grows whenever another scene is opened: what was done before cannot be taken back then.
+  /// Counts opened scenes. Steps from before the last one cannot be undone.
   [[nodiscard]] std::uint64_t times_opened() const { return times_opened_; }
 
-  /// The source of the open scene as it is shown: variant, scene of the file and hidden objects.
-  /// Only with a scene.
+  /// The source of the open scene as shown: with variant, scene of the file and hidden objects.
+  /// Requires a scene.
   [[nodiscard]] SceneSource shown_source() const;
-  /// The source that was opened last, whether it could be or not.
+  /// The source of the last request, whether it could be opened or not.
   [[nodiscard]] const std::string& asked_for() const { return asked_for_; }
   [[nodiscard]] std::optional<SceneLoader::Loading> loading() const { return loader_.loading(); }
-  /// The files that the open scene was read from, as they were when that was tried last.
+  /// The files that the open scene was read from, as they were at the last attempt.
   [[nodiscard]] const std::vector<FileStamp>& files() const { return files_; }
   [[nodiscard]] double load_seconds() const { return load_seconds_; }
-  /// How the saved picture that was opened last was shown, once.
+  /// Returns the display settings of the saved picture that was opened last, once.
   [[nodiscard]] std::optional<PictureDisplay> take_opened_display() {
     return std::exchange(opened_display_, std::nullopt);
   }
 
-  /// A folder from which files are read that the source names and that were refused, once
-  /// `widen_asset_root` allows that; empty: none was.
+  /// A folder with files that the source refers to but that were refused, if `widen_asset_root` can
+  /// allow them; empty: none.
   [[nodiscard]] const std::string& outer_root() const { return outer_root_; }
-  /// Loads the source that was opened last again, with `outer_root` as its asset root.
+  /// Loads the last source again with `outer_root` as its asset root.
   void widen_asset_root();
 
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   void report(Error error) { error_ = std::move(error); }
   void dismiss_error() { error_.reset(); }
-  /// Whether the error is that the open scene's file could not be read again: the scene stays.
+  /// Whether the error is that the open scene's file could not be reloaded; the scene stays.
   [[nodiscard]] bool reload_failed() const { return reload_failed_; }
 
-  /// Facts about a scene that has just been opened.
+  /// Results of opening a scene.
   struct Opened {
-    bool reloaded = false;  ///< it is the same scene again
-    glm::dvec3 moved{0.0};  ///< then: by what all has moved relative to World::origin
-    std::optional<PictureDescription> picture;  ///< where the source was a saved picture
+    bool reloaded = false;                      ///< the same scene was loaded again
+    glm::dvec3 moved{0.0};                      ///< for a reload: the change of World::origin
+    std::optional<PictureDescription> picture;  ///< if the source was a saved picture
   };
-  /// Lets a scene that has been loaded take the open one's place, once; none: there was none, or
-  /// an error in its place, which `error` tells then.
+  /// Makes a loaded scene the open one and returns its facts, once. Returns none if no load has
+  /// finished, or if loading failed: then `error` has the reason.
   [[nodiscard]] std::optional<Opened> take_opened();
-  /// Lets the open scene in other lights or materials take its place.
+  /// Replaces the open scene by the same with other lights or materials.
   void relight(std::shared_ptr<const RenderScene> scene) { scene_ = std::move(scene); }
 
  private:
@@ -102,7 +102,7 @@ class OpenScene {
   SceneSource asked_;
   std::string asset_root_;
   std::string outer_root_;
-  bool reloading_ = false;  // the scene being loaded is the open one again
+  bool reloading_ = false;  // the scene being loaded is a reload of the open one
   bool reload_failed_ = false;
   std::vector<int> hidden_;  // ascending
   double load_seconds_ = 0.0;

@@ -10,7 +10,7 @@ namespace asos {
 
 namespace {
 
-// Distances from the pivot, in radii of the scene.
+// Limits of the distance from the pivot, in radii of the scene.
 constexpr double least_distance = 1e-4;
 constexpr double farthest = 1e3;
 
@@ -29,8 +29,8 @@ void OrbitCamera::set(const Camera& camera, double pivot_distance, double scene_
   distance_ = positive_or_one(pivot_distance);
   pivot_ = eye - distance_ * back;
 
-  // The azimuth follows from the view direction; at a pole, where it has none, from the picture's
-  // right. The roll is what is left.
+  // The azimuth follows from the view direction or, at a pole, from the camera's right vector. The
+  // rest is roll.
   const double horizontal = std::hypot(back.x, back.z);
   elevation_rad_ = std::atan2(back.y, horizontal);
   azimuth_rad_ = horizontal > 1e-9 ? std::atan2(back.x, back.z) : std::atan2(-right.z, right.x);
@@ -103,7 +103,7 @@ void OrbitCamera::pan(double right, double down) {
 void OrbitCamera::dolly(double factor) {
   if (!std::isfinite(factor) || factor <= 0.0) return;
   double& size = lens_.type == Camera::Type::perspective ? distance_ : lens_.height;
-  // A file camera may stand outside the range; it may come back but not go farther.
+  // A camera from a file may start outside the range. It may move back but not farther out.
   const double lo = std::min(size, least_distance * scene_radius_);
   const double hi = std::max(size, farthest * scene_radius_);
   size = std::clamp(size * factor, lo, hi);
@@ -119,7 +119,7 @@ void OrbitCamera::look_at(glm::dvec3 pivot) {
 void OrbitCamera::look_around(double azimuth_rad, double elevation_rad) {
   const glm::dvec3 stands = eye();
   const std::uint64_t before = revision_;
-  // The scene in view turns against the way in which the eye would circle it.
+  // Turning the scene is the opposite of moving the eye around it.
   orbit(azimuth_rad, -elevation_rad);
   if (revision_ != before) pivot_ = stands - distance_ * basis().back;
 }
@@ -148,7 +148,7 @@ Camera OrbitCamera::camera() const {
   return camera;
 }
 
-// Built from the angles alone, without a cross product with "up", which vanishes at the poles.
+// Built from the angles alone: a cross product with "up" would vanish at the poles.
 OrbitCamera::Basis OrbitCamera::basis() const {
   const double sa = std::sin(azimuth_rad_), ca = std::cos(azimuth_rad_);
   const double se = std::sin(elevation_rad_), ce = std::cos(elevation_rad_);

@@ -8,53 +8,55 @@
 
 namespace asos {
 
-/// A camera that circles a pivot: azimuth, elevation and roll about it, and a distance. Every file
-/// camera can be taken over exactly. +Y is up; at the poles the picture's right stays defined by
-/// the azimuth, so nothing flips. Arguments that are not finite are ignored.
+/// A camera that orbits a pivot: azimuth, elevation, roll and distance. Represents every camera of
+/// a file exactly. +Y is up. At the poles the azimuth still defines the right vector, so the view
+/// does not flip. Non-finite arguments are ignored.
 class OrbitCamera {
  public:
-  /// Takes over `camera` (relative to World::origin) and orbits the point `pivot_distance` ahead of
-  /// it. `scene_radius` sets the range of distances; both fall back to 1 where they are not
-  /// positive.
+  /// Starts from `camera` (relative to World::origin) with the pivot `pivot_distance` ahead of it.
+  /// `scene_radius` sets the range of distances. Both become 1 if they are not positive.
   void set(const Camera& camera, double pivot_distance, double scene_radius);
 
-  /// Turns about the pivot; the elevation stops at straight above and straight below.
+  /// Orbits the pivot; the elevation is clamped to straight up and straight down.
   void orbit(double azimuth_rad, double elevation_rad);
-  /// Moves so that what lies at the pivot's depth follows a pointer that went `right` and `down`,
-  /// in heights of the picture.
+  /// Moves the camera so that a point at the pivot's depth follows the pointer; `right` and `down`
+  /// are in picture heights.
   void pan(double right, double down);
-  /// Multiplies the distance (orthographic: the height seen), within the scene's range.
+  /// Multiplies the distance (orthographic: the visible height), within the scene's range.
   void dolly(double factor);
-  /// Looks at the pivot from this side, level.
+  /// Looks at the pivot from this direction, without roll.
   void turn_to(double azimuth_rad, double elevation_rad);
-  /// Shows what lies at the pivot's depth as large as before. An orthographic camera stands far
-  /// enough away that it cuts nothing of the scene off. Near and far planes stay where they are.
+  /// Changes the projection and keeps the size of objects at the pivot's depth. An orthographic
+  /// camera is placed far enough away not to clip the scene. Near and far planes stay where they
+  /// are.
   void set_projection(Camera::Type type);
-  /// Whether the camera that was taken over has a near or a far plane; they move with it.
+  /// Whether the original camera has a near or a far plane; these move with the camera.
   [[nodiscard]] bool has_planes() const { return lens_.near_depth || lens_.far_depth; }
-  /// Whether these cut the scene; off stays off for cameras that are taken over later.
+  /// Sets whether those planes clip the scene. The setting also applies to later cameras.
   void set_planes(bool on);
   [[nodiscard]] bool planes() const { return planes_; }
-  /// Full vertical field of view of a perspective, between 0 and pi; others are ignored.
+  /// Sets the full vertical field of view of a perspective camera, in radians between 0 and pi;
+  /// other values are ignored.
   void set_fov_y(double fov_y_rad);
-  /// Sets the lens of a perspective. A lens out of range is ignored.
+  /// Sets the lens of a perspective camera; an invalid lens is ignored.
   void set_lens(const Lens& lens);
-  /// Keeps the direction and puts the pivot into the picture's middle.
+  /// Keeps the direction and moves the camera so that the pivot is in the picture's centre.
   void look_at(glm::dvec3 pivot);
-  /// Turns the view where it stands: to the left and up; stops at straight up and straight down.
+  /// Rotates the view about the eye, to the left and up; the elevation is clamped to straight up
+  /// and down.
   void look_around(double azimuth_rad, double elevation_rad);
-  /// Moves eye and pivot by so many of the scene's radii.
+  /// Moves eye and pivot; the distances are in radii of the scene.
   void fly(double right, double up, double forward);
-  /// Back to what another camera was, as a change like any other.
+  /// Restores an earlier state; this counts as a change.
   void restore(const OrbitCamera& other);
 
   [[nodiscard]] Camera camera() const;
-  /// The camera that was taken over, but for its place.
+  /// The original camera; its placement is not current.
   [[nodiscard]] const Camera& lens() const { return lens_; }
   [[nodiscard]] glm::dvec3 pivot() const { return pivot_; }
   [[nodiscard]] double distance() const { return distance_; }
   [[nodiscard]] glm::dvec3 eye() const { return pivot_ + distance_ * basis().back; }
-  /// Grows with every change, so that a render knows when it is out of date.
+  /// Grows with every change, so a render can detect that it is out of date.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
  private:
@@ -63,7 +65,7 @@ class OrbitCamera {
   };
   [[nodiscard]] Basis basis() const;
 
-  Camera lens_;  // everything but the placement
+  Camera lens_;  // all parameters except the placement
   bool planes_ = true;
   glm::dvec3 pivot_{0.0};
   double distance_ = 1.0;

@@ -12,7 +12,7 @@ enum class PanelTab {
   all,  ///< all three, for a search
 };
 
-/// The names in the file of settings, in the order of the values.
+/// The tabs' names in the settings file, in the order of the enumerators.
 inline constexpr std::array panel_tab_names{"antialias", "scene", "measure", "all"};
 
 }  // namespace asos

@@ -51,7 +51,7 @@ Result<void> copy_picture(ClipboardJob& job, RgbImage image) {
   const Result<std::vector<std::string>> command = clipboard_command();
   if (!command) return unexpected(command.error());
   if (job.busy()) return {};
-  // Shared, because a function that is copied holds it.
+  // Shared, because std::function needs a copyable capture.
   auto picture = std::make_shared<const RgbImage>(std::move(image));
   job.start([command = *command, picture](const std::stop_token& stop, const auto& tell) {
     tell(copy(command, *picture, stop));

@@ -9,14 +9,14 @@
 
 namespace asos {
 
-/// The program and arguments that put a PNG onto the clipboard: wl-copy under Wayland, xclip under
-/// X11, which read `file` as their input. The error says what is to be installed.
+/// The program and arguments that copy a PNG to the clipboard: wl-copy under Wayland, xclip under
+/// X11. They read `file` as standard input. The error names the package to install.
 [[nodiscard]] Result<std::vector<std::string>> clipboard_command();
 
 using ClipboardJob = StoppableJob<Result<void>>;
 
-/// Begins to copy a picture, unless another one is being copied. The error is `clipboard_command`'s
-/// one.
+/// Starts to copy a picture, unless another copy is running. Errors are those of
+/// `clipboard_command`.
 [[nodiscard]] Result<void> copy_picture(ClipboardJob& job, RgbImage image);
 
 }  // namespace asos

@@ -44,14 +44,14 @@ void PictureJob::start(std::string path, Work work) {
 }
 
 void PictureJob::cancel() {
-  thread_ = {};  // asks it to stop, and waits
+  thread_ = {};  // requests a stop and waits
   running_ = false;
   outcome_.reset();
 }
 
 void PictureJob::run(const std::stop_token& stop, const Work& work) {
   std::optional<Result<std::string>> outcome;
-  // Memory can run out; that is an error to show, not an end.
+  // Running out of memory is reported as an error and does not end the program.
   try {
     outcome = work(stop, [this](double fraction) {
       const std::scoped_lock lock(mutex_);

@@ -13,30 +13,30 @@
 
 namespace asos {
 
-/// A picture to be rendered into a file.
+/// A picture to render into a file.
 struct PictureOrder {
   Snapshot snapshot;
-  std::string path;  ///< an EXR where it ends in .exr, else a PNG
+  std::string path;  ///< an EXR if it ends in .exr, otherwise a PNG
   DisplayTransform display;
   ImageText text;
 };
 
-/// Renders the picture in bounded memory. The path, or why not; nothing where it was stopped.
+/// Renders the picture in bounded memory. Returns the path or the error; nothing if it was stopped.
 [[nodiscard]] std::optional<Result<std::string>> write_picture(
     const PictureOrder& order, const std::stop_token& stop,
     const std::function<void(double)>& on_progress);
 
-/// Writes a picture of any size, or a movie, on threads of its own. One at a time; one controlling
-/// thread. The destructor cancels.
+/// Writes a picture of any size, or a movie, on its own threads, one at a time. Must be controlled
+/// from one thread. The destructor cancels.
 class PictureJob {
  public:
-  /// The path that was written, or why not; nothing where it was stopped. Tells the finished share.
+  /// Reports the finished fraction, and returns the path or the error; nothing if it was stopped.
   using Work = std::function<std::optional<Result<std::string>>(
       const std::stop_token&, const std::function<void(double)>&)>;
 
-  /// Cancels what is under way. `path` names the file in the meantime.
+  /// Cancels the running job and starts another. `path` is the name to show meanwhile.
   void start(std::string path, Work work);
-  /// Leaves nothing of the file.
+  /// Cancels the running job and leaves no file.
   void cancel();
 
   struct State {
@@ -44,11 +44,11 @@ class PictureJob {
     double fraction = 0.0;       ///< finished, 0 to 1
     double seconds_left = -1.0;  ///< negative: not known yet
   };
-  /// The state of the picture that is under way.
+  /// The state of the running job.
   [[nodiscard]] std::optional<State> state() const;
-  /// Whether a picture is under way, or its outcome has not been taken.
+  /// Whether a job is running, or its outcome has not been taken.
   [[nodiscard]] bool pending() const;
-  /// The file that was written, or why it was not; once. Nothing of one that was cancelled.
+  /// Returns the path or the error, once. Nothing for a cancelled job.
   [[nodiscard]] std::optional<Result<std::string>> take_outcome();
 
  private:
@@ -60,7 +60,7 @@ class PictureJob {
   bool running_ = false;
   double fraction_ = 0.0;
   std::optional<Result<std::string>> outcome_;
-  std::jthread thread_;  // last: stops before what it uses goes
+  std::jthread thread_;  // last, so that the thread stops before the members it uses are destroyed
 };
 
 }  // namespace asos

@@ -13,36 +13,36 @@ class Playback;
 class Previewer;
 struct DisplaySettings;
 
-/// The length of the animation that is chosen, or of the first one; 0: there is none.
+/// Length in seconds of the chosen animation, or of the first one; 0: the scene has none.
 [[nodiscard]] double clip_seconds(const Playback& playback);
 
-/// Saves what the window shows: the film as it is, the picture rendered to the end at any size, or
-/// the framebuffer. Each member that saves returns what to tell the person, or nothing yet. One
-/// thread; a picture is rendered on others.
+/// Saves the content of the window: the film, the picture rendered at any size, or the framebuffer.
+/// The members that save return a message for the user, or nothing yet. Not thread-safe; pictures
+/// are rendered on other threads.
 class PictureSaver {
  public:
   PictureSaver(const Previewer& previewer, const GlDisplay& display)
       : previewer_(previewer), display_(display) {}
 
-  /// The film as it is shown, as a PNG under the next free name; below a split map its legend.
+  /// Saves the displayed film as a PNG under the next free name, with the legend below a split map.
   [[nodiscard]] std::string save_shown(const DisplaySettings& shown);
-  /// Begins what the dialog was asked for.
+  /// Starts the job that the save dialog has confirmed.
   [[nodiscard]] std::optional<std::string> begin(const SaveChoice& choice,
                                                  const DisplaySettings& shown, double now_seconds);
-  /// The outcome of the picture that was rendered, once.
+  /// Returns the message about the rendered picture, once.
   [[nodiscard]] std::optional<std::string> take_outcome();
-  /// Ends the picture that is being rendered; nothing of it is left.
+  /// Cancels the picture being rendered; no file is left.
   [[nodiscard]] std::string stop();
-  /// What of the framebuffer is to be saved now, once the dialog has faded from it.
+  /// Returns the choice when it is time to read the framebuffer: once the dialog has faded out.
   [[nodiscard]] std::optional<SaveChoice> take_due(double now_seconds);
-  /// Saves what was read from the framebuffer.
+  /// Saves the image that was read from the framebuffer.
   [[nodiscard]] std::string save_read(const SaveChoice& choice, RgbImage image,
                                       const DisplaySettings& shown);
 
-  /// When `take_due` has something, in seconds.
+  /// Seconds until `take_due` returns a choice.
   [[nodiscard]] std::optional<double> seconds_to_due(double now_seconds) const;
   [[nodiscard]] const PictureJob& job() const { return job_; }
-  /// How many pictures were saved that hold the edits of the scene.
+  /// Number of saved pictures whose metadata contain the edits of the scene.
   [[nodiscard]] int saved() const { return saved_; }
 
  private:
@@ -55,7 +55,7 @@ class PictureSaver {
   std::optional<SaveChoice> due_;
   double due_seconds_ = 0.0;
   int saved_ = 0;
-  bool movie_ = false;  // the job writes a movie, which does not hold the edits
+  bool movie_ = false;  // the job writes a movie, which does not contain the edits
 };
 
 }  // namespace asos

@@ -52,8 +52,8 @@ PictureView PictureView::with_sizes() const {
   return view;
 }
 
-// A picture larger than the area covers it; a smaller one sits in its middle. Whole pixels keep the
-// squares of a zoomed picture in step with the screen.
+// A picture larger than the area covers it; a smaller one is centred. Whole-pixel offsets align
+// zoomed pixels with the screen.
 void PictureView::keep_inside() {
   const glm::vec2 area(area_);
   const glm::vec2 free = area - glm::vec2(picture_) * scale();

@@ -26,7 +26,7 @@ std::string name_of_pyray(const RenderScene& scene, const TracedPyray& pyray) {
                      100.0 * static_cast<double>(pyray.result.x), cells);
 }
 
-/// The part that a sheet belongs to.
+/// Name of the part that a smooth surface belongs to.
 std::string object_name(const RenderScene& scene, std::uint32_t sheet) {
   if (sheet == ObjectTally::clusters) return "small edges";
   const World& world = scene.world();
@@ -46,13 +46,12 @@ std::string strongest_object(const RenderScene& scene, const LevelTally& level) 
   return strongest == level.objects.end() ? "" : object_name(scene, strongest->object);
 }
 
-/// All boundaries that the hit list of the whole picture holds, whether something hides them or
-/// not.
+/// All edges in the hit list of the whole picture, visible or hidden.
 void find_boundaries(const RenderScene& scene, const View& view, PixelReport& report) {
   const glm::vec2 size(static_cast<float>(view.width()), static_cast<float>(view.height()));
   const Square whole;
   HitLists lists;
-  // Boundaries smaller than a quarter of a pixel need no line of their own.
+  // Edges smaller than a quarter of a pixel are not drawn.
   lists.reset(scene.features(), view.frame(0.0, 0.0, view.width(), view.height()),
               0.25f / std::max(size.x, size.y));
   HitLists::List open, found;
@@ -138,7 +137,7 @@ std::string PixelReport::verdict() const {
 
 std::size_t cell_at(const std::vector<TracedCell>& cells, glm::vec2 place) {
   std::size_t found = 0;
-  // A level comes after the other, so the last one is the smallest.
+  // Cells are sorted by level, so the last one that contains the point is the smallest.
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const TracedCell& cell = cells[i];
     const glm::vec2 in = place - cell.corner;

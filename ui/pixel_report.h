@@ -17,50 +17,50 @@ namespace asos {
 
 class Previewer;
 
-/// A boundary as it lies in the picture, in pixels.
+/// An edge projected into the picture, in pixels.
 struct PictureBoundary {
   glm::vec2 from{0.0f};
   glm::vec2 to{0.0f};
   FeatureKind kind = FeatureKind::open;
 };
 
-/// How a pixel was split, made ready to be drawn, and the boundaries around.
+/// How a pixel was split, prepared for drawing, and the edges of the picture.
 struct PixelReport {
   glm::ivec2 pixel{0};
   PixelTrace trace;
   RenderSettings settings;
   std::vector<SeenPart> seen;                     ///< parts of the pixel's cells
-  std::vector<std::vector<SeenPart>> pyray_seen;  ///< the same of each of trace.pyrays
-  std::vector<std::string> pyray_names;           ///< and what each is, in a few words
-  std::vector<std::string> level_object;          ///< the object of largest change, one a level
-  /// The boundaries of the whole picture's hit list, where they were asked for; `most_boundaries`
-  /// at most.
+  std::vector<std::vector<SeenPart>> pyray_seen;  ///< the same for each entry of trace.pyrays
+  std::vector<std::string> pyray_names;           ///< a short description of each of them
+  std::vector<std::string> level_object;  ///< name of the object of largest change, per level
+  /// The edges in the whole picture's hit list, if requested; `most_boundaries` at most.
   std::vector<PictureBoundary> boundaries;
   bool all_boundaries = true;  ///< false: there are more
   static constexpr std::size_t most_boundaries = 20'000;
 
-  /// The level and cause in the split map, and the samples where they make the level.
+  /// The level and cause as in the split map; with the sample count if that sets the level.
   [[nodiscard]] std::string split() const;
-  /// Why the splitting stopped, in a sentence.
+  /// Why the splitting stopped, in one sentence.
   [[nodiscard]] std::string verdict() const;
 };
 
-/// The smallest of the cells at a place of their square, 0 to 1 each way: an index. There is one.
+/// Index of the smallest cell that contains the point, 0 to 1 in both directions. Cells must not be
+/// empty.
 [[nodiscard]] std::size_t cell_at(const std::vector<TracedCell>& cells, glm::vec2 place);
 
 [[nodiscard]] const char* words_of(CellFate fate);
-/// The numbers of a cell's edges: "1 edge, 2 hidden edges".
+/// The counts of a cell's edges: "1 edge, 2 hidden edges".
 [[nodiscard]] std::string edge_words(const TracedCell& cell);
 
-/// Traces the picked pixel on a thread of its own, again whenever what it depends on has changed.
-/// All members are for one thread.
+/// Traces the picked pixel on its own thread, and again whenever its inputs have changed. All
+/// members must be called from one thread.
 class PixelInspector {
  public:
   PixelInspector();
 
-  /// Call once a frame. `boundaries`: whether those of the picture are wanted.
+  /// Call once a frame. `boundaries`: whether the report includes the picture's edges.
   void update(const Previewer& previewer, std::optional<glm::ivec2> picked, bool boundaries);
-  /// The report on the picked pixel, maybe of an older view; null where there is none.
+  /// The report on the picked pixel, possibly for an older view; null: none.
   [[nodiscard]] const PixelReport* report() const { return report_ ? &*report_ : nullptr; }
   [[nodiscard]] bool busy() const { return job_.pending(); }
 

@@ -17,7 +17,7 @@ double elapsed_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// As the scene's look was edited, on another pose of it.
+/// Applies the edited lights and materials to another pose of the scene.
 Result<std::shared_ptr<const RenderScene>> with_look(
     std::shared_ptr<const RenderScene> scene, const std::optional<std::vector<Light>>& lights,
     const std::optional<MaterialDfrs>& dfrs, Ground ground) {
@@ -28,7 +28,7 @@ Result<std::shared_ptr<const RenderScene>> with_look(
   return edited;
 }
 
-/// With the lines and points where they are at this pose, as the camera sees it.
+/// Draws lines and points for this pose as the camera sees them.
 Result<std::shared_ptr<const RenderScene>> drawn(std::shared_ptr<const RenderScene> scene,
                                                  const Playback::WantedStrokes& strokes) {
   StrokePicture picture = strokes.picture;
@@ -74,7 +74,7 @@ void Playback::seek(double seconds) {
 void Playback::step(int frames) {
   set_playing(false);
   const double now = time_ ? time_->seconds : 0.0;
-  // From between two frames to the next one, not past it.
+  // From between two frames, a step goes to the next frame, not past it.
   const double at = now * options_.fps, whole = std::round(at);
   const double from = std::abs(at - whole) < 1e-6 ? whole
                       : frames > 0                ? std::floor(at)

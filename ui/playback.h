@@ -17,40 +17,41 @@
 
 namespace asos {
 
-/// Plays the animations of the open scene: a clock, and the scene posed at its time in the
-/// background, on the stage of the one at rest. The next pose is asked for when the last one has
-/// come and its picture has been seen for a moment; what time passes meanwhile is left out. All
-/// members are for one thread.
+/// Plays the animations of the open scene: a clock, and poses of the scene computed in the
+/// background with the default lighting of the scene at rest. The next pose is requested once the
+/// last one has been displayed for a moment; time that passes meanwhile is skipped. All members
+/// must be called from one thread.
 class Playback {
  public:
-  /// What lines and points are drawn for.
+  /// The picture that lines and points are drawn for.
   struct WantedStrokes {
     StrokePicture picture;
     std::uint64_t camera_revision = 0;
-    int follows = -1;  ///< the scene's camera that the picture's goes with; -1: it stays
+    int follows = -1;  ///< index of the scene's camera that the view follows; -1: the view stays
   };
 
-  /// Both must outlive it. `wake` is called from another thread when `update` has something to do.
+  /// `scene` and `edits` must outlive the object. `wake` is called from another thread when
+  /// `update` has a result to take.
   Playback(OpenScene& scene, SceneEdits& edits, std::function<void()> wake);
 
-  /// Whether the open scene has animations; all that follows does nothing where it has none.
+  /// Whether the open scene has animations; without any, all other members do nothing.
   [[nodiscard]] bool available() const { return scene_ && scene_->geometry->rig != nullptr; }
   [[nodiscard]] const std::vector<SceneContents::Animation>& animations() const;
 
-  /// The moment that is wanted; none: as the file's nodes place things.
+  /// The requested time; none: the scene at rest.
   [[nodiscard]] const std::optional<ClipTime>& time() const { return time_; }
-  /// Of the chosen animation; 0 where none is.
+  /// Duration of the chosen animation in seconds; 0: none is chosen.
   [[nodiscard]] double duration_seconds() const;
-  /// The animation's beginning; -1: none, at rest.
+  /// Starts at the beginning of this animation; -1: none, at rest.
   void choose(int animation);
-  /// Within the animation; chooses the first one where none is.
+  /// Moves to this time of the chosen animation; chooses the first one if there is none.
   void seek(double seconds);
-  /// By so many frames at `fps`, paused, to a whole frame.
+  /// Pauses and moves by whole frames at `fps`.
   void step(int frames);
   void set_playing(bool playing);
   [[nodiscard]] bool playing() const { return playing_; }
 
-  /// How often the clock of what plays is worth a look.
+  /// Interval in seconds at which a playing clock is updated.
   static constexpr double frame_seconds = 1.0 / 60.0;
   static constexpr double slowest = 0.05, fastest = 20.0;
   struct Options {
@@ -60,28 +61,28 @@ class Playback {
   };
   [[nodiscard]] Options& options() { return options_; }
 
-  /// The scene that has just been opened. `again`: it is the same file, whose time is kept.
+  /// Call when a scene was opened. `again`: it is the same file, so the time is kept.
   void adopt_scene(bool again);
-  /// Lets time pass, takes the pose that is finished and asks for the next one. `seen`: the
-  /// picture of the last one has been seen. Call once or more a frame.
-  /// Poses come with their lines and points drawn for `strokes`; none: as they are at rest.
+  /// Advances the time, takes the finished pose and requests the next one. `seen`: the last pose
+  /// has been displayed. Call at least once a frame. Lines and points of poses are drawn for
+  /// `strokes`; none: as at rest.
   void update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes);
-  /// For what the lines and points of the pose that has just been taken were drawn, once.
+  /// Returns the picture and camera that the last pose's lines and points were drawn for, once.
   [[nodiscard]] std::optional<WantedStrokes> take_drawn_strokes() {
     return std::exchange(drawn_strokes_, std::nullopt);
   }
-  /// The scene of `from`'s file at another time, with edits; without: as the file has it. Only
-  /// where `available`. Any thread.
+  /// Returns the scene of `from`'s file at another time, with edits; without them, as in the file.
+  /// Only if `available`. Thread-safe.
   [[nodiscard]] static Result<std::shared_ptr<const RenderScene>> scene_at(
       const RenderScene& from, const std::optional<ClipTime>& time,
       const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
       Ground ground);
-  /// The edits of lights and materials that `scene_at` is to keep; none where there are none.
+  /// The edited lights and materials for `scene_at`; none: they are not edited.
   [[nodiscard]] std::optional<std::vector<Light>> edited_lights() const;
   [[nodiscard]] std::optional<MaterialDfrs> edited_dfrs() const;
-  /// Whether the scene is not at the wanted time yet.
+  /// Whether the scene has yet to reach the requested time.
   [[nodiscard]] bool posing() const;
-  /// What a pose took last, in seconds: posing, and making ready to render.
+  /// Time in seconds that the last pose took: posing, and preparing for rendering.
   [[nodiscard]] double pose_seconds() const { return pose_seconds_; }
   [[nodiscard]] double prepare_seconds() const { return prepare_seconds_; }
 
@@ -89,7 +90,7 @@ class Playback {
   struct Request {
     std::shared_ptr<const RenderScene> from;
     std::optional<ClipTime> time;
-    std::optional<std::vector<Light>> lights;  // edited; none: the pose's own
+    std::optional<std::vector<Light>> lights;  // edited lights; none: the pose's own
     std::optional<MaterialDfrs> dfrs;          // edited
     SceneEdits::Revisions look;
     std::uint64_t opened = 0;  // OpenScene::times_opened
@@ -113,7 +114,7 @@ class Playback {
   SceneEdits& edits_;
   Options options_;
   std::optional<ClipTime> time_;
-  std::optional<ClipTime> failed_;  // could not be posed: is not asked for again
+  std::optional<ClipTime> failed_;  // posing failed there; it is not tried again
   bool has_failed_ = false;
   bool playing_ = false;
   std::optional<double> updated_seconds_;

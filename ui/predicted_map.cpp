@@ -15,8 +15,8 @@ bool same_splitting(const RenderSettings& a, const RenderSettings& b) {
   return a.asos.eps == b.asos.eps && a.asos.max_level == b.asos.max_level;
 }
 
-/// Calls `f` with the index of each pixel of a tile in the film and in the tile. Pixels outside the
-/// film are left out.
+/// Calls `f` with the index of each pixel of a tile in the film and in the tile. Skips pixels
+/// outside the film.
 template <typename F>
 void each_pixel(const FinishedTile& tile, const Film& film, const F& f) {
   const PixelRect inside = intersection(tile.rect, {0, 0, film.width, film.height});
@@ -46,7 +46,7 @@ std::uint16_t PredictedMap::index_of(const RenderSettings& settings) {
   return static_cast<std::uint16_t>(origins_.size() - 1);
 }
 
-// A long drag leaves many settings that no pixel was rendered with.
+// Removes settings that no pixel was rendered with: a long drag leaves many.
 void PredictedMap::drop_unused() {
   std::vector<std::uint16_t> renamed(origins_.size(), unknown);
   for (const Known& pixel : known_)
@@ -67,7 +67,7 @@ void PredictedMap::render_by(const RenderSettings& settings) {
   asked_ = settings;
 }
 
-// `pixels` calls its argument with the index of each pixel to show.
+// `pixels` calls its argument with the index of each pixel to update.
 template <typename Pixels>
 void PredictedMap::show(const Pixels& pixels, Film& film) const {
   std::vector<LevelPrediction> predictions;
@@ -81,7 +81,8 @@ void PredictedMap::show(const Pixels& pixels, Film& film) const {
     if (same_splitting(origins_[pixel.origin], asked_)) return;
     const int level = predictions[pixel.origin].level_of(pixel.outlook, pixel.cause);
     film.split_level[i] = static_cast<std::uint8_t>(level);
-    // A pixel that was one sample is split for its shading: edges are found at any setting.
+    // Edges are found at any setting, so a pixel without any that is predicted to split does so for
+    // its shading.
     const bool edge = pixel.outlook.edges > 0 || pixel.outlook.unresolved > 0.0f;
     if (level > 0 && pixel.cause == SplitCause::none) film.cause[i] = SplitCause::shading;
     if (level == 0 && pixel.level > 0 && !edge) film.cause[i] = SplitCause::none;

@@ -9,21 +9,22 @@
 
 namespace asos {
 
-/// The split map of a film while its pixels are rendered again with another EPS or MAX: what each
-/// pixel told when it was last final, and the level and cause predicted from it (LevelPrediction).
-/// Valid for one scene, camera and picture size. All members are for one thread.
+/// The split map of a film while its pixels are rendered again with another EPS or MAX. Keeps the
+/// data of each pixel from when it was last final, and predicts level and cause from them
+/// (LevelPrediction). Valid for one scene, camera and picture size. All members must be called from
+/// one thread.
 class PredictedMap {
  public:
-  /// Forgets all pixels. The film has so many.
+  /// Forgets all pixels and sets their number.
   void clear(std::size_t pixels);
-  /// A render with these settings begins, or goes on.
+  /// Call when a render with these settings starts or resumes.
   void render_by(const RenderSettings& settings);
-  /// Shows the map of these settings in `film`: predictions where it was rendered with others.
-  /// Returns whether it shows other settings than before.
+  /// Writes the map for these settings into `film`: predictions for pixels rendered with others.
+  /// Returns whether the settings differ from the last call's.
   bool predict(const RenderSettings& asked, Film& film);
-  /// Keeps what a final tile tells. Its pixels are in `film` already.
+  /// Keeps the data of a final tile, whose pixels are in `film` already.
   void note_final(const FinishedTile& tile, Film& film);
-  /// Adds the known level, cause and cost to a coarse tile, which has none.
+  /// Adds the known level, cause and cost to a coarse tile, which has none itself.
   void complete(FinishedTile& coarse, const Film& film) const;
 
  private:
@@ -31,7 +32,7 @@ class PredictedMap {
 
   struct Known {
     SplitOutlook outlook;
-    std::uint16_t origin = unknown;  ///< index of the settings that it was rendered with
+    std::uint16_t origin = unknown;  ///< index of the settings that the pixel was rendered with
     std::uint8_t level = 0;
     SplitCause cause = SplitCause::none;
   };

@@ -8,11 +8,11 @@ namespace asos {
 
 namespace {
 
-// How long changes wait for the first coarse picture of the render before them, and its tiles for
-// each other, so that it is shown as a whole.
+// Time in seconds that changes wait for the first coarse picture of the running render. Its tiles
+// wait for each other as long, so that the picture appears as a whole.
 constexpr double first_picture_seconds = 0.25;
 
-// Whether all is the same but EPS and MAX.
+// Whether the subjects differ in EPS and MAX only.
 bool differs_in_splitting_only(const PreviewRender::Subject& a, const PreviewRender::Subject& b) {
   RenderSettings settings = a.settings;
   settings.asos.eps = b.settings.asos.eps;
@@ -32,9 +32,9 @@ void PreviewRender::update(const Subject& subject, double now_seconds) {
   rest_or_go_on();
 }
 
-// Two poses in one picture look torn: until the first pass has covered it, tiles are held.
+// Holds the tiles until the first pass covers the picture: a mix of two poses would look torn.
 void PreviewRender::take_tiles(double now_seconds) {
-  // Asked first, so that the tiles taken hold all of the pass.
+  // Read before the tiles are taken, so that these include the whole pass.
   const bool whole = session_.reached().pass != Reached::Pass::nothing;
   std::vector<FinishedTile> tiles = session_.take_finished();
   held_.insert(held_.end(), std::make_move_iterator(tiles.begin()),
@@ -44,8 +44,8 @@ void PreviewRender::take_tiles(double now_seconds) {
   held_.clear();
 }
 
-// Shows the map of another EPS or MAX at once, and keeps the picture that was finished with the one
-// before.
+// Predicts the split map of another EPS or MAX at once, and keeps the finished picture of the
+// previous setting.
 void PreviewRender::follow_splitting(const Subject& subject) {
   const Film& film = film_.film();
   const bool all_final = rendered_.settings != subject.settings && session_.progress().finished &&
@@ -82,7 +82,7 @@ bool PreviewRender::should_wait(const Subject& subject, double now_seconds) cons
 }
 
 void PreviewRender::restart(const Subject& subject, double now_seconds) {
-  // The old scene may go only when no worker uses it any more, which restart sees to.
+  // The old scene must not be destroyed while a worker uses it; restart waits for that.
   held_.clear();
   session_.restart({subject.scene, subject.camera, subject.settings, true, true});
   const bool keeps_map = differs_in_splitting_only(rendered_, subject);

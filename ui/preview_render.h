@@ -15,11 +15,11 @@
 
 namespace asos {
 
-/// The render of what the window shows, and its picture: begun anew whenever what it is of changes,
-/// resting when its refinement says so. One thread; rendering happens on others.
+/// The window's render and its picture: restarted whenever its subject changes, paused when the
+/// refinement says so. Not thread-safe; rendering happens on other threads.
 class PreviewRender {
  public:
-  /// The inputs of a picture; nothing is rendered without a scene.
+  /// The inputs of a picture. Without a scene nothing is rendered.
   struct Subject {
     std::shared_ptr<const RenderScene> scene;
     std::uint64_t camera_revision = 0;
@@ -27,42 +27,41 @@ class PreviewRender {
     Camera camera;
   };
 
-  /// `wake` is called from the workers when `update` has something to do. `refinement` must outlive
-  /// it.
+  /// `wake` is called from the workers when `update` has tiles to take. `refinement` must outlive
+  /// the object.
   PreviewRender(std::function<void()> wake, Refinement& refinement);
 
-  /// A finished picture, and how it was rendered.
+  /// A finished picture and its settings.
   struct FinishedPicture {
     Film film;
     RenderSettings settings;
   };
-  /// The last finished picture of the same view with another EPS or MAX; null: none.
+  /// The last finished picture of this view with another EPS or MAX; null: none.
   [[nodiscard]] const FinishedPicture* finished_before() const {
     return before_ ? &*before_ : nullptr;
   }
 
-  /// Takes the tiles that are finished and restarts the render where it is not of `subject`. A
-  /// render that has not covered the picture once is given a moment to do so: changes that come
-  /// faster, as from a mouse, would else leave the picture's rim as it was. Call once or more a
-  /// frame.
+  /// Takes finished tiles, and restarts the render if its subject differs. A render that has not
+  /// covered the picture once gets a moment to do so; otherwise fast changes, as from a mouse,
+  /// would never update the picture's rim. Call at least once a frame.
   void update(const Subject& subject, double now_seconds);
-  /// Whether there is a subject, and the render is of another.
+  /// Whether there is a subject and the render is of another one.
   [[nodiscard]] bool out_of_date(const Subject& subject) const;
-  /// Whether parts of the running render's picture still show the one before: then what arrives
-  /// should be shown without delay.
+  /// Whether parts of the picture still come from the previous render. Then arriving tiles should
+  /// be shown without delay.
   [[nodiscard]] bool first_picture_pending() const;
 
-  /// Of a picture that another one follows by itself: whether it has covered the window and is
-  /// worth no more waiting, with a sample for each pixel or after so many seconds.
+  /// Returns whether the next picture of a sequence may follow: this one has covered the window,
+  /// and has a sample per pixel or has been rendered for `seconds`.
   [[nodiscard]] bool shown_for(double seconds, double now_seconds) const;
 
-  /// Ends the render as it is; `start_again` or a change begins anew.
+  /// Ends the render; `start_again` or a change starts a new one.
   void stop();
-  /// Goes on even if it was paused: who asks for a picture wants to see it.
+  /// Restarts the render and ends a pause.
   void start_again();
 
   [[nodiscard]] const Film& film() const { return film_.film(); }
-  /// The parts of the film that changed since the last call.
+  /// Returns the areas of the film that changed since the last call.
   [[nodiscard]] std::vector<PixelRect> take_changed() { return film_.take_changed(); }
   /// See RefiningFilm.
   [[nodiscard]] std::uint64_t map_revision() const { return film_.map_revision(); }
@@ -71,16 +70,16 @@ class PreviewRender {
   [[nodiscard]] Progress progress() const { return session_.progress(); }
   [[nodiscard]] Reached reached() const { return session_.reached(); }
   [[nodiscard]] RenderStatistics statistics() const { return session_.statistics(); }
-  /// How often a render was started.
+  /// Number of renders started so far.
   [[nodiscard]] std::uint64_t restarts() const { return restarts_; }
 
-  /// The settings of the render that runs, its size included.
+  /// Settings of the running render, with its size.
   [[nodiscard]] const RenderSettings& settings() const { return rendered_.settings; }
-  /// The inputs of the picture that is shown. Only with one.
+  /// The inputs of the displayed picture. Requires one.
   [[nodiscard]] Snapshot snapshot() const {
     return {rendered_.scene, rendered_.camera, rendered_.settings, false, true};
   }
-  /// The description of the picture that is shown, whether it is finished or not. Only with one.
+  /// Description of the displayed picture, finished or not. Requires one.
   [[nodiscard]] PictureDescription description(const PictureDisplay& display) const;
 
  private:
@@ -94,7 +93,7 @@ class PreviewRender {
   Subject rendered_;
   double restarted_seconds_ = 0.0;
   std::uint64_t restarts_ = 0;
-  std::vector<FinishedTile> held_;  // until the first pass has covered the picture
+  std::vector<FinishedTile> held_;  // tiles waiting until the first pass has covered the picture
   std::optional<FinishedPicture> before_;
   RefiningFilm film_;
   RenderSession session_;

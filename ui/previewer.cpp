@@ -9,7 +9,7 @@ namespace asos {
 
 namespace {
 
-// How long each view of what moves by itself may refine.
+// Time in seconds that each view of an animation or a turntable may refine.
 constexpr double view_seconds = 1.0 / 24.0;
 
 }  // namespace
@@ -27,7 +27,7 @@ void Previewer::update(double now_seconds) {
   viewpoint_.settle_size(now_seconds);
   if (const std::optional<OpenScene::Opened> opened = scene_.take_opened()) take_over(*opened);
   edits_.relight();
-  // The next pose is made while the last one is still looked at.
+  // The next pose is computed while the last one is displayed.
   const double posing_seconds = playback_.pose_seconds() + playback_.prepare_seconds();
   playback_.update(has_shown(view_seconds - posing_seconds, now_seconds), now_seconds,
                    wanted_strokes());
@@ -41,7 +41,7 @@ void Previewer::update(double now_seconds) {
   strokes_.update(scene_, subject(), edits_.relighting(), now_seconds);
   render_.update(subject(), now_seconds);
   free_memory_.update();
-  // By then the scene before has gone, and what loading took for itself.
+  // The previous scene and the memory used for loading are free by then.
   if (holds_free_memory_ && !scene_.loading() && !render_.first_picture_pending() &&
       !render_.out_of_date(subject()) && scene_->geometry->boundaries.known()) {
     holds_free_memory_ = false;
@@ -88,7 +88,8 @@ std::optional<Playback::WantedStrokes> Previewer::wanted_strokes() const {
 }
 
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
-  // A change that waits for the first picture goes on with the next tiles: look again at once.
+  // A change that waits for the first picture is retried with the next tiles, so check in every
+  // frame.
   if (render_.out_of_date(subject()) || edits_.relighting()) return 0.0;
   if (playback_.playing() || turntable_.turning()) return Playback::frame_seconds;
   std::optional<double> due = viewpoint_.seconds_to_settle(now_seconds);

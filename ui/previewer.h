@@ -19,14 +19,14 @@
 
 namespace asos {
 
-/// The model that the window works on: the open scene, what a person edits of it, the viewpoint,
-/// and the render of it all with its refinement. Knows neither OpenGL nor ImGui. One thread;
-/// loading, relighting and rendering happen on others.
+/// The window's model: the open scene, its edits, the viewpoint, and the render with its
+/// refinement. Independent of OpenGL and ImGui. Not thread-safe; loading, relighting and rendering
+/// happen on other threads.
 class Previewer {
  public:
   struct Hooks {
     LoadFunction load;           ///< empty: load_scene
-    std::function<void()> wake;  ///< from other threads: something waits for `update`
+    std::function<void()> wake;  ///< called from other threads when `update` has a result to take
     SceneNeeds forced = {};      ///< see prepare
   };
   Previewer(Hooks hooks, const RenderSettings& settings);
@@ -46,31 +46,30 @@ class Previewer {
   [[nodiscard]] PreviewRender& render() { return render_; }
   [[nodiscard]] const PreviewRender& render() const { return render_; }
 
-  /// The curve that the picture is shown by: methods that judge what shows render it anew.
+  /// Sets the displayed tone curve; methods that limit the displayed error render again.
   void show_by(ToneCurve tone) { shown_tone_ = tone; }
   [[nodiscard]] ToneCurve shown_tone() const { return shown_tone_; }
 
-  /// Whether memory that scenes of before have left is still to go back to the system.
+  /// Whether freed memory of previous scenes is still to be returned to the system.
   [[nodiscard]] bool gives_memory_back() const {
     return holds_free_memory_ || free_memory_.pending();
   }
 
-  /// Takes what other threads finished and lets the render follow what has changed. Call once or
-  /// more a frame.
+  /// Takes the results of other threads and restarts the render if its inputs changed. Call at
+  /// least once a frame.
   void update(double now_seconds);
-  /// When `update` next has something to do of its own accord, in seconds from now; none: when
-  /// woken.
+  /// Seconds until `update` has to be called although nothing happens; none: when woken.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:
   void take_over(const OpenScene::Opened& opened);
-  /// The subject to render: nothing before there are a scene and a size.
+  /// The subject to render; empty before there are a scene and a picture size.
   [[nodiscard]] PreviewRender::Subject subject() const;
-  /// Whether the present view has been shown for so long, or at a sample for each pixel.
+  /// Whether the present view has been rendered for this long, or has one sample per pixel.
   [[nodiscard]] bool has_shown(double seconds, double now_seconds) const;
   [[nodiscard]] std::optional<Playback::WantedStrokes> wanted_strokes() const;
 
-  // Each refers to some of those before it.
+  // Order matters: each member refers to earlier ones.
   OpenScene scene_;
   SceneEdits edits_;
   Playback playback_;

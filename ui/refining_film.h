@@ -12,31 +12,31 @@
 
 namespace asos {
 
-/// The picture that the window shows while a render refines it: first coarse tiles, then final
-/// ones, over the picture of the render before. All members are for one thread.
+/// The window's picture during a render: first coarse tiles, then final ones, drawn over the
+/// picture of the previous render. All members must be called from one thread.
 class RefiningFilm {
  public:
-  /// Another render begins. The picture stays, stretched where the size is another, so that the
-  /// window shows something until tiles arrive. `keeps_map`: but for EPS and MAX it is of the same
-  /// as the one before, so that the split map stays and is predicted where no pixel is final.
+  /// Call when a render starts. The picture stays until tiles arrive, stretched if the size
+  /// differs. `keeps_map`: only EPS and MAX differ from the previous render, so the split map stays
+  /// and is predicted for pixels that are not final.
   void begin(const RenderSettings& settings, bool keeps_map);
-  /// Puts a tile of the render that runs in.
+  /// Adds a tile of the running render.
   void put(FinishedTile tile);
-  /// Shows the split map that another EPS and MAX would give, at once; see PredictedMap.
+  /// Shows the split map predicted for another EPS and MAX at once: see PredictedMap.
   void predict(const RenderSettings& asked);
 
   [[nodiscard]] const Film& film() const { return film_; }
-  /// The parts of the film that changed since the last call.
+  /// Returns the areas of the film that changed since the last call.
   [[nodiscard]] std::vector<PixelRect> take_changed() { return std::exchange(changed_, {}); }
-  /// Counts the changes of the whole split map.
+  /// Counts changes of the split map as a whole.
   [[nodiscard]] std::uint64_t map_revision() const { return map_revision_; }
-  /// The weight of split pixels among all, 0 to 1, predicted where none is final.
+  /// Fraction of pixels that are split, 0 to 1, predicted for pixels that are not final.
   [[nodiscard]] double split_share() const;
-  /// Whether the render that runs has covered the picture, coarsely at least.
+  /// Whether the running render has covered the picture, at least coarsely.
   [[nodiscard]] bool covered() const { return pixels_taken_ >= pixels(); }
-  /// How far the picture is from the finished one: the root mean square difference of linear
-  /// values, clipped to 0 to 1, taking the pixels that are left for as wrong as those that are
-  /// finished were before. None before any is finished.
+  /// Estimated RMSE of the picture against the finished one, of linear values clipped to 0 to 1.
+  /// Unfinished pixels count with the mean squared error that the finished ones had before. None
+  /// before any pixel is finished.
   [[nodiscard]] std::optional<double> estimated_rmse() const;
 
  private:
@@ -47,8 +47,8 @@ class RefiningFilm {
   PredictedMap map_;
   std::uint64_t map_revision_ = 0;
   std::vector<PixelRect> changed_;
-  std::int64_t pixels_taken_ = 0;  // of the tiles of the render that runs
-  double corrected_ = 0.0;         // squared differences that its final pixels made
+  std::int64_t pixels_taken_ = 0;  // pixels of the running render's tiles
+  double corrected_ = 0.0;         // sum of squared differences that its final pixels made
   std::int64_t pixels_finished_ = 0;
 };
 

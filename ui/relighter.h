@@ -14,8 +14,8 @@
 
 namespace asos {
 
-/// A scene's lights, and how its materials blur what they mirror, as a person has edited them. The
-/// revisions grow with every edit.
+/// A scene's lights and its materials' defocusing ratios, as edited. Each edit increases the
+/// revision.
 struct SceneLook {
   std::vector<EditedLight> lights;  ///< relative to World::origin
   std::uint64_t lights_revision = 0;
@@ -23,19 +23,19 @@ struct SceneLook {
   std::uint64_t dfrs_revision = 0;
 };
 
-/// Gives the open scene its newest look on a thread of its own, without its hierarchies being built
-/// anew. All members are for one thread.
+/// Applies the newest look to the open scene on its own thread, without rebuilding the hierarchies.
+/// All members must be called from one thread.
 class Relighter {
  public:
-  /// `wake` is called from the thread when `update` has something to do.
+  /// `wake` is called from that thread when `update` has a result to take.
   explicit Relighter(std::function<void()> wake);
 
-  /// A scene that has this look has just been opened.
+  /// Call when a scene with this look was opened.
   void start_from(const SceneLook& look);
-  /// The scene has been replaced by itself at another time, which has the look of these revisions.
+  /// Call when the scene was replaced by another pose of it that has the look of these revisions.
   void start_over(std::uint64_t lights_revision, std::uint64_t dfrs_revision);
-  /// Hands the scene over in the look that is finished, or tells it the error, and asks for `look`
-  /// where that is newer than what was asked for. Call once or more a frame.
+  /// Puts the scene with the finished look in place, or reports its error, and starts on `look` if
+  /// it is newer than the last request. Call at least once a frame.
   void update(OpenScene& scene, const SceneLook& look);
   /// Whether the scene does not have this look yet.
   [[nodiscard]] bool pending(const SceneLook& look) const;
@@ -44,7 +44,7 @@ class Relighter {
   struct Request {
     std::shared_ptr<const RenderScene> scene;
     std::optional<std::vector<Light>> lights;  // none: the scene has them
-    std::uint64_t lights_revision = 0;         // of the scene that comes out
+    std::uint64_t lights_revision = 0;         // revision of the resulting scene's lights
     MaterialDfrs dfrs;
   };
   struct Relit {

@@ -9,13 +9,13 @@ namespace asos {
 
 namespace {
 
-/// The pixels of a line that one pixel of another line covers, and how much of each.
+/// The pixels of a row or column that one resampled pixel covers, and their weights.
 struct Covered {
   int first = 0;
-  std::vector<float> weights;  ///< with the sum 1, or none at all
+  std::vector<float> weights;  ///< with the sum 1, or empty
 };
 
-/// `count` pixels over a line of `from` pixels, `step` of these wide each, about the middle.
+/// Coverage of `count` resampled pixels over `from` pixels, centred; each is `step` pixels wide.
 std::vector<Covered> cover(int from, int count, double step) {
   std::vector<Covered> all(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {

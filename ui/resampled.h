@@ -6,12 +6,12 @@
 
 namespace asos {
 
-/// The same view in a picture of another size, as the camera would show it, whose vertical field of
-/// view stays: scaled by the heights about the middle. Each pixel is the mean of what it covers;
-/// what lies beyond the sides is black. Radiance only.
+/// Resamples a picture to another size for the same vertical field of view: it is scaled by the
+/// ratio of heights about the centre. Each pixel is a box average; pixels beyond the left and right
+/// borders are black. Radiance only.
 [[nodiscard]] Film resampled(const Film& film, glm::ivec2 size);
 
-/// The part of such a picture that `film` shows.
+/// The area of the resampled picture that `film` covers.
 [[nodiscard]] PixelRect resampled_area(const Film& film, glm::ivec2 size);
 
 }  // namespace asos

@@ -6,31 +6,31 @@
 
 namespace asos {
 
-/// A person's choice of what to save, and how.
+/// The user's choice of content, format and path to save.
 struct SaveChoice {
   enum class What {
-    picture,    ///< rendered to the end, at any size, without anything over it
-    seen,       ///< the picture's area of the window, with all that lies over it
+    picture,    ///< rendered to the end at any size, without overlays
+    seen,       ///< the picture's area of the window, with all overlays
     window,     ///< all of the window
-    turntable,  ///< a whole turn, frame by frame
-    clip,       ///< the animation, frame by frame
+    turntable,  ///< a full turn, frame by frame
+    clip,       ///< an animation, frame by frame
   };
   static constexpr int largest_side = 32768;
   static constexpr int most_frames = 9999;
 
   What what = What::picture;
-  bool exr = false;    ///< linear radiance; of `picture` only
+  bool exr = false;    ///< linear radiance; only for `picture`
   bool mp4 = false;    ///< of a movie, else PNGs
   int frames = 120;    ///< of a turn
   double fps = 24.0;   ///< of a movie
-  glm::ivec2 size{0};  ///< of `picture`, in pixels; 0: as it is shown
-  std::string stem;    ///< the file's path without its ending; empty: the next that is free
+  glm::ivec2 size{0};  ///< size of `picture` in pixels; 0: as displayed
+  std::string stem;    ///< path without the extension; empty: the next free one
   bool show = false;   ///< the dialog
-  bool asked = false;  ///< the dialog was answered: to be saved now
+  bool asked = false;  ///< the dialog was confirmed: save now
 
   [[nodiscard]] bool as_exr() const { return exr && what == What::picture; }
   [[nodiscard]] bool is_movie() const { return what == What::turntable || what == What::clip; }
-  /// The file, or the first of a movie's frames.
+  /// Path of the file, or of a movie's first frame.
   [[nodiscard]] std::string path() const {
     if (is_movie()) return stem + (mp4 ? ".mp4" : "-0000.png");
     return stem + (as_exr() ? ".exr" : ".png");

@@ -11,7 +11,7 @@ namespace asos {
 
 namespace {
 
-/// The window shows whole pictures.
+/// The window always renders whole pictures.
 RenderSettings without_crop(RenderSettings settings) {
   settings.crop = {};
   return settings;
@@ -130,7 +130,7 @@ void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
     if (changes_lights(*scene_, now_.settings.sky.get())) reset_lights();
     return;
   }
-  // The scene has the picture's lights and ratios already: they are no edit.
+  // The scene already has the picture's lights and ratios, so they do not count as edits.
   now_.look.lights = lights_to_edit(scene_->lights());
   now_.look.dfrs = scene_->dfrs();
   now_.look.dfrs.resize(materials_without_ground(scene_->world()));

@@ -13,73 +13,72 @@
 
 namespace asos {
 
-/// A person's edits of the open scene: the settings that it is rendered with, its lights and its
-/// materials' defocusing ratios (DFR). Lights and ratios reach the scene in the background. All
-/// members are for one thread.
+/// A person's edits of the open scene: its render settings, its lights and its materials'
+/// defocusing ratios (DFR). Lights and ratios are applied to the scene in the background. All
+/// members must be called from one thread.
 class SceneEdits {
  public:
-  /// `scene` must outlive it. `settings` are those that `reset` goes back to. `wake` is called from
-  /// another thread when `relight` has something to do.
+  /// `scene` must outlive the object. `reset` restores `settings`. `wake` is called from another
+  /// thread when `relight` has a result to take.
   SceneEdits(OpenScene& scene, const RenderSettings& settings, std::function<void()> wake);
 
-  /// Widgets edit these. Their width and height are the picture's, which the viewpoint sets.
+  /// The settings that widgets edit. The viewpoint sets their width and height.
   [[nodiscard]] RenderSettings& settings() { return now_.settings; }
   [[nodiscard]] const RenderSettings& settings() const { return now_.settings; }
-  /// Settings, lights and materials as they were at first.
+  /// Restores the initial settings, lights and materials.
   void reset();
 
-  /// The scene's lights, relative to World::origin. Once they were edited, the scene gets them in
-  /// the background, without its hierarchies being built anew.
+  /// The scene's lights, relative to World::origin. Edited lights are applied in the background,
+  /// without rebuilding the hierarchies.
   [[nodiscard]] const std::vector<EditedLight>& lights() const { return now_.look.lights; }
   [[nodiscard]] std::vector<EditedLight>& edit_lights();
-  /// The lights that the scene was opened with, or those that its sky brings.
+  /// Restores the lights that the scene was opened with, or those of its sky.
   void reset_lights();
-  /// Scenes that are opened have these parts of the first settings, not their default look.
+  /// Scenes opened later get these parts from the initial settings instead of their default look.
   void keep_first(const ChosenLook& parts) { keeps_ = parts; }
-  /// Another sky, null: the neutral one, which scenes keep that are opened from then on. The lights
-  /// of a scene without its own follow where it or the one before brings any (lights_under); the
-  /// background follows where nobody chose one.
+  /// Sets the sky, also for scenes opened later; null: the neutral sky. A scene without its own
+  /// lights gets new ones if the old or the new sky brings any (lights_under). A background that
+  /// was not chosen follows.
   void set_sky(std::shared_ptr<const Sky> sky);
-  /// Turns a sky that is a picture or an environment to this angle from its first position, with
-  /// the lights of a scene that an environment lights.
+  /// Rotates an image or environment sky to this angle from its first position, with the lights of
+  /// a scene that an environment lights.
   void turn_sky(double turn_deg);
-  /// Multiplies the radiance of such a sky by `times`, and those lights.
+  /// Multiplies the radiance of such a sky and its lights by `times`.
   void brighten_sky(double times);
-  /// Turns what surrounds the scene about the vertical, counter-clockwise as seen from above: a sky
-  /// of a picture or an environment; and the lights of a scene without its own, with which it is
-  /// lit.
+  /// Rotates the scene's surroundings about the vertical axis, counter-clockwise seen from above:
+  /// an image or environment sky, and the default lights of a scene that has none.
   void turn_surroundings(double by_rad);
-  /// How the scene's materials blur what they mirror. Edits reach the scene as those of lights do.
+  /// The materials' defocusing ratios. Edits are applied in the background like those of lights.
   [[nodiscard]] const MaterialDfrs& dfrs() const { return now_.look.dfrs; }
   [[nodiscard]] MaterialDfrs& edit_dfrs();
-  /// As the materials were when the scene was opened.
+  /// Restores the materials that the scene was opened with.
   void reset_dfrs();
   /// Whether the scene does not have the newest lights and materials yet.
   [[nodiscard]] bool relighting() const { return relighter_.pending(now_.look); }
-  /// Gives the scene the newest lights and materials, in the background. Call once or more a frame.
+  /// Applies the newest lights and materials in the background. Call at least once a frame.
   void relight() { relighter_.update(scene_, now_.look); }
-  /// The edits of lights and materials that a scene has.
+  /// Revisions of the lights and materials that a scene has.
   struct Revisions {
     std::uint64_t lights = 0, dfrs = 0;
   };
   [[nodiscard]] Revisions revisions() const {
     return {now_.look.lights_revision, now_.look.dfrs_revision};
   }
-  /// The open scene at another time has taken its place, with these edits.
+  /// Call when the open scene was replaced by another pose of it that has these edits.
   void scene_has(const Revisions& edits) { relighter_.start_over(edits.lights, edits.dfrs); }
-  /// Starts from the scene that has just been opened: from its lights and materials, and from the
-  /// settings of the saved picture that it came with, if any. Only with a scene.
+  /// Starts from a scene that was just opened: from its lights and materials, and from the settings
+  /// of its saved picture, if any. Requires a scene.
   void adopt_scene(const std::optional<PictureDescription>& picture);
 
   /// The state that undo restores.
   struct State {
     RenderSettings settings;
     SceneLook look;
-    bool lights_edited = false;  ///< else they are those of the scene or of its sky
+    bool lights_edited = false;  ///< false: they are those of the scene or of its sky
     bool dfrs_edited = false;
   };
   [[nodiscard]] const State& state() const { return now_; }
-  /// Whether this is the state; the picture's size, which is the window's, does not count.
+  /// Whether the edits equal this state. The picture's size does not count: the window sets it.
   [[nodiscard]] bool same_as(const State& state) const;
   void restore(const State& state);
 

@@ -62,7 +62,7 @@ SceneOrder order_of(const Previewer& previewer, std::string path) {
 
 Result<std::string> export_edited(const SceneOrder& order) {
   if (const Result<void> sound = check_path(order); !sound) return unexpected(sound.error());
-  // Memory can run out; that is an error to show, not an end.
+  // Running out of memory is reported as an error and does not end the program.
   try {
     return written(order);
   } catch (const std::bad_alloc&) {

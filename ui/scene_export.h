@@ -13,19 +13,19 @@ namespace asos {
 
 class Previewer;
 
-/// A scene to be written as glTF with a person's edits.
+/// A scene to export as glTF with its edits.
 struct SceneOrder {
   SceneSource source;
   std::string path;                          ///< .glb or .gltf
-  std::optional<std::vector<Light>> lights;  ///< in the author's coordinates; none: the file's own
+  std::optional<std::vector<Light>> lights;  ///< author's coordinates; none: the file's
   std::optional<MaterialDfrs> dfrs;          ///< none: the file's own
 };
 
-/// The open scene with its edits. Only with a scene.
+/// The open scene with its edits. Requires a scene.
 [[nodiscard]] SceneOrder order_of(const Previewer& previewer, std::string path);
 
-/// Loads the scene again, and writes it with the edits: the path, and in words what the file lacks.
-/// Errors name the file and the reason.
+/// Loads the scene again and writes it with the edits. Returns the path, and a message that lists
+/// the unsupported parts. Errors name the file and the reason.
 [[nodiscard]] Result<std::string> export_edited(const SceneOrder& order);
 
 using SceneExportJob = StoppableJob<Result<std::string>>;

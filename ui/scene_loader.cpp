@@ -44,7 +44,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_at(const Scene& scene, const 
   if (!at_rest || !clip.any()) return at_rest;
   const auto time = clip_time(scene.contents, scene.source, clip);
   if (!time) return unexpected(time.error());
-  if (!scene.rig) return at_rest;  // what is only looked at has none
+  if (!scene.rig) return at_rest;  // the load function did not keep it
   const Result<Scene> posed = scene.rig->pose(*time);
   if (!posed) return unexpected(posed.error());
   return prepare(*posed, forced, &(*at_rest)->geometry->stage);
@@ -76,7 +76,7 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
   } else {
     outcome.scene = outcome.picture ? prepare(*scene, *outcome.picture)
                                     : prepare_at(*scene, source.clip, forced);
-    // Its environment is painted here, and not when the window takes the scene over.
+    // Paints the environment on this thread; the window's thread would stall.
     if (outcome.scene) (void)default_look(**outcome.scene);
   }
 }
@@ -84,7 +84,8 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
 LoadOutcome load_and_prepare(const LoadFunction& load, const SceneNeeds& forced,
                              const SceneSource& source) {
   LoadOutcome outcome{source.path, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
-  // Memory can run out anywhere in a large scene; that is an error to show, not an end.
+  // A large scene can run out of memory anywhere. This is reported as an error and does not end the
+  // program.
   try {
     load_into(outcome, load, forced, source);
   } catch (const std::bad_alloc&) {

@@ -16,50 +16,50 @@
 
 namespace asos {
 
-/// What to open: "builtin:NAME" or a path, which it stands for, and what of it is shown.
+/// The scene to open, "builtin:NAME" or a path, and which part of it. Converts to its path.
 struct SceneSource {
   std::string path;
-  std::string variant{};      ///< of its materials; empty: none
-  std::string scene{};        ///< of the file's; see LoadOptions
-  ClipChoice clip{};          ///< the moment that it is shown at first
-  std::vector<int> hidden{};  ///< objects that are left out; see leave_out
+  std::string variant{};      ///< material variant; empty: none
+  std::string scene{};        ///< scene of the file: see LoadOptions
+  ClipChoice clip{};          ///< the animation and time to show first
+  std::vector<int> hidden{};  ///< objects to remove: see leave_out
   std::string asset_root{};   ///< see LoadOptions
 
   operator const std::string&() const { return path; }
 };
 
-/// Opens a source; called on the loader's thread.
+/// Opens a source. Called on the loader's thread.
 using LoadFunction = std::function<Result<Scene>(const SceneSource& source)>;
 
-/// A scene made ready to render, or the error in its place.
+/// A prepared scene, or an error instead.
 struct LoadOutcome {
   std::string source;  ///< as asked for
   Result<std::shared_ptr<const RenderScene>> scene;
-  double load_seconds = 0.0;  ///< reading the file, without building the hierarchies
-  /// Where the source was a saved picture: what it says, with the sky made. `scene` is its scene in
-  /// its lights.
+  double load_seconds = 0.0;  ///< time to read the file, without building the hierarchies
+  /// For a saved picture: its description, with the sky loaded. `scene` is its scene with its
+  /// lights.
   std::optional<PictureDescription> picture;
-  std::vector<FileStamp> files;  ///< that the scene is read from, as they were before
+  std::vector<FileStamp> files;  ///< the files of the scene, as they were before it was read
   std::string outer_root{};      ///< see outer_asset_root
 };
 
-/// Loads and prepares scenes, and those of saved pictures (.png, .exr), on a thread of its own. A
-/// newer request replaces an older one: the older outcome is dropped, even where its loading has
-/// begun. The destructor waits for a load that runs.
+/// Loads and prepares scenes, and those of saved pictures (.png, .exr), on its own thread. A newer
+/// request replaces an older one, whose outcome is dropped even if its loading has begun. The
+/// destructor waits for a running load.
 class SceneLoader {
  public:
-  /// `wake` is called from the loader's thread when an outcome waits. `forced`: see prepare.
+  /// `wake` is called from the loader's thread when an outcome is ready. `forced`: see prepare.
   SceneLoader(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced = {});
 
   void open(SceneSource source);
-  /// The outcome of the newest request, once.
+  /// Returns the outcome of the newest request, once.
   [[nodiscard]] std::optional<LoadOutcome> take_outcome();
 
   struct Loading {
     std::string source;
     double seconds = 0.0;
   };
-  /// The load under way for the newest request.
+  /// The running load of the newest request.
   [[nodiscard]] std::optional<Loading> loading() const;
 
  private:

@@ -12,30 +12,30 @@ namespace asos {
 class Previewer;
 struct DisplaySettings;
 
-/// Where screenshots go: $XDG_PICTURES_DIR where that is a folder, else the current directory.
+/// Folder for screenshots: $XDG_PICTURES_DIR if that is a folder, otherwise the current directory.
 [[nodiscard]] std::filesystem::path screenshot_folder();
 
-/// A file name made from a scene's source: "builtin:office" gives "office", a path its stem; what
-/// cannot be part of a name becomes "_".
+/// A file name made from a scene's source: "builtin:office" gives "office", a path its stem.
+/// Characters that a file name cannot have become "_".
 [[nodiscard]] std::string screenshot_stem(const std::string& source);
 
-/// FOLDER/NAME-001, or the next number that no picture has.
+/// FOLDER/NAME-001, or the next number without a picture.
 [[nodiscard]] std::string free_stem(const std::filesystem::path& folder, const std::string& name);
 
-/// FOLDER/NAME-001.glb, or the next number that no file has.
+/// FOLDER/NAME-001.glb, or the next number without a file.
 [[nodiscard]] std::string free_scene_path(const std::filesystem::path& folder,
                                           const std::string& name);
 
-/// The metadata of a saved picture: how it can be made again, time and statistics. Only with a
+/// Metadata of a saved picture: inputs to render it again, times and statistics. Requires a
 /// picture.
 [[nodiscard]] ImageText screenshot_text(const Previewer& previewer, const DisplaySettings& display);
 
-/// The display settings that a picture keeps, and the way back. Values out of the window's range
-/// become its nearest end.
+/// Converts between the window's display settings and those stored in a picture. Values out of the
+/// window's range are clamped.
 [[nodiscard]] PictureDisplay described(const DisplaySettings& display);
 void show_as(const PictureDisplay& described, DisplaySettings& display);
 
-/// Writes `image` as a PNG under the next free name, and returns the path.
+/// Writes `image` as a PNG under the next free name and returns the path.
 [[nodiscard]] Result<std::string> save_screenshot(const RgbImage& image,
                                                   const std::filesystem::path& folder,
                                                   const std::string& name);

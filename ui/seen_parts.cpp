@@ -12,8 +12,8 @@ float x_at(const BorderEdge& side, float y) {
   return glm::mix(side.from.x, side.to.x, std::clamp(share, 0.0f, 1.0f));
 }
 
-/// Adds the trapezoids of an area between the heights of its corners: no two sides cross between
-/// them. An area may have holes.
+/// Splits an area at the heights of its corners into trapezoids: no two sides cross between these
+/// heights. The area may have holes.
 void add_trapezoids(std::span<const BorderEdge> border, glm::vec3 radiance,
                     std::vector<SeenPart>& parts) {
   std::vector<float> heights;

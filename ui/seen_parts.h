@@ -10,15 +10,15 @@
 
 namespace asos {
 
-/// A convex piece of a pyray's square, 0 to 1 across it, and the radiance that its sample has.
+/// A convex piece of a pyray's unit square, and the radiance of its sample.
 struct SeenPart {
-  std::array<glm::vec2, 4> corners{};  ///< in order around it; two of them may be one
+  std::array<glm::vec2, 4> corners{};  ///< in order around the piece; two of them may coincide
   glm::vec3 radiance{0.0f};
 
   [[nodiscard]] double area() const;
 };
 
-/// The parts of finished cells, each with its exact sides, as pieces that can be filled.
+/// Converts the parts of finished cells, which have exact borders, to convex pieces for drawing.
 [[nodiscard]] std::vector<SeenPart> seen_parts(std::span<const TracedCell> cells);
 
 }  // namespace asos

@@ -9,9 +9,10 @@ namespace asos {
 
 namespace {
 
-// How far the percentage may go beyond the work that is done, as a share of what is left.
+// Limit of the displayed percentage ahead of the finished work, as a fraction of the remaining
+// work.
 constexpr double most_ahead = 0.5;
-// Of a render whose time is not known.
+// Assumed duration of a render without an estimate.
 constexpr double usual_seconds = 60.0;
 
 }  // namespace
@@ -48,7 +49,7 @@ void ShownProgress::update(const Progress& progress, std::optional<TimeEstimate>
   }
   fraction_ = std::max(fraction_, std::min(progress.fraction, 1.0));
   if (!progress.running) return;
-  // The nearer to the limit, the slower.
+  // The percentage slows down as it nears its limit.
   const double limit = progress.fraction + most_ahead * (1.0 - progress.fraction);
   const double all = std::max(1.0, estimate ? estimate->all : usual_seconds);
   const double share = passed / (passed + all);

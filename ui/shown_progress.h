@@ -10,26 +10,27 @@ namespace asos {
 struct Forecast;
 class Previewer;
 
-/// The time that a render takes, in seconds of the clock.
+/// The duration of a render, in wall-clock seconds.
 struct TimeEstimate {
   double all = 0.0;
   double left = 0.0;
 };
 
-/// The one estimate that every text of the window shows: the render's own as soon as there is one,
-/// before that the forecast of its settings. None: neither is known, or the render has failed.
+/// The estimate that every text of the window shows: the render's own if it has one, otherwise the
+/// estimate for its settings from a few blocks (SplitForecast). None: neither exists, or the render
+/// has failed.
 [[nodiscard]] std::optional<TimeEstimate> time_estimate(const Progress& progress,
                                                         const Forecast* forecast);
-/// The same of the window's settings, which a render follows a moment later.
+/// The same for the window's current settings, which the render adopts a moment later.
 [[nodiscard]] std::optional<TimeEstimate> time_estimate(const Previewer& previewer,
                                                         const Forecast* forecast);
 
-/// The percentage that is shown of a render. A session's share of the work rests while its estimate
-/// grows and while edges are searched; this one goes on, ever slower, and never falls. It is 1 only
-/// once the render is finished. One thread.
+/// The displayed percentage of a render. The session's finished fraction stands still while its
+/// estimate grows and while edges are searched. This one keeps growing, ever slower, and never
+/// falls. It is 1 only once the render is finished. Not thread-safe.
 class ShownProgress {
  public:
-  /// Call once a frame. `restarts`: another render begins at 0.
+  /// Call once a frame. A change of `restarts` means a new render, which starts at 0.
   void update(const Progress& progress, std::optional<TimeEstimate> estimate,
               std::uint64_t restarts, double now_seconds);
   [[nodiscard]] double fraction() const { return fraction_; }

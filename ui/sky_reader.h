@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// Reads pictures of skies on a thread of its own; a newer request replaces an older one.
+/// Reads sky images on its own thread; a newer request replaces an older one.
 class SkyReader {
  public:
   struct Outcome {
@@ -27,7 +27,7 @@ class SkyReader {
             {}, Overtaken::dropped) {}
 
   void read(std::string path) { job_.ask(std::move(path)); }
-  /// The outcome of the newest request, once.
+  /// Returns the outcome of the newest request, once.
   [[nodiscard]] std::optional<Outcome> take_outcome() { return job_.take_outcome(); }
   [[nodiscard]] bool busy() const { return job_.pending(); }
 

@@ -6,8 +6,8 @@
 
 namespace asos {
 
-/// Names a picture by method and quality, in the words of the window: "ASOS, EPS 1/256"; with the
-/// CPU seconds where samples are counted: "Sobol, 19 spp, 8.7 s".
+/// Names a picture by method and quality: "ASOS, EPS 1/256". Methods with counted samples add the
+/// CPU time: "Sobol, 19 spp, 8.7 s".
 [[nodiscard]] std::string snapshot_name(const RenderSettings& settings, double cpu_seconds);
 
 }  // namespace asos

@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// The picture's view as its render sees it.
+/// The picture's view, as its render uses it.
 [[nodiscard]] inline View view_of(const Snapshot& picture) {
   return View(viewed_camera(*picture.scene, picture.camera, picture.settings),
               picture.settings.width, picture.settings.height,

@@ -15,15 +15,16 @@ namespace asos {
 
 namespace {
 
-constexpr int least_passes = 6;  // fewer tell no error of their own
+constexpr int least_passes = 6;  // fewer passes give no usable standard error
 constexpr float as_one_sample = 0.25f / 255.0f;
 
 float largest(glm::vec3 v) {
   return std::max({v.x, v.y, v.z});
 }
 
-// How many standard errors noise explains: the quantile of Student's distribution where that of the
-// normal one is 4, expanded in 1 / (passes - 1) (Abramowitz and Stegun 26.7.5).
+// Number of standard errors that noise can explain: the quantile of Student's t-distribution at the
+// probability of 4 standard deviations, expanded in 1 / (passes - 1) (Abramowitz and Stegun
+// 26.7.5).
 float most_explained(int passes) {
   constexpr float z = 4.0f, z2 = z * z;
   const float d = 1.0f / static_cast<float>(std::max(1, passes - 1));
@@ -43,7 +44,7 @@ void add_pixel(std::vector<PixelRun>& runs, int x, int y) {
   }
 }
 
-/// The mean of passes and how sure it is, of radiance clipped to 0 to 1 (Welford 1962).
+/// Mean and standard error over passes, of radiance clipped to 0 to 1 (Welford 1962).
 class PassMean {
  public:
   void add(const Film& pass) {
@@ -122,7 +123,7 @@ SplitFindings find_faults(const SplitEvidence& evidence, double alarm) {
       const glm::vec3 seen = picture.radiance[i], truth = evidence.reference.radiance[i];
       const float error = evidence.uncertainty[i];
       noise += static_cast<double>(error) * static_cast<double>(error);
-      // A shadow's edge may cut a pixel that is one cell.
+      // A shadow's edge may cut a pixel that has a single cell.
       const bool split = picture.split_level[i] > 0 || picture.cause[i] != SplitCause::none;
       found.split_pixels += split;
       if (split) {
@@ -154,7 +155,7 @@ void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm, b
   current_ = ready && subject_ == subject;
   if (!ready) {
     findings_.reset();
-    subject_.reset();  // what was stopped begins again
+    subject_.reset();  // a stopped job starts again
   }
   if ((!current_ || held) && job_.busy()) {
     cut_short_ |= current_ && !job_.stopping();

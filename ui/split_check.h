@@ -14,7 +14,7 @@ namespace asos {
 
 class Previewer;
 
-/// Pixels side by side in a row.
+/// Consecutive pixels of a row.
 struct PixelRun {
   int x = 0;
   int y = 0;
@@ -23,47 +23,47 @@ struct PixelRun {
   bool operator==(const PixelRun&) const = default;
 };
 
-/// A finished picture, and the samples of the same view that it is compared with.
+/// A finished picture, and samples of the same view to compare it with.
 struct SplitEvidence {
   const Film& picture;
-  const Film& centres;                    ///< one sample a pixel, through its middle
+  const Film& centres;                    ///< one sample per pixel, at its centre
   const Film& reference;                  ///< the mean of many
-  const std::vector<float>& uncertainty;  ///< the reference's standard error, the worst channel
-  int passes = 1000;                      ///< that the uncertainty is estimated from
+  const std::vector<float>& uncertainty;  ///< standard error of the reference, largest channel
+  int passes = 1000;  ///< number of passes that the uncertainty is estimated from
 };
 
-/// Where splitting went wrong.
+/// Pixels that were split too little or needlessly.
 struct SplitFindings {
   int passes = 0;  ///< of the reference
   std::shared_ptr<const Film> reference;
-  std::vector<PixelRun> missed;  ///< not split, and visibly off the reference
-  std::vector<PixelRun> wasted;  ///< split, and as one sample would have been
+  std::vector<PixelRun> missed;  ///< not split, and visibly different from the reference
+  std::vector<PixelRun> wasted;  ///< split, although one sample would have given the same
   std::size_t missed_pixels = 0;
   std::size_t wasted_pixels = 0;
   std::size_t split_pixels = 0;
   double rmse = 0.0;   ///< of the picture against the reference, linear, clipped to 0 to 1
-  double noise = 0.0;  ///< the part of it that is the reference's own: its standard error
+  double noise = 0.0;  ///< the part of `rmse` due to noise: the reference's standard error
 };
 
-/// A pixel that was not split is missed if its display intensity is more than `alarm` (0 to 1) off
-/// the reference, in any channel, and its radiance more than the reference's own noise can explain:
-/// four standard errors, and more where these are told from few passes. One that was split is
-/// wasted if it is within a quarter of a step of an 8-bit picture of its single sample. All films
-/// have one size.
+/// Classifies pixels. An unsplit pixel is missed if its display intensity (0 to 1) differs from the
+/// reference by more than `alarm` in any channel, and its radiance by more than noise can explain:
+/// four standard errors, or more after few passes. A split pixel is wasted if it is within a
+/// quarter of an 8-bit step of its single sample. All films have the same size.
 [[nodiscard]] SplitFindings find_faults(const SplitEvidence& evidence, double alarm);
 
-/// Samples the finished picture's view in the background, with ever more samples, and tells where
-/// ASOS should have split and where it need not have. All members are for one thread.
+/// Samples the finished picture's view in the background with a growing number of samples, and
+/// finds where ASOS should have split and where it did so needlessly. All members must be called
+/// from one thread.
 class SplitCheck {
  public:
   static constexpr int most_passes = 64;
   static constexpr int samples_each = 4;
 
-  /// Call once a frame. `wanted`: whether to check at all. A picture that changes is checked anew
-  /// once it is finished. `held`: other work needs the processors; what was found stays, and the
-  /// rest is found out afterwards.
+  /// Call once a frame. `wanted`: whether to check. A changed picture is checked again once it is
+  /// finished. `held`: other work needs the processors; the findings stay and the check resumes
+  /// later.
   void update(const Previewer& previewer, bool wanted, double alarm, bool held = false);
-  /// The findings about the picture as it is; null: none yet.
+  /// The findings about the current picture; null: none yet.
   [[nodiscard]] const SplitFindings* findings() const {
     return current_ && findings_ ? &*findings_ : nullptr;
   }
@@ -79,7 +79,7 @@ class SplitCheck {
 
   std::optional<Subject> subject_;  // of the job
   bool current_ = false;
-  bool cut_short_ = false;  // the job of the subject was held up
+  bool cut_short_ = false;  // the job was stopped because of `held`
   std::optional<SplitFindings> findings_;
   StoppableJob<SplitFindings> job_;
 };

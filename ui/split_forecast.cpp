@@ -24,7 +24,7 @@ double own_processor_seconds() {
 }
 
 PixelRect block_at(const RenderSettings& settings, int index) {
-  // Roberts' R2: the plastic number's powers.
+  // Roberts' R2 sequence: powers of the inverse of the plastic number.
   const auto place = [&](double step, int size, int side) {
     const double at = 0.5 + step * index;
     return static_cast<int>((at - std::floor(at)) * size) / side * side;
@@ -47,7 +47,7 @@ Forecast forecast(const Snapshot& snapshot, double budget_seconds) {
     const PixelRect rect = block_at(settings, blocks);
     const BlockResult block = render_block(*snapshot.scene, view, settings, rect);
     const double area = 1.0 * rect.width * rect.height;
-    // Shadows' edges may cut a pixel that is one cell: the split map shows those, too.
+    // The split map also shows single-cell pixels that a shadow's edge cuts.
     const auto& tile = block.tile;
     double cut = 0.0;
     for (std::size_t i = 0; i < tile.split_level.size(); ++i)
@@ -61,7 +61,7 @@ Forecast forecast(const Snapshot& snapshot, double budget_seconds) {
   Forecast told;
   told.pixels = static_cast<int>(pixels);
   told.split_share = split / pixels;
-  // Blocks, not pixels, are independent.
+  // Blocks are independent samples; pixels are not.
   const double variance = std::max(0.0, squares / pixels - told.split_share * told.split_share);
   told.split_error = std::sqrt(variance / blocks);
   told.processor_seconds = taken;
@@ -81,7 +81,7 @@ SplitForecast::SplitForecast()
 void SplitForecast::ask(const Previewer& previewer) {
   const RenderSettings& settings = previewer.edits().settings();
   if (!previewer.scene() || !validated(settings) || !previewer.viewpoint().sized()) return;
-  // It has to answer at once.
+  // An estimate must not wait for the search for edges.
   if (needs_boundaries(settings.method) && !previewer.scene()->geometry->boundaries.known()) return;
   if (asked_ == settings && camera_ == previewer.viewpoint().camera().revision()) return;
   asked_ = settings;

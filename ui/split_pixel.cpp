@@ -21,8 +21,8 @@ bool bounded(SplitCause cause) {
          cause == SplitCause::intersection;
 }
 
-// Shadows and mirrors have pyrays of their own: what bounds an object splits the pixel itself, and
-// what is not resolved at MAX has split it all the way.
+// Ranks a pixel for showing how splitting works. Shadows and mirrors have pyrays of their own, so
+// pixels split by an object's edge come first, and those unresolved at MAX before all others.
 int rank_of(const Film& film, std::size_t i) {
   if (!film.unfinished.empty() && film.unfinished[i] != 0) return 0;
   const SplitCause cause = film.cause[i];
@@ -31,7 +31,7 @@ int rank_of(const Film& film, std::size_t i) {
   return film.split_level[i] + 256 * sort;
 }
 
-// How far the bytes of a pixel's neighbours differ, 0 to 255.
+// Range of the display bytes in a pixel's 3 x 3 neighbourhood, 0 to 255.
 int contrast_around(const Film& film, glm::ivec2 pixel) {
   int darkest = 255, brightest = 0;
   for (int y = std::max(0, pixel.y - 1); y <= std::min(film.height - 1, pixel.y + 1); ++y) {
@@ -49,8 +49,8 @@ int apart(glm::u8vec3 a, glm::u8vec3 b) {
   return std::max({d.x, d.y, d.z});
 }
 
-// How far apart the colours on both sides of a pixel are, in steps that one sees; 0 where that is
-// little, or where a side is no plain colour.
+// Difference of the plain colours on both sides of a pixel, in visible steps; 0 if it is small, or
+// if a side is not of one colour.
 int clearness(const Film& film, const std::vector<glm::u8vec3>& shown, glm::ivec2 pixel) {
   constexpr int least = 64, most = 128, step = 32, plain = 12;  // bytes
   int clearest = 0;
@@ -69,18 +69,18 @@ int clearness(const Film& film, const std::vector<glm::u8vec3>& shown, glm::ivec
 
 struct Candidate {
   glm::ivec2 pixel;
-  int contrast;  // to its neighbours, in steps that one sees
+  int contrast;  // to its neighbours, in visible steps
 };
 
-// Some of those that may be split themselves, from all over the picture; first those that stand out
-// most. Many that an edge cuts, or only a shadow's, are no more than cut.
+// Pixels that may have been split themselves, from the whole picture, highest contrast first. Many
+// of them are only cut by an edge, or by a shadow's edge.
 std::vector<glm::ivec2> candidates(const Film& film) {
   constexpr int contrast_step = 48;
   std::vector<Candidate> found;
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
       const std::size_t i = film.index(x, y);
-      // A mirror splits the reflection, not the pixel.
+      // A mirror splits the reflected pyray, not the pixel.
       if (film.split_level[i] > 0 && film.cause[i] != SplitCause::reflection)
         found.push_back({{x, y}, contrast_around(film, {x, y}) / contrast_step});
     }
@@ -97,13 +97,13 @@ std::vector<glm::ivec2> candidates(const Film& film) {
   return pixels;
 }
 
-// Each cell that is split, for whatever reason, is followed by its four children.
+// Every split cell has four children in the list.
 std::size_t splits(const PixelTrace& trace) {
   return trace.cells.size() / 4;
 }
 
-// How much there is to see: cells that were split, or else parts that edges cut off, and how far
-// apart their colours are. 0 to 1.
+// How much there is to see, 0 to 1: the number of split cells, or without any of parts that edges
+// cut off, and the contrast of their colours.
 double interest(const PixelTrace& trace) {
   std::size_t samples = 0;
   int darkest = 255, brightest = 0;

@@ -17,23 +17,22 @@ namespace asos {
 
 class Previewer;
 
-/// Of the final pixels that were split deepest the one nearest to the middle, and rather such as
-/// the bounds of objects split; none: nothing was split.
+/// Returns the most deeply split of the final pixels, nearest to the centre, and preferably one
+/// split by an object's edge. None: no pixel was split.
 [[nodiscard]] std::optional<glm::ivec2> most_split_pixel(const Film& film);
 
-/// Returns a pixel on an edge between two clearly different colours, each of which fills the two
-/// pixels next to it; of those the one nearest to the middle. None: there is no such edge.
+/// Returns the pixel nearest to the centre that is on an edge between two clearly different
+/// colours; each must fill the two pixels next to it. None: there is no such edge.
 [[nodiscard]] std::optional<glm::ivec2> clear_edge_pixel(const Film& film,
                                                          const DisplayTransform& display);
 
-/// Looks in the background for a pixel of the finished picture on which one sees what splitting is.
-/// Edges that cut a pixel cleanly split none, and few pixels are left: of many from all over the
-/// picture that are traced, those first that stand out from their neighbours, the one whose cells
-/// are split most often and differ most; where none is split, one that edges cut. All members are
-/// for one thread.
+/// Searches in the background for a pixel of the finished picture that shows well how splitting
+/// works. Most candidates are not split, because an edge cuts them cleanly. Traces many candidates,
+/// those of highest contrast first, and picks the one with the most splits and contrast, or else
+/// one that edges cut. All members must be called from one thread.
 class SplitPixelSearch {
  public:
-  /// A search ends then, with the best that it has seen.
+  /// Time limit of a search; it ends with the best pixel so far.
   static constexpr std::chrono::seconds longest{3};
 
   SplitPixelSearch();
@@ -43,9 +42,9 @@ class SplitPixelSearch {
 
   struct Answer {
     std::optional<glm::ivec2> pixel;
-    bool none_split = false;  ///< of all that were looked at: this one is cut, or there is none
+    bool none_split = false;  ///< no traced pixel was split: `pixel` is cut by an edge, or none
   };
-  /// Call once a frame: what is known of the picture as it is. `wanted`: whether to look.
+  /// Call once a frame. Returns the result for the current picture. `wanted`: whether to search.
   Answer update(const Previewer& previewer, bool wanted);
   [[nodiscard]] bool busy() const { return job_.pending(); }
 
@@ -62,8 +61,8 @@ class SplitPixelSearch {
   };
   [[nodiscard]] Found work(const Request& request) const;
 
-  std::atomic<std::uint64_t> current_ = 0;  // restarts of the picture: others are given up
-  std::uint64_t asked_ = 0;                 // about the picture of so many restarts
+  std::atomic<std::uint64_t> current_ = 0;  // restarts of the current picture
+  std::uint64_t asked_ = 0;                 // restarts of the requested picture
   Found found_;
   LatestJob<Request, Found> job_;
 };

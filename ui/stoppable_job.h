@@ -9,8 +9,9 @@
 
 namespace asos {
 
-/// One piece of work at a time on a thread of its own, which tells what it found meanwhile and can
-/// be asked to end. Only the destructor waits for it. All members are for one controlling thread.
+/// Runs one piece of work at a time on its own thread. The work can publish intermediate results
+/// and can be asked to stop. Only the destructor waits for it. All members must be called from one
+/// controlling thread.
 template <typename Outcome>
 class StoppableJob {
  public:
@@ -35,18 +36,18 @@ class StoppableJob {
     });
   }
   void stop() { thread_.request_stop(); }
-  /// Whether it was asked to end.
+  /// Whether a stop was requested.
   [[nodiscard]] bool stopping() const { return thread_.get_stop_token().stop_requested(); }
   [[nodiscard]] bool busy() const {
     const std::scoped_lock lock(mutex_);
     return working_;
   }
-  /// Whether it works, or what it told last has not been taken.
+  /// Whether the work is running, or its last result has not been taken.
   [[nodiscard]] bool pending() const {
     const std::scoped_lock lock(mutex_);
     return working_ || outcome_;
   }
-  /// The outcome that was told last, once.
+  /// Returns the last published result, once.
   [[nodiscard]] std::optional<Outcome> take_outcome() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(outcome_, std::nullopt);
@@ -56,7 +57,7 @@ class StoppableJob {
   mutable std::mutex mutex_;
   bool working_ = false;
   std::optional<Outcome> outcome_;
-  std::jthread thread_;  // last: stops before what it uses goes
+  std::jthread thread_;  // last, so that the thread stops before the members it uses are destroyed
 };
 
 }  // namespace asos

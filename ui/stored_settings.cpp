@@ -45,7 +45,7 @@ glm::ivec2 size_of(const SettingsJson& json) {
   return size;
 }
 
-/// The names in the file, in the order of the values.
+/// Names in the file, in the order of the enumerators.
 constexpr std::array theme_names{"dark", "light"};
 
 WindowLook look_of(const SettingsJson& json) {
@@ -135,7 +135,7 @@ StoredSettings merged(const StoredSettings& before, const StoredSettings& ours,
   const auto holds = [](const std::vector<std::string>& files, const std::string& file) {
     return std::find(files.begin(), files.end(), file) != files.end();
   };
-  // What was forgotten here stays forgotten.
+  // Files that were removed from the list here stay removed.
   for (const std::string& file : theirs.recent) {
     if (!holds(ours.recent, file) && !holds(before.recent, file)) all.recent.push_back(file);
   }
@@ -149,7 +149,7 @@ std::filesystem::path settings_path() {
     const char* value = std::getenv(variable);
     return std::filesystem::path(value ? value : "");
   };
-  // The specification says that relative ones do not count.
+  // The XDG specification says that relative paths are to be ignored.
   if (const auto config = folder("XDG_CONFIG_HOME"); config.is_absolute())
     return config / "asos" / "window.json";
   if (const auto home = folder("HOME"); home.is_absolute())
@@ -191,7 +191,7 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
       {"tab", name_of(settings.tab)},
       {"sections", settings.sections},
       {"recent", settings.recent}};
-  // Paths need not be Unicode.
+  // Paths need not be valid UTF-8.
   const std::string text = json.dump(2, ' ', false, SettingsJson::error_handler_t::replace) + "\n";
   return write_file_atomically(path.string(), {text.begin(), text.end()});
 }

@@ -15,39 +15,39 @@
 
 namespace asos {
 
-/// The settings that the window remembers from run to run.
+/// The settings that the window remembers between runs.
 struct StoredSettings {
   static constexpr std::size_t most_recent = 10;
 
-  DisplaySettings display;  ///< but for the split map's being shown: that is of a picture
+  DisplaySettings display;  ///< without show_split_map, which belongs to one picture
   WindowLook look;
   bool tour_seen = false;
   bool show_panel = true;
   bool show_marks = true;     ///< of lights
-  bool watch = false;         ///< load a file again when it changes
-  glm::ivec2 window_size{0};  ///< in units of a plain screen; 0: not known
+  bool watch = false;         ///< reload a file when it changes
+  glm::ivec2 window_size{0};  ///< in units of a screen at scale 1; 0: not known
   PanelTab tab = PanelTab::antialias;
-  std::map<std::string, bool> sections;  ///< of the panel that were opened or folded
-  std::vector<std::string> recent;       ///< files, absolute, the newest first
+  std::map<std::string, bool> sections;  ///< sections of the panel that were opened or folded
+  std::vector<std::string> recent;       ///< absolute paths of files, newest first
 
   bool operator==(const StoredSettings&) const = default;
 
-  /// Puts a file first. Built-in scenes, and what is no file, are left out.
+  /// Puts a file first. Ignores built-in scenes and paths that are no files.
   void add_recent(const std::string& source);
 };
 
-/// What is to be kept when several windows share the file: `ours`, but where nothing has changed
-/// here since `before`, `theirs`; and the recent files of both.
+/// Merges the settings of several windows that share the file: `theirs` for each value that is
+/// unchanged here since `before`, otherwise `ours`; and the recent files of both.
 [[nodiscard]] StoredSettings merged(const StoredSettings& before, const StoredSettings& ours,
                                     const StoredSettings& theirs);
 
-/// asos/window.json in $XDG_CONFIG_HOME, or in ~/.config; empty where neither is known.
+/// asos/window.json in $XDG_CONFIG_HOME or in ~/.config; empty if neither is known.
 [[nodiscard]] std::filesystem::path settings_path();
 
-/// A file that is not there gives the defaults, and so does each value that is missing or out of
-/// range. The error names a file that cannot be read, or is no JSON.
+/// Reads the settings. A missing file gives the defaults, and so does each value that is missing or
+/// out of range. The error names a file that cannot be read or is not JSON.
 [[nodiscard]] Result<StoredSettings> load_settings(const std::filesystem::path& path);
-/// Makes the folder where it is missing; replaces the file as a whole.
+/// Creates the folder if it is missing; replaces the file atomically.
 [[nodiscard]] Result<void> save_settings(const std::filesystem::path& path,
                                          const StoredSettings& settings);
 

@@ -6,7 +6,7 @@
 namespace asos {
 namespace {
 
-// How long the camera has to rest.
+// Lines and points are drawn again once the camera has been still for this time.
 constexpr double rest_seconds = 0.15;
 
 }  // namespace
@@ -28,7 +28,7 @@ bool StrokeDrawer::is_drawn(const RenderScene& scene, const Wanted& wanted) cons
 
 void StrokeDrawer::take(OpenScene& scene, bool busy) {
   std::optional<Drawn> done = job_.take_outcome();
-  // Another scene may have been opened meanwhile, or other lights been asked for.
+  // Another scene may have been opened meanwhile, or its lights changed.
   if (!done || busy || scene.shared() != done->request.scene) return;
   drawn_for_ = wanted_of(done->request);
   drawn_ = scene->geometry;
@@ -50,7 +50,7 @@ void StrokeDrawer::update(OpenScene& scene, const PreviewRender::Subject& subjec
     newest_since_ = now_seconds;
   }
   if (busy || job_.pending() || is_drawn(*scene, wanted)) return;
-  // What has just been opened does not wait.
+  // A scene that was just opened is drawn without delay.
   const bool first = drawn_.lock() != scene->geometry;
   due_ = first ? now_seconds : newest_since_ + rest_seconds;
   if (now_seconds < *due_) return;

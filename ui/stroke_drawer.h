@@ -12,23 +12,22 @@
 
 namespace asos {
 
-/// Lets the open scene's lines and points follow the camera: draws them anew, on a thread of its
-/// own, as soon as the camera rests; while it moves they stay as they were. Scenes without any cost
-/// nothing. All members are for one thread.
+/// Redraws the open scene's lines and points for the current camera on its own thread, once the
+/// camera is still; while it moves they stay as they were. Scenes without lines and points cost
+/// nothing. All members must be called from one thread.
 class StrokeDrawer {
  public:
-  /// `wake` is called from the thread when `update` has something to do.
+  /// `wake` is called from that thread when `update` has a result to take.
   explicit StrokeDrawer(std::function<void()> wake);
 
-  /// Hands over what is drawn, and asks for more where the scene is not drawn for `subject`.
-  /// `busy`: the scene is being replaced in other lights or materials, which has to be done first.
-  /// Call once or more a frame.
+  /// Puts a finished scene in place, and starts a new one if the scene's lines and points were not
+  /// drawn for `subject`. `busy`: the scene is being replaced with other lights or materials, which
+  /// comes first. Call at least once a frame.
   void update(OpenScene& scene, const PreviewRender::Subject& subject, bool busy,
               double now_seconds);
-  /// Takes note that the scene has come with lines and points drawn for this.
+  /// Call when the scene has come with lines and points drawn for this picture.
   void adopt(const OpenScene& scene, const StrokePicture& picture, std::uint64_t camera_revision);
-  /// When `update` next has something to do of its own accord, in seconds from now; none: when
-  /// woken.
+  /// Seconds until `update` has to be called although nothing happens; none: when woken.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:
@@ -41,7 +40,7 @@ class StrokeDrawer {
     Request request;
     Result<std::shared_ptr<const RenderScene>> scene;
   };
-  /// What a scene's lines and points depend on besides themselves.
+  /// Everything that a drawing of lines and points depends on.
   struct Wanted {
     std::uint64_t camera_revision = 0;
     int height = 0;

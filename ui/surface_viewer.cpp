@@ -34,8 +34,7 @@ void SurfaceViewer::update(const Previewer& previewer, const SurfaceChoice& choi
                        {settings.width, settings.height},
                        culling_of(settings),
                        choice.property.value_or(SurfaceProperty::base_color)};
-  // While the view changes in each frame, coarse pictures of the frames before are better than
-  // none.
+  // While the view changes in every frame, an outdated coarse picture is better than none.
   if (auto outcome = job_.take_outcome();
       outcome && subject_ && subject_->property == wanted.property) {
     picture_ = std::move(*outcome);

@@ -15,26 +15,26 @@ namespace asos {
 
 class Previewer;
 
-/// The surfaces' properties that are shown in place of the picture or over it.
+/// Surface properties that are shown instead of the picture or over it.
 struct SurfaceChoice {
   std::optional<SurfaceProperty> property;  ///< none: the picture
-  bool wireframe = false;                   ///< edges of triangles over either
+  bool wireframe = false;  ///< edges of triangles, over the picture or the property
 
   [[nodiscard]] bool any() const { return property.has_value() || wireframe; }
 };
 
-/// Renders the chosen property of the surfaces in the background: first in coarse squares, then one
-/// sample per pixel, then nine. All members are for one thread.
+/// Renders the chosen surface property in the background: first in coarse squares, then with one
+/// sample per pixel, then nine. All members must be called from one thread.
 class SurfaceViewer {
  public:
-  /// Call once a frame. A change of scene, camera, size, culling or property starts anew; the old
-  /// picture stays until the new one is there.
+  /// Call once a frame. A change of scene, camera, size, culling or property restarts; the old
+  /// picture stays until the new one is ready.
   void update(const Previewer& previewer, const SurfaceChoice& choice);
-  /// The latest picture; null while nothing is chosen or nothing is ready.
+  /// The latest picture; null: no property is chosen, or none is ready.
   [[nodiscard]] const SurfacePicture* picture() const { return picture_.get(); }
   /// Grows with each new picture.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
-  /// Whether a better picture is on its way.
+  /// Whether a better picture is being rendered.
   [[nodiscard]] bool busy() const { return job_.pending(); }
 
  private:
@@ -53,8 +53,7 @@ class SurfaceViewer {
   StoppableJob<std::shared_ptr<const SurfacePicture>> job_;
 };
 
-/// The names of the object and the material at a pixel of the picture, as "object, material"; empty
-/// where no surface is.
+/// The names of the object and the material at a pixel, as "object, material"; empty: no surface.
 [[nodiscard]] std::string surface_names(const Previewer& previewer, glm::ivec2 pixel);
 
 }  // namespace asos

@@ -14,7 +14,8 @@ namespace asos::theme {
 
 namespace {
 
-// Fonts that Debian installs, the best first. Without one of them Dear ImGui's own is used.
+// Fonts that Debian packages install, in order of preference. Without any of them Dear ImGui's own
+// font is used.
 constexpr std::array font_files{
     "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
@@ -22,7 +23,7 @@ constexpr std::array font_files{
     "/usr/share/fonts/truetype/freefont/FreeSans.ttf",
 };
 
-// Latin, Greek and Cyrillic letters, for the names in files, and some typography.
+// Latin, Greek and Cyrillic letters, for names in files, and some typographic characters.
 constexpr std::array<ImWchar, 13> glyph_ranges{0x0020, 0x024f, 0x0370, 0x052f, 0x2010,
                                                0x2044, 0x2190, 0x2193, 0x2212, 0x2212,
                                                0x2264, 0x2265, 0};
@@ -33,14 +34,14 @@ constexpr Palette dark_palette{0x141414, 0x1d1e20, 0x232528, 0x2a2c30, 0x34373c,
 constexpr Palette light_palette{0xc8c8c8, 0xf4f4f5, 0xfcfcfc, 0xe4e6ea, 0xd6dae0, 0xc4c8ce,
                                 0x1c1f23, 0x565c66, 0xa9c8ee, 0x2763a8, 0xa82a16, 0x7a4f00};
 
-// Of Dear ImGui's context, of which there is one at a time.
+// The look of the only Dear ImGui context.
 Look applied = Look::dark;
 
 ImVec4 colour(Colour of, float alpha = 1.0f) {
   return ImGui::ColorConvertU32ToFloat4(packed(of, alpha));
 }
 
-// As wide as the widest of them, each in the middle of that: what counts does not move.
+// Gives all digits the width of the widest one, centred, so that changing numbers do not move.
 void make_digits_tabular(ImFont& font) {
   const auto is_digit = [](const ImFontGlyph& glyph) {
     return glyph.Codepoint >= '0' && glyph.Codepoint <= '9';

@@ -4,25 +4,24 @@
 
 namespace asos::theme {
 
-/// Sizes are in units of the text's height, so that everything follows the screen's scale; at scale
-/// 1 they, and all spacing, are multiples of 4 units.
+/// Sizes are in units of the text's height, so that they scale with the screen; at scale 1 all
+/// sizes and spacings are multiples of 4 units.
 inline constexpr float text_pixels = 15.0f;   ///< at scale 1
-inline constexpr float title_pixels = 20.0f;  ///< the one size beside it, a third larger
+inline constexpr float title_pixels = 20.0f;  ///< the only other text size, a third larger
 inline constexpr float row_pixels = 24.0f;    ///< of a widget
-inline constexpr float line_pixels = 20.0f;   ///< of a line of text, with the space below it
+inline constexpr float line_pixels = 20.0f;   ///< height of a line of text with the space below it
 inline constexpr float panel_width_em = 328.0f / text_pixels;
 inline constexpr float status_height_em = 28.0f / text_pixels;
-inline constexpr float bar_height_em = 68.0f / text_pixels;  ///< two rows under the picture
-inline constexpr float least_bar_em = 26.0f;                 ///< width
-inline constexpr float compact_bar_height_em =
-    40.0f / text_pixels;                              ///< one row, where room is scarce
-inline constexpr float least_compact_bar_em = 16.0f;  ///< width
+inline constexpr float bar_height_em = 68.0f / text_pixels;          ///< two rows below the picture
+inline constexpr float least_bar_em = 26.0f;                         ///< width
+inline constexpr float compact_bar_height_em = 40.0f / text_pixels;  ///< one row
+inline constexpr float least_compact_bar_em = 16.0f;                 ///< width
 
 enum class Look { dark, light };
 
-/// What a colour is for; each look has its own.
+/// The purpose of each colour; each look defines its own.
 enum class Colour : std::uint8_t {
-  ground,  ///< around the picture: neutral, so that it does not tint the eye
+  ground,  ///< around the picture: grey, so that it does not bias colour perception
   panel,
   popup,
   field,
@@ -30,7 +29,7 @@ enum class Colour : std::uint8_t {
   line,
   text,
   dim_text,
-  accent,  ///< one is enough; text stands on it
+  accent,  ///< the only accent colour; text is drawn on it
   accent_bright,
   alarm,
   warning,
@@ -42,26 +41,25 @@ inline constexpr Colour ground = Colour::ground, panel = Colour::panel, popup = 
                         accent = Colour::accent, accent_bright = Colour::accent_bright,
                         alarm = Colour::alarm, warning = Colour::warning;
 
-/// Plots are dark in both looks, as the split map is, whose palette they share; drawings are not.
-/// sRGB, 0xRRGGBB.
+/// Plots are dark in both looks, like the split map, whose palette they share; other drawings
+/// follow the look. sRGB, 0xRRGGBB.
 inline constexpr std::uint32_t plot_ground = 0x141414;
 inline constexpr std::uint32_t plot_line = 0x34373c;
 inline constexpr std::uint32_t plot_text = 0xd8dadd;
 
 /// sRGB, 0xRRGGBB.
 [[nodiscard]] std::uint32_t rgb(Look look, Colour colour);
-/// The one that was applied last.
+/// The look that was applied last.
 [[nodiscard]] Look look();
 /// Of that look.
 [[nodiscard]] std::uint32_t rgb(Colour colour);
 
-/// For Dear ImGui's packed colours.
+/// Converts to Dear ImGui's packed colours.
 [[nodiscard]] std::uint32_t packed(std::uint32_t rgb, float alpha = 1.0f);
 [[nodiscard]] std::uint32_t packed(Colour colour, float alpha = 1.0f);
 
-/// How the window is drawn. `text_scale` multiplies all sizes in window coordinates; the font is
-/// rastered `raster_scale` times finer (screens whose framebuffer has more pixels than the window
-/// has units).
+/// How the window is drawn. `text_scale` multiplies all sizes in window coordinates. The font is
+/// rasterised `raster_scale` times finer, for screens with more pixels than window units.
 struct Appearance {
   Look look = Look::dark;
   float text_scale = 1.0f;
@@ -69,12 +67,12 @@ struct Appearance {
   bool operator==(const Appearance&) const = default;
 };
 
-/// Gives the current Dear ImGui context, of which there is one at a time, its colours, spacing and
-/// fonts, whose digits are all of one width. Call between frames; the renderer's font texture has
-/// to be made anew afterwards.
+/// Sets colours, spacing and fonts (with digits of equal width) of the current Dear ImGui context.
+/// There may be only one context. Call between frames; the renderer's font texture has to be
+/// rebuilt afterwards.
 void apply(const Appearance& appearance);
 
-/// Between these, text is as large as titles.
+/// Text between these calls has the size of titles.
 void push_title();
 void pop_title();
 

@@ -9,8 +9,8 @@ namespace asos {
 
 namespace {
 
-// Positive floats order as their bits do; sign and exponent with six bits of mantissa make the
-// buckets, so that few bytes share one.
+// Positive floats sort like their bit patterns. Buckets are made of the exponent with six bits of
+// mantissa, so that few bytes share one.
 constexpr int bucket_shift = 17;
 constexpr std::uint32_t infinity_bits = 0x7f800000u;
 
@@ -24,7 +24,7 @@ ToneTable::ToneTable(float exposure_ev) : exposure_ev_(exposure_ev) {
   least_[0] = 0.0f;
   std::uint32_t lo = 0;
   for (int b = 1; b <= 255; ++b) {
-    // Bisect between a radiance shown below b and infinity; white may stay out of reach.
+    // Bisect between a radiance shown below b and infinity; white may be unreachable.
     std::uint32_t hi = infinity_bits;
     while (hi - lo > 1) {
       const std::uint32_t middle = lo + (hi - lo) / 2;
@@ -44,7 +44,7 @@ ToneTable::ToneTable(float exposure_ev) : exposure_ev_(exposure_ev) {
 }
 
 std::uint8_t ToneTable::byte(float radiance) const {
-  // Radiance that is zero, negative or not a finite number is left to the definition.
+  // Zero, negative and non-finite radiance is handled by the function itself.
   if (!(radiance > 0.0f && radiance < std::numeric_limits<float>::infinity())) {
     return static_cast<std::uint8_t>(shown(radiance, exposure_ev_));
   }

@@ -8,9 +8,9 @@
 
 namespace asos {
 
-/// `display_bytes` for one exposure, about ten times as fast: the smallest radiance that gives each
-/// byte is found once, by bisection of `display_bytes` itself, so both agree bit for bit. That the
-/// transform treats the channels alike and never falls with rising radiance is all it relies on.
+/// `display_bytes` for one exposure, about ten times as fast. For each byte the smallest radiance
+/// that gives it is found once, by bisection of `display_bytes`, so both agree exactly. Requires
+/// that the transform treats all channels alike and is monotonic.
 class ToneTable {
  public:
   explicit ToneTable(float exposure_ev = 0.0f);
@@ -24,8 +24,8 @@ class ToneTable {
   [[nodiscard]] std::uint8_t byte(float radiance) const;
 
   float exposure_ev_;
-  std::array<float, 257> least_;     // least_[b]: smallest radiance shown as b or more
-  std::vector<std::uint8_t> guess_;  // by the leading bits of a float: byte of the bucket's start
+  std::array<float, 257> least_;     // least_[b]: smallest radiance with byte b or more
+  std::vector<std::uint8_t> guess_;  // by a float's leading bits: byte of the bucket's start
 };
 
 }  // namespace asos

@@ -9,7 +9,7 @@ namespace asos {
 
 namespace {
 
-// Shows the picture as a card needs it, whatever the card before it has left.
+// Sets up the picture for the current card, whatever the previous card did.
 void act(UiState& state, double now_seconds) {
   Tour& tour = state.tour;
   tour.since_seconds = now_seconds;
@@ -93,7 +93,7 @@ void end_tour(UiState& state, Previewer& previewer) {
   tour.card.reset();
   state.display = tour.before.display;
   restore(tour.before.settings, previewer.edits().settings());
-  // Nobody is asked about a snapshot that they did not keep.
+  // Removes the tour's snapshot, so that the user is not asked about it when quitting.
   Frames& frames = state.frames;
   for (std::size_t i = frames.stored.size(); i-- > 0;)
     if (frames.stored[i].name == tour.rival) frames.remove(static_cast<int>(i));

@@ -16,30 +16,30 @@ namespace asos {
 class Previewer;
 struct UiState;
 
-/// A first look at what the program does: a few cards, each of which acts on the picture that is
-/// there. Closing it restores all settings.
+/// The introductory tour: a few cards that each demonstrate something on the current picture.
+/// Closing it restores all settings.
 struct Tour {
   enum class Card { pyray, split, eps, map, better };
   static constexpr int cards = 5;
-  /// How long each level of a pixel's splitting is shown.
+  /// Display time of each level of a pixel's splitting.
   static constexpr double seconds_per_level = 0.9;
 
   std::optional<Card> card;  ///< none: it is not shown
-  bool seen = false;         ///< it was shown once, and comes again only where it is asked for
+  bool seen = false;         ///< it was shown once; from then on only on request
   double since_seconds = 0.0;
   std::optional<glm::ivec2> pixel;  ///< that the cards speak of
-  /// What `pixel` was chosen for.
+  /// The situation in which `pixel` was chosen.
   struct Chosen {
     std::uint64_t restarts = 0;  ///< of the picture
     Card card = Card::pyray;
-    int quarters = 0;    ///< of the picture that were rendered; 5: it was finished
+    int quarters = 0;    ///< quarters of the picture that were rendered; 5: finished
     bool found = false;  ///< `found` was known
     bool operator==(const Chosen&) const = default;
   };
   std::optional<Chosen> chosen;
-  std::optional<glm::ivec2> found;  ///< for that, in the finished picture; see SplitPixelSearch
-  bool none_split = false;          ///< nor any other: see SplitPixelSearch
-  glm::vec2 card_size{0.0f};        ///< as drawn last, in window coordinates; 0: not yet
+  std::optional<glm::ivec2> found;  ///< in the finished picture: see SplitPixelSearch
+  bool none_split = false;          ///< no pixel was split: see SplitPixelSearch
+  glm::vec2 card_size{0.0f};        ///< at the last frame, in window coordinates; 0: not drawn yet
 
   struct Before {
     RenderSettings settings;
@@ -49,25 +49,25 @@ struct Tour {
     int chosen = 0;  ///< snapshot
   };
   Before before;
-  std::string own_source;  ///< that is opened again at the end; empty: the tour opened no other
-  std::optional<std::size_t> frames_when_asked;  ///< for a rival, which comes as one more
-  std::string rival;                             ///< the name of its frame; empty: none
+  std::string own_source;                        ///< scene to open again at the end; empty: none
+  std::optional<std::size_t> frames_when_asked;  ///< before that of the other method
+  std::string rival;  ///< name of the other method's snapshot; empty: none
 };
 
 void start_tour(UiState& state, const Previewer& previewer, double now_seconds);
-/// To another card; -1 and `Tour::cards` end it.
+/// Goes to this card; -1 and `Tour::cards` end the tour.
 void show_card(UiState& state, Previewer& previewer, int card, double now_seconds);
 /// The scene that the cards are made for.
 inline constexpr const char* tour_scene = "builtin:fence";
-/// Shows the cards on `tour_scene`, or on the person's own scene again.
+/// Opens `tour_scene`, or the user's own scene again.
 void switch_scene(UiState& state, const Previewer& previewer);
-/// Restores what was set when the tour began, but for the sky, the background and the ground; and
-/// the scene, where the tour opened another one.
+/// Restores the settings from before the tour, except sky, background and ground; also the scene,
+/// if the tour opened another one.
 void end_tour(UiState& state, Previewer& previewer);
 
-/// The display settings without those of the shown card, for undo steps.
+/// The display settings without the changes of the current card, for undo steps.
 [[nodiscard]] DisplaySettings display_without_card(const UiState& state);
-/// The display settings with those of the shown card.
+/// The display settings with the changes of the current card.
 [[nodiscard]] DisplaySettings display_with_card(const UiState& state, DisplaySettings display);
 
 }  // namespace asos

@@ -8,10 +8,9 @@
 
 namespace asos {
 
-/// Circles what the camera looks at, counter-clockwise as seen from above, for as long as it is
-/// left alone: whoever turns the camera otherwise stops it; moving closer or aside does not. The
-/// next step is taken when the picture of the last one has been seen for a moment, as far on as
-/// time has gone. One thread.
+/// Circles the camera's pivot, counter-clockwise seen from above, until the user rotates the
+/// camera; dolly and pan do not stop it. A step is taken once the last picture has been displayed
+/// for a moment; its angle follows the elapsed time. Not thread-safe.
 class Turntable {
  public:
   static constexpr double fastest = 1.0, slowest = 600.0;
@@ -19,16 +18,16 @@ class Turntable {
 
   void set_turning(bool turning);
   [[nodiscard]] bool turning() const { return turning_; }
-  /// Whether it has been switched on and no time has passed since.
+  /// Whether it was switched on and no time has passed since.
   [[nodiscard]] bool begins() const { return turning_ && !left_at_; }
 
-  /// Lets time pass. `seen`: the picture from where the camera is has been. Call once or
-  /// more a frame.
+  /// Advances the time. `seen`: the picture from the current position has been displayed. Call at
+  /// least once a frame.
   void update(OrbitCamera& camera, bool seen, double now_seconds);
 
  private:
   bool turning_ = false;
-  std::optional<glm::dvec3> left_at_;  // from where the camera looked after the last step
+  std::optional<glm::dvec3> left_at_;  // view direction after the last step
   double stepped_seconds_ = 0.0;       // when that was
 };
 

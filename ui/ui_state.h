@@ -28,7 +28,7 @@
 
 namespace asos {
 
-/// The window's own state, beside the previewer's scene and settings.
+/// The window's own state; scene and settings are in the previewer.
 struct UiState {
   DisplaySettings display;
   WindowLook look;
@@ -44,35 +44,35 @@ struct UiState {
   SurfaceChoice surfaces;
   EqualTimeChoice equal_time;
   std::optional<glm::ivec2> picked;  ///< the pixel that was clicked
-  int picked_pyray = -1;         ///< the one of its pyrays that is looked at; -1: the pixel itself
-  bool show_boundaries = false;  ///< of the hit list, in the picture
-  std::optional<int> shown_level;     ///< of the picked pixel's splitting; none: all of it
+  int picked_pyray = -1;             ///< index of its pyray that is inspected; -1: the pixel itself
+  bool show_boundaries = false;      ///< draws the edges of the hit list over the picture
+  std::optional<int> shown_level;    ///< of the picked pixel's splitting; none: all levels
   std::optional<glm::ivec2> hovered;  ///< the pixel under the pointer
-  bool turns_surroundings = false;    ///< the right button's drag does, which Shift began
+  bool turns_surroundings = false;    ///< a drag begun with Shift rotates the surroundings
   Frames frames;
-  bool show_error = false;   ///< the error of each pixel in place of the picture
-  bool show_before = false;  ///< the last finished EPS and MAX in place of the picture
+  bool show_error = false;   ///< shows the error of each pixel instead of the picture
+  bool show_before = false;  ///< shows the picture of the last finished EPS and MAX
   bool show_panel = true;
   PanelTab tab = PanelTab::antialias;
-  std::string search;               ///< for controls of the panel, whatever its tab
+  std::string search;               ///< text to find in the panel's controls, on all tabs
   bool focus_search = false;        ///< the keyboard moves to it
-  bool focus_panel = false;         ///< the keyboard moves to the panel, or back from it
-  bool watch = false;               ///< load the scene's file again when it changes
+  bool focus_panel = false;         ///< move the keyboard focus to the panel, or back from it
+  bool watch = false;               ///< reload the scene's file when it changes
   std::vector<std::string> recent;  ///< see StoredSettings
   bool show_help = false;
   bool show_open = false;
   FileBrowser browser;
   bool screenshot_requested = false;
-  bool copy_requested = false;  ///< of the picture as it is shown, to the clipboard
+  bool copy_requested = false;  ///< copy the displayed picture to the clipboard
   SaveSceneChoice save_scene;
   SaveChoice save;
   QuitChoice leaving;
   OpenChoice opening;
-  bool tour_asked = false;      ///< to be begun, or begun again
-  bool popup_was_open = false;  ///< in the frame before: Escape closes that, and nothing else
-  bool forget = false;          ///< go back to how the window was at first
-  std::string said;             ///< by a key or a panel, to become the message
-  std::string message;          ///< in the status line, until `message_until_seconds`
+  bool tour_asked = false;      ///< start or restart the tour
+  bool popup_was_open = false;  ///< in the last frame: Escape closes only the popup
+  bool forget = false;          ///< restore the window's default settings
+  std::string said;             ///< set by a key or a panel; becomes the message
+  std::string message;          ///< shown in the status line until `message_until_seconds`
   double message_until_seconds = 0.0;
 };
 

@@ -10,20 +10,21 @@ class PictureJob;
 class Previewer;
 struct Frames;
 
-/// Knows what of a person's work would be lost if the window closed. Edits of lights, of mirrors'
-/// blur and of the sky count until a picture is saved, which holds them. One thread.
+/// Determines which of the user's work would be lost by closing the window. Saving a
+/// picture keeps edits of lights, defocusing ratios (DFRs) and sky, because its metadata hold
+/// them. Exporting the scene keeps edits of lights and DFRs. Not thread-safe.
 class UnsavedWork {
  public:
-  /// Call once a frame: what a scene came with is no edit.
+  /// Call once a frame. Values that a scene was opened with are not edits.
   void update(const Previewer& previewer);
-  /// A picture was saved, with the edits as they are.
+  /// Call when a picture with the current edits was saved.
   void note_saved(const Previewer& previewer);
-  /// The scene was saved with its lights and DFRs.
+  /// Call when the scene was saved with its lights and DFRs.
   void note_exported(const Previewer& previewer);
 
-  /// The edits that end with the scene, a line each; empty: none.
+  /// The edits that closing the scene loses, one per line; empty: none.
   [[nodiscard]] std::vector<std::string> edits(const Previewer& previewer) const;
-  /// The work that closing the window would lose, one line each; empty: none.
+  /// The work that closing the window loses, one per line; empty: none.
   [[nodiscard]] std::vector<std::string> lines(const Previewer& previewer, const Frames& frames,
                                                const PictureJob& saving) const;
 

@@ -22,7 +22,7 @@
 
 namespace asos {
 
-/// One study: what its thread does, and what of it others may see.
+/// One study: the work of its thread, and the state that other threads may read.
 class ViewStudy::Work {
  public:
   Work(Subject subject, std::vector<Job> jobs)
@@ -72,7 +72,7 @@ class ViewStudy::Work {
                             : std::numeric_limits<double>::infinity();
   }
 
-  /// Measures the cost of a sample, and chooses the size by it. False on a stop.
+  /// Measures the time per sample and chooses the picture size from it. False on a stop.
   bool fit_into_time(const std::stop_token& stop) {
     if (!subject_.seconds) return true;
     Job probe;
@@ -83,7 +83,7 @@ class ViewStudy::Work {
     settings.sampling.spp = samples;
     settings.width = std::max(1, settings.width / reduction);
     settings.height = std::max(1, settings.height / reduction);
-    // Costlier scenes count as if they took all of this.
+    // A render that takes longer counts with this time.
     const double longest = 0.05 * *subject_.seconds;
     const auto rendered = render(probe, longest, stop);
     if (stop.stop_requested()) return false;
@@ -98,7 +98,8 @@ class ViewStudy::Work {
     return true;
   }
 
-  /// Waits until nothing disturbs; says then how often something has. Nothing on a stop.
+  /// Waits until no other work disturbs. Returns the number of disturbances so far; nothing on a
+  /// stop.
   std::optional<std::uint64_t> wait_for_calm(const Job& job, const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     state_.doing = job.title();
@@ -108,8 +109,8 @@ class ViewStudy::Work {
     return disturbances_.load();
   }
 
-  /// Calls `tries` with a stop function again and again until nothing disturbed it. Its function
-  /// ends a try on a stop, on a disturbance and after `seconds`. A default value on a stop.
+  /// Calls `tries` with a stop function, again after each disturbance. The function stops a try on
+  /// a stop, on a disturbance and after `seconds`. Returns a default value on a stop.
   template <typename Try>
   auto undisturbed(const Job& job, double seconds, const std::stop_token& stop, Try tries) {
     using Outcome = decltype(tries(std::function<bool()>()));
@@ -128,14 +129,14 @@ class ViewStudy::Work {
     return Outcome{};
   }
 
-  /// Nothing on a stop, or after `seconds` of one try.
+  /// Returns nothing on a stop, or if a try takes longer than `seconds`.
   std::optional<TimedRender> render(const Job& job, double seconds, const std::stop_token& stop) {
     return undisturbed(job, seconds, stop, [&](const std::function<bool()>& ends) {
       return timed_render({subject_.scene, subject_.camera, job.rung.settings, false}, ends);
     });
   }
 
-  /// False on a stop, or where the budget has ended.
+  /// Returns false on a stop, or once the budget is used up.
   bool run_pass(int pass, const std::stop_token& stop) {
     std::vector<Film> halves;
     for (const Job& job : jobs_) {
@@ -242,16 +243,16 @@ class ViewStudy::Work {
     state_.quiet = quiet_;
   }
 
-  // The thread's own; before it runs, of the one that makes it. The scene never changes.
+  // Used by the study's thread; before it starts, by the creating thread. The scene is immutable.
   Subject subject_;
   std::vector<Job> jobs_;
-  double spent_seconds_ = 0.0;  // of the clock, without pauses
+  double spent_seconds_ = 0.0;  // wall-clock seconds without pauses
   Reference reference_;
   Film reference_film_;
   double reference_seconds_ = 0.0;
   bool quiet_ = false;
-  std::vector<Film> films_;             // of the study's points, their first repetitions
-  std::vector<WatchedRender> watched_;  // of the study's curves while rendering
+  std::vector<Film> films_;             // films of the first repetition of each point
+  std::vector<WatchedRender> watched_;  // the study's curves of error during a render
   SceneStudy study_;
 
   mutable std::mutex mutex_;
@@ -262,7 +263,7 @@ class ViewStudy::Work {
 };
 
 StudyPlan ViewStudy::plan_in_time(StudyPlan plan, double sample_seconds, double seconds) {
-  // Methods that take no counted samples, and ASOS: so many for each of their settings.
+  // Number of samples assumed for each setting of ASOS and of methods without a sample count.
   constexpr int uncounted = 24;
   double samples = 2.0 * reference_samples(0);
   for (const std::string& method : plan.methods) {
@@ -273,7 +274,7 @@ StudyPlan ViewStudy::plan_in_time(StudyPlan plan, double sample_seconds, double 
       samples += counted ? rung.settings.sampling.spp : uncounted;
     }
   }
-  constexpr double part = 0.5;  // the rest: renders that are watched, and the reference
+  constexpr double part = 0.5;  // the rest is for watched renders and the reference
   constexpr int smallest = 32;  // pixels
   const double pixels = part * seconds / std::max(1e-12, sample_seconds * samples);
   const double fits =
@@ -319,7 +320,7 @@ void ViewStudy::clear() {
 void ViewStudy::update(bool disturbed) {
   disturbed_ = disturbed;
   if (started_) started_->set_disturbed(disturbed);
-  // A study that nobody sees any more keeps a scene and its pictures no longer than it has to.
+  // Releases the scene and films of a hidden study as soon as it has ended.
   if (!shown_ && !busy()) started_.reset();
 }
 

@@ -14,57 +14,56 @@
 
 namespace asos {
 
-/// A study (renderer/study) of one view of an open scene, on a thread of its own: the jobs that
-/// `asos report` runs, with their films kept in memory. The first pass of the reference comes
-/// first, so that errors can be told from the start; then the points, repetition by repetition;
-/// then one render of each method that is watched; then further passes, until the reference is
-/// quiet enough or the plan's budget for it has ended. All members are for one controlling thread;
-/// none but the destructor waits for a render, and that one only until the render has given up,
-/// some hundredths of a second.
+/// A study (renderer/study) of one view of an open scene on its own thread: the jobs of `asos
+/// report`, with the films kept in memory. The first pass of the reference runs first, so that
+/// errors are known from the start. Then come the points, repetition by repetition; then one
+/// watched render of each method; then more passes, until the reference is quiet enough or its
+/// budget is used up. All members must be called from one controlling thread. Only the destructor
+/// waits for a render, which stops within some hundredths of a second.
 class ViewStudy {
  public:
-  /// The view to study. The plan names one scene, which is `scene`.
+  /// The view to study. The plan has one scene, which is `scene`.
   struct Subject {
     std::shared_ptr<const RenderScene> scene;
     Camera camera;  ///< relative to scene->world().origin
     StudyPlan plan;
-    /// Wall-clock seconds of the whole study, without pauses; none: unlimited. With a limit the
-    /// plan's size is the largest; `plan_in_time` chooses the size after measuring the scene's
-    /// cost.
+    /// Wall-clock limit of the whole study in seconds, without pauses; none: unlimited. With a
+    /// limit the plan's size is a maximum: `plan_in_time` chooses the size after measuring the time
+    /// per sample.
     std::optional<double> seconds = std::nullopt;
   };
 
   enum class Phase { none, running, stopped, finished };
   struct State {
     Phase phase = Phase::none;
-    std::string doing;           ///< the job's title, while running
-    bool resting = false;        ///< until other work leaves the processors
-    std::size_t points_run = 0;  ///< each repetition counts, and each render that is watched
+    std::string doing;           ///< title of the running job
+    bool resting = false;        ///< paused until other work frees the processors
+    std::size_t points_run = 0;  ///< each repetition and each watched render counts
     std::size_t points = 0;
     int passes = 0;      ///< of the reference
-    bool quiet = false;  ///< the reference's noise is a quarter of the smallest error, or less
-    SceneStudy study;    ///< the points run so far; of the measures, RMSE alone
+    bool quiet = false;  ///< the reference's noise is at most a quarter of the smallest error
+    SceneStudy study;    ///< the points so far; of the measures only RMSE
   };
 
   /// Chooses size and repetitions so that the first reference and all settings take about half of
-  /// `seconds`. `sample_seconds`: time per sample. More reference passes take the rest.
+  /// `seconds`; more reference passes take the rest. `sample_seconds`: time per sample.
   [[nodiscard]] static StudyPlan plan_in_time(StudyPlan plan, double sample_seconds,
                                               double seconds);
 
-  /// Begins anew. Errors, which leave everything as it was: no scene, a plan that `make_jobs`
-  /// refuses, a method that cannot render the scene, a study that has not yet ended.
+  /// Starts a study. Errors, after which nothing has changed: no scene, a plan that `make_jobs`
+  /// rejects, a method that cannot render the scene, a study still running.
   [[nodiscard]] Result<void> start(const Subject& subject);
-  /// Asks the study to end; what it found out stays.
+  /// Asks the study to stop; its results stay.
   void stop();
-  /// Ends the study and forgets what it found out.
+  /// Stops the study and discards its results.
   void clear();
-  /// Call once a frame. `disturbed`: other work takes the processors. Then the study rests, and the
-  /// job that ran begins again once they are free: its time would be wrong.
+  /// Call once a frame. `disturbed`: other work uses the processors. Then the study pauses, and the
+  /// running job starts again later, because its time would be wrong.
   void update(bool disturbed);
 
-  /// The scene that `state` is about; null where there is none.
+  /// The scene of `state`; null: none.
   [[nodiscard]] const RenderScene* scene() const;
-  /// Whether a study runs, or has been asked to end and has not yet.
+  /// Whether a study is running, or has been asked to stop and has not yet.
   [[nodiscard]] bool busy() const;
   [[nodiscard]] State state() const;
 
@@ -73,7 +72,7 @@ class ViewStudy {
 
   bool disturbed_ = false;
   std::shared_ptr<Work> shown_;    // null after `clear`
-  std::shared_ptr<Work> started_;  // the work that the thread does, or did last
+  std::shared_ptr<Work> started_;  // the work of the thread, running or finished
   std::jthread thread_;
 };
 

@@ -66,7 +66,7 @@ int run_viewer(const ViewerOptions& options) {
   previewer.scene().open(options.source);
   WindowLoop(**window, previewer, **content, {woken, now_seconds}).run();
 
-  // Waiting for a load that still runs is nothing to look at.
+  // Hides the window while a running load is awaited.
   (*window)->hide();
   return 0;
 }

@@ -13,15 +13,16 @@ namespace asos {
 
 namespace {
 
-// A window that is being dragged larger asks for many sizes; rendering waits until it rests.
+// Resizing by dragging requests many sizes; rendering waits until the size has been still for this
+// time.
 constexpr double size_rest_seconds = 0.15;
 
 double subject_radius(const Box& bounds) {
   return bounds.empty() ? 1.0 : 0.5 * static_cast<double>(glm::length(bounds.hi - bounds.lo));
 }
 
-/// How far ahead a camera's subject lies: the middle one of the depths that it sees around its
-/// centre. A single ray could slip through a gap and find the horizon. 0 where nothing is seen.
+/// Distance of a camera's subject: the median depth of rays around its centre. A single ray could
+/// pass through a gap and hit the horizon. 0 if nothing is hit.
 double subject_distance(const RenderScene& scene, const Camera& camera) {
   constexpr int grid = 9, margin = 2;
   const View view(camera, grid, grid, radius_around_origin(scene.world().bounds));
@@ -72,7 +73,7 @@ void Viewpoint::take_over(const Camera& of_file, int index) {
   chosen_placed_ = of_file.world_from_camera;
   const Camera camera = fitted_camera(of_file, aspect_ratio(), CameraFit::fit);
   const World& world = scene_->world();
-  // Orbit what the camera looks at; where that is nothing, the scene's middle as seen from it.
+  // Orbit the surface in view, or without one the scene's centre at its depth.
   const Box bounds = bounds_without_ground(world);
   const double radius = subject_radius(bounds);
   camera_.set(camera, radius, radius);
@@ -206,8 +207,8 @@ void Viewpoint::set_pivot_at(double x, double y) {
   if (hit.valid()) camera_.look_at(glm::dvec3(view().ray(x, y).at(hit.t)));
 }
 
-// The same framing in a picture of another shape is no change that a person made, nor is what the
-// scene does to the camera that is looked through.
+// Reframing for another aspect ratio is no edit, and neither is the scene's animation of the chosen
+// camera.
 bool Viewpoint::same_as(const State& state) const {
   return camera_.revision() == state.camera.revision() ||
          (framing() != 0 && framing() == state.framing) ||

@@ -12,58 +12,59 @@
 
 namespace asos {
 
-/// From where the open scene is seen, and in a picture of which size: the width and height of the
-/// render settings. All members are for one thread.
+/// The camera of the open scene, and the size of its picture (width and height of the render
+/// settings). All members must be called from one thread.
 class Viewpoint {
  public:
-  /// Both must outlive it; of the settings it sets the picture's size only.
+  /// Both must outlive the object. It changes only the size in `settings`.
   Viewpoint(const OpenScene& scene, RenderSettings& settings);
 
   [[nodiscard]] OrbitCamera& camera() { return camera_; }
   [[nodiscard]] const OrbitCamera& camera() const { return camera_; }
-  /// Takes over the scene's camera `index`; -1: the view that frames everything.
+  /// Switches to the scene's camera `index`; -1: a view that frames the whole scene.
   void choose_camera(int index);
-  /// The scene's camera that was taken over last; -1: another one.
+  /// Index of the scene's camera that was chosen last; -1: another view.
   [[nodiscard]] int chosen_camera() const { return chosen_camera_; }
   /// Whether the camera has been moved since then.
   [[nodiscard]] bool left_chosen() const { return camera_.revision() != chosen_revision_; }
-  /// Goes with the chosen camera where the scene moves it and nobody else has. Call once or more a
-  /// frame.
+  /// Follows the animation of the chosen camera unless the user has moved the view. Call at least
+  /// once a frame.
   void follow_chosen();
-  /// Takes over a camera and orbits what it looks at. `index`: see chosen_camera. Only with a
+  /// Switches to a camera with the pivot at its subject. `index`: see chosen_camera. Requires a
   /// scene.
   void take_over(const Camera& of_file, int index = -1);
-  /// Whether the camera's near and far planes cut the scene: the camera stays the chosen one.
+  /// Sets whether the camera's near and far planes clip the scene; the camera stays the chosen one.
   void set_planes(bool on);
-  /// Looks at the same point from one side of the scene, as far away as before; what filled the
+  /// Looks at the pivot from one side of the scene, at the same distance; a scene that filled the
   /// picture fills it again.
   enum class Side { front, back, right, left, top, bottom };
   void look_from(Side side);
-  /// Keeps the direction and moves so that the whole scene fills the picture; orbits the scene's
-  /// middle from then on. Until the camera is moved, the scene fills pictures of other shapes, too.
+  /// Keeps the direction and moves the camera so that the whole scene fills the picture; the pivot
+  /// becomes the scene's centre. Until the camera is moved, this framing also follows changes of
+  /// the aspect ratio.
   void frame_all();
 
-  /// Steps back where everything is framed, until it stays in the picture while the camera turns
-  /// about the vertical through the pivot.
+  /// If the whole scene is framed, moves back so far that it stays in the picture while the camera
+  /// turns about the vertical axis through the pivot.
   void make_room_to_turn();
 
-  /// Asks for a picture of this size. The first one counts at once, later ones when the size has
-  /// been still for a moment. Sizes without area (a minimised window) are ignored.
+  /// Requests a picture size. The first one applies at once, later ones when the size has been
+  /// still for a moment. Sizes without area (a minimised window) are ignored.
   void set_picture_size(int width, int height, double now_seconds);
-  /// Sets the size that was asked for, once it has been still. Call once or more a frame.
+  /// Applies the requested size once it has been still. Call at least once a frame.
   void settle_size(double now_seconds);
-  /// When that will be, in seconds from now; none: the size has settled.
+  /// Seconds until then; none: the size is applied.
   [[nodiscard]] std::optional<double> seconds_to_settle(double now_seconds) const;
   /// Whether the picture's size is known.
   [[nodiscard]] bool sized() const { return sized_; }
 
-  /// The camera's view in a picture of the present size. Only with a scene.
+  /// The view of the camera in a picture of the current size. Requires a scene.
   [[nodiscard]] View view() const;
-  /// The hit seen at (x, y), in pixels; not valid where that is the background.
+  /// The hit at (x, y), in pixels; invalid on the background.
   [[nodiscard]] Hit seen_at(double x, double y) const;
-  /// Focuses the camera's lens on what the picture shows at (x, y), in pixels; not on background.
+  /// Focuses the camera's lens on the surface at (x, y), in pixels; no effect on the background.
   void focus_at(double x, double y);
-  /// Orbits about what the picture shows at (x, y), in pixels, from now on.
+  /// Sets the pivot to the surface at (x, y), in pixels.
   void set_pivot_at(double x, double y);
 
   /// The state that undo restores.
@@ -71,7 +72,7 @@ class Viewpoint {
     OrbitCamera camera;
     int chosen_camera = -1;
     std::uint64_t chosen_revision = 0;
-    std::uint64_t framing = 0;  ///< the framing that the camera still shows; 0: none
+    std::uint64_t framing = 0;  ///< number of the framing that the camera still shows; 0: none
   };
   [[nodiscard]] State state() const {
     return {camera_, chosen_camera_, chosen_revision_, framing()};
@@ -86,9 +87,9 @@ class Viewpoint {
   };
   [[nodiscard]] double aspect_ratio() const;
   void turn_to(Side side);
-  /// Takes over a camera that frames the scene from where `camera` looks from.
+  /// Sets a camera that frames the scene from the direction of `camera`.
   void frame(const Camera& camera);
-  /// Frames again, in a picture of another shape: the same framing.
+  /// Repeats the framing for another aspect ratio.
   void frame_again();
   [[nodiscard]] std::uint64_t framing() const {
     return camera_.revision() == framed_revision_ ? framing_ : 0;
@@ -98,11 +99,11 @@ class Viewpoint {
   RenderSettings& settings_;
   OrbitCamera camera_;
   int chosen_camera_ = -1;
-  std::uint64_t chosen_revision_ = 0;  // of the camera, when it was taken over
+  std::uint64_t chosen_revision_ = 0;  // camera revision when it was chosen
   glm::dmat4 chosen_placed_{1.0};      // where it was then
   std::uint64_t framings_ = 0;         // counts them
   std::uint64_t framing_ = 0;          // the last one
-  std::uint64_t framed_revision_ = 0;  // of the camera, when the scene was framed last
+  std::uint64_t framed_revision_ = 0;  // camera revision when the scene was framed last
   bool sized_ = false;
   std::optional<PendingSize> pending_size_;
 };

@@ -70,7 +70,7 @@ constexpr std::pair<std::string_view, Key> printed_keys[] = {
     {"=", Key::plus}, {"-", Key::minus}, {"?", Key::question},
 };
 
-// Letters go by what is printed on the user's keyboard, not by their place on an American one.
+// Letters follow the user's keyboard layout, not the key's position.
 Key key_of(int key, int scancode, int modifiers) {
   for (const auto& [code, name] : named_keys) {
     if (code == key) return name;
@@ -88,8 +88,8 @@ gl::Function get_function(const char* name) {
   return glfwGetProcAddress(name);
 }
 
-// Of the screen that the system's bars leave. Only now is it known by how much the system has
-// scaled the window, and what its frame takes.
+// Shrinks the window to the screen's work area. Called after the window is created: only then are
+// its scale and the size of its frame known.
 void fit_on_screen(GLFWwindow* window) {
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (!monitor) return;
@@ -150,7 +150,7 @@ void Window::install_callbacks() {
     owner(w)->happened_.input.push_back(MouseMoved{{static_cast<float>(x), static_cast<float>(y)}});
   });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
-    // Outside, nothing is hovered; a drag that leaves the window still reports its positions.
+    // Outside the window nothing is hovered. During a drag positions are still reported.
     if (!entered) owner(w)->happened_.input.push_back(MouseMoved{{-1e5f, -1e5f}});
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
@@ -163,7 +163,7 @@ void Window::install_callbacks() {
         WheelTurned{{static_cast<float>(x), static_cast<float>(y)}});
   });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-    if (action == GLFW_REPEAT) return;  // Dear ImGui repeats keys by itself.
+    if (action == GLFW_REPEAT) return;  // Dear ImGui repeats keys itself.
     owner(w)->happened_.input.push_back(
         KeyChanged{key_of(key, scancode, modifiers), action == GLFW_PRESS});
   });
@@ -245,7 +245,7 @@ glm::ivec2 Window::plain_size() const {
   if (glfwGetWindowAttrib(window_, GLFW_MAXIMIZED)) return glm::ivec2(0);
   const glm::vec2 window(size()), framebuffer(framebuffer_size());
   if (window.y <= 0.0f || framebuffer.y <= 0.0f) return glm::ivec2(0);
-  // Where windows are measured in pixels, a new one is made larger by the screen's scale.
+  // On systems that measure windows in pixels, scale a new window by the screen's scale.
   const float scale = content_scale() * window.y / framebuffer.y;
   return glm::ivec2(glm::round(window / (scale > 0.0f ? scale : 1.0f)));
 }

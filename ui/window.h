@@ -14,11 +14,11 @@ struct GLFWwindow;
 
 namespace asos {
 
-/// A window with an OpenGL 3.3 core context, current on the calling thread; collects what the user
-/// does. Main thread only, but for `wake`.
+/// A window with an OpenGL 3.3 core context that is current on the calling thread; collects input
+/// events. Main thread only, except `wake`.
 class Window final : public HostWindow {
  public:
-  /// A window of about this size, smaller where the screen is. The error holds the system's reason.
+  /// Opens a window of this size or, on a smaller screen, less. The error is the system's reason.
   [[nodiscard]] static Result<std::unique_ptr<Window>> open(const std::string& title,
                                                             glm::ivec2 size);
   ~Window() override;
@@ -26,10 +26,10 @@ class Window final : public HostWindow {
   Window& operator=(const Window&) = delete;
 
   void wait(std::optional<double> seconds) override;
-  /// Ends a `wait`; from any thread.
+  /// Ends a `wait`. Thread-safe.
   static void wake();
   void present() override;
-  /// Lets Dear ImGui's current context use the system's clipboard.
+  /// Connects Dear ImGui's current context to the system's clipboard.
   void connect_clipboard();
   void set_title(const std::string& title) override;
   void hide();

@@ -24,7 +24,7 @@ constexpr ImGuiWindowFlags fixed_flags =
     ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr double message_seconds = 6.0;
 constexpr int frames_to_settle = 3;
-// Seldom: what drawing takes is counted as the study's.
+// Few redraws during a study, because their time counts as the study's.
 constexpr double study_redraw_seconds = 0.5;
 
 void begin_fixed(const char* name, const WindowRect& rect, ImGuiWindowFlags flags = 0) {
@@ -33,7 +33,7 @@ void begin_fixed(const char* name, const WindowRect& rect, ImGuiWindowFlags flag
   ImGui::Begin(name, nullptr, fixed_flags | flags);
 }
 
-// Whether a key is held that repeats, which takes frames.
+// Returns true while a repeating key is held, which needs frames.
 bool keys_repeat() {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.WantTextInput && !io.NavVisible) return false;
@@ -66,7 +66,7 @@ WindowContent::WindowContent(Previewer& previewer, GlDisplay display, ImGuiConte
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  io.ConfigInputTextCursorBlink = false;  // A blinking cursor would keep an idle window awake.
+  io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window awake
   InputQueue::map_keys(io);
 }
 
@@ -96,7 +96,7 @@ void WindowContent::draw(const FrameInput& in) {
   follow_files(in.time_seconds);
   unsaved_.update(previewer_);
   begin_frame(in);
-  // What has begun or ended changes the layout, which takes more than a frame to come to rest.
+  // Activities that start or end change the layout, which needs more than one frame to settle.
   const std::uint32_t activity_now = activity();
   if (std::exchange(shown_activity_, activity_now) != activity_now)
     settling_frames_ = frames_to_settle;
@@ -105,7 +105,7 @@ void WindowContent::draw(const FrameInput& in) {
 
   keep_history(in.time_seconds);
   forecast_.follow(previewer_);
-  // Changes by the widgets take effect in this frame, before it is shown.
+  // Edits by the widgets take effect in this frame, before it is presented.
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
                                           in.time_seconds);
   previewer_.show_by(state_.display.tone);
@@ -116,7 +116,7 @@ void WindowContent::draw(const FrameInput& in) {
       split_search_.update(previewer_, state_.tour.card && *state_.tour.card <= Tour::Card::split);
   state_.tour.found = looked.pixel;
   state_.tour.none_split = looked.none_split;
-  // A study's times count: what only checks the picture waits for it.
+  // A running study measures times, so the check of splits waits for it.
   check_.update(previewer_, wants_reference() && !equal_time_.busy(), state_.check.alarm,
                 study_.busy());
   error_reference_.update(previewer_, check_.findings());
@@ -127,7 +127,7 @@ void WindowContent::draw(const FrameInput& in) {
   save_window(in);
 }
 
-// Cards of the tour make no undo steps. All edits during the tour are one step.
+// Records undo steps. Cards of the tour add none; all edits during the tour are one step.
 void WindowContent::keep_history(double now_seconds) {
   const bool touring = state_.tour.card.has_value();
   const DisplaySettings display = display_without_card(state_);
@@ -190,7 +190,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   begin_fixed("picture area", picture,
               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
-  // Keys are the picture's until the panel is asked for.
+  // Keys go to the picture until the panel is focused.
   if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
   const PictureArea shown{picture, scale.y};
   check_marks(check_.findings(), state_.check, state_.view, shown);
@@ -223,7 +223,8 @@ void WindowContent::lay_out(const FrameInput& in) {
               shown);
   DisplaySettings legend = state_.display;
   if (state_.show_error) legend.show_legend = false;
-  // Beside the card and the panel that explains a pixel; there may be no room for all.
+  // The legend is hidden in pictures narrower than this if the tour's card or the pixel panel is
+  // shown.
   constexpr float beside_another_em = 52.0f;
   const std::optional<PixelPlace> explained = picked_place(state_, shown, em);
   const bool panel_left = explained && explained->side == PixelPlace::Side::left;
@@ -275,7 +276,7 @@ void WindowContent::dialogs(const WindowRect& picture) {
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-// The first row shows by its frame that the keyboard is there; from the panel it goes back.
+// Moves the keyboard focus to the panel's first row, which shows a frame, or back to the picture.
 void WindowContent::focus_panel() {
   const bool there = ImGui::IsWindowFocused() && ImGui::GetIO().NavVisible;
   ImGui::SetWindowFocus(there ? "picture area" : "panel");
@@ -300,7 +301,7 @@ void WindowContent::panel_window(const WindowRect& rect) {
   if (std::exchange(state_.forget, false)) apply(StoredSettings{});
 }
 
-// The layer Error keeps its own once it is whole.
+// The error layer has its own reference once that is complete.
 bool WindowContent::wants_reference() const {
   constexpr int whole = SplitCheck::most_passes * SplitCheck::samples_each;
   const bool has = error_reference_.film() && error_reference_.samples() >= whole;
@@ -311,7 +312,7 @@ std::optional<TimeEstimate> WindowContent::estimate() const {
   return time_estimate(previewer_, forecast_.of(previewer_));
 }
 
-// A bit for each thing that goes on by itself and that the window tells of.
+// One bit for each background activity that the window shows.
 std::uint32_t WindowContent::activity() const {
   const Progress progress = previewer_.render().progress();
   const bool going_on[] = {inspector_.busy(),

@@ -37,22 +37,22 @@ struct ImGuiContext;
 
 namespace asos {
 
-/// The sizes of the window that a frame is drawn into, and the frame's time.
+/// The sizes of the window that a frame is drawn into, and its time.
 struct FrameInput {
   glm::ivec2 window_size{0};       ///< the units of the mouse
   glm::ivec2 framebuffer_size{0};  ///< pixels
-  float content_scale = 1.0f;      ///< how much larger than on a plain screen text should be
+  float content_scale = 1.0f;      ///< scale of text relative to a screen at scale 1
   double time_seconds = 0.0;       ///< never falls
   bool shown = true;               ///< false: everything but the drawing, for tests
 };
 
-/// All that the window shows: picture, panel and dialogs, drawn into the current OpenGL context,
-/// whoever made it. The window and the tests run the same code. One thread; one at a time, because
-/// it owns Dear ImGui's context.
+/// The content of the window: picture, panel and dialogs, drawn into the current OpenGL context.
+/// The window and the tests run the same code. Not thread-safe. Only one at a time, because it owns
+/// Dear ImGui's context.
 class WindowContent {
  public:
-  /// Needs a current OpenGL 3.3 context whose functions are loaded (ui/gl/gl.h), now and until it
-  /// is destroyed. `previewer` must outlive it.
+  /// Needs a current OpenGL 3.3 context with loaded functions (ui/gl/gl.h) for its whole lifetime.
+  /// `previewer` must outlive it.
   [[nodiscard]] static Result<std::unique_ptr<WindowContent>> make(Previewer& previewer);
   ~WindowContent();
   WindowContent(const WindowContent&) = delete;
@@ -60,18 +60,18 @@ class WindowContent {
 
   [[nodiscard]] InputQueue& input() { return input_; }
 
-  /// Draws one frame. A frame without area only keeps the previewer going.
+  /// Draws one frame. A frame without area only updates the previewer.
   void draw(const FrameInput& in);
 
-  /// When the next frame is due though nothing happens, in seconds after the last one; none: when
+  /// Seconds from the last frame until the next one is due although nothing happens; none: when
   /// there is input, or the previewer wakes.
   [[nodiscard]] std::optional<double> seconds_to_redraw() const;
 
-  /// Opens a file that was dropped on the window: a sky, or else a scene or a saved picture.
+  /// Opens a file that was dropped on the window: a sky, a scene or a saved picture.
   void open_dropped(const std::string& path);
 
   [[nodiscard]] UiState& state() { return state_; }
-  /// The part of the state that is worth remembering.
+  /// The part of the state that is stored between runs.
   [[nodiscard]] StoredSettings stored_settings() const;
   void apply(const StoredSettings& stored);
   [[nodiscard]] const Controls& controls() const { return controls_; }
@@ -135,17 +135,17 @@ class WindowContent {
   int saves_noted_ = 0;
   std::uint64_t restarts_seen_ = 0;
   bool before_shown_ = false;
-  DisplaySettings shown_display_;     // as the picture is shown now
-  std::uint64_t surfaces_shown_ = 0;  // their revision; 0: the picture is shown
+  DisplaySettings shown_display_;     // settings of the displayed picture
+  std::uint64_t surfaces_shown_ = 0;  // revision of the displayed property; 0: picture
   bool touring_ = false;              // in the frame before
-  std::uint32_t shown_activity_ = 0;  // what went on when the frame was laid out
+  std::uint32_t shown_activity_ = 0;  // activities when the frame was laid out
   std::uint64_t scenes_seen_ = 0;
   std::string source_seen_;
   PixelRect picture_rect_;
   WindowLayout layout_;
-  std::optional<theme::Appearance> applied_;  // that the fonts were made for
+  std::optional<theme::Appearance> applied_;  // appearance that the fonts were built for
   double time_seconds_ = 0.0;
-  int settling_frames_ = 0;  // Dear ImGui needs a few frames to come to rest after a change
+  int settling_frames_ = 0;  // frames that Dear ImGui still needs to settle after a change
 };
 
 }  // namespace asos

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-// The part of WindowContent that opens and follows files, and remembers settings.
+// The part of WindowContent that opens and watches files, and stores settings.
 
 namespace asos {
 
@@ -56,7 +56,7 @@ void WindowContent::follow_files(double now_seconds) {
     state_.recent = std::move(stored.recent);
     state_.lights.selected = -1;
     state_.outline.selected = -1;
-    // The map is a question about one file; a tour's card asks it of each.
+    // The split map is switched off for another file; the tour's cards set it themselves.
     if (std::exchange(source_seen_, scene->geometry->source) != scene->geometry->source) {
       state_.tour.before.display.show_split_map = false;
       if (!state_.tour.card) state_.display.show_split_map = false;
@@ -65,7 +65,7 @@ void WindowContent::follow_files(double now_seconds) {
     metered_exposure_.scene_opened(state_.display, opened.has_value());
     if (opened) {
       show_as(*opened, state_.display);
-      // At its end the tour restores the opened picture's settings.
+      // When the tour ends, it restores the settings of the opened picture.
       if (state_.tour.card)
         state_.tour.before = {previewer_.edits().settings(), state_.display, std::nullopt,
                               state_.frames.comparison, state_.frames.chosen};

@@ -8,7 +8,7 @@
 namespace asos {
 
 WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool show_bar) {
-  // Beside the panel, the picture has half of the panel's width at least.
+  // Minimum width of a picture next to the panel, in widths of the panel.
   constexpr float least_picture = 0.5f;
   const float panel_width = std::round(theme::panel_width_em * em);
   const bool beside = window.x >= std::round((1.0f + least_picture) * panel_width);
@@ -18,7 +18,7 @@ WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool 
                                 std::round(0.5f * (window.y - taken_down)));
   const float above_status = window.y - taken_down - status;
   const float across = std::floor(window.x - taken_across);
-  // Low or narrow windows need the room for the picture: one row is enough there, or none.
+  // Low or narrow windows have one row or none, to leave room for the picture.
   const auto fits = [&](float width_em, float height_em, float times) {
     return across >= width_em * em && above_status >= times * height_em * em;
   };
@@ -47,7 +47,7 @@ bool has_room_for_tour(const WindowLayout& layout, float em) {
 }
 
 float fitting_text_scale(float asked, float window_width) {
-  // In steps, so that a window that is being resized does not make its fonts anew all the time.
+  // Steps of 1/8, so that resizing does not rebuild the fonts in every frame.
   constexpr float steps = 8.0f;
   const float fits = window_width / (theme::panel_width_em * theme::text_pixels);
   return std::min(asked, std::max(1.0f, std::floor(steps * fits) / steps));

@@ -9,7 +9,7 @@ struct WindowLook {
   static constexpr float least_scale = 0.5f, most_scale = 3.0f;
 
   theme::Look theme = theme::Look::dark;
-  float scale = 1.0f;    ///< of text and controls, times the screen's
+  float scale = 1.0f;    ///< scale of text and controls, times the screen's
   bool show_bar = true;  ///< under the picture
 
   bool operator==(const WindowLook&) const = default;

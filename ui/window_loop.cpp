@@ -18,7 +18,7 @@ WindowLoop::WindowLoop(HostWindow& window, Previewer& previewer, WindowContent& 
 
 void WindowLoop::run() {
   while (!content_.state().leaving.quit) {
-    // Frames may take longer than the time between them: who only drew would hear nothing.
+    // Process events even if a frame takes longer than the time to the next one.
     window_.wait(0.0);
     take_events();
     if (!window_.visible()) {
@@ -65,12 +65,12 @@ void WindowLoop::draw(double now) {
   }
 }
 
-// Settings that cannot be kept are no reason to disturb anybody.
+// A failure to save the settings is ignored.
 void WindowLoop::save() {
   StoredSettings now = content_.stored_settings();
   if (const glm::ivec2 size = window_.plain_size(); size.x > 0) now.window_size = size;
   if (now == saved_) return;
-  // Another window may have saved its own meanwhile.
+  // Another window may have saved its settings meanwhile.
   const Result<StoredSettings> theirs = load_settings(settings_path());
   if (save_settings(settings_path(), theirs ? merged(saved_, now, *theirs) : now))
     saved_ = std::move(now);

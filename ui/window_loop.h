@@ -12,19 +12,18 @@
 
 namespace asos {
 
-/// Decides when a window is drawn and when it sleeps: nothing is drawn while nothing changes, and
-/// between two frames it always hears what has happened. Main thread only.
+/// Decides when the window is drawn and when it sleeps. Nothing is drawn while nothing changes.
+/// Events are processed between any two frames. Main thread only.
 class WindowLoop {
  public:
   struct Hooks {
-    std::atomic<bool>& woken;             ///< set by other threads: something waits for a frame
+    std::atomic<bool>& woken;             ///< set by other threads: a frame is to be drawn
     std::function<double()> now_seconds;  ///< never falls
   };
-  /// All of them must outlive it.
+  /// All arguments must outlive the object.
   WindowLoop(HostWindow& window, Previewer& previewer, WindowContent& content, Hooks hooks);
 
-  /// Returns once the user has quit; what the window remembers is saved then, and whenever another
-  /// scene is there.
+  /// Returns once the user has quit. Settings are saved then and whenever another scene is opened.
   void run();
 
  private:

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-// The part of WindowContent that shows and saves the picture.
+// The part of WindowContent that displays and saves the picture.
 
 namespace asos {
 
-// Another EPS or MAX shows its own picture again.
+// A change of EPS or MAX ends the display of the previous picture.
 void WindowContent::update_display() {
   const PreviewRender& render = previewer_.render();
   const PreviewRender::FinishedPicture* before = render.finished_before();
@@ -110,7 +110,7 @@ void WindowContent::keep_copying() {
     say(*outcome ? std::string("Copied the picture") : "Not copied: " + outcome->error().message());
 }
 
-// Saves the framebuffer, once the dialog has faded from it.
+// Saves the framebuffer once the dialog has faded out.
 void WindowContent::save_window(const FrameInput& in) {
   const std::optional<SaveChoice> choice = saver_.take_due(in.time_seconds);
   if (!choice) return;

@@ -1,5 +1,5 @@
-# cmake -D SOURCE=... -D HEADER=... -P commit.cmake: writes the commit of the sources to a header, and
-# leaves the file alone where nothing changed, so that nothing is compiled again.
+# cmake -D SOURCE=... -D HEADER=... -P commit.cmake: writes the commit of the sources to a header.
+# An unchanged header is not touched, so that nothing is compiled again.
 find_program(GIT git)
 set(commit "unknown")
 if(GIT)

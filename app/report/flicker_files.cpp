@@ -28,7 +28,7 @@ std::string file_in(const std::string& folder, const std::string& name, const st
   return (std::filesystem::path(folder) / fmt::format("{}-{}", name, what)).string();
 }
 
-/// The frames side by side, white between them.
+/// Writes the frames side by side with white gaps.
 Result<void> write_strip(const std::string& path, const std::vector<Film>& frames) {
   const int width = frames.front().width, height = frames.front().height;
   const auto count = static_cast<int>(frames.size());
@@ -70,7 +70,7 @@ Result<void> write_error_strip(const std::string& path, const std::vector<Film>&
   });
 }
 
-/// The pixel's flicker that one in a thousand exceeds, of the point that flickers most.
+/// The 99.9th percentile of the pixels' flicker at the point that flickers most.
 double scale_of(const std::vector<const FlickerPoint*>& points) {
   double scale = 0.0;
   for (const FlickerPoint* p : points) {
@@ -111,7 +111,7 @@ Result<void> write_shown_strips(const FlickerStudy& study, const std::string& fo
   return {};
 }
 
-/// Flicker, or the RMSE, over the processor time of a frame.
+/// Plots flicker, or the RMSE, against the CPU time of a frame.
 CurvePlot plot_of_flicker(const FlickerStudy& study, bool flicker) {
   CurvePlot plot{study.scene,
                  flicker ? "Flicker: RMS over time of what varies of the error"

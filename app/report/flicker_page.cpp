@@ -17,7 +17,7 @@ std::string flicker_frames_text(const FlickerStudy& study) {
                      study.fps, study.width, study.height);
 }
 
-/// The anchor beside each rival, in a sentence.
+/// Compares the anchor with each rival in one sentence.
 std::string flicker_verdict(const FlickerStudy& study) {
   const FlickerPoint* anchor = study.anchor();
   if (!anchor) return "<p>Nothing could be measured.</p>\n";

@@ -36,7 +36,8 @@ Film cut_out(const Film& film, const PixelRect& part) {
   return cut;
 }
 
-/// The part of the pictures, a fifth as wide and high, in which they differ most from the first.
+/// The area of the pictures, a fifth of their width and height, that differs most from the first
+/// one.
 PixelRect liveliest_part(const std::vector<Film>& films) {
   const int width = films.front().width, height = films.front().height;
   PixelRect part{0, 0, std::clamp(width / 5, 8, width), std::clamp(height / 5, 8, height)};
@@ -59,7 +60,7 @@ PixelRect liveliest_part(const std::vector<Film>& films) {
   return best;
 }
 
-/// One study, from its command line to what was measured.
+/// One study, from its command line to its measurements.
 class FlickerRun {
  public:
   FlickerRun(const ReportArguments& arguments, std::string scene, ProgressBar& bar,
@@ -100,7 +101,7 @@ class FlickerRun {
     frames.clip_frames = arguments_.frames.value_or(ClipFrames{0, usual_frames - 1, usual_fps});
     study_.fps = frames.clip_frames->fps;
     frames_ = frames_of(frames, scene_->contents(), scene_->time());
-    if (!arguments_.frames)  // a short animation ends before
+    if (!arguments_.frames)  // a short animation ends earlier
       std::erase_if(frames_,
                     [&](const FrameRequest& f) { return beyond_the_end({f}, scene_->contents()); });
     if (frames_.size() < 2)
@@ -127,7 +128,8 @@ class FlickerRun {
       if (job.kind == JobKind::point) study_.points.push_back({job.rung, {}, {}, {}, false});
       if (job.kind == JobKind::reference) passes_.push_back(job.rung.settings);
     }
-    // Curve by curve, from quick to good, the anchor's method first: it says how long others take.
+    // Sorts by curve and by increasing quality. The anchor's method comes first, because its time
+    // limits the others'.
     std::stable_sort(study_.points.begin(), study_.points.end(),
                      [](const FlickerPoint& a, const FlickerPoint& b) {
                        const bool first_a = a.rung.method == "asos";
@@ -138,7 +140,7 @@ class FlickerRun {
     return {};
   }
 
-  /// Makes a frame ready to render.
+  /// Prepares a frame for rendering.
   Result<void> go_to(std::size_t frame) {
     if (at_ == frame) return {};
     PictureDescription picture;
@@ -161,7 +163,7 @@ class FlickerRun {
     return {};
   }
 
-  /// nullopt: it took longer than any picture may.
+  /// Returns nullopt if the picture took longer than the limit.
   Result<std::optional<TimedRender>> render(const RenderSettings& settings, bool may_be_cut) {
     if (const auto fits = check_method(*ready_, settings); !fits)
       return tl::unexpected(fits.error());
@@ -175,7 +177,7 @@ class FlickerRun {
     return rendered;
   }
 
-  /// Adds a pass to the reference of the frame that is ready.
+  /// Adds a pass to the reference of the prepared frame.
   Result<void> add_pass(Reference& reference, std::size_t pass) {
     std::array<Film, 2> halves;
     for (std::size_t half = 0; half < 2; ++half) {
@@ -198,8 +200,8 @@ class FlickerRun {
     return reference;
   }
 
-  /// How many passes the references have: all alike, so that their noise stays where nothing moves.
-  /// As many as make it a quarter of ASOS's error, if the budget lasts.
+  /// Chooses the number of passes. It is the same for all references, so that their noise is
+  /// constant in static areas. Aims at noise of a quarter of ASOS's error, within the budget.
   Result<void> choose_passes() {
     if (const auto there = go_to(static_cast<std::size_t>(study_.strip_first)); !there)
       return there;
@@ -228,7 +230,7 @@ class FlickerRun {
     return {};
   }
 
-  /// Finds the part that the strip shows, for which its references have to be there.
+  /// Finds the area for the film strip. This needs the references of the strip's frames.
   Result<void> show_strip() {
     std::vector<Film> films;
     for (int i = study_.strip_first; i < strip_end_; ++i) {
@@ -261,11 +263,12 @@ class FlickerRun {
     return {};
   }
 
-  /// Renders the first frame, and leaves out what takes longer than has to be known.
+  /// Renders the first frame with all settings. Leaves out settings slower than the first one of
+  /// their curve that takes longer than the anchor.
   Result<void> choose_points(const Reference& reference) {
     std::vector<FlickerPoint> all = std::exchange(study_.points, {});
     const std::string anchor_curve = "asos EPS 1/256";
-    std::map<std::string, double> longest;  // of what was rendered, by curve
+    std::map<std::string, double> longest;  // slowest rendered setting of each curve, in seconds
     double anchor_seconds = 0.0;
     const auto take = [&](FlickerPoint& p) -> Result<void> {
       const bool wanted = !longest.contains(p.rung.curve) || !(anchor_seconds > 0.0) ||
@@ -308,7 +311,7 @@ class FlickerRun {
     return {};
   }
 
-  /// Whether it was finished in time.
+  /// Returns whether the frame was finished in time.
   Result<bool> add_frame(FlickerPoint& p, std::size_t frame, const Reference& reference) {
     const auto rendered = render(p.rung.settings, true);
     if (!rendered) return tl::unexpected(rendered.error());
@@ -330,10 +333,10 @@ class FlickerRun {
   std::optional<OpenedScene> scene_;
   std::vector<FrameRequest> frames_;
   int strip_end_ = 0;
-  std::vector<RenderSettings> passes_;  // of a reference: two halves each
+  std::vector<RenderSettings> passes_;  // passes of a reference, two halves each
   std::size_t passes_done_ = 0;         // that each reference has
   std::map<std::size_t, Reference> references_;
-  FlickerMeter halves_;  // of the references against each other
+  FlickerMeter halves_;  // flicker between the two halves of the references
   std::optional<std::size_t> at_;
   std::shared_ptr<const RenderScene> ready_;
   Camera camera_;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* flicker_subject = "asos";
 
-/// A method's best settings, by their times and their flicker.
+/// A method's Pareto-optimal settings by time and flicker.
 std::vector<CurvePoint> flicker_front(const FlickerStudy& study, const std::string& method) {
   std::vector<CurvePoint> points;
   for (const FlickerPoint& p : study.points) {
@@ -23,7 +23,7 @@ std::vector<CurvePoint> flicker_front(const FlickerStudy& study, const std::stri
   return pareto_front(std::move(points));
 }
 
-/// A rival's flicker in so many seconds. Where its quickest setting takes longer, that one's.
+/// A rival's flicker in a given time, or that of its quickest setting if that takes longer.
 std::optional<FlickerAtEqualTime> beside(const FlickerPoint& asos, const std::string& method,
                                          const std::vector<CurvePoint>& front, double floor) {
   FlickerAtEqualTime row;

@@ -17,13 +17,13 @@
 namespace asos {
 namespace {
 
-/// Colours of Okabe and Ito (2008), distinct to the colour-blind; marks and dashes differ, too.
+/// Colour-blind safe palette of Okabe and Ito (2008); marks and dashes differ, too.
 constexpr std::array colours{"#D55E00", "#0072B2", "#009E73", "#CC79A7",
                              "#E69F00", "#56B4E9", "#000000", "#8A6D00"};
-/// As many marks as share no factor with the colours, so that pairs repeat late.
+/// The numbers of marks and colours have no common factor, so combinations repeat late.
 constexpr std::array marks{7, 5, 9, 13, 11, 15, 4, 6, 8, 12, 10, 14, 1};
 
-/// Runs gnuplot with one argument; what it complains about goes to `log`.
+/// Runs gnuplot with one argument; its error output goes to `log`.
 int run_gnuplot(const std::string& argument, const std::string& log) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -46,19 +46,18 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What gnuplot complained of, to go on a sentence with.
+/// gnuplot's error message, as the end of a sentence.
 std::string reason_in(const std::string& log) {
   const std::string said = text_of(log);
   return said.empty() ? " and does not say why; the disk may be full" : ": " + said;
 }
 
-/// Whether gnuplot wrote both plots to their ends: on a full disk it does not say that it could
-/// not.
+/// Whether gnuplot wrote both plots completely: on a full disk it reports no error.
 bool are_whole(const std::string& path) {
   return text_of(path + ".svg").rfind("</svg>") != std::string::npos && read_png(path + ".png");
 }
 
-/// A string in gnuplot's double quotes; the enhanced mode, which _ and ^ would change, is off.
+/// Quotes a string for gnuplot; the enhanced mode, which would interpret _ and ^, is off.
 std::string gnuplot_text(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -72,7 +71,8 @@ bool is_drawn(const PlotPoint& p) {
   return p.value > 0.0 && p.seconds > 0.0;
 }
 
-/// Seconds, value, least and most seconds; the points of a curve above the floor, or those under.
+/// Lines of time, value, minimum and maximum time, for the points of a curve above the noise floor
+/// or for those below.
 std::string data_block(const PlotCurve& curve, bool under_floor) {
   std::string rows;
   for (const PlotPoint& p : curve.points)

@@ -7,13 +7,13 @@
 
 namespace asos {
 
-/// A point of a plot. Values that are not above 0 are left out, for both axes are logarithmic.
+/// A point of a plot. Both axes are logarithmic, so values that are not positive are left out.
 struct PlotPoint {
   double seconds = 0.0;
   double value = 0.0;
   double least_seconds = 0.0;  ///< of its repetitions
   double most_seconds = 0.0;
-  bool under_floor = false;  ///< hardly known: drawn apart
+  bool under_floor = false;  ///< below the noise floor: drawn differently
 };
 
 struct PlotCurve {
@@ -22,7 +22,7 @@ struct PlotCurve {
   bool strong = false;            ///< drawn with a wide line
 };
 
-/// Values of methods over processor seconds.
+/// Values of methods plotted against CPU time.
 struct CurvePlot {
   std::string title;
   std::string value_title;
@@ -34,10 +34,11 @@ struct CurvePlot {
   [[nodiscard]] bool empty() const;  ///< there is nothing to draw
 };
 
-/// Whether gnuplot is there, or what to install.
+/// Checks that gnuplot is installed; the error says what to install.
 [[nodiscard]] Result<void> check_gnuplot();
 
-/// Draws it as path.svg and path.png; the gnuplot script, data and all, is left beside them.
+/// Draws the plot as path.svg and path.png, and keeps the gnuplot script with its data in the same
+/// folder.
 [[nodiscard]] Result<void> draw_plot(const CurvePlot& plot, const std::string& path);
 
 }  // namespace asos

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-// Where ASOS does not win, of all comparisons, and what they tell nothing about.
+// The comparisons that ASOS does not win, and those without a result.
 
 namespace asos {
 namespace {
@@ -16,7 +16,7 @@ const StudyPoint* quickest(const SceneStudy& study, bool asos) {
   return found;
 }
 
-/// Below ASOS's quickest setting there is no ASOS at all.
+/// Notes that ASOS has no picture in times below its quickest setting.
 std::string too_quick_text(const SceneStudy& study) {
   const StudyPoint* asos = quickest(study, true);
   const StudyPoint* other = quickest(study, false);
@@ -39,7 +39,7 @@ std::string losing_row(const SceneStudy& study, const std::string& setting, bool
       basis, result);
 }
 
-/// Rows that ASOS does not win, by any reading, and how many there are of all.
+/// The rows of comparisons that ASOS does not win, and the number of all comparisons.
 struct Losses {
   std::string rows;
   int count = 0;
@@ -73,7 +73,7 @@ void add_losses(const SceneStudy& study, Losses& losses) {
   }
 }
 
-/// How much of ASOS no comparison tells anything about.
+/// Says which of ASOS's settings are below the noise floor and so not compared.
 std::string under_floor_text(const SceneStudy& study) {
   const auto [all, under] = incomparable(study);
   if (under == 0) return "";
@@ -83,7 +83,7 @@ std::string under_floor_text(const SceneStudy& study) {
       escaped(study.scene), under, all, error_text(study.floor));
 }
 
-/// The settings that took longer than anybody would wait for.
+/// Lists the settings that exceeded the time limit, or were skipped because quicker ones had.
 std::string given_up_text(const SceneReport& scene, double longest_seconds) {
   if (scene.given_up.empty()) return "";
   return fmt::format("<li>{}: given up after {}, or as dearer than what was: {}.</li>\n",
@@ -91,10 +91,10 @@ std::string given_up_text(const SceneReport& scene, double longest_seconds) {
                      escaped(list_text(scene.given_up)));
 }
 
-/// More rows than this are folded away.
+/// Longer lists of rows are folded.
 constexpr int most_open_rows = 20;
 
-/// By scene, whom ASOS's best settings do not beat.
+/// Table by scene of the methods that ASOS's best settings do not beat.
 std::string losses_matrix(const StudyReport& report) {
   std::string items;
   for (const SceneReport& scene : report.scenes) {

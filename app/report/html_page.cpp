@@ -10,7 +10,7 @@
 namespace asos {
 namespace {
 
-/// Without the folders of the file, where there is one.
+/// The scene's name, for a file without its folders.
 std::string title_of(const StudyScene& scene) {
   StudyScene titled = scene;
   if (!scene.source.starts_with("builtin:"))
@@ -18,7 +18,7 @@ std::string title_of(const StudyScene& scene) {
   return titled.name();
 }
 
-/// The scenes by their titles, where no two have the same.
+/// Uses titles for the scenes, unless two are equal.
 StudyReport with_titles(StudyReport report) {
   std::vector<std::string> titles;
   for (const StudyScene& scene : scenes_of(report.plan)) titles.push_back(title_of(scene));

@@ -10,23 +10,23 @@
 
 namespace asos {
 
-/// The figures of a scene, beside its numbers.
+/// The figures of a scene, in addition to its numbers.
 struct SceneFigures {
   std::vector<Plot> plots;
   ScenePictures pictures;
 };
 
-/// report.html: one file that opens from disk and asks for nothing else. `figures` has an entry for
-/// each scene. Errors: a picture that cannot be read.
+/// report.html: a self-contained file. `figures` has one entry per scene. Errors: a picture that
+/// cannot be read.
 [[nodiscard]] Result<std::string> html_page(const StudyReport& report,
                                             const std::vector<SceneFigures>& figures);
 
-/// A machine as an item of a list.
+/// Describes a machine as a list item.
 [[nodiscard]] std::string machine_text(const Machine& machine);
 
-// Its sections, in their order.
+// The sections of the page, in order.
 [[nodiscard]] std::string html_summary(const StudyReport& report);
-/// The part of the summary that says where ASOS does not win.
+/// The part of the summary with the comparisons that ASOS does not win.
 [[nodiscard]] std::string html_losses(const StudyReport& report);
 [[nodiscard]] std::string html_scene(const SceneReport& scene, const SceneFigures& figures,
                                      std::size_t number, Embedder& embed);

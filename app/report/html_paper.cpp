@@ -8,7 +8,7 @@
 namespace asos {
 namespace {
 
-/// A factor in a cell of its own, with what it says in a word where ASOS does not win.
+/// A table cell with a factor, and a word if ASOS does not win.
 std::string ratio_cell(double ratio, const char* before = "", const char* after = "") {
   if (!(ratio > 0.0)) return "<td>-</td>";
   const std::string number = fmt::format("{}{}\u00d7{}", before, factor_text(ratio), after);
@@ -59,7 +59,8 @@ std::string case_row(const PaperRow& row) {
                      compared ? error_text(row.rival_rmse) : "-", escaped(row.scene));
 }
 
-/// How many published cases this program wins here, for who reads no tables.
+/// Counts the published cases that ASOS wins here, and those won by the published ratio or
+/// more.
 std::string cases_sentence(const std::vector<PaperRow>& rows) {
   int compared = 0;
   int won = 0;

@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-/// What is left of ASOS's error however long it takes, in words.
+/// Describes the error of ASOS that remains at any run time.
 std::string bias_text(const SceneStudy& study) {
   if (!study.bias)
     return fmt::format(
@@ -62,7 +62,7 @@ std::string mark_of(const StudyPoint& p) {
   return mark;
 }
 
-/// The errors of a point's row, in brackets where they are hardly known.
+/// The cells with a point's errors, in brackets if below the noise floor.
 std::string error_cells(const StudyPoint& p) {
   const Measures& m = p.measures;
   std::string cells;
@@ -98,7 +98,7 @@ std::string points_table(const SceneStudy& study) {
       rows);
 }
 
-/// A factor with what has to be known of it: losses and evens in words, not by colour alone.
+/// A factor with its qualification; losses and draws are marked in words, not by colour alone.
 std::string factor_cell(double factor, Reading reading, const char* loss) {
   if (reading == Reading::unreached) return "<td>not reached</td>";
   if (reading == Reading::levelled) return "<td class=\"win\">levels off above it</td>";
@@ -125,7 +125,8 @@ std::vector<std::string> rivals_in(const Rows& rows) {
   return rivals;
 }
 
-/// ASOS's settings down, the rivals across. `fixed` and `value` say what is compared.
+/// A table with ASOS's settings as rows and the rivals as columns. `fixed` and `value` name the
+/// compared quantities.
 template <typename Rows, typename Fixed, typename Value>
 std::string comparison_table(const SceneStudy& study, const Rows& rows, const char* title,
                              const char* note, const char* loss, Fixed fixed, Value value) {
@@ -177,7 +178,7 @@ std::string comparisons_text(const SceneStudy& study) {
              [](const EqualTime& row) { return row.ratio; });
 }
 
-/// ASOS's picture at the moments at which `sobol` ends.
+/// ASOS's picture during its render, at the times at which `sobol` finishes.
 std::string while_rendering_table(const SceneStudy& study) {
   if (study.at_moments.empty()) return "";
   std::string rows;

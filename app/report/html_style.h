@@ -2,7 +2,7 @@
 
 namespace asos {
 
-/// A report's style sheet and script: all that a page needs beside its content.
+/// Style sheet and script of a report's pages.
 inline constexpr const char* report_style = R"css(
 :root { color-scheme: light; }
 body { font: 16px/1.5 "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif; color: #1c1c1c;

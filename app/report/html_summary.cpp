@@ -19,7 +19,7 @@ std::string range_text(const Verdict& v) {
                      factor_text(v.most));
 }
 
-/// Settings at whose error the rival was not measured, in words.
+/// Lists, in words, the settings of ASOS whose error the rival was not measured at.
 std::string beyond_text(const Verdict& v) {
   std::vector<std::string> words;
   if (v.extrapolated > 0)
@@ -33,7 +33,7 @@ std::string beyond_text(const Verdict& v) {
   return list_text(words);
 }
 
-/// Whom a verdict favours, in words.
+/// States the result of a comparison in words.
 std::string plain_verdict(const Verdict& v) {
   const int count = v.measured();
   if (count == 0) return v.beyond() > 0 ? beyond_text(v) : "not measured";
@@ -61,7 +61,7 @@ std::optional<Verdict> verdict_on(const Rows& rows, const std::string& method) {
   return std::nullopt;
 }
 
-/// "uniform (5.2x), stochastic (3.1x)": the rivals that `wanted` picks.
+/// "uniform (5.2x), stochastic (3.1x)": the rivals that `wanted` selects.
 template <typename Wanted>
 std::string rivals_where(const SceneStudy& study, Wanted wanted) {
   std::vector<std::string> words;
@@ -102,8 +102,8 @@ bool was_measured(const Verdict& v) {
   return v.measured() > 0;
 }
 
-/// The greatest error at and below which all of ASOS's best settings are faster than a rival; 0
-/// where there is none.
+/// The largest RMSE such that ASOS's best settings are faster than the rival at it and at all
+/// smaller ones; 0: none.
 double faster_below(const SceneStudy& study, const std::string& method) {
   double won = 0.0;
   double lost = std::numeric_limits<double>::infinity();
@@ -127,7 +127,7 @@ std::string lost_words(const SceneStudy& study, const Verdict& v) {
   return words + ")";
 }
 
-/// The one thing that a report is read for.
+/// The main result of the report.
 std::string headline(const StudyReport& report) {
   std::vector<std::string> won;
   std::string items;
@@ -181,7 +181,7 @@ std::string matrix_cell(const SceneStudy& study, const std::string& method) {
   return fmt::format("<td class=\"win\">{}</td>", factor);
 }
 
-/// Scenes down, methods across: how many times as long each takes to the error of ASOS.
+/// A matrix of scenes and methods: each method's time relative to ASOS for the same error.
 std::string matrix(const StudyReport& report) {
   std::vector<std::string> methods;
   for (const SceneReport& scene : report.scenes)
@@ -268,7 +268,7 @@ std::string compared_text(const StudyReport& report) {
       report.plan.repetitions == 1 ? "once" : fmt::format("{} times", report.plan.repetitions));
 }
 
-/// How much of ASOS nothing is known of, since the references were too noisy.
+/// Says how many of ASOS's settings could not be compared, because the references were too noisy.
 std::string incomparable_text(const StudyReport& report) {
   std::vector<std::string> words;
   for (const SceneReport& scene : report.scenes) {

@@ -48,7 +48,7 @@ std::string seconds_text(double seconds) {
 std::string error_text(double error) {
   if (error == 0.0) return "0";
   if (!std::isfinite(error)) return "not finite";
-  // Without the zero that fills an exponent to two digits
+  // Removes the leading zero of the exponent.
   std::string text = fmt::format("{:.2e}", error);
   if (text[text.size() - 2] == '0') text.erase(text.size() - 2, 1);
   return text;

@@ -54,7 +54,7 @@ json moment_json(const std::optional<StudyMoment>& moment) {
   return {{"animation", json_or_null(moment->animation)}, {"seconds", moment->seconds}};
 }
 
-/// The sky itself is not read: a report that is put together from its jobs does not ask for it.
+/// Does not read the sky: a report that is assembled from jobs does not need it.
 StudyLook plan_look_of(const json& j) {
   StudyLook look;
   look.camera = {value_or_none<int>(j.at("camera")),
@@ -126,7 +126,7 @@ Result<json> read_json(const std::string& path) {
   return j;
 }
 
-/// The job files of a folder, by number.
+/// The job files of a folder, sorted by number.
 Result<std::vector<std::pair<std::size_t, std::string>>> job_files_in(const std::string& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
@@ -147,11 +147,11 @@ Result<std::vector<std::pair<std::size_t, std::string>>> job_files_in(const std:
   return files;
 }
 
-/// Adds what a file tells to `all`, or says what is wrong with it.
+/// Adds a file's record to `all`, or returns an error.
 Result<void> add_record(JobRecords& all, std::size_t id, const std::string& path) {
   const Result<json> j = read_json(path);
   if (!j) return tl::unexpected(j.error());
-  // nlohmann's accessors throw for what is missing or of another type.
+  // nlohmann's accessors throw for missing values and for those of another type.
   try {
     const StudyPlan plan = plan_of(j->at("plan"));
     if (all.jobs.empty()) {

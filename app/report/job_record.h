@@ -15,7 +15,7 @@
 
 namespace asos {
 
-/// The facts that a report tells of a scene.
+/// Facts about a scene for the report.
 struct SceneFacts {
   std::uint64_t triangles = 0;
   double memory_mb = 0.0;  ///< of geometry, textures and hierarchies
@@ -23,48 +23,46 @@ struct SceneFacts {
   std::vector<std::string> left_out;  ///< the features that the scene does not need
 };
 
-/// The results of one job, but for its picture.
+/// The results of one job, without its picture.
 struct JobRecord {
   Job job;
   Machine machine;
-  std::string when;  ///< UTC, as 2026-01-31T12:00:00Z
-  bool finished =
-      true;  ///< false: cut short, a pass of the reference by its budget, another render
-             ///< by the longest time for one; or a point not even begun, as dearer
+  std::string when;      ///< UTC, as 2026-01-31T12:00:00Z
+  bool finished = true;  ///< false: it exceeded its budget or time limit, or was never started
   Cost cost;
   std::uint64_t rays = 0;
   std::uint64_t pyrays = 0;
   std::uint64_t rejected_samples = 0;
   std::string picture_hash;
   SceneFacts scene;             ///< of a job for regions
-  std::vector<double> moments;  ///< of a render that is watched: CPU seconds of each picture
+  std::vector<double> moments;  ///< of a watched render: CPU seconds of each picture
   std::string folder;           ///< where its files are
 };
 
 [[nodiscard]] nlohmann::ordered_json plan_json(const StudyPlan& plan);
 [[nodiscard]] nlohmann::ordered_json machine_json(const Machine& machine);
 
-/// The folder for the jobs of a report in `report_folder`, and a job's files in it: K.json; K.exr,
-/// linear radiance as floats, of the first repetition and of the reference; K-1.exr, K-2.exr and so
-/// on, the pictures of a render that is watched; K.png, the regions, with region, split level and
-/// cause in place of red, green and blue.
+/// Paths of the jobs of a report in `report_folder`. The files of job K are: K.json; K.exr, linear
+/// radiance as floats, for the first repetition and for the reference; K-1.exr, K-2.exr and so on,
+/// the pictures of a watched render; K.png, the regions, with region, split level and cause as red,
+/// green and blue.
 [[nodiscard]] std::string jobs_folder(const std::string& report_folder);
 [[nodiscard]] std::string job_file(const std::string& folder, std::size_t id,
                                    const std::string& ending);
-/// The ending of a picture of a render that is watched, by its number from 0.
+/// End of the file name of a watched render's picture; numbers start at 0.
 [[nodiscard]] std::string moment_ending(std::size_t number);
 
 [[nodiscard]] Result<void> write_record(const StudyPlan& plan, const JobRecord& record);
 
-/// A study as far as its jobs have been run.
+/// A study with the jobs that have been run so far.
 struct JobRecords {
   StudyPlan plan;
   std::vector<Job> jobs;
   std::vector<JobRecord> records;  ///< in the order of their jobs
 };
 
-/// Reads every K.json in the folders, or in a folder `jobs` in them. All have to be of one plan and
-/// no job may be there twice. Errors name the file.
+/// Reads every K.json in the folders, or in their subfolders `jobs`. All must belong to one plan,
+/// and no job may occur twice. Errors name the file.
 [[nodiscard]] Result<JobRecords> read_records(const std::vector<std::string>& folders);
 
 [[nodiscard]] Result<void> write_regions(const std::string& path, const RegionMap& map);

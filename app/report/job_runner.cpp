@@ -25,7 +25,7 @@ std::string utc_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-/// Hash of the bits of the radiance: the same for the same picture, and hardly ever for another.
+/// Hash of the radiance's bits: equal for equal pictures, and almost certainly different otherwise.
 std::string hash_of(const Film& film) {
   std::uint64_t hash = mix_bits(static_cast<std::uint64_t>(film.width));
   for (const glm::vec3& v : film.radiance)
@@ -55,7 +55,7 @@ JobRunner::JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool
 Result<void> JobRunner::open(const StudyScene& subject) {
   if (scene_ && open_subject_ == subject) return {};
   const AbandonableWork loading("asos: interrupted, no report was written\n");
-  scene_.reset();  // before the next one takes memory
+  scene_.reset();  // frees its memory before the next one is loaded
   PictureArguments wanted;
   wanted.scene = subject.source;
   wanted.needs = plan_.needs;
@@ -74,7 +74,7 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   const auto camera =
       opened->camera(**ready, wanted.camera, static_cast<double>(plan_.width) / plan_.height);
   if (!camera) return tl::unexpected(camera.error());
-  // As wide as they are unless another width is asked for.
+  // Lines have their own width unless another one is set.
   ready = with_strokes(*std::move(ready), {*camera, plan_.height, RenderSettings{}.line_width})
               .and_then(with_boundaries);
   if (!ready) return tl::unexpected(ready.error());
@@ -91,7 +91,7 @@ Result<void> JobRunner::write_picture(const JobRecord& record, const Film& film)
       return write_regions(job_file(folder_, job.id, ".png"),
                            find_regions(snapshot_for(job, scene_, camera_), film));
     case JobKind::point:
-      // The other repetitions are told by their hash.
+      // Other repetitions are only compared by their hash.
       if (job.repetition > 1) return {};
       break;
     case JobKind::progress:

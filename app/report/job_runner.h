@@ -10,19 +10,18 @@
 
 namespace asos {
 
-/// Runs jobs of a plan and leaves their files in a folder. The scene stays open from one job to the
-/// next.
+/// Runs jobs of a plan and writes their files into a folder. Keeps the scene open between jobs.
 class JobRunner {
  public:
-  /// `stop` is asked often; once it says so, `run` ends with an error.
+  /// `stop` is called often; once it returns true, `run` ends with an error.
   JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool()> stop);
 
-  /// Renders and writes. A point, a render that is watched, and a pass of the reference after the
-  /// first is given up after `seconds`, and its record says so. Errors: a scene that cannot be
-  /// opened or that the method cannot render, a file that cannot be written, a stop.
+  /// Renders and writes. Gives up a point, a watched render or a later pass of the reference after
+  /// `seconds`, and notes that in the record. Errors: a scene that cannot be opened or that the
+  /// method cannot render, a file that cannot be written, a stop.
   [[nodiscard]] Result<JobRecord> run(const Job& job, double seconds);
 
-  /// Writes down that a point was not even begun.
+  /// Writes a record of a point that was never started.
   [[nodiscard]] Result<JobRecord> give_up(const Job& job) const;
 
  private:

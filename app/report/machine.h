@@ -4,7 +4,7 @@
 
 namespace asos {
 
-/// Where and by what something was measured, in words for a person.
+/// Describes the machine and program of a measurement, for readers of the report.
 struct Machine {
   std::string processor;
   int cores = 0;  ///< that the system shows

@@ -60,7 +60,7 @@ Result<void> write_scene_maps(const SceneReport& scene, const std::string& folde
 }  // namespace
 
 glm::u8vec3 error_colour(double share) {
-  // Five steps of matplotlib's inferno (van der Walt and Smith 2015), straight lines between them.
+  // Five colours of matplotlib's inferno (van der Walt and Smith 2015), interpolated linearly.
   constexpr std::array<std::array<double, 3>, 5> steps{
       {{0, 0, 4}, {87, 16, 110}, {188, 55, 84}, {249, 142, 9}, {252, 255, 164}}};
   const double at = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) * 4.0 : 4.0;
@@ -76,7 +76,7 @@ glm::u8vec3 error_colour(double share) {
 }
 
 glm::u8vec3 region_colour(Region region) {
-  // Colours of Okabe and Ito's palette, as the split causes'.
+  // Colours of Okabe and Ito's palette, as for the causes of splits.
   switch (region) {
     case Region::outlines:
       return {240, 228, 66};
@@ -135,7 +135,7 @@ Result<ScenePictures> write_pictures(const SceneReport& scene, const std::string
   if (const auto written = write_png(made.shown[0].picture, scene.reference, 0.0f, {}); !written)
     return tl::unexpected(written.error());
 
-  // One scale for all, so that they can be compared; what few pixels exceed shows at its end
+  // All maps have the same scale, so that they can be compared; few pixels exceed it.
   const std::vector<const StudyPoint*> points = alike_in_time(scene.study);
   for (const StudyPoint* p : points)
     made.error_scale = std::max(made.error_scale, p->measures.p999);

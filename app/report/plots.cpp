@@ -11,7 +11,7 @@
 namespace asos {
 namespace {
 
-/// The quantity that is drawn of a point, and the axis's title.
+/// The plotted quantity of a point, and the axis's title.
 struct Quantity {
   const char* ending;
   const char* title;

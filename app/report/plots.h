@@ -8,16 +8,16 @@
 
 namespace asos {
 
-/// A plot of a scene: the file without its ending; .svg and .png are both there.
+/// A plot of a scene: the path without extension, for .svg and .png.
 struct Plot {
   std::string title;
-  std::string note;  ///< a sentence on what the marks are
+  std::string note;  ///< one sentence about the marks
   std::string path;
 };
 
-/// Draws the errors of a scene's points over their times, both axes logarithmic: the root mean
-/// square and the perceptual one; and the root mean square of the pictures while they render. The
-/// gnuplot scripts, data and all, are left beside the plots.
+/// Plots the errors of a scene's points against their times with logarithmic axes: the RMSE, the
+/// perceptual error, and the RMSE during renders. Keeps the gnuplot scripts with their data in the
+/// same folder.
 [[nodiscard]] Result<std::vector<Plot>> draw_plots(const SceneReport& scene,
                                                    const std::string& folder,
                                                    const std::string& name);

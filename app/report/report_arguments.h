@@ -13,14 +13,14 @@ namespace asos {
 
 /// The arguments of `asos report`.
 struct ReportArguments {
-  StudyPlan plan;                    ///< complete once `look` has been taken into it
-  PictureArguments look;             ///< how its scenes look: what add_look_options fills
-  std::string output;                ///< a folder
-  bool flicker = false;              ///< study how errors vary over the frames of an animation
-  std::optional<ClipFrames> frames;  ///< those; none: its first second
-  bool list_jobs = false;            ///< say what there is to do, and do nothing
+  StudyPlan plan;         ///< complete once `look` is copied into it
+  PictureArguments look;  ///< the look of the scenes: filled by add_look_options
+  std::string output;     ///< a folder
+  bool flicker = false;   ///< study the variation of errors over the frames of an animation
+  std::optional<ClipFrames> frames;  ///< its frames; none: the first second
+  bool list_jobs = false;            ///< only list the jobs
   std::optional<std::size_t> job;    ///< run this one alone
-  std::vector<std::string> merge;    ///< make the report from these folders of jobs
+  std::vector<std::string> merge;    ///< assemble the report from these folders of jobs
   bool quiet = false;
 };
 

@@ -51,7 +51,7 @@ constexpr const char* report_footer =
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
-/// How the work goes, for a person who waits.
+/// Reports the progress to the user.
 class Journal {
  public:
   Journal(ProgressBar& bar, std::size_t count) : bar_(bar), count_(count) {}
@@ -64,7 +64,7 @@ class Journal {
   std::size_t count_;
 };
 
-/// Opens the sky, where there is one in a file.
+/// Opens the sky if it is a file, and copies the look into the plan.
 Result<void> take_look(ReportArguments& arguments) {
   const auto settings = with_sky(arguments.look);
   if (!settings) return tl::unexpected(settings.error());
@@ -93,8 +93,8 @@ Result<void> check_scenes(const StudyPlan& plan) {
   return check_picture_fits(settings);
 }
 
-/// Pass after pass of a scene's reference, until it is quiet enough or the budget has ended; the
-/// patience, where too little could be compared.
+/// Renders passes of a scene's reference until it is quiet enough or the budget is used up. The
+/// budget is larger if too few settings could be compared.
 Result<void> run_reference(JobRunner& runner, JobRecords& done, const std::string& scene,
                            Journal& journal) {
   const auto start = std::chrono::steady_clock::now();
@@ -144,7 +144,7 @@ Result<void> run_all(const ReportArguments& arguments, const std::vector<Job>& j
   return {};
 }
 
-/// The report of what lies in folders of jobs, into the output folder.
+/// Assembles the report from folders of jobs into the output folder.
 Result<std::string> make_report(const std::vector<std::string>& folders,
                                 const std::string& output) {
   const auto jobs = read_records(folders);
@@ -169,7 +169,7 @@ Result<std::string> run_one(const ReportArguments& arguments, const std::vector<
   return job_file(folder, job.id, ".json");
 }
 
-/// The flicker of all scenes, into the output folder.
+/// Studies the flicker of all scenes, and writes it to the output folder.
 Result<std::string> run_flicker(const ReportArguments& arguments, ProgressBar& bar,
                                 const InterruptGuard& interrupt) {
   const auto ready = check_gnuplot().and_then([&] { return make_folder(arguments.output); });
@@ -231,8 +231,8 @@ int run_report(ReportArguments arguments, const Streams& streams) {
   return exit_ok;
 }
 
-/// Whether frames or a moment of an animation are studied. `--animation SCENE` alone names what to
-/// study, too.
+/// Chooses between frames and one time of an animation. `--animation SCENE` alone also names the
+/// scene.
 void choose_frames(ReportArguments& arguments) {
   ClipChoice& clip = arguments.look.clip;
   StudyPlan& plan = arguments.plan;
@@ -247,7 +247,7 @@ void choose_frames(ReportArguments& arguments) {
     plan.scenes = {*std::exchange(clip.animation, std::nullopt)};
 }
 
-// Everything about the command line that can be wrong without opening anything.
+// Checks everything that can be wrong with the command line without opening a file.
 void check(ReportArguments& arguments) {
   choose_frames(arguments);
   StudyPlan& plan = arguments.plan;

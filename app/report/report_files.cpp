@@ -56,7 +56,7 @@ Result<void> make_folder(const std::string& path) {
   if (error || !fs::is_directory(path))
     return tl::unexpected(
         Error{path, "cannot be made: " + (error ? error.message() : "it is no folder")});
-  // Opening a file is the only test that every file system agrees with.
+  // Opening a file is the only test that works on every file system.
   const auto file = OutputFile::plan(path_in(path, "report.html"));
   if (!file) return tl::unexpected(file.error());
   return {};

@@ -42,7 +42,7 @@ Result<void> check_complete(const JobRecords& jobs) {
             fmt::format("has not been run, {} of {} jobs are missing", missing, jobs.jobs.size())});
 }
 
-/// The first repetition of each setting of a scene that ran to its end.
+/// The first repetition of each finished setting of a scene.
 std::vector<const JobRecord*> first_repetitions(const JobRecords& jobs, const std::string& scene) {
   std::vector<const JobRecord*> found;
   for (const JobRecord& record : jobs.records)
@@ -61,7 +61,7 @@ std::vector<std::string> given_up(const JobRecords& jobs, const std::string& sce
   return settings;
 }
 
-/// Judges whether the reference is quiet enough for the errors of the points.
+/// Decides whether the reference is quiet enough for the errors of the points.
 Result<void> judge(const std::vector<const JobRecord*>& points, ScenesReference& made) {
   const Film reference = made.reference.film();
   const double noise = made.reference.noise();
@@ -81,7 +81,7 @@ Result<void> judge(const std::vector<const JobRecord*>& points, ScenesReference&
   return {};
 }
 
-/// Adds one pass; false where it is not there or not finished.
+/// Adds one pass; returns false if it is missing or unfinished.
 Result<bool> add_pass(const JobRecords& jobs, const std::string& scene, int pass,
                       Reference& reference) {
   std::vector<Film> halves;
@@ -97,7 +97,7 @@ Result<bool> add_pass(const JobRecords& jobs, const std::string& scene, int pass
   return true;
 }
 
-/// All that is known of a setting but for its error.
+/// Fills in a setting's results except its error.
 StudyPoint point_of(const JobRecords& jobs, const JobRecord& first) {
   StudyPoint point;
   point.rung = first.job.rung;
@@ -131,7 +131,7 @@ Result<void> add_regions(const JobRecords& jobs, SceneReport& scene) {
   return {};
 }
 
-/// The errors of the renders that were watched.
+/// Computes the errors of the watched renders.
 Result<void> add_while_rendering(const JobRecords& jobs, SceneReport& scene) {
   for (const JobRecord& record : jobs.records) {
     if (record.job.kind != JobKind::progress || record.job.scene != scene.study.scene) continue;
@@ -160,7 +160,7 @@ Result<SceneReport> assemble_scene(const JobRecords& jobs, const std::string& na
   scene.given_up = given_up(jobs, name);
   if (const auto added = add_regions(jobs, scene); !added) return tl::unexpected(added.error());
 
-  // Ladder by ladder, however the jobs took turns
+  // Sorted by ladder, whatever the order of the jobs
   std::vector<const JobRecord*> points = first_repetitions(jobs, name);
   std::vector<std::string> methods;
   for (const JobRecord* p : points)

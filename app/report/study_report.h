@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// A scene's results with what its pictures need.
+/// A scene's results with the data for its pictures.
 struct SceneReport {
   SceneStudy study;
   std::vector<std::string> pictures;  ///< the EXR file of each point of the study
@@ -17,33 +17,33 @@ struct SceneReport {
   RegionMap regions;
   std::array<std::size_t, region_count> region_pixels{};
   Film reference;
-  int passes = 0;      ///< of the reference
-  long samples = 0;    ///< of the reference, a pixel
-  bool quiet = false;  ///< the reference's noise is a quarter of the smallest error, or less
-  std::vector<std::string> given_up;  ///< settings that would have taken too long
+  int passes = 0;                     ///< of the reference
+  long samples = 0;                   ///< samples per pixel of the reference
+  bool quiet = false;                 ///< its noise is at most a quarter of the smallest error
+  std::vector<std::string> given_up;  ///< settings that would take too long
 };
 
 /// All that a report tells.
 struct StudyReport {
   StudyPlan plan;
   std::vector<SceneReport> scenes;
-  std::vector<Machine> machines;  ///< that took part, each once
-  std::string first;              ///< when the first job ran, and the last
+  std::vector<Machine> machines;  ///< machines that took part, without duplicates
+  std::string first;              ///< start of the first job and of the last
   std::string last;
 };
 
-/// The reference of a scene from the passes that are there, in their order, up to the first that
-/// makes it quiet enough for the smallest error of the scene's points.
+/// The reference of a scene: the sum of its passes in order, up to the first at which it is quiet
+/// enough for the smallest error of the scene's points.
 struct ScenesReference {
   Reference reference;
   bool quiet = false;
-  bool comparable = false;  ///< all but a quarter of ASOS's settings can be held against it
+  bool comparable = false;  ///< at least three quarters of ASOS's settings can be compared with it
 };
 [[nodiscard]] Result<ScenesReference> reference_of(const JobRecords& jobs,
                                                    const std::string& scene);
 
-/// Puts a study together from its jobs. Errors: a job that is missing but for later passes of a
-/// reference, a file that cannot be read.
+/// Assembles a study from its jobs. Errors: a missing job (except later passes of a reference), a
+/// file that cannot be read.
 [[nodiscard]] Result<StudyReport> assemble(const JobRecords& jobs);
 
 }  // namespace asos

@@ -12,7 +12,7 @@ namespace {
 
 using Polygon = std::vector<glm::dvec2>;  // in a pixel, x to the right and y down
 
-/// A convex polygon before a camera that looks in parallel and whose one pixel is the unit square.
+/// A scene with a convex polygon, for an orthographic camera with one pixel, the unit square.
 Scene scene_of(const Polygon& polygon) {
   Scene scene;
   scene.source = "a polygon";
@@ -31,7 +31,7 @@ Scene scene_of(const Polygon& polygon) {
   return scene;
 }
 
-/// Whatever a flattened scene's origin, the camera is where the author put it.
+/// The camera in the author's coordinates, whatever the origin of the flattened scene.
 Camera pixel_camera(const World& world) {
   Camera camera;
   camera.type = Camera::Type::orthographic;
@@ -60,7 +60,7 @@ Result<std::vector<SubdivisionRow>> subdivide_pixel(const Polygon& polygon) {
   return rows;
 }
 
-/// The half-plane to the left of a line that runs at 68 degrees past the pixel's middle.
+/// The half-plane to the left of a line at 68 degrees, 0.185 pixels from the pixel's centre.
 Polygon one_edge() {
   const double angle = 68.0 * std::numbers::pi / 180.0;
   const glm::dvec2 along(std::cos(angle), std::sin(angle));

@@ -19,11 +19,11 @@ struct SubdivisionRow {
 struct SubdivisionTable {
   const char* title;
   std::vector<SubdivisionRow> published;
-  std::vector<SubdivisionRow> measured;  ///< by this program, on a polygon of its own
+  std::vector<SubdivisionRow> measured;  ///< by this program, with a polygon of its own
 };
 
-/// GI'93 tables 1 and 2 with EPS 1/16, by ASOS as published on polygons of our own, for the papers'
-/// drawings have no coordinates.
+/// GI'93 tables 1 and 2 with EPS 1/16, by the published ASOS. Uses other polygons than the papers,
+/// whose drawings have no coordinates.
 [[nodiscard]] Result<std::vector<SubdivisionTable>> subdivision_tables();
 
 }  // namespace asos

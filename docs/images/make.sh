@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Renders the pictures of README.md and docs/ into this folder.
-# Usage: make.sh ASOS [WINDOW_PAGES]; WINDOW_PAGES is tests/window_pages of the build, for the window.
+# Usage: make.sh ASOS [WINDOW_PAGES]; WINDOW_PAGES, tests/window_pages of the build, draws the
+# window.
 set -euo pipefail
 asos=$(readlink -f -- "$1")
 pages=${2:+$(readlink -f -- "$2")}

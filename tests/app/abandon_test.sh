@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# SIGINT and SIGTERM end the program within a second while it loads, whatever a library does with the
-# file: here it is read for ever. Usage: abandon_test.sh ASOS STUCK_READ
+# SIGINT and SIGTERM end the program within a second while it loads, even if a library never returns
+# from reading the file. Usage: abandon_test.sh ASOS STUCK_READ
 set -uo pipefail
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT

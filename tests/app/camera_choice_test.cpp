@@ -82,14 +82,14 @@ TEST(CameraChoice, AWideCameraIsFittedAndThatIsSaid) {
   choice.fit = CameraFit::crop;
   EXPECT_EQ(choose_camera(world, choice, 1.5)->fov_y_rad, 0.5);
   EXPECT_EQ(fit_remark(world, choice, 1.5), "");
-  // An angle that is asked for is the picture's.
+  // An explicit angle is used unchanged.
   choice.fit = CameraFit::fit;
   choice.fov_y_deg = 40.0;
   EXPECT_DOUBLE_EQ(choose_camera(world, choice, 1.5)->fov_y_rad, 40.0 * glm::pi<double>() / 180.0);
   EXPECT_EQ(fit_remark(world, choice, 1.5), "");
 }
 
-// The three white squares of a camera of the aspect ratio 2.67, at any size.
+// A camera with the aspect ratio 2.67 shows its three white squares at any picture size.
 TEST(CameraChoice, TheReportedWideCameraShowsItsThreeSquares) {
   const auto shared = test::shared_dir();
   if (!shared || !std::filesystem::is_directory(*shared / "reported"))
@@ -117,7 +117,7 @@ TEST(CameraChoice, TheReportedWideCameraShowsItsThreeSquares) {
   EXPECT_EQ(squares("160x90", "crop"), 1);
 }
 
-// A red wall before the near plane, a blue one behind it.
+// A red wall in front of the near plane, a blue one behind it.
 TEST(CameraChoice, PlanesThatCutAreSaidAndCanBeLeftOut) {
   const auto shared = test::shared_dir();
   if (!shared || !std::filesystem::is_directory(*shared / "reported"))

@@ -87,11 +87,13 @@ TEST(ProgressOfAll, CountsThePicturesAndTheirTime) {
   now.fraction = 0.5;
   now.seconds = 2.0;
   now.seconds_left = 2.0;
-  // One of four is there, one took 8 s, this one will take 4 s: the last one 6 s.
+  // One of four pictures existed, one took 8 s, and this one will take 4 s: 6 s remain for the last
+  // one.
   const Progress all = progress_of_all(now, {4, 2, 1, 8.0});
   EXPECT_DOUBLE_EQ(all.fraction, 2.5 / 4);
   EXPECT_DOUBLE_EQ(all.seconds_left, 2.0 + 6.0);
-  // While it has no estimate, it is as long as those before; the first says nothing.
+  // Without an estimate of its own, a picture takes as long as those before; for the first one
+  // nothing is known.
   now.seconds_left = -1.0;
   EXPECT_DOUBLE_EQ(progress_of_all(now, {3, 1, 1, 8.0}).seconds_left, 6.0 + 8.0);
   EXPECT_LT(progress_of_all(now, {3, 0, 0, 0.0}).seconds_left, 0.0);
@@ -99,8 +101,8 @@ TEST(ProgressOfAll, CountsThePicturesAndTheirTime) {
   EXPECT_DOUBLE_EQ(progress_of_all(now, {}).seconds_left, 1.0);
 }
 
-/// A square that slides a unit to the right in a second, by the animation "Slide"; and one that
-/// does nothing.
+/// A square that moves by one unit to the right in one second (animation "Slide"), and an animation
+/// that does nothing.
 class Clip : public testing::Test {
  protected:
   Clip() {
@@ -118,7 +120,7 @@ class Clip : public testing::Test {
   RgbImage png(const std::string& name) { return read_png(path(name)).value(); }
   bool same(const std::string& a, const std::string& b) { return png(a).rgb == png(b).rgb; }
   fs::file_time_type written(const std::string& name) { return fs::last_write_time(path(name)); }
-  /// Makes a file look as if it were of an hour ago, so that it shows whether it is written anew.
+  /// Sets a file's time to one hour ago, so that a rewrite shows.
   void age(const std::string& file) {
     fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
   }
@@ -136,14 +138,14 @@ TEST_F(Clip, AFrameAloneIsThatOfTheRunBitForBit) {
   EXPECT_TRUE(same("run-0004.png", "alone-0004.png"));
   EXPECT_TRUE(same("run-0004.png", "time.png"));
   EXPECT_FALSE(same("run-0004.png", "run-0005.png"));
-  // The lights, which the file does not have, are those of the scene at rest.
+  // The file has no lights; its default lighting is that of the scene at rest.
   const std::vector<std::string> look{"--look-at", "0.5,0.5,4,0.5,0.5,0"};
   ASSERT_EQ(render("rest.png", look).exit_code, 0);
   ASSERT_EQ(render("start.png", look + std::vector<std::string>{"--time", "0"}).exit_code, 0);
   EXPECT_TRUE(same("rest.png", "start.png"));
 }
 
-// The camera that the file does not have stands still and sees all of the way.
+// The default camera stands still and frames the whole movement.
 TEST_F(Clip, TheWholeAnimationIsFramed) {
   ASSERT_EQ(render("s.png", {"--animation", "Slide", "--frames", "2"}).exit_code, 0);
   const PictureDescription first = read_description(path("s-0000.png")).value();
@@ -152,7 +154,7 @@ TEST_F(Clip, TheWholeAnimationIsFramed) {
   EXPECT_EQ(first.origin, last.origin);
   const glm::dmat4 camera_from_world = glm::inverse(first.camera.world_from_camera);
   const double down = std::tan(0.5 * first.camera.fov_y_rad), across = down * 24 / 16;
-  for (const double x : {0.0, 2.0}) {  // the left end at first, the right one at last
+  for (const double x : {0.0, 2.0}) {  // the left border at first, the right one at last
     for (const double y : {0.0, 1.0}) {
       const glm::dvec4 p = camera_from_world * glm::dvec4(glm::dvec3(x, y, 0.0) - first.origin, 1);
       EXPECT_LT(std::abs(p.x), -p.z * across) << x << " " << y;
@@ -190,7 +192,8 @@ TEST_F(Clip, GoesOnWhereItStopped) {
   EXPECT_EQ(written("run-0001.png"), first_written);
   EXPECT_EQ(png("run-0002.png").rgb, third.rgb);
 
-  // What has other settings, is broken, is older than the scene or was stopped is made anew.
+  // Renders again if settings differ, the file is broken, it is older than the scene, or its render
+  // was stopped.
   ASSERT_EQ(render("run.png", words + std::vector<std::string>{"--eps", "0.5"}).exit_code, 0);
   EXPECT_EQ(read_description(path("run-0003.png"))->settings.asos.eps, 0.5);
   std::ofstream(path("run-0001.png")) << "no picture";
@@ -218,7 +221,7 @@ TEST_F(Clip, APictureThatALimitOfTimeStoppedIsNotKept) {
   const auto stats =
       std::ranges::find(text, "asos.statistics", [](const auto& t) { return t.first; });
   ASSERT_FALSE(nlohmann::json::parse(stats->second)["time_limit"]["finished"].get<bool>())
-      << "it is too quick for this test";
+      << "this machine is too fast for the test";
   EXPECT_TRUE(contains(run_asos(words).out, "Wrote " + path("s-0000.png")));
 }
 

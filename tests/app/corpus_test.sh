@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Every file of the shared corpora of broken, odd and hostile files is told about and rendered, or
-# refused in words: no abort, no signal, nothing that hangs, no silence, nothing printed that a
-# terminal obeys, no refusal that takes longer than a second, no more memory than three times what is
-# read and 300 MB. Usage: corpus_test.sh ASOS MEASURED SHARED; ASOS_SHARED overrides it. Exit code 77:
-# skipped, there are no such files. ASOS_SLOWDOWN: how many times longer this build may take;
-# ASOS_MEMORY_PERCENT: what it holds of what the program does, with all that a sanitizer adds.
+# Every file of the shared corpora of broken, odd and hostile files is reported and rendered, or
+# rejected with an error. No abort, signal, hang or silence; no output that a terminal would
+# execute. A rejection takes at most a second. Memory is at most 300 MB plus three times the size of
+# the files read. Usage: corpus_test.sh ASOS MEASURED SHARED; ASOS_SHARED overrides SHARED. Exit
+# code 77: skipped, there are no such files. ASOS_SLOWDOWN: factor of time that this build may take.
+# ASOS_MEMORY_PERCENT: memory of this build in percent of a normal one's, for sanitizers.
 set -uo pipefail
 asos=$1
 measured=$2
@@ -27,7 +27,8 @@ fault() {
   echo "$*"
 }
 
-# run NAME KB ARGUMENT...: runs the program, judges how it ended and sets `code`. KB: what it reads.
+# run NAME KB ARGUMENT...: runs the program, checks how it ended and sets `code`. KB: size of its
+# input files.
 run() {
   local name=$1 read_kb=$2 cpu_ms used_kb
   shift 2
@@ -45,7 +46,7 @@ run() {
     *) fault "$name: ended with $code: $* ($(head -c 300 "$work/err" | cat -v))" ;;
   esac
   ((used_kb * 100 <= (3 * read_kb + most_kb) * percent)) || fault "$name: took $used_kb kB for a file of $read_kb kB: $*"
-  # Newlines aside, nothing below a space, no 0x7f and nothing that is not UTF-8.
+  # Except for newlines: no bytes below a space, no 0x7f, and valid UTF-8.
   if LC_ALL=C grep -qP '[\x00-\x08\x0b-\x1f\x7f]' "$work/out" "$work/err" ||
     ! iconv -f UTF-8 -t UTF-8 "$work/out" "$work/err" >/dev/null 2>&1; then
     fault "$name: printed what a terminal obeys: $*"
@@ -53,7 +54,7 @@ run() {
   if grep -q '^asos: all fine' "$work/out" "$work/err"; then fault "$name: forged a line: $*"; fi
 }
 
-# expect FILE CODE WORDS: how the last run of a file ended, and words that it said.
+# expect FILE CODE WORDS: checks the exit code and the message of a file's last run.
 expect() {
   ((code == $2)) || fault "$1: ended with $code instead of $2"
   grep -qF -- "$3" "$work/out" "$work/err" || fault "$1: did not say '$3'"
@@ -62,7 +63,7 @@ expect() {
 render=(--size 16x12 --max 2 -o "$work/picture.png")
 while IFS= read -r -d '' file; do
   name=${file#"$shared"/}
-  # With what lies beside it, which it may read as well.
+  # Includes the files next to it, which the program may also read.
   kb=$(du -Lsk -- "$file" | cut -f1)
   [[ $name != *.gltf ]] || kb=$(du -Lsk -- "$(dirname -- "$file")" | cut -f1)
   run "$name" "$kb" info "$file"
@@ -70,7 +71,7 @@ while IFS= read -r -d '' file; do
   said_by_info=$(grep -c '^Warning: ' "$work/out")
   run "$name" "$kb" render "$file" "${render[@]}" --allow-empty
   ((code == told)) || fault "$name: info ends with $told, render with $code"
-  # What info warns of, render says too.
+  # Warnings of info also appear in render.
   if ((code == 0 && said_by_info > 0)); then
     grep -q '^asos: warning: ' "$work/err" || fault "$name: rendered without a word"
   fi

@@ -22,12 +22,12 @@
 #include <unistd.h>
 #include <vector>
 
-// Lets one call of a program to the system fail, whichever library makes it, as full and broken
-// disks do. Usage: fail_call N FAULT FOLDER COMMAND... The calls in question create, write, close
-// and rename files in FOLDER; the N-th of them fails with FAULT: ENOSPC, EIO, or "short", which is
-// a write of half of the bytes (and of none from then on). With N 0 none does. What each of these
-// calls was is said on descriptor 9, a line each. Exit code: the
-// command's; 77 where the system allows no such thing; 128 and more where a signal ended it.
+// Makes one system call of a program fail, whichever library makes it, like a full or broken disk.
+// Usage: fail_call N FAULT FOLDER COMMAND... Counts the calls that create, write, close and rename
+// files in FOLDER. The N-th one fails with FAULT: ENOSPC, EIO, or "short", a write of half of the
+// bytes (and of none from then on). N 0: no call fails. Writes a line per call to descriptor 9.
+// Exit code: the command's; 77 if the system does not allow this; 128 and more if a signal ended
+// the command.
 
 namespace {
 
@@ -53,7 +53,8 @@ constexpr int watched[] = {SYS_openat,   SYS_write, SYS_pwrite64,  SYS_writev,
 #endif
                            SYS_renameat2};
 
-/// Makes the kernel ask about the watched calls; the descriptor that it asks on, or -1.
+/// Makes the kernel notify about the watched calls. Returns the descriptor of the notifications, or
+/// -1.
 int install_filter() {
   std::vector<sock_filter> filter{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
   for (const int call : watched) {
@@ -109,13 +110,13 @@ std::string link_of(const std::string& link) {
   return {name, length > 0 ? static_cast<std::size_t>(length) : 0};
 }
 
-/// A path that a process names, from its own folder.
+/// Resolves a path that a process passes, relative to its current folder.
 std::string path_at(pid_t process, std::uint64_t address) {
   char name[4096] = {};
   iovec here{name, sizeof name - 1};
   iovec there{reinterpret_cast<void*>(address), sizeof name - 1};
   ssize_t got = ::process_vm_readv(process, &here, 1, &there, 1, 0);
-  if (got <= 0) {  // it may lie at the end of what the process can read
+  if (got <= 0) {  // the process's readable memory may end before
     here.iov_len = there.iov_len = 4096 - address % 4096;
     got = ::process_vm_readv(process, &here, 1, &there, 1, 0);
   }
@@ -124,7 +125,7 @@ std::string path_at(pid_t process, std::uint64_t address) {
                                : link_of("/proc/" + std::to_string(process) + "/cwd") + "/" + path;
 }
 
-/// Whether a descriptor of a process may be written to.
+/// Whether a descriptor of a process is open for writing.
 bool is_written(pid_t process, std::uint64_t descriptor) {
   const std::string path =
       "/proc/" + std::to_string(process) + "/fdinfo/" + std::to_string(descriptor);
@@ -135,7 +136,7 @@ bool is_written(pid_t process, std::uint64_t descriptor) {
   return false;
 }
 
-/// What a call does to which file, "" where it writes none.
+/// Describes a call and its file; "" if it writes none.
 std::string described(const seccomp_notif& asked) {
   const auto process = static_cast<pid_t>(asked.pid);
   const auto& arguments = asked.data.args;
@@ -174,7 +175,7 @@ std::string described(const seccomp_notif& asked) {
   }
 }
 
-/// Answers the kernel until the program has ended.
+/// Answers the kernel's notifications until the program has ended.
 void answer(int listener, const Plan& plan) {
   unsigned long count = 0;
   for (;;) {

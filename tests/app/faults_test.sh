@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Every call to the system by which a command writes its files fails once, as on full and broken disks:
-# the command ends with exit code 1 and names a file, what was there stays or is replaced as a whole, and
-# nothing is left beside it. Usage: faults_test.sh ASOS FAIL_CALL. Exit code 77: skipped, calls cannot
-# be made to fail here.
+# Makes every system call that writes a command's files fail once, as on full and broken disks. The
+# command must end with exit code 1 and name a file. Existing files stay or are replaced completely,
+# and no other files are left. Usage: faults_test.sh ASOS FAIL_CALL. Exit code 77: skipped, calls
+# cannot be made to fail on this system.
 set -uo pipefail
 asos=$1
 fail_call=$2
@@ -18,7 +18,7 @@ fault() {
 }
 
 
-# attempt N FAULT ARGUMENT...: runs the program with old files in out/, sets `code` and `calls`.
+# attempt N FAULT ARGUMENT...: runs the program with old files in out/; sets `code` and `calls`.
 attempt() {
   local n=$1 how=$2
   shift 2
@@ -31,7 +31,7 @@ attempt() {
   ran=$((ran + 1))
 }
 
-# whole FILE: whether it is what the command makes of it, to the end.
+# whole FILE: whether the file is complete.
 whole() {
   case $1 in
     *.png) [[ $(tail -c 8 "$1" | head -c 4) == IEND ]] ;;
@@ -39,7 +39,7 @@ whole() {
       "$asos" render --from "$1" -o again.png --quiet >/dev/null 2>&1 ;;
     *.json) [[ $(tail -c 2 "$1" | tr -d '\n') == '}' ]] ;;
     *.html) grep -q '</html>' "$1" ;;
-    # Its number of lines depends on how long the renders take.
+    # The number of lines depends on the time that the renders take.
     */progress.csv) [[ $(tail -c 1 "$1" | wc -l) == 1 ]] &&
       tail -n 1 "$1" | grep -qE '^builtin:boxes,sobol,256 spp,[0-9]+,[0-9.]+,[0-9.]+e[-+][0-9]+$' ;;
     *.csv) [[ $(wc -l <"$1") == "$(wc -l <"new/${1##*/}")" ]] ;;
@@ -47,7 +47,7 @@ whole() {
   esac
 }
 
-# judge CALL ARGUMENT...: how a run ended whose call failed.
+# judge CALL ARGUMENT...: checks how a run with a failed call ended.
 judge() {
   local call=$1 file
   shift
@@ -63,7 +63,7 @@ judge() {
   [[ -z $file ]] || fault "$call: left $file behind: $*"
 }
 
-# each STEP ARGUMENT...: fails every STEP-th call of a command, in all ways.
+# each STEP ARGUMENT...: fails every STEP-th call of a command, with each fault.
 each() {
   local step=$1 n call how
   shift
@@ -82,12 +82,12 @@ each() {
     for how in "${ways[@]}"; do
       [[ $how != short || ${made[n - 1]} == write* ]] || continue
       attempt "$n" "$how" "$@"
-      # Which it was this time: a report's jobs take the time that there is.
+      # The number of a call differs between runs: a report's jobs depend on time.
       call=$(sed -n "$n"p calls)
-      # gnuplot notices no single fault, only a disk that stays full.
+      # gnuplot reports no single fault, only a disk that stays full.
       [[ $how == short || $call != */plots/*.[slp][von]g ]] || continue
       [[ -n $call ]] || continue
-      # No write came from there on, so that none was cut short.
+      # There was no write after that call, so none was truncated.
       [[ $how != short ]] || tail -n +"$n" calls | grep -q '^write ' || continue
       judge "call $n, $call, $how" "$@"
     done
@@ -106,7 +106,7 @@ outputs=(b.glb)
 each 1 export-scene boxes -o out/b.glb
 outputs=(b.gltf)
 each 1 export-scene boxes -o out/b.gltf
-# A report has some hundred files and takes a second.
+# A report has about a hundred files and takes a second.
 outputs=(report.html report.json points.csv progress.csv)
 ways=(EIO short)
 each 17 report builtin:boxes -o out --size 12x8 --methods asos,sobol --repetitions 1 --budget 0.05

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A point whose errors have this flicker and are otherwise none.
+/// A point with this flicker and no other errors.
 FlickerPoint point(const std::string& method, const std::string& setting, double seconds,
                    float flicker) {
   FlickerPoint p;
@@ -43,7 +43,7 @@ TEST(CompareFlicker, ReadsRivalsInTheTimeOfAsos) {
   compare_flicker(study);
   EXPECT_TRUE(study.points[1].under_floor);
   EXPECT_FALSE(study.points[0].under_floor);
-  ASSERT_EQ(study.equal_time.size(), 4u) << "exact is under the floor, so that nothing is known";
+  ASSERT_EQ(study.equal_time.size(), 4u) << "an exact method is below the noise floor, so unknown";
   const FlickerAtEqualTime& sobol = study.equal_time[0];
   EXPECT_EQ(sobol.method, "sobol");
   EXPECT_NEAR(sobol.rival_flicker, 0.1, 1e-6) << "half way, both axes logarithmic";
@@ -102,7 +102,8 @@ TEST(FlickerReport, OfABuiltinSceneIsWhole) {
     EXPECT_GT(p.at("seconds").get<double>(), 0.0);
   }
 
-  // The page asks for nothing else: two plots, the reference's strip, and three pictures a method.
+  // The page embeds all its images: two plots, the reference's strip, and three pictures per
+  // method.
   const std::string page = content_of(folder.path() / "pole" / "report.html");
   EXPECT_FALSE(contains(page, "http"));
   EXPECT_EQ(embedded_images(page), 2u + 1u + 2u * 3u);
@@ -137,7 +138,8 @@ TEST(ReportOfAMoment, IsOfThatMoment) {
   }());
   ASSERT_EQ(jobs.exit_code, 0) << jobs.err;
   EXPECT_TRUE(contains(jobs.out, "builtin:walking-pole at 2.5 s regions")) << jobs.out;
-  // The same job of two moments makes two pictures, and of one moment one.
+  // The same job at two times of the animation renders two different pictures, and the same one at
+  // one time.
   const auto hash_at = [&](const std::string& seconds, const std::string& name) {
     auto more = words;
     more[3] = seconds;

@@ -57,7 +57,7 @@ TEST_F(FromOption, GivesTheSamePictureBitForBit) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(again.err, "");
   expect_same("a.png", "b.png");
-  // From an EXR, too, with the exposure that it was rendered with.
+  // An EXR gives its settings, too, with the exposure that it was rendered with.
   ASSERT_EQ(render({"--from", path("a.exr")}, "c.png").exit_code, 0);
   expect_same("a.png", "c.png");
   ASSERT_EQ(render({"--from", path("a.png")}, "b.exr").exit_code, 0);
@@ -97,7 +97,7 @@ TEST_F(FromOption, FilesAreFoundFromAnywhere) {
   EXPECT_EQ(said("a.png").scene, path("s.glb"));
 }
 
-// The picture that the window shows and saves, its lights edited.
+// The picture that the window shows and saves, with edited lights.
 TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   RenderSettings settings;
   settings.asos.max_level = 2;
@@ -134,7 +134,7 @@ TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   EXPECT_TRUE(said("window.png").lights.has_value());
   EXPECT_EQ(description_text(said("again.png")).find("\"lights\":null"), std::string::npos);
 
-  // Dropped on a window, it brings everything back.
+  // A picture that is dropped on the window restores everything.
   Previewer other({{}, {}}, {});
   other.viewpoint().set_picture_size(64, 64, 0.0);
   other.scene().open(path("window.png"));
@@ -157,7 +157,7 @@ TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   EXPECT_FALSE(other.scene().take_opened_display().has_value()) << "once";
 }
 
-TEST_F(FromOption, WhatIsWrongIsSaidWithItsFile) {
+TEST_F(FromOption, ErrorsNameTheFile) {
   const RgbImage image{1, 1, {1, 2, 3}, {}};
   ASSERT_TRUE(write_png(path("plain.png"), image));
   AsosRun run = render({"--from", path("plain.png")}, "x.png");
@@ -176,7 +176,7 @@ TEST_F(FromOption, WhatIsWrongIsSaidWithItsFile) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(contains(run.err, path("lost.png")));
   EXPECT_TRUE(contains(run.err, "/nowhere/at all.glb"));
-  // The scene can be told where it has moved.
+  // The command line can name the scene's new path.
   EXPECT_EQ(render({"--from", path("lost.png"), "builtin:boxes", "--size", "8x8", "--look-at",
                     "9,9,9,0,0,0"},
                    "y.png")
@@ -201,7 +201,7 @@ TEST_F(FromOption, AMovedSceneIsFoundBesideThePicture) {
       run.err, "'" + path("before/s.glb") + "' is gone; 's.glb' beside the picture is used"));
   EXPECT_TRUE(png("after/a.png").rgb == png("b.png").rgb);
   EXPECT_EQ(said("b.png").scene, path("after/s.glb"));
-  // A scene in its own place comes first.
+  // A scene that is still in its place is preferred.
   std::filesystem::copy(folder("after"), folder("before"));
   EXPECT_EQ(render({"--from", path("after/a.png")}, "c.png").err, "");
   EXPECT_EQ(said("c.png").scene, path("before/s.glb"));

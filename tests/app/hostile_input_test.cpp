@@ -19,8 +19,8 @@ using test::GltfBuilder;
 using test::operator+;
 using test::run_asos;
 
-// Files that mean ill, or that no one thought of. What Debian's Embree asserts ends the program,
-// and this test with it.
+// Malicious or unusual files. Assertions of Debian's Embree would end the program, and so this
+// test.
 class HostileInput : public testing::Test {
  protected:
   std::string put(const GltfBuilder& file, const std::string& name = "scene.glb") {
@@ -35,7 +35,7 @@ class HostileInput : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-/// A square, and a camera that sees it from where it stands.
+/// A square, and a camera at `eye` that sees it.
 GltfBuilder square_with_camera(glm::dvec3 eye, const nlohmann::json& camera) {
   GltfBuilder b = GltfBuilder::square();
   b.json["cameras"] = nlohmann::json::array({camera});
@@ -163,7 +163,7 @@ TEST_F(HostileInput, ASavedPictureWithACameraBeyondTheLimitIsRefused) {
     run = saved(wide);
     EXPECT_EQ(run.exit_code, 1) << far;
     EXPECT_TRUE(contains(run.err, "\"height\" is more than 1e+15"));
-    // Another origin moves the camera as far.
+    // Another origin moves the camera by the same distance.
     PictureDescription moved = d;
     moved.origin.y = far;
     run = saved(moved);
@@ -229,7 +229,7 @@ TEST_F(HostileInput, NoFrameIsRenderedWhereALaterOneWouldWriteOverAnInput) {
   EXPECT_TRUE(contains(run.err, "wood-2.png: is what the picture is made of"));
   EXPECT_FALSE(std::filesystem::exists(folder_.file("wood-0.png")));
   EXPECT_EQ(test::content_of(texture), before);
-  // One that cannot be written is told before the first, too.
+  // A frame that cannot be written is reported before the first one is rendered.
   std::filesystem::create_directory(folder_.file("wood-1.png"));
   EXPECT_EQ(turn("0-1/4").exit_code, 1);
   EXPECT_FALSE(std::filesystem::exists(folder_.file("wood-0.png")));

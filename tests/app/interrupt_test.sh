@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# SIGINT stops a long render quickly, with exit code 130, and leaves no file, whole or half; what
-# was there before stays. Usage: interrupt_test.sh ASOS
+# SIGINT stops a long render quickly with exit code 130. It leaves no new files, complete or
+# partial, and existing files stay. Usage: interrupt_test.sh ASOS
 set -uo pipefail
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
@@ -11,7 +11,7 @@ fail() {
 }
 
 printf 'before' >kept.png
-# Job control gives the background job its own SIGINT; without it shells ignore that signal there.
+# With job control a background job receives SIGINT; without it the shell makes the job ignore it.
 set -m
 "$1" render builtin:boxes -o kept.png --stats new.json --size 4096x4096 --method stochastic \
   --spp 4096 --threads 2 >out 2>err &

@@ -3,9 +3,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// Runs a command and writes to descriptor 9 the milliseconds of processor time that it took and the
-// kilobytes of memory that it held at most. Usage: measured COMMAND... Exit code: the command's;
-// 128 and more where a signal ended it.
+// Runs a command and writes its CPU time in milliseconds and its peak memory in kilobytes to
+// descriptor 9. Usage: measured COMMAND... Exit code: the command's; 128 and more if a signal ended
+// it.
 
 int main(int count, char** words) {
   if (count < 2) return 2;

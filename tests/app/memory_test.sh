@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What many small entries of a file take is bounded: three times the file and 300 MB, as for the corpus.
-# Usage: memory_test.sh ASOS MEASURED
+# Memory for files with many small entries is limited to three times the file's size plus 300 MB, as
+# for the corpus. Usage: memory_test.sh ASOS MEASURED
 set -uo pipefail
 asos=$1
 measured=$2
@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 failed=0
 
-# check FILE ARGUMENT...: runs the program, which has to succeed.
+# check FILE ARGUMENT...: runs the program, which must succeed.
 check() {
   local file=$1 kb cpu_ms used_kb
   shift
@@ -29,7 +29,7 @@ mesh='"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]'
 buffer='"buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]'
 accessor='"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}]'
 
-# Lights, of which each of a batch of points asks.
+# Lights that every point of a batch evaluates.
 {
   printf '{"asset":{"version":"2.0"},"scene":0,%s,%s,%s' "$mesh" "$buffer" "$accessor"
   printf ',"bufferViews":[{"buffer":0,"byteLength":36}],"extensionsUsed":["KHR_lights_punctual"]'
@@ -47,7 +47,7 @@ accessor='"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count
 check "$work/lights.gltf" render "$work/lights.gltf" --size 16x12 --max 1 --quiet --threads 2 \
   -o "$work/picture.png"
 
-# Views, of which nothing is made.
+# Buffer views that nothing uses.
 {
   printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],%s,%s,%s' \
     "$mesh" "$buffer" "$accessor"

@@ -115,7 +115,7 @@ TEST(OutputFile, WhatAKilledRunLeftGoesWithTheNextOfTheSameOutput) {
   if (child == 0) {
     const auto file = OutputFile::plan(path);
     const auto never = file->commit([](const std::string& to) -> Result<void> {
-      // By way of the writers' own file beside it, as pictures are.
+      // Through the temporary file of the writers in the same folder, as pictures are written.
       const auto part = PartFile::create(to);
       ::kill(::getpid(), SIGKILL);
       return part ? Result<void>{} : unexpected(part.error());
@@ -128,7 +128,7 @@ TEST(OutputFile, WhatAKilledRunLeftGoesWithTheNextOfTheSameOutput) {
   ASSERT_EQ(names(), 1u);
   ASSERT_TRUE(OutputFile::plan(folder.file("other.png")));
   EXPECT_EQ(names(), 1u) << "that of another output";
-  // One of a run that goes on stays.
+  // The temporary file of a run in progress stays.
   const auto running = PartFile::create(path);
   ASSERT_TRUE(running);
   ASSERT_TRUE(OutputFile::plan(path));

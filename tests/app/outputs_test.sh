@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Pipes and devices are written through and stay what they are; an answer that cannot be written is a
-# failure. Usage: outputs_test.sh ASOS
+# Pipes and devices are written to and not replaced; output that cannot be written is an error.
+# Usage: outputs_test.sh ASOS
 set -uo pipefail
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
@@ -11,7 +11,7 @@ fail() {
 }
 render=("$1" render builtin:boxes --size 16x12)
 
-# The picture is the same through a pipe as in a file.
+# Written to a pipe the picture is the same as in a file.
 for ending in png exr; do
   "${render[@]}" -o "plain.$ending" --crop 0,0,4,4 --quiet || fail "no plain $ending"
   mkfifo "pipe.$ending"

@@ -20,8 +20,8 @@ using test::GltfBuilder;
 using test::operator+;
 using test::run_asos;
 
-/// Every control byte, marks that turn the direction of text, and lines that pass for the
-/// program's.
+/// All control bytes, marks that change the direction of text, and lines that imitate the program's
+/// own.
 const std::string& evil() {
   static const std::string text = [] {
     std::string all = "\nasos: all fine\n";
@@ -32,7 +32,7 @@ const std::string& evil() {
   return text;
 }
 
-/// Nothing of it is left, though it was printed: its harmless parts are there.
+/// Checks that the output has none of the dangerous parts, and does contain the harmless ones.
 testing::AssertionResult harmless(const std::string& printed, bool told = true) {
   for (const char c : printed) {
     if ((static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f)
@@ -98,7 +98,7 @@ TEST_F(OutsideText, NamesInAFileArePrintedEscaped) {
   const AsosRun run = render({file});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(harmless(run.out + run.err));
-  // In JSON nothing is lost by it.
+  // JSON escapes the text without loss.
   const std::string stats = test::content_of(folder_.file("stats.json"));
   EXPECT_TRUE(harmless(stats, false));
   EXPECT_EQ(nlohmann::json::parse(stats)["camera"], evil());
@@ -132,13 +132,13 @@ TEST_F(OutsideText, NamesInErrorsArePrintedEscaped) {
   const AsosRun exported = run_asos({"export-scene", "boxes", "-o", folder_.file(evil() + ".glb")});
   EXPECT_EQ(exported.exit_code, 0) << exported.err;
   EXPECT_TRUE(harmless(exported.out));
-  // What was typed comes back, too, and may have been a wildcard.
+  // Typed text is echoed, too, and may come from a wildcard.
   EXPECT_TRUE(harmless(run_asos({"render", "builtin:boxes", "--max", evil()}).err));
   EXPECT_TRUE(harmless(run_asos({"info", "builtin:boxes", evil()}).err));
   EXPECT_TRUE(harmless(run_asos({"export-scene", evil(), "-o", folder_.file("c.glb")}).err));
 }
 
-/// A square of which something is lost: `count` textures whose images are missing.
+/// A square with `count` textures whose images are missing.
 GltfBuilder lossy(int count) {
   GltfBuilder b = GltfBuilder::square();
   for (int i = 0; i < count; ++i) {
@@ -160,7 +160,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 TEST_F(OutsideText, LossesAreSaidOnceCountedAndKept) {
   for (const int losses : {1, 10, 11, 250}) {
     const std::string file = put(lossy(losses));
-    EXPECT_EQ(render({file, "--quiet"}).err, "") << "the files still say it";
+    EXPECT_EQ(render({file, "--quiet"}).err, "") << "the files still contain it";
     const AsosRun run = render({file});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto lines = static_cast<std::size_t>(std::min(losses, 10));
@@ -223,7 +223,7 @@ TEST_F(OutsideText, PropertiesOfTheWrongKindAreSaid) {
   }
 }
 
-/// A square with one of each thing whose properties are told to be of the wrong kind.
+/// A square with one of each thing, all with properties of the wrong type.
 GltfBuilder of_everything() {
   GltfBuilder b = GltfBuilder::square();
   nlohmann::json& j = b.json;

@@ -8,8 +8,8 @@
 
 namespace asos::test {
 
-/// Expects that a page holds all that it shows, images as data, and counts these. What leads to
-/// another place of the page (#...) is let be.
+/// Expects that a page embeds everything it shows, and counts its images. Links within the page
+/// (#...) are allowed.
 inline std::size_t embedded_images(const std::string& page) {
   std::size_t embedded = 0;
   for (const std::string_view name : {" src=\"", " href=\""}) {

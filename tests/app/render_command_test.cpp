@@ -25,7 +25,7 @@ class RenderCommand : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
 
-  // Renders boxes, small, to `name`; further words follow.
+  // Renders a small picture of boxes to `name`; `words` are further arguments.
   void render(const std::string& name, const std::vector<std::string>& words) {
     const std::vector<std::string> first{"render",   "builtin:boxes", "-o",
                                          path(name), "--size",        "96x54"};
@@ -195,10 +195,10 @@ TEST_F(RenderCommand, ThePngShowsTheExrsRadiance) {
     ASSERT_EQ(shown, glm::u8vec3(png->rgb[3 * i], png->rgb[3 * i + 1], png->rgb[3 * i + 2])) << i;
     values.insert(shown.g);
   }
-  EXPECT_GT(values.size(), 20u);  // there is something to see
+  EXPECT_GT(values.size(), 20u);  // the picture is not uniform
 }
 
-// A curve is of the PNG alone, its file says so, and from it comes the same picture again.
+// A tone curve applies to the PNG only, the file stores it, and --from reproduces the picture.
 TEST_F(RenderCommand, AToneCurveTravelsWithThePicture) {
   for (const NamedTone& tone : tone_names) {
     render("plain.exr", {"--tone", tone.name});
@@ -213,7 +213,7 @@ TEST_F(RenderCommand, AToneCurveTravelsWithThePicture) {
     }
     const auto said = read_description(path("a.png"));
     EXPECT_EQ(said->display.tone, tone.value);
-    EXPECT_EQ(said->settings.judged_tone, tone.value) << "EPS is judged as it shows";
+    EXPECT_EQ(said->settings.judged_tone, tone.value) << "EPS limits the displayed error";
     render("again.png", {"--from", path("a.png")});
     EXPECT_EQ(description_text(*read_description(path("again.png"))), description_text(*said));
     render("samples.png", {"--method", "sobol", "--spp", "4", "--tone", tone.name});
@@ -227,7 +227,7 @@ TEST_F(RenderCommand, ACropIsThatPartOfTheWholePicture) {
         "ray-bound", "average", "beam", "cone", "covers", "mask"}) {
     const std::vector<std::string> words{"--method", method, "--spp", "4"};
     render("whole.exr", words);
-    // Not aligned to blocks, and reaching the picture's lower right corner.
+    // The crop is not aligned to blocks and reaches the picture's lower right corner.
     render("part.exr", words + std::vector<std::string>{"--crop", "51,13,45,41"});
     const Film whole = film("whole.exr");
     const Film part = film("part.exr");
@@ -279,7 +279,7 @@ TEST_F(RenderCommand, TheSplitMapShowsTheSplitPixels) {
             SplitMapColours::level);
 }
 
-// The statistics count the pixels of each cause, and each cause has a colour of its own.
+// The statistics count the pixels of each cause, and each cause has its own colour in the map.
 TEST_F(RenderCommand, TheSplitMapByCauseShowsWhatTheStatisticsCount) {
   render("a.png", {"--split-map", path("map.png"), "--split-map-by", "cause", "--stats",
                    path("a.json"), "--max", "2"});
@@ -310,7 +310,7 @@ TEST_F(RenderCommand, TheCameraMoves) {
   EXPECT_FALSE(same_bits(film("file.exr"), film("above.exr")));
 }
 
-// However the frames are split among jobs: each is a whole picture of its own.
+// Each frame is a complete picture, however the frames are divided among jobs.
 TEST_F(RenderCommand, FramesOfATurnAreRenderedOneByOne) {
   const std::vector<std::string> small{"--max", "1", "--quiet"};
   render("turn.exr", small + std::vector<std::string>{"--frames", "11"});
@@ -364,7 +364,7 @@ TEST_F(RenderCommand, ALimitOfTimeGivesAWholePictureAndSaysHowGood) {
     const json told = stats("soon.json")["time_limit"];
     EXPECT_FALSE(told["finished"]);
     EXPECT_NE(outcome.out.find(told["reached"].get<std::string>()), std::string::npos);
-    // The boxes stand before a bright sky: no pixel of a picture that covers all is black.
+    // The boxes are in front of a bright sky: no pixel of a complete picture is black.
     const Film picture = film("soon.exr");
     ASSERT_EQ(picture.radiance.size(), 640u * 360u);
     const auto black = std::count(picture.radiance.begin(), picture.radiance.end(), glm::vec3(0));

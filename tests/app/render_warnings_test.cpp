@@ -10,13 +10,13 @@
 namespace asos::test {
 namespace {
 
-// Which is known only once its boundaries were looked for.
+// The crossings are known only after the search for edges.
 TEST(RenderWarnings, SayThatSurfacesPassThroughEachOtherTooOften) {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return (folder.path() / name).string(); };
   GltfBuilder b;
   std::vector<glm::vec3> corners;
-  constexpr int walls = 320;  // each way: more lines than IntersectionBudget allows
+  constexpr int walls = 320;  // in each direction: more lines than IntersectionBudget allows
   for (int i = 0; i < walls; ++i) {
     const auto at = static_cast<float>(i), end = static_cast<float>(walls);
     const glm::vec3 x[]{{at, -1, -1}, {at, end, -1}, {at, end, 1}, {at, -1, 1}};

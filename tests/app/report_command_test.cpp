@@ -35,7 +35,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-/// A study that takes a second or two: two methods on boxes, tiny.
+/// A study of one or two seconds: two methods on tiny pictures of boxes.
 std::vector<std::string> tiny_study(const std::string& folder,
                                     const std::vector<std::string>& more = {}) {
   std::vector<std::string> words{"report", "builtin:boxes", "-o",         folder,     "--size",
@@ -44,7 +44,7 @@ std::vector<std::string> tiny_study(const std::string& folder,
   return words;
 }
 
-/// One finished report for the tests that read it.
+/// Makes one report for all the tests that only read it.
 class FinishedReport : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -88,7 +88,7 @@ TEST_F(FinishedReport, TheCsvOfProgressHasALineForEachPicture) {
     ASSERT_GE(points.size(), 1u);
     for (std::size_t i = 1; i < points.size(); ++i)
       EXPECT_GE(points[i].at("seconds"), points[i - 1].at("seconds"));
-    // The last one is the finished picture of that setting.
+    // The last point is the finished picture of that setting.
     for (const json& point : scene.at("points")) {
       if (point.at("method") != curve.at("method") || point.at("setting") != curve.at("setting"))
         continue;
@@ -136,7 +136,7 @@ TEST_F(FinishedReport, ThePageNeedsNothingElse) {
   const std::string page = content_of(path("report.html"));
   EXPECT_EQ(count_of(page, "http"), 0u) << "a link, or something fetched";
   EXPECT_EQ(count_of(page, "url("), 0u);
-  // Three plots; reference, two pictures with their errors, and three maps.
+  // Three plots; the reference; two pictures with their errors; three maps.
   EXPECT_EQ(asos::test::embedded_images(page), 3u + 1u + 4u + 3u);
   EXPECT_EQ(count_of(page, "data-label="), 1u + 4u + 3u);
   EXPECT_TRUE(contains(page, "data-pictures=\"pictures1\""));
@@ -180,7 +180,7 @@ TEST_F(FinishedReport, ThePlotsAndPicturesAreFiles) {
     EXPECT_GT(fs::file_size(path(name)), 100u) << name;
 }
 
-/// Scenes as report.json has them, without what depends on how long anything took.
+/// The scenes of report.json without all values that depend on run times.
 json results_without_times(const fs::path& folder) {
   json scenes = json::parse(content_of(folder / "report.json")).at("scenes");
   for (json& scene : scenes) {
@@ -199,7 +199,7 @@ TEST(ReportCommand, MergedJobsGiveTheSameReportAsASingleRun) {
   const test::TemporaryFolder odd;
   const test::TemporaryFolder even;
   const test::TemporaryFolder merged;
-  // So small that the reference ends by its own rule, not by time.
+  // A picture so small that the reference ends by its noise, not by time.
   const std::vector<std::string> study{
       "report",     "builtin:boxes", "--size", "8x6",           "--methods",
       "asos,sobol", "--budget",      "500",    "--repetitions", "1"};
@@ -252,11 +252,11 @@ TEST(ReportCommand, ALookTravelsWithItsJobs) {
     const AsosRun run = with_job(look, job);
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
-  // The plan that was read back makes the same list, so that only jobs are missing.
+  // The plan read back gives the same list of jobs, so only jobs are missing.
   const AsosRun merge = run_asos({"report", "--merge", path, "-o", path});
   EXPECT_EQ(merge.exit_code, 1);
   EXPECT_TRUE(contains(merge.err, "has not been run")) << merge.err;
-  // And one of another look is refused.
+  // A job with another look is rejected.
   ASSERT_EQ(with_job({"--reflections", "2"}, "2").exit_code, 0);
   EXPECT_TRUE(contains(run_asos({"report", "--merge", path, "-o", path}).err, "another study"));
 }
@@ -280,8 +280,8 @@ TEST(ReportCommand, WhatTakesTooLongIsGivenUpAndNamed) {
   const auto report = json::parse(content_of(folder.path() / "report.json"));
   const auto& scene = report["scenes"][0];
   EXPECT_TRUE(scene["points"].empty());
-  EXPECT_TRUE(scene["while_rendering"].empty()) << "no picture was waited for";
-  ASSERT_EQ(scene["given_up"].size(), 14u);  // EPS 1/8 to 1/2048, and five of sobol
+  EXPECT_TRUE(scene["while_rendering"].empty()) << "no picture had to finish";
+  ASSERT_EQ(scene["given_up"].size(), 14u);  // EPS 1/8 to 1/2048, and five settings of sobol
   EXPECT_EQ(scene["given_up"][0], "asos MAX 4 EPS 1/8");
   EXPECT_EQ(report["settings"]["longest_seconds"], 1e-9);
   const std::string page = content_of(folder.path() / "report.html");
@@ -311,7 +311,7 @@ TEST(ReportCommand, JobsOfAnotherStudyAreRefused) {
   EXPECT_EQ(merge.exit_code, 1);
   EXPECT_TRUE(contains(merge.err, "jobs/1.json"));
   EXPECT_TRUE(contains(merge.err, "another study"));
-  // And one that is no JSON at all.
+  // A job file that is not JSON.
   std::ofstream(folder.path() / "jobs" / "1.json") << "nonsense";
   EXPECT_TRUE(contains(run_asos({"report", "--merge", path, "-o", path}).err, "jobs/1.json"));
 }

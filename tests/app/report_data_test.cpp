@@ -26,7 +26,8 @@ StudyPoint point(const std::string& method, const std::string& setting, double s
   return p;
 }
 
-/// Office as the paper's suite measures it: 2 s and 3 s beside 6 s of 16 and 24 s of 64 samples.
+/// Measurements of the paper's suite for the office: 2 s and 3 s, against 6 s with 16 samples and
+/// 24 s with 64.
 StudyReport paper_report() {
   StudyReport report;
   report.plan.paper = true;
@@ -41,7 +42,7 @@ StudyReport paper_report() {
   return report;
 }
 
-// The bias is a line across the plot of what it is a floor of, and of nothing else.
+// The bias is a line across the plot of the error that it limits, and across no other.
 TEST(Plots, ShowAsosOwnBias) {
   const test::TemporaryFolder folder;
   SceneReport scene = paper_report().scenes.front();
@@ -79,7 +80,7 @@ TEST(PaperRows, StandBesideThePublishedRatios) {
 
 TEST(PaperRows, SayWhatTheSameErrorTakes) {
   const auto rows = paper_rows(paper_report());
-  // An error of 0.02 takes stochastic sampling the 6 s of its 16 samples.
+  // Stochastic sampling reaches an error of 0.02 in the 6 s of its 16 samples.
   ASSERT_TRUE(rows[0].equal_error);
   EXPECT_NEAR(rows[0].equal_error->speedup, 3.0, 1e-9);
   EXPECT_TRUE(paper_rows({}).empty());
@@ -179,7 +180,8 @@ TEST(HtmlSummary, NamesTheWinnerAndTheLoser) {
   EXPECT_TRUE(contains(text, "<strong>slower</strong> than sobol"));
   EXPECT_TRUE(contains(text, "ASOS loses"));
   EXPECT_TRUE(contains(text, "<td class=\"t loss\">slower:"));
-  EXPECT_TRUE(contains(text, "there is no ASOS picture at all")) << "sobol is quicker than any";
+  EXPECT_TRUE(contains(text, "there is no ASOS picture at all"))
+      << "sobol is quicker than all others";
 }
 
 TEST(HtmlSummary, EscapesWhatAPathIsMadeOf) {

@@ -16,7 +16,7 @@ struct AsosRun {
   std::string err;
 };
 
-/// Runs the program inside the test, as a shell without a terminal would.
+/// Runs the program within the test, with standard streams that are no terminal.
 inline AsosRun run_asos(std::vector<std::string> words) {
   std::ostringstream out;
   std::ostringstream err;
@@ -24,14 +24,14 @@ inline AsosRun run_asos(std::vector<std::string> words) {
   return {exit_code, out.str(), err.str()};
 }
 
-/// The words of `a`, then those of `b`.
+/// Concatenates two lists of arguments.
 inline std::vector<std::string> operator+(std::vector<std::string> a,
                                           const std::vector<std::string>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-/// Whether `part` is in `text`, saying what is there instead.
+/// Whether `text` contains `part`; the failure message shows the text.
 inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
   if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "no \"" << part << "\" in:\n" << text;

@@ -15,7 +15,7 @@ using test::GltfBuilder;
 using test::run_asos;
 using test::operator+;
 
-/// --scene: of a file with a scene of one square, which is its own, and one of two.
+/// --scene, for a file with a scene of one square, the default, and one of two.
 class SceneOption : public testing::Test {
  protected:
   SceneOption() {

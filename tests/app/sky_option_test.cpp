@@ -19,7 +19,7 @@ using test::operator+;
 
 class SkyOption : public testing::Test {
  protected:
-  /// Looks straight up from above the scene: nothing but sky.
+  /// Renders straight up from above the scene: only sky.
   [[nodiscard]] AsosRun render(const std::string& name, const std::vector<std::string>& words) {
     return run_asos(std::vector<std::string>{"render", "builtin:boxes", "-o", folder_.file(name),
                                              "--size", "8x8", "--look-at", "0,900,0,0.1,2000,-1"} +
@@ -72,7 +72,7 @@ TEST_F(SkyOption, AFileIsAsBrightAsAskedFor) {
     EXPECT_EQ(render("x.exr", {"--sky", file, "--sky-brightness", bad}).exit_code, 2) << bad;
 }
 
-// A file without lights: its rig gives way to the sun, which the picture keeps.
+// A file without lights: the sun replaces its default lighting, and the picture stores it.
 TEST_F(SkyOption, AnEnvironmentBringsItsLights) {
   const std::string file = folder_.write("bare.glb", test::GltfBuilder::square().glb());
   const auto shot = [&](const std::vector<std::string>& words, const std::string& to) {
@@ -102,7 +102,7 @@ TEST_F(SkyOption, AnEnvironmentBringsItsLights) {
   EXPECT_EQ(render("x.exr", {"--sky", "noon"}).exit_code, 2);
 }
 
-// With the rig in its place, the turned and brighter picture is made again from its file.
+// With the default lighting restored, the rotated and brighter picture is reproduced from its file.
 TEST_F(SkyOption, ADefaultPictureIsRenderedAgainAsItWas) {
   const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
   const auto shot = [&](const std::vector<std::string>& words, const std::string& to) {
@@ -136,7 +136,7 @@ TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
       contains(render("x.exr", {"--sky", bad}).err, "128 of its 128 pixels are not finite"));
 }
 
-// Scenes with lights, and whoever asks for another sky, have none of it.
+// Scenes with lights, and command lines with another sky, do not get the studio.
 TEST_F(SkyOption, ScenesWithoutLightsStandInAStudioWithSoftBoxes) {
   const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
   const auto sky_of = [&](const std::string& scene, const std::vector<std::string>& words) {
@@ -165,7 +165,7 @@ TEST_F(SkyOption, ScenesWithoutLightsStandInAStudioWithSoftBoxes) {
   EXPECT_EQ(sky_of("builtin:boxes", {}), SkyChoice{});
   EXPECT_EQ(settings().ground, Ground::off);
   EXPECT_EQ(settings().background, Background{});
-  // A picture from before there was such a default is rendered again as it was.
+  // A picture saved before this default existed is reproduced as it was.
   EXPECT_EQ(sky_of(bare, {"--sky", "neutral"}), SkyChoice{});
   const AsosRun again =
       run_asos({"render", "--from", folder_.file("a.png"), "-o", folder_.file("b.png")});
@@ -203,7 +203,7 @@ TEST_F(SkyOption, BackgroundAndGroundTravelWithThePicture) {
             read_exr(folder_.file("plain.exr")).value().film.radiance);
 }
 
-/// A square under a sun, which a camera sees straight on.
+/// A square lit by a sun, seen frontally.
 std::string sunlit_square(double lux) {
   test::GltfBuilder b = test::GltfBuilder::square();
   b.json["extensionsUsed"] = {"KHR_lights_punctual"};
@@ -240,7 +240,7 @@ TEST_F(SkyOption, ExposureFollowsLightsThatWhitenThePicture) {
   const auto [lifted, why] = shot(dim, {"--exposure", "auto"});
   EXPECT_GT(lifted, 0.1f);
   EXPECT_TRUE(contains(why, "note: exposure +")) << why;
-  // A saved picture is rendered again as it was.
+  // --from reproduces a saved picture.
   (void)shot(bright, {"--exposure", "1"});
   const AsosRun again =
       run_asos({"render", "--from", folder_.file("a.png"), "-o", folder_.file("b.png")});

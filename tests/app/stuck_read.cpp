@@ -4,8 +4,8 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-// Preloaded, it makes a file whose name has "stuck" in it one that is never read to its end, as a
-// decoder's endless loop would, and says so by a file called begun: see abandon_test.sh.
+// When preloaded, makes reads of files with "stuck" in their names never end, like an endless loop
+// in a decoder. Creates a file called `begun` when such a read starts: see abandon_test.sh.
 
 extern "C" ssize_t read(int descriptor, void* bytes, size_t size) {
   char name[512];

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# On a terminal the progress bar is drawn and wiped; into a file it never goes. script(1) makes the
-# terminal. Usage: terminal_test.sh ASOS. Exit code 77: skipped, there is no script(1) or no
-# pseudo-terminal.
+# The progress bar is drawn and erased on a terminal, and never written to a file. script(1)
+# provides the terminal. Usage: terminal_test.sh ASOS. Exit code 77: skipped, there is no script(1)
+# or no pseudo-terminal.
 set -uo pipefail
 command -v script >/dev/null || {
   echo 'skipped: script(1) is not installed'

@@ -39,7 +39,7 @@ glm::u8vec3 map_colour(const json& told) {
                       static_cast<SplitCause>(at - split_cause_names.begin()));
 }
 
-// The contents of the file agree with each other: weights, colour, and four children a split.
+// Checks consistency: weights, colour, and four children per split.
 void check_consistent(const json& trace) {
   double weight = 0.0;
   glm::dvec3 colour(0.0);
@@ -90,7 +90,7 @@ TEST(TraceCommand, ThePixelIsTheRenderedOne) {
   }
 }
 
-// The pixel with the most cells of a small picture of the boxes: its table, level by level.
+// The table of the pixel with the most cells, level by level, in a small picture of the boxes.
 TEST(TraceCommand, TheTableIsThePapers) {
   std::size_t rows = 0;
   for (int x = 20; x < 76; x += 2) {
@@ -120,7 +120,7 @@ TEST(TraceCommand, TheTableIsThePapers) {
   EXPECT_GT(rows, 20u);
 }
 
-// What the leaves of a pyray, and its own cells, say of each other; mirrors within mirrors as well.
+// The pyrays that leaves start agree with their own cells; includes mirrors in mirrors.
 TEST(TraceCommand, PyraysOfMirrorsAndLightsAreTold) {
   std::size_t mirrored_twice = 0, shadows = 0;
   for (const glm::ivec2 pixel : {glm::ivec2{54, 20}, glm::ivec2{54, 30}, glm::ivec2{72, 35}}) {
@@ -137,7 +137,7 @@ TEST(TraceCommand, PyraysOfMirrorsAndLightsAreTold) {
       for (const json& cell : parent.at("cells"))
         for (const json& s : cell.at("samples"))
           is_there |= s.at("at") == p.at("from") && s.at("weight") == p.at("weight");
-      EXPECT_TRUE(is_there) << i << ": no leaf of its parent sent it";
+      EXPECT_TRUE(is_there) << i << ": no leaf of its parent started it";
       EXPECT_FALSE(p.at("cells").empty());
       if (p.at("kind") == "shadow") {
         ++shadows;

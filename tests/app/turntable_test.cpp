@@ -24,7 +24,7 @@ TEST(TurnedCamera, GoesAroundTheMiddleAndLooksAtItStill) {
   const glm::dvec3 middle(1, 2, 3);
   camera.world_from_camera[3] = glm::dvec4(middle + glm::dvec3(0, 1, 5), 1.0);
   EXPECT_EQ(turned_camera(camera, middle, 0, 12).world_from_camera, camera.world_from_camera);
-  // A quarter, counter-clockwise from above: from +Z to +X.
+  // A quarter turn, counter-clockwise from above: from +Z to +X.
   const Camera quarter = turned_camera(camera, middle, 3, 12);
   const glm::dvec3 at(quarter.world_from_camera[3]);
   EXPECT_NEAR(glm::length(at - (middle + glm::dvec3(5, 1, 0))), 0.0, 1e-14);

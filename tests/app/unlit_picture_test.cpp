@@ -11,7 +11,7 @@
 namespace asos {
 namespace {
 
-// KHR_materials_unlit is a colour to be shown as it is: strips of 10 pixels.
+// KHR_materials_unlit colours are displayed unchanged. Strips of 10 pixels.
 TEST(UnlitPicture, ShowsTheBytesOfItsTexture) {
   const auto shared = test::shared_dir();
   if (!shared) GTEST_SKIP() << "no shared folder; set ASOS_SHARED";

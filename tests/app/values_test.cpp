@@ -30,7 +30,7 @@ TEST(Values, RangesIncludeTheirEndsUnlessOpen) {
 }
 
 TEST(Values, NumbersDoNotDependOnTheLocale) {
-  // Where the machine has a locale with a decimal comma, it must make no difference.
+  // A locale with a decimal comma, if one is installed, must not change the results.
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, name);
   EXPECT_EQ(parse_number("0.5", 0, 1).value(), 0.5);
   EXPECT_FALSE(parse_number("0,5", 0, 1));

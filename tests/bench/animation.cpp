@@ -1,8 +1,8 @@
-// How steady thin things are while they move: a pole 1/8 pixel wide, and a gap of that width
-// between two walls, move by 2 pixels in 64 steps. What the pole adds to the picture's sum of
-// intensities (or the gap takes from the walls') should not change; the table shows
-// (max - min) / mean of it, in percent. Unlit surfaces, an orthographic camera: nothing but
-// visibility changes. A pole that ends within the picture moves along with its ends.
+// Stability of thin objects in motion: a pole 1/8 pixel wide, and a gap of that width between two
+// walls, move by 2 pixels in 64 steps. The pole's contribution to the sum of the picture's
+// intensities (or the gap's reduction of it) should be constant; the table shows its (max - min) /
+// mean in percent. Surfaces are unlit and the camera is orthographic, so only visibility changes.
+// Also a pole that ends within the picture.
 //
 //   bench animation [--size N] [--steps N] [--csv]
 

@@ -1,28 +1,27 @@
-// How good a picture is while it renders: ASOS in a progressive session beside Sobol sampling, at
-// the moments at which Sobol sampling has taken 1, 4, 16 and 64 samples a pixel.
+// Quality of a picture during its render: a progressive session of ASOS against Sobol sampling, at
+// the times at which Sobol sampling has taken 1, 4, 16 and 64 samples per pixel.
 //
 //   bench anytime [--size WxH] [--reference N] [--cache DIR] [--method NAME] [--curves]
 //                 [--strips DIR] [SCENE...]
 //
-// Times are seconds of one worker's processor from the first ray on; boundaries are known before,
-// and so is the scene's hierarchy. Errors are RMSE of linear radiance clipped to 0..1 against
-// halves of --reference Sobol samples (HalvedReference), of the whole picture as it would be shown
-// at that moment. A line for each scene, then medians and the worst. Its columns:
+// Times are CPU seconds of one worker since the first ray; the scene's hierarchy and its edges are
+// computed before. Errors are RMSE of linear radiance clipped to 0..1 against halves of --reference
+// Sobol samples (HalvedReference), of the whole picture as displayed at that time. One line per
+// scene, then medians and the worst values. Columns:
 //
-//   1 4 16 64    the error over that of Sobol sampling at each moment
-//   over direct  the time to the end over that of a render without rounds
-//   rise         the largest ratio of a later error to an earlier one
-//   p99/16       the moment from which on the 99th percentile of the displayed error is below 1/64,
-//                over the time of Sobol sampling by 16 samples
-//   left         Progress::seconds_left: the share of pictures for which it is wrong by more than a
-//                factor 1.5, from 10 % of the work on up to 50 ms before the end. Wall time: this
-//                and the next column need an idle machine.
-//   factor       the largest such factor
+//   1 4 16 64    error relative to that of Sobol sampling at each time
+//   over direct  total time relative to that of a render without passes
+//   rise         largest ratio of a later error to an earlier one
+//   p99/16       time from which the 99th percentile of the displayed error stays below 1/64,
+//                relative to the time of Sobol sampling with 16 samples
+//   left         fraction of pictures with Progress::seconds_left wrong by more than a factor of
+//                1.5, from 10 % of the work until 50 ms before the end. Wall-clock time: this and
+//                the next column need an idle machine.
+//   factor       largest such factor
 //
-// --curves has each picture's time, error, what it shows, the share of the
-// work and the time left, as told and as it was, as well.
-// --strips writes a picture for each scene: what the method and Sobol sampling show, side by side,
-// at 1/4, 1/2, 1, 2, 4 and 8 times the moment of 16 samples.
+// --curves also prints each picture's time, error and pass, the finished work, and the remaining
+// time, estimated and true. --strips writes a picture per scene: the method and Sobol sampling side
+// by side, at 1/4, 1/2, 1, 2, 4 and 8 times the time of 16 samples.
 
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
@@ -59,17 +58,17 @@ struct Settings {
 
 constexpr std::array moments{1, 4, 16, 64};  // samples a pixel
 
-/// The pictures of a render, 3 % of the time apart.
+/// The pictures of a render, at intervals of 3 % of its time.
 std::vector<SeenPicture> watched(const Snapshot& snapshot) {
   return watch_render(snapshot, 1.03).pictures;
 }
 
-/// The error that was shown at a moment.
+/// The error displayed at a time.
 double error_at(const std::vector<CurvePoint>& curve, double seconds) {
   return error_shown_at(curve, seconds).value_or(curve.front().error);
 }
 
-/// The picture that was shown at a moment.
+/// The picture displayed at a time.
 const Film& film_at(const std::vector<SeenPicture>& seen, double seconds) {
   const Film* film = &seen.front().film;
   for (const SeenPicture& one : seen)
@@ -77,7 +76,7 @@ const Film& film_at(const std::vector<SeenPicture>& seen, double seconds) {
   return *film;
 }
 
-/// Two renders side by side, a row for each moment.
+/// Two renders side by side, a row per time.
 Result<void> write_strip(const std::string& path, const std::vector<SeenPicture>& own,
                          const std::vector<SeenPicture>& sobol, double sixteen_samples) {
   constexpr std::array times{0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
@@ -105,9 +104,9 @@ Result<void> write_strip(const std::string& path, const std::vector<SeenPicture>
   return write_png(path, strip);
 }
 
-/// How true the time left was that a render told.
+/// Accuracy of the remaining time that a render estimates.
 struct TimeLeft {
-  double share_wrong = std::numeric_limits<double>::quiet_NaN();  ///< by more than a factor 1.5
+  double share_wrong = std::numeric_limits<double>::quiet_NaN();  ///< by more than a factor of 1.5
   double largest_factor = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -132,7 +131,7 @@ TimeLeft judge_time_left(const std::vector<SeenPicture>& seen) {
   return judged;
 }
 
-/// The moment from which on the displayed error is below 1/64 in 99 of 100 pixels.
+/// Time from which the displayed error stays below 1/64 in 99 % of the pixels.
 double good_from(const std::vector<SeenPicture>& seen, const HalvedReference& reference) {
   constexpr double good = 1.0 / 64.0;
   double from = std::numeric_limits<double>::infinity();
@@ -145,10 +144,10 @@ double good_from(const std::vector<SeenPicture>& seen, const HalvedReference& re
 
 struct Row {
   std::string name;
-  std::vector<double> over_sobol;  ///< error, at each of `moments`
+  std::vector<double> over_sobol;  ///< relative error at each of `moments`
   double over_direct = 0.0;        ///< time to the end
-  double rise = 0.0;               ///< the largest of a later error over an earlier one
-  double good_over_sobol = 0.0;    ///< `good_from`, over the time of Sobol sampling by 16 samples
+  double rise = 0.0;               ///< largest ratio of a later error to an earlier one
+  double good_over_sobol = 0.0;    ///< relative to Sobol sampling's time
   TimeLeft time_left;
 };
 
@@ -188,7 +187,7 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   Row row{named.name, {}, curve.back().seconds / direct.seconds, 1.0, 0.0, judge_time_left(own)};
   double least = curve.front().error;
   for (const CurvePoint& point : curve) {
-    // Below that the reference's own noise is what changes.
+    // Below that the changes are the reference's noise.
     constexpr double told = 1e-3;
     if (least > told) row.rise = std::max(row.rise, point.error / least);
     least = std::min(least, point.error);

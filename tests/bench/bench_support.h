@@ -28,7 +28,7 @@ struct Seconds {
   double cpu = 0.0;  ///< of all threads together
 };
 
-/// Times of several runs, for their medians.
+/// Times of several runs, for medians.
 class Times {
  public:
   RenderResult render(const Snapshot& snapshot);
@@ -43,20 +43,21 @@ struct NamedScene {
   std::string name;
   std::string source;
 };
-/// By names, or by what `asos render` opens; of none, all built-in scenes and all models in
-/// $ASOS_SHARED/scenes.
+/// Scenes by name, or by an argument of `asos render`. Without names: all built-in scenes and all
+/// models in $ASOS_SHARED/scenes.
 [[nodiscard]] std::vector<NamedScene> chosen_scenes(const std::vector<std::string>& chosen);
 
 [[nodiscard]] Result<SharedScene> open_scene(const std::string& source);
 
-/// All of a picture from the scene's first camera, or from one that frames it; no coarse passes.
+/// A whole picture from the scene's first camera, or from one that frames it, without coarse
+/// passes.
 [[nodiscard]] Snapshot snapshot_of(SharedScene scene, int width, int height);
 
 /// A camera at `eye` that looks at `target`, both in the author's coordinates.
 [[nodiscard]] Camera camera_at(const World& world, glm::dvec3 eye, glm::dvec3 target,
                                double fov_y_deg);
 
-/// Root mean square errors of a picture, over all pixels and channels.
+/// Root mean square errors of a picture over all pixels and channels.
 struct PictureError {
   double shown = 0.0;  ///< error of radiance clipped to 0..1
   double raw = 0.0;
@@ -73,8 +74,8 @@ inline constexpr int outcome_count = 5;
 [[nodiscard]] Outcome outcome_of(const PixelTrace& trace);
 [[nodiscard]] std::size_t samples_of(const PixelTrace& trace);
 
-/// Traces a pixel of a snapshot's picture, quickly: in the smallest fat pyray, which does not know
-/// its neighbours, so that pixels of bumpy surfaces may be split less than in larger ones.
+/// Traces a pixel of a snapshot's picture quickly, in the smallest fat pyray. That one has no
+/// neighbours, so pixels of bumpy surfaces may be split less than in larger ones.
 [[nodiscard]] PixelTrace trace_of(const Snapshot& snapshot, std::size_t pixel);
 
 /// Prints the error and returns the exit code.

@@ -1,7 +1,7 @@
 #pragma once
 
-// The benchmarks of `bench NAME ...`, a file each. They take a command line whose first word is
-// their name, print what they measured, and return the exit code.
+// The benchmarks of `bench NAME ...`, one per file. Each takes a command line that starts with its
+// name, prints its measurements, and returns the exit code.
 
 // clang-format off
 namespace asos::bench {

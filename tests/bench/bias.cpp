@@ -1,12 +1,12 @@
-// What no time takes away of ASOS's error: its picture at a great depth beside one of many Sobol
-// samples, over every scene. A line a scene, worst first: what the mean of the picture is off by,
-// and what the reference's noise makes that stray by; the root of the mean squared error, free of
-// that noise (HalvedReference), with a < where it is less than could be told; the worst pixel.
+// Bias of ASOS, the error that remains at any run time: its picture at a large MAX against many
+// Sobol samples, for every scene. One line per scene, worst first: the error of the picture's mean,
+// with its standard deviation due to the reference's noise; the RMSE without that noise
+// (HalvedReference), with a < if it is below the measurable minimum; the worst pixel.
 //
 //   bench bias [--size WxH] [--max N] [--samples N] [--sky-shadows] [--cache DIR] [SCENE...]
 //
-// Differences are of linear radiance clipped to 0..1, as other benchmarks have them, over all
-// pixels and channels. --cache keeps the references in a folder for the next call.
+// Errors are of linear radiance clipped to 0..1, over all pixels and channels. --cache keeps the
+// references in a folder for later calls.
 
 #include "renderer/comparison/method.h"
 #include "tests/bench/bench_support.h"

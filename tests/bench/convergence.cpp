@@ -1,13 +1,13 @@
-// How the error falls, level by level, against the exact picture (--method beam), without shadows
-// and at EPS 0: exact leaves, point leaves, the method as published, and 4^K stochastic samples.
-// Work is pyrays plus rays. Twice for each scene: lit, where both methods shade each part at one
-// point of it, and unlit, where every surface has a constant colour and only visibility is left.
+// Convergence by level against the exact picture (--method beam), without shadows and at EPS 0:
+// exact leaves, point leaves, the published method, and 4^K stochastic samples. Work is pyrays plus
+// rays. Two runs per scene: lit, with each part shaded at one point by both methods; and unlit,
+// with a constant colour for every surface, so that only visibility matters.
 //
 //   bench convergence [--size WxH] [--look-at ...] [--fov DEG] [--max K] [--worst N] [--csv]
 //                     [SCENE...]
 //
-// For exact leaves also: how many pixels carry 90 % of the squared error, and how that error
-// divides among pixels that are resolved, unresolved and so on. --worst lists pixels.
+// For exact leaves also: the number of pixels with 90 % of the squared error, and the distribution
+// of that error over resolved, unresolved and other pixels. --worst lists pixels.
 
 #include "renderer/comparison/method.h"
 #include "tests/bench/bench_support.h"
@@ -45,8 +45,8 @@ constexpr std::array<Contender, 4> contenders{
      {"published", Method::asos_published, LeafKind::point},
      {"stochastic", Method::stochastic, LeafKind::exact}}};
 
-// The vertices whose triangles all have one normal, so that a colour from the normal is constant
-// across each of them.
+// The vertices whose triangles share one normal, so that a colour computed from the normal is
+// constant on each of them.
 std::vector<bool> flat_vertices(const Mesh& mesh) {
   std::vector<bool> flat(mesh.positions.size(), true);
   for (bool changed = true; changed;) {
@@ -63,8 +63,8 @@ std::vector<bool> flat_vertices(const Mesh& mesh) {
   return flat;
 }
 
-/// The same surfaces with colours of their own: plain ones, a little different for each normal of a
-/// flat face, so that all edges still show.
+/// The same surfaces with constant colours that differ slightly between the normals of flat faces,
+/// so that all edges are visible.
 Scene unlit(Scene scene) {
   for (Material& material : scene.materials) {
     material.unlit = true;
@@ -160,7 +160,7 @@ class Study {
     std::fflush(stdout);
   }
 
-  // Where the squared error is: of the pixels that carry 99 % of it, the shares by outcome.
+  // Distribution over outcomes of the pixels with 99 % of the squared error.
   void explain(const Film& film) {
     const std::vector<std::size_t> order = worst_pixels(film, exact_);
     const auto error = [&](std::size_t i) {

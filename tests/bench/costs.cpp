@@ -1,8 +1,8 @@
-// The cost of the engine's parts, as ratios of processor times (medians of runs that take turns):
+// Cost of the engine's parts, as ratios of CPU times (medians of alternating runs):
 //   wall       a wall that fills the view in front of `dense`, over the wall alone
-//   saturated  a soup of triangles smaller than finest cells, over as many stochastic samples
+//   saturated  triangles smaller than the finest cells, over as many stochastic samples
 //   fat        fat pyrays of 2, 4 and 16 pixels over those of 8
-//   detect     cones over squares, and the pyrays more that they examine
+//   detect     cones over squares, and the number of pyrays that they examine in addition
 //   rule       the published rule over the unresolved one
 //
 //   bench costs [--size WxH] [--max K] [--runs N] [PART...]
@@ -35,7 +35,7 @@ struct Settings {
 const std::array<const char*, 4> scenes{"builtin:boxes", "builtin:mixed", "builtin:dense",
                                         "builtin:office"};
 
-/// Something to time, with the statistics of its last run.
+/// A candidate to time, with the statistics of its last run.
 struct Contender {
   std::string name;
   Snapshot snapshot;
@@ -94,8 +94,7 @@ Result<void> measure_wall(const Settings& settings) {
   return {};
 }
 
-/// `count` triangles of about `size` at random places of a box that fills the view of a camera
-/// which is 4 away.
+/// `count` random triangles of size `size` in a box that fills the view of a camera at distance 4.
 Scene soup(int count, float size) {
   Scene scene;
   scene.source = "soup";
@@ -166,7 +165,8 @@ Result<void> measure_saturated(const Settings& settings) {
   return {};
 }
 
-/// Times `variants` of the settings on each scene; prints them over the first one.
+/// Times `variants` of the settings on each scene, and prints the times relative to the first
+/// variant.
 using Change = std::pair<std::string, std::function<void(RenderSettings&)>>;
 Result<void> compare(const char* title, const std::vector<Change>& variants,
                      const Settings& settings) {

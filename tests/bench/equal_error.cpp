@@ -1,19 +1,19 @@
-// Time at equal error: a ladder of ASOS settings, one of stochastic and one of Sobol sampling, each
-// with its error against many Sobol samples of another seed, and for each ASOS setting how much
-// longer its rivals take to the same error (interpolated between their settings, both axes
-// logarithmic). Errors are RMSE of linear radiance clipped to 0..1; times are processor time,
-// medians of runs that take turns. The reference's own noise is what the Sobol ladder's last steps
-// let expect of it; errors below twice that are marked with *, for they are hardly known.
+// Time at equal error: ladders of settings for ASOS, for stochastic and for Sobol sampling, with
+// errors against many Sobol samples of another seed. For each setting of ASOS prints the ratio of
+// the rivals' time to the same error (interpolated between their settings, log-log). Errors are
+// RMSE of linear radiance clipped to 0..1; times are CPU times, medians of alternating runs. The
+// reference's noise is extrapolated from the last steps of the Sobol ladder; errors below twice
+// that are marked with * as uncertain.
 //
 //   bench equal-error [--size WxH] [--look-at ...] [--fov DEG] [--shadows on|off]
 //                     [--reference N] [--runs N] [--causes MAX] [--matte] [--key-light]
 //                     [--qualities] [--dfr MIN,MAX,N] [--tr N] [--levels K] SCENE
 //
-// --matte takes textures, highlights and emission away: what is left is visibility and smooth
-// shading. --key-light keeps the first rectangular light only, of the scene's or of the rig that it
-// gets. --qualities has a row for each shadow quality at MAX 2, 3 and 4 instead of the ladder.
-// --levels ends the ladder of ASOS at MAX K. --causes tells where time and error are at one MAX: by
-// what became of the pixels, and by what they show.
+// --matte removes textures, highlights and emission, so that only visibility and smooth shading
+// remain. --key-light keeps only the first rectangular light, of the scene or of its default
+// lighting. --qualities has a row for each shadow quality at MAX 2, 3 and 4 instead of the ladder.
+// --levels ends the ladder of ASOS at MAX K. --causes prints the distribution of time and error at
+// one MAX: by the outcome of pixels, and by the kind of surface.
 
 #include "app/values.h"
 #include "renderer/comparison/method.h"
@@ -61,7 +61,7 @@ struct Rung {
   PictureError error;
   double samples = 0.0;  ///< eye rays a pixel
   double shadow_rays = 0.0;
-  double unresolved = 0.0;  ///< share of the picture's area
+  double unresolved = 0.0;  ///< fraction of the picture's area
 };
 
 std::vector<Rung> asos_ladder(const RenderSettings& base, int levels) {
@@ -116,8 +116,8 @@ void render(Snapshot& snapshot, const Film& reference, Rung& rung) {
   rung.unresolved = result.statistics.unresolved_area / pixels;
 }
 
-/// Seconds that a sampling method takes to an error; beyond its ladder's ends as its first or last
-/// step goes on, NaN where that tells nothing.
+/// Time in seconds that a sampling method takes to an error. Extrapolated beyond its ladder from
+/// the first or last step; NaN if that is impossible.
 double rival_seconds(const std::vector<Rung>& ladder, double error) {
   std::vector<CurvePoint> curve;
   for (const Rung& rung : ladder) curve.push_back({rung.times.medians().cpu, rung.error.shown});
@@ -125,7 +125,7 @@ double rival_seconds(const std::vector<Rung>& ladder, double error) {
   return seconds ? seconds->value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The error to expect at `spp` samples, if it goes on as in the last two steps of the ladder.
+/// The expected error with `spp` samples, extrapolated from the last two steps of the ladder.
 double extrapolated_error(const std::vector<Rung>& ladder, int spp) {
   const Rung& a = *(ladder.end() - 3);
   const Rung& b = ladder.back();
@@ -156,7 +156,7 @@ Result<SharedScene> prepared_scene(const Settings& settings) {
   if (!scene) return unexpected(scene.error());
   if (settings.matte) make_matte(*scene);
   if (!settings.key_light) return prepare(*scene).and_then(with_boundaries);
-  // The rig is made for the camera that looks.
+  // The default lighting is made for the camera.
   const auto flattened = flatten(*scene);
   if (!flattened) return unexpected(flattened.error());
   const auto camera =

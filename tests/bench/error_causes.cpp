@@ -9,13 +9,13 @@
 namespace asos::bench {
 namespace {
 
-/// The kind of surface that a pixel shows; where several hold, the last.
+/// The kind of surface in a pixel; if several apply, the last one.
 enum class Look { plain, shiny, textured, see_through };
 constexpr int look_count = 4;
 constexpr std::array<const char*, look_count> look_names{"plain", "shiny", "textured",
                                                          "see-through"};
 
-// Highlights of these are a few degrees wide or narrower.
+// Their highlights are a few degrees wide or less.
 constexpr float shiny_roughness = 0.35f;
 
 Look look_of(const Material& m) {

@@ -4,8 +4,9 @@
 
 namespace asos::bench {
 
-/// Tells where the squared error and the samples of an ASOS picture are: by what became of its
-/// pixels (Outcome), and by what their samples met. `snapshot` is what `film` was rendered from.
+/// Prints the distribution of the squared error and the samples of an ASOS picture: by the outcome
+/// of its pixels (Outcome), and by the surfaces that their samples hit. `snapshot` is the input of
+/// `film`.
 void print_causes(const Snapshot& snapshot, const Film& film, const Film& reference);
 
 }  // namespace asos::bench

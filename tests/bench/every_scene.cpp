@@ -1,25 +1,25 @@
-// Time at equal error over every scene: ASOS at a few depths beside a ladder of Sobol sampling, a
-// line a scene, then the median and the worst. A change to ASOS is judged by all of them, for one
-// that makes some scenes quicker may make others slower.
+// Time at equal error for every scene: ASOS at a few values of MAX against a ladder of Sobol
+// sampling. One line per scene, then the median and the worst. A change to ASOS is evaluated on all
+// scenes, because it may speed up some and slow down others.
 //
 //   bench every-scene [--size WxH] [--levels 2,3] [--reference N] [--runs N] [--cache DIR]
 //                     [--only asos|sobol] [--adaptive] [--fresh] [--sky-shadows] [--threads N]
 //                     [SCENE...]
 //
-// SCENE is a name from the table or anything that `asos render` opens; without any, all built-in
-// scenes and all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance clipped to 0..1
-// against --reference Sobol samples of two other seeds, free of their noise (HalvedReference);
-// times are processor time, medians of runs that take turns. "x" is how much longer Sobol sampling
-// takes to ASOS's error, read off its ladder with both axes logarithmic: `e` where that lies beyond
-// the ladder's ends, `*` where ASOS's error is hardly known, and x is at least that. What is far
-// brighter than white and smaller than a pixel needs references of thousands of samples: the halves
-// of smaller ones, clipped, agree about it by chance.
+// SCENE is a name from the table or an argument of `asos render`; without any, all built-in scenes
+// and all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance clipped to 0..1 against
+// --reference Sobol samples of two other seeds, without their noise (HalvedReference). Times are
+// CPU times, medians of alternating runs. "x" is the ratio of Sobol sampling's time to that of ASOS
+// at the same error, interpolated on its ladder (log-log): `e` marks an extrapolation beyond the
+// ladder, `*` an uncertain error of ASOS, where x is a lower bound. Scenes with features that
+// are far brighter than white and smaller than a pixel need references of thousands of samples: the
+// clipped halves of smaller ones agree by chance.
 //
-// --adaptive has a second rival, sobol-adaptive over its ladder of EPS (renderer/study/ladders.h);
-// where ASOS's error is larger than that of its first step, that step's time counts, marked `e`.
+// --adaptive adds a second rival, sobol-adaptive with its ladder of EPS (renderer/study/ladders.h).
+// If ASOS's error exceeds that of its first step, the time of that step counts, marked `e`.
 //
 // --cache keeps references and the ladder's times and errors in a folder, so that the next call
-// renders ASOS only; --fresh measures the ladder anew, as on another machine. --only asos never
+// renders only ASOS; --fresh measures the ladder again, as on another machine. --only asos never
 // renders the ladder, --only sobol fills the cache.
 
 #include "app/values.h"
@@ -64,16 +64,16 @@ struct Settings {
 /// A scene's figures.
 struct Row {
   std::string name;
-  std::vector<std::vector<CurvePoint>> rivals;  ///< of each of rival_names; empty: not measured
+  std::vector<std::vector<CurvePoint>> rivals;  ///< for each of rival_names; empty: not measured
   std::vector<CurvePoint> asos;                 ///< in the order of Settings::levels
-  std::vector<bool> known;                      ///< whether the errors of those are
+  std::vector<bool> known;                      ///< whether their errors are certain
 };
 
-/// How much longer a rival takes to ASOS's error.
+/// Ratio of a rival's time to that of ASOS at the same error.
 struct Ratio {
   double value = 0.0;
   bool beyond = false;   ///< past the ladder's ends
-  bool unknown = false;  ///< the error is no more than the reference's noise makes it stray by
+  bool unknown = false;  ///< the error is within the reference's noise
 };
 
 constexpr int sobol_spp[] = {1, 4, 16, 64, 256};
@@ -129,7 +129,7 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   const auto reference = reference_of(settings, named.name, snapshot);
   if (!reference) return unexpected(reference.error());
 
-  // Those that are in the cache are not rendered.
+  // Ladders in the cache are not rendered.
   std::vector<MeasuredLadder> rivals{ladder_of_sobol(snapshot.settings)};
   if (settings.adaptive) {
     const auto adaptive = ladder_of_adaptive(snapshot.settings);
@@ -164,7 +164,7 @@ std::optional<Ratio> ratio_of(const Row& row, std::size_t rival, std::size_t lev
   const std::vector<CurvePoint>& ladder = row.rivals[rival];
   auto seconds = seconds_at_error(ladder, asos.error);
   if (!seconds) return std::nullopt;
-  // The adaptive rival takes no fewer samples than its first step does.
+  // The first step is the adaptive rival's smallest sample count.
   if (rival > 0 && asos.error > ladder.front().error)
     seconds = CurveValue{ladder.front().seconds, true};
   return Ratio{seconds->value / asos.seconds, seconds->beyond, !row.known[level]};
@@ -187,7 +187,7 @@ void print_heading(const Settings& settings) {
   fmt::print("{:>11}{:>9}\n", "sobol RMSE", "s (256)");
 }
 
-/// Extrapolated far, ratios may be as large as they like.
+/// Extrapolated ratios may be arbitrarily large.
 std::string shown(double ratio) {
   return ratio < 1e5 ? fmt::format("{:.2f}", ratio) : fmt::format("{:.1e}", ratio);
 }
@@ -212,7 +212,8 @@ void print_row(const Settings& settings, const Row& row) {
   std::fflush(stdout);
 }
 
-/// At one depth beside one rival: the median over all scenes, how many lose, and the worst ones.
+/// For one MAX and one rival: the median over all scenes, the number of losses, and the worst
+/// scenes.
 void print_summary(const Settings& settings, const std::vector<Row>& rows, std::size_t rival,
                    std::size_t level) {
   constexpr std::size_t shown = 8;
@@ -237,7 +238,7 @@ void print_summary(const Settings& settings, const std::vector<Row>& rows, std::
   fmt::print("\n");
 }
 
-/// A scene's time beside something else's.
+/// A ratio of times for one scene.
 struct TimeRatio {
   double value = 0.0;
   std::string name;
@@ -256,7 +257,8 @@ void print_times(const char* what, std::vector<TimeRatio> ratios) {
   fmt::print("\n");
 }
 
-/// Prints the time of each MAX over one and sixteen samples, and its time and error over the last.
+/// Prints the time of each MAX relative to one and sixteen samples, and its time and error relative
+/// to the last MAX.
 void print_depths(const Settings& settings, const std::vector<Row>& rows) {
   const auto print = [&](const std::string& what, const auto& ratio) {
     std::vector<TimeRatio> ratios;

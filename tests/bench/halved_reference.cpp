@@ -24,7 +24,7 @@ std::string half_path(const std::string& path, std::size_t half) {
 HalvedReference HalvedReference::rendered(Snapshot snapshot, int samples) {
   snapshot.settings.method = Method::sobol;
   snapshot.settings.sampling.spp = samples / 2;
-  // So that nothing but the pixel's own filter is averaged.
+  // With point lookups only the pixel's own filter averages.
   snapshot.settings.texture.filter = TextureFilter::point;
   HalvedReference reference;
   for (std::size_t half = 0; half < reference.halves_.size(); ++half) {

@@ -1,8 +1,7 @@
-// How long the window's picture takes to follow a change: from a turn of the camera to the first
-// coarse picture of all of it, and from a change to the moment when no worker touches the old
-// picture any more. Changes come while a render is under way, at moments spread over its first
-// half second. The first coarse picture should be there within 50 ms. Then EPS is dragged: its
-// split map should be there within 100 ms.
+// Latency of the window's picture: from a camera change to the first coarse picture of the whole
+// view, and from a change until no worker uses the old picture. Changes occur during a render, at
+// times spread over its first half second. The limit for the first coarse picture is 50 ms. Then
+// EPS is dragged, with a limit of 100 ms for its split map.
 //
 //   bench latency [SCENE] [--size WxH] [--changes N] [--threads N]
 
@@ -33,7 +32,7 @@ struct Settings {
   int threads = 1;
 };
 
-/// The event that the window's event loop sleeps on.
+/// The event that wakes the window's event loop.
 class Bell {
  public:
   void ring() {
@@ -53,7 +52,7 @@ class Bell {
   bool rung_ = false;
 };
 
-/// Processor time of all threads together, which does not count the machine's other work.
+/// CPU time of all threads together, which excludes other programs.
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -70,7 +69,7 @@ void print(const char* what, std::vector<double> seconds) {
              at(0.99), at(1.0));
 }
 
-/// Seconds from changes of EPS to the split map that they predict, as a slider is dragged.
+/// Time in seconds from changes of EPS to their predicted split maps, as if a slider were dragged.
 std::vector<double> drag_eps(Previewer& previewer, Clock::time_point start, int changes) {
   std::vector<double> seconds;
   for (int i = 0; i < changes; ++i) {
@@ -101,7 +100,7 @@ int measure(const Settings& settings) {
 
   std::vector<double> coarse, coarse_cpu, cancel;
   for (int i = 0; i < settings.changes; ++i) {
-    // The render before has got so far.
+    // Lets the previous render run for this time.
     const Clock::time_point resume = Clock::now() + std::chrono::milliseconds(150 + 5 * (i % 70));
     while (Clock::now() < resume) {
       bell.wait();

@@ -1,7 +1,7 @@
-// How long a scene takes to open, step by step, and how much memory: reading the file, all that
-// rays need, the first coarse picture (a sample for each block) and one sample a pixel, which a
-// window shows meanwhile, and its boundaries, which ASOS waits for. Seconds are since the start;
-// beside them processor time of all threads.
+// Time and memory of opening a scene, step by step: reading the file; building everything that rays
+// need; the first coarse picture (one sample per block) and one sample per pixel, which a window
+// shows meanwhile; searching the edges, which ASOS needs. Prints wall-clock seconds since the
+// start, and CPU time of all threads.
 //
 //   bench loading [SCENE] [--size WxH] [--threads N]
 

@@ -1,4 +1,4 @@
-// `bench NAME ...`: measurements; nothing passes or fails by them.
+// `bench NAME ...`: measurements, which cannot fail.
 
 #include "tests/bench/benchmarks.h"
 

@@ -1,6 +1,6 @@
-// What many lights cost beside few of them: a scene as it is, and in the light of its N brightest
-// alone made as bright together, by ASOS and by sampling, with their errors beside a reference of
-// the same lights. Processor time of all threads, the median of runs that take turns.
+// Cost of many lights relative to few: a scene with all its lights, and with only its N brightest,
+// scaled to the same total. Both by ASOS and by sampling, with errors against references with the
+// same lights. CPU time of all threads, medians of alternating runs.
 //
 //   bench many-lights [--few N] [--size WxH] [--reference SPP] SCENE...
 
@@ -23,7 +23,7 @@ double power_of(const PreparedLight& light) {
   return area * static_cast<double>(std::max({p.x, p.y, p.z}));
 }
 
-/// The scene in the light of its brightest lights.
+/// The scene with only its brightest lights.
 Result<SharedScene> with_few_lights(const SharedScene& scene, std::size_t few) {
   const auto prepared = scene->lighting->prepared(LightRule::physical);
   std::vector<std::size_t> order(prepared.size());
@@ -57,7 +57,7 @@ Measured measure(Snapshot snapshot, const Film& reference) {
   return {times.medians().cpu, error};
 }
 
-/// Prints a row each for the few lights and for all.
+/// Prints one row for the few lights and one for all.
 int compare(const std::string& source, std::size_t few, int reference_spp, PictureSize size) {
   const auto opened = open_scene(source);
   if (!opened) return fail(opened.error());

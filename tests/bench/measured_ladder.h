@@ -8,25 +8,25 @@
 
 namespace asos::bench {
 
-/// Settings of a method from quick to good, and what each costs and how far off it is, which a file
-/// can keep.
+/// Settings of a method in order of quality, with their measured costs and errors, which can be
+/// written to a file.
 class MeasuredLadder {
  public:
-  /// The label tells a step from the others of its ladder.
+  /// `label` must be unique within the ladder.
   void add(const std::string& label, const RenderSettings& settings);
 
-  /// Renders each step once more; the time of each is the median of its runs.
+  /// Renders each step once more; a step's time is the median over its runs.
   void render(Snapshot snapshot, const HalvedReference& reference);
 
-  /// Reads points that were written for the same steps; false if the file is not there or is of
-  /// others.
+  /// Reads points written for the same steps; returns false if the file is missing or belongs to
+  /// other steps.
   [[nodiscard]] bool read(const std::string& path);
-  /// A line a step: label, error, seconds.
+  /// Writes one line per step: label, error, seconds.
   [[nodiscard]] Result<void> write(const std::string& path) const;
 
-  /// Empty: neither rendered nor read.
+  /// Empty if neither rendered nor read.
   [[nodiscard]] const std::vector<CurvePoint>& points() const { return points_; }
-  /// Whether the error of each point that was rendered is known (KnownError).
+  /// Whether the error of each rendered point is certain (KnownError).
   [[nodiscard]] const std::vector<bool>& known() const { return known_; }
 
  private:

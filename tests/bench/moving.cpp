@@ -1,7 +1,7 @@
-// What a scene costs from one moment of its animation to the next: a sheet of triangles that
-// morphs, beside one that stands still where that is asked for. Milliseconds of processor time of
-// all threads and of time that passes, medians over the frames: placing all in the world, the rays'
-// hierarchy, and the boundaries, which ASOS waits for.
+// Cost of advancing an animation: a morphing sheet of triangles, optionally with a static one.
+// Prints milliseconds of CPU time of all threads and of wall-clock time, medians over the frames,
+// for placing everything in the world, for the rays' hierarchy, and for the edges, which ASOS
+// needs.
 //
 //   bench moving [--triangles N] [--still N] [--frames N]
 
@@ -24,7 +24,7 @@
 
 namespace asos::bench::moving {
 
-/// A square sheet of about so many triangles, bent by a wave that has come so far.
+/// A square sheet of about `triangles` triangles, bent by a wave with this phase.
 Mesh sheet(int triangles, double phase) {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(0.5 * triangles))));
   Mesh mesh;
@@ -60,12 +60,12 @@ Scene moment(int triangles, int still, double phase) {
   return scene;
 }
 
-/// What a stage took, frame by frame: milliseconds.
+/// Times of a stage per frame, in milliseconds.
 struct Cost {
   std::vector<double> processor, passed;
 };
 
-/// Tells what has been spent since it was last asked.
+/// Returns the time spent since the last call.
 class Laps {
  public:
   void add_to(Cost& stage) {

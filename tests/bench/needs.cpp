@@ -1,9 +1,8 @@
-// The savings of leaving out: each feature that a scene does not need is forced in alone, then all
-// of them together. The table shows how much more that takes, as ratios to what the scene needs (1:
-// nothing saved): processor time of the picture, time to build, memory of the scene. Renders
-// alternate between the two, so that drift of the machine meets both. Renders' ratios are of
-// medians; builds' of the fastest, for they take milliseconds in several threads. Pictures are
-// compared to the bit.
+// Savings of leaving out unneeded features: each such feature is forced in alone, then all of them
+// together. Prints ratios to the scene without them (1: nothing saved): CPU time of the picture,
+// time to build, memory of the scene. The two alternate, so that drift of the machine affects both.
+// Ratios of renders use medians; those of builds the fastest run, because builds take milliseconds
+// in several threads. Compares the pictures bit by bit.
 //
 //   bench needs [SCENE...] [--size WxH] [--repetitions N] [--max K] [--csv]
 
@@ -33,7 +32,7 @@ struct Forced {
   SceneNeeds needs;
 };
 
-/// The features that can be forced where `needs` leaves them out; then all of them.
+/// The features that are left out according to `needs` and can be forced, then all of them.
 std::vector<Forced> forced_features(const SceneNeeds& needs) {
   std::vector<Forced> list;
   const SceneNeeds all = SceneNeeds::all();
@@ -52,7 +51,7 @@ struct Cost {
   Film film;
 };
 
-/// Prepares and renders once more, and adds what it took.
+/// Prepares and renders once, and adds the costs.
 Result<void> measure(const Scene& scene, const SceneNeeds& forced, const Settings& settings,
                      Cost& cost) {
   const auto prepared = prepare(scene, forced).and_then(with_boundaries);
@@ -67,12 +66,12 @@ Result<void> measure(const Scene& scene, const SceneNeeds& forced, const Setting
   return {};
 }
 
-/// `what` beside what the scene needs.
+/// Compares `what`, forced in, with the scene's own needs.
 Result<void> compare(const std::string& source, const Scene& scene, const Forced& what,
                      const Settings& settings) {
   Cost needed, forced;
   for (int i = 0; i < settings.repetitions; ++i) {
-    // Which one goes first alternates, too.
+    // The order alternates, too.
     const auto first = i % 2 == 0 ? measure(scene, {}, settings, needed)
                                   : measure(scene, what.needs, settings, forced);
     if (!first) return first;
@@ -103,7 +102,7 @@ Result<void> measure_scene(const std::string& source, const Settings& settings) 
   if (!settings.csv)
     fmt::print("{}: {} triangles, {:.2f} MB\n", source, (*prepared)->world().triangles.size(),
                (*prepared)->geometry->memory_mb());
-  // The first line measures nothing against nothing: what its ratios are off 1 is noise.
+  // The first line compares the scene with itself: its deviation from 1 is noise.
   std::vector<Forced> list = forced_features((*prepared)->needs);
   list.insert(list.begin(), Forced{"(nothing: noise)", {}});
   for (const Forced& what : list) {

@@ -11,8 +11,7 @@
 
 namespace asos::bench {
 
-/// A benchmark's command line. CLI11 reads it and is not seen here: it takes longer to compile than
-/// the benchmarks themselves.
+/// A benchmark's command line. Hides CLI11, which takes longer to compile than the benchmarks.
 class Options {
  public:
   explicit Options(const char* description);
@@ -20,7 +19,7 @@ class Options {
   Options(const Options&) = delete;
   Options& operator=(const Options&) = delete;
 
-  /// Names that begin with a dash are options, others are arguments. What is bound has to outlive
+  /// Names that begin with a dash are options, others are arguments. Bound variables must outlive
   /// `end`.
   void flag(const char* name, bool& value, const char* help = "");
   void number(const char* name, int& value, int lo, int hi, const char* help = "");
@@ -29,7 +28,7 @@ class Options {
   void choice(const char* name, std::string& value, const std::vector<std::string>& known);
   void choices(const char* name, std::vector<std::string>& values,
                const std::vector<std::string>& known);
-  /// `read` says why where it can't take a text.
+  /// `read` returns an error for texts that it cannot parse.
   void parsed(const char* name, const char* help,
               std::function<Result<void>(const std::string&)> read);
   /// --size WxH.
@@ -37,7 +36,7 @@ class Options {
   /// --look-at and --fov.
   void camera(CameraChoice& choice);
 
-  /// Reads; the exit code if the program is to end, as after --help.
+  /// Parses the command line. Returns an exit code if the program is to end, as after --help.
   [[nodiscard]] std::optional<int> end(int argc, char** argv);
 
  private:

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What showing the picture takes, in percent of one core: the processor time of all threads of the
-# real window but those that render, while tiles arrive and once it is idle. On a virtual screen with
-# a software OpenGL, the most expensive way to show anything.
-# usage: presenting.sh ASOS_PROGRAM [SECONDS]
+# Cost of displaying the picture, in percent of one core: CPU time of all threads of the real window
+# except the rendering ones, while tiles arrive and when it is idle. Uses a virtual screen with
+# software OpenGL, the most expensive case.
+# Usage: presenting.sh ASOS_PROGRAM [SECONDS]
 set -euo pipefail
 program=$1
 seconds=${2:-8}
@@ -16,7 +16,7 @@ exec 3>&-
 while [[ ! -s $work/display ]]; do sleep 0.1; done
 export DISPLAY=:$(cat "$work/display") LIBGL_ALWAYS_SOFTWARE=1 XDG_CONFIG_HOME=$work
 
-# Ticks of all threads of the program but those that render.
+# CPU ticks of all threads of the program except the rendering ones.
 ticks() {
   local total=0 thread stat
   for thread in /proc/"$app"/task/*; do

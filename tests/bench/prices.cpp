@@ -1,6 +1,6 @@
-// What exact answers of shadows cost, in shadow rays: what pyray/prices.h goes by. For the
-// pixels' middles of a picture and each light that something may shade, the time of an exact answer
-// over that of one ray of a sampled one, by one thread: quartiles over all such questions.
+// Cost of exact shadow answers in units of shadow rays, on which pyray/prices.h is based. For the
+// pixels' centres of a picture and each light that something may shade: time of an exact answer
+// relative to one ray of a sampled answer, on one thread. Prints quartiles over all such cases.
 //
 //   bench prices [--size WxH] SCENE...
 
@@ -25,7 +25,7 @@ namespace asos::bench::prices {
 
 constexpr int block_width = 8;
 
-/// Answers' costs in rays, of one kind.
+/// Costs of one kind of answer, in rays.
 class Costs {
  public:
   void add(double rays) { rays_.push_back(rays); }
@@ -50,7 +50,7 @@ struct AllCosts {
   Costs light_window, penumbra_test, patch;
 };
 
-/// Asks for the lights of one point of a block, exactly and by rays.
+/// Computes the light at one point of a block, exactly and by rays.
 class PointLights final : public LightTransport {
  public:
   PointLights(ShadowContext& block, const LeafContext& leaf, const Patch& patch, AllCosts& costs)
@@ -61,7 +61,7 @@ class PointLights final : public LightTransport {
     const glm::vec3 all = lit.reflected * lit.unshadowed;
     constexpr float least_intensity = 1.0f / 32.0f;
     if (lit.layer > 0 || std::max({all.x, all.y, all.z}) < least_intensity) return;
-    // The first question finds out what all of the block shares.
+    // The first call also computes the data that the block shares.
     (void)ask(lit, exact);
     const Answer exactly = ask(lit, exact);
     const Answer by_rays = ask(lit, coarse);
@@ -79,7 +79,7 @@ class PointLights final : public LightTransport {
   }
 
  private:
-  // EPS of answers that are not, and that are, left to a few rays.
+  // EPS for exact answers, and for answers from a few rays.
   static constexpr double exact = 0.0;
   static constexpr double coarse = 0.5;
 
@@ -104,7 +104,7 @@ class PointLights final : public LightTransport {
 
 void measure_block(const Snapshot& snapshot, const View& view, const Shader& shader, int x, int y,
                    AllCosts& costs) {
-  // Look along the pixels' middles.
+  // Trace rays through the pixels' centres.
   const RenderSettings& settings = snapshot.settings;
   const RenderScene& scene = *snapshot.scene;
   const Frame frame = view.frame(x, y, block_width, block_width);
@@ -122,7 +122,7 @@ void measure_block(const Snapshot& snapshot, const View& view, const Shader& sha
     middles.emplace_back((glm::vec2(i % block_width, i / block_width) + 0.5f) /
                          static_cast<float>(block_width));
   samples.probe(middles);
-  // Share what lies between the surfaces and the lights.
+  // The occluders that the block's answers share.
   const ShadowScene shadow_scene{scene.world(), scene.features(), scene.rays()};
   ShadowGroups groups(shadow_scene);
   groups.reset(shader.lights().size());

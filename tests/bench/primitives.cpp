@@ -1,6 +1,5 @@
-// The cost of a pyray's in-out test beside a ray's, for each of the primitives of GI'93, table 3.
-// The last column is what this program does instead for curved faces, which is to find their
-// outline in the pyray's square.
+// Cost of a pyray's in-out test relative to a ray's, for the primitives of GI'93, table 3. The last
+// column is this program's method for curved faces: finding their outline in the pyray's square.
 //
 //   bench primitives
 

@@ -1,6 +1,6 @@
-// How much of a method is more than its rays: the processor time of a picture by one thread, over
-// the time that its own calls of Embree take in it, filters included, both the median of runs that
-// take turns. What a sampler that shades for free would take is 1.
+// Overhead of a method over its rays: CPU time of a picture on one thread relative to the time in
+// its own calls of Embree, filters included. Both are medians of alternating runs. A sampler with
+// free shading would have 1.
 //
 //   bench rays-alone [--method sobol|asos] [--spp N] [--size WxH] [SCENE...]
 
@@ -23,14 +23,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What this thread's calls of Embree took; of one thread at a time.
+/// Time that this thread spent in Embree. For one thread at a time.
 struct Calls {
   bool timed = false;
   Clock::duration time{};
   std::uint64_t count = 0;
   std::uint64_t rays = 0;
 };
-Calls calls;  // the functions that Embree's names stand for below have no other way to it
+Calls calls;  // the functions below replace Embree's and can reach it only as a global
 
 template <typename Function>
 Function* embrees(const char* name) {
@@ -57,8 +57,8 @@ std::uint64_t active(const int* valid) {
 }  // namespace
 }  // namespace asos::bench::rays_alone
 
-// The program's own functions come before those of the library that it is linked with, for the
-// renderer as well.
+// The linker prefers the program's own definitions to those of the shared library, also for the
+// renderer.
 #define ASOS_TIMED_PACKETS(NAME, WIDTH, RAYS)                                                 \
   extern "C" void NAME(const int* valid, RTCScene scene, RTCIntersectContext* context,        \
                        RAYS* rays) {                                                          \
@@ -90,7 +90,7 @@ double seconds(Clock::duration time) {
   return std::chrono::duration<double>(time).count();
 }
 
-/// What asking the clock twice adds to what lies between, seconds.
+/// Time in seconds that two readings of the clock add to an interval.
 double clocks_own_time() {
   constexpr int times = 1 << 16;
   Clock::duration sum{};

@@ -1,4 +1,4 @@
-// Rays a second: `bench_rays`. RayScene's choice of packets, and of when to filter, rests on it.
+// Rays per second: `bench_rays`. The basis of RayScene's choice of packet sizes and filters.
 
 #include "renderer/geometry/view.h"
 #include "renderer/rays/ray_scene.h"
@@ -35,7 +35,7 @@ RayScene built(const World& world) {
   return RayScene::build(world, opaque_alpha).value();
 }
 
-/// Eye rays, a block of 8 x 8 pixels after the other: as the methods trace them.
+/// Eye rays in blocks of 8 x 8 pixels, the order in which the methods trace them.
 std::vector<Ray> eye_rays() {
   const View view(test::look_at({2, 2, 5}, {0, 0.7, 0}, 0.7), width, height);
   std::vector<Ray> rays;
@@ -71,8 +71,8 @@ void closest_by_packet_width(benchmark::State& state) {
 }
 BENCHMARK(closest_by_packet_width)->ArgsProduct({{1, 4, 8, 16}, {1'000, 1'000'000}});
 
-/// Single-sided surfaces. Turned 0: closed bodies seen from outside, whose backs are never first.
-/// Turned 1: all inside out, so that every ray meets a back and goes on.
+/// Single-sided surfaces. Turned 0: closed bodies seen from outside, so no back is hit first.
+/// Turned 1: inside out, so every ray hits a back first and continues.
 void closest_without_backs(benchmark::State& state) {
   World world = scene_of(static_cast<int>(state.range(2)));
   if (state.range(1) != 0) {
@@ -86,8 +86,8 @@ BENCHMARK(closest_without_backs)
     ->ArgNames({"cull", "turned", "triangles"})
     ->ArgsProduct({{0, 1}, {0, 1}, {1'000, 1'000'000}});
 
-/// From what the eye sees towards random points of a square light, 4 rays a pixel of each block of
-/// 8 x 8: batches of 256.
+/// Rays from visible points to random points of a square light, 4 per pixel of each block of 8 x 8:
+/// batches of 256.
 std::vector<Ray> shadow_rays(const RayScene& scene) {
   std::mt19937 rng(1);
   std::uniform_real_distribution<float> side(-0.5f, 0.5f);

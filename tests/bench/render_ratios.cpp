@@ -1,12 +1,11 @@
-// How many times longer ASOS takes than one stochastic sample a pixel, scene by scene, in wall and
-// in processor time. The two methods take turns within one process, so that what else the machine
-// does meets both; the median counts. Beside it: the time to load and to build the scene, the first
-// pictures included, and from the start of loading to what a window shows first: the picture of one
-// sample a block, and the first tile in which every pixel has a sample of its own.
+// Time of ASOS relative to one stochastic sample per pixel, scene by scene, in wall-clock and CPU
+// time. The two alternate within one process, so that other load affects both; medians count. Also
+// prints the times to load and to build the scene, and the time from the start of loading to the
+// window's first pictures: one sample per block, and the first tile with one sample per pixel.
 //
 //   bench render-ratios [--csv] [--size WxH] [--threads N] [--max K] [--runs N] [SCENE...]
 //
-// Without scenes: the built-in ones that the limits are set for.
+// Without scenes: the built-in ones that have limits.
 
 #include "renderer/gltf/load.h"
 #include "renderer/session/render_session.h"
@@ -42,13 +41,13 @@ struct Row {
   std::size_t triangles = 0;
   double load_seconds = 0.0;
   double build_seconds = 0.0;
-  double first_picture_seconds = 0.0;  ///< blocks; since the start of loading, as the next
-  double first_pixels_seconds = 0.0;   ///< a tile with a sample for each pixel
-  Seconds sample;                      ///< stochastic, one sample a pixel
+  double first_picture_seconds = 0.0;  ///< since the start of loading
+  double first_pixels_seconds = 0.0;   ///< the first tile with one sample per pixel
+  Seconds sample;                      ///< stochastic, one sample per pixel
   Seconds asos;
 };
 
-/// Shows a scene as a window would, until the first tile of the pass after the coarse one.
+/// Renders a scene as a window would, until the first tile after the coarse pass.
 void measure_first_picture(Snapshot snapshot, std::chrono::steady_clock::time_point start,
                            Row& row) {
   std::mutex mutex;
@@ -63,7 +62,7 @@ void measure_first_picture(Snapshot snapshot, std::chrono::steady_clock::time_po
   snapshot.progressive = true;
   session.restart(snapshot);
   int missing = snapshot.settings.width * snapshot.settings.height;  // pixels without any colour
-  std::set<std::pair<int, int>> seen;  // the corners of tiles: the same ones in each pass
+  std::set<std::pair<int, int>> seen;  // the corners of tiles, which are the same in each pass
   while (missing > 0 || row.first_pixels_seconds == 0.0) {
     std::unique_lock lock(mutex);
     knock.wait(lock, [&] { return waiting; });

@@ -64,13 +64,13 @@ std::size_t size_of(const Json& document, const char* list) {
   return found != document.end() && found->is_array() ? found->size() : 0;
 }
 
-/// An index into the list of that name, seldom one past its end; 0 where there is none.
+/// A random index into a list, rarely one past its end; 0 if there is no list.
 std::size_t any_index(const Json& document, const char* list, std::mt19937& random) {
   const std::size_t size = size_of(document, list);
   return size == 0 ? 0 : random() % (random() % 16 == 0 ? size + 1 : size);
 }
 
-/// One of the objects of a list; null where there is none.
+/// A random object of a list; null if there is none.
 Json* any_object(Json& owner, const char* list, std::mt19937& random) {
   const std::size_t size = size_of(owner, list);
   if (size == 0) return nullptr;
@@ -78,7 +78,7 @@ Json* any_object(Json& owner, const char* list, std::mt19937& random) {
   return object.is_object() ? &object : nullptr;
 }
 
-/// An object's member that is an object, made if need be.
+/// An object's member that is an object; created if missing.
 Json& object_in(Json& object, const char* name) {
   Json& member = object[name];
   if (!member.is_object()) member = Json::object();
@@ -117,7 +117,7 @@ Json value_of(Kind kind, const Json& document, std::mt19937& random) {
   return texture;
 }
 
-/// An extension with some of its members.
+/// Adds an extension with some of its members.
 void extend_material(Json& document, Json& material, std::mt19937& random) {
   const std::string extension = of_materials[random() % of_materials.size()].extension;
   Json& extended = object_in(object_in(material, "extensions"), extension.c_str());
@@ -127,7 +127,7 @@ void extend_material(Json& document, Json& material, std::mt19937& random) {
   use(document, extension.c_str());
 }
 
-/// Cuts a material out by a texture's alpha, blends it, or blurs what it mirrors by the angle.
+/// Gives a material an alpha cut-out, blending, or a blur of its reflection.
 void change_material(const Json& document, Json& material, std::mt19937& random) {
   if (random() % 3 == 0) {
     object_in(material, "extras")["asos_dfr"] = {{"min", share(random)},
@@ -142,7 +142,7 @@ void change_material(const Json& document, Json& material, std::mt19937& random)
       value_of(Kind::texture, document, random);
 }
 
-/// A target for a mesh to morph to, and its weight.
+/// Adds a morph target to a mesh, with its weight.
 void morph(const Json& document, Json& mesh, Json& primitive, std::mt19937& random) {
   Json target = Json::object();
   for (const char* name : {"POSITION", "NORMAL", "TANGENT"})
@@ -154,7 +154,7 @@ void morph(const Json& document, Json& mesh, Json& primitive, std::mt19937& rand
 }
 
 void extend_primitive(Json& document, Json& mesh, std::mt19937& random) {
-  // First, for a new member moves the others.
+  // Must come first: adding a member moves the others.
   if (!mesh["weights"].is_array()) mesh["weights"] = Json::array();
   Json* primitive = any_object(mesh, "primitives", random);
   if (!primitive) return;
@@ -171,7 +171,7 @@ void extend_primitive(Json& document, Json& mesh, std::mt19937& random) {
   use(document, variants);
 }
 
-/// Copies of a node's mesh; what the accessors hold is often not what places them.
+/// Adds instances of a node's mesh; their accessors often have the wrong contents.
 void copy_node(Json& document, Json& node, std::mt19937& random) {
   constexpr const char* extension = "EXT_mesh_gpu_instancing";
   Json& extended = object_in(object_in(node, "extensions"), extension);
@@ -181,7 +181,7 @@ void copy_node(Json& document, Json& node, std::mt19937& random) {
   use(document, extension);
 }
 
-/// What the file says that surrounds its scenes.
+/// Adds the file's surroundings for its scenes.
 void surround(Json& document, std::mt19937& random) {
   constexpr const char* extension = "EXT_lights_image_based";
   Json sides = Json::array(), coefficients = Json::array();
@@ -214,7 +214,7 @@ void extend_node(Json& document, Json& node, std::mt19937& random) {
   use(document, extension);
 }
 
-/// A channel of an animation; what its accessors hold is often not what the channel needs.
+/// Adds an animation channel; its accessors often have the wrong contents.
 void move_node(Json& document, std::mt19937& random) {
   constexpr std::array paths{"translation", "rotation", "scale", "weights", "pointer"};
   constexpr std::array ways{"LINEAR", "STEP", "CUBICSPLINE"};
@@ -248,7 +248,7 @@ void move_node(Json& document, std::mt19937& random) {
 }  // namespace
 
 void add_feature(Json& document, std::mt19937& random) {
-  // First, for a new member moves the others.
+  // Must come first: adding a member moves the others.
   object_in(document, "extensions");
   Json& used = document["extensionsUsed"];
   if (!used.is_array()) used = Json::array();

@@ -4,10 +4,10 @@
 
 namespace asos::fuzz {
 
-/// Gives a glTF document something that the reader knows and that the document may lack: a
-/// material's extension, cut-out or blur, a primitive's mode, targets or variants, a node's
-/// visibility, levels, copies or movement, surroundings, another scene. Values are mostly those
-/// that the specification allows. Does nothing where there is nothing to give it to.
+/// Adds a random feature that the reader supports to a glTF document: an extension, cut-out or blur
+/// of a material; mode, targets or variants of a primitive; visibility, levels, instances or
+/// animation of a node; surroundings; another scene. Values are mostly valid. Does nothing if there
+/// is no object to add it to.
 void add_feature(Json& document, std::mt19937& random);
 
 }  // namespace asos::fuzz

@@ -249,8 +249,8 @@ float unlikely_float(std::mt19937& random) {
   }
 }
 
-// What makes geometry hard: points that coincide, lie in one line or plane, differ by one bit, are
-// no numbers, or are far away.
+// Makes geometry difficult: points that coincide, are collinear or coplanar, differ by one bit, are
+// not numbers, or are far away.
 void change_numbers(std::string& bin, std::mt19937& random) {
   constexpr std::size_t word = sizeof(float), point = 3 * word;
   if (bin.size() < 2 * point) return;

@@ -5,9 +5,9 @@
 
 namespace asos::fuzz {
 
-/// A glTF file (.glb, or .gltf as text) with some changes to its JSON or to the numbers in its
-/// binary chunk: still a container, often still a scene, with values that nobody means. Empty where
-/// the file is none to begin with.
+/// Mutates a glTF file (.glb, or .gltf as text) in its JSON or in the numbers of its binary chunk.
+/// The result is still a container, often still a scene, with unusual values. Empty if the input is
+/// no glTF file.
 [[nodiscard]] std::string mutated_gltf(std::string_view file, unsigned seed);
 
 }  // namespace asos::fuzz

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-// What libFuzzer calls, and in its absence the main() of replay.cpp.
+// The functions that libFuzzer calls, or else the main() of replay.cpp.
 
 extern "C" {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -16,16 +16,16 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
 
 namespace asos::fuzz {
 
-/// Ends the program, and so keeps the input, where a promise does not hold; says which.
+/// Ends the program with this message, so that the input is kept, if a guarantee is violated.
 void require(bool holds, const std::string& promise);
 
-/// The path of a file of this name that holds the bytes until the next call with this name. Its
-/// folder holds nothing else and is this process's own.
+/// Writes the bytes to a file of this name and returns its path. The file exists until the next
+/// call with this name; its folder belongs to this process alone.
 [[nodiscard]] std::string input_file(const std::string& name, const std::uint8_t* data,
                                      std::size_t size);
 
-/// Hands what a mutator made to libFuzzer: its length, or that of what libFuzzer itself makes of
-/// the input where it does not fit.
+/// Passes a mutator's result to libFuzzer and returns its length. If it does not fit, libFuzzer
+/// mutates the input itself.
 [[nodiscard]] std::size_t mutated(std::string_view made, std::uint8_t* data, std::size_t size,
                                   std::size_t most_bytes);
 

@@ -49,12 +49,12 @@ Json other_value(std::span<const char* const> words, std::mt19937& random) {
   }
 }
 
-// A number near what it was, or none that is.
+// Sets a number near its old value, or something that is no number.
 void change_number(Json& number, std::span<const char* const> words, std::mt19937& random) {
   if (random() % 3 == 0) {
     number = other_value(words, random);
   } else if (number.is_number_integer()) {
-    // Round the ends of its type, as unsigned numbers do.
+    // Wraps around at the ends of its type, as unsigned numbers do.
     number = static_cast<std::int64_t>(number.get<std::uint64_t>() + random() % 5 - 2);
   } else {
     constexpr std::array factors{0.0, -1.0, 0.5, 2.0, 1e-3, 1e3, 1e-20, 1e20, 1.0000001};
@@ -110,7 +110,7 @@ void change(Json& document, std::span<const char* const> words, std::mt19937& ra
     at = other_value(words, random);
     return;
   }
-  // A copy: what is grafted may hold the place that it goes to.
+  // A copy, because the grafted value may contain its destination.
   const Json graft = random() % 2 == 0 ? Json(any_of(places, random)) : other_value(words, random);
   if (at.is_number()) return change_number(at, words, random);
   if (at.is_array()) return change_list(at, graft, random);

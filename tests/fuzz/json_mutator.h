@@ -10,12 +10,12 @@ namespace asos::fuzz {
 
 using Json = nlohmann::ordered_json;
 
-/// Changes some values of a JSON document and leaves it a document: unlikely numbers and names,
-/// members that are left out, doubled, swapped or grafted elsewhere. `words` are names that the
-/// reader knows.
+/// Changes some values of a JSON document, which stays valid JSON: unlikely numbers and names, and
+/// members that are removed, duplicated, swapped or moved. `words` are names that the reader
+/// supports.
 void mutate(Json& document, std::span<const char* const> words, std::mt19937& random);
 
-/// A number that few have thought of: at the ends of types, about limits, 0, tiny, huge.
+/// An unlikely number: at the limits of types, near other limits, 0, tiny or huge.
 [[nodiscard]] double unlikely_number(std::mt19937& random);
 
 }  // namespace asos::fuzz

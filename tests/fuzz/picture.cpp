@@ -6,7 +6,8 @@
 #include <array>
 #include <utility>
 
-// Any picture's text is a description that can be written and read again, or is refused in words.
+// Any picture's text is either a description that survives writing and reading, or is rejected with
+// an error.
 
 namespace asos::fuzz {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::array<const char*, 24> words{
     "sky",           "dfrs",     "display",      "origin",      "type",        "point light",
     "file",          "turn_deg", "scene_number", "environment", "dusk",        "brightness"};
 
-/// The picture with some changes to its description; empty where it has none.
+/// The picture with mutations of its description; empty if it has none.
 std::string with_other_description(const std::uint8_t* data, std::size_t size, unsigned seed) {
   const std::string path = input_file("from", data, size);
   Result<ImageText> text = read_image_text(path);
@@ -50,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(description.error().subject == path && !description.error().reason.empty(),
             "the error names the file");
   }
-  // What the window reads of pictures, too.
+  // The parts that the window reads of pictures.
   if (size > 0 && data[0] == 0x89) {
     const auto picture = read_png(path);
     require(

@@ -17,16 +17,15 @@
 #include <random>
 #include <string_view>
 
-// Whatever scene a file holds, it is rendered: with every feature on, to finite pixels, the same
-// whatever is forced on, and the same in a part of the picture.
+// Any loadable scene renders with all features on: to finite pixels, which do not depend on forced
+// features, and which are the same in a crop of the picture.
 
 namespace asos::fuzz {
 namespace {
 
 constexpr int side = 16;
 
-/// The number "asos_fuzz" in the file's asset, which chooses how it is rendered; 0 where it has
-/// none.
+/// The number "asos_fuzz" in the file's asset, which selects render settings; 0 if it is missing.
 unsigned chosen_by(std::string_view file) {
   const std::size_t at = file.find("\"asos_fuzz\":");
   unsigned number = 0;
@@ -39,7 +38,7 @@ unsigned chosen_by(std::string_view file) {
 class Choice {
  public:
   explicit Choice(unsigned number) : usual_(number == 0), random_(number) {}
-  /// 0 to count - 1; the first of them by default.
+  /// A choice from 0 to count - 1; 0 by default.
   int of(int count) {
     return usual_ ? 0 : static_cast<int>(random_() % static_cast<unsigned>(count));
   }
@@ -98,8 +97,8 @@ RenderSettings settings_of(Choice& choice) {
   return s;
 }
 
-/// What came later draws from numbers of its own, so that files of the corpus stay rendered as they
-/// were.
+/// Later settings use their own random numbers, so that existing files of the corpus render as
+/// before.
 void add_later_settings(RenderSettings& s, unsigned number) {
   Choice choice(number == 0 ? 0 : number ^ 0x5eed0000u);
   if (choice.of(3) == 1) s.background.kind = choice.any(BackgroundKind::transparent);
@@ -111,7 +110,7 @@ Camera camera_of(const World& world, Choice& choice) {
   const int chosen = choice.of(3);
   if (chosen == 0 && !world.cameras.empty()) return world.cameras.front();
   Camera camera = default_camera(world, 1.0);
-  // Among the surfaces instead of before them.
+  // The camera is among the surfaces instead of in front of them.
   if (chosen == 2) {
     const glm::dvec3 middle = 0.5 * (glm::dvec3(world.bounds.lo) + glm::dvec3(world.bounds.hi));
     if (!world.bounds.empty()) camera.world_from_camera[3] = glm::dvec4(middle, 1.0);

@@ -12,9 +12,9 @@
 #include <unistd.h>
 #include <vector>
 
-// Stands in for libFuzzer where there is none: runs a harness on files, and on what its mutator
-// makes of them, always the same. Usage: fuzz_NAME FOLDER_OR_FILE... [--mutations COUNT]; the count
-// is for each file. An input that ends the program is left behind as fuzz-failure.
+// Replaces libFuzzer where it is missing: runs a harness on files, and on mutations of them,
+// reproducibly. Usage: fuzz_NAME FOLDER_OR_FILE... [--mutations COUNT]; COUNT is per file. An input
+// that crashes the program is kept as fuzz-failure.
 
 namespace asos::fuzz {
 namespace {
@@ -34,7 +34,7 @@ void keep_input(int signal) {
 }
 
 void run_current() {
-  // A copy of its own size, so that reading past the end is noticed.
+  // A copy of exact size, so that reading past its end is detected.
   const std::vector<std::uint8_t> input(current);
   LLVMFuzzerTestOneInput(input.data(), input.size());
 }
@@ -85,7 +85,7 @@ int replay(const std::vector<std::string>& arguments) {
 }  // namespace
 }  // namespace asos::fuzz
 
-// Flips bytes, as the simplest of libFuzzer's own mutations do.
+// Flips bytes, like the simplest mutations of libFuzzer.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
                                         std::size_t most_bytes) {
   using asos::fuzz::random_bytes;

@@ -6,13 +6,13 @@
 #include <string>
 #include <string_view>
 
-// Any file is a scene that keeps the promises of scene.h, at rest and at times, with a variant of
-// its materials and with another of its scenes, or is refused in words.
+// Any file is either rejected with an error, or a scene that keeps the guarantees of scene.h: at
+// rest, at times of its animations, with a material variant, and for another of its scenes.
 
 namespace asos::fuzz {
 namespace {
 
-/// The file's other scenes and its variants are scenes as well.
+/// Checks the file's other scenes and its variants.
 std::string broken_promise_of_choices(const SceneContents& contents, const std::string& path) {
   std::string broken;
   if (!contents.variants.empty())

@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-// Any .hdr or .exr is a sky that shines finitely in all directions, or is refused in words.
+// Any .hdr or .exr is either rejected with an error, or a sky with finite radiance in all
+// directions.
 
 namespace asos::fuzz {
 

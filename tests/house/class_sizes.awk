@@ -1,10 +1,10 @@
 # Reads C++ sources, headers first, and prints for each class, struct and union
 #   class NAME FUNCTIONS LINES FILE
-# with the member functions that it declares (defaulted and deleted ones, too; nested classes count
-# by themselves) and the lines of its body and of its members' definitions, in whichever file. For
-# each member that is a reference it prints
+# with the number of member functions that it declares (including defaulted and deleted ones; nested
+# classes count separately), and the lines of its body and of its members' definitions in all files.
+# For each member that is a reference it prints
 #   reference NAME LINE FILE
-# It knows just enough of C++ for code that clang-format has laid out and that no macro hides.
+# It parses just enough of C++ for code that clang-format has formatted and that uses no macros.
 
 FNR == 1 {
   if (source != "") read_source()
@@ -18,7 +18,7 @@ END {
   for (i = 1; i <= classes; ++i) print "class", name[i], functions[i] + 0, lines[i], file[i]
 }
 
-# A line of code without comments, preprocessor directives and what quotes hold.
+# A line of code without comments, preprocessor directives and the contents of quotes.
 function without_comments(line,    out, i, c, two) {
   if (in_directive || (!in_comment && line ~ /^[ \t]*#/)) {
     in_directive = line ~ /\\$/
@@ -46,7 +46,7 @@ function without_comments(line,    out, i, c, two) {
   return out
 }
 
-# Goes through the declarations of one source.
+# Parses the declarations of one source.
 function read_source(    at, c, parens, text) {
   depth = parens = 0
   line = 1
@@ -72,7 +72,7 @@ function read_source(    at, c, parens, text) {
       } else {
         at = end_of_braces(at)
         head = head "{}"
-        # A list of initialisers goes on, and so does what is called with braces.
+        # A list of initialisers continues, and so does a call with braces.
         if (parens == 0 && substr(code, at + 1) !~ /^[ \n]*[,{]/) end_declaration(1)
       }
     } else if (c != " " || head != "") {
@@ -87,7 +87,7 @@ function enter(class) {
   head = ""
 }
 
-# The place of the brace that closes the one at `at`.
+# Returns the position of the brace that closes the one at `at`.
 function end_of_braces(at,    open, c) {
   open = 0
   for (; at <= length(code); ++at) {
@@ -105,7 +105,7 @@ function new_class(text,    own, i) {
   sub(/^[a-z]+ +/, "", own)
   sub(/:+$/, "", own)
   for (i = depth; i > 0 && scope[i] > 0; --i) own = name[scope[i]] "::" own
-  # Each source has an unnamed namespace of its own.
+  # Each source has its own unnamed namespace.
   number[source ~ /\.h$/ ? own : source " " own] = ++classes
   name[classes] = own
   file[classes] = source
@@ -127,7 +127,7 @@ function end_declaration(with_body,    text, class) {
   }
 }
 
-# A declaration without what hides whether it is a function.
+# A declaration without the parts that hide whether it is a function.
 function bare(text) {
   gsub(/operator *\( *\)/, "operator_", text)
   gsub(/operator *[^A-Za-z_0-9( ]+/, "operator_", text)
@@ -141,7 +141,7 @@ function bare(text) {
   return text
 }
 
-# Whether there are parentheses that neither an initialiser nor a pointer to a function has.
+# Whether there are parentheses other than those of an initialiser or of a pointer to a function.
 function is_function(text,    open, equals) {
   if (text ~ /^(using|typedef|friend|static_assert|enum)[^A-Za-z_]/) return 0
   open = index(text, "(")

@@ -1,6 +1,6 @@
-# Reads CTest's LastTest.log and prints how many tests failed, how many there are and how many were
-# skipped: GoogleTest's single ones where a suite tells of them; a script, and a suite that ended before
-# it could say which failed, count as one.
+# Reads CTest's LastTest.log and prints the numbers of failed, of all and of skipped tests. Counts
+# GoogleTest's single tests if a suite reports them. A script counts as one, and so does a suite
+# that ended before it reported its failures.
 /^[0-9]+\/[0-9]+ Testing: / { cases = bad = 0 }
 /^\[ RUN      \] / { ++cases }
 /^\[  FAILED  \] .* \([0-9]+ ms\)$/ { ++bad }

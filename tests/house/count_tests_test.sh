@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ./check counts single tests: those of a suite, skipped and failed ones, a suite that ended early and a
-# script. Usage: count_tests_test.sh SOURCE_DIR
+# ./check counts single tests: those of a suite, skipped and failed ones, a suite that ended early,
+# and a script. Usage: count_tests_test.sh SOURCE_DIR
 set -euo pipefail
 found=$(awk -f "$1/tests/house/count_tests.awk" <<'LOG'
 1/4 Testing: film.Film

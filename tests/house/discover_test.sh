@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# What CTest makes of a suite: passed, failed, skipped, and failed though nothing else passed.
+# CTest's result for a suite: passed, failed, skipped, and failed although no test passed.
 # Usage: discover_test.sh SOURCE_DIR
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-# A program that answers as GoogleTest's do.
+# A program with GoogleTest's output.
 cat > "$folder/program" <<'PROGRAM'
 #!/bin/sh
 case $1 in

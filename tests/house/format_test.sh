@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every source is as clang-format with the tree's file leaves it.
+# Every source is formatted by clang-format with the settings of the tree.
 # Usage: format_test.sh SOURCE_DIR. Exit code 77: skipped, this clang-format is not installed.
 set -euo pipefail
 cd -- "$1"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Includes run one way: app -> ui -> renderer, and inside renderer/ each folder includes itself and
-# those that renderer/CMakeLists.txt adds before it. The renderer knows no OpenGL, GLFW or ImGui and
-# prints nothing. Usage: includes_test.sh SOURCE_DIR
+# Includes go one way: app -> ui -> renderer. Inside renderer/ each folder may include itself and
+# the folders that renderer/CMakeLists.txt adds before it. The renderer uses no OpenGL, GLFW or
+# ImGui and prints nothing. Usage: includes_test.sh SOURCE_DIR
 set -euo pipefail
 cd -- "$1"
 status=0
 
-# forbid FOLDER PATTERN REASON: no line of code (comments aside) of FOLDER may match PATTERN.
+# forbid FOLDER PATTERN REASON: no line of code in FOLDER may match PATTERN, except in comments.
 forbid() {
   local folder=$1 pattern=$2 reason=$3 hit text
   [[ -d $folder ]] || return 0
@@ -35,7 +35,7 @@ forbid renderer '(^|[^[:alnum:]_])(printf|fprintf|vprintf|vfprintf|puts|fputs|pu
 forbid renderer 'std::(cout|cerr|clog|print)|fmt::print|#[[:space:]]*include[[:space:]]*<iostream>' \
   'renderer/ prints nothing'
 
-# Inside renderer/, by the order of its add_subdirectory lines.
+# Inside renderer/, the order of its add_subdirectory lines counts.
 folders=$(sed -nE 's/^add_subdirectory\(([a-z_]+)\)$/\1/p' renderer/CMakeLists.txt)
 while IFS= read -r folder; do
   grep -qx "$folder" <<<"$folders" && continue

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Packs what was built as a Debian package, unpacks it elsewhere and runs it from there: scenes are
-# listed, one is rendered, and what the desktop needs is where it looks for it. The package names the
-# libraries that the program is linked with.
+# Packs the build as a Debian package, unpacks it in another place and runs it there: lists the
+# scenes, renders one, and checks that the desktop's files are in their places. The package depends
+# on the libraries that the program is linked with.
 # Usage: install_test.sh BUILD_DIR
 set -euo pipefail
 build=$1

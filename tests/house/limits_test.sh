@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The manual's table of limits says what the code says: each number of it stands in the code, at the place
-# named here. Usage: limits_test.sh SOURCE_DIR
+# The numbers in the manual's table of limits are those of the code, at the places named here.
+# Usage: limits_test.sh SOURCE_DIR
 set -euo pipefail
 export LC_ALL=C
 cd -- "$1"

@@ -16,7 +16,7 @@ command -v python3 >/dev/null || {
 lines=$(wc -l <README.md)
 ((lines <= 150)) || fail "README.md has $lines lines, of at most 150"
 
-# The check itself, by a sentence of either kind.
+# Tests the check itself with a plain and an odd sentence.
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 printf 'The dialog filters the folder and the recent files as you type.\n' >"$work/plain.md"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs the commands of README.md, CONTRIBUTING.md and docs/: every ```sh block after a line
-# `<!-- checked -->` has to succeed with the freshly built asos on the PATH. Each document has an empty
-# folder of its own. Links and names with a trailing slash have to exist, and pictures of docs/images
-# have to be shown somewhere.
+# Runs the commands of README.md, CONTRIBUTING.md and docs/: every ```sh block after a line `<!--
+# checked -->` must succeed with the freshly built asos in the PATH. Each document has its own empty
+# folder. Links and names with a trailing slash must exist, and pictures of docs/images must be used
+# somewhere.
 # Usage: readme_test.sh SOURCE_DIR ASOS
 set -euo pipefail
 cd -- "$1"
@@ -14,7 +14,7 @@ trap 'rm -rf -- "$work"' EXIT
 mkdir "$work/bin"
 ln -s -- "$program" "$work/bin/asos"
 
-# checked_blocks DOCUMENT PREFIX: one file per block, PREFIX1 and so on.
+# checked_blocks DOCUMENT PREFIX: writes one file per block, PREFIX1 and so on.
 checked_blocks() {
   awk -v prefix="$2" '
     /^<!-- checked -->$/ { wanted = 1; next }
@@ -25,7 +25,7 @@ checked_blocks() {
   ' "$1"
 }
 
-# anchors DOCUMENT: its headings, as links name them.
+# anchors DOCUMENT: the anchors of its headings, as used in links.
 anchors() {
   grep -E '^#+ ' "$1" | sed -E 's/^#+ //' | tr '[:upper:] ' '[:lower:]-' | tr -cd 'a-z0-9_\n-'
 }
@@ -45,7 +45,7 @@ for document in "${documents[@]}"; do
     rm -- "$block"
   done
 done
-# A document with commands that lost its marks, or a search that finds no documents.
+# Detects a document with commands that lost its marks, and a search that finds no documents.
 ((count >= 12)) || {
   echo "$count checked blocks were found; at least 12 are expected"
   exit 1

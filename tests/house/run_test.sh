@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ./run works from another folder, with spaces in paths: without a display it renders to a PNG in
-# the current directory and says where; subcommands and exit codes pass through.
+# ./run works from another folder and with spaces in paths. Without a display it renders to a PNG in
+# the current directory and prints its path; subcommands and exit codes are passed through.
 # Usage: run_test.sh SOURCE_DIR
 set -uo pipefail
 run=$1/run

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The window and the command line speak plainly: tools/plain flags no string of theirs. Sentences of
-# the window have at most 15 words, those of the command line 25. Usage: screen_text_test.sh SOURCE_DIR
+# Texts of the window and the command line are plain: tools/plain flags none of their strings.
+# Sentences have at most 15 words in the window and 25 on the command line. Usage:
+# screen_text_test.sh SOURCE_DIR
 set -euo pipefail
 cd -- "$1"
 command -v python3 >/dev/null || {
@@ -13,8 +14,8 @@ fail() {
   printf '%s\n' "$*"
 }
 
-# The check itself: adjacent literals are one, comments and includes are none, long sentences and
-# retired words are found.
+# Tests the check itself: adjacent literals are joined, comments and includes are ignored, long
+# sentences and retired words are found.
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 cat >"$work/good.cpp" <<'GOOD'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The code's inner order: one type Pyray, no hidden state in the casters, no class of the engine
-# that has grown too large, and an architecture document whose way of a pixel names existing functions.
+# Structure of the code: one type Pyray, no hidden state in the casters, no class of the engine
+# above its size limit, and an architecture document whose path of a pixel names existing functions.
 # Usage: structure_test.sh SOURCE_DIR
 set -euo pipefail
 export LC_ALL=C
@@ -15,10 +15,10 @@ fail() {
 most_functions=25
 most_lines=400
 folders=(pyray asos shadows reflections)
-# Classes that may be larger, each with the reason beside it.
+# Larger classes that are allowed, each with its reason.
 exceptions=()
 
-# sizes_of FILE...: what class_sizes.awk says of them; headers first, so that it knows the classes.
+# sizes_of FILE...: the output of class_sizes.awk; headers come first, so that it knows the classes.
 sizes_of() {
   local headers=() sources=() file
   for file in "$@"; do
@@ -27,7 +27,7 @@ sizes_of() {
   awk -f "$here/class_sizes.awk" "${headers[@]}" "${sources[@]}"
 }
 
-# The counting itself, by a class whose size is known.
+# Tests the counting itself with a class of known size.
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 cat >"$work/sample.h" <<'SAMPLE'
@@ -86,14 +86,14 @@ reference Sample 28 sample.h'
 [[ $counted == "$expected" ]] ||
   fail 'class_sizes.awk miscounts; expected and counted:' "$expected" "$counted"
 
-# One type is called Pyray.
+# Exactly one type is called Pyray.
 pyrays=$(grep -rnE --include='*.h' --include='*.cpp' \
   '(^|[^A-Za-z_])((struct|class|union)[[:space:]]+Pyray([[:space:]]*$|[[:space:]]*[:{]|[[:space:]]+final)|using[[:space:]]+Pyray[[:space:]]*=)' \
   app renderer ui tests || true)
 [[ $(cut -d: -f1 <<<"$pyrays") == renderer/pyray/pyray.h ]] ||
   fail 'there has to be one type Pyray, in renderer/pyray/pyray.h; found:' "${pyrays:-none}"
 
-# The engine's classes, and what its casters keep.
+# The engine's classes, and the members of its casters.
 sources=()
 for folder in "${folders[@]}"; do
   mapfile -t found < <(find "renderer/$folder" -name '*.h' -o -name '*.cpp')
@@ -115,7 +115,7 @@ mutable=$(grep -nE '(^|[^A-Za-z_])mutable([^A-Za-z_]|$)' "${casters[@]}" /dev/nu
   sed 's://.*$::' | grep -w mutable || true)
 [[ -z $mutable ]] || fail 'casters keep nothing that is mutable:' "$mutable"
 
-# The numbered list of a pixel's way, each entry on one line: `function` (`file`).
+# The numbered list of a pixel's path, one entry per line: `function` (`file`).
 awk '
   /A pixel.s way/ { inside = 1 }
   inside && /^#/ && !/A pixel.s way/ { exit }

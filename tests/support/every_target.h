@@ -8,8 +8,8 @@
 
 namespace asos::test {
 
-/// Runs `check` with the kernels of each instruction set that they were made for and that this
-/// processor has.
+/// Runs `check` with the kernels of each instruction set that was built and that this processor
+/// supports.
 template <typename Check>
 void for_every_target(Check check) {
   const auto targets = hwy::SupportedAndGeneratedTargets();

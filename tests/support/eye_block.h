@@ -15,8 +15,8 @@
 
 namespace asos::test {
 
-/// A block of 4 x 4 pixels in a picture's centre, whose centres were sampled: what error terms are
-/// asked about.
+/// A block of 4 x 4 pixels at a picture's centre, sampled at the pixels' centres, for tests of
+/// error terms.
 class EyeBlock {
  public:
   static constexpr int side = 4, picture = 16;
@@ -68,7 +68,7 @@ class EyeBlock {
   [[nodiscard]] WeakLights& weak_lights() { return *weak_lights_; }
   [[nodiscard]] const ShadowContext& shadows() const { return shadows_; }
   [[nodiscard]] RenderStatistics& counts() { return counts_; }
-  /// All of pixel (x, y), or a square in its centre of so much of its side.
+  /// The whole of pixel (x, y), or a square at its centre with this fraction of its side.
   [[nodiscard]] Leaf leaf(int x, int y, float part = 1.0f) const {
     constexpr float pixel = 1.0f / side;
     const glm::vec2 centre = (glm::vec2(x, y) + 0.5f) * pixel;

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-// The facets of a rough surface (glTF's appendix B: GGX, height-correlated Smith, Schlick) by
-// quadrature over their own distribution, in double precision and with nothing of the renderer's
-// shading: what they mirror, or let through, of any surroundings.
+// Microfacets of a rough surface (glTF's appendix B: GGX, height-correlated Smith, Schlick): their
+// reflection or transmission of arbitrary surroundings, by quadrature over their distribution in
+// double precision, independent of the renderer's shading.
 
 namespace asos::test {
 
-/// In the frame of the surface: z is its normal.
+/// In the surface's frame: z is its normal.
 struct Facets {
   glm::dvec2 alpha{0.1};  ///< squared roughness along x and y
   double f0 = 1.0;
@@ -20,9 +20,9 @@ struct Facets {
 
   [[nodiscard]] double root(glm::dvec3 v) const { return glm::length(glm::dvec3(alpha, 1.0) * v); }
 
-  /// Calls `each` with a facet's unit normal and its share of the unit square, for n x n of them.
-  /// With slopes s, GGX has the share s^2 / (1 + s^2) of its facets below s, in units of alpha. The
-  /// steep ones, which are few, are looked at more closely.
+  /// Calls `each` with a facet's unit normal and its area in the unit square, for n x n of them.
+  /// For slopes s, in units of alpha, GGX has the fraction s^2 / (1 + s^2) of its facets below s.
+  /// Steep facets, which are rare, are sampled more densely.
   template <typename Function>
   void each(int n, const Function& each) const {
     for (int i = 0; i < n; ++i) {
@@ -36,8 +36,8 @@ struct Facets {
     }
   }
 
-  /// The radiance towards a viewer in the unit direction `v`, where `radiance` is that from a unit
-  /// direction: the integral of BRDF and cosine.
+  /// Radiance towards a viewer in the unit direction `v`, with `radiance` as a function of the
+  /// incoming unit direction: the integral of BRDF and cosine.
   template <typename Function>
   [[nodiscard]] auto mirrored(int n, glm::dvec3 v, const Function& radiance) const {
     auto sum = 0.0 * radiance(v);
@@ -52,8 +52,8 @@ struct Facets {
     return sum;
   }
 
-  /// Calls `of` with the normals of the facets that a viewer sees, and the share of each in what it
-  /// sees.
+  /// Calls `of` with the normals of the facets visible to a viewer, and each one's visible
+  /// fraction.
   template <typename Function>
   void each_visible(int n, glm::dvec3 v, const Function& of) const {
     each(n, [&](glm::dvec3 h, double share) {
@@ -62,7 +62,7 @@ struct Facets {
     });
   }
 
-  /// The mean of a function of the facet's normal over those.
+  /// Mean of a function of the facet's normal over the visible facets.
   template <typename Function>
   [[nodiscard]] auto over_visible(int n, glm::dvec3 v, const Function& of) const {
     auto sum = 0.0 * of(v);

@@ -6,7 +6,7 @@
 
 namespace asos::test {
 
-/// Places a mesh of its own material; its `material` is set.
+/// Adds an instance of a mesh with this material; sets its `material`.
 inline void place(Scene& scene, Mesh mesh, const Material& material,
                   const glm::dmat4& world_from_mesh = glm::dmat4(1.0)) {
   mesh.material = static_cast<int>(scene.materials.size());
@@ -18,8 +18,8 @@ inline void place(Scene& scene, Mesh mesh, const Material& material,
   scene.instances.push_back(instance);
 }
 
-/// A parallelogram at height z that faces +Z, for -half <= y <= half, between the slanted lines
-/// that cross y = 0 at x = left and right and that go `slope` to the right for each unit of height.
+/// A parallelogram at height z that faces +Z, for -half <= y <= half, between slanted lines that
+/// cross y = 0 at x = left and right and shift by `slope` per unit of height.
 inline Mesh slanted_strip(double left, double right, double slope, double half, double z) {
   Mesh mesh;
   for (const double y : {-half, half}) {
@@ -30,7 +30,7 @@ inline Mesh slanted_strip(double left, double right, double slope, double half, 
   return mesh;
 }
 
-/// A wall half a unit before the first camera, far larger than its view.
+/// A wall half a unit in front of the first camera, far larger than its view.
 inline void add_wall_before_camera(Scene& scene) {
   Material material;
   material.base_color = glm::vec4(glm::vec3(0.7f), 1.0f);

@@ -6,7 +6,7 @@
 
 namespace asos::test {
 
-/// The surfaces of a scene alone.
+/// The flattened surfaces of a scene, without the rest.
 inline Result<World> flat_world(const Scene& scene) {
   return flatten(scene).map([](FlattenedScene flattened) { return std::move(flattened.world); });
 }

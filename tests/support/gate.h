@@ -6,7 +6,7 @@
 
 namespace asos::test {
 
-/// Lets who waits there pass once it is open.
+/// Blocks threads until it is opened.
 class Gate {
  public:
   void open() {
@@ -16,7 +16,7 @@ class Gate {
     }
     opened_.notify_all();
   }
-  /// False once a stop is requested.
+  /// Returns false once a stop is requested.
   [[nodiscard]] bool wait(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     return opened_.wait(lock, stop, [this] { return open_; });

@@ -9,11 +9,11 @@
 #include <numbers>
 #include <string>
 
-// Scenes of meshes with many instances, and the same scenes with a copy of a mesh for each.
+// Scenes with many instances of meshes, and the same scenes with a copy of the mesh per instance.
 
 namespace asos::test {
 
-/// A unit ball of 2 * rings * (rings - 1) triangles, smooth or without normals.
+/// A unit sphere of 2 * rings * (rings - 1) triangles, smooth or without normals.
 inline Mesh ball_mesh(std::uint32_t rings, bool smooth, int material) {
   Mesh mesh;
   mesh.name = smooth ? "ball" : "gem";
@@ -39,8 +39,7 @@ inline Mesh ball_mesh(std::uint32_t rings, bool smooth, int material) {
   return mesh;
 }
 
-/// A place turned about an axis of its own, stretched and, every third, mirrored; nested as nodes
-/// are: a matrix within a matrix.
+/// A transform with rotation, stretch and, every third time, mirroring; composed like nested nodes.
 inline glm::dmat4 place_of(int i, int columns, double spacing) {
   const glm::dvec3 at(spacing * (i % columns - 0.5 * columns), 0.4 + 0.1 * (i % 5),
                       spacing * (i / columns - 0.5 * columns));
@@ -51,7 +50,7 @@ inline glm::dmat4 place_of(int i, int columns, double spacing) {
   return glm::scale(outer * inner, glm::dvec3(0.4 + 0.05 * (i % 4)));
 }
 
-/// `count` instances of two meshes in turn over a floor. Some of them overlap. The second mesh is a
+/// `count` instances of two alternating meshes over a floor; some overlap. The second mesh is a
 /// mirror. A rectangle lights the scene.
 inline Scene instanced_scene(int count, std::uint32_t rings, double spacing = 1.0) {
   Scene scene;

@@ -11,8 +11,9 @@
 #include <utility>
 #include <vector>
 
-// The irradiance from lights of radiance 1, or what a surface sends on of it, by slow adaptive
-// quadrature over their surface, or over directions: nothing of the renderer's closed forms.
+// Irradiance from lights of radiance 1, or the light that a surface reflects of it, by slow
+// adaptive quadrature over their surface or over directions. Independent of the renderer's closed
+// forms.
 
 namespace asos::test {
 
@@ -50,8 +51,8 @@ struct Piece {
   return {begin, end, half * fine, std::abs(half * (fine - coarse))};
 }
 
-/// Integral of f from the least to the greatest of `breaks`, to about `tolerance` of the result:
-/// the interval with the largest error is halved until the errors are small or 300 are in use.
+/// Integral of f from the smallest to the largest of `breaks`, to about `tolerance` relative: the
+/// interval with the largest error is halved until the errors are small or there are 300 intervals.
 [[nodiscard]] inline double integrate(const Function& f, std::vector<double> breaks,
                                       double tolerance) {
   std::sort(breaks.begin(), breaks.end());
@@ -81,7 +82,7 @@ struct Piece {
   }
 }
 
-/// begin, end and steps of growing length from `peak` on that lie between.
+/// begin, end, and steps of growing size around `peak` between them.
 [[nodiscard]] inline std::vector<double> graded(double begin, double end, double peak,
                                                 double width) {
   std::vector<double> breaks{begin, end};
@@ -96,33 +97,33 @@ struct Piece {
   return breaks;
 }
 
-/// Cuts begin..end to where at_zero + x slope > 0.
+/// Clips begin..end to the range where at_zero + x slope > 0.
 inline void cut(double at_zero, double slope, double& begin, double& end) {
   if (slope > 0.0) begin = std::max(begin, -at_zero / slope);
   if (slope < 0.0) end = std::min(end, -at_zero / slope);
   if (slope == 0.0 && at_zero <= 0.0) end = begin;
 }
 
-/// A flat light in the plane of `x_axis` and `y_axis` (unit, at right angles) through `origin`:
-/// where it runs along x at each height y from y0 to y1.
+/// A flat light in the plane of `x_axis` and `y_axis` (unit, orthogonal) through `origin`: its
+/// range in x at each height y from y0 to y1.
 struct FlatRegion {
   glm::dvec3 origin, x_axis, y_axis;
   double y0, y1;
   std::vector<double> heights;  ///< of corners between
   std::function<std::vector<std::pair<double, double>>(double y)> spans;
-  /// Heights where the line at_zero + slope . (x, y) = 0 crosses its border, among others.
+  /// Heights, possibly with others, where the line at_zero + slope . (x, y) = 0 crosses its border.
   std::function<std::vector<double>(double at_zero, glm::dvec2 slope)> border_heights;
 };
 
-/// The share of the light from a direction (unit) that a surface sends on: most of that from about
-/// `peak` (unit), and varying there over `width` radians.
+/// The fraction of light from a unit direction that a surface reflects. It peaks near `peak` (unit)
+/// and varies over about `width` radians.
 struct Response {
   std::function<double(glm::dvec3)> share;
   glm::dvec3 peak;
   double width;
 };
 
-/// Seen from the side that x_axis x y_axis points to.
+/// Seen from the side of x_axis x y_axis.
 [[nodiscard]] inline double flat_oracle(const FlatRegion& region, const Receiver& receiver,
                                         double tolerance = 1e-8,
                                         const Response* response = nullptr) {
@@ -134,7 +135,7 @@ struct Response {
   const double n_x = glm::dot(receiver.normal, region.x_axis);
   const double g_x = glm::dot(receiver.geometric, region.x_axis);
 
-  // Where the peak of the response lies in the plane, if anywhere.
+  // The response's peak in the plane, if it is there.
   glm::dvec2 peak(0.0);
   double peak_width = 0.0;
   if (response) {
@@ -209,7 +210,7 @@ struct Response {
   return region;
 }
 
-/// Outlines in the plane's coordinates; the inside is where an odd number of them is around.
+/// Outlines in the plane's coordinates; a point inside is within an odd number of them.
 [[nodiscard]] inline FlatRegion polygon_region(glm::dvec3 origin, glm::dvec3 x_axis,
                                                glm::dvec3 y_axis,
                                                std::vector<std::vector<glm::dvec2>> outlines) {
@@ -252,7 +253,7 @@ struct Response {
   return region;
 }
 
-/// Directions within `half_angle` of `axis`, ring by ring.
+/// Directions within `half_angle` of `axis`, integrated ring by ring.
 [[nodiscard]] inline double cone_oracle(glm::dvec3 axis, double half_angle,
                                         const Receiver& receiver) {
   const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -297,7 +298,7 @@ struct Response {
   return integrate(ring, breaks, 1e-9);
 }
 
-/// A line of one candela a metre; `lambertian`: with the sine of the angle to it.
+/// A line of one candela per metre; `lambertian`: times the sine of the angle to it.
 [[nodiscard]] inline double line_oracle(glm::dvec3 begin, glm::dvec3 end, bool lambertian,
                                         const Receiver& receiver,
                                         const Response* response = nullptr) {
@@ -319,7 +320,7 @@ struct Response {
   };
   std::vector<double> breaks = graded(s0, s1, foot, height);
   if (response) {
-    // Where the line comes nearest to the response's peak.
+    // The point of the line nearest to the response's peak.
     const double peak_start = glm::dot(response->peak, start);
     const double peak_along = glm::dot(response->peak, along);
     const double nearest = (foot + peak_start * peak_along) / (1.0 - peak_along * peak_along);

@@ -26,7 +26,7 @@ struct NamedLight {
   return light;
 }
 
-/// All shapes, `scale` times as large and as far away, and moved by `offset`.
+/// All shapes, with size and distance scaled by `scale` and shifted by `offset`.
 [[nodiscard]] inline std::vector<NamedLight> lights(double scale, glm::dvec3 offset) {
   std::vector<NamedLight> all;
   const auto add = [&](const std::string& name, const Light& light,
@@ -58,7 +58,7 @@ struct NamedLight {
   return all;
 }
 
-/// What a LitPoint refers to.
+/// The data that a LitPoint refers to.
 struct LitSubject {
   std::unique_ptr<SurfacePoint> point = std::make_unique<SurfacePoint>();
   ViewedMaterial material{};
@@ -86,7 +86,7 @@ struct LitSubject {
       std::max(glm::dot(s.point->shading_normal, glm::vec3(to_viewer)), grazing_cosine);
   s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, glm::vec3(to_viewer), n_dot_v});
   const auto unit = [&] { return static_cast<float>(space.between(0, 1)); };
-  // Rougher than a mirror: next to one's reflection the last bits of a direction are all there is.
+  // Rougher than a mirror: near a mirror's reflection the last bits of a direction decide.
   s.material = {{unit(), unit(), unit()}, {},    glm::vec3(unit()), 0.3f + 0.7f * unit(),
                 glm::vec3(unit()),        unit()};
   if (kind % 7 == 0) {
@@ -106,7 +106,7 @@ struct LitSubject {
   return s;
 }
 
-/// A batch that is not a multiple of any lanes, and its places.
+/// A batch whose size is not a multiple of any vector width, with its points.
 struct LitSubjects {
   std::vector<LitSubject> subjects;
   LitBatch points;
@@ -130,7 +130,7 @@ struct LitSubjects {
   }
 };
 
-/// A scene of about 1, tiny and huge ones, and one far from the origin.
+/// Scenes of size about 1, tiny and huge ones, and one far from the origin.
 struct Scale {
   double scale;
   glm::dvec3 offset;

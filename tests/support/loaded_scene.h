@@ -13,7 +13,7 @@
 
 namespace asos::test {
 
-/// Which of a material's layers, or what lies below them, breaks a promise; null: none.
+/// Names the layer of a material, or of its base, that violates a guarantee; null: none.
 inline const char* broken_layer_of(const Material& m) {
   const auto share = [](float value) { return value >= 0.0f && value <= 1.0f; };
   const auto shares = [&](glm::vec3 v) { return share(v.x) && share(v.y) && share(v.z); };
@@ -49,7 +49,7 @@ inline std::string broken_promise_of(const Material& m) {
   return "";
 }
 
-/// What of the promises of the headers what came back from loading a file breaks; empty: nothing.
+/// Names the guarantee of the headers that a loaded scene violates; empty: none.
 inline std::string broken_promise_of(const Result<Scene>& scene, const std::string& path) {
   if (!scene) {
     if (scene.error().subject != path) return "the error names the file";
@@ -70,7 +70,7 @@ inline std::string broken_promise_of(const Result<Scene>& scene, const std::stri
       return fmt::format("light '{}' {}", light.name, fault);
   const Result<World> world = flat_world(*scene);
   if (!world) {
-    // Only sizes may be refused here: the importer vouches for everything else.
+    // Only sizes may be rejected here: the importer checks everything else.
     const std::string& reason = world.error().reason;
     const bool of_size = reason.find("units across") != std::string::npos ||
                          reason.find("single precision") != std::string::npos ||

@@ -8,11 +8,11 @@
 
 namespace asos::test {
 
-/// How the red of a picture differs from another's, of the same size, in linear radiance.
+/// Differences of red, in linear radiance, between two pictures of equal size.
 struct Difference {
   double largest = 0.0;
   double rmse = 0.0;
-  double bias = 0.0;  ///< mean of the first less that of the second
+  double bias = 0.0;  ///< mean of the first minus that of the second
   double mean = 0.0;  ///< of the second
 };
 

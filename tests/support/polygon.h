@@ -7,11 +7,11 @@
 
 namespace asos::test {
 
-/// A polygon in a picture's plane, corner by corner.
+/// A polygon in the picture plane, as a list of corners.
 using Polygon = std::vector<glm::dvec2>;
 
 /// The part of a convex polygon where `depth`, a linear function of a point, is not negative: one
-/// step of Sutherland and Hodgman. Fewer than three corners are left where there is no such part.
+/// step of Sutherland and Hodgman. Returns fewer than three corners if there is no such part.
 template <class Depth>
 [[nodiscard]] Polygon clip(const Polygon& polygon, const Depth& depth) {
   Polygon kept;

@@ -14,7 +14,7 @@
 #include <sstream>
 #include <string>
 
-// Seeded random polygons in one pixel, and what the exact reference says of them.
+// Seeded random polygons in one pixel, with the exact reference's results.
 
 namespace asos::test {
 
@@ -34,7 +34,7 @@ inline std::vector<double> by_oracle(const World& world) {
   return areas;
 }
 
-/// One random case: what it shows, and a text to find it again.
+/// One random case, with a text to reproduce it.
 class Case {
  public:
   explicit Case(unsigned seed) : random_(seed) { text_ << "seed " << seed; }
@@ -93,7 +93,7 @@ class Case {
   std::ostringstream text_;
 };
 
-/// The greatest error of a part's area.
+/// The largest error of a part's area.
 inline double error_of(const Answer& answer, const std::vector<double>& truth) {
   double greatest = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i)
@@ -101,7 +101,7 @@ inline double error_of(const Answer& answer, const std::vector<double>& truth) {
   return greatest;
 }
 
-/// The errors of a class of cases, recorded with the test; counts those over their bound and prints
+/// The errors of a class of cases, recorded with the test. Counts those over their bound and prints
 /// the first few.
 class Errors {
  public:
@@ -135,7 +135,7 @@ class Errors {
   int over_ = 0;
 };
 
-/// How many cases a class has.
+/// Number of cases per class.
 inline constexpr unsigned cases = sanitized ? 200 : 1000;
 /// The engine's coordinates are floats.
 inline constexpr double rounding = 1e-5;

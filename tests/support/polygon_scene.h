@@ -18,7 +18,7 @@
 
 namespace asos::test {
 
-/// Flat convex polygons, one part each, for tests of the engine: a world without importer.
+/// Flat convex polygons, one part each, for tests of the engine without the importer.
 class PolygonScene {
  public:
   PolygonScene() { world.materials.resize(1); }
@@ -49,8 +49,8 @@ class PolygonScene {
   World world;
 };
 
-/// A Caster that looks through a frame by testing every triangle in double precision, and adds up
-/// what share of the root each part covers.
+/// A Caster for one frame that tests every triangle in double precision, and sums the weight that
+/// each part covers.
 class BruteForceCaster : public Caster {
  public:
   BruteForceCaster(const World& world, const FeatureSet& features, const Frame& frame)
@@ -117,8 +117,8 @@ class BruteForceCaster : public Caster {
   std::vector<Sample> samples_;
 };
 
-/// Looks down -Z from the origin at the square 0 <= x, y <= 1 at distance 1, so that a point
-/// (x, y, 1) * d in (x, -y, -z) is at (u, v) = (x, y). The world point at (u, v) and depth d:
+/// Looks down -Z from the origin at the square 0 <= x, y <= 1 at distance 1, so that a point (x, y,
+/// 1) * d in (x, -y, -z) is at (u, v) = (x, y). The world point at (u, v) and depth d:
 inline glm::vec3 at_depth(double u, double v, double depth) {
   return glm::vec3(glm::dvec3(u, -v, -1.0) * depth);
 }

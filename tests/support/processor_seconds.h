@@ -4,8 +4,8 @@
 
 namespace asos::test {
 
-/// Processor time that this process has taken so far, in all of its threads, in seconds: unlike
-/// the time on the wall it does not grow because others use the machine.
+/// CPU time in seconds of all threads of this process. Unlike wall-clock time, other load does not
+/// increase it.
 inline double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

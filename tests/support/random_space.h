@@ -9,7 +9,8 @@
 
 namespace asos::test {
 
-/// Seeded numbers, directions and receivers: the same ones with every run and every library.
+/// Seeded numbers, directions and receivers, which are the same in every run and with every
+/// standard library.
 class RandomSpace {
  public:
   explicit RandomSpace(std::uint64_t seed) : engine_(seed) {}
@@ -30,9 +31,9 @@ class RandomSpace {
       if (glm::length(across) > 0.1) return glm::normalize(across);
     }
   }
-  /// At `position` with the point `target` about overhead, anywhere, or near the horizon (by
-  /// `kind` % 3); its two horizons the same, apart, closer than a float tells, or with the target
-  /// near the second one, too (by `kind` / 3 % 4).
+  /// A receiver at `position`, with `target` above it, anywhere, or near its horizon (by `kind` %
+  /// 3). Its two horizons are equal, different, closer than float precision, or the target is near
+  /// the second one, too (by `kind` / 3 % 4).
   [[nodiscard]] Receiver receiver(glm::dvec3 position, glm::dvec3 target, int kind) {
     const glm::dvec3 axis = glm::normalize(target - position);
     Receiver receiver;

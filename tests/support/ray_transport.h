@@ -6,7 +6,7 @@
 
 namespace asos::test {
 
-/// One shadow ray to the middle of each light, at once.
+/// Sends one shadow ray to the centre of each light, at once.
 class RayTransport final : public LightTransport {
  public:
   explicit RayTransport(const RayScene& rays) : rays_(rays) {}

@@ -11,7 +11,8 @@ struct Picture {
   RenderStatistics statistics;
 };
 
-/// A picture, block by block. Of a crop, those that it meets; beside the crop it is black.
+/// Renders a picture block by block. With a crop, only the blocks that it touches; outside it the
+/// picture is black.
 inline Picture render_picture(const RenderScene& scene, const Camera& camera,
                               const RenderSettings& settings) {
   const int width = settings.width;

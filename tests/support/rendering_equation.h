@@ -11,8 +11,8 @@
 #include <numbers>
 #include <vector>
 
-// The rendering equation for direct light by quadrature over the lights' surfaces, with nothing of
-// the renderer's shading: what a surface of glTF's BRDF (appendix B) sends to a viewer.
+// The rendering equation for direct light on a surface with glTF's BRDF (appendix B), by quadrature
+// over the lights' surfaces. Independent of the renderer's shading.
 
 namespace asos::test {
 
@@ -25,10 +25,10 @@ struct Reflector {
   glm::dvec3 sheen{0.0};  ///< KHR_materials_sheen
   double sheen_roughness = 1.0;
   double anisotropy = 0.0;      ///< KHR_materials_anisotropy: its strength
-  glm::dvec3 tangent{1, 0, 0};  ///< unit, the direction of more roughness
+  glm::dvec3 tangent{1, 0, 0};  ///< unit vector, the direction of larger roughness
 };
 
-/// A point of a surface, and where it is seen from; all unit but the position.
+/// A point of a surface and the direction to the viewer; all vectors except the position are unit.
 struct SeenPoint {
   glm::dvec3 position, normal, to_viewer;
 };
@@ -46,7 +46,7 @@ struct SeenPoint {
   return a2 / (std::numbers::pi * b * b) * 0.5 / (nl * root(nv) + nv * root(nl));
 }
 
-/// KHR_materials_anisotropy's D times V as its text has them, but that V is not cut at 1.
+/// D times V of KHR_materials_anisotropy's text, except that V is not clamped to 1.
 [[nodiscard]] inline double anisotropic_reference(const Reflector& r, const SeenPoint& at,
                                                   glm::dvec3 to_light) {
   const glm::dvec3 n = at.normal, v = at.to_viewer, t = r.tangent, b = glm::cross(n, t);
@@ -63,7 +63,7 @@ struct SeenPoint {
   return d * 0.5 / (glm::dot(n, to_light) * length(v) + glm::dot(n, v) * length(to_light));
 }
 
-/// KHR_materials_sheen's D times V, word for word: Estevez and Kulla 2017.
+/// D times V of KHR_materials_sheen's text: Estevez and Kulla 2017.
 [[nodiscard]] inline double sheen_reference(double roughness, const SeenPoint& at,
                                             glm::dvec3 to_light) {
   const glm::dvec3 h = glm::normalize(at.to_viewer + to_light);
@@ -84,8 +84,8 @@ struct SeenPoint {
   return d / ((1.0 + lambda(nv) + lambda(nl)) * 4.0 * nv * nl);
 }
 
-/// The mean over the hemisphere of a function of the direction to the light, times the cosine: what
-/// is seen under a sky of radiance 1.
+/// Mean over the hemisphere of a function of the direction to the light, times the cosine: the
+/// radiance under a sky of radiance 1.
 template <typename Function>
 [[nodiscard]] auto over_hemisphere(const SeenPoint& at, int rings, const Function& of) {
   const glm::dvec3 n = at.normal;
@@ -106,8 +106,8 @@ template <typename Function>
   return std::numbers::pi / (rings * rings) * sum;
 }
 
-/// What a viewer sees of layers whatever the light: KHR_materials_clearcoat's factor times its
-/// Fresnel term, and the share of KHR_materials_sheen's albedo scaling.
+/// The layers' factors that depend only on the view: KHR_materials_clearcoat's factor times its
+/// Fresnel term, and KHR_materials_sheen's albedo scaling.
 struct LayersSeen {
   double coat = 0.0;
   double below_sheen = 1.0;
@@ -121,7 +121,7 @@ struct LayersSeen {
   }
 };
 
-/// Appendix B below its layers, for `to_light` above the horizon, in 1 / sr.
+/// The BRDF of appendix B below its layers, for `to_light` above the horizon, in 1 / sr.
 [[nodiscard]] inline glm::dvec3 gltf_brdf(const Reflector& r, const SeenPoint& at,
                                           const LayersSeen& layers, glm::dvec3 to_light) {
   const glm::dvec3 h = glm::normalize(at.to_viewer + to_light);
@@ -140,11 +140,11 @@ struct LayersSeen {
   return all;
 }
 
-/// A part of a light by two parameters from 0 to 1.
+/// A part of a light with two parameters from 0 to 1.
 struct RadiantPatch {
   struct Place {
     glm::dvec3 to_light;     ///< unit
-    double solid_angle = 0;  ///< per du dv, signed: not seen from behind
+    double solid_angle = 0;  ///< per du dv; negative if seen from behind
   };
   std::function<Place(glm::dvec3 from, double u, double v)> at;
 };
@@ -159,7 +159,7 @@ struct RadiantPatch {
   }};
 }
 
-/// A quarter of a disk, or of a cone's directions, between two axes at right angles.
+/// A quarter of a disk, or of a cone's directions, between two orthogonal axes.
 [[nodiscard]] inline RadiantPatch disk_patch(glm::dvec3 centre, glm::dvec3 x, glm::dvec3 y) {
   const glm::dvec3 facing = glm::cross(x, y);
   return {[=](glm::dvec3 from, double u, double v) -> RadiantPatch::Place {
@@ -176,7 +176,7 @@ struct RadiantPatch {
   return glm::normalize(glm::cross(axis, other));
 }
 
-/// Four quarters that face along `facing` (unit).
+/// Four quarters of a disk that faces `facing` (unit).
 inline void add_disk(std::vector<RadiantPatch>& patches, glm::dvec3 centre, glm::dvec3 facing,
                      double radius) {
   const glm::dvec3 x = radius * across(facing);
@@ -185,15 +185,15 @@ inline void add_disk(std::vector<RadiantPatch>& patches, glm::dvec3 centre, glm:
     patches.push_back(disk_patch(centre, a, b));
 }
 
-/// Directions of a cone around a unit axis.
+/// The directions of a cone around a unit axis.
 inline void add_cone(std::vector<RadiantPatch>& patches, glm::dvec3 from, glm::dvec3 axis,
                      double sine) {
   add_disk(patches, from + std::sqrt((1.0 - sine) * (1.0 + sine)) * axis, -axis, sine);
 }
 
-/// What a viewer sees of the patches, of radiance 1 each, by way of a point. They are divided until
-/// each is small beside its angle to the mirrored view, or beside the lobe; `fineness` 1 is good
-/// for 1e-5 of the whole.
+/// Radiance reflected at a point from patches of radiance 1. Patches are divided until each is
+/// small relative to its angle to the mirrored view, or to the lobe; `fineness` 1 has an error of
+/// 1e-5 of the total.
 class PatchQuadrature {
  public:
   PatchQuadrature(const Reflector& reflector, const SeenPoint& at, double fineness = 2.0)
@@ -262,7 +262,7 @@ class PatchQuadrature {
   double fineness_;
 };
 
-/// The same of a line of one candela a metre, a thin tube that shines like Lambert's.
+/// The same for a line of one candela per metre, a thin Lambertian tube.
 [[nodiscard]] inline glm::dvec3 line_quadrature(const Reflector& reflector, const SeenPoint& at,
                                                 glm::dvec3 begin, glm::dvec3 end) {
   constexpr int parts = 400;
@@ -286,8 +286,8 @@ class PatchQuadrature {
   return glm::length(step) * sum;
 }
 
-/// Radiance that a viewer sees of the light by way of a point, with nothing in the way. Polygons:
-/// of rectangles within rectangles, each around the same middle.
+/// Reflected radiance of the light at a point, without occluders. Polygons are rings between
+/// similar outlines around the same centre.
 [[nodiscard]] inline glm::dvec3 reflected_radiance(const PreparedLight& light,
                                                    const Reflector& reflector, const SeenPoint& at,
                                                    double fineness = 2.0) {
@@ -307,7 +307,7 @@ class PatchQuadrature {
   } else if (light.shape == Shape::sun) {
     add_cone(patches, at.position, light.towards, std::sin(std::atan(light.radius)));
   } else if (light.outlines.size() == 2) {
-    // A ring: the quadrangles between two outlines, which may run opposite ways.
+    // A ring: the quadrangles between two outlines, which may have opposite windings.
     const auto& outer = light.outlines[0];
     std::vector<glm::dvec3> inner;
     for (const glm::dvec3& corner : outer) {

@@ -9,7 +9,7 @@
 
 namespace asos::test {
 
-/// A light of each type about 2 above the origin that shines down, about 1 in size.
+/// A light of each type about 2 above the origin, facing down, about 1 in size.
 [[nodiscard]] inline Light point_light() {
   Light light;
   light.name = "point";
@@ -76,7 +76,7 @@ namespace asos::test {
   return light;
 }
 
-/// An L with a hole in its corner, from x = z = -0.6 on.
+/// An L with a hole in its corner, starting at x = z = -0.6.
 [[nodiscard]] inline Light polygon_light() {
   Light light = point_light();
   light.name = "polygon";
@@ -92,7 +92,7 @@ namespace asos::test {
           linear_light(), rectangle_light(), disk_light(), polygon_light()};
 }
 
-/// The light in a world `scale` times as large, with the same irradiance in it everywhere.
+/// The light for a world scaled by `scale`, with the same irradiance.
 [[nodiscard]] inline Light scaled(Light light, double scale) {
   const bool candela = light.type == Light::Type::point || light.type == Light::Type::spot ||
                        light.type == Light::Type::linear;

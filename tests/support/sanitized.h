@@ -2,8 +2,8 @@
 
 namespace asos::test {
 
-/// Whether the sanitizers watch, under which code is some ten times slower: tests that try many
-/// cases of one kind try fewer then.
+/// Whether the sanitizers are on, which slow code down about ten times. Tests with many cases of
+/// one kind then try fewer.
 #ifdef ASOS_SANITIZED
 inline constexpr bool sanitized = true;
 #else

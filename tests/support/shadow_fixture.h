@@ -23,7 +23,7 @@ inline LeafContext leaf_of(const LeafRegion& region, float root_side, std::uint6
   return leaf;
 }
 
-/// Sees nothing: for receivers that lie on flat surfaces, or on none.
+/// Sees nothing: for receivers on flat surfaces, or on none.
 class NoView final : public PatchView {
  public:
   void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
@@ -32,8 +32,8 @@ class NoView final : public PatchView {
   }
 };
 
-/// A world whose first light shines on single receivers that are no part of it: what shadow pyrays
-/// say of each, one pyray a receiver.
+/// A world whose first light shines on single receivers outside the world's surfaces: tests shadow
+/// pyrays, one per receiver.
 class ShadowFixture {
  public:
   ShadowFixture(World world, const Light& light, ShadowRules rules = {})
@@ -54,7 +54,7 @@ class ShadowFixture {
   [[nodiscard]] const PreparedLight& light() const { return light_; }
   [[nodiscard]] const RenderStatistics& counts() const { return counts_; }
 
-  /// The visibility of the light from a receiver, 0 to 1, by a leaf that is a whole pixel.
+  /// Visibility of the light from a receiver, 0 to 1, for a leaf that is a whole pixel.
   [[nodiscard]] double visibility(const Receiver& receiver) {
     SurfacePoint point;
     point.position = glm::vec3(receiver.position);
@@ -64,9 +64,8 @@ class ShadowFixture {
     return visibility(point, facing, leaf_of({{0.0f, 0.0f, 1.0f}, {}}, 1.0f, 1), 1);
   }
 
-  /// The visibility from a leaf of the pyray through `eye`; the leaf shows `point`.
-  /// `layer`: 0: the leaf's square lies on the point's plane; 1: the point is all
-  /// there is, since it is no triangle's.
+  /// Visibility for a leaf of the pyray through `eye` that shows `point`. `layer` 0: the leaf's
+  /// square is on the point's plane; 1: only the point is known, because it is on no triangle.
   [[nodiscard]] double visibility(const SurfacePoint& point, const Frame& eye,
                                   const LeafContext& leaf, int layer = 0) {
     const ShadowScene scene{world_, features_, rays_};

@@ -48,8 +48,8 @@ using Polygon3 = std::vector<glm::dvec3>;
   return polygon.size() < 3 ? 0.0 : std::abs(polygon_form(polygon, receiver));
 }
 
-/// The projected solid angle of what occluders, from number `first` on, leave of a convex polygon:
-/// inclusion and exclusion, so that they may overlap.
+/// Projected solid angle of the rest of a convex polygon behind the occluders from number `first`
+/// on: inclusion and exclusion, so that they may overlap.
 [[nodiscard]] inline double seen_form(const Polygon3& polygon,
                                       const std::vector<Polygon3>& occluders,
                                       const Receiver& receiver, std::size_t first = 0) {
@@ -61,7 +61,7 @@ using Polygon3 = std::vector<glm::dvec3>;
   return form;
 }
 
-/// Adds the parallelogram corner, + a, + a + b, + b to a world; returns it as the world has it.
+/// Adds the parallelogram corner, + a, + a + b, + b to a world; returns its rounded corners.
 inline Polygon3 add_occluder(World& world, glm::dvec3 corner, glm::dvec3 a, glm::dvec3 b) {
   const std::size_t first = world.positions.size();
   add_quad(world, glm::vec3(corner), glm::vec3(a), glm::vec3(b), matte({0.5f, 0.5f, 0.5f}));
@@ -71,7 +71,7 @@ inline Polygon3 add_occluder(World& world, glm::dvec3 corner, glm::dvec3 a, glm:
   return polygon;
 }
 
-/// An outline of the rectangle, counter-clockwise around half_u x half_v.
+/// The outline of the rectangle, counter-clockwise around half_u x half_v.
 [[nodiscard]] inline Polygon3 corners_of(const Light& rectangle) {
   const glm::dvec3 c = rectangle.position, u = rectangle.half_u, v = rectangle.half_v;
   return {c - u - v, c + u - v, c + u + v, c - u + v};

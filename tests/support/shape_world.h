@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-// Analytic shapes for worlds made by hand.
+// Adds analytic shapes to worlds built by hand.
 
 namespace asos::test {
 

@@ -6,8 +6,8 @@
 
 namespace asos::test {
 
-/// The folder with models to test on: $ASOS_SHARED, else ../shared beside the sources; nullopt
-/// where there is none, and the test has to say that it is skipped.
+/// The folder with test models: $ASOS_SHARED, otherwise ../shared next to the sources; nullopt:
+/// there is none, and the test must report that it is skipped.
 inline std::optional<std::filesystem::path> shared_dir() {
   const char* set = std::getenv("ASOS_SHARED");
   const std::filesystem::path dir =

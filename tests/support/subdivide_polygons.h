@@ -11,12 +11,12 @@
 #include <tuple>
 #include <vector>
 
-// One pyray subdivided over a scene of polygons.
+// Subdivides one pyray over a scene of polygons.
 
 namespace asos::test {
 
-/// A pixel looked at in parallel: (u, v) across it is the world's (x, -y). Half a pixel around it
-/// belongs to the frame, so that boundaries are known as far as its cone reaches.
+/// A pixel of an orthographic view: (u, v) across it is the world's (x, -y). The frame includes
+/// half a pixel around it, so that edges are known as far as its cone reaches.
 inline Pyray parallel_pixel() {
   return {Frame::prism({-0.5, 0.5, 0}, {0, 0, -1}, {2, 0, 0}, {0, -2, 0}), {0.25f, 0.25f, 0.5f}};
 }
@@ -27,13 +27,13 @@ inline Pyray unit_pyray() {
 }
 
 struct Answer {
-  std::vector<double> coverage;  ///< of each part, as a share of the pyray
+  std::vector<double> coverage;  ///< of each part, as a fraction of the pyray
   double total = 0.0;            ///< coverage of all leaves
   int probes = 0;
   SubdivisionOutcome outcome;
 };
 
-/// `features` are the world's.
+/// `features` are those of the world.
 inline Answer subdivide(const World& world, const FeatureSet& features,
                         const SubdivisionRules& rules, const Pyray& pyray = unit_pyray(),
                         TracedPyray* traced = nullptr) {
@@ -52,7 +52,7 @@ inline Answer subdivide(const World& world, const SubdivisionRules& rules,
   return subdivide(world, FeatureSet(world), rules, pyray, traced);
 }
 
-/// A variant that lives as long as the program.
+/// A variant that exists until the program ends.
 inline const SubdivisionVariant* variant_of(Detection detection, StoppingRule rule, LeafKind leaf) {
   static std::map<std::tuple<Detection, StoppingRule, LeafKind>, PublishedSubdivision> made;
   return &made.try_emplace({detection, rule, leaf}, detection, rule, leaf).first->second;
@@ -69,20 +69,20 @@ inline SubdivisionRules rules_of(int max_level, double eps = 0.0, bool exact = t
   return rules;
 }
 
-/// Point leaves and the published rule, with the detection that is asked for.
+/// Point leaves and the published rule, with the given detection.
 inline SubdivisionRules published_rules(int max_level, double eps,
                                         Detection detection = Detection::cone) {
   return rules_of(max_level, eps, false, StoppingRule::published, detection);
 }
 
-/// Adds a convex polygon given in the unit frame's (u, v), at a depth; returns its part.
+/// Adds a convex polygon in the unit frame's (u, v) at a depth; returns its part.
 inline std::uint32_t add_polygon(PolygonScene& scene, const Polygon& corners, double depth) {
   std::vector<glm::vec3> points;
   for (const glm::dvec2& c : corners) points.push_back(at_depth(c.x, c.y, depth));
   return scene.add(points);
 }
 
-/// The same in the (u, v) of the parallel pixel.
+/// The same in the (u, v) of the orthographic pixel.
 inline std::uint32_t add_parallel_polygon(PolygonScene& scene, const Polygon& corners,
                                           double depth = 3.0) {
   std::vector<glm::vec3> points;
@@ -90,7 +90,7 @@ inline std::uint32_t add_parallel_polygon(PolygonScene& scene, const Polygon& co
   return scene.add(points);
 }
 
-/// The half-plane to the left of a line through p (v running up), as far as one pixel can tell.
+/// The half-plane to the left of a line through p (with v upwards), large enough for one pixel.
 inline Polygon half_plane(glm::dvec2 p, glm::dvec2 direction) {
   const glm::dvec2 d = 4.0 * direction;
   const glm::dvec2 n(-d.y, d.x);

@@ -9,13 +9,13 @@
 
 namespace asos::test {
 
-/// All bytes of a file; none if it cannot be read.
+/// All bytes of a file; empty if it cannot be read.
 inline std::string content_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A new, empty folder that goes with everything in it when the test ends.
+/// A new, empty folder that is deleted with its contents when the test ends.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -31,7 +31,7 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// The path of a file in it, existing or not.
+  /// The path of a file in it, which may not exist.
   [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
   /// Writes a file and returns its path.
   std::string write(const std::string& name, const std::string& bytes) const {

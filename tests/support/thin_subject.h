@@ -7,16 +7,17 @@
 #include <ostream>
 #include <vector>
 
-// Thin things that move before a contrasting background: unlit surfaces seen in parallel, so that
-// nothing but visibility changes, and a picture's sum of intensities tells the area that is seen.
+// Thin moving objects in front of a contrasting background. Surfaces are unlit and the view is
+// orthographic, so only visibility changes, and the sum of a picture's intensities measures the
+// visible area.
 
 namespace asos::test {
 
-/// A pole, or a gap between two walls, sheared by `slope` pixels across a pixel of height.
+/// A pole, or a gap between two walls, sheared by `slope` pixels per pixel of height.
 struct ThinSubject {
   const char* name;
   double slope = 0.0;
-  double half = 0.0;  ///< it ends at -half and +half, in pixels; 0: beyond the picture's borders
+  double half = 0.0;  ///< it ends at -half and +half, in pixels; 0: beyond the picture
   bool gap = false;
 };
 inline std::ostream& operator<<(std::ostream& out, const ThinSubject& subject) {
@@ -24,8 +25,8 @@ inline std::ostream& operator<<(std::ostream& out, const ThinSubject& subject) {
 }
 inline constexpr double thin_width = 1.0 / 8.0;  // pixels
 
-/// The subject with the middle of its width at x pixels from the picture's, and a camera for
-/// pictures of `size` x `size` pixels, one unit each.
+/// The subject with its centre line x pixels from the picture's centre, and a camera for pictures
+/// of `size` x `size` pixels of one unit.
 inline Scene thin_scene(const ThinSubject& subject, double x, int size) {
   Scene scene;
   scene.source = "thin";
@@ -54,8 +55,8 @@ inline Scene thin_scene(const ThinSubject& subject, double x, int size) {
   return scene;
 }
 
-/// The amount that the subject adds to the sum of the picture's intensities, or takes from it, over
-/// the exact value: its area times its contrast.
+/// The subject's contribution to the sum of the picture's intensities (negative for a gap),
+/// relative to the exact value: its area times its contrast.
 inline double thin_share(const ThinSubject& subject, const Film& film) {
   double sum = 0.0;
   for (const glm::vec3& c : film.radiance) sum += static_cast<double>(c.g);
@@ -65,7 +66,7 @@ inline double thin_share(const ThinSubject& subject, const Film& film) {
   return (sum - plain) / (contrast * thin_width * height);
 }
 
-/// The spread of the shares at all steps of a movement.
+/// The range of contributions over all steps of a movement.
 struct Steadiness {
   double range = 0.0;  ///< (max - min) / mean
   double mean = 0.0;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <functional>
 
-// Images made by a rule, texel by texel.
+// Images computed texel by texel.
 
 namespace asos::test {
 

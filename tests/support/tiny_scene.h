@@ -10,7 +10,7 @@
 
 namespace asos::test {
 
-/// A world with the hierarchies it needs, where it stays; `lights` are those of its rays.
+/// A world with its hierarchies at a fixed address; `lights` are used for their rays.
 inline std::shared_ptr<Geometry> make_geometry(World world, const std::vector<Light>& lights = {}) {
   auto geometry = std::make_shared<Geometry>();
   geometry->world = std::move(world);

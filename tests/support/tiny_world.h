@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-// Worlds of a few triangles, built by hand. Every vertex has a normal and texture coordinates (set
-// 0), so that any material can be tried on them.
+// Worlds of a few triangles built by hand. Every vertex has a normal and texture coordinates (set
+// 0), so that any material can be used.
 
 namespace asos::test {
 
@@ -56,7 +56,7 @@ inline void add_triangle(World& world, glm::vec3 a, glm::vec3 b, glm::vec3 c,
   add_part(world, {{a, n, {0, 0}}, {b, n, {1, 0}}, {c, n, {0, 1}}}, {{0, 1, 2}}, material);
 }
 
-/// The parallelogram corner, corner + a, corner + a + b, corner + b; uv runs from (0, 0) along a
+/// The parallelogram corner, corner + a, corner + a + b, corner + b; uv goes from (0, 0) along a
 /// and b; the normal is a x b.
 inline void add_quad(World& world, glm::vec3 corner, glm::vec3 a, glm::vec3 b,
                      const Material& material) {
@@ -123,8 +123,8 @@ inline int add_texture(World& world, Image image, Wrap wrap, Filter filter) {
   return static_cast<int>(world.textures.size()) - 1;
 }
 
-/// Lets the alpha of a finished world's vertices differ, by too little to change what a cut-off of
-/// 1/2 leaves of alphas 0 and 1: outlines of its cut-outs are then left to samples.
+/// Changes the alpha of a finished world's vertices by a tiny amount, which does not affect a
+/// cutoff of 1/2 for alphas 0 and 1. Outlines of its cut-outs are then unknown and left to samples.
 inline void leave_cut_outs_to_samples(World& world) {
   world.colors.assign(world.positions.size(), glm::vec4(1.0f));
   for (std::size_t i = 0; i < world.colors.size(); i += 2) world.colors[i].a = 0.9f;

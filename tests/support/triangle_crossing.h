@@ -10,18 +10,18 @@
 
 namespace asos::test {
 
-/// Where a line crosses a triangle's plane.
+/// The intersection of a line with a triangle's plane.
 struct TriangleCrossing {
   double t = 0.0;   ///< along the line, in lengths of its direction
   double b1 = 0.0;  ///< barycentric coordinates of the second and the third corner
   double b2 = 0.0;
 
-  /// The smallest of the three barycentric coordinates: not negative inside the triangle.
+  /// The smallest barycentric coordinate: not negative inside the triangle.
   [[nodiscard]] double inside() const { return std::min({b1, b2, 1.0 - b1 - b2}); }
 };
 
-/// In double, one triangle at a time: the slow twin of the ray tracer (Moeller and Trumbore 1997).
-/// nullopt where the line is parallel to the plane.
+/// Intersects one triangle in double precision, as a reference for the ray tracer (Moeller and
+/// Trumbore 1997). nullopt: the line is parallel to the plane.
 [[nodiscard]] inline std::optional<TriangleCrossing> crossing(const World& world,
                                                               std::uint32_t triangle,
                                                               glm::dvec3 origin,

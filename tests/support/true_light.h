@@ -15,12 +15,12 @@
 #include <string>
 #include <vector>
 
-// A sphere, a plane and a box under one light, as the rendering equation has them, pixel by pixel.
+// A sphere, a plane and a box under one light by the rendering equation, pixel by pixel.
 
 namespace asos::test::true_light {
 
 inline constexpr int width = 80, height = 60;
-/// The truth is worked out in every so many pixels, rows and columns.
+/// The reference is computed for every fifth pixel in both directions.
 inline constexpr int stride = 5;
 
 enum class Subject { sphere, plane, box };
@@ -34,7 +34,7 @@ inline Camera camera_for(Subject subject) {
   return look_at({1.0, 1.1, 1.6}, {0, 0, 0}, 0.5);
 }
 
-/// The light above the origin, on the camera's far side a little.
+/// The light above the origin, moved slightly away from the camera.
 inline Light placed(Light light) {
   light.position = {0.1, 1.3, -0.3};
   light.direction = glm::normalize(glm::dvec3(0.0, -1.0, 0.15));
@@ -83,7 +83,7 @@ inline Material material_of(const Reflector& reflector) {
   material.coat.roughness = static_cast<float>(reflector.coat_roughness);
   material.sheen.color = glm::vec3(reflector.sheen);
   material.sheen.roughness = static_cast<float>(reflector.sheen_roughness);
-  // Of the plane: u grows along x, the bitangent is z.
+  // For the plane: u grows along x, the bitangent is z.
   material.anisotropy.strength = static_cast<float>(reflector.anisotropy);
   material.anisotropy.rotation_rad =
       static_cast<float>(std::atan2(reflector.tangent.z, reflector.tangent.x));
@@ -112,7 +112,7 @@ inline World world_of(Subject subject, const Reflector& reflector) {
   return world;
 }
 
-/// Where a ray meets the subject, and which of its faces; exact, whatever the world is made of.
+/// The point where a ray hits the subject, and its face, computed exactly.
 struct Met {
   SeenPoint point;
   int face = 0;
@@ -147,13 +147,13 @@ inline std::optional<Met> meet(Subject subject, glm::dvec3 origin, glm::dvec3 di
   return met(enter, normal, face);
 }
 
-/// Node i of n, an even number, in 0..1: two of Gauss and Legendre's to each interval.
+/// Node i of n (even), in 0..1: two-point Gauss-Legendre rule per interval.
 inline double node(int i, int n) {
   const double offset = (i % 2 == 0 ? -1.0 : 1.0) / std::numbers::sqrt3;
   return (2.0 * (i / 2) + 1.0 + offset) / n;
 }
 
-/// By n x n points of each pixel that shows one face of the subject alone; nothing elsewhere.
+/// By n x n points of each pixel that shows a single face of the subject; no value elsewhere.
 inline std::vector<std::optional<glm::dvec3>> truth(Subject subject, const Reflector& reflector,
                                                     const PreparedLight& light, int n) {
   const View view(camera_for(subject), width, height);
@@ -208,7 +208,7 @@ inline Errors errors_of(const Film& film, const std::vector<std::optional<glm::d
   for (std::size_t i = 0; i < exact.size(); ++i) {
     if (!exact[i]) continue;
     for (int c = 0; c < 3; ++c) {
-      // More than white is white.
+      // Values above white are displayed as white.
       const double truth = std::min(1.0, (*exact[i])[c]);
       const double off = std::min(1.0, static_cast<double>(film.radiance[i][c])) - truth;
       e.mean += truth;

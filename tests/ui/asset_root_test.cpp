@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-// Files outside of a scene's asset root are read once a button allows it.
+// Files outside a scene's asset root are read only after a button allowed it.
 
 namespace asos::test::asset_root_test {
 namespace {
@@ -18,7 +18,7 @@ class AssetRootTest : public testing::Test {
     rig.set_pixel_size(3);
     std::filesystem::create_directories(folder.path() / "a/b/c/d/e");
   }
-  /// Opens a file in a/b/c/d/e; true once that has been tried.
+  /// Opens a file in a/b/c/d/e; returns true once loading has ended.
   bool open(const std::string& gltf) {
     OpenScene& scene = rig.previewer().scene();
     scene.open(folder.write("a/b/c/d/e/s.gltf", gltf));

@@ -37,7 +37,7 @@ TEST_F(CameraPanelTest, LooksFromASideByKeyOrButton) {
   EXPECT_TRUE(restarted());
 }
 
-// Who looks at all of a long thing from its side wants to see all of it.
+// A view of a whole long object from one side has to contain all of it.
 TEST_F(CameraPanelTest, FromASideTheWholeSceneIsFramedAsItWasBefore) {
   Viewpoint& viewpoint = rig.previewer().viewpoint();
   const auto distance = [&] { return viewpoint.camera().distance(); };
@@ -46,10 +46,10 @@ TEST_F(CameraPanelTest, FromASideTheWholeSceneIsFramedAsItWasBefore) {
   const double all = distance();
   rig.key(Key::pad_three);
   const double from_the_side = distance();
-  EXPECT_LT(from_the_side, 0.9 * all) << "the triangles are seen edge on";
+  EXPECT_LT(from_the_side, 0.9 * all) << "from the side the triangles are edge on";
   rig.key(Key::pad_one);
   EXPECT_GT(distance(), 1.1 * from_the_side);
-  // But who came closer stays there.
+  // A distance that the user changed stays.
   rig.wheel({200, 300}, 3.0f);
   const double near = distance();
   rig.key(Key::pad_three);
@@ -75,7 +75,7 @@ TEST_F(CameraPanelTest, TheLensIsChangedAndUndone) {
   EXPECT_NEAR(lens().fov_y_rad, fov, 1e-12);
 }
 
-// A section view: the plane goes with the camera, until the whole scene is shown.
+// A section view: the plane moves with the camera until the whole scene is framed.
 TEST_F(CameraPanelTest, PlanesOfTheFilesCameraCanBeSwitchedOff) {
   Viewpoint& viewpoint = rig.previewer().viewpoint();
   EXPECT_FALSE(rig.content().controls().all().contains("Clip at planes"));
@@ -99,7 +99,7 @@ TEST_F(CameraPanelTest, PlanesOfTheFilesCameraCanBeSwitchedOff) {
   EXPECT_FALSE(rig.content().controls().all().contains("Clip at planes"));
 }
 
-// The planes stay where they are in the scene.
+// The planes keep their place in the scene.
 TEST_F(CameraPanelTest, ProjectionKeepsThePlanesPlaces) {
   Viewpoint& viewpoint = rig.previewer().viewpoint();
   Camera camera = viewpoint.camera().camera();

@@ -12,7 +12,7 @@
 
 namespace asos::test {
 
-/// A file of which a list in the panel shows one thing or another.
+/// Opens a file that offers choices in a list of the panel.
 class ChoiceTest : public testing::Test {
  protected:
   /// `list`: the control's name.

@@ -1,8 +1,8 @@
-// Writes the clipboard's text to the standard output, for the tests of the real window.
+// Writes the clipboard's text to standard output, for the tests of the real window.
 //
 //   clipboard_text
 //
-// Exit codes: 0 written, 1 nobody has any or hands it over within five seconds, 2 no display.
+// Exit codes: 0 written, 1 there is none, or nobody delivers it within five seconds, 2 no display.
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>

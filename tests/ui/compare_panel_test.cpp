@@ -23,7 +23,7 @@ class ComparePanelTest : public PanelsTest {
     rig.frame();
   }
   Frames& frames() { return rig.content().state().frames; }
-  /// Stores the picture, and renders another one: without antialiasing.
+  /// Stores a snapshot, and renders another picture, without antialiasing.
   void store_and_change() {
     rig.click("Keep snapshot");
     rig.frame();
@@ -201,7 +201,7 @@ TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {
   expect_area([&](int, std::size_t i) {
     return heat_colour(difference_of(film, sized, i, usual_display) / scale);
   });
-  // Of the picture as it was at first, which nothing but the way of antialiasing tells apart.
+  // Against the first picture, which differs only in antialiasing.
   EXPECT_GT(frames().rmse, 0.0);
   EXPECT_LT(frames().rmse, 0.1);
   rig.key(Key::x);

@@ -5,7 +5,7 @@
 
 namespace asos::test {
 
-/// What of the window a control changes.
+/// The parts of the window's state that controls change.
 enum class Part {
   settings,
   display,
@@ -28,7 +28,7 @@ enum class Part {
   save
 };
 
-/// What each control changes: by its name, or its beginning up to a slash.
+/// The part that each control changes, by the control's name or its beginning up to a slash.
 inline const std::map<std::string, Part> parts{
     {"Method", Part::settings},
     {"EPS", Part::settings},

@@ -70,7 +70,7 @@ TEST(MirroredBar, IsWeightedAsTheRendererWeighsBlur) {
   const double narrow = std::min(1.0, whole - 1.0) / whole;
   const BlurKernel kernel(glm::dvec2(narrow, narrow));
   for (const double beyond : {-1.5, -0.7, 0.0, 0.4, 1.2}) {
-    // The share of the pyray's square, `whole` wide, that lies on the bar's side of its edge.
+    // The fraction of the pyray's square, `whole` wide, on the bar's side of its edge.
     const auto edge = static_cast<float>(0.5 - beyond / whole);
     const std::array<BorderEdge, 4> strip{
         BorderEdge{{0, 0}, {edge, 0}}, BorderEdge{{edge, 0}, {edge, 1}},

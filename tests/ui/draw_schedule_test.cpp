@@ -39,9 +39,9 @@ TEST(DrawSchedule, TilesAreShownSeldomUnlessTheyAreWaitedFor) {
   EXPECT_NEAR(schedule.due(), 1.0 + 1.0 / 60.0, 1e-9);
 }
 
-// A job that is looked after every tenth of a second may end in between: then nothing wishes for a
-// frame any more, but its end has to be shown.
-TEST(DrawSchedule, AWishHoldsThoughItsReasonBeOver) {
+// A job that is polled every tenth of a second may end in between. Then no frame is requested any
+// more, but the end has to be shown.
+TEST(DrawSchedule, DrawsRequestedFrameEvenIfItsReasonIsGone) {
   DrawSchedule schedule;
   draw(schedule, 0.0, 0.1);
   EXPECT_NEAR(schedule.due(), 0.1, 1e-9);

@@ -1,5 +1,5 @@
-// Drops a file on a window as a file manager does, by the XDND protocol, version 5
-// (https://freedesktop.org/wiki/Specifications/XDND): for the tests of the real window.
+// Drops a file on a window like a file manager, by the XDND protocol, version 5
+// (https://freedesktop.org/wiki/Specifications/XDND), for the tests of the real window.
 //
 //   drop_file WINDOW-ID FILE
 //
@@ -25,7 +25,7 @@ class Source {
         window_(XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 1, 1, 0, 0, 0)),
         uri_(std::move(uri)) {}
 
-  /// Says what is dragged, moves over the window and drops; false where it was not taken.
+  /// Announces the data, moves over the window and drops; returns false if it was not taken.
   bool drop() {
     XSetSelectionOwner(display_, atom("XdndSelection"), window_, CurrentTime);
     send("XdndEnter", 5L << 24, static_cast<long>(atom("text/uri-list")), 0, 0);
@@ -87,7 +87,7 @@ class Source {
   std::string uri_;
 };
 
-/// A path as a URI has it (RFC 3986): all but its unreserved characters in percents.
+/// A path as a URI (RFC 3986): everything but unreserved characters is percent-encoded.
 std::string uri_of(const std::string& path) {
   std::string uri = "file://";
   for (const char c : path) {

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Drops files that are refused on the real window, as a file manager does, while a scene is open: the
-# scene stays, what is said is what the command line says, it is shown, and it can be copied, escaped;
-# then one that can be opened. Files of hostile/ of the shared folder are dropped as well, where it is.
+# Drops invalid files on the real window like a file manager, while a scene is open. The scene
+# stays; the message is that of the command line, is displayed, and can be copied, escaped. Then
+# drops a valid file. Also uses the files of hostile/ in the shared folder, if there are any.
 #
-# usage: drop_test.sh ASOS_PROGRAM DROP_FILE_PROGRAM CLIPBOARD_TEXT_PROGRAM SHARED
+# Usage: drop_test.sh ASOS_PROGRAM DROP_FILE_PROGRAM CLIPBOARD_TEXT_PROGRAM SHARED
 set -u
 program=$1
 drop=$2
@@ -30,7 +30,7 @@ picture="$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y"
 xdotool mousemove $((X + 100)) $((Y + 300))
 wait_until 'the render does not end' at_rest drop_before.png "$picture"
 
-# Where the notice is: the part of the picture that differs from the one before.
+# The notice's area: the part of the picture that differs from the previous one.
 notice_place() {
   convert "$1" drop_before.png -crop "$picture" +repage -compose difference -composite \
     -threshold 0 -format '%@' info:
@@ -45,7 +45,7 @@ copied() {
 }
 
 refused=0
-# What has to hold for every file that is refused.
+# Checks that must hold for every invalid file.
 judge() {
   local file=$1 name
   name=$(printf '%q' "${file##*/}")
@@ -58,7 +58,7 @@ judge() {
     fail "$name: what was copied is not escaped: $(cat -v "$work/copied_before")"
   fi
   [ -s "$work/copied_before" ] || fail "$name: nothing was said"
-  # Of folders and of what is absent the program says more.
+  # For folders and missing files the program prints more.
   if [ -f "$file" ] && [[ $file == *.gl* ]]; then
     "$program" info "$file" >/dev/null 2>"$work/said"
     sed -i 's/^asos: //' "$work/said"

@@ -38,7 +38,7 @@ TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
   EXPECT_EQ(settings().asos.eps, eps) << "a drag is one step";
   EXPECT_TRUE(restarted());
   undo();
-  EXPECT_EQ(settings().asos.eps, eps) << "nothing more to take back";
+  EXPECT_EQ(settings().asos.eps, eps) << "nothing more to undo";
   redo();
   EXPECT_EQ(settings().asos.eps, second);
   redo();
@@ -47,7 +47,7 @@ TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
   rig.click("Cell shading/Point sample");
   rest();
   redo();
-  EXPECT_FALSE(settings().asos.jitter) << "a new step ends what could be done again";
+  EXPECT_FALSE(settings().asos.jitter) << "a new step clears the redo steps";
   EXPECT_EQ(settings().asos.leaf, LeafKind::point);
 }
 
@@ -55,7 +55,7 @@ TEST_F(EditHistoryTest, TheCameraGoesBackExactly) {
   const glm::dmat4 first = rig.previewer().viewpoint().camera().camera().world_from_camera;
   rig.drag({200, 200}, {260, 180});
   const glm::dmat4 second = rig.previewer().viewpoint().camera().camera().world_from_camera;
-  // Turns of the wheel that follow quickly are one step.
+  // Turns of the wheel in quick succession are one step.
   rest();
   rig.wheel({200, 200}, 1.0f);
   rig.wheel({200, 200}, 1.0f);
@@ -73,7 +73,7 @@ TEST_F(EditHistoryTest, LightsAndDisplayGoBack) {
   rest();
   slide("Exposure", 0.5f, 0.7f);
   EXPECT_GT(display().exposure_ev, 1.0f);
-  undo();  // at once: the step ends with it
+  undo();  // at once: undo ends the step
   EXPECT_EQ(display().exposure_ev, 0.0f);
   EXPECT_EQ(rig.previewer().edits().lights().size(), lights + 1);
   undo();

@@ -29,7 +29,7 @@ Light small_ball() {
   return light;
 }
 
-// What a surface in the middle that faces the light gets of it.
+// Irradiance at the centre on a surface that faces the light.
 double irradiance_in_the_middle(const Light& light) {
   const glm::dvec3 up =
       light.type == Light::Type::directional ? -light.direction : glm::normalize(light.position);
@@ -45,8 +45,8 @@ TEST(EditedLight, AnotherKindIsSoundAndAsBright) {
       EXPECT_EQ(kind_of(light), to);
       EXPECT_EQ(gltf::light_fault(light), "")
           << static_cast<int>(from) << " to " << static_cast<int>(to);
-      if (from == LightKind::directional) continue;  // which has no place to be kept
-      // A line is not seen quite square on.
+      if (from == LightKind::directional) continue;  // which has no place to keep
+      // A line is not seen exactly at right angles.
       EXPECT_NEAR(irradiance_in_the_middle(light), 40.0 / 25.0, 40.0 / 25.0 * 0.01)
           << static_cast<int>(from) << " to " << static_cast<int>(to);
     }
@@ -61,9 +61,9 @@ TEST(EditedLight, SizeIsKeptFromKindToKind) {
   EXPECT_EQ(as_kind(small_ball(), LightKind::point, unit_scene).radius, 0.0);
 }
 
-// A lamp among small things stays a lamp, whatever it is turned into; and what is looked at stays
-// as bright, though the light be near, and shine past it.
-TEST(EditedLight, ALampBecomesNoCeiling) {
+// A lamp among small objects keeps its size for every kind of light. The brightness at the subject
+// stays, even if the light is near and does not face it.
+TEST(EditedLight, ASmallLampStaysSmallAsAnyKind) {
   Light lamp;
   lamp.position = {0.3, 0.5, 0.2};
   lamp.intensity = 185.0f;
@@ -85,7 +85,7 @@ TEST(EditedLight, ALampBecomesNoCeiling) {
   }
 }
 
-// A tenth of the distance across, whichever scene it lights: a penumbra that can be seen.
+// A tenth of the distance wide, for any scene size, so that the penumbra is visible.
 TEST(EditedLight, ALightWithoutSizeGetsOneThatSoftensShadows) {
   Light bulb = small_ball();
   bulb.radius = 0.0;
@@ -197,7 +197,7 @@ TEST(NewLights, MakeAWhiteSurfaceHalfWhite) {
   EXPECT_NEAR(new_light({0, 6, 0}, {0, 0, 0}, 0.1).radius, 0.05 * 3.0, 1e-12);
 }
 
-// A box's face: two triangles of one part, whose other faces are left out.
+// A face of a box: two triangles of a part; its other faces are not included.
 TEST(NewLights, AFaceBecomesALightOfItsOutline) {
   World world;
   std::vector<test::TinyVertex> corners;

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-// Uses every control that the window shows, in as many states as it takes to see them all: each has
-// a tooltip, and changes what the table of parts says of it. A control that the table does not know
-// fails the test.
+// Uses every control of the window, in as many states as are needed to show them all. Each has a
+// tooltip, and changes the part of the state that the table of parts names. A control that is
+// missing in the table fails the test.
 
 namespace asos {
 namespace {
@@ -45,7 +45,7 @@ class EveryControlTest : public PanelsTest {
 
   static constexpr glm::ivec2 small{646, 480};  // many frames are drawn
 
-  /// What a control of this part changes.
+  /// The state that a control of this part changes.
   [[nodiscard]] std::string state_of(Part part) {
     UiState& s = rig.content().state();
     Previewer& p = rig.previewer();
@@ -133,7 +133,8 @@ class EveryControlTest : public PanelsTest {
     return {};
   }
 
-  /// Scrolled to; none where it is gone by then, as *Pause* is once the render has finished.
+  /// Scrolls to the control; none if it has vanished meanwhile, as *Pause* does once the render has
+  /// finished.
   [[nodiscard]] std::optional<Controls::Placed> still_there(const std::string& name) {
     if (!rig.content().controls().all().contains(name)) return std::nullopt;
     try {
@@ -143,19 +144,20 @@ class EveryControlTest : public PanelsTest {
     }
   }
 
-  /// Clicks, at several places, and drags, until what the control belongs to has changed.
+  /// Drags, and clicks at several places, until the control's part of the state has changed.
   [[nodiscard]] bool changes(const std::string& name, Part part) {
     const std::string before = state_of(part);
-    // What was tried in full once is a choice that waits for another state: a click tells.
+    // A control tried before needs another state to change something; a single click is enough
+    // then.
     const bool again = !tried_.insert(name).second;
-    // First, because a click may open something over the control.
+    // Drags first, because a click may open something over the control.
     for (const glm::vec2 way : {glm::vec2(-40, -20), glm::vec2(25, 20)}) {
       if (again) break;
       const std::optional<Controls::Placed> at = still_there(name);
       if (!at) return false;
       rig.drag(at->centre(), at->centre() + way);
       if (state_of(part) != before) return true;
-      rig.rest();  // the next is no double click, which resets
+      rig.rest();  // so that no double click resets
     }
     for (const float share : {0.5f, 0.15f, 0.85f}) {
       const std::optional<Controls::Placed> at = still_there(name);
@@ -170,12 +172,12 @@ class EveryControlTest : public PanelsTest {
     return false;
   }
 
-  /// Back to the beginning, then into the state.
+  /// Restores the initial state, then enters the given one.
   void enter(const std::function<void()>& state) {
     if (rig.size() != small) rig.resize(small);
     if (rig.previewer().scene().error()) rig.previewer().scene().dismiss_error();
     rig.key(Key::escape);
-    // A list that is open closes when something else is clicked: the status line.
+    // An open list closes when something else is clicked: the status line.
     rig.move_to({3.0f, static_cast<float>(rig.size().y) - 3.0f});
     rig.press(MouseButton::left);
     rig.release(MouseButton::left);
@@ -186,7 +188,7 @@ class EveryControlTest : public PanelsTest {
     stored.sections["Advanced"] = true;
     rig.content().apply(stored);
     clipboard_.clear();
-    rig.content().state().display.exposure_ev = 1.0f;  // so that there is something to forget
+    rig.content().state().display.exposure_ev = 1.0f;  // so that there is something to reset
     settings() = initial_;
     rig.previewer().edits().reset_lights();
     if (rig.previewer().edits().dfrs() != dfrs_of(rig.previewer().scene()->world()))
@@ -198,7 +200,7 @@ class EveryControlTest : public PanelsTest {
     for (int i = 0; i < 2; ++i) rig.frame();
   }
 
-  /// The state is entered again later on, when what the caller's loop counts by is gone.
+  /// `state` is called again later, so it must not refer to the caller's loop variables.
   void use_all(const std::string& where, const std::function<void()>& state) {
     enter(state);
     std::vector<std::string> names;
@@ -207,10 +209,9 @@ class EveryControlTest : public PanelsTest {
       EXPECT_TRUE(placed.has_tooltip) << name << ", " << where;
       // Some of the built-in scenes take long to load.
       if (name.starts_with("Built-in/") && name != "Built-in/boxes") continue;
-      if (name == "Measure") continue;  // comes last
-      if (name == "Cancel comparison")
-        continue;                        // is there as long as the rival takes: EqualTimeTest
-      if (name == "Continue") continue;  // while a render rests at its limit: RefinementTest
+      if (name == "Measure") continue;            // comes last
+      if (name == "Cancel comparison") continue;  // exists only during a comparison: EqualTimeTest
+      if (name == "Continue") continue;           // exists only at a render's limit: RefinementTest
       states_[name].push_back(state);
       if (!used_.contains(name)) names.push_back(name);
     }
@@ -223,7 +224,7 @@ class EveryControlTest : public PanelsTest {
     ASSERT_TRUE(known != parts.end()) << name << " has no test";
     enter(state);
     if (!rig.content().controls().all().contains(name)) return;
-    // What is chosen already changes nothing; another state has another choice.
+    // The option that is chosen changes nothing; in another state it is another option.
     if (changes(name, known->second)) {
       used_.insert(name);
       reached_.insert(known->first);
@@ -231,7 +232,7 @@ class EveryControlTest : public PanelsTest {
     ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().scene().loading(); }));
   }
 
-  /// A row that another thread moves may have been missed: once more, as a person would.
+  /// A row moved by another thread's results may have been missed, so try again.
   void use_what_did_nothing() {
     for (const auto& [name, states] : states_) {
       for (const std::function<void()>& state : states)
@@ -280,7 +281,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
       all[1].light.position = {-50, 0, 0};
       lights().selected = selected;
     });
-  // A hexagon is what other kinds become.
+  // A light that becomes a polygon is a hexagon; the star needs a state of its own.
   use_all("a star", [&] {
     select_kind(LightKind::polygon);
     set_polygon_shape(rig.previewer().edits().edit_lights()[0].light, PolygonShape::star);
@@ -292,21 +293,21 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   use_all("soft shadows, divided", [&] {
     select_kind(LightKind::sphere);
     settings().shadow.quality = ShadowQuality::extended_divided;
-    // What the lights need comes from another thread.
+    // The needs of the lights come from another thread.
     (void)rig.frames_until([&] { return rig.content().controls().all().contains("Divisions"); });
   });
   for (const auto colours : {SplitMapColours::level, SplitMapColours::cause})
     use_all("split map", [&, colours] {
       s.display.show_split_map = true;
       s.display.split_colours = colours;
-      // Before there is a picture nothing of it is split, nor to be explained.
+      // Without a finished picture there are no split pixels to explain.
       (void)rig.settle();
     });
   for (int card = 0; card < Tour::cards; ++card)
     use_all("card " + std::to_string(card) + " of the tour", [&, card] {
       start_tour(s, rig.previewer(), 0.0);
       show_card(s, rig.previewer(), card, 0.0);
-      // A rival would render for a while: there is no room for its frame.
+      // Fills the list of snapshots, so that no comparison starts, which would take long.
       while (card == 4 && s.frames.store(rig.previewer().render().film(), "full", "")) continue;
     });
   use_all("the map's card, by causes", [&] {
@@ -322,7 +323,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
         s.display.show_split_map = before;
         (void)rig.settle();
         if (!changed) return;
-        // There is a picture of the EPS before.
+        // Makes a picture of the previous EPS available.
         settings().asos.eps = 0.3;
         (void)rig.settle();
         s.show_before = before;
@@ -368,7 +369,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
                             rig.previewer().render().film().height) /
                  2;
       s.picked_pyray = pyray;
-      // What is known of the pixel comes from another thread.
+      // The report on the pixel comes from another thread.
       (void)rig.frames_until(
           [&] {
             return rig.content().controls().all().contains("Pyray/1") ||
@@ -421,7 +422,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   });
   use_all("outline", [&] {
     rig.unfold("Objects");
-    // The list is laid out only where it is seen.
+    // The list is laid out only if it is visible.
     (void)rig.control("section/Scene");
   });
   rig.click("section/Objects");
@@ -469,7 +470,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   use_all("save dialog, turntable", [&] {
     s.save.show = true;
     s.save.what = SaveChoice::What::turntable;
-    // MP4 is offered where there is an ffmpeg.
+    // MP4 is offered only if there is an ffmpeg.
     std::filesystem::create_directories(files_.path() / "programs");
     files_.write("programs/ffmpeg", "#!/bin/sh\n");
     std::filesystem::permissions(files_.path() / "programs" / "ffmpeg",
@@ -504,9 +505,9 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   for (const auto& [name, states] : states_)
     EXPECT_TRUE(used_.contains(name)) << name << " did nothing";
   enter([] {});
-  if (rig.content().study().busy()) rig.click("Stop measuring");  // a drag elsewhere began one
+  if (rig.content().study().busy()) rig.click("Stop measuring");  // a drag elsewhere started one
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
-  // A scene that comes later than the study's would end it.
+  // Opening another scene later would end the study.
   ASSERT_TRUE(rig.settle());
   const auto offers = [&](const char* name) {
     return rig.content().controls().all().contains(name);
@@ -520,7 +521,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   rig.click("Stop measuring");
   EXPECT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   for (const auto& [name, part] : parts)
-    // Whether a render rests at its limit before it is finished is a matter of time.
+    // Whether a render reaches its limit before it is finished depends on timing.
     EXPECT_TRUE(reached_.contains(name) || name == "Copy warnings" || name == "Continue")
         << name << " was not seen";
 }

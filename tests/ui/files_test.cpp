@@ -46,7 +46,7 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
   EXPECT_EQ(*loaded, settings);
 }
 
-// The split map is of a picture: a window that opened with it would not show what it opened.
+// The split map belongs to one picture: a new window would show it over the next one.
 TEST(StoredSettings, TheSplitMapIsNotRemembered) {
   const test::TemporaryFolder folder;
   StoredSettings settings;
@@ -117,7 +117,7 @@ TEST(FileWatch, TellsOfAChangeOnceItRests) {
   std::vector<FileStamp> read = stamps();
   FileWatch watch;
   EXPECT_FALSE(watch.changed(read, 0.0));
-  EXPECT_FALSE(watch.changed(read, 1.1)) << "what is missing is nothing new";
+  EXPECT_FALSE(watch.changed(read, 1.1)) << "a missing file is no change";
   for (const std::string& file : {path, side, absent}) {
     write(file, "one and a half");
     EXPECT_FALSE(watch.changed(read, 1.5)) << "not yet a second";
@@ -142,7 +142,7 @@ TEST(FileWatch, TellsOfAChangeOnceItRests) {
   EXPECT_FALSE(watch.changed({}, 22.0));
 }
 
-// A file whose text says what is in it.
+// A file whose text names its content.
 class WatchedFileTest : public testing::Test {
  protected:
   WatchedFileTest() {
@@ -184,18 +184,18 @@ TEST_F(WatchedFileTest, ReloadKeepsTheView) {
 TEST_F(WatchedFileTest, WatchingSurvivesAHalfWrittenFile) {
   rig.click("Watch file");
   rig.frame();
-  EXPECT_TRUE(rig.content().seconds_to_redraw().has_value()) << "it has to be looked at";
+  EXPECT_TRUE(rig.content().seconds_to_redraw().has_value()) << "the change is found by polling";
   write(path, "gre");
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   EXPECT_TRUE(rig.previewer().scene().reload_failed());
-  EXPECT_FALSE(green()) << "the scene from before stays";
+  EXPECT_FALSE(green()) << "the previous scene stays";
   write(path, "green");
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
   EXPECT_FALSE(rig.previewer().scene().error().has_value());
 }
 
-// A .gltf whose buffer and texture lie beside it: each of them is watched, and one that is half
-// written leaves the scene as it is until it is whole.
+// A .gltf with its buffer and texture in the same folder: each of them is watched, and a partly
+// written one leaves the scene unchanged until it is complete.
 TEST(WatchedGltf, SideFilesAreLoadedAgain) {
   const test::TemporaryFolder folder;
   const auto triangle = [](float x) {
@@ -235,7 +235,7 @@ TEST(WatchedGltf, SideFilesAreLoadedAgain) {
   folder.write("s.bin", triangle(-3).substr(0, 30));
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   EXPECT_TRUE(rig.previewer().scene().reload_failed());
-  EXPECT_EQ(width(), narrow) << "the scene from before stays";
+  EXPECT_EQ(width(), narrow) << "the previous scene stays";
   folder.write("s.bin", triangle(-3));
   ASSERT_TRUE(rig.frames_until([&] { return width() != narrow; }));
   EXPECT_FALSE(rig.previewer().scene().error().has_value());
@@ -243,7 +243,7 @@ TEST(WatchedGltf, SideFilesAreLoadedAgain) {
 
 TEST_F(WatchedFileTest, RecentFilesAreOffered) {
   rig.previewer().scene().open("missing");
-  // Its message comes before all else, whenever it comes.
+  // The error's message has priority, whenever it comes.
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
   rig.frame();
   rig.content().state().recent = {path};
@@ -255,7 +255,7 @@ TEST_F(WatchedFileTest, RecentFilesAreOffered) {
   rig.click("Recent/1");
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
   EXPECT_FALSE(rig.content().state().show_open);
-  EXPECT_TRUE(rig.settle());  // or sections that appear at the end may move the button
+  EXPECT_TRUE(rig.settle());  // sections that appear at the end may move the button
   rig.content().state().display.exposure_ev = 2.0f;
   rig.click("Reset window");
   EXPECT_TRUE(rig.content().state().recent.empty());

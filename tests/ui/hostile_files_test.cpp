@@ -19,7 +19,7 @@ namespace {
 using test::GltfBuilder;
 using test::UiRig;
 
-/// Whether a terminal or a text field that the text is pasted into only shows it, in so many lines.
+/// Whether a terminal or a text field only displays the text, in this number of lines.
 testing::AssertionResult harmless(const std::string& text, std::size_t lines) {
   if (!is_utf8(text)) return testing::AssertionFailure() << "no UTF-8: " << printable(text);
   const auto found = 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -53,20 +53,20 @@ class HostileFiles : public testing::Test {
   }
 
   std::string copied_by(const std::string& button) {
-    for (int i = 0; i < 3; ++i) rig_.frame();  // the notice finds its place
+    for (int i = 0; i < 3; ++i) rig_.frame();  // the notice gets its place
     copied_.clear();
     rig_.click(button);
     return copied_;
   }
 
-  /// What has to hold whatever the file is; whether it was refused.
+  /// Drops a file and checks what must hold for any file. Returns whether it was rejected.
   bool drop(const std::string& path) {
     SCOPED_TRACE(path);
     const std::shared_ptr<const RenderScene> before = scene().shared();
     const std::uint64_t opened = scene().times_opened();
     open(path);
     if (scene().error()) {
-      EXPECT_EQ(scene().shared(), before) << "the scene from before stays";
+      EXPECT_EQ(scene().shared(), before) << "the previous scene stays";
       EXPECT_EQ(scene().times_opened(), opened);
       const std::string message = copied_by("Copy");
       EXPECT_EQ(message, scene().error()->message());
@@ -80,7 +80,7 @@ class HostileFiles : public testing::Test {
     }
     EXPECT_NE(scene().shared(), before);
     SceneNotes notes = notes_of(*scene());
-    notes.not_shown.clear();  // the window has lists to choose from
+    notes.not_shown.clear();  // the window has lists for these choices
     const std::vector<std::string> lines = remarks(notes);
     EXPECT_EQ(rig_.content().controls().all().contains("Copy warnings"), !lines.empty());
     if (lines.empty()) return false;

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-// How the window is left: never by Escape, and never without a word about what would be lost.
+// Quitting: never by Escape, and never without a question if work would be lost.
 
 namespace asos {
 namespace {
@@ -84,7 +84,8 @@ TEST_F(LeavingTest, EditedLightsAreAskedAbout) {
   EXPECT_TRUE(state().leaving.quit);
 }
 
-// Dropped files, the dialog, recent files and the folder's next model all come this way.
+// Dropped files, the dialog, recent files and the next model of the folder all use the same
+// question.
 TEST_F(LeavingTest, OpeningAnotherSceneAsksAboutEditedLights) {
   const auto opened = [&] { return rig.previewer().scene()->geometry->source; };
   rig.click("Add light");
@@ -161,7 +162,7 @@ TEST_F(LeavingTest, AskingTwiceIsMeant) {
   EXPECT_TRUE(state().leaving.quit);
 }
 
-// A saved picture holds the lights.
+// A saved picture contains the lights.
 TEST_F(LeavingTest, WhatASavedPictureHoldsIsNotLost) {
   rig.click("Add light");
   EXPECT_TRUE(restarted());
@@ -199,7 +200,7 @@ TEST_F(LeavingTest, APictureThatIsBeingSavedIsWaitedFor) {
   EXPECT_TRUE(std::filesystem::exists(folder.file("scene-001.png")));
 }
 
-// The notice of a save is not left standing when nothing else happens.
+// The message about a finished save appears without any input.
 TEST_F(LeavingTest, AFinishedSaveIsShownThoughNobodyMoves) {
   rig.chord(Key::ctrl, Key::s);
   rig.frame();
@@ -210,7 +211,7 @@ TEST_F(LeavingTest, AFinishedSaveIsShownThoughNobodyMoves) {
   EXPECT_FALSE(rig.content().picture_job().pending());
 }
 
-// The panel about a pixel is laid out in full though nobody moves while it is found out.
+// The pixel panel is laid out completely without any input while its report is computed.
 TEST_F(LeavingTest, APixelsPanelIsCompleteThoughNobodyMoves) {
   rig.set_pixel_size(1);
   EXPECT_TRUE(rig.settle());

@@ -34,7 +34,7 @@ TEST_F(LensPanelTest, ClickSetsFocusOnce) {
   rig.click("Click to focus");
   const UiState& state = rig.content().state();
   EXPECT_TRUE(state.lens.click_to_focus);
-  // Looks for a place of the picture that shows a triangle.
+  // Searches for a pixel that shows a triangle.
   Viewpoint& viewpoint = rig.previewer().viewpoint();
   Hit hit;
   for (float y = 100.0f; y < 900.0f && !hit.valid(); y += 50.0f) {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-// The panel's controls for light, shadows and samples, and what it tells of lights.
+// The panel's controls for light, shadows and samples, and its information about lights.
 
 namespace asos {
 namespace {
@@ -35,7 +35,7 @@ TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
 }
 
 TEST_F(LightControlsTest, ShadowControlsRestart) {
-  // The studio rig's lights have a size.
+  // The lights of the default lighting are area lights.
   ASSERT_TRUE(rig.previewer().scene()->lighting->default_rig);
   rig.click("Quality");
   rig.frame();
@@ -92,7 +92,7 @@ TEST_F(LightControlsTest, TheScenePanelCountsLightsByKind) {
   const auto shown = [&](const char* name) {
     return rig.content().controls().all().contains(name);
   };
-  EXPECT_TRUE(shown("   rectangle")) << "the studio rig";
+  EXPECT_TRUE(shown("   rectangle")) << "the default lighting";
   EXPECT_FALSE(shown("   point"));
   rig.previewer().scene().open("point light");
   ASSERT_TRUE(

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-// The lights' panel and their marks in the picture.
+// The lights panel, and the lights' marks in the picture.
 
 namespace asos {
 namespace {
@@ -37,7 +37,7 @@ class LightsPanelTest : public PanelsTest {
     rig.drag(from, from + glm::vec2(pixels, 0.0f));
   }
   void type_into(const std::string& name, const std::string& text) {
-    (void)rig.control(name);  // scrolls there: with Ctrl the wheel would do something else
+    (void)rig.control(name);  // scrolls there: with Ctrl the wheel has another function
     rig.content().input().add(KeyChanged{Key::ctrl, true});
     rig.click(name);
     rig.content().input().add(KeyChanged{Key::ctrl, false});
@@ -62,10 +62,10 @@ TEST_F(LightsPanelTest, TheTypeIsSwitchedAmongAllKinds) {
     ASSERT_EQ(lights().size(), 1u);
     EXPECT_EQ(kind_of(lights()[0]), kinds[i]) << "in the scene that is rendered";
   }
-  EXPECT_EQ(features, &rig.previewer().scene()->features()) << "nothing was built again";
+  EXPECT_EQ(features, &rig.previewer().scene()->features()) << "nothing was rebuilt";
 }
 
-// A lamp of many faces is one row with one switch; among many lights one is found by its name.
+// A lamp with many faces is one row with one switch. Many lights can be filtered by name.
 TEST_F(LightsPanelTest, TheLightsOfASurfaceAreOneRow) {
   std::vector<EditedLight>& all = rig.previewer().edits().edit_lights();
   EditedLight face = all[0];
@@ -76,7 +76,7 @@ TEST_F(LightsPanelTest, TheLightsOfASurfaceAreOneRow) {
   all.back().light.own_part = -1;
   all.back().light.name = "Window";
   rig.content().state().lights.selected = -1;
-  // What the scene's own lights had begun to show is over, and so is what these show.
+  // Ends the display of the scene's own lights, and starts that of these.
   rig.frame();
   ASSERT_TRUE(rig.settle());
   const auto shown = [&](const char* name) {
@@ -97,7 +97,7 @@ TEST_F(LightsPanelTest, TheLightsOfASurfaceAreOneRow) {
   EXPECT_TRUE(shown("Light/21"));
 }
 
-// What lies under the pointer stays there, whatever a click adds.
+// The control under the pointer stays there, whatever a click adds.
 TEST_F(LightsPanelTest, ButtonsStayWhereTheyAre) {
   rig.content().state().lights.selected = -1;
   rig.frame();
@@ -184,7 +184,7 @@ TEST_F(LightsPanelTest, ALargerLightKeepsItsPowerUnlessToldNotTo) {
       << "candela do not depend on the size";
 }
 
-// Wherever the camera looks.
+// For any direction of the camera.
 TEST_F(LightsPanelTest, ALightOutsideThePictureHasAnArrowAtItsBorder) {
   const auto& all = rig.content().controls().all();
   const auto picture = rig.content().layout().picture;
@@ -294,7 +294,7 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   rig.click("Light/1");
   EXPECT_EQ(rig.content().state().lights.selected, 0);
   rig.click("Light/1");
-  EXPECT_EQ(rig.content().state().lights.selected, -1) << "a second click puts it by";
+  EXPECT_EQ(rig.content().state().lights.selected, -1) << "a second click closes the editor";
   rig.click("Light/1");
   rig.click("Remove light");
   EXPECT_TRUE(restarted());
@@ -306,7 +306,7 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   EXPECT_EQ(rig.content().state().lights.selected, 0) << "the editor stays open";
   rig.click("Remove light");
   EXPECT_TRUE(restarted());
-  EXPECT_TRUE(lights().empty()) << "black, as asked for, and no rig";
+  EXPECT_TRUE(lights().empty()) << "black as requested, without default lighting";
   rig.frame();
   EXPECT_FALSE(rig.content().controls().all().contains("Intensity"));
   rig.click("Remove light");
@@ -350,7 +350,7 @@ TEST_F(LightsPanelTest, AMarkInThePictureMovesItsLight) {
   rig.drag(mark.centre(), mark.centre() + glm::vec2(40.0f, 20.0f));
   EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, camera) << "no orbit";
   const glm::dvec3 moved = light().position - before;
-  // The light is 1 before the eye at z = 3, whose field of view is the default's.
+  // The light is at distance 1 from the eye at z = 3, which has the default field of view.
   const double metres_per_pixel =
       2.0 * std::tan(0.5 * Camera{}.fov_y_rad) / rig.previewer().render().film().height;
   EXPECT_NEAR(moved.x, 40.0 * metres_per_pixel, 1e-4);
@@ -385,7 +385,7 @@ TEST_F(LightsPanelTest, ADoubleClickResets) {
   EXPECT_NE(light().intensity, intensity);
   double_click("Intensity");
   EXPECT_EQ(light().intensity, intensity);
-  // A vector is reset by its name, which stands left of its fields.
+  // A vector is reset by its name, to the left of its fields.
   const Controls::Placed x = rig.control("Position/x");
   rig.move_to({x.lo.x - 40.0f, x.centre().y});
   for (int i = 0; i < 2; ++i) {

@@ -51,7 +51,7 @@ Scene waves(int side, std::string source) {
 
 struct Memory {
   double heap_mb = 0.0;      ///< allocated and not freed
-  double resident_mb = 0.0;  ///< of the process, after what is free was given back
+  double resident_mb = 0.0;  ///< of the process, after free memory was returned
 };
 
 double resident_mb() {
@@ -74,8 +74,8 @@ Memory memory() {
   return now;
 }
 
-// Embree keeps a few hundred bytes for each thread that ever built something with it, and a load
-// starts such a thread: beside scenes of a few megabytes that is nothing.
+// Embree keeps a few hundred bytes per thread that ever built something with it, and each load
+// starts such a thread: negligible for scenes of a few megabytes.
 TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
   RenderSettings settings;
   settings.threads = 1;
@@ -97,7 +97,7 @@ TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
     }
     return true;
   };
-  // What a render holds while it works differs from one moment to the next.
+  // Memory during a render varies.
   const auto rest = [&] {
     const auto start = std::chrono::steady_clock::now();
     while (!previewer.render().progress().finished &&
@@ -111,11 +111,11 @@ TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
     for (int i = 0; i < scenes; ++i) ASSERT_TRUE(open(i % 2 == 0 ? "small" : "large"));
     ASSERT_TRUE(rest());
   };
-  // The first scenes fill what libraries keep for good.
+  // The first scenes fill buffers that libraries never free.
   load(30);
   const Memory before = memory();
-  // How the allocator's pieces lie, and what a search for boundaries that ends has not yet given
-  // back, differs from one moment to the next; what is lost stays lost.
+  // Fragmentation, and memory of a search for edges that is just ending, vary. Leaked memory stays,
+  // so the minimum counts.
   Memory after{1e9, 1e9};
   const int loads = test::sanitized ? 8 : 40;
   for (int part = 0; part < 5; ++part) {
@@ -128,13 +128,13 @@ TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
   std::printf("heap %.2f MB before, %.2f after; resident %.1f MB before, %.1f after\n",
               before.heap_mb, after.heap_mb, before.resident_mb, after.resident_mb);
   EXPECT_LE(after.heap_mb, 1.05 * before.heap_mb);
-  // The sanitizers keep what was freed.
+  // The sanitizers keep freed memory.
   if (!test::sanitized) {
     EXPECT_LE(after.resident_mb, 1.05 * before.resident_mb);
   }
 }
 
-// As somebody does who looks through models, in the window and with all that it keeps of them.
+// Like a user who pages through models, in the window with all that it stores about them.
 TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
   test::UiRig rig(
       [](const std::string& source) -> Result<Scene> {
@@ -160,10 +160,10 @@ TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
   }));
   ASSERT_TRUE(rig.frames_until([&] {
     return std::count_if(seen.begin(), seen.end(), [](const auto& s) { return !s.expired(); }) == 1;
-  })) << "scenes of before are held";
+  })) << "previous scenes are still in memory";
   EXPECT_EQ(seen.back().lock(), rig.previewer().scene().shared());
   if (test::sanitized) return;  // they keep what was freed
-  // What was freed went back to the system by itself: asked once more, it has little to give.
+  // Freed memory went back to the system by itself, so another request returns little.
   ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().gives_memory_back(); }));
   const double before = resident_mb();
   const Memory trimmed = memory();

@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-// Turntables and clips as frames, and as MP4 by a program in ffmpeg's place.
+// Turntables and animations as frames, and as MP4 with a program that replaces ffmpeg.
 
 namespace asos::test::movie_test {
 namespace {

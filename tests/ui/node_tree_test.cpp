@@ -10,8 +10,8 @@
 namespace asos::test::node_tree_test {
 namespace {
 
-/// root - (arm - hand, lamp), and a light that shows nothing. Objects: 0 and 3 of the hand, 1 of
-/// the lamp, 2 of the arm.
+/// root - (arm - hand, lamp), and a light without surfaces. Objects: 0 and 3 of the hand, 1 of the
+/// lamp, 2 of the arm.
 SceneContents contents() {
   SceneContents c;
   c.nodes = {{"root", -1}, {"arm", 0}, {"sun", 0}, {"hand", 1}, {"lamp", 0}};
@@ -45,7 +45,7 @@ TEST(NodeTree, CountsTheObjectsBelowANode) {
   EXPECT_EQ(tree.above(3), (std::vector<int>{1, 0}));
 }
 
-/// Three triangles in two nodes below one.
+/// Three triangles in two nodes with a common parent.
 Scene with_nodes(const std::string& source) {
   Scene scene = two_triangles({1, 0, 0}, source);
   add_triangle(scene, {-1, 1, 0}, {-0.5f, 1, 0}, {-0.7f, 1.3f, 0}, glm::vec3(0.0f, 1.0f, 0.0f));
@@ -63,7 +63,7 @@ class NodeListTest : public testing::Test {
     EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
     EXPECT_TRUE(rig.settle());
     rig.unfold("Objects");
-    (void)rig.control("section/Scene");  // the list is laid out only where it is seen
+    (void)rig.control("section/Scene");  // the list is laid out only if it is visible
     rig.frame();
   }
   [[nodiscard]] bool hides(const std::vector<int>& hidden) {
@@ -80,7 +80,7 @@ TEST_F(NodeListTest, ANodeIsHiddenWithAllBelowItAndShownAgain) {
   rig.click("Node visible/2");
   ASSERT_TRUE(hides({0, 2}));
   EXPECT_EQ(rig.previewer().scene()->world().parts.size(), 1u);
-  // The other one is the last that is visible.
+  // The other one is the last visible one.
   rig.click("Node visible/3");
   rig.frame();
   EXPECT_EQ(rig.previewer().scene().hidden(), (std::vector<int>{0, 2}));

@@ -1,6 +1,6 @@
 #include "tests/ui/previewer_fixture.h"
 
-// How scenes replace each other, and what becomes of those that cannot be opened.
+// Scenes replace each other; scenes that cannot be opened leave the old one.
 
 namespace asos::test::opening_test {
 namespace {
@@ -18,7 +18,7 @@ TEST_F(OpeningTest, TheOpenSceneStaysWhenAnotherFails) {
   EXPECT_FALSE(previewer.scene().loading().has_value());
   ASSERT_TRUE(finished());
 
-  // The next scene takes the message away.
+  // The next scene removes the message.
   previewer.scene().open("green");
   ASSERT_TRUE(opened("green"));
   EXPECT_FALSE(previewer.scene().error().has_value());
@@ -51,7 +51,7 @@ TEST_F(OpeningTest, ANewerSceneReplacesOneThatLoads) {
     return !seen.empty() && seen.back() == "red";
   }));
   EXPECT_EQ(seen, std::vector<std::string>{"red"});
-  EXPECT_EQ(loader.calls, 2) << "what was replaced before it began need not be loaded";
+  EXPECT_EQ(loader.calls, 2) << "requests that were replaced early need not be loaded";
 }
 
 TEST_F(OpeningTest, ReplacingScenesWhileTheyRenderIsSafe) {
@@ -73,12 +73,12 @@ TEST_F(OpeningTest, ReplacingASceneWhoseBoundariesAreLookedForIsSafe) {
   for (const char* source : {"many", "green", "many"}) {
     previewer.scene().open(source);
     ASSERT_TRUE(opened(source));
-    // Its coarse picture is there, the rest is not waited for.
+    // Its coarse picture is there; the rest is not awaited.
     ASSERT_TRUE(update_until([&] { return !previewer.render().first_picture_pending(); }));
     EXPECT_TRUE(before.expired()) << "the scene before " << source;
     before = previewer.scene()->geometry;
   }
-  // The previewer ends while it looks for the boundaries of the last one.
+  // The previewer is destroyed while it searches the edges of the last scene.
 }
 
 TEST_F(OpeningTest, EndsWhileALoadIsWaiting) {

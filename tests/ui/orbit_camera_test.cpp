@@ -65,7 +65,7 @@ TEST(OrbitCamera, TurnsToASide) {
   expect_view(0.0, -0.5 * pi, {0, -1, 0}, {0, 0, 1});
 }
 
-// What a pixel shows at the pivot's depth stays there.
+// A point at the pivot's depth stays in its pixel.
 TEST(OrbitCamera, ShowsThePivotsDepthAsLargeInEitherProjection) {
   OrbitCamera orbit;
   orbit.set(camera_at({0, 0, 5}, {0, 0, 3}, {0, 1, 0}), 2.0, 4.0);
@@ -78,7 +78,7 @@ TEST(OrbitCamera, ShowsThePivotsDepthAsLargeInEitherProjection) {
   orbit.set_projection(Camera::Type::orthographic);
   EXPECT_EQ(orbit.camera().type, Camera::Type::orthographic);
   EXPECT_NEAR(height(), before, 1e-6);  // rays are floats
-  EXPECT_GE(orbit.eye().z, 8.0) << "outside the scene, of which it would cut something off";
+  EXPECT_GE(orbit.eye().z, 8.0) << "outside the scene, so that nothing is clipped";
   orbit.set_projection(Camera::Type::perspective);
   EXPECT_NEAR(height(), before, 1e-6);  // rays are floats
   EXPECT_NEAR(orbit.distance(), 2.0, 1e-12);
@@ -126,7 +126,7 @@ TEST(OrbitCamera, StopsAtThePoleWithoutFlipping) {
   EXPECT_NEAR(glm::length(glm::dvec3(top[0]) - glm::dvec3(1, 0, 0)), 0.0, 1e-12);
   EXPECT_NEAR(glm::length(glm::dvec3(top[1]) - glm::dvec3(0, 0, -1)), 0.0, 1e-12);
 
-  // Turning at the pole turns the picture about its middle, and the way back is the way there.
+  // Turning at the pole rotates the picture about its centre, and turning back restores it.
   orbit.orbit(pi / 2, 0.0);
   EXPECT_NEAR(glm::length(glm::dvec3(orbit.camera().world_from_camera[0]) - glm::dvec3(0, 0, -1)),
               0.0, 1e-12);
@@ -140,7 +140,7 @@ TEST(OrbitCamera, PanFollowsThePointerAtThePivotsDepth) {
   const glm::dvec3 grabbed = orbit.pivot();
   orbit.pan(0.25, -0.125);
 
-  // On a picture 80 pixels high the grabbed point now shows 20 right of the middle and 10 above.
+  // In a picture 80 pixels high the grabbed point is now 20 right of the centre and 10 above it.
   const View view(orbit.camera(), 120, 80);
   const glm::dvec3 h = view.frame(60 + 20, 40 - 10, 1, 1).homogeneous(grabbed);
   EXPECT_NEAR(h.x / h.z, 0.0, 1e-9);

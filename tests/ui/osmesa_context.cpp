@@ -2,7 +2,7 @@
 
 #include "ui/gl/gl.h"
 
-// It declares all of OpenGL's functions, so it stays in this file.
+// This header declares all of OpenGL's functions, so it is included only here.
 #include <GL/osmesa.h>
 #include <cstddef>
 #include <vector>

@@ -6,7 +6,7 @@
 
 namespace asos::test {
 
-/// An OpenGL 3.3 core context in memory, current on the calling thread and with its functions
+/// An OpenGL 3.3 core context in memory. It is current on the calling thread, with its functions
 /// loaded, until it is destroyed.
 class OsmesaContext {
  public:
@@ -15,7 +15,7 @@ class OsmesaContext {
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
-  /// Gives the framebuffer another size.
+  /// Changes the framebuffer's size.
   [[nodiscard]] bool resize(int width, int height);
 
  private:

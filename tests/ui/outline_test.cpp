@@ -15,7 +15,7 @@ TEST(HiddenObjects, ArePlacesAmongThoseThatShowSomething) {
     Scene scene = two_triangles({1, 0, 0});
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
       scene.instances[i].name = std::string(1, static_cast<char>('a' + static_cast<char>(i)));
-    // One between them that shows nothing.
+    // A mesh between them without surfaces.
     scene.meshes.emplace_back();
     Instance nothing;
     nothing.mesh = static_cast<int>(scene.meshes.size()) - 1;
@@ -79,13 +79,13 @@ class OutlineTest : public PanelsTest {
     const Film& film = rig.previewer().render().film();
     return film.radiance[film.index(film.width / 2, film.height / 2)];
   }
-  /// The list is laid out only where it is seen.
+  /// The list is laid out only if it is visible.
   void choose(const std::string& object) {
     (void)rig.control("section/Scene");
     rig.frame();
     rig.click(object);
   }
-  /// Where the eye is, in the author's coordinates.
+  /// The eye, in the author's coordinates.
   [[nodiscard]] glm::dvec3 eye() {
     return rig.previewer().viewpoint().camera().eye() + rig.previewer().scene()->world().origin;
   }
@@ -120,7 +120,7 @@ TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
   rig.click("Isolate");
   ASSERT_TRUE(becomes(1));
   EXPECT_EQ(rig.previewer().scene().hidden(), std::vector<int>{0});
-  // Loaded again, it stays so; another scene has nothing hidden.
+  // After a reload it stays hidden; another scene has nothing hidden.
   const std::uint64_t opened = rig.previewer().scene().times_opened();
   rig.previewer().scene().reload();
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
@@ -130,13 +130,13 @@ TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
   EXPECT_TRUE(rig.previewer().scene().hidden().empty());
 }
 
-// Of hundreds of objects the list shows a few: among them that which was clicked.
+// The list shows a few of hundreds of objects, including the clicked one.
 TEST_F(OutlineTest, TheListShowsWhatWasClicked) {
   rig.set_pixel_size(1);
   rig.previewer().scene().open("grating");
   ASSERT_TRUE(rig.frames_until([&] { return parts() > 200; }));
   ASSERT_TRUE(rig.settle());
-  (void)rig.control("section/Scene");  // the list is laid out only where it is seen
+  (void)rig.control("section/Scene");  // the list is laid out only if it is visible
   rig.frame();
   const auto& controls = rig.content().controls().all();
   const auto pick = [&](float across) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-// Faults of the panel that users met.
+// Faults of the panel that users reported.
 
 namespace asos {
 namespace {
@@ -36,7 +36,7 @@ TEST_F(PanelsTest, TrIsOfferedWhereItCounts) {
   EXPECT_FALSE(offered());
 }
 
-// The drawing once quartered a pixel that one edge crosses, which the default cuts.
+// The drawing once showed a split pixel with a single edge, which the default settings cut instead.
 TEST(SectionHelp, DrawsPixelsAsTheDefaultSplitsThem) {
   bool cut = false, split = false;
   for (const SketchedPixel& pixel : sketched_pixels()) {
@@ -73,7 +73,7 @@ TEST_F(PanelsTest, AListTakesTheWheelOnlyOnceItWasClicked) {
   EXPECT_LT(row_y(), light) << "a clicked list scrolls";
 }
 
-// It once offered everything until the scene was there, and then took most of it away.
+// Once it offered all controls until the scene was loaded, and then removed most of them.
 TEST(Panel, OnlyGrowsWhenTheSceneComes) {
   std::atomic<bool> released = false;
   test::UiRig rig{[&](const SceneSource& source) -> Result<Scene> {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-// The panel's tabs, the search over all of them, and the remembered state.
+// The panel's tabs, the search over all of them, and the stored state.
 
 namespace asos {
 namespace {
@@ -19,7 +19,7 @@ class PanelTabsTest : public test::PanelsTest {
   UiState& state() { return rig.content().state(); }
 };
 
-// Tests begin where a user does.
+// Tests begin with the first start's state.
 TEST(FirstWindow, ShowsTheBarAndTheFirstTab) {
   test::UiRig rig{[](const std::string& source) -> Result<Scene> {
                     return test::two_triangles({1, 0, 0}, source);

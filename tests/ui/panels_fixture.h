@@ -12,9 +12,9 @@
 
 namespace asos::test {
 
-/// A window beside whose picture there is room for the whole panel, which shows all of its tabs,
-/// with a scene open. Blind, and of nine of the window's pixels to one of the picture where a test
-/// does not say otherwise.
+/// A window with an open scene and room for the whole panel next to the picture; the panel shows
+/// all of its tabs. Draws blind, and with a picture of a ninth of the pixels, unless a test changes
+/// that.
 class PanelsTest : public testing::Test {
  protected:
   explicit PanelsTest(int pixel_size = 3) {
@@ -29,14 +29,14 @@ class PanelsTest : public testing::Test {
     restarts_ = rig.previewer().render().restarts();
   }
 
-  /// Drags a slider to a share of its width.
+  /// Drags a slider, from and to fractions of its width.
   void slide(const std::string& name, float from, float to) {
     const Controls::Placed at = rig.control(name);
     const float y = at.centre().y;
     rig.rest();
     rig.drag({std::ceil(glm::mix(at.lo.x, at.hi.x, from)), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
   }
-  /// Changes may wait for the picture of the render before them.
+  /// Waits until the render restarts: changes may wait for the picture of the previous render.
   bool restarted() {
     EXPECT_TRUE(rig.settle());
     const bool yes = rig.previewer().render().restarts() > restarts_;
@@ -55,11 +55,11 @@ class PanelsTest : public testing::Test {
             UiRig::with_bar({660, 1000})};
 
  private:
-  /// A grating, or two triangles with what the name says.
+  /// A grating, or two triangles with the properties that the name states.
   static Scene scene_named(const std::string& source) {
     if (source == "grating") return test::grating(source);
     Scene scene = test::two_triangles({1, 0, 0}, source);
-    scene.materials[0].double_sided = false;  // turned to the camera: there are backs to cull
+    scene.materials[0].double_sided = false;  // faces the camera: there are backs to cull
     Light light;
     light.position = {0, 1, 2};
     if (source == "point light") scene.lights.assign(1, light);
@@ -75,7 +75,7 @@ class PanelsTest : public testing::Test {
       scene.lights.assign(1, light);
     }
     if (source == "mirrors") {
-      // Two that look alike, and another.
+      // Two equal materials, and a different one.
       scene.materials.resize(2);
       for (Material& material : scene.materials) {
         material.unlit = false;

@@ -17,7 +17,7 @@ TEST_F(PanelsTest, LongLabelsMoveTheirWidgetToTheRight) {
   const float left = rig.control("Open...").lo.x;
   const char* name = "Jitter unresolved cells";
   EXPECT_GE(rig.control(name).lo.x, left + ImGui::CalcTextSize(name).x);
-  EXPECT_EQ(rig.control("MAX").lo.x, rig.control("EPS").lo.x) << "short ones have a column";
+  EXPECT_EQ(rig.control("MAX").lo.x, rig.control("EPS").lo.x) << "short labels have a fixed column";
 }
 
 TEST_F(PanelsTest, EpsIsDraggedOnALogarithmicScale) {
@@ -146,7 +146,7 @@ TEST_F(PanelsTest, TheLegendShowsTheScaleOfLevels) {
     const int x = static_cast<int>(at.centre().x), y = static_cast<int>(at.lo.y) + 5;
     return pixels[static_cast<std::size_t>(y * rig.size().x + x)];
   };
-  // The same whatever MAX is.
+  // The same for any MAX.
   EXPECT_EQ(colour_of("not split"), split_colour(0));
   EXPECT_EQ(colour_of("exact"), exact_colour);
   for (int level = 1; level <= split_colour_levels; ++level)
@@ -237,7 +237,7 @@ TEST_F(PanelsTest, TheOpenDialogOpensWhatIsTyped) {
   EXPECT_FALSE(rig.content().state().show_open);
 }
 
-// Where the folder has nothing of that name, Enter opens the first of what is listed below.
+// If the folder has no match, Enter opens the first recent file or built-in scene listed below.
 TEST_F(PanelsTest, TheOpenDialogOpensWhatItListsOfThatName) {
   rig.content().state().recent = {"/gone/boxes-of-mine.glb"};
   const auto opened = [&](const char* typed, const std::string& source) {
@@ -312,7 +312,8 @@ TEST_F(PanelsTest, PagesThroughTheModelsOfTheFolder) {
   EXPECT_TRUE(opened("c.glb"));
 }
 
-// F6 goes to the panel and back; there, arrows choose a control, and Space is the control's.
+// F6 moves the focus to the panel and back. There, arrow keys select a control, and Space goes to
+// the control.
 TEST_F(PanelsTest, ThePanelIsUsedByKeyboard) {
   rig.key(Key::f6);
   rig.frame();
@@ -332,8 +333,8 @@ TEST_F(PanelsTest, ThePanelIsUsedByKeyboard) {
   EXPECT_FALSE(rig.content().state().leaving.quit);
 }
 
-// The keyboard's frame stands on "Open..." at first; Enter presses what it stands on, and lets a
-// slider's value be typed.
+// The keyboard's frame is at "Open..." first. Enter presses the selected control; on a slider it
+// starts typing a value.
 TEST_F(PanelsTest, EnterPressesWhatTheKeyboardStandsOn) {
   rig.key(Key::f6);
   rig.frame();
@@ -350,7 +351,7 @@ TEST_F(PanelsTest, TheOpenDialogOffersTheBuiltInScenes) {
   rig.click("Open...");
   rig.frame();
   rig.frame();
-  rig.type("boxes");  // the list is long: it is filtered, too
+  rig.type("boxes");  // the list is long, and filtered, too
   rig.click("Built-in/boxes");
   ASSERT_TRUE(rig.frames_until(
       [&] { return rig.previewer().scene()->geometry->source == "builtin:boxes"; }));
@@ -393,7 +394,7 @@ TEST_F(PanelsTest, ATooltipAppearsWhenThePointerRests) {
   rig.move_to(rig.control("EPS").centre());
   const std::vector<glm::u8vec3> before = rig.pixels();
   ASSERT_TRUE(rig.content().seconds_to_redraw().has_value()) << "a frame is due for the tooltip";
-  ASSERT_TRUE(rig.sleeps()) << "it is drawn as it is due, and no more";
+  ASSERT_TRUE(rig.sleeps()) << "drawn when due, and not again";
   EXPECT_NE(rig.pixels(), before);
 }
 

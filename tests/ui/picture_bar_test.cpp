@@ -5,7 +5,7 @@
 
 #include <string>
 
-// The bar under the picture, and the picture of the EPS and MAX before.
+// The bar under the picture, and the display of the picture of the previous EPS and MAX.
 
 namespace asos {
 namespace {
@@ -44,8 +44,8 @@ TEST_F(PictureBarTest, ChoosesWhatThePictureShows) {
   EXPECT_FALSE(display().show_split_map);
 }
 
-// A click on Error samples the reference; the map has a scale in display steps. It stays while EPS
-// changes, and follows the picture.
+// A click on Error samples the reference. The layer has a scale in display steps, and stays and is
+// updated while EPS changes.
 TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
   rig.previewer().scene().open("grating");
   ASSERT_TRUE(
@@ -63,7 +63,7 @@ TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
   settings().asos.eps = 0.3;
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_EQ(all().at("Error reference").words, "Reference: 256 samples per pixel")
-      << "it is of the view, not of an EPS";
+      << "the reference belongs to the view, not to an EPS";
   rig.previewer().viewpoint().camera().orbit(0.1, 0.0);
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_NE(all().at("Error reference").words, "Reference: 256 samples per pixel");
@@ -89,7 +89,7 @@ TEST(ErrorScale, IsLogarithmicInDisplaySteps) {
   EXPECT_NEAR(error_steps(a, a, 0, plain), 0.0, 1e-6);
 }
 
-// At 420x300 there was no bar at all.
+// Once there was no bar at 420x300.
 TEST_F(PictureBarTest, SmallWindowsChooseLayerEpsAndMaxInOneRow) {
   rig.resize({420, 300});
   for (int i = 0; i < 4; ++i) rig.frame();
@@ -125,8 +125,8 @@ TEST_F(PictureBarTest, SlidersAndMethodSetTheRender) {
   EXPECT_FALSE(all().contains("EPS in bar")) << "Sobol has none";
 }
 
-// Every position of a dragged slider has its map in the frame that hears of it, which is due within
-// 100 ms: while renders begin, rest and wait for their first picture.
+// For every position of a dragged slider, the map is in the frame that processes the event, which
+// is due within 100 ms: while renders start, pause and wait for their first picture.
 TEST_F(PictureBarTest, TheMapFollowsEveryStepOfADragAtOnce) {
   rig.previewer().scene().open("grating");
   ASSERT_TRUE(
@@ -157,7 +157,7 @@ TEST_F(PictureBarTest, TheMapFollowsEveryStepOfADragAtOnce) {
   }
 }
 
-/// A small one whose pixels can be looked at.
+/// A small window in which single pixels can be tested.
 class SeenPictureBarTest : public PictureBarTest {
  protected:
   SeenPictureBarTest() : PictureBarTest({740, 420}, 1) {}
@@ -171,7 +171,7 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   EXPECT_FALSE(state.show_before);
   const RenderSettings first = render.settings();
   const Film before = render.film();
-  // A drag begins many renders. The picture finished before the drag counts.
+  // A drag starts many renders. The picture finished before the drag is the one to show.
   for (const double eps : {0.1, 0.3, 0.5}) {
     settings().asos.eps = eps;
     rig.frame();
@@ -194,7 +194,7 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   EXPECT_EQ(render.restarts(), restarts) << "nothing is rendered again";
   rig.click("Now");
   EXPECT_FALSE(state.show_before);
-  // Another view has nothing before it.
+  // Another view has no previous picture.
   rig.key(Key::v);
   rig.previewer().viewpoint().camera().orbit(0.1, 0.0);
   ASSERT_TRUE(rig.settle());

@@ -16,11 +16,11 @@ using test::PanelsTest;
 class PixelPanelTest : public PanelsTest {
  protected:
   PixelPanelTest() : PanelsTest(1) {}
-  /// A pixel that the red triangle's left edge cuts, which nothing else is near.
+  /// A pixel that only the left edge of the red triangle crosses.
   [[nodiscard]] glm::ivec2 cut_pixel() {
     const Film& film = rig.previewer().render().film();
-    // A little above the middle of a picture that shows 2.8 units from top to bottom: there the
-    // edge lies well within, and the grey triangle does not yet begin.
+    // A little above the centre of a picture that shows 2.8 units vertically: there the edge is
+    // well inside, and the grey triangle has not started.
     const int y = film.height / 2 - film.height / 28;
     for (int x = 1; x + 1 < film.width; ++x) {
       const float share = film.radiance[film.index(x, y)].x;
@@ -67,7 +67,7 @@ TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
       backgrounds += at(pixels, {x, y}) == background;
     }
   }
-  // The rest is boundary lines and samples.
+  // The rest is drawn by edge lines and samples.
   const float area = (square.hi.x - square.lo.x) * (square.hi.y - square.lo.y);
   EXPECT_GT(static_cast<float>(reds + backgrounds), 0.85f * area);
   EXPECT_NEAR(static_cast<float>(reds) / static_cast<float>(reds + backgrounds), covered, 0.04f);
@@ -75,7 +75,7 @@ TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
   EXPECT_FALSE(restarted()) << "looking at a pixel renders nothing again";
 }
 
-// The parts were squares of a grid, so that a slanted edge was a staircase.
+// The parts were once squares of a grid, so that an oblique edge was a staircase.
 TEST_F(PixelPanelTest, TheSquareHasTheExactSidesOfItsParts) {
   const glm::ivec2 pixel = cut_pixel();
   PixelInspector inspector;
@@ -115,7 +115,7 @@ TEST(SeenParts, ARingLeavesItsHoleOut) {
   EXPECT_NEAR(seen_parts(std::vector{cell}).front().area(), 1.0, 1e-6) << "all of the cell";
 }
 
-// Map, status line and view name one level and one cause.
+// Map, status line and view agree on one level and one cause.
 TEST_F(PixelPanelTest, SaysWhatTheMapShows) {
   const glm::ivec2 pixel = cut_pixel();
   const Film& film = rig.previewer().render().film();
@@ -186,7 +186,7 @@ TEST_F(PixelPanelTest, ADragPicksNothing) {
 TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {
   const glm::ivec2 pixel = cut_pixel();
   pick(pixel);
-  // The lines are smoothed, so that hardly a pixel has their very colour.
+  // The lines are antialiased, so hardly any pixel has their exact colour.
   const auto yellow = [](glm::u8vec3 c) { return c.x - c.z > 80 && c.y - c.z > 80; };
   const auto outlines = [&] {
     const std::vector<glm::u8vec3> pixels = rig.pixels();
@@ -228,7 +228,7 @@ TEST_F(PixelPanelTest, PyraysOfAMirrorAreSteppedInto) {
 TEST_F(PixelPanelTest, TheTraceFollowsTheView) {
   const glm::ivec2 pixel = cut_pixel();
   pick(pixel);
-  // Beside the pixel's panel, which leaves the pixel's side of the picture free.
+  // Next to the pixel panel, which leaves the pixel's half of the picture free.
   const Controls::Placed panel = rig.control("Pixel panel");
   const float x = panel.lo.x > 40.0f ? 10.0f : 320.0f;
   rig.drag({x, 800}, {x + (x < 100.0f ? 25.0f : -25.0f), 820});

@@ -16,8 +16,8 @@
 
 namespace asos::test {
 
-/// Knows "red", "green", "slow" (green, after `release`), "lines" (red, and one), "wide" (red, seen
-/// by a camera three times as wide as high) and "many" (of triangles); all else is an error.
+/// Loads "red", "green", "slow" (green, after `release`), "lines" (red, with a line), "wide" (red,
+/// with a camera of aspect ratio 3) and "many" (many triangles); any other name is an error.
 class Loader {
  public:
   LoadFunction function() {
@@ -68,7 +68,7 @@ inline RenderSettings small_picture() {
   return settings;
 }
 
-/// Scenes have neither ground nor sky, unless a test lets them have their default look.
+/// Scenes have neither ground nor sky, unless a test enables their default look.
 class PreviewerTest : public testing::Test {
  protected:
   PreviewerTest() { previewer.edits().keep_first({true, true, true}); }

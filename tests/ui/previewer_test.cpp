@@ -25,7 +25,7 @@ TEST_F(PreviewerTest, RendersTheSceneThatItOpens) {
   EXPECT_GT(wakes, 0);
 }
 
-// Other threads go on while it is asked: what they had reached before and after are its bounds.
+// Other threads continue during the call, so the progress before and after it are its bounds.
 TEST_F(PreviewerTest, WhatMovesByItselfIsShownForAMomentOrASampleAPixel) {
   const PreviewRender& render = previewer.render();
   previewer.viewpoint().set_picture_size(1200, 900, now);
@@ -45,7 +45,7 @@ TEST_F(PreviewerTest, WhatMovesByItselfIsShownForAMomentOrASampleAPixel) {
     waited |= covered && !long_enough;
     if (render.progress().finished) break;
   }
-  EXPECT_TRUE(waited) << "or nothing was told";
+  EXPECT_TRUE(waited) << "otherwise nothing was tested";
 }
 
 TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
@@ -60,7 +60,7 @@ TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
   EXPECT_EQ(previewer.render().film().radiance.size(), 48u * 32u);
   EXPECT_GT(previewer.render().film().radiance[pixel].g, 0.5f) << "the line is white";
 
-  // As they were while it moves.
+  // As they were during the movement.
   const auto before = positions();
   for (int i = 0; i < 20; ++i) {
     previewer.viewpoint().camera().orbit(0.01, 0.0);
@@ -88,7 +88,7 @@ TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
   EXPECT_TRUE(finished());
 }
 
-// Where lights and lines change at once, neither is lost.
+// If lights and lines change at once, both changes arrive.
 TEST_F(PreviewerTest, LinesAndLightsChangeTogether) {
   previewer.viewpoint().set_picture_size(48, 32, now);
   previewer.scene().open("lines");
@@ -126,7 +126,7 @@ TEST_F(PreviewerTest, ScenesWithoutLightsOpenOnTheGroundInAStudio) {
   EXPECT_EQ(sky(), nullptr) << "it has lights";
   EXPECT_EQ(settings().ground, Ground::off);
   EXPECT_EQ(settings().background, Background{});
-  // Once a person has chosen one it stays, until all is reset.
+  // A sky that was chosen stays until everything is reset.
   previewer.edits().set_sky(std::make_shared<const Sky>(Environment::dusk));
   previewer.scene().open("red");
   ASSERT_TRUE(opened("red"));
@@ -137,7 +137,7 @@ TEST_F(PreviewerTest, ScenesWithoutLightsOpenOnTheGroundInAStudio) {
   ASSERT_TRUE(opened("green"));
   EXPECT_EQ(sky()->choice().environment, Environment::softboxes);
   EXPECT_EQ(settings().background.kind, BackgroundKind::colours);
-  // So does what a person chose apart.
+  // A part that was chosen separately stays, too.
   settings().ground = Ground::off;
   settings().background.kind = BackgroundKind::blurred;
   previewer.scene().open("red");
@@ -150,7 +150,7 @@ TEST_F(PreviewerTest, ScenesWithoutLightsOpenOnTheGroundInAStudio) {
   EXPECT_EQ(sky(), nullptr) << "neutral grey was chosen";
 }
 
-// Whatever else is edited; and what is told of the scene knows nothing of it.
+// The ground stays for any other edit, and is not part of the reported scene.
 TEST_F(PreviewerTest, PutsTheSceneOnTheGroundThatIsAskedFor) {
   previewer.viewpoint().set_picture_size(48, 32, now);
   previewer.scene().open("lines");
@@ -220,8 +220,8 @@ TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
   restarts_after([&] { previewer.viewpoint().choose_camera(-1); });
 }
 
-// What is framed stays in view while it is orbited, though its nearest surface lies far before its
-// middle; and it fills pictures of other shapes until the camera is moved.
+// A framed scene stays in view while it is orbited, although its nearest surface is far in front of
+// its centre. It fills pictures of other aspect ratios until the camera is moved.
 TEST_F(PreviewerTest, TheViewThatFramesEverythingOrbitsItsMiddle) {
   previewer.viewpoint().set_picture_size(48, 32, now);
   previewer.scene().open("red");
@@ -242,11 +242,11 @@ TEST_F(PreviewerTest, TheViewThatFramesEverythingOrbitsItsMiddle) {
   const glm::dvec3 orbited = camera.eye();
   previewer.viewpoint().set_picture_size(48, 32, now += 1.0);
   previewer.update(now += 1.0);
-  EXPECT_EQ(camera.eye(), orbited) << "it is the person's now";
+  EXPECT_EQ(camera.eye(), orbited) << "the user has moved the camera";
   EXPECT_NE(framed, orbited);
 }
 
-// All that the file's camera sees is shown, in whatever shape the picture has.
+// The whole view of the file's camera is shown, for any aspect ratio of the picture.
 TEST_F(PreviewerTest, AWideCameraFitsThePictureUntilItIsLeft) {
   Viewpoint& viewpoint = previewer.viewpoint();
   const auto half_height = [&] { return std::tan(0.5 * viewpoint.camera().camera().fov_y_rad); };
@@ -266,7 +266,7 @@ TEST_F(PreviewerTest, AWideCameraFitsThePictureUntilItIsLeft) {
   viewpoint.camera().orbit(0.2, 0.0);
   viewpoint.set_picture_size(48, 32, now += 1.0);
   previewer.update(now += 1.0);
-  EXPECT_NEAR(half_height(), std::tan(0.25), 1e-9) << "it is the person's now";
+  EXPECT_NEAR(half_height(), std::tan(0.25), 1e-9) << "the user has moved the camera";
 }
 
 TEST_F(PreviewerTest, AFramedViewInAnotherShapeIsNoStepToUndo) {
@@ -288,8 +288,8 @@ TEST_F(PreviewerTest, AFramedViewInAnotherShapeIsNoStepToUndo) {
       << "in the picture's present shape";
 }
 
-// A drag changes the camera faster than a coarse picture takes: without the wait, only the middle
-// of the picture would ever follow.
+// A drag changes the camera faster than a coarse picture takes. Without waiting, only the picture's
+// centre would ever be updated.
 TEST_F(PreviewerTest, AFloodOfChangesStillShowsWholePictures) {
   previewer.viewpoint().set_picture_size(800, 600, now);
   previewer.scene().open("red");
@@ -301,7 +301,7 @@ TEST_F(PreviewerTest, AFloodOfChangesStillShowsWholePictures) {
     const std::uint64_t before = previewer.render().restarts();
     previewer.viewpoint().camera().orbit(0.01, 0.0);
     previewer.update(now);
-    // Time stands still here, so that only a whole picture lets the next render begin.
+    // The test's clock stands still, so only a complete picture lets the next render start.
     if (previewer.render().restarts() > before) ++whole;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -370,7 +370,7 @@ TEST_F(PreviewerTest, ThePivotMovesToThePointThatThePictureShows) {
       glm::length(glm::cross(glm::dvec3(ray.direction),
                              previewer.viewpoint().camera().pivot() - glm::dvec3(ray.origin))),
       0.0, 1e-5);
-  // Nothing is there: the pivot stays.
+  // There is no surface: the pivot stays.
   const std::uint64_t before = previewer.viewpoint().camera().revision();
   previewer.viewpoint().set_pivot_at(0.5, 59.5);
   EXPECT_EQ(previewer.viewpoint().camera().revision(), before);

@@ -9,10 +9,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-// Somebody who clicks, drags, types, flies, resizes, plays, saves, opens scenes and closes the
-// window without waiting for anything, through the loop that draws the real window; and what has to
-// hold then. What is done follows from a seed alone. Under the sanitizers the walk is longer, and
-// there are no reports.
+// A simulated user who clicks, drags, types, flies, resizes, plays, saves, opens scenes and closes
+// the window without waiting, through the real window's loop; and invariants that must hold. The
+// actions follow from a seed. Under the sanitizers the walk is longer, and there are no reports.
 
 namespace asos::test::random_walk_test {
 namespace {
@@ -30,16 +29,16 @@ class RandomWalk : public testing::Test {
     unsetenv("XDG_CONFIG_HOME");
   }
 
-  // Asked twice, whatever it might lose.
+  // Requested twice, to skip the question about lost work.
   static void add_close(WalkedWindow& window) {
     const auto ask = [](WalkedWindow& w) { w.happened().asked_to_close = true; };
     window.steps.push_back({"close", ask});
-    // A minimised one, or one that loads, takes its time to hear it.
+    // A window that is minimised or loading reacts with delay.
     window.idle = ask;
   }
-  /// Reports, and keeps the most of all windows.
+  /// Reports, and keeps the maxima over all windows.
   void note(const WalkedWindow& window) {
-    EXPECT_LE(window.most().frames, 1) << "frames were drawn though nothing was heard between them";
+    EXPECT_LE(window.most().frames, 1) << "frames were drawn without processing events in between";
     frames += window.frames();
     if (window.most().wall_ms > slowest_wall.wall_ms) slowest_wall = window.most();
     if (window.most().processor_ms > slowest.processor_ms) slowest = window.most();
@@ -50,7 +49,7 @@ class RandomWalk : public testing::Test {
   int frames = 0;
 };
 
-/// A quarter of the walk, so that none takes too long.
+/// A quarter of the walk, so that no test takes too long.
 class LongWalk : public RandomWalk, public testing::WithParamInterface<unsigned> {};
 constexpr unsigned quarters = 4;
 INSTANTIATE_TEST_SUITE_P(RandomWalk, LongWalk, testing::Range(1u, quarters + 1));
@@ -80,7 +79,7 @@ TEST_P(LongWalk, HearsWhatHappensWhateverIsDone) {
       slowest_wall.wall_ms, slowest_wall.wall_action.c_str());
 }
 
-// After a walk, what is asked for next is done.
+// Actions after a walk still have their effect.
 TEST_F(RandomWalk, LeavesNothingStuck) {
   constexpr unsigned windows = 3;
   constexpr int each = 80;
@@ -92,7 +91,7 @@ TEST_F(RandomWalk, LeavesNothingStuck) {
     for (int i = 0; i < each; ++i)
       for (WalkedWindow::Step& step : walker.next(session))
         session.window.steps.push_back(std::move(step));
-    // Everything is let go of, and put back.
+    // Releases all buttons and restores the settings.
     session.window.steps.push_back(
         {"let go", [](WalkedWindow& window) {
            for (const auto button : {MouseButton::left, MouseButton::right, MouseButton::middle})
@@ -138,8 +137,8 @@ TEST_F(RandomWalk, LeavesNothingStuck) {
   }
 }
 
-// Frames that take longer than the time between them once left no moment to hear a key being let
-// go: who flew, flew on for good.
+// If frames took longer than their interval, key releases were once never processed, and the camera
+// kept flying.
 TEST_F(RandomWalk, AFlightEndsThoughEveryFrameIsLate) {
   Session session;
   session.window.seconds_per_frame = 0.1;

@@ -9,7 +9,7 @@ using test::PanelsTest;
 
 class RefinementTest : public PanelsTest {
  protected:
-  /// A render that begins anew.
+  /// Starts another render.
   void change() {
     settings().asos.jitter = !settings().asos.jitter;
     rig.frame();

@@ -27,7 +27,8 @@ RenderSettings of_size(int width, int height, double eps = 1.0 / 256.0) {
   return settings;
 }
 
-/// The final tile of two pixels: one that is shaded unevenly, 8 times the default EPS, and another.
+/// The final tile of two pixels: one that is unevenly shaded, with 8 times the default EPS, and one
+/// that is not.
 FinishedTile shaded_and_clear() {
   FinishedTile both = tile({0, 0, 2, 1}, glm::vec3(0.5f), false);
   both.split_level = {2, 0};
@@ -71,7 +72,7 @@ TEST(RefiningFilm, EstimatesTheErrorThatIsLeftFromWhatFinalPixelsCorrected) {
   EXPECT_TRUE(film.covered());
   EXPECT_FALSE(film.estimated_rmse().has_value());
   film.put(tile({0, 0, 1, 1}, glm::vec3(0.75f), false));
-  // Three pixels of four are left, each as wrong as the first: by a quarter.
+  // Three of four pixels are left, each assumed to have the first one's error: a quarter.
   EXPECT_NEAR(film.estimated_rmse().value_or(-1.0), std::sqrt(0.75) * 0.25, 1e-12);
   film.put(tile({1, 0, 3, 1}, glm::vec3(9.0f), false));
   EXPECT_EQ(film.estimated_rmse(), 0.0) << "it is finished";
@@ -104,7 +105,7 @@ TEST(RefiningFilm, NeverShowsLessOfTheMapThanIsKnown) {
   film.begin(of_size(2, 1, 1.0 / 1024.0), true);
   EXPECT_EQ(film.film().unfinished, std::vector<std::uint8_t>(2, 1));
   film.put(tile({0, 0, 2, 1}, glm::vec3(0.5f), true));
-  EXPECT_EQ(film.film().split_level[0], 3) << "a coarse tile tells no levels";
+  EXPECT_EQ(film.film().split_level[0], 3) << "coarse tiles have no levels";
   EXPECT_EQ(film.split_share(), 0.5);
   FinishedTile last = tile({0, 0, 1, 1}, glm::vec3(0.5f), false);
   last.split_level = {4};
@@ -113,13 +114,13 @@ TEST(RefiningFilm, NeverShowsLessOfTheMapThanIsKnown) {
   film.put(last);
   EXPECT_EQ(film.film().split_level[0], 4) << "the true level";
   EXPECT_EQ(film.film().unfinished, (std::vector<std::uint8_t>{0, 1}));
-  // From another place it says nothing.
+  // Data from another view do not count.
   film.begin(of_size(2, 1, 1.0 / 1024.0), false);
   film.put(tile({0, 0, 2, 1}, glm::vec3(0.5f), true));
   EXPECT_EQ(film.split_share(), 0.0);
 }
 
-// Each step of a long drag begins another render.
+// Each step of a long drag starts another render.
 TEST(RefiningFilm, ALongDragForgetsNothing) {
   RefiningFilm film;
   film.begin(of_size(2, 1), false);

@@ -24,7 +24,7 @@ class ReflectionsPanelTest : public PanelsTest {
     rig.frame();
     (void)begun();
   }
-  /// Whether a render has begun since the last call.
+  /// Whether a render was started since the last call.
   bool begun() {
     EXPECT_TRUE(rig.frames_until([&] {
       return !rig.previewer().seconds_to_update(0.0) &&
@@ -39,7 +39,7 @@ class ReflectionsPanelTest : public PanelsTest {
   void rest() {
     for (int i = 0; i < 40; ++i) rig.frame();
   }
-  /// Until what was edited is in the scene.
+  /// Draws frames until the edit is applied to the scene.
   [[nodiscard]] bool reached_scene() {
     return rig.frames_until([&] { return !rig.previewer().edits().relighting(); });
   }
@@ -73,7 +73,7 @@ TEST_F(ReflectionsPanelTest, BouncesAndCurvedMirrorsRestart) {
   slide("Bounces", 0.9f, -1.0f);
   EXPECT_EQ(settings().mirror.bounces, 0);
   rig.frame();
-  EXPECT_FALSE(shows("DFR/Per material")) << "nothing mirrors then";
+  EXPECT_FALSE(shows("DFR/Per material")) << "there is no mirror then";
 }
 
 TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
@@ -94,7 +94,7 @@ TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
   at = rig.control("N point").centre();
   rig.drag(at, at - glm::vec2(2.0f * step, 0.0f));
   EXPECT_LT(settings().mirror.dfr->rgb[1].exponent, 0.5 * first.exponent);
-  // Far beyond the plot nothing breaks.
+  // Drags far beyond the plot are clamped.
   for (const char* point : {"DFRMIN point", "DFRMAX point", "N point"}) {
     for (const glm::vec2 way : {glm::vec2(-900, -900), glm::vec2(900, 900)}) {
       at = rig.control(point).centre();
@@ -169,7 +169,7 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
   ASSERT_TRUE(reached_scene());
   EXPECT_GT(dfr(0)->rgb[0].min, before);
   EXPECT_EQ(rig.previewer().scene().times_opened(), opened);
-  EXPECT_EQ(rig.previewer().scene()->geometry.get(), geometry) << "nothing is built again";
+  EXPECT_EQ(rig.previewer().scene()->geometry.get(), geometry) << "nothing is rebuilt";
   rest();
   rig.chord(Key::ctrl, Key::z);
   ASSERT_TRUE(reached_scene());
@@ -200,11 +200,11 @@ TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
   ASSERT_FALSE(rig.previewer().scene().error()) << rig.previewer().scene().error()->message();
   EXPECT_EQ(rig.previewer().edits().dfrs(), edited);
   EXPECT_EQ(rig.previewer().scene()->dfrs(), edited);
-  for (int i = 0; i < 3; ++i) rig.frame();  // the panel is that of the scene
+  for (int i = 0; i < 3; ++i) rig.frame();  // the panel gets the scene's content
   rig.click("Reset reflections");
   EXPECT_NE(rig.previewer().edits().dfrs(), edited);
   ASSERT_TRUE(reached_scene());
-  EXPECT_FALSE(dfr(0).has_value()) << "what the scene's own file says";
+  EXPECT_FALSE(dfr(0).has_value()) << "the value of the scene's file";
 }
 
 TEST_F(ReflectionsPanelTest, LightsAndMaterialsAreEditedBesideEachOther) {
@@ -244,7 +244,7 @@ TEST_F(ReflectionsPanelTest, TheWideningIsDrawnAndTheCurveFollowsTheRatio) {
   settings().mirror.dfr->rgb.fill({0.5, 0.5, 1.0});
   rig.move_to({-10.0f, -10.0f});
   for (int i = 0; i < 3; ++i) rig.frame();
-  // The plot's own area lies between its handles: DFRMIN at the left, DFRMAX at the right.
+  // The plot's area is between its handles: DFRMIN at the left, DFRMAX at the right.
   const Controls::Placed patch = rig.control("DFR patch");
   const glm::vec2 left = rig.control("DFRMIN point").centre();
   const glm::vec2 right = rig.control("DFRMAX point").centre();
@@ -262,7 +262,7 @@ TEST_F(ReflectionsPanelTest, TheWideningIsDrawnAndTheCurveFollowsTheRatio) {
   for (float y = left.y - 3.0f; y <= left.y + 3.0f; y += 1.0f)
     line = std::max(line, brightness(x, y));
   EXPECT_GT(line, 100) << "the flat curve runs at its ratio";
-  // The bar below: white in its middle, black at its ends.
+  // The bar below the plot: white in its centre, black at its ends.
   EXPECT_GT(brightness(x, patch.centre().y), 200);
   EXPECT_LT(brightness(x, patch.lo.y + 6.0f), 40);
 }

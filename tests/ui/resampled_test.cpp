@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-/// A plane: red grows to the right, green downwards, by 1 over the height each.
+/// A linear ramp: red grows to the right and green downwards, by 1 / height per pixel.
 Film ramp(int width, int height) {
   Film film(width, height);
   const glm::vec2 size(width, height);
@@ -23,7 +23,7 @@ TEST(Resampled, IsTheSameAtItsOwnSize) {
   EXPECT_EQ(resampled(film, {7, 5}).radiance, film.radiance);
 }
 
-// The mean of a plane over a square of whole pixels is its value in the middle.
+// The mean of a linear function over a square is its value at the centre.
 TEST(Resampled, KeepsAPlaneWhenItShrinks) {
   for (const glm::ivec2 size : {glm::ivec2(30, 20), glm::ivec2(8, 8), glm::ivec2(20, 10)}) {
     const Film film = ramp(80, 40);
@@ -49,7 +49,7 @@ TEST(Resampled, KeepsTheMeanWhenItGrows) {
   EXPECT_EQ(large.radiance[large.index(3, 2)], film.radiance[1]);
 }
 
-// The vertical field of view stays: a wider picture shows black at both sides, as much of it.
+// The vertical field of view stays: a wider picture has equal black areas at both sides.
 TEST(Resampled, IsBlackBeyondTheSides) {
   const Film wide = resampled(ramp(8, 8), {24, 12});
   for (int y = 0; y < 12; ++y)
@@ -70,7 +70,7 @@ TEST(Resampled, AveragesTheUnlitPart) {
   EXPECT_EQ(small.unlit.at(1), glm::vec4(0.0f));
 }
 
-TEST(Resampled, NothingComesOfNothing) {
+TEST(Resampled, EmptyPicturesStayEmpty) {
   EXPECT_TRUE(resampled(Film{}, {0, 0}).radiance.empty());
   const Film black = resampled(Film{}, {3, 2});
   EXPECT_EQ(black.radiance, std::vector<glm::vec3>(6, glm::vec3(0.0f)));

@@ -14,12 +14,12 @@
 #include <cstdlib>
 #include <filesystem>
 
-// Saved scenes, the clipboard, the legend of a saved split map.
+// Saving of scenes, the clipboard, and the legend below a saved split map.
 
 namespace asos::test::save_more_test {
 namespace {
 
-/// An environment variable that is put back.
+/// An environment variable that is restored.
 class Variable {
  public:
   Variable(const char* name, const std::string& value) : name_(name) {
@@ -239,7 +239,7 @@ TEST(HelperProgram, IsFoundOnThePath) {
   TemporaryFolder folder;
   folder.write("tool", "#!/bin/sh\n");
   const Variable path("PATH", "/no/such/folder:" + folder.path().string());
-  EXPECT_EQ(find_program("tool"), "") << "nobody may run it";
+  EXPECT_EQ(find_program("tool"), "") << "it is not executable";
   std::filesystem::permissions(folder.file("tool"), std::filesystem::perms::owner_all);
   EXPECT_EQ(find_program("tool"), folder.file("tool"));
   EXPECT_FALSE(run_program({"/no/such/program"}, "", {}));

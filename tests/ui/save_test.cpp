@@ -56,10 +56,10 @@ TEST_F(SaveTest, AnySizeIsRenderedAsItIsSaved) {
   const PictureDescription said = read_description(folder.file("scene-002.png")).value();
   EXPECT_EQ(said.settings.width, 321);
   EXPECT_EQ(said.display.exposure_ev, 0.5f);
-  EXPECT_FALSE(restarted()) << "the window's own picture is left alone";
+  EXPECT_FALSE(restarted()) << "the window's own render is unaffected";
 }
 
-// Pixel by pixel what the framebuffer shows once the dialog is gone.
+// Equals the framebuffer pixel by pixel once the dialog is gone.
 TEST_F(SaveTest, TheWindowIsSavedAsSeen) {
   display().show_split_map = true;
   rig.frame();
@@ -100,7 +100,7 @@ TEST_F(SaveTest, CanBeStoppedAndLeavesNothing) {
       rig.frames_until([&] { return rig.content().controls().all().contains("Stop saving"); }));
   ASSERT_TRUE(rig.frames_until([&] { return !std::filesystem::is_empty(folder.path()); }))
       << "it is on its way";
-  for (int i = 0; i < 3; ++i) rig.frame();  // the notice has found its place
+  for (int i = 0; i < 3; ++i) rig.frame();  // the notice has got its place
   EXPECT_TRUE(rig.content().seconds_to_redraw().has_value()) << "the progress is shown";
   rig.click("Stop saving");
   EXPECT_TRUE(rig.frames_until([&] { return !rig.content().picture_job().state().has_value(); }));
@@ -123,7 +123,7 @@ TEST_F(SaveTest, WhyItCouldNotBeSavedIsSaid) {
   })) << rig.content().state().message;
 }
 
-// A picture that is dropped brings its display along; one without settings says so.
+// A dropped picture restores its display settings; a picture without settings gives an error.
 TEST_F(SaveTest, SavedPicturesCanBeOpened) {
   display().exposure_ev = 1.5f;
   settings().asos.eps = 0.25;

@@ -10,7 +10,7 @@
 namespace asos::test::scenes_test {
 namespace {
 
-/// A scene of one square, and one of two far apart; the second is the file's own.
+/// A scene of one square, and one of two distant squares; the second is the file's default.
 GltfBuilder two_scenes() {
   GltfBuilder b = GltfBuilder::square();
   b.json["nodes"].push_back({{"mesh", 0}, {"translation", {30, 0, 0}}});
@@ -31,7 +31,7 @@ TEST_F(Scenes, AreChosenFromAList) {
   const double far = distance();
   choose("0: One\\n");
   EXPECT_EQ(triangles(), 2u);
-  EXPECT_LT(distance(), 0.2 * far) << "it is framed, not seen from where the other was";
+  EXPECT_LT(distance(), 0.2 * far) << "it is framed anew, not with the previous camera";
   choose("1");
   EXPECT_EQ(triangles(), 4u);
 }

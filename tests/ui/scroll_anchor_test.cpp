@@ -18,7 +18,7 @@ class ScrollAnchorTest : public PanelsTest {
   [[nodiscard]] float height_of(const char* control) {
     return rig.content().controls().all().at(control).lo.y;
   }
-  /// Rows of the statistics, above the outline, go and come back.
+  /// Removes or restores rows of the statistics, above the outline.
   [[nodiscard]] bool show_parts(bool both) {
     if (both)
       rig.previewer().scene().show_all();

@@ -8,8 +8,8 @@
 namespace asos::test::seen_lines_test {
 namespace {
 
-// Two triangles, seen from (0, 0, 3): the nearer one, in the plane z = 0, reaches from x = -0.479
-// to 0.544 at y = 0, which is 4/3 of that a unit behind it.
+// Two triangles, seen from (0, 0, 3). The nearer one, in the plane z = 0, extends from x = -0.479
+// to 0.544 at y = 0, and hides 4/3 of that one unit behind it.
 class SeenLines : public PanelsTest {
  protected:
   SeenLines() : PanelsTest(1) {
@@ -48,12 +48,12 @@ TEST_F(SeenLines, InFrontOfASurfaceOrInItNothingIsHidden) {
     ASSERT_EQ(found.size(), 1u) << z;
     EXPECT_FALSE(found[0].hidden) << z;
   }
-  // From before the triangle to behind it; and past the viewer.
+  // From in front of the triangle to behind it; and past the viewer.
   EXPECT_EQ(parts({0, 0, 1}, {0, 0, -1}).size(), 2u);
   EXPECT_FALSE(parts({0, 0, 1}, {0.1, 0, 9}).back().hidden);
 }
 
-// A floor of a hundred units has lines of three hundred, and what stands on it is small.
+// A floor of a hundred units has lines of three hundred, while the objects on it are small.
 TEST_F(SeenLines, ALongLineGoesBehindWhatIsSmallBesideIt) {
   const std::vector<LinePart> found = parts({-150, 0, -1}, {151.5, 0, -1});
   ASSERT_EQ(found.size(), 3u);
@@ -64,7 +64,7 @@ TEST_F(SeenLines, ALongLineGoesBehindWhatIsSmallBesideIt) {
   EXPECT_TRUE(parts({0, 0, 4}, {1, 0, 5}).empty()) << "behind the viewer";
 }
 
-// The triangle hides what of the grid lies behind it, and the axes shine through.
+// The triangle hides the grid behind it, but the axes stay visible.
 TEST_F(SeenLines, TheGridGoesBehindWhatStandsOnIt) {
   rig.set_blind(false);
   rig.frame();
@@ -88,7 +88,7 @@ TEST_F(SeenLines, TheGridGoesBehindWhatStandsOnIt) {
     }
   }
   EXPECT_GT(hidden, 1000);
-  // The rim, where lines end, and the axes.
+  // The border, where lines end, and the axes.
   EXPECT_LT(drawn_in_front, hidden / 20);
   EXPECT_GT(beside, 200);
 }

@@ -21,7 +21,7 @@ class SkyPanelTest : public PanelsTest {
     rig.frame();
   }
   [[nodiscard]] const Sky* sky() { return settings().sky.get(); }
-  /// Of one colour: Radiance RGBE, 4 x 2 pixels, without run lengths.
+  /// A uniform sky: Radiance RGBE, 4 x 2 pixels, without run-length encoding.
   void write_sky(const std::string& path) {
     std::ofstream file(path, std::ios::binary);
     file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
@@ -116,11 +116,10 @@ TEST_F(SkyPanelTest, APictureIsReadAndTurned) {
   EXPECT_NEAR(static_cast<double>(corner().x / before), sky()->choice().brightness, 1e-3);
 }
 
-// A quarter of the picture's height is a quarter of half a turn, as in orbits.
 TEST_F(SkyPanelTest, SaysThatAPictureIsShownWithFewerPixels) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("sky.exr");
-  Film picture(6000, 3000);  // more than 2^24, of a file that has next to nothing
+  Film picture(6000, 3000);  // more than 2^24, in a small file
   ASSERT_TRUE(write_exr(path, picture, {}));
   rig.click("Sky/File");
   rig.content().state().sky.path = path;
@@ -131,7 +130,7 @@ TEST_F(SkyPanelTest, SaysThatAPictureIsShownWithFewerPixels) {
   EXPECT_NE(rig.content().state().sky.remark.find("shown with 3000 x 1500"), std::string::npos)
       << rig.content().state().sky.remark;
   EXPECT_TRUE(rig.content().controls().all().contains("Sky remark"));
-  // Of the next one there is nothing to say.
+  // The next image needs no warning.
   write_sky(folder.file("small.hdr"));
   rig.content().state().sky.path = folder.file("small.hdr");
   rig.frame();
@@ -141,6 +140,7 @@ TEST_F(SkyPanelTest, SaysThatAPictureIsShownWithFewerPixels) {
   EXPECT_FALSE(rig.content().controls().all().contains("Sky remark"));
 }
 
+// A drag over a quarter of the picture's height rotates by a quarter of 180 degrees, as in orbits.
 TEST_F(SkyPanelTest, ShiftAndTheRightButtonTurnWhatSurroundsTheScene) {
   const auto key_light = [this] { return rig.previewer().scene()->lights().front(); };
   const auto middle = [this] {
@@ -165,7 +165,7 @@ TEST_F(SkyPanelTest, ShiftAndTheRightButtonTurnWhatSurroundsTheScene) {
   const auto azimuth = [](glm::dvec3 v) { return std::atan2(v.x, v.z); };
   const double turned = std::remainder(azimuth(after) - azimuth(before), 2.0 * 3.14159265358979);
   EXPECT_NEAR(turned, -0.25 * 3.14159265358979, 0.02);
-  // It shines at the scene still.
+  // The light still faces the scene.
   EXPECT_GT(glm::dot(key_light().direction, glm::normalize(-after)), 0.999);
   for (int i = 0; i < 40; ++i) rig.frame();
   rig.chord(Key::ctrl, Key::z);
@@ -214,7 +214,6 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
   EXPECT_EQ(names(), "key fill ");
 }
 
-// Large scenes take seconds to be put on another ground, in the background.
 TEST_F(SkyPanelTest, AnEnvironmentIsTurnedAndBrightenedWithItsLights) {
   const auto light = [this]() -> const Light& { return rig.previewer().edits().lights()[0].light; };
   rig.click("Environment/softboxes");
@@ -282,6 +281,7 @@ TEST_F(SkyPanelTest, BrowsesForSkies) {
   EXPECT_EQ(sky()->choice().file, path);
 }
 
+// For large scenes, changing the ground takes seconds, in the background.
 TEST_F(SkyPanelTest, TheStatusLineSaysThatTheGroundChanges) {
   const auto words = [this] { return rig.content().controls().all().at("Progress").words; };
   settings().ground = Ground::on;
@@ -311,7 +311,7 @@ TEST_F(ExposureTest, FollowsABrightSceneUntilAPersonSetsIt) {
   EXPECT_NE(rig.content().state().message.find("Auto exposure"), std::string::npos);
   EXPECT_FALSE(rig.content().stored_settings().display.auto_exposure);
   EXPECT_EQ(rig.content().stored_settings().display.exposure_ev, 0.0f) << "of this scene alone";
-  // A light of half the power is metered again.
+  // Half of the light's power is metered again.
   const float before = display().exposure_ev;
   rig.previewer().edits().edit_lights()[0].light.intensity *= 0.25f;
   ASSERT_TRUE(rig.frames_until([&] { return display().exposure_ev > before + 1.5f; }));

@@ -4,8 +4,8 @@
 
 namespace asos::test {
 
-/// A square that slides two units to the right in a second, then stands still for another; and, by
-/// a second animation, a camera that goes back. A point light lights it.
+/// A square that moves two units to the right in one second and stands still for another. A second
+/// animation moves a camera backwards. A point light lights the scene.
 inline GltfBuilder sliding() {
   GltfBuilder b = GltfBuilder::square();
   b.json["extensionsUsed"] = {"KHR_lights_punctual"};

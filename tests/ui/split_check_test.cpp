@@ -19,8 +19,8 @@ TEST(FindFaults, TellsMissedFromWastedFromNoise) {
   Film picture(5, 1), centres(5, 1), reference(5, 1);
   for (Film* film : {&picture, &centres, &reference}) film->radiance.assign(5, glm::vec3(0.5f));
   std::vector<float> uncertainty(5, 0.001f);
-  // 0: right without a split. 1: missed. 2: off, but no more than noise explains. 3: split for
-  // nothing. 4: split, and worth it.
+  // 0: correct without a split. 1: missed. 2: wrong, but within noise. 3: split needlessly. 4:
+  // split for a reason.
   reference.radiance[1] = reference.radiance[2] = glm::vec3(0.5f, 0.5f, 0.8f);
   uncertainty[2] = 0.2f;
   picture.split_level[3] = 2;
@@ -58,8 +58,8 @@ class SplitCheckTest : public PanelsTest {
   }
 };
 
-// A study's times count: the check lets it have the processors, keeps what it found, and goes on
-// afterwards.
+// A study measures times: the check leaves it the processors, keeps its findings, and resumes
+// later.
 TEST_F(SplitCheckTest, WaitsWhileOtherWorkIsMeasured) {
   SplitCheck check;
   const auto update = [&](bool held) { check.update(rig.previewer(), true, 1.0 / 64.0, held); };
@@ -115,9 +115,9 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
 TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {
   settings().asos.max_level = 0;
   settings().asos.leaf = LeafKind::point;
-  state().display.tone = ToneCurve::none;  // the object is as bright a red as there is
+  state().display.tone = ToneCurve::none;  // the object has the maximum red
   EXPECT_TRUE(restarted());
-  // How many pixels are magenta, and the brightest channel of those that are neither mark.
+  // Number of magenta pixels, and the brightest channel of pixels without a mark.
   struct Seen {
     int marks = 0;
     int brightest = 0;
@@ -171,7 +171,7 @@ TEST_F(SplitCheckTest, AForecastComesNearToWhatIsRendered) {
   EXPECT_LT(told.split_error, 0.5 * split);
 }
 
-// What is measured is one processor's time; whoever waits for four workers waits a quarter of it.
+// CPU time is measured; with four workers the wall-clock time is a quarter of it.
 TEST_F(SplitCheckTest, AForecastsWaitIsSharedByAllWorkers) {
   Snapshot view = snapshot();
   for (const int threads : {1, 4}) {

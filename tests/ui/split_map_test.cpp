@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-// The split map by cause: a wall with a kink, and a card before it that casts a hard shadow.
+// The split map by cause: a wall with a crease, and a card in front of it that casts a hard shadow.
 
 namespace asos {
 namespace {
 
 using test::UiRig;
 
-constexpr double view_height = 8.0;  // of the world, around the origin
+constexpr double view_height = 8.0;  // in world units, around the origin
 constexpr float kink_x = -1.53125f, card_left = 1.029f, card_right = 2.029f;
 
 void add_quad(Scene& scene, glm::vec3 corner, glm::vec3 a, glm::vec3 b) {
@@ -72,7 +72,7 @@ class SplitMapTest : public testing::Test {
     display().split_colours = colours;
     rig.frame();
   }
-  /// The picture's pixel that shows a point of the world.
+  /// The pixel that shows a point of the world.
   [[nodiscard]] glm::ivec2 pixel_of(double x, double y) {
     const Film& film = rig.previewer().render().film();
     const double scale = film.height / view_height;
@@ -83,12 +83,12 @@ class SplitMapTest : public testing::Test {
     return rig.pixels()[static_cast<std::size_t>(at.y * rig.size().x + at.x)];
   }
 
-  UiRig rig{kinked_wall, UiRig::with_bar({905, 899})};  // the picture is of 577 x 871 pixels
+  UiRig rig{kinked_wall, UiRig::with_bar({905, 899})};  // the picture has 577 x 871 pixels
 };
 
 TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
   show(SplitMapColours::cause);
-  // The card's shadow falls one unit to its left.
+  // The card's shadow is one unit to its left.
   for (const auto& [x, cause] : {std::pair<double, SplitCause>{kink_x, SplitCause::crease},
                                  {card_right, SplitCause::outline},
                                  {card_left - 1.0, SplitCause::shadow},
@@ -98,7 +98,7 @@ TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
     EXPECT_EQ(film.cause[film.index(at.x, at.y)], cause) << x;
     EXPECT_EQ(shown(at), split_cause_colour(cause)) << x;
   }
-  // The hard shadow's edge cuts pixels that are not divided into quarters.
+  // The edge of the hard shadow cuts pixels that are not split.
   const glm::ivec2 shadow = pixel_of(card_left - 1.0, 0.13);
   show(SplitMapColours::level);
   EXPECT_EQ(shown(shadow), exact_colour);
@@ -161,8 +161,8 @@ TEST_F(SplitMapTest, TheLegendHasEveryCausesColour) {
   }
 }
 
-// In whatever colours, while the map is shown and no longer: on the picture, above the fold, with
-// what is measured and in which unit.
+// For each colouring, while the map is shown: the legend is on the picture, visible without
+// scrolling, with the quantity and its unit.
 TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
   const auto& all = rig.content().controls().all();
   EXPECT_FALSE(all.contains("Map legend"));
@@ -189,7 +189,7 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
     if (colours == SplitMapColours::time) {
       EXPECT_EQ(all.at("Scale").words, "0.1 1 \u00b5s 10 100 1 ms 10");
     }
-    // The panel of a pixel stands beside it.
+    // The pixel panel is next to it.
     rig.click("Why is this pixel like this?");
     ASSERT_TRUE(rig.frames_until([&] { return all.contains("Verdict"); }));
     for (int i = 0; i < 3; ++i) rig.frame();
@@ -212,7 +212,7 @@ TEST_F(SplitMapTest, TheStatisticsListTheCausesThatOccurAndTheLights) {
     EXPECT_TRUE(controls.contains(name)) << name;
   for (const char* name : {"   saturation", "   cut out", "   2 directional", "   ..."})
     EXPECT_FALSE(controls.contains(name)) << name;
-  // The causes' weights add up to that of the split pixels.
+  // The causes' fractions add up to that of split pixels.
   EXPECT_FALSE(controls.contains("Split, by cause"));
   const auto percent = [&](const char* name) { return std::stod(controls.at(name).words); };
   const RenderStatistics statistics = rig.previewer().render().statistics();
@@ -223,7 +223,7 @@ TEST_F(SplitMapTest, TheStatisticsListTheCausesThatOccurAndTheLights) {
   EXPECT_NEAR(percent("Split pixels"), 100.0 * rig.previewer().render().split_share(), 0.006);
 }
 
-// A slider's frame shows the map of its value, though no pixel of it is rendered yet.
+// The frame that processes a slider's change shows its map, although no pixel is rendered yet.
 TEST_F(SplitMapTest, FollowsEpsAndMaxAtOnce) {
   Previewer& previewer = rig.previewer();
   previewer.refinement().set_paused(true);  // no final pixels come
@@ -239,7 +239,7 @@ TEST_F(SplitMapTest, FollowsEpsAndMaxAtOnce) {
     settings.asos.eps = eps;
     settings.asos.max_level = max_level;
     rig.frame();
-    EXPECT_GE(share(), 0.5 * whole) << "what edges cut is cut at any EPS";
+    EXPECT_GE(share(), 0.5 * whole) << "pixels that an edge cuts are cut at any EPS";
     const Film& film = previewer.render().film();
     EXPECT_LE(*std::max_element(film.split_level.begin(), film.split_level.end()), max_level);
   }
@@ -250,7 +250,7 @@ TEST_F(SplitMapTest, FollowsEpsAndMaxAtOnce) {
   EXPECT_EQ(film.cause, before.cause);
 }
 
-// Hatched until the pixels are final, and never after.
+// Hatched until the pixels are final, and not afterwards.
 TEST_F(SplitMapTest, AnUnfinishedMapIsHatched) {
   show(SplitMapColours::level);
   const auto hatched = [&] {

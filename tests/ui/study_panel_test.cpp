@@ -20,7 +20,7 @@ namespace {
 
 using test::PanelsTest;
 
-/// Waits, for at most a minute.
+/// Waits for at most a minute.
 bool eventually(const std::function<bool()>& done) {
   const auto start = std::chrono::steady_clock::now();
   while (!done()) {
@@ -43,7 +43,7 @@ class ViewStudyTest : public testing::Test {
     subject.plan.budget_seconds = 0.05;
     subject.plan.threads = 2;
   }
-  /// So much that no test waits for its end.
+  /// A plan so large that no test waits for its end.
   [[nodiscard]] ViewStudy::Subject endless() const {
     ViewStudy::Subject large = subject;
     large.plan.width = large.plan.height = 512;
@@ -83,7 +83,7 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
   EXPECT_EQ(state.study.noise, truth.noise());
   ASSERT_EQ(state.study.points.size(), 9u + 1u + 5u);
   EXPECT_EQ(state.points, 2u * state.study.points.size() + 3u)
-      << "and one is watched of each method";
+      << "one render of each method is watched";
   EXPECT_EQ(state.points_run, state.points);
   std::size_t next = 0;
   for (const Job& job : jobs) {
@@ -113,7 +113,7 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
     EXPECT_EQ(again.equal_error[i].speedup, state.study.equal_error[i].speedup);
 }
 
-// A sample of a pixel costs so much that the whole size would take far too long.
+// The time per sample is so long that the full size would take far too long.
 TEST(StudyInTime, SizeFollowsFromTheScenesCost) {
   StudyPlan plan;
   plan.methods = {"asos", "sobol"};
@@ -128,7 +128,7 @@ TEST(StudyInTime, SizeFollowsFromTheScenesCost) {
   // 128 samples of the reference, 341 of Sobol, and nine settings of ASOS
   const double samples = 128 + 341 + 9 * 24;
   EXPECT_NEAR(1e-6 * dear.width * dear.height * samples, 30.0, 1.0);
-  EXPECT_EQ(ViewStudy::plan_in_time(plan, 1.0, 60.0).width, 32) << "the least that tells anything";
+  EXPECT_EQ(ViewStudy::plan_in_time(plan, 1.0, 60.0).width, 32) << "the minimum size";
 }
 
 TEST_F(ViewStudyTest, EndsInTimeWithAVerdict) {
@@ -231,8 +231,8 @@ TEST(StudyPlot, ShowsPointsByCurveAndLeavesOutWhatHasNoLogarithm) {
     EXPECT_TRUE(method == "average" || method_colour(method) != theme::plot_text) << method;
 }
 
-// CIELAB of a colour as people see it with normal sight or without one kind of cone (Machado,
-// Oliveira and Fernandes 2009, severity 1).
+// CIELAB of a colour for normal sight, or for one kind of colour blindness (Machado, Oliveira and
+// Fernandes 2009, severity 1).
 glm::dvec3 lab_of(std::uint32_t rgb, const glm::dmat3& sight) {
   const auto linear = [&](int shift) {
     const double c = static_cast<double>(rgb >> shift & 255u) / 255.0;
@@ -354,7 +354,7 @@ class StudyPanelTest : public PanelsTest {
     rig.frame();
   }
   [[nodiscard]] ViewStudy::State state() { return rig.content().study().state(); }
-  /// So many have the method's colour.
+  /// Number of pixels with the method's colour.
   [[nodiscard]] int pixels_in_plot(const char* method) {
     rig.frame();
     const Controls::Placed plot = rig.control("Study plot");
@@ -388,7 +388,7 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   const RenderSettings& settings = found.study.points[0].rung.settings;
   EXPECT_EQ(settings.width, rig.previewer().render().settings().width / 4);
   EXPECT_EQ(settings.height, rig.previewer().render().settings().height / 4);
-  // ASOS may be exact at all of its settings here, below the floor: nothing is compared then.
+  // All settings of ASOS may be exact here, below the noise floor: then nothing is compared.
   EXPECT_EQ(shown("Slower/average"), !found.study.equal_error.empty());
 
   EXPECT_GT(pixels_in_plot("asos"), 50) << "marks and lines of asos, one error at all settings";
@@ -396,7 +396,7 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   ASSERT_EQ(found.study.while_rendering.size(), 2u);
   rig.click("Curves/While rendering");
   EXPECT_EQ(rig.content().state().study.curves, StudyCurves::while_rendering);
-  EXPECT_GT(pixels_in_plot("average"), 2 * finished) << "a curve where there was one point";
+  EXPECT_GT(pixels_in_plot("average"), 2 * finished) << "a curve instead of a single point";
   rig.click("Curves/Finished");
   EXPECT_EQ(pixels_in_plot("average"), finished);
 }

@@ -30,8 +30,8 @@ inline void add_triangle(Scene& scene, glm::vec3 a, glm::vec3 b, glm::vec3 c, gl
   scene.instances.push_back(instance);
 }
 
-/// Two unlit triangles of this colour and of grey, one behind the other, and a camera at (0, 0, 3)
-/// that looks at the origin.
+/// Two unlit triangles, one of this colour in front of a grey one, and a camera at (0, 0, 3) that
+/// looks at the origin.
 inline Scene two_triangles(glm::vec3 colour, std::string source = "test:two_triangles") {
   Scene scene;
   scene.name = "two triangles";
@@ -46,7 +46,7 @@ inline Scene two_triangles(glm::vec3 colour, std::string source = "test:two_tria
   return scene;
 }
 
-/// Narrow triangles side by side, several in a pixel of a small picture, seen by the same camera.
+/// Narrow adjacent triangles, several per pixel of a small picture, seen by the same camera.
 inline Scene grating(std::string source = "test:grating") {
   Scene scene = two_triangles({1, 0, 0}, std::move(source));
   scene.meshes.clear();

@@ -50,8 +50,8 @@ TEST(Theme, TextIsReadOnEverythingItStandsOn) {
   }
 }
 
-/// As somebody without one kind of cones sees it: Vienot, Brettel and Mollon (1999) for red and
-/// green, linear sRGB.
+/// A colour as seen without one kind of cones: Vienot, Brettel and Mollon (1999) for red and green,
+/// linear sRGB.
 glm::dvec3 without_red(glm::dvec3 c) {
   const double y = 0.11238 * c.x + 0.88762 * c.y;
   return {y, y, 0.00401 * c.x - 0.00401 * c.y + c.z};
@@ -114,8 +114,8 @@ TEST_F(ThemeTest, ThereAreTwoSizesOfText) {
   EXPECT_FLOAT_EQ(ImGui::GetIO().Fonts->Fonts[1]->FontSize, theme::title_pixels);
 }
 
-// At scale 1 widgets are 24 units high, and the next begins 28 below; all at multiples of 4 from
-// the first.
+// At scale 1 widgets are 24 units high, and the next one begins 28 units lower; all are at
+// multiples of 4 from the first.
 TEST_F(ThemeTest, WidgetsStandInARhythmOfFour) {
   EXPECT_FLOAT_EQ(row_height(), theme::row_pixels);
   const float first = rig.control("EPS").lo.y;
@@ -162,7 +162,7 @@ TEST_F(ThemeTest, LightAndDarkAreChosenAndRemembered) {
   EXPECT_EQ(corner(), bytes(theme::Look::dark));
 }
 
-// What opens in the light look is light: texts, and the drawing above them.
+// Popups of the light look are light: texts, and the drawing above them.
 TEST_F(ThemeTest, HelpIsDrawnInTheLookOfTheWindow) {
   const auto dark_share = [&] {
     const auto before = rig.pixels();

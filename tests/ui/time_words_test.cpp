@@ -16,7 +16,7 @@ namespace {
 
 using TimeWordsTest = test::PanelsTest;
 
-// Seconds of the clock are those that are waited for; a processor's are always called so.
+// Wall-clock seconds have no label; CPU seconds are always labelled.
 TEST(TimeWords, SayWhoseSecondsTheyAre) {
   EXPECT_EQ(wait_words(0.2), "1 s left");
   EXPECT_EQ(wait_words(12.0), "15 s left");
@@ -74,11 +74,12 @@ TEST(TimeEstimate, IsTheRendersOwnAsSoonAsItHasOne) {
   EXPECT_EQ(time_estimate(progress, &forecast)->left, 37.0);
   progress.finished = true;
   ASSERT_TRUE(time_estimate(progress, &forecast));
-  EXPECT_EQ(time_estimate(progress, &forecast)->all, 3.0) << "what it took";
+  EXPECT_EQ(time_estimate(progress, &forecast)->all, 3.0) << "the time that it took";
   EXPECT_EQ(time_estimate(progress, &forecast)->left, 0.0);
 }
 
-// A session's share rests through all that is visible of a slow render, and jumps.
+// A session's finished fraction stands still during the visible part of a slow render, and then
+// jumps.
 TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
   ShownProgress shown;
   Progress progress;
@@ -100,7 +101,7 @@ TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
   progress.running = false;
   progress.paused = true;
   shown.update(progress, std::nullopt, 1, now + 10.0);
-  EXPECT_EQ(shown.fraction(), before) << "a pause rests";
+  EXPECT_EQ(shown.fraction(), before) << "no progress during a pause";
   progress.finished = true;
   shown.update(progress, std::nullopt, 1, now + 11.0);
   EXPECT_EQ(shown.fraction(), 1.0);
@@ -110,7 +111,7 @@ TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
   EXPECT_EQ(shown.fraction(), 0.0) << "another render";
 }
 
-// The window's rows are these words, of these seconds.
+// The window's rows contain these texts, for these times.
 TEST_F(TimeWordsTest, TheWindowShowsThem) {
   rig.previewer().scene().open("point light");
   ASSERT_TRUE(
@@ -131,7 +132,8 @@ TEST_F(TimeWordsTest, TheWindowShowsThem) {
   ASSERT_TRUE(rig.frames_until([&] { return all.at("Estimate").words.ends_with(" s"); }))
       << all.at("Estimate").words;
   rig.frame();
-  EXPECT_EQ(rig.control("Cell shading/Exact area").lo, below) << "what is told moves nothing";
+  EXPECT_EQ(rig.control("Cell shading/Exact area").lo, below)
+      << "different texts must not move the layout";
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace asos::test::timeline_test {
 namespace {
 
-/// With a line beside the square, which slides with it.
+/// With a line next to the square, which moves with it.
 GltfBuilder sliding_line() {
   GltfBuilder b = sliding();
   b.primitive({{"POSITION", b.vec3({{0, -0.2f, 0}, {1, -0.3f, 0}})}})["mode"] = 1;
@@ -45,13 +45,13 @@ class Timeline : public testing::Test {
   [[nodiscard]] bool has(const std::string& control) {
     return rig.content().controls().all().contains(control);
   }
-  /// Frames until the picture of the wanted moment is finished.
+  /// Draws frames until the picture of the requested time is finished.
   void arrive() {
     EXPECT_TRUE(rig.frames_until([&] { return !playback().posing(); }));
     EXPECT_TRUE(rig.settle());
     EXPECT_EQ(scene()->geometry->time, playback().time());
   }
-  /// Where the square's first corner is, in the author's coordinates.
+  /// Position of the square's first corner, in the author's coordinates.
   double corner_x() {
     const World& world = scene()->world();
     return world.origin.x + static_cast<double>(world.parts.at(0).bounds.lo.x);
@@ -73,7 +73,7 @@ TEST_F(Timeline, IsThereOnlyWhereSomethingMoves) {
   }
   EXPECT_FALSE(has("Time")) << "at rest there is no time";
   EXPECT_FALSE(notes_of(*scene()).not_shown.empty());
-  EXPECT_FALSE(has("section/Warnings")) << "that it can be played, one sees";
+  EXPECT_FALSE(has("section/Warnings")) << "the controls show that it can be played";
   open("still");
   EXPECT_FALSE(has("Clip"));
   EXPECT_FALSE(has("section/Animation"));
@@ -97,7 +97,7 @@ TEST_F(Timeline, ShowsTheMomentThatIsSoughtAndTheSameAgain) {
   EXPECT_NEAR(corner_x(), 2.0, 1e-5);
   playback().seek(0.5);
   arrive();
-  EXPECT_EQ(picture(), half) << "whatever came between";
+  EXPECT_EQ(picture(), half) << "independently of other times before";
   playback().choose(-1);
   arrive();
   EXPECT_EQ(picture(), rest);
@@ -121,7 +121,7 @@ TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
   EXPECT_TRUE(rig.sleeps()) << "a paused window is idle";
 }
 
-/// Where the drawn line begins, in the author's coordinates.
+/// Start of the drawn line, in the author's coordinates.
 double line_x(const World& world) {
   const Strokes& strokes = world.strokes;
   float least = std::numeric_limits<float>::infinity();
@@ -148,7 +148,7 @@ TEST_F(Timeline, LinesAreDrawnAtEveryMomentThatPlays) {
   arrive();
   const std::vector<glm::vec3> sought = picture();
   EXPECT_NEAR(line_x(scene()->world()), 2.0, 0.05);
-  // Once a camera that has moved with the scene is back, all is drawn for it again.
+  // When a camera that moved with the scene is back, everything is drawn for it again.
   playback().choose(1);
   playback().seek(0.5);
   arrive();
@@ -181,7 +181,7 @@ TEST_F(Timeline, EndsOrBeginsAgain) {
   playback().set_playing(true);
   EXPECT_TRUE(rig.frames_until([&] { return !playback().playing(); }));
   EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0);
-  // From its end it begins anew.
+  // At its end it starts again.
   playback().set_playing(true);
   EXPECT_EQ(playback().time()->seconds, 0.0);
   playback().options().loop = true;
@@ -197,7 +197,7 @@ TEST_F(Timeline, EndsOrBeginsAgain) {
 }
 
 TEST_F(Timeline, StepsByWholeFrames) {
-  playback().seek(0.05);  // between the first and the second of 24 a second
+  playback().seek(0.05);  // between the first and the second frame at 24 per second
   arrive();
   rig.click("Frame >");
   EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0 / 24);
@@ -222,7 +222,7 @@ TEST_F(Timeline, TheCameraThatIsLookedThroughMovesWithIt) {
   };
   EXPECT_NEAR(eye_x(), 1.0, 1e-6);
   EXPECT_FALSE(rig.previewer().viewpoint().left_chosen());
-  // One that was moved by hand stays.
+  // A camera that the user has moved stays.
   rig.previewer().viewpoint().frame_all();
   const double there = eye_x();
   playback().seek(1.0);

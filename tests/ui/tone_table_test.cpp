@@ -41,7 +41,7 @@ TEST(ToneTable, AgreesWithDisplayBytesInTheVisibleRange) {
 
 TEST(ToneTable, AgreesAtEveryStepBetweenBytes) {
   const ToneTable table(0.0f);
-  // Walk over every change of the byte with the neighbouring floats of each.
+  // Walks over every change of the byte and its neighbouring floats.
   for (int b = 0; b < 255; ++b) {
     std::uint32_t lo = 0, hi = std::bit_cast<std::uint32_t>(2.0f);
     while (hi - lo > 1) {

@@ -24,7 +24,7 @@ class TourEndTest : public PanelsTest {
     rig.chord(Key::ctrl, Key::z);
     rig.frame();
   }
-  // To the card with the EPS slider, which is dragged.
+  // Goes to the card with the EPS slider, and drags it.
   void edit_eps() {
     rig.click("Tour");
     for (int card = 0; card < 2; ++card) {
@@ -116,7 +116,7 @@ TEST_F(TourEndTest, AsksBeforeTheFenceSceneIsOpened) {
   EXPECT_EQ(rig.previewer().scene()->geometry->source, "scene");
 }
 
-// Dark on the left, bright from x = 10 on, and a checkerboard of black and white at the top.
+// Dark on the left, bright from x = 10 on, and a black and white checkerboard at the top.
 Film with_edge() {
   Film film(20, 16);
   for (int y = 0; y < film.height; ++y) {
@@ -167,7 +167,7 @@ Controls::Placed placed(UiRig& rig, const std::string& name) {
   return rig.content().controls().all().at(name);
 }
 
-// At the sizes that people use, whatever pixel the card speaks of.
+// At common window sizes, for any pixel that the card explains.
 TEST(TourCard, CoversNoOtherPanel) {
   struct Case {
     glm::ivec2 size;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// The tour, the answers to "?", and why a pixel is as it is.
+// The tour, the sections' help, and the explanation of a pixel.
 
 namespace asos::test::tour_test {
 namespace {
@@ -72,7 +72,7 @@ class TourOf {
     took_ = std::chrono::steady_clock::now() - begin;
     return found;
   }
-  /// Whether the search may have ended for its time, and not once it had looked at all.
+  /// Whether the time limit may have ended the search before it was complete.
   [[nodiscard]] bool cut_short() const { return took_ > 0.9 * SplitPixelSearch::longest; }
   const UiState& state() { return rig.content().state(); }
   const Film& film() { return rig.previewer().render().film(); }
@@ -84,8 +84,8 @@ class TourOf {
   std::chrono::duration<double> took_{0.0};
 };
 
-// Of the pixels that an edge passes through few are split, since most are cut cleanly; some are for
-// their shading. Where there is none at all, the card says so of one that is cut.
+// Few of the pixels that an edge crosses are split, because most are cut cleanly; some are split
+// for their shading. If there is none, the card explains one that is cut.
 TEST(TourOfAScene, WatchesAPixelThatIsSplit) {
   int split = 0;
   bool cut_short = false;
@@ -111,7 +111,7 @@ TEST(TourOfAScene, WatchesAPixelThatIsSplit) {
   EXPECT_TRUE(split > 0 || cut_short);
 }
 
-// The first card shows the pixels around it: they are to differ as far as one sees at a glance.
+// The first card shows the neighbouring pixels: they have to differ visibly.
 TEST(TourOfAScene, ShowsAPixelThatStandsOut) {
   TourOf tour("builtin:boxes", 4);
   ASSERT_TRUE(tour.found());
@@ -129,7 +129,7 @@ TEST(TourOfAScene, ShowsAPixelThatStandsOut) {
   EXPECT_GE(brightest - darkest, 60) << pixel.x << ' ' << pixel.y;
 }
 
-// Wherever the pixel is, what explains it lies in the window and not on it.
+// Wherever the pixel is, its panel is inside the window and does not cover it.
 TEST(PixelPlace, LeavesThePixelVisible) {
   constexpr float em = 13.0f;
   for (const glm::vec2 size : {glm::vec2(1283, 600), glm::vec2(420, 760), glm::vec2(600, 500),
@@ -154,7 +154,7 @@ TEST(PixelPlace, LeavesThePixelVisible) {
   }
 }
 
-// In a narrow window it would else cover the picture, and the tour's card.
+// In a narrow window it would otherwise cover the picture and the tour's card.
 TEST(PixelPlace, LeavesThePictureWhereThereIsRoomBelowIt) {
   constexpr float em = 13.0f;
   const glm::vec2 size(420, 760);
@@ -191,7 +191,7 @@ TEST_F(TourTest, NothingCoversTheWatchedPixelInANarrowWindow) {
   }
   rig.click("Next");
   rig.frame();
-  EXPECT_EQ(state().tour.card, Tour::Card::eps) << "its buttons are pressed, too";
+  EXPECT_EQ(state().tour.card, Tour::Card::eps) << "its buttons are clicked, too";
 }
 
 TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
@@ -237,7 +237,7 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   EXPECT_FALSE(has("Next")) << "the last one";
   ASSERT_TRUE(rig.settle());
   rig.key(Key::s);
-  ASSERT_EQ(state().frames.stored.size(), 1u) << "a frame of one's own";
+  ASSERT_EQ(state().frames.stored.size(), 1u) << "the user's own snapshot";
   rig.click("Compare now");
   ASSERT_TRUE(rig.frames_until([&] { return state().frames.comparison == Comparison::wipe; }));
   EXPECT_EQ(state().frames.stored.size(), 2u);
@@ -245,7 +245,8 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   rig.click("Done");
   rig.frame();
   EXPECT_FALSE(state().tour.card);
-  ASSERT_EQ(state().frames.stored.size(), 1u) << "the rival went, so that nobody is asked about it";
+  ASSERT_EQ(state().frames.stored.size(), 1u)
+      << "the rival's snapshot is gone, so quitting does not ask about it";
   EXPECT_TRUE(state().frames.stored[0].name.starts_with("ASOS, EPS"));
   EXPECT_EQ(state().frames.comparison, Comparison::none);
   EXPECT_FALSE(state().picked);
@@ -261,7 +262,7 @@ TEST_F(TourTest, IsNotSeenTwiceUnlessItIsAskedFor) {
   rig.key(Key::m);
   EXPECT_TRUE(state().display.show_split_map);
   EXPECT_FALSE(rig.content().stored_settings().display.show_split_map)
-      << "the map is of a picture: a window would begin with it unexplained";
+      << "a new window must not start with the map";
   rig.key(Key::escape);
   rig.frame();
   EXPECT_FALSE(state().tour.card);
@@ -287,7 +288,7 @@ TEST_F(TourTest, TheWayOnStaysUnderThePointer) {
     for (int i = 0; i < 3; ++i) rig.frame();
     const bool last = card + 1 == Tour::cards;
     const Controls::Placed on = rig.control(last ? "Done" : "Next");
-    // Relative to the card, which may stand in another corner.
+    // Relative to the card, which may be in another corner.
     const float left = on.lo.x - rig.control("Card").lo.x;
     if (card == 0) first = left;
     EXPECT_EQ(left, first) << card;
@@ -309,7 +310,7 @@ TEST_F(TourTest, FitsIntoAnyWindow) {
   }
 }
 
-// On a screen of 200 % the window is half as wide as its pixels say.
+// On a screen at 200 % the window has half as many units as pixels.
 TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
   for (const float scale : {1.0f, 2.0f}) {
     UiRig rig(LoadFunction{}, {420, 760}, scale);
@@ -328,7 +329,7 @@ TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
       EXPECT_LE(placed.hi.x, picture.lo.x + picture.size.x) << card << " at " << scale;
       EXPECT_LE(placed.hi.y, picture.lo.y + picture.size.y) << card << " at " << scale;
       const Controls::Placed end = rig.control(card + 1 < Tour::cards ? "Close tour" : "Done");
-      EXPECT_LE(end.hi.y, placed.hi.y) << card << " at " << scale << ": it is seen at once";
+      EXPECT_LE(end.hi.y, placed.hi.y) << card << " at " << scale << ": the difference is obvious";
       if (card + 1 < Tour::cards) rig.click("Next");
     }
   }
@@ -365,7 +366,7 @@ TEST_F(TourTest, TheMapsButtonExplainsAPixel) {
   EXPECT_EQ(state().picked, most_split_pixel(film));
   ASSERT_TRUE(rig.frames_until([&] { return has("Verdict"); }));
   EXPECT_TRUE(has("Why")) << "the cause, in words";
-  // The answer stands above the numbers.
+  // The explanation is above the numbers.
   EXPECT_LT(rig.control("Why").lo.y, rig.control("Linear").lo.y);
 }
 

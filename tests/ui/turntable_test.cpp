@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of the eye about the vertical, counter-clockwise as seen from above, from +Z to +X.
+/// Azimuth of the eye about the vertical axis, counter-clockwise seen from above, from +Z to +X.
 double azimuth_rad(const OrbitCamera& camera) {
   const glm::dvec3 back(camera.camera().world_from_camera[2]);
   return std::atan2(back.x, back.z);
@@ -36,7 +36,7 @@ TEST(Turntable, GoesAsFarOnAsTimeHasGone) {
   turntable.update(camera, true, 2.0);
   turntable.update(camera, true, 3.0);
   EXPECT_NEAR(azimuth_rad(camera), pi / 4.0, 1e-12);
-  // What nobody has seen yet is not left, and the time that it took is made up for.
+  // A picture that was not displayed yet is not left, but the angle makes up for its time.
   turntable.update(camera, false, 3.5);
   EXPECT_NEAR(azimuth_rad(camera), pi / 4.0, 1e-12);
   turntable.update(camera, true, 4.0);
@@ -53,7 +53,7 @@ TEST(Turntable, StopsWhereSomebodyTurnsTheCamera) {
   camera.dolly(0.5);
   camera.pan(0.1, 0.2);
   turntable.update(camera, true, 1.0);
-  EXPECT_TRUE(turntable.turning()) << "moving closer or aside goes beside it";
+  EXPECT_TRUE(turntable.turning()) << "dolly and pan do not stop it";
   const double turned = azimuth_rad(camera);
   EXPECT_GT(turned, 0.0);
   camera.orbit(0.0, 0.1);
@@ -85,7 +85,7 @@ TEST_F(TurntableInTheWindow, TurnsByKeyOrSwitchUntilTheCameraIsDragged) {
   EXPECT_TRUE(rig.frames_until([&] { return std::abs(azimuth_rad(camera) - start) > 0.2; }));
   EXPECT_TRUE(rig.content().controls().all().contains("Turn time"));
   EXPECT_LT(glm::distance(camera.pivot(), pivot), 1e-12);
-  // A window that sleeps between frames goes on by itself.
+  // A window that sleeps between frames continues by itself.
   const double here = azimuth_rad(camera);
   EXPECT_FALSE(rig.sleeps(0.5));
   EXPECT_NE(azimuth_rad(camera), here);
@@ -99,7 +99,7 @@ TEST_F(TurntableInTheWindow, TurnsByKeyOrSwitchUntilTheCameraIsDragged) {
   EXPECT_FALSE(turntable.turning());
 }
 
-// A turn is one step of the history, however long it was.
+// A turn is one undo step, however long it was.
 TEST_F(TurntableInTheWindow, IsUndoneAsAWhole) {
   const OrbitCamera& camera = rig.previewer().viewpoint().camera();
   const double start = azimuth_rad(camera);
@@ -111,7 +111,7 @@ TEST_F(TurntableInTheWindow, IsUndoneAsAWhole) {
   EXPECT_NEAR(azimuth_rad(camera), start, 1e-12);
 }
 
-// A wide scene that is seen from its end fills the picture, and is in it from its side, too.
+// A wide scene that fills the picture from its end is also inside it from its side.
 TEST_F(TurntableInTheWindow, MakesRoomWhereEverythingIsFramed) {
   const OrbitCamera& camera = rig.previewer().viewpoint().camera();
   rig.previewer().viewpoint().camera().orbit(pi / 2.0, 0.0);
@@ -121,7 +121,7 @@ TEST_F(TurntableInTheWindow, MakesRoomWhereEverythingIsFramed) {
   rig.frame();
   EXPECT_GT(camera.distance(), 1.2 * framed);
   rig.key(Key::t);
-  // Where somebody has moved closer, the distance is theirs.
+  // A distance that the user changed stays.
   rig.previewer().viewpoint().frame_all();
   rig.previewer().viewpoint().camera().dolly(0.5);
   const double near = camera.distance();

@@ -63,7 +63,8 @@ void UiRig::draw() {
   const glm::ivec2 framebuffer = glm::max(size_ / pixel_size_, glm::min(size_, 1));
   content_->draw({size_, framebuffer, content_scale_ / static_cast<float>(pixel_size_),
                   now_seconds_, !blind_});
-  // As where a window shows its frame: without it the driver keeps what frames upload, for ever.
+  // A window finishes its frames when it presents them. Without this the driver keeps the uploads
+  // of all frames.
   gl::glFinish();
 }
 
@@ -92,7 +93,7 @@ bool UiRig::sleeps(double limit_seconds) {
   while (now_seconds_ < end) {
     if (woken_.exchange(false)) schedule_.note_woken(false);
     if (!content_->input().empty()) schedule_.note_input();
-    // Nothing that runs would be left that could end the sleep.
+    // Nothing that is running could end the sleep.
     const bool due = schedule_.due() != DrawSchedule::never;
     if (!due && !previewer_->render().progress().running) return true;
     if (due) {
@@ -101,7 +102,7 @@ bool UiRig::sleeps(double limit_seconds) {
       draw();
       schedule_.end_frame(content_->seconds_to_redraw());
     }
-    // Time for other threads, whose work the clock does not drive.
+    // Time for other threads, which do not use the test's clock.
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return false;
@@ -197,7 +198,7 @@ bool holds(const std::map<std::string, Controls::Placed>& all, const char* windo
          glm::all(glm::lessThanEqual(control.hi, found->second.hi));
 }
 
-// Whether a control is one of the pixel's panel.
+// Whether a control belongs to the pixel panel.
 bool of_pixel(const std::string& name) {
   return name == "Back" || name == "Show edges" || name == "Subdivision" || name == "Levels" ||
          name.starts_with("Pyray/");
@@ -234,10 +235,10 @@ Controls::Placed UiRig::control(const std::string& name) {
     if (of_bar(name)) return at;
     const WindowRect& panel = content_->layout().panel;
     const auto height = static_cast<float>(size_.y);
-    // What stands over the picture is not turned to.
+    // Controls over the picture need no scrolling.
     const bool over = std::any_of(std::begin(over_picture), std::end(over_picture),
                                   [&](const char* window) { return holds(all, window, at); });
-    // The pixel's panel is scrolled where there is little room for it.
+    // The pixel panel is scrolled if there is little room for it.
     const auto pixel = all.find("Pixel panel");
     if (pixel != all.end() && of_pixel(name) && turn < most_turns &&
         (at.lo.y < pixel->second.lo.y || at.hi.y > pixel->second.hi.y)) {
@@ -247,13 +248,13 @@ Controls::Placed UiRig::control(const std::string& name) {
     const bool in_panel = at.centre().x > panel.lo.x && panel.size.x > 0.0f && !over;
     const bool above = at.lo.y<(in_panel ? panel.lo.y : 0.0f), below = at.hi.y> height;
     if ((!above && !below) || turn == most_turns) return at;
-    // The panel is longer than the window: turn the wheel over it, as a person would.
+    // The panel is longer than the window: turn the wheel over it, like a user.
     wheel(panel.lo + glm::vec2(panel.size.x - 20.0f, 0.5f * panel.size.y), above ? 1.0f : -1.0f);
   }
 }
 
 void UiRig::click(const std::string& name) {
-  // Once more where it has moved meanwhile, as a person would: what other threads find moves rows.
+  // Tries again if the control has moved meanwhile: results of other threads move rows.
   constexpr int tries = 10;
   for (int i = 0; i < tries; ++i) {
     const glm::vec2 aim = control(name).centre();
@@ -266,10 +267,10 @@ void UiRig::click(const std::string& name) {
 
 void UiRig::unfold(const std::string& section) {
   const std::string name = "section/" + section;
-  constexpr int tries = 5;  // a row that moved between aim and click is missed
+  constexpr int tries = 5;  // a row that moved between aiming and clicking is missed
   for (int i = 0; i < tries && control(name).words != "open"; ++i) {
     click(name);
-    frame();  // its rows come with the next
+    frame();  // its rows appear in the next frame
   }
   EXPECT_EQ(control(name).words, "open") << section;
 }

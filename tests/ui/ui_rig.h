@@ -17,36 +17,37 @@
 
 namespace asos::test {
 
-/// How the window shows pictures unless it is told otherwise.
+/// The window's default display transform.
 inline const DisplayTransform usual_display = DisplaySettings{}.transform();
 
-/// The window's content in a context in memory, with a clock, a mouse and a keyboard that a test
-/// moves. Opens nothing by itself. It shows what a user sees at first: the panel's tab Antialias,
-/// and the bar under the picture.
+/// The window's content in a context in memory, with a clock, a mouse and a keyboard that the test
+/// controls. Opens nothing by itself. It starts in a user's initial state: the panel's tab
+/// Antialias, and the bar under the picture.
 class UiRig {
  public:
-  /// Which sky scenes have that do not ask for one: one colour behind all of them, or their usual
-  /// one, as in the program.
+  /// The sky of scenes that set none: one colour behind all of them, or their default, as in the
+  /// program.
   enum class Skies { neutral, usual };
   explicit UiRig(LoadFunction load, glm::ivec2 size = {640, 400}, float content_scale = 1.0f,
                  Skies skies = Skies::neutral);
 
-  /// A window with a bar whose picture is as large as that of one of this size without it.
+  /// Size of a window with a bar whose picture is as large as in a window of size `size` without
+  /// one.
   [[nodiscard]] static glm::ivec2 with_bar(glm::ivec2 size);
 
   Previewer& previewer() { return *previewer_; }
   WindowContent& content() { return *content_; }
 
   void frame();
-  /// A frame at this time of the rig's clock, which never falls.
+  /// Draws a frame at this time of the rig's clock, which never goes back.
   void frame_at(double now_seconds);
   /// Draws frames until `done`; false after `limit_seconds` of real time, ten times that under the
   /// sanitizers: long enough for a busy machine, so that only what hangs ends so.
   [[nodiscard]] bool frames_until(const std::function<bool()>& done, double limit_seconds = 600.0);
-  /// Draws as the window does: only frames that are due. The rig's time jumps from one to the next.
-  /// True once none is due any more; false after `limit_seconds` of that time.
+  /// Draws only the frames that are due, like the window; the rig's time jumps from one to the
+  /// next. Returns true once none is due any more, false after `limit_seconds` of that time.
   [[nodiscard]] bool sleeps(double limit_seconds = 600.0);
-  /// Frames until the render is finished and shown and the input is used up.
+  /// Draws frames until the render is finished and displayed and all input is processed.
   [[nodiscard]] bool settle();
   void resize(glm::ivec2 size);
 
@@ -55,27 +56,27 @@ class UiRig {
   void release(MouseButton button);
   void drag(glm::vec2 from, glm::vec2 to, MouseButton button = MouseButton::left);
   void wheel(glm::vec2 at, float steps);
-  /// Long enough for the next click to be no second one of two.
+  /// Waits long enough that the next click does not make a double click.
   void rest();
   void key(Key key);
   void chord(Key modifier, Key key);
   void type(const std::string& ascii);
-  /// Fails the test where the control is not there; opens its tab and scrolls the panel to it, as a
-  /// person would.
+  /// Fails the test if the control does not exist; opens its tab and scrolls the panel to it, like
+  /// a user.
   Controls::Placed control(const std::string& name);
   void click(const std::string& name);
-  /// Sees to it that a section of the panel is open.
+  /// Opens a section of the panel if it is folded.
   void unfold(const std::string& section);
 
-  /// Frames are laid out but not drawn, which software OpenGL takes long for, unless a test says
-  /// otherwise: what a picture of the window saves is wrong then.
+  /// In blind mode, which is the default, frames are laid out but not drawn: drawing takes most of
+  /// software OpenGL's time. Saved pictures of the window are wrong then.
   void set_blind(bool blind) { blind_ = blind; }
-  /// The framebuffer has a pixel for so many of the window's, across and down: the fewer, the
-  /// sooner a picture is rendered and shown, for tests that look at neither.
+  /// Framebuffer pixels are this number of window pixels wide and high. With fewer of them pictures
+  /// are rendered faster, for tests that do not check them.
   void set_pixel_size(int pixel_size) { pixel_size_ = pixel_size; }
   [[nodiscard]] int pixel_size() const { return pixel_size_; }
-  /// What the framebuffer shows, row-major from the top left; of a blind window after one more
-  /// frame.
+  /// The framebuffer's content, row-major from the top left; a blind window draws one more frame
+  /// for it.
   [[nodiscard]] std::vector<glm::u8vec3> pixels();
   [[nodiscard]] glm::ivec2 size() const { return size_; }
 

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A square that is red, or green by one variant.
+/// A square that is red, or green in a variant.
 GltfBuilder two_looks() {
   GltfBuilder b = GltfBuilder::square();
   json& primitive = b.json["meshes"][0]["primitives"][0];

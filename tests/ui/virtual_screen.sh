@@ -1,5 +1,5 @@
-# Sourced by the tests of the real window, after `program` is set: a virtual screen, the program on it,
-# and looks at what is shown. They are skipped where a tool is missing.
+# Sourced by tests of the real window after they set `program`. Starts a virtual screen with the
+# program on it, and has functions to look at it. The tests are skipped if a tool is missing.
 skip=77
 
 for tool in Xvfb xdotool import convert compare; do
@@ -23,7 +23,7 @@ fail() {
   cat "$work/log" 2>/dev/null
   exit 1
 }
-# Waits until a command succeeds; at most a minute, which no machine takes.
+# Waits until a command succeeds, for at most a minute, which is ample on any machine.
 wait_until() {
   local what=$1
   shift
@@ -35,9 +35,9 @@ wait_until() {
   fail "$what"
 }
 
-# Xvfb picks a free display itself and writes its number; it may write it before it answers, and on
-# a busy machine another server may have taken the number meanwhile. It would begin anew, and refuse
-# whoever comes meanwhile, when its last client leaves.
+# Xvfb chooses a free display and writes its number, maybe before it accepts clients. On a busy
+# machine another server may have taken the number meanwhile. An Xvfb would restart when its last
+# client leaves, and reject clients during that time.
 displays=0
 answers() {
   local number
@@ -62,7 +62,7 @@ wait_until 'no display answers' answers
 export LIBGL_ALWAYS_SOFTWARE=1
 export XDG_PICTURES_DIR=$work
 export XDG_CONFIG_HOME=$work
-# Whoever has seen the tour is not shown it again.
+# Settings with the tour already seen, so that it does not start.
 mkdir -p "$work/asos" && echo '{"tour_seen": true}' >"$work/asos/window.json"
 
 window=
@@ -75,14 +75,15 @@ found_window() {
   [ -n "$window" ]
 }
 
-# Hardly compressed: they are many, and most are looked at once.
+# Low compression: there are many pictures, and most are only compared.
 shot() { import -window root -define png:compression-level=1 -define png:compression-filter=0 "$1"; }
 geometry() { eval "$(xdotool getwindowgeometry --shell "$window")"; }
-# How many pixels of an area (WxH+X+Y) differ between two pictures of the screen.
+# Number of pixels of an area (WxH+X+Y) that differ between two pictures of the screen.
 differing() {
   compare -extract "$3" -metric AE "$1" "$2" null: 2>&1
 }
-# NEW BEFORE AREA: the area has changed since BEFORE by some hundred pixels, or is as it was then.
+# NEW BEFORE AREA: the area has changed since BEFORE by at least a few hundred pixels, or is
+# unchanged.
 changed() {
   shot "$1"
   [ "$(printf '%.0f' "$(differing "$1" "$2" "$3")")" -gt "${4:-300}" ]
@@ -91,7 +92,7 @@ same() {
   shot "$1"
   [ "$(printf '%.0f' "$(differing "$1" "$2" "$3")")" -eq 0 ]
 }
-# It comes to rest: two pictures of the screen in a row are the same.
+# Waits until two consecutive pictures of the screen are equal.
 at_rest() {
   shot "$work/rest.png"
   sleep 0.4

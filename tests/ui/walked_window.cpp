@@ -12,7 +12,7 @@ namespace asos::test {
 
 namespace {
 
-// A loop that hears nothing any more would never end.
+// Number of frames without events after which the loop is considered stuck.
 constexpr int endless = 200;
 
 double wall_seconds() {
@@ -33,7 +33,7 @@ WalkedWindow::WalkedWindow(glm::ivec2 size) : size_(size) {
   Result<std::unique_ptr<OsmesaContext>> made = OsmesaContext::make(size.x, size.y);
   if (!made) throw std::runtime_error(made.error().message());
   context_ = std::move(*made);
-  // Laid out and uploaded, but not filled in: that is the driver's work.
+  // Frames are laid out and uploaded, but not rasterised, which is the driver's work.
   gl::glEnable(GL_RASTERIZER_DISCARD);
   processor_since_ = thread_seconds();
   wall_since_ = wall_seconds();
@@ -67,7 +67,7 @@ void WalkedWindow::wait(std::optional<double> seconds) {
   } else if (idle) {
     idle(*this);
   }
-  // Other threads get on meanwhile; nobody sleeps longer, for the next step is input.
+  // Gives other threads some time, but sleeps no longer, because the next step is input.
   if (!seconds || *seconds > 0.0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   processor_since_ = thread_seconds();
   wall_since_ = wall_seconds();

@@ -14,11 +14,11 @@
 
 namespace asos::test {
 
-/// A window in memory that a script uses: each time that the loop hears what has happened, one step
-/// of the script happens. Counts what the loop does between two of these times.
+/// A window in memory that runs a script: each time the loop processes events, one step of the
+/// script runs. Counts the loop's work between two steps.
 class WalkedWindow final : public HostWindow {
  public:
-  /// A step, and the action that it belongs to, for messages.
+  /// A step, and the name of its action for messages.
   struct Step {
     std::string action;
     std::function<void(WalkedWindow&)> run;
@@ -40,18 +40,18 @@ class WalkedWindow final : public HostWindow {
   Happened& happened() { return happened_; }
   /// 0: minimised.
   void resize(glm::ivec2 size);
-  /// Done by the next waits, one each; later ones do nothing.
+  /// The next steps, one per wait; later waits do nothing.
   std::deque<Step> steps;
-  /// Called once no step is left, by each wait.
+  /// Called by each wait without steps.
   std::function<void(WalkedWindow&)> idle;
-  /// Called when frames follow each other without end though nothing was heard in between.
+  /// Called if frames are drawn without end although there were no events.
   std::function<void()> give_up;
 
-  /// The loop's clock: that of the wall, and as slow as `seconds_per_frame` makes every frame.
+  /// The loop's clock: wall-clock time, plus `seconds_per_frame` for every frame.
   [[nodiscard]] double now_seconds() const;
   double seconds_per_frame = 0.0;
 
-  /// What happened between two waits, at most.
+  /// Maxima between two waits.
   struct Between {
     int frames = 0;
     double processor_ms = 0.0;  ///< of the main thread

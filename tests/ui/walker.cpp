@@ -135,7 +135,7 @@ void Walker::fly() {
   if (below(4) != 0) put("fly", MouseChanged{MouseButton::right, false});
 }
 
-// Whatever of it is there: the window, or what moves.
+// Plays, pauses, seeks or steps the scene's animation, if it has one.
 void Walker::play() {
   const unsigned what = below(4);
   const double seconds = 2.0 * static_cast<double>(share());
@@ -175,7 +175,7 @@ void Walker::press_key() {
 
 void Walker::resize() {
   const bool minimised = below(4) == 0;
-  // Some have room for the whole bar under the picture.
+  // Some windows are wide enough for the whole bar under the picture.
   const bool wide = below(6) == 0;
   const glm::ivec2 size(40 + static_cast<int>(below(400)) + (wide ? 700 : 0),
                         40 + static_cast<int>(below(300)) + (wide ? 250 : 0));
@@ -195,12 +195,12 @@ void Walker::drag() {
   if (below(6) != 0) put("drag", MouseChanged{button, false});
 }
 
-// One of those that the table knows, where it is there; of several of a kind any.
+// Uses a random control from the table, if it is shown; of several with the same name, any.
 void Walker::use_control() {
   auto at = parts.begin();
   std::advance(at, below(static_cast<unsigned>(parts.size())));
   const std::string head = at->first;
-  // As large as that no walk could end.
+  // A size so large that the walk would not end.
   if (head == "Size" || head == "Width (px)" || head == "Height (px)") return rest();
   const unsigned which = below(12);
   const glm::vec2 place(share(), 0.5f), to = anywhere();

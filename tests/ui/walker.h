@@ -16,16 +16,16 @@
 
 namespace asos::test {
 
-/// Scenes of several sorts, some of which take a moment to load, and some of which do not.
+/// Test scenes; some take a moment to load.
 [[nodiscard]] Result<Scene> load_some(const SceneSource& asked);
 
-/// A window with all behind it, from its opening to its end.
+/// A window with its model, from opening to closing.
 struct Session {
   Session()
       : window({360, 240}),
         previewer({load_some, [this] { woken = true; }}, small_settings()),
         content(std::move(*WindowContent::make(previewer))) {
-    window.seconds_per_frame = 0.02;  // longer than there is time for one
+    window.seconds_per_frame = 0.02;  // slower than the frame interval
     window.give_up = [this] { content->state().leaving.quit = true; };
   }
   static RenderSettings small_settings() {
@@ -44,7 +44,7 @@ struct Session {
   std::unique_ptr<WindowContent> content;
 };
 
-/// Turns random numbers into actions, each of one or several steps.
+/// Turns random numbers into actions of one or several steps.
 class Walker {
  public:
   using Step = WalkedWindow::Step;

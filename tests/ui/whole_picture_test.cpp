@@ -7,7 +7,7 @@
 #include <numbers>
 #include <thread>
 
-// A camera that moves fast never leaves parts of two poses in one picture.
+// With a fast camera the picture never mixes two poses.
 
 namespace asos {
 namespace {
@@ -60,7 +60,7 @@ TEST(WholePicture, IsOfOnePoseWhileTheCameraTurns) {
     }
   }
   EXPECT_EQ(torn, 0);
-  EXPECT_GT(turns, 5) << "or nothing was shown at all";
+  EXPECT_GT(turns, 5) << "otherwise nothing was displayed";
 }
 
 }  // namespace

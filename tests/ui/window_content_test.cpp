@@ -69,7 +69,7 @@ TEST_F(WindowContentTest, ShowsTheFilmPixelForPixel) {
       [](const Film& film, std::size_t i) { return display_bytes(film, i, usual_display); });
 }
 
-// (0.8, 0.1, 0.1) as it is, whatever the curve and the exposure.
+// (0.8, 0.1, 0.1) is displayed unchanged, for any curve and exposure.
 TEST_F(WindowContentTest, ShowsUnlitSurfacesAsTheyAre) {
   open("red");
   DisplaySettings& display = rig.content().state().display;
@@ -132,7 +132,7 @@ TEST(GridStep, IsRoundAndFitsTheScene) {
   EXPECT_EQ(grid_step(NAN), 0.0);
 }
 
-// What surfaces do not cover shows a checkerboard, in the window alone.
+// Transparent areas show a checkerboard, in the window only.
 TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
   open("red");
   rig.previewer().edits().settings().background.kind = BackgroundKind::transparent;
@@ -149,8 +149,8 @@ TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
   });
 }
 
-// Each curve's own bytes, and back; with the exposure, which the curve comes after. The method
-// takes the same samples whatever they show as.
+// Each curve gives its own bytes, and back again; the exposure applies before the curve. The method
+// takes the same samples for all curves.
 TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
   rig.previewer().edits().settings().method = Method::sobol;
   open("red");
@@ -172,7 +172,8 @@ TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
   EXPECT_EQ(rig.previewer().render().restarts(), restarts);
 }
 
-// EPS is judged as the curve shows it: another curve is another picture, another exposure is not.
+// EPS limits the displayed error, which depends on the curve but not on the exposure: another curve
+// renders again.
 TEST_F(WindowContentTest, AMethodThatJudgesWhatShowsRendersEachCurveAnew) {
   open("red");
   DisplaySettings& display = rig.content().state().display;
@@ -227,7 +228,7 @@ TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
         ASSERT_EQ(got, glm::vec3(split_colour(film.split_level[i], film.cause[i])))
             << x << ' ' << y;
       } else {
-        // Blending rounds its share and its result to bytes.
+        // Blending rounds its weight and its result to bytes.
         const glm::vec3 want = 0.75f * glm::vec3(display_bytes(film, i, usual_display));
         ASSERT_LE(glm::length(want - got), 2.0f) << x << ' ' << y;
       }

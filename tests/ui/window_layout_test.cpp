@@ -42,7 +42,7 @@ TEST(WindowLayout, SmallWindowsHaveABarOfOneRow) {
   EXPECT_EQ(bar_em({420, 160}, true), 0.0f);
 }
 
-// Below its width, names of methods and rows of numbers are cut.
+// Below this width, names of methods and rows of numbers are cut off.
 TEST(WindowLayout, ThePanelIsNeverNarrowerThanItsTexts) {
   constexpr float em = 15.0f;
   for (float width = theme::panel_width_em * em; width < 2000.0f; width += 7.0f) {
@@ -52,7 +52,7 @@ TEST(WindowLayout, ThePanelIsNeverNarrowerThanItsTexts) {
   }
 }
 
-// Half as many units across as the screen has pixels: text twice as large would be cut.
+// At 200 % the window has half as many units as pixels: text at twice the size would be cut off.
 TEST(FittingTextScale, LeavesThePanelTheRoomThatItsTextsNeed) {
   const float panel = theme::panel_width_em * theme::text_pixels;
   for (float width = panel; width < 2000.0f; width += 7.0f) {

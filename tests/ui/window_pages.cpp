@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-// Pictures of the window for people to look at, made in memory: window_pages FOLDER [MODELS].
-// window_pages --manual FOLDER writes window.png, which README.md shows.
-// Writes index.html with the window at its first start, in both themes, at 200 %, 420 pixels wide,
-// at each card of the tour, and with what asks for an explanation open; and models of the folder
-// MODELS (its scenes/NAME/NAME.glb) as they open. Fails where a picture shows nothing.
+// Pictures of the window to look at, rendered in memory: window_pages FOLDER [MODELS]. Writes
+// index.html with the window at its first start, in both themes, at 200 %, 420 pixels wide, at each
+// card of the tour, and with the explanations open; and with models of the folder MODELS (its
+// scenes/NAME/NAME.glb) as they open. window_pages --manual FOLDER writes window.png, which
+// README.md shows. Fails if a picture is empty.
 
 namespace asos::test {
 namespace {
@@ -28,7 +28,7 @@ class Pages {
  public:
   explicit Pages(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
 
-  /// A window, opened on a scene and used; then its picture.
+  /// A window after opening and using a scene, and its picture.
   struct Page {
     std::string name, caption, source;
     glm::ivec2 size{1283, 600};
@@ -46,7 +46,7 @@ class Pages {
     wait(rig, page.source);
     if (page.use) page.use(rig);
     wait(rig, page.source);
-    // Where no tooltip comes up.
+    // Where no tooltip appears.
     rig.move_to({-1e5f, -1e5f});
     for (int i = 0; i < 4; ++i) rig.frame();
     save(page, rig.pixels());
@@ -94,7 +94,7 @@ class Pages {
 void card(UiRig& rig, int number) {
   rig.content().state().tour_asked = true;
   rig.frame();
-  // The first one has chosen its pixel, and maybe a better one; some pictures have none.
+  // The first card has chosen its pixel, and maybe a better one; some pictures have none.
   (void)rig.frames_until([&] { return rig.content().state().tour.found.has_value(); }, 5.0);
   show_card(rig.content().state(), rig.previewer(), number, 0.0);
   // The pixel's splitting is shown to its end.
@@ -217,7 +217,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     const int code = asos::test::write_pages(argv[1], argc > 2 ? argv[2] : "");
-    // No test runs here: without this, failed expectations are printed only.
+    // Failed expectations outside a test are only printed, so return them as the exit code.
     const bool failed = testing::UnitTest::GetInstance()->ad_hoc_test_result().Failed();
     return failed ? 1 : code;
   } catch (const std::exception& error) {

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-// Film strips of the window for people to look at: window_strips FOLDER [MODELS].
-// EPS is dragged from 1/8 to 1/1000, and MAX from 0 to 6, on built-in scenes and on models of the
-// folder MODELS (its scenes/NAME/NAME.glb), with the split map shown. Each picture is what the
-// window shows 100 ms after the pointer moved; the last ones are the time after the drag. The
-// status line has the time stamp. Writes SCENE-eps.png and SCENE-max.png.
+// Film strips of the window to look at: window_strips FOLDER [MODELS]. Drags EPS from 1/8 to
+// 1/1000, and MAX from 0 to 6, on built-in scenes and on models of the folder MODELS (its
+// scenes/NAME/NAME.glb), with the split map shown. Each picture shows the window 100 ms after the
+// pointer moved; the last ones follow the end of the drag. The status line has the time. Writes
+// SCENE-eps.png and SCENE-max.png.
 
 namespace asos::test {
 namespace {
@@ -79,7 +79,7 @@ class Recorder {
     if (!finished()) throw std::runtime_error(source + " is not finished");
   }
 
-  /// Drags a slider of the bar through these shares of its width.
+  /// Drags a slider of the bar through these fractions of its width.
   void drag(const std::string& slider, const std::vector<float>& shares) {
     start_ = Clock::now();
     const Controls::Placed at = rig_.control(slider);

@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# Runs the real window on a virtual screen and uses it as a person would: waits for the picture,
-# drags EPS, undoes that, clicks a pixel, orbits, resizes, minimises, saves the picture in several
-# ways, drops what was saved on the window again, opens a file that does not exist and one that does
-# (where the shared scenes are there), quits; and edits a mirror's blur by its curve in another one.
-# Each step waits for what it should bring about.
-# Pictures of the screen stay in the current directory for a look.
+# Uses the real window on a virtual screen like a person: waits for the picture, drags EPS, undoes
+# that, clicks a pixel, orbits, resizes, minimises, saves the picture in several ways, and drops the
+# saved picture on the window. Opens a missing file and an existing one (if the shared scenes are
+# there), edits a mirror's blur by its curve in another scene, and quits. Each step waits for its
+# effect. Pictures of the screen stay in the current directory.
 #
-# usage: window_test.sh ASOS_PROGRAM DROP_FILE_PROGRAM [SCENE]
+# Usage: window_test.sh ASOS_PROGRAM DROP_FILE_PROGRAM [SCENE]
 set -u
 program=$1
 drop=$2
@@ -17,7 +16,7 @@ start "$scene" --size 640x400 --max 1 --reflections 0
 wait_until 'no window' found_window
 wait_until 'no title' eval '[[ $(xdotool getwindowname "$window") == *" - ASOS" ]]'
 
-# The picture's area shows a picture: many colours, not one surface.
+# The picture's area shows many colours, not a single one.
 shows_picture() {
   shot "$1"
   geometry
@@ -36,7 +35,7 @@ whole="${WIDTH}x$HEIGHT+$X+$Y"
 wait_until 'the render does not end' at_rest window_start.png "$whole"
 echo "window $WIDTH x $HEIGHT"
 
-# Drag EPS from one end of its slider towards the other: its number follows.
+# Drags EPS along its slider; its number follows.
 eps_y=284
 eps="220x20+$((right - 240))+$((Y + eps_y - 10))"
 xdotool mousemove $((right - 60)) $((Y + eps_y)) mousedown 1
@@ -48,10 +47,10 @@ xdotool mouseup 1 mousemove $((X + 400)) $((Y + 300))
 wait_until 'EPS did not follow the drag' changed window_eps.png window_start.png "$eps" 20
 wait_until 'EPS does not rest' at_rest window_eps.png "$whole"
 
-# Undo brings the old value back, redo the new one.
+# Undo restores the old value, redo the new one.
 xdotool key ctrl+z
 wait_until 'Ctrl+Z did not bring EPS back' same window_undo.png window_start.png "$eps"
-# Nothing else can be done again, so that it may be pressed until it counts.
+# No other step can be redone, so the key may be pressed until it has an effect.
 redone() {
   xdotool key ctrl+shift+z
   same window_redo.png window_eps.png "$eps"
@@ -59,13 +58,13 @@ redone() {
 wait_until 'Ctrl+Shift+Z did not bring EPS again' redone
 wait_until 'redo does not rest' at_rest window_redo.png "$whole"
 
-# A click shows how a pixel was split; Escape closes that.
+# A click shows how a pixel was split; Escape closes its panel.
 xdotool mousemove $((X + 300)) $((Y + 200)) click 1
 wait_until 'no pixel was shown' changed window_pixel.png window_redo.png "$picture" 5000
 xdotool key Escape mousemove $((X + 400)) $((Y + 300))
 wait_until 'the pixel was not closed' same window_closed.png window_redo.png "$picture"
 
-# Orbit with the left button, come closer with the wheel.
+# Orbit with the left button, and zoom in with the wheel.
 xdotool mousedown 1
 for x in 430 460 500; do
   xdotool mousemove $((X + x)) $((Y + 320))
@@ -76,8 +75,8 @@ wait_until 'the orbit changed nothing' changed window_orbit.png window_redo.png 
 wait_for_picture window_orbit.png
 wait_until 'the orbit does not rest' at_rest window_orbit.png "$picture"
 
-# Save the picture by key; then as EXR, and larger, in the dialog, whose buttons are where the
-# picture of the screen shows them.
+# Saves the picture by key; then as EXR and at a larger size with the dialog, whose buttons are
+# located in the picture of the screen.
 xdotool key p
 wait_until 'P saved no picture' compgen -G "$work/*-001.png" >/dev/null
 saved=$(compgen -G "$work/*-001.png")
@@ -85,7 +84,7 @@ saved=$(compgen -G "$work/*-001.png")
 [ "$(compare -metric AE "$saved" "$work/again.png" null: 2>&1)" = 0 ] ||
   fail 'what was saved is not what is rendered from it'
 
-# Drop it: the view comes back after it was changed.
+# Dropping the picture restores the view after it was changed.
 wait_until 'saving does not rest' at_rest window_saved.png "$picture"
 xdotool click 5 click 5 click 5 click 5
 wait_until 'the wheel changed nothing' changed window_far.png window_saved.png "$picture" 20000
@@ -98,15 +97,15 @@ wait_until 'no message' changed window_plain.png window_dropped.png "$picture" 3
 xdotool key Escape
 wait_until 'the message stays' same window_plain_closed.png window_dropped.png "$picture"
 
-# The dialog: as EXR, which Tab and the arrows would reach too; a click does.
+# Chooses EXR in the dialog with a click; Tab and the arrow keys could do it, too.
 xdotool key ctrl+s
 wait_until 'no dialog' changed window_save.png window_dropped.png "$picture" 20000
 wait_until 'the dialog does not rest' at_rest window_save.png "$picture"
 xdotool key Escape
 wait_until 'the dialog stays' same window_save_closed.png window_dropped.png "$picture"
 
-# Fly: while W is held the camera moves, though every frame takes longer than there is time for one;
-# once it is let go, it stands still, and the window hears what comes next.
+# Flies: while W is held the camera moves, even if every frame takes longer than its interval. When
+# W is released the camera stops, and the window reacts to the next input.
 wait_until 'the window does not rest' at_rest window_before_flight.png "$picture"
 xdotool mousemove $((X + 300)) $((Y + 200)) mousedown 3 keydown w
 sleep 0.5
@@ -115,10 +114,10 @@ wait_until 'it did not fly' changed window_flight.png window_before_flight.png "
 wait_until 'it flies on' at_rest window_flight.png "$picture"
 xdotool key ctrl+z
 wait_until 'no key counts after a flight' same window_flown_back.png window_before_flight.png "$picture"
-# Escape closes what is open, and then nothing: the window stays.
+# Escape closes open panels one by one, but never the window.
 xdotool key Escape key Escape key Escape
 
-# Resize, minimise and come back.
+# Resizes, minimises and restores the window.
 resized() {
   geometry
   [ "$WIDTH" -eq 700 ] && [ "$HEIGHT" -eq 500 ]
@@ -178,15 +177,15 @@ quit() {
 }
 quit
 
-# A mirror that blurs; in the tab Scene the curve's left end, DFRMIN, is dragged up: the house's
-# picture in the mirror is less blurred, and as it was again by undo.
+# A blurred mirror: dragging the curve's left end, DFRMIN, up in the tab Scene makes the house's
+# reflection less blurred. Undo restores it.
 start builtin:house-mirror --size 640x840 --max 0 --reflections 1 --dfr 0.05,1,8
 wait_until 'no window with a mirror' found_window
 wait_for_picture window_mirror.png
 geometry
 picture="$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y"
 xdotool mousemove $((X + 300)) $((Y + 300))  # where no tooltip comes up
-# With the status bar: a pass may find out for a while what the next one costs.
+# Includes the status bar: for a while a pass measures the cost of the next one.
 whole="${WIDTH}x$HEIGHT+$X+$Y"
 wait_until 'the mirror does not rest' at_rest window_mirror.png "$whole"
 xdotool mousemove $((X + WIDTH - 165)) $((Y + 127)) click 1 mousemove $((X + 300)) $((Y + 300))

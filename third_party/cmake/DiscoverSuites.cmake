@@ -11,9 +11,9 @@ if(NOT EXISTS "${found}" OR "${program}" IS_NEWER_THAN "${found}" OR
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${program} --gtest_list_tests: ${status}\n${listed}")
   endif()
-  # A suite's line is its name and a dot; its tests' lines begin with spaces.
+  # A suite's line has its name and a dot; its tests' lines begin with spaces.
   string(REGEX MATCHALL "(^|\n)[^ \n][^ \n]*[.]" suites "${listed}")
-  # Skipped is a suite of which nothing passed and nothing failed: failures would be listed last.
+  # A suite is skipped if no test passed and none failed: failures would be listed last.
   set(skipped "PASSED  \\] 0 tests[.]\n(\\[  SKIPPED \\] [^\n]*\n)+$")
   set(tests "")
   foreach(line IN LISTS suites)

@@ -1,8 +1,8 @@
 # Finds the sources of Dear ImGui's backends, which Debian installs as documentation.
 # Defines ImGuiBackends_OPENGL3_SOURCE, the path of imgui_impl_opengl3.cpp.
 #
-# The copy of that backend inside libimgui.a brings its own loader, which opens libGL; it cannot
-# draw into an OSMesa context. So the backend is compiled again, over our own function table.
+# The copy of that backend in libimgui.a has its own loader, which opens libGL and cannot draw into
+# an OSMesa context. The backend is therefore compiled again with our own function table.
 
 find_path(ImGuiBackends_DIR imgui_impl_opengl3.cpp
   PATHS /usr/share/doc/libimgui-dev/examples/backends

@@ -4,17 +4,17 @@
 
 #include <GL/glcorearb.h>
 
-// Our own table of OpenGL 3.3 core functions: the only loader that serves both a window (GLFW) and
-// a context in memory (OSMesa). The names live in a namespace because plain global variables of
-// these names would stand in for libGL's functions at link time.
+// A table of OpenGL 3.3 core functions, used with a window (GLFW) and with a context in memory
+// (OSMesa): no other loader serves both. The names live in a namespace, because global variables of
+// the same names would replace libGL's functions at link time.
 
 namespace asos::gl {
 
 using Function = void (*)();
 using GetFunction = Function (*)(const char* name);
 
-/// Fills the table for the context that is current on the calling thread. Fails, naming the
-/// function, where one is missing. All calls through the table belong to that thread.
+/// Fills the table for the context that is current on the calling thread. The error names a missing
+/// function. All calls through the table must be made on that thread.
 [[nodiscard]] Result<void> load(GetFunction get);
 
 extern PFNGLACTIVETEXTUREPROC glActiveTexture;

@@ -7,7 +7,7 @@
 
 namespace asos::gl {
 
-/// An OpenGL name that is deleted with its owner. The context has to be current then.
+/// Owns an OpenGL name and deletes it. The context has to be current when it is destroyed.
 template <void (*destroy)(GLuint)>
 class Object {
  public:
@@ -43,9 +43,9 @@ using Program = Object<delete_program>;
 using VertexArray = Object<delete_vertex_array>;
 
 [[nodiscard]] VertexArray make_vertex_array();
-/// An RGBA8 texture of this size, clamped at its edges; its contents are undefined.
+/// An RGBA8 texture of this size, clamped at its edges, with undefined contents.
 [[nodiscard]] Texture make_rgba8_texture(int width, int height);
-/// Compiles and links; the error holds the driver's message.
+/// Compiles and links; the error is the driver's message.
 [[nodiscard]] Result<Program> make_program(const char* vertex_source, const char* fragment_source);
 
 }  // namespace asos::gl

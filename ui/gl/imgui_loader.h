@@ -1,6 +1,6 @@
 #pragma once
 
-// Included ahead of Dear ImGui's OpenGL 3 backend: lets its unqualified calls find our table.
+// Included before Dear ImGui's OpenGL 3 backend, so that its unqualified calls use our table.
 
 #include "ui/gl/gl.h"
 

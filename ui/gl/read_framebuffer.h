@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// The pixels of the current framebuffer, which is `height` high, in `area`, which is told from the
-/// top left: rows of RGB bytes from the top. Call before it is presented.
+/// Reads `area` of the current framebuffer, which is `height` pixels high, as rows of RGB bytes
+/// from the top. `area` counts from the top left. Call before the framebuffer is presented.
 [[nodiscard]] std::vector<std::uint8_t> read_framebuffer(const PixelRect& area, int height);
 
 }  // namespace asos

@@ -43,7 +43,7 @@ constexpr std::array texture_filters{
     Controls::Option{"Point", "Look up textures and highlights at single points."},
 };
 
-// As a fraction where that says more: 1/256 is one step of an 8-bit picture.
+// Adds a fraction to small values: 1/256 is one step of an 8-bit picture.
 std::string eps_words(double eps) {
   if (eps <= 0.0) return "0: always to MAX";
   if (eps > 0.1) return fmt::format("{:.2f}", eps);
@@ -56,7 +56,7 @@ std::string level_words(int max_level) {
   return fmt::format("{} (up to {} x {})", max_level, cells, cells);
 }
 
-// Options in the order of the values of an enumeration.
+// Options in the order of the enumerators.
 template <typename T>
 void choose(Controls& controls, const char* label, std::span<const Controls::Option> options,
             T& value, T reset) {
@@ -68,7 +68,7 @@ void choose(Controls& controls, const char* label, std::span<const Controls::Opt
 constexpr const char* forecast_tooltip =
     "Estimated share of split pixels and render time, from a few test blocks.";
 
-// Gone where it is of other settings or of another view.
+// Shows a dash if the estimate is for other settings or another view.
 void forecast_row(Controls& controls, const Previewer& previewer, const SplitForecast& forecast) {
   const Forecast* told = forecast.of(previewer);
   const auto estimate = time_estimate(previewer, told);
@@ -93,7 +93,7 @@ void asos_controls(Controls& controls, Previewer& previewer, const SplitForecast
   forecast_row(controls, previewer, forecast);
 }
 
-// How cells are shaded, and when they are split no further.
+// Controls for how cells are shaded and when splitting stops.
 void splitting_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   if (settings.method == Method::asos) {
@@ -111,7 +111,7 @@ void splitting_controls(Controls& controls, RenderSettings& settings) {
       settings.asos.jitter, usual.asos.jitter);
 }
 
-// The methods round up to n x n samples, so n is what the slider offers.
+// The methods round up to n x n samples, so the slider offers n.
 void sample_controls(Controls& controls, RenderSettings& settings) {
   constexpr int max_side = 32;
   int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(settings.sampling.spp))));
@@ -129,7 +129,7 @@ void seed_control(Controls& controls, RenderSettings& settings) {
       settings.seed, {0, 99, usual.seed}, [](int seed) { return fmt::format("{}", seed); });
 }
 
-// For methods that sample each pixel on until it is good enough.
+// Controls of methods that sample each pixel until its error is small enough.
 void adaptive_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   controls.log_slider("EPS",
@@ -144,7 +144,7 @@ void adaptive_controls(Controls& controls, RenderSettings& settings) {
   seed_control(controls, settings);
 }
 
-// Sobol takes any number of samples; twice as many a step of the slider.
+// Sobol takes any number of samples; the slider offers powers of two.
 void sobol_controls(Controls& controls, RenderSettings& settings) {
   constexpr int most_doublings = 12;
   int doublings =
@@ -157,7 +157,7 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
   seed_control(controls, settings);
 }
 
-// In hundredths of a pixel, so that what is typed is what is saved.
+// In steps of 0.01 pixel, so that the saved value equals the typed one.
 void filter_control(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   auto width = static_cast<float>(settings.filter_width);
@@ -189,7 +189,7 @@ void texture_controls(Controls& controls, RenderSettings& settings) {
   choose(controls, "Texture filter", texture_filters, settings.texture.filter,
          usual.texture.filter);
   if (!in_object_space(settings.method)) return;
-  // Averages over an area need no further samples; a TR above 1 still takes them.
+  // Area averages need no TR above 1; a larger one still takes effect.
   if (settings.texture.filter == TextureFilter::footprint && settings.texture.resolution == 1)
     return;
   controls.slider("TR",
@@ -245,7 +245,7 @@ void advanced_panel(Controls& controls, Previewer& previewer) {
   if (!controls.section("Advanced", false)) return;
   if (in_object_space(settings.method)) splitting_controls(controls, settings);
   if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
-  // Before a scene is there, only what every scene has.
+  // Without a scene, show only the controls that every scene has.
   if (scene && scene->needs.textures) texture_controls(controls, settings);
   if (!scene || !scene->needs.culling) return;
   controls.checkbox("Back-face culling", "Hide the backs of single-sided materials, as glTF asks.",

@@ -5,7 +5,7 @@
 
 namespace asos {
 
-/// The controls of what is seen where no surface is, and of what the scene stands on.
+/// The controls of the background and of the ground.
 void background_controls(Controls& controls, RenderSettings& settings);
 
 }  // namespace asos

@@ -17,7 +17,7 @@ void camera_list(Controls& controls, Viewpoint& viewpoint, const std::vector<Cam
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     names.push_back(cameras[i].name.empty() ? fmt::format("Camera {}", i + 1) : cameras[i].name);
   }
-  // A camera that was left is not shown any more, and may be chosen again.
+  // A camera that the user has moved away from is shown as not chosen, so it can be chosen again.
   int chosen = viewpoint.left_chosen() ? -1 : viewpoint.chosen_camera() + 1;
   if (controls.list(
           "View",

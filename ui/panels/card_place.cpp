@@ -37,7 +37,7 @@ CardPlace card_place(const WindowRect& room, glm::vec2 size, std::span<const Win
   float least = std::numeric_limits<float>::infinity();
   for (const float width_em : widths_em) {
     const float width = std::min(width_em * em, room.size.x);
-    // The same words on other lines; titles and buttons stay as high.
+    // A narrower card needs more lines. Overestimates: titles and buttons keep their height.
     const float height = std::min(drawn.y * std::max(1.0f, drawn.x / width), room.size.y);
     for (const float y : starts(room, height, taken, 1, gap)) {
       for (const float x : starts(room, width, taken, 0, gap)) {

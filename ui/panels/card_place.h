@@ -8,16 +8,16 @@
 
 namespace asos {
 
-/// Where a card stands, and how wide it is. In window coordinates.
+/// Position and width of a card, in window coordinates.
 struct CardPlace {
   glm::vec2 lo{0.0f};
   float width = 0.0f;
 };
 
-/// Finds a place in `room` that touches nothing that is `taken`: in a corner, lower ones first, or
-/// beside one of these. A narrower card is tried where a wide one has no place; where none has, it
-/// stands where it hides least. `size`: of the card as it was drawn last, 0 where it was not. `em`:
-/// the height of text.
+/// Finds a place in `room` that overlaps nothing in `taken`: corners first, lower ones before upper
+/// ones, then places next to taken rectangles. Tries narrower cards if a wide one has no place. If
+/// none fits, overlaps as little as possible. `size`: the card's size when it was drawn last; 0:
+/// not drawn yet. `em`: the height of text.
 [[nodiscard]] CardPlace card_place(const WindowRect& room, glm::vec2 size,
                                    std::span<const WindowRect> taken, float em);
 

@@ -11,19 +11,19 @@ namespace asos {
 
 struct PictureArea;
 
-/// Whether the splitting is checked, and what of it is shown.
+/// Settings of the check of splits.
 struct CheckChoice {
   bool check = false;
   bool mark_missed = true;
   bool mark_wasted = true;
-  double alarm = 1.0 / 64.0;  ///< the error that counts, of display intensity, 0 to 1
+  double alarm = 1.0 / 64.0;  ///< error that counts as missed, of display intensity, 0 to 1
 };
 
-/// Alarms about pixels that should have been split; only while ASOS renders.
+/// Controls of the check of splits; only while ASOS renders.
 void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
                  const SplitCheck& check, Frames& frames);
 
-/// Dims the picture and marks the pixels in question.
+/// Dims the picture and marks the pixels that were found.
 void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,
                  const PictureArea& area);
 

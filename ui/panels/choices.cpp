@@ -20,7 +20,7 @@ float room_beside(std::span<const Controls::Option> options) {
   return ImGui::GetContentRegionAvail().x - taken;
 }
 
-// The options in a row, for as few rows as keep their names from touching.
+// Options per row, for the smallest number of rows in which names do not touch.
 std::size_t longest_row(std::span<const Controls::Option> options) {
   const std::size_t all = options.size();
   for (std::size_t rows = 1; rows < all; ++rows) {
@@ -52,7 +52,7 @@ bool Controls::options(const char* name, std::span<const Option> options, int& c
   return chosen != before;
 }
 
-// The buttons share the width by the lengths of their names.
+// Each button gets the width of its name and an equal part of the rest.
 void Controls::option_row(const char* name, std::span<const Option> options, int first,
                           int& chosen) {
   const float count = static_cast<float>(options.size());

@@ -23,8 +23,8 @@ std::string hidden_label(const char* name) {
   return std::string("##") + name;
 }
 
-// Paints a bar with its text over the slider just drawn, whose own grab would hide the number.
-// `from` and `to` are shares of its width. Leaves a slider alone that is being typed into.
+// Paints a bar with text over the slider that was just drawn, whose grab would hide the number.
+// `from` and `to` are fractions of its width. Does nothing while a value is typed.
 void paint_slider(float from, float to, const std::string& text) {
   const bool active = ImGui::IsItemActive();
   if (active && ImGui::GetIO().WantTextInput) return;
@@ -39,7 +39,7 @@ void paint_slider(float from, float to, const std::string& text) {
   draw->AddRectFilled(lo, hi, theme::packed(lit ? theme::field_hovered : theme::field), rounding);
   draw->AddRectFilled({x_at(low), lo.y}, {x_at(high), hi.y}, theme::packed(theme::accent),
                       rounding);
-  // A mark at the value, below the text, keeps an empty bar from looking like a text field.
+  // A mark at the value distinguishes an empty bar from a text field.
   const float mark = std::round(0.3f * ImGui::GetFontSize());
   const float left = std::clamp(x_at(to) - 0.5f * mark, lo.x, hi.x - mark);
   const float thin = std::max(2.0f, std::round(0.13f * ImGui::GetFontSize()));
@@ -53,7 +53,7 @@ void paint_slider(float from, float to, const std::string& text) {
   draw->PopClipRect();
 }
 
-// Paints the text over the number just drawn, in place of Dear ImGui's own.
+// Paints text over the number that was just drawn, instead of Dear ImGui's own.
 void paint_number(const std::string& text) {
   const bool active = ImGui::IsItemActive();
   if (active && ImGui::GetIO().WantTextInput) return;
@@ -69,8 +69,8 @@ void paint_number(const std::string& text) {
   draw->PopClipRect();
 }
 
-// Beside the window that the item is in, so that no other control is hidden; at the pointer where
-// there is no room.
+// Places the tooltip to the left of the item's window, so that it hides no control; at the pointer
+// if there is no room.
 void show_tooltip(const char* text) {
   const float em = ImGui::GetFontSize();
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
@@ -101,7 +101,7 @@ std::string number_words(double value) {
 void Controls::begin_frame(double now_seconds) {
   placed_.clear();
   section_.clear();
-  // What was first under the pointer in the frame before has been there since then.
+  // The last frame's hovered item starts the tooltip's delay.
   if (hovered_ != hovered_before_) hovered_since_seconds_ = now_seconds_;
   now_seconds_ = now_seconds;
   hovered_before_ = hovered_;
@@ -154,7 +154,7 @@ void Controls::name_text(const char* name) {
   ImGui::PopStyleColor();
 }
 
-// The name tells what the widget does, too, and a double click on it resets the widget.
+// The name has the widget's tooltip, and a double click on it resets the widget.
 void Controls::label(const char* name, const char* tooltip) {
   ImGui::SetNextItemWidth(-1.0f);
   if (!labelled_) return;
@@ -174,8 +174,8 @@ void Controls::note_double_click(const char* name) {
     resetting_ = name;
 }
 
-// A widget that is held takes the pointer's value in every frame, so that a reset has to be said
-// again until the button is let go.
+// An active widget takes the pointer's value in every frame, so the reset is repeated until the
+// button is released.
 template <typename T>
 bool Controls::reset(const char* name, T& value, const std::optional<T>& to) {
   if (!to || resetting_ != name || value == *to) return false;
@@ -227,13 +227,13 @@ bool Controls::log_slider(const char* name, const char* tooltip, double& value,
 }
 
 float Controls::log_share(double value, double most) {
-  // Dear ImGui begins its scale at the last decimal of the format.
+  // Dear ImGui starts the logarithmic scale at the last decimal of the format.
   constexpr double least = 1e-4;
   return value > least ? static_cast<float>(std::log(value / least) / std::log(most / least))
                        : 0.0f;
 }
 
-// Dear ImGui would type into a number that is double-clicked.
+// Hides double clicks from Dear ImGui, which would start typing.
 bool Controls::drag(const std::string& id, double& value, const Drag& drag) {
   ImGuiIO& io = ImGui::GetIO();
   const ImU16 clicks =

@@ -30,7 +30,8 @@ constexpr std::array channels{
     Controls::Option{"Green", "Edit the green curve."},
     Controls::Option{"Blue", "Edit the blue curve."},
 };
-/// Those of the split map that are most like them, which the colour-blind tell apart.
+/// Red, green and blue replaced by the palette of the split map, which colour-blind users can
+/// distinguish.
 constexpr std::array<std::uint32_t, 4> channel_colours{theme::plot_text, 0xd55e00, 0x009e73,
                                                        0x56b4e9};
 
@@ -38,7 +39,7 @@ struct Preset {
   const char* name;
   DfrCurve curve;
 };
-/// The ratios that CGF'98 shows, and a perfect mirror.
+/// The ratios of CGF'98's figures, and a perfect mirror.
 constexpr std::array presets{
     Preset{"Perfect mirror", {1.0, 1.0, 1.0}},
     Preset{"Linear", {0.6, 0.95, 1.0}},
@@ -46,11 +47,10 @@ constexpr std::array presets{
     Preset{"Softer (N = 64)", {0.05, 1.0, 64.0}},
 };
 
-/// Where the plot is in the window: the angle of incidence to the right, 0 to 90 degrees, and the
-/// ratio up, 0 to 1.
+/// Placement of the plot: angle of incidence to the right, 0 to 90 degrees, ratio upwards, 0 to 1.
 struct DfrPlot {
   glm::vec2 lo, hi;
-  double axis = 100.0;  ///< where the axis of the widening ends, in percent
+  double axis = 100.0;  ///< upper end of the axis of the widening, in percent
 
   [[nodiscard]] float x_at(double incidence_rad) const {
     return lo.x + static_cast<float>(incidence_rad / quarter_turn) * (hi.x - lo.x);
@@ -102,7 +102,7 @@ void draw_dfr_axes(const DfrPlot& plot) {
   plot_text({plot.hi.x, plot.lo.y - 1.35f * em}, 1.0f, "dashed: cone growth (%)", theme::dim_text);
 }
 
-/// The ratio as a line, the widening dashed.
+/// Draws the ratio as a solid line and the widening as a dashed one.
 void draw_dfr_curve(const DfrPlot& plot, const DfrCurve& curve, std::uint32_t rgb, float alpha) {
   constexpr int steps = 180;
   const float em = ImGui::GetFontSize();
@@ -112,7 +112,7 @@ void draw_dfr_curve(const DfrPlot& plot, const DfrCurve& curve, std::uint32_t rg
     line.push_back(plot.ratio_point(curve, quarter_turn * i / steps));
   draw.AddPolyline(line.data(), static_cast<int>(line.size()), theme::packed(rgb, alpha), 0,
                    0.13f * em);
-  // By length, so that the dashes of steep parts are as long as those of flat ones.
+  // Dashes are measured along the curve, so that steep parts have the same dashes as flat ones.
   float gone = 0.0f;
   ImVec2 from = plot.widening_point(curve, 0.0);
   for (int i = 1; i <= steps; ++i) {
@@ -124,7 +124,7 @@ void draw_dfr_curve(const DfrPlot& plot, const DfrCurve& curve, std::uint32_t rg
   }
 }
 
-/// A white bar as the mirror shows it, below the angles.
+/// Draws a white bar as the mirror shows it, below the angles.
 void draw_bar(const Dfr& dfr, glm::vec2 lo, glm::vec2 hi) {
   constexpr int columns = 90, rows = 24;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -155,7 +155,7 @@ void draw_knob(glm::vec2 at, std::uint32_t rgb, bool lit) {
   if (lit) draw.AddCircle({at.x, at.y}, r + 2.5f, theme::packed(0xffffff, 0.6f));
 }
 
-/// The three points of the chosen curve.
+/// The three draggable points of the chosen curve.
 void knobs(Controls& controls, const DfrPlot& plot, Dfr& dfr, DfrChannel channel,
            const Dfr& usual) {
   const DfrCurve curve = curve_of(dfr, channel);
@@ -223,7 +223,7 @@ void plot_and_bar(Controls& controls, Dfr& dfr, DfrChannel channel, const Dfr& u
       "A white bar as reflected at each angle of incidence. Wider cones blur its edges.");
 }
 
-/// Typed values, beside the points.
+/// Numbers to type, for the values of the points.
 void dfr_numbers(Controls& controls, Dfr& dfr, DfrChannel channel, const Dfr& usual) {
   struct Field {
     const char* name;
@@ -256,7 +256,7 @@ void preset_list(Controls& controls, Dfr& dfr) {
     if (alike(dfr) && dfr.rgb[0] == preset.curve) chosen = static_cast<int>(names.size());
     names.emplace_back(preset.name);
   }
-  // A curve that is none of them has a name, too, but cannot be chosen.
+  // A custom curve has a name, too, but is not in the list.
   if (chosen < 0) {
     chosen = static_cast<int>(names.size());
     names.emplace_back("custom");

@@ -7,9 +7,10 @@
 
 namespace asos {
 
-/// Plots a defocusing ratio and how much a pyray widens by it against the angle of incidence, with
-/// points to drag and numbers to type, and shows what the mirror makes of a bar. `usual`: what a
-/// double click goes back to. `incidence_rad`: an angle to mark. Whether `dfr` was changed.
+/// Plots a defocusing ratio and the widening of a pyray against the angle of incidence, with
+/// draggable points and editable numbers, and shows a bar reflected by the mirror. `usual`: the
+/// values that a double click restores. `incidence_rad`: an angle to mark. Returns whether `dfr`
+/// was changed.
 bool dfr_editor(Controls& controls, Dfr& dfr, DfrChannel& channel, const Dfr& usual,
                 std::optional<double> incidence_rad);
 

@@ -96,7 +96,7 @@ void say_flipped(UiState& state, const Film& film) {
     state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
 }
 
-// Shows the stored frame in place of the picture, or no longer.
+// Toggles between the picture and the snapshot.
 void flip(UiState& state, const Film& film) {
   Frames& frames = state.frames;
   if (frames.stored.empty()) {
@@ -125,7 +125,7 @@ void snapshot_keys(UiState& state, const Film& film) {
   }
 }
 
-// Shows the picture of the last finished EPS and MAX, or no longer.
+// Toggles between the picture and that of the last finished EPS and MAX.
 void show_before(UiState& state, const PreviewRender& render) {
   const PreviewRender::FinishedPicture* before = render.finished_before();
   if (!before) {
@@ -145,7 +145,7 @@ void store(UiState& state, const Previewer& previewer) {
                    : std::string("Nine snapshots at most: delete one first");
 }
 
-// To another model of the folder.
+// Opens another model of the folder.
 void page(UiState& state, Previewer& previewer, int step) {
   const RenderScene* scene = previewer.scene().get();
   if (!scene) return;
@@ -167,7 +167,7 @@ void pause_or_go_on(Refinement& refinement) {
   }
 }
 
-// The keypad's, or the digits' with Shift.
+// Keys of the keypad, or digits with Shift.
 bool view_key(Key pad, Key digit, bool opposite) {
   return shortcut_pressed(pad, opposite) ||
          (ImGui::GetIO().KeyShift && shortcut_pressed(digit, opposite));
@@ -189,7 +189,7 @@ void camera_shortcuts(Viewpoint& viewpoint) {
   camera.set_projection(perspective ? Camera::Type::orthographic : Camera::Type::perspective);
 }
 
-// Properties of surfaces in place of the picture, and back.
+// Toggles the display of surface properties.
 void surface_shortcuts(UiState& state) {
   constexpr std::array<Key, surface_properties> keys{Key::b, Key::n, Key::h, Key::l,
                                                      Key::k, Key::i, Key::u};
@@ -202,7 +202,7 @@ void surface_shortcuts(UiState& state) {
   if (shortcut_pressed(Key::y)) state.surfaces.wireframe = !state.surfaces.wireframe;
 }
 
-// Escape closes, one thing after the other, and never quits.
+// Escape closes one thing at a time, and never quits.
 void close_something(UiState& state, Previewer& previewer) {
   if (state.show_help) {
     state.show_help = false;
@@ -222,7 +222,7 @@ void close_something(UiState& state, Previewer& previewer) {
 void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::q, true)) state.leaving.asked = true;
   if (state.show_open || state.save.show || state.save_scene.show || state.popup_was_open) return;
-  // While the panel is used by keyboard, some keys are its own.
+  // While the panel has the keyboard focus, it uses some of the keys itself.
   const bool in_panel = ImGui::GetIO().NavVisible;
   if (shortcut_pressed(Key::o, true)) state.show_open = true;
   if (shortcut_pressed(Key::s, true)) {

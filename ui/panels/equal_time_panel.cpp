@@ -15,7 +15,7 @@ namespace asos {
 
 namespace {
 
-// Offers the methods that can be told to take so long.
+// Offers the methods that can render in a given time.
 void rival_choice(Controls& controls, Method& method) {
   std::vector<Method> offered;
   std::vector<Controls::Option> options;
@@ -35,7 +35,7 @@ void rival_choice(Controls& controls, Method& method) {
 
 }  // namespace
 
-// A frame that was rendered for another picture is of no use beside this one.
+// A frame that was rendered for another picture is discarded.
 void update_equal_time(const Previewer& previewer, EqualTimeChoice& choice, EqualTimeJob& job,
                        Frames& frames) {
   const bool current = choice.restarts == previewer.render().restarts();

@@ -10,26 +10,27 @@
 
 namespace asos {
 
-/// The method that the picture is compared with.
+/// The method to compare the picture with.
 struct EqualTimeChoice {
   Method method = Method::sobol;
-  std::uint64_t restarts = 0;  ///< of the picture that the job is for
+  std::uint64_t restarts = 0;  ///< restarts of the picture when the job was started
   EqualTimeNews news;          ///< how far the job is
 };
 
-/// Call once a frame, whether the panel is shown or not: puts what was rendered beside the picture.
+/// Call once a frame, whether the panel is shown or not: adds the finished frame as a snapshot and
+/// compares it.
 void update_equal_time(const Previewer& previewer, EqualTimeChoice& choice, EqualTimeJob& job,
                        Frames& frames);
 
-/// Begins to render the view as it is by the chosen method, in the time that the finished picture
-/// took; false where there is none, or no room for another frame.
+/// Starts to render the current view with the chosen method in the CPU time of the finished
+/// picture. Returns false if there is no finished picture, or no room for another snapshot.
 bool start_equal_time(const Previewer& previewer, EqualTimeChoice& choice, EqualTimeJob& job,
                       const Frames& frames);
 
-/// How far the other method is, while it renders.
+/// Shows the progress of the other method.
 void equal_time_progress(Controls& controls, const EqualTimeChoice& choice);
 
-/// Renders the view by another method in the time that the picture took.
+/// Controls to render the view with another method in the picture's CPU time.
 void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
                       EqualTimeJob& job, const Frames& frames);
 

@@ -49,7 +49,7 @@ bool is_path(const std::string& typed) {
   return typed.find('/') != std::string::npos;
 }
 
-// Dear ImGui asks for Tab and the arrows while the field is typed into.
+// Handles Tab and the arrow keys while text is typed into the field.
 int on_key(ImGuiInputTextCallbackData* data) {
   auto& browser = *static_cast<FileBrowser*>(data->UserData);
   if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory) {
@@ -63,7 +63,7 @@ int on_key(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-// `chosen`: it stands on a bar, before which dim text would be lost.
+// `chosen`: the entry is highlighted; dim text would be unreadable there.
 void entry_columns(const FolderEntry& entry, float width, bool chosen) {
   if (entry.is_folder) return;
   const float em = ImGui::GetFontSize();

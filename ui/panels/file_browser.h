@@ -9,34 +9,34 @@
 
 namespace asos {
 
-/// What a person looks through to find a file. What is typed filters the folder; with a slash it is
-/// a path, whose folder is looked through in place of the one shown.
+/// The state of a file browser. Typed text filters the folder; text with a slash is a path, whose
+/// folder is listed instead.
 struct FileBrowser {
-  std::filesystem::path folder;  ///< empty: none was looked through yet
+  std::filesystem::path folder;  ///< empty: none was listed yet
   std::string typed;
-  int chosen = 0;  ///< among the entries that match
+  int chosen = 0;  ///< index among the matching entries
   FolderListing listing;
   bool scroll_to_chosen = false;
-  bool focus = false;  ///< the field is to be typed into
+  bool focus = false;  ///< move the keyboard focus to the text field
 
-  /// Begins in this folder, or goes on where it was left; what lies there may have changed.
+  /// Starts in this folder, or continues in the last one and lists it again.
   void begin(const std::filesystem::path& first);
-  /// The folder that is looked through, and by what.
+  /// The folder to list, and the text to filter it with.
   [[nodiscard]] std::filesystem::path shown_folder() const;
   [[nodiscard]] std::string filter() const;
-  /// Reads the folder again where another is looked through.
+  /// Lists the folder again if it has changed.
   void follow();
   void enter(const std::filesystem::path& into);
   void complete();
   void move_choice(int by);
-  /// Says what Enter does where no entry matches.
+  /// Says what Enter does if no entry matches.
   [[nodiscard]] std::string no_match_words() const;
-  /// What Enter opens: a file, or text that may be one; a folder is entered instead, and nothing is
-  /// returned.
+  /// Returns what Enter opens: a file, or text that may be one. A folder is entered instead, and
+  /// nothing is returned.
   [[nodiscard]] std::string take_entered();
 };
 
-/// The field, the folder and what lies in it. Returns the file that was chosen, or nothing.
+/// Draws the text field and the folder's entries. Returns the chosen file, or nothing.
 [[nodiscard]] std::string browse_files(Controls& controls, FileBrowser& browser, float height);
 
 }  // namespace asos

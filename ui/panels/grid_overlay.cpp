@@ -12,12 +12,12 @@ namespace {
 
 constexpr int most_lines = 40;  // to either side
 
-// Told apart by the colour-blind, too (Okabe and Ito).
+// Colours that colour-blind users can distinguish (Okabe and Ito).
 constexpr std::array<std::uint32_t, 3> axis_colours{
     IM_COL32(213, 94, 0, 220), IM_COL32(0, 158, 115, 220), IM_COL32(86, 180, 233, 220)};
 constexpr std::array axis_names{"X", "Y", "Z"};
 
-/// Dark with a pale middle is seen before every background.
+/// A dark line with a pale centre is visible on every background.
 void two_tone_line(const Projection& on, glm::dvec3 a, glm::dvec3 b) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   on.line(draw, a, b, IM_COL32(0, 0, 0, 70), 2.0f);
@@ -33,8 +33,8 @@ double radius_of(const Box& bounds) {
   return bounds.empty() ? 0.0 : 0.5 * glm::length(glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo));
 }
 
-/// Calls for each line: parallel to X and Z, at whole multiples of the step of the author's
-/// coordinates, around the middle of what is seen.
+/// Calls `line` for each grid line. Lines are parallel to X and Z, at multiples of the step in the
+/// author's coordinates, around the centre of `bounds`.
 template <typename Line>
 void each_grid_line(const Box& bounds, glm::dvec3 origin, double radius, Line&& line) {
   const double step = grid_step(radius);

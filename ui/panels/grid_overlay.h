@@ -12,13 +12,13 @@
 
 namespace asos {
 
-/// The step of a grid under something of this radius: 1, 2 or 5 times a power of ten, so that there
-/// are some ten squares across it; 0 where it has none.
+/// Step of a grid under an object of this radius: 1, 2 or 5 times a power of ten, with about ten
+/// squares across it; 0 without a radius.
 [[nodiscard]] double grid_step(double radius);
 
-/// A grid through the scene's lowest point and the author's three axes, over the picture. Surfaces
-/// before them hide the grid, and let the axes shine through palely. Looks for these anew when
-/// scene or view have changed: some 4,000 rays.
+/// Draws a grid through the scene's lowest point and the author's three axes over the picture.
+/// Surfaces hide the grid; hidden parts of axes are pale. Visibility is computed again when scene
+/// or view have changed, with about 4,000 rays.
 class GridOverlay {
  public:
   void draw(const Previewer& previewer, const PictureView& view, const PictureArea& area);

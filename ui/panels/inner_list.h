@@ -4,8 +4,8 @@
 
 namespace asos {
 
-/// A list with a height of its own within a panel, while it lives. The wheel scrolls the panel
-/// until the list is clicked, so that lists do not catch it on the way.
+/// A list with its own height within a panel, during its lifetime. The wheel scrolls the panel
+/// until the list is clicked, so that passing over a list does not stop the scrolling.
 class InnerList {
  public:
   InnerList(const char* name, glm::vec2 size);

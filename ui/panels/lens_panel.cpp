@@ -16,7 +16,7 @@ namespace asos {
 
 namespace {
 
-// Blur of what is infinitely far when a lens is switched on, in heights of the picture.
+// Blur of points at infinity when a lens is switched on, in picture heights.
 constexpr double usual_blur = 0.01;
 
 constexpr std::array aperture_corners{0, 3, 4, 5, 6, 7, 8, 9, 12, 16};

@@ -5,12 +5,12 @@
 
 namespace asos {
 
-/// What the section Lens waits for.
+/// State of the section Lens.
 struct LensState {
-  bool click_to_focus = false;  ///< the next click into the picture sets the focus
+  bool click_to_focus = false;  ///< the next click in the picture sets the focus
 };
 
-/// Depth of field of a perspective camera.
+/// Controls of depth of field for a perspective camera.
 void lens_panel(Controls& controls, Previewer& previewer, LensState& choice);
 
 }  // namespace asos

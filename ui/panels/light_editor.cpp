@@ -52,7 +52,7 @@ std::string metres(double length) {
   return number_words(length) + " m";
 }
 
-/// One light's controls. Each returns nothing and notes whether it changed the light.
+/// Controls of one light. Each notes whether it has changed the light.
 class LightEditor {
  public:
   LightEditor(Controls& controls, EditedLight& edited, const LightSurroundings& around)
@@ -65,7 +65,7 @@ class LightEditor {
         origin_(around.origin),
         keep_power_(around.keep_power) {}
 
-  /// Whether anything was changed.
+  /// Returns whether anything was changed.
   bool run() {
     kind();
     brightness();
@@ -79,7 +79,7 @@ class LightEditor {
   }
 
  private:
-  /// The value that a double click restores: that of the light as it came, if it was of this kind.
+  /// Value that a double click restores: that of the original light, if it had the same kind.
   [[nodiscard]] std::optional<double> original(double value) const {
     return same_kind_ ? std::optional(value) : std::nullopt;
   }

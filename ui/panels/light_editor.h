@@ -9,15 +9,15 @@ namespace asos {
 
 [[nodiscard]] const char* light_kind_name(LightKind kind);
 
-/// What a light is edited in.
+/// Context for editing a light.
 struct LightSurroundings {
   SceneSize scene;
-  SceneSize looked_at;     ///< where a light of another kind is to be as bright as before
+  SceneSize looked_at;     ///< where a light keeps its brightness when its kind changes
   glm::dvec3 origin{0.0};  ///< the world's
-  bool keep_power = true;  ///< of a flat light whose size is edited
+  bool keep_power = true;  ///< keep the power of a flat light when its size changes
 };
 
-/// One light's controls: its kind, brightness, size, place and direction. Whether anything was
+/// Controls of one light: kind, brightness, size, place and direction. Returns whether anything was
 /// changed.
 bool edit_light(Controls& controls, EditedLight& edited, const LightSurroundings& around);
 

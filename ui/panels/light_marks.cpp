@@ -14,7 +14,7 @@ namespace asos {
 
 namespace {
 
-// Pictures are no lighter where the window is.
+// Marks have the same colours in both looks, because pictures do not depend on the look.
 std::uint32_t over_picture(theme::Colour colour) {
   return theme::rgb(theme::Look::dark, colour);
 }
@@ -34,7 +34,7 @@ Outline circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
   return outline;
 }
 
-/// A light's shape as closed outlines; a ball as its outline for the viewer.
+/// A light's shape as closed outlines; for a sphere, its silhouette.
 std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
   const glm::dvec3 right(camera.world_from_camera[0]), up(camera.world_from_camera[1]);
   const glm::dvec3 p = light.position;
@@ -62,7 +62,8 @@ std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
   return {};
 }
 
-/// The outline, and a stroke to where it shines to, as long as it looks a few marks long.
+/// Draws the outline and, for lights with a direction, a line along it of constant length on the
+/// screen.
 void draw_outline(const Projection& projection, const Light& light, const Camera& camera) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const std::uint32_t colour = theme::packed(over_picture(theme::warning));
@@ -79,7 +80,7 @@ void draw_outline(const Projection& projection, const Light& light, const Camera
     projection.line(draw, light.position, light.position + stroke * light.direction, colour);
 }
 
-/// An arrow at the border of the picture towards a light outside it; a click selects the light.
+/// Draws an arrow at the picture's border towards a light outside it; a click selects the light.
 void border_arrow(Controls& controls, LightChoice& choice, const Projection& projection,
                   glm::dvec3 h, std::size_t index) {
   const float r = mark_radius_em * ImGui::GetFontSize();
@@ -87,7 +88,7 @@ void border_arrow(Controls& controls, LightChoice& choice, const Projection& pro
   const glm::vec2 centre(lo.x + 0.5f * size.x, lo.y + 0.5f * size.y);
   const glm::vec2 room = 0.5f * glm::vec2(size.x, size.y) - 2.0f * r;
   if (room.x <= 0.0f || room.y <= 0.0f) return;
-  // A light behind the viewer is projected to the other side.
+  // A light behind the viewer is projected to the opposite side.
   const bool before = projection.visible(h);
   if (h.z == 0.0) h.z = -1e-9;
   const ImVec2 at = projection.window(h);
@@ -116,7 +117,8 @@ void border_arrow(Controls& controls, LightChoice& choice, const Projection& pro
                          theme::packed(over_picture(lit ? theme::warning : theme::dim_text)));
 }
 
-/// Dragging moves the light; a click selects it. A light outside the picture has an arrow.
+/// Draws a light's mark: a click selects the light, a drag moves it. Outside the picture an arrow
+/// replaces it.
 void mark(Controls& controls, SceneEdits& edits, LightChoice& choice, const Projection& projection,
           std::size_t index) {
   const EditedLight& edited = edits.lights()[index];
@@ -171,7 +173,8 @@ void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
 
 namespace {
 
-// On a ground of its own, because what it lies on may have any colour. `align` 1: it ends at `at`.
+// Draws text on its own background, because the picture may have any colour. `align` 1: the text
+// ends at `at`.
 void side_label(const std::string& text, glm::vec2 at, float align) {
   const float em = ImGui::GetFontSize();
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());

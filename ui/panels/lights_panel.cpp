@@ -21,9 +21,9 @@ namespace asos {
 
 namespace {
 
-constexpr float most_lights_shown = 6.5f;  // before the list scrolls; the half one says so
+constexpr float most_lights_shown = 6.5f;  // half a row shows that the list scrolls
 
-/// What the picture's height shows at the depth of what the camera circles.
+/// Centre and half height of the visible area at the camera's pivot.
 SceneSize looked_at(const Viewpoint& viewpoint) {
   const OrbitCamera& camera = viewpoint.camera();
   const Camera lens = camera.camera();
@@ -33,20 +33,20 @@ SceneSize looked_at(const Viewpoint& viewpoint) {
   return {camera.pivot(), half_height > 0.0 ? half_height : 1.0};
 }
 
-constexpr std::size_t many_lights = 12;  // from which on they are looked for by their names
+constexpr std::size_t many_lights = 12;  // from this number on the list has a filter
 
 std::string name_of(const EditedLight& edited, std::size_t index) {
   const std::string& own = edited.light.name;
   return own.empty() ? "light " + std::to_string(index + 1) : own;
 }
 
-/// The lights that stand for faces of one shining surface, or one light of its own.
+/// The lights of the faces of one emissive surface, or a single light.
 struct LightGroup {
   std::size_t first = 0, count = 1;
 };
 
-/// In the list's order. Only what comes from the scene is grouped: edited lights stay where they
-/// are.
+/// Groups in the list's order. Only lights from the scene are grouped; edited lights keep their
+/// place.
 std::vector<LightGroup> groups_of(const std::vector<EditedLight>& lights) {
   std::vector<LightGroup> groups;
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -66,7 +66,7 @@ void right_aligned(const std::string& text) {
   ImGui::TextDisabled("%s", text.c_str());
 }
 
-/// A row: on or off, its name and its kind.
+/// A row with a light's switch, name and kind.
 void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::size_t i) {
   const EditedLight& edited = edits.lights()[i];
   ImGui::PushID(static_cast<int>(i));
@@ -79,7 +79,7 @@ void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const bool selected = choice.selected == static_cast<int>(i);
-  // A selected row keeps its colour under the pointer.
+  // A selected row keeps its colour while hovered.
   const ImVec4* colours = ImGui::GetStyle().Colors;
   const ImVec4 marked = colours[ImGuiCol_SliderGrab];
   ImGui::PushStyleColor(ImGuiCol_Header, marked);
@@ -98,7 +98,7 @@ void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::
   ImGui::PopID();
 }
 
-/// One switch for all lights of a surface, which unfold below it.
+/// One switch for all lights of a surface, which can be unfolded below it.
 void group_row(Controls& controls, SceneEdits& edits, LightChoice& choice,
                const LightGroup& group) {
   ImGui::PushID(static_cast<int>(group.first));
@@ -137,7 +137,7 @@ void light_list(Controls& controls, SceneEdits& edits, LightChoice& choice) {
   }
   const std::vector<LightGroup> groups = groups_of(edits.lights());
   const float line = ImGui::GetFrameHeightWithSpacing();
-  // What unfolds makes the list no longer: it scrolls.
+  // A list with groups has its full height from the start, and scrolls when a group is unfolded.
   const float rows = groups.size() < edits.lights().size()
                          ? most_lights_shown
                          : std::min(static_cast<float>(groups.size()), most_lights_shown);
@@ -157,7 +157,7 @@ void add(SceneEdits& edits, LightChoice& choice, Light light) {
   choice.selected = static_cast<int>(edits.lights().size()) - 1;
 }
 
-/// Shines as bright as makes a white surface beside it half white.
+/// Adds a light on the clicked face, bright enough to make a white surface next to it half white.
 void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec2> picked) {
   choice.error.clear();
   if (!picked) {
@@ -183,7 +183,7 @@ void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec
   add(previewer.edits(), choice, std::move(*light));
 }
 
-/// Above the list, whose growth would move them from under the pointer.
+/// Buttons are above the list, so that a growing list does not move them.
 void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
              std::optional<glm::ivec2> picked) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;

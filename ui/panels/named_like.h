@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// Whether the name holds the letters, whatever their case.
+/// Whether the name contains the letters, ignoring case.
 [[nodiscard]] inline bool named_like(const std::string& name, const std::string& letters) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) ==

@@ -42,7 +42,7 @@ void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) 
   const Error error = *scene.error();
   begin_notice("error", area, 36.0f, 0.04f);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::alarm));
-  // A method that refuses the scene is an error too, but the scene is there.
+  // Errors of a method that cannot render the open scene also appear here.
   const bool open = scene && scene->geometry->source == scene.asked_for();
   const char* headline = open ? "Not possible with this scene" : "Could not open";
   if (scene.reload_failed()) headline = "Reload failed; still showing the last good version";
@@ -75,7 +75,7 @@ void notices(Controls& controls, OpenScene& scene, const WindowRect& area) {
     ImGui::TextUnformatted(("Loading " + short_name(loading->source)).c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("%s", fmt::format("{:.1f} s", loading->seconds).c_str());
-    // Loading has no known length, so the bar only says that it goes on.
+    // The duration of loading is unknown, so the bar only runs in a loop.
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
     const double lap = loading->seconds * 0.7;

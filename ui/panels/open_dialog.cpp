@@ -16,7 +16,7 @@ namespace asos {
 
 namespace {
 
-// Where the open scene lies, or the program was started.
+// The folder of the open scene, or the current directory.
 std::filesystem::path first_folder(const Previewer& previewer) {
   std::error_code error;
   const RenderScene* scene = previewer.scene().get();
@@ -54,7 +54,7 @@ std::string builtin_list(Controls& controls, const std::string& filter) {
   return chosen;
 }
 
-// Both lists, side by side, by what is typed.
+// Recent files and built-in scenes side by side, filtered by the typed text.
 std::string known_scenes(Controls& controls, const UiState& state, float height) {
   std::string chosen;
   const std::string filter = state.browser.filter();
@@ -71,7 +71,8 @@ std::string known_scenes(Controls& controls, const UiState& state, float height)
   return chosen;
 }
 
-// What Enter opens of what is listed below where the folder has nothing of that name: the first.
+// Returns the first recent file or built-in scene that matches `typed`: Enter opens it if the
+// folder has no match. Returns `typed` if there is none.
 std::string known_like(const UiState& state, const std::string& typed) {
   for (const std::string& file : state.recent)
     if (named_like(printable(std::filesystem::path(file).filename().string()), typed)) return file;
@@ -98,7 +99,7 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
                                   ImGuiWindowFlags_AlwaysAutoResize)) {
     return;
   }
-  // All of it stays within the window.
+  // Limits that keep the dialog within the window.
   constexpr float others_em = 14.0f, least_em = 3.0f, most_em = 34.0f, known_share = 0.35f;
   const float room = std::clamp(window.y - others_em * em, least_em * em, most_em * em);
   std::string chosen = browse_files(controls, state.browser, (1.0f - known_share) * room);

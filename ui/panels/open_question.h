@@ -8,13 +8,14 @@
 
 namespace asos {
 
-/// A person's wish to open another scene, or to load the open one again.
+/// A request to open another scene, or to reload the open one.
 struct OpenChoice {
   std::string wanted;   ///< a source; empty: none
   bool reload = false;  ///< the open scene's file
 };
 
-/// Opens the scene at once where `losses` is empty; else asks, and lists them.
+/// Opens the scene immediately if `losses` is empty; otherwise lists them and asks for
+/// confirmation.
 void open_question(Controls& controls, OpenScene& scene, OpenChoice& choice,
                    const std::vector<std::string>& losses);
 

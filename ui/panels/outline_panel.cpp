@@ -27,7 +27,7 @@ std::string name_or(const std::string& name, const char* kind, std::size_t index
   return name.empty() ? fmt::format("{} {}", kind, index + 1) : printable(name);
 }
 
-// The tree of nodes is that of the open scene, and stays when the scene is loaded again.
+// Builds the tree of the open scene; a reload keeps its unfolded nodes.
 void follow_scene(const Previewer& previewer, OutlineChoice& choice) {
   const std::shared_ptr<const Geometry>& geometry = previewer.scene()->geometry;
   if (choice.tree_of.lock() == geometry) return;
@@ -39,14 +39,14 @@ void follow_scene(const Previewer& previewer, OutlineChoice& choice) {
   choice.node = -1;
 }
 
-// The node of one of World::parts; -1: none.
+// The node of an index into World::parts; -1: none.
 int node_of(const OpenScene& scene, int part) {
   const std::vector<int>& nodes = scene->geometry->contents.object_nodes;
   const auto place = static_cast<std::size_t>(place_among_all(part, scene.hidden()));
   return place < nodes.size() ? nodes[place] : -1;
 }
 
-// A click on the picture selects what it shows.
+// A click in the picture selects the object there.
 void follow(const Previewer& previewer, OutlineChoice& choice, std::optional<glm::ivec2> picked) {
   if (picked == choice.followed) return;
   choice.followed = picked;
@@ -82,7 +82,7 @@ std::vector<int> joined(const std::vector<int>& some, const std::vector<int>& ot
 
 constexpr const char* hidden_words = "Saved pictures do not store hidden objects";
 
-// Hides or shows all below a node. Returns what to tell.
+// Hides or shows all objects below a node. Returns a message.
 std::string set_visible(OpenScene& scene, const NodeTree& tree, int node, bool visible) {
   const std::vector<int> objects = tree.objects(node);
   std::vector<int> hidden =
@@ -142,7 +142,7 @@ std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& cho
   return said;
 }
 
-// A node: what folds it, whether it is visible, its name. Returns what to tell.
+// A row of the tree: arrow, visibility and name of a node. Returns a message.
 std::string node_row(Controls& controls, OpenScene& scene, OutlineChoice& choice,
                      const NodeTree::Row& row) {
   const NodeTree& tree = choice.tree;
@@ -222,7 +222,7 @@ void material_row(Controls& controls, const Material& material, std::size_t inde
   ImGui::PopTextWrapPos();
 }
 
-// To the one of the objects, which are about to be listed, that is selected, if it is one of them.
+// Scrolls to the selected object if it is one of `objects`, which are about to be listed.
 void scroll_to_selected(const std::vector<std::size_t>& objects, OutlineChoice& choice) {
   const auto at = std::lower_bound(objects.begin(), objects.end(), choice.selected,
                                    [](std::size_t i, int s) { return static_cast<int>(i) < s; });
@@ -233,7 +233,7 @@ void scroll_to_selected(const std::vector<std::size_t>& objects, OutlineChoice& 
   choice.scroll_to_selected = false;
 }
 
-// Each material, and below it the objects that have it.
+// Lists each material with its objects below it.
 void tree(Controls& controls, const World& world, OutlineChoice& choice) {
   std::vector<std::vector<std::size_t>> objects(world.materials.size());
   for (std::size_t i = 0; i < world.parts.size(); ++i)
@@ -245,7 +245,7 @@ void tree(Controls& controls, const World& world, OutlineChoice& choice) {
     material_row(controls, world.materials[m], m, objects[m].size());
     ImGui::Indent();
     if (choice.scroll_to_selected) scroll_to_selected(objects[m], choice);
-    // Scenes hold many thousands: only what is seen is laid out.
+    // Lays out only the visible rows: scenes have thousands of objects.
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(objects[m].size()));
     while (clipper.Step()) {

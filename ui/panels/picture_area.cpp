@@ -13,7 +13,7 @@ namespace asos {
 
 namespace {
 
-// Dragging over the whole height turns by half a circle, whatever the window's size.
+// A drag over the whole height turns by half a circle, for any window size.
 constexpr double orbit_rad_per_height = std::numbers::pi;
 constexpr double look_rad_per_height = 0.4 * std::numbers::pi;
 constexpr double dolly_per_step = 0.88;
@@ -22,17 +22,17 @@ glm::vec2 vec(ImVec2 v) {
   return {v.x, v.y};
 }
 
-// How fast the camera flies, in the scene's radii a second; with Shift four times that.
+// Flying speed in the scene's radii per second; Shift multiplies it by four.
 constexpr double fly_radii_per_second = 0.4;
 constexpr double fast = 4.0;
-// A press that moves less, in window units, is a click.
+// A press that moves less than this, in window units, is a click.
 constexpr float click_distance = 4.0f;
 
 bool held(Key key) {
   return ImGui::IsKeyDown(static_cast<int>(key));
 }
 
-// With the right button down and the whole picture in view.
+// Flies while the right button is down and the whole picture is visible.
 void fly(OrbitCamera& camera) {
   const ImGuiIO& io = ImGui::GetIO();
   const auto axis = [](Key plus, Key minus) {
@@ -40,7 +40,7 @@ void fly(OrbitCamera& camera) {
   };
   const glm::dvec3 way(axis(Key::d, Key::a), axis(Key::e, Key::q), axis(Key::w, Key::s));
   if (way == glm::dvec3(0.0)) return;
-  // A frame that came late, after the window slept, is no long stretch.
+  // Limits the step of a late frame, as after the window slept.
   const double seconds = std::min(static_cast<double>(io.DeltaTime), 0.1);
   const glm::dvec3 by = seconds * fly_radii_per_second * (io.KeyShift ? fast : 1.0) * way;
   camera.fly(by.x, by.y, by.z);
@@ -52,11 +52,11 @@ void drag(Previewer& previewer, UiState& state, glm::vec2 delta, float area_heig
   OrbitCamera& camera = previewer.viewpoint().camera();
   const bool left = io.MouseDown[0], right = io.MouseDown[1], middle = io.MouseDown[2];
   if (right && state.turns_surroundings) {
-    // As the horizon ahead follows the pointer.
+    // The angle that makes the horizon ahead follow the pointer.
     SceneEdits& edits = previewer.edits();
     const glm::dvec2 heights = glm::dvec2(delta) / static_cast<double>(area_height);
     edits.turn_surroundings(-orbit_rad_per_height * heights.x);
-    // Half the height up doubles the brightness.
+    // A drag of half the height doubles the brightness.
     if (const Sky* sky = edits.settings().sky.get(); sky && heights.y != 0.0)
       edits.brighten_sky(std::min(sky->choice().brightness * std::exp2(-2.0 * heights.y),
                                   SkyChoice::most_brightness));

@@ -15,7 +15,7 @@ namespace asos {
 
 namespace {
 
-constexpr float wide_em = 44.0f;  // of a bar with room for all
+constexpr float wide_em = 44.0f;  // of a bar with all controls
 
 constexpr std::array layers{
     Controls::Option{"Picture", "The picture alone (M)."},
@@ -56,7 +56,7 @@ void show_layer(UiState& state, int layer) {
   if (layer > 0) state.display.split_colours = static_cast<SplitMapColours>(layer - 1);
 }
 
-// Controls of a row stand in cells of their own.
+// Places the controls of a row in cells.
 class Cells {
  public:
   Cells(const char* row, float height) : row_(row), height_(height) {}
@@ -76,7 +76,7 @@ class Cells {
   int count_ = 0;
 };
 
-// Where a slider stood for the last finished picture. `share`: of its width.
+// Marks the slider's value of the last finished picture. `share`: fraction of its width.
 void ghost(const Controls& controls, const char* name, float share) {
   const Controls::Placed& at = controls.all().at(name);
   const float em = ImGui::GetFontSize();
@@ -196,7 +196,7 @@ void lower_row(Controls& controls, Previewer& previewer, UiState& state, float w
   cells.add(zoom, [&] { zoom_buttons(controls, state.view); });
 }
 
-// All that fits into one row: the layer from a list, EPS and MAX.
+// A single row: the layer as a list, EPS and MAX.
 void compact_row(Controls& controls, Previewer& previewer, UiState& state, float width,
                  float height) {
   const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;

@@ -62,7 +62,7 @@ void values(Controls& controls, const Film& film, const Frames& frames,
   }
 }
 
-/// The level and cause that the split map shows, and why the splitting stopped.
+/// Level and cause as in the split map, and why the splitting stopped.
 void why(Controls& controls, const PixelReport& report) {
   const SplitCause cause = report.trace.cause;
   if (cause != SplitCause::none) {
@@ -100,7 +100,7 @@ void cost_rows(Controls& controls, const Film& film, const SplitFindings* findin
                "Difference from the reference of \"Check splits\", clipped linear values.");
 }
 
-/// The pixel's square on the screen.
+/// The pixel's enlarged square on the screen.
 struct PixelCanvas {
   ImVec2 corner;
   float side;
@@ -110,15 +110,16 @@ struct PixelCanvas {
   }
 };
 
-/// The pyray that is drawn: the pixel itself, or one that a leaf of the pixel sent on.
+/// The pyray that is drawn: the pixel itself, or a shadow or mirror pyray that one of its leaves
+/// started.
 struct ShownPyray {
   const std::vector<TracedCell>& cells;
   const std::vector<SeenPart>& seen;
   DisplayTransform display;
-  int deepest = 1000;  ///< the level down to which cells are drawn
+  int deepest = 1000;  ///< deepest level of cells to draw
 };
 
-// Without smoothed sides, which would let the ground through between parts.
+// Draws without antialiasing, which would show gaps between adjacent parts.
 void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& shown) {
   const ImDrawListFlags smooth = std::exchange(draw.Flags, ImDrawListFlags_None);
   for (const SeenPart& part : shown.seen) {
@@ -140,7 +141,7 @@ void draw_cells(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& s
                  undecided ? theme::packed(theme::alarm) : IM_COL32(128, 128, 128, 150));
   }
   for (const TracedCell& cell : shown.cells) {
-    // Deeper cells tell the same boundaries again.
+    // Edges of a split cell are drawn by its children.
     const bool is_split = cell.fate == CellFate::split || cell.fate == CellFate::uneven;
     if (cell.level > shown.deepest || (is_split && cell.level < shown.deepest)) continue;
     draw.PushClipRect(canvas.at(cell.corner), canvas.at(cell.corner + cell.side), true);
@@ -186,7 +187,7 @@ void cell_tooltip(const TracedCell& cell) {
   ImGui::EndTooltip();
 }
 
-/// Where on the square the leaf is that the looked-at pyray came from, or those of its pyrays.
+/// Marks the leaves that started shadow or mirror pyrays of the shown pyray.
 void draw_origins(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport& report,
                   int shown) {
   for (const TracedPyray& pyray : report.trace.pyrays) {
@@ -204,7 +205,7 @@ void tree(Controls& controls, const PixelReport& report, const UiState& state) {
   const bool own = shown_pyray < 0;
   const TracedPyray* pyray =
       own ? nullptr : &report.trace.pyrays[static_cast<std::size_t>(shown_pyray)];
-  // A light's visibility is no radiance: exposure leaves it alone.
+  // A light's visibility is not radiance, so the exposure does not apply.
   const bool shadow = pyray && pyray->kind == TracedPyray::Kind::shadow;
   const ShownPyray shown{
       own ? report.trace.cells : pyray->cells,
@@ -230,7 +231,7 @@ void tree(Controls& controls, const PixelReport& report, const UiState& state) {
   cell_tooltip(cell);
 }
 
-/// Those of the pixel's leaves, or of the leaves of the pyray that is looked at, to step into.
+/// Lists the shadow and mirror pyrays of the shown pyray's leaves, to open them.
 void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
   if (shown >= 0) {
     ImGui::TextUnformatted(report.pyray_names[static_cast<std::size_t>(shown)].c_str());
@@ -257,7 +258,7 @@ void pyray_list(Controls& controls, const PixelReport& report, int& shown) {
   }
 }
 
-/// The papers' table: for each level the object that could change most.
+/// The papers' table: for each level the object with the largest possible change.
 void level_table(Controls& controls, const PixelReport& report) {
   if (report.trace.levels.empty() ||
       !ImGui::BeginTable("levels", 6, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp))
@@ -347,7 +348,7 @@ void picked_mark(const PixelReport* report, const UiState& state, const PictureA
     for (const PictureBoundary& b : report->boundaries)
       draw.AddLine(window(b.from), window(b.to), kind_colour(b.kind));
   }
-  // Around the pixel, at least so large that it is found.
+  // A frame around the pixel, with a minimum size.
   const WindowRect at = shown_pixel(*state.picked, state.view, area);
   const ImVec2 lo{at.lo.x, at.lo.y}, hi{at.lo.x + at.size.x, at.lo.y + at.size.y};
   const float grow = std::max(1.0f, 0.5f * (9.0f - (hi.x - lo.x)));

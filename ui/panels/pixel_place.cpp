@@ -11,7 +11,7 @@ namespace asos {
 namespace {
 
 constexpr float pixel_width_em = 24.0f;
-constexpr float least_width_em = 17.0f;   // of a panel beside a pixel near the middle
+constexpr float least_width_em = 17.0f;   // of a panel next to a pixel near the centre
 constexpr float least_height_em = 14.0f;  // of a panel below the picture
 
 }  // namespace
@@ -19,7 +19,7 @@ constexpr float least_height_em = 14.0f;  // of a panel below the picture
 PixelPlace place_beside_pixel(glm::vec2 pixel, const WindowRect& picture, glm::vec2 window,
                               float em) {
   const float gap = 0.5f * em;
-  const float clear = 1.5f * em;  // around the pixel, so that one sees what is beside it
+  const float clear = 1.5f * em;  // around the pixel, so that its neighbours stay visible
   const glm::vec2 lo = picture.lo + gap, hi = picture.lo + picture.size - gap;
   const float width = std::min(pixel_width_em * em, hi.x - lo.x);
   PixelPlace place{PixelPlace::Side::left, lo, width, hi.y - lo.y};
@@ -62,7 +62,7 @@ std::optional<PixelPlace> picked_place(const UiState& state, const PictureArea& 
       place_beside_pixel(at.lo + 0.5f * at.size, area.rect, {window.x, window.y}, em);
   const bool over = place.side == PixelPlace::Side::left || place.side == PixelPlace::Side::right;
   if (!state.tour.card || !over) return place;
-  // The card needs the other half.
+  // The tour's card takes the other half.
   constexpr float least_em = 16.0f;
   const float width = std::min(place.width, std::max(least_em * em, 0.5f * area.rect.size.x - em));
   if (place.side == PixelPlace::Side::right) place.lo.x += place.width - width;

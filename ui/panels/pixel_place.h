@@ -8,11 +8,11 @@
 
 #include <optional>
 
-// What explains a pixel must not lie on it. All in window coordinates.
+// Placement of the pixel panel, which must not cover its pixel. All in window coordinates.
 
 namespace asos {
 
-/// Where a panel that explains a pixel stands, and how high it may grow.
+/// Position and maximum height of the pixel panel.
 struct PixelPlace {
   enum class Side { left, right, below_picture, above_pixel, below_pixel };
   Side side = Side::left;
@@ -21,15 +21,15 @@ struct PixelPlace {
   float most_height = 0.0f;
 };
 
-/// Over the panel where that stands below the picture; else at the left of the picture, or at its
-/// right; or else above or below the pixel. `em`: the height of text.
+/// Chooses a place: below the picture over the panel if that is below, otherwise at the left or
+/// right of the picture, otherwise above or below the pixel. `em`: the height of text.
 [[nodiscard]] PixelPlace place_beside_pixel(glm::vec2 pixel, const WindowRect& picture,
                                             glm::vec2 window, float em);
 
-/// The square that shows a pixel of the picture.
+/// The square that displays a pixel of the picture.
 [[nodiscard]] WindowRect shown_pixel(glm::ivec2 pixel, const PictureView& view,
                                      const PictureArea& area);
-/// Of the pixel that was picked; none: there is none, or nothing of the picture is seen.
+/// The place for the picked pixel's panel; none: no pixel is picked, or the picture is not visible.
 [[nodiscard]] std::optional<PixelPlace> picked_place(const UiState& state, const PictureArea& area,
                                                      float em);
 

@@ -16,13 +16,13 @@ namespace asos {
 
 namespace {
 
-/// Whether the picture is as good as rays alone can make it, until the boundaries are known.
+/// Whether edges are still being searched; until then only rays are used.
 bool looks_for_boundaries(const Previewer& previewer) {
   return needs_boundaries(previewer.render().settings().method) &&
          !previewer.scene()->geometry->boundaries.known();
 }
 
-/// Whether the ground is put under the scene, or taken away: large scenes take seconds.
+/// Whether the ground is being added or removed, which takes seconds in large scenes.
 bool changes_ground(const Previewer& previewer) {
   const World& world = previewer.scene()->world();
   return previewer.edits().settings().ground != ground_of(world) && !world.bounds.empty() &&
@@ -38,7 +38,7 @@ std::string status_words(const Previewer& previewer, const StatusLine& status) {
                          previewer.render().reached(), status.estimate});
 }
 
-// Of one width each, so that nothing dances under a moving pointer.
+// Formats with constant width, so that the line does not move with every pixel.
 std::string value_words(float value) {
   return value < 10.0f ? fmt::format("{:.3f}", value) : number_words(static_cast<double>(value));
 }
@@ -59,16 +59,16 @@ bool holds(const Film& film, glm::ivec2 pixel) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < film.width && pixel.y < film.height;
 }
 
-// Longer names end in dots.
+// Longer names are truncated.
 constexpr std::size_t most_name_letters = 40;
 std::string cut_off(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
-  std::size_t end = most;  // not within a letter of several bytes
+  std::size_t end = most;  // not in the middle of a multi-byte character
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
   return text.substr(0, end) + "...";
 }
 
-/// The first of these that there is room for beside what stands at the left.
+/// Writes the first of `choices` that fits to the right of the last item.
 void right_words(const std::vector<std::string>& choices) {
   const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
   for (const std::string& words : choices) {
@@ -84,7 +84,7 @@ void right_words(const std::vector<std::string>& choices) {
 }  // namespace
 
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status) {
-  // A thin bar along the upper rim, full width, so that a glance is enough.
+  // A thin progress bar along the upper edge, over the full width.
   const Progress progress = previewer.render().progress();
   if (previewer.scene() && !progress.finished) {
     const ImVec2 corner = ImGui::GetWindowPos();

@@ -15,7 +15,7 @@
 
 namespace asos {
 
-/// Between world, picture and window.
+/// Converts between world, picture and window coordinates.
 class Projection {
  public:
   Projection(const Viewpoint& viewpoint, const Film& film, const PictureView& view,
@@ -25,7 +25,7 @@ class Projection {
         view_(view),
         area_(area) {}
 
-  /// Homogeneous; in front of the viewer where z is above 0.
+  /// Homogeneous coordinates; z is positive in front of the viewer.
   [[nodiscard]] glm::dvec3 homogeneous(glm::dvec3 p) const { return frame_.homogeneous(p); }
   [[nodiscard]] bool visible(glm::dvec3 h) const { return frame_.parallel() || h.z > 0.0; }
 
@@ -35,14 +35,15 @@ class Projection {
     const glm::vec2 at = area_.rect.lo + (view_.offset() + pixel * view_.scale()) / area_.scale;
     return {at.x, at.y};
   }
-  /// How far something moves whose mark goes by so much in the window, along the picture's plane.
+  /// The world position of a point whose mark is moved by `by` in the window, parallel to the
+  /// picture plane.
   [[nodiscard]] glm::dvec3 moved(glm::dvec3 p, glm::vec2 by) const {
     const FramePoint from = frame_.project(homogeneous(p));
     const glm::dvec2 share = glm::dvec2(by * area_.scale / view_.scale()) / size_;
     return frame_.world({from.u + share.x, from.v + share.y, from.nearness}) - frame_.world(from);
   }
 
-  /// A straight line, clipped in front of the viewer.
+  /// Draws a straight line, clipped in front of the viewer.
   void line(ImDrawList& draw, glm::dvec3 a, glm::dvec3 b, std::uint32_t colour,
             float width = 1.5f) const {
     glm::dvec3 from = homogeneous(a), to = homogeneous(b);

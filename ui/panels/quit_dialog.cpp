@@ -15,7 +15,7 @@ void quit_dialog(Controls& controls, QuitChoice& choice, const std::vector<std::
   if (choice.asked && losses.empty()) choice.quit = true;
   if (choice.quit) return;
   const bool open = ImGui::IsPopupOpen(title);
-  // Who asks a second time means it.
+  // A second request quits without asking.
   if (choice.asked && open) choice.quit = true;
   if (choice.asked && !open) ImGui::OpenPopup(title);
   choice.asked = false;

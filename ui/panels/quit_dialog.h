@@ -7,15 +7,15 @@
 
 namespace asos {
 
-/// A person's wish to leave.
+/// A request to quit.
 struct QuitChoice {
-  bool asked = false;       ///< Ctrl+Q, or the window's own button
-  bool after_save = false;  ///< once the picture that is being saved is complete
-  bool quit = false;        ///< decided: the window closes
+  bool asked = false;       ///< by Ctrl+Q or the window's close button
+  bool after_save = false;  ///< quit once the picture being saved is complete
+  bool quit = false;        ///< confirmed: the window closes
 };
 
-/// Decides at once where `losses` is empty; else asks, and names them. `saving`: a picture is being
-/// saved, which may be waited for.
+/// Quits at once if `losses` is empty; otherwise lists them and asks. `saving`: a picture is being
+/// saved; the user may wait for it.
 void quit_dialog(Controls& controls, QuitChoice& choice, const std::vector<std::string>& losses,
                  bool saving);
 

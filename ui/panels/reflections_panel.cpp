@@ -16,7 +16,7 @@ namespace asos {
 
 namespace {
 
-/// The curve that a person starts to edit from: figure 18's.
+/// The first curve when editing starts: that of figure 18.
 constexpr DfrCurve first_curve{0.05, 1.0, 32.0};
 
 const std::array<std::string, 4> curved_ways{"approximate", "tangent plane", "split to MAX",
@@ -34,7 +34,7 @@ Dfr first_dfr() {
   return dfr;
 }
 
-/// The material that the picked pixel shows, and at what angle.
+/// The material at the picked pixel, and the angle of incidence there.
 struct PickedMirror {
   std::uint32_t material = 0;
   double incidence_rad = 0.0;
@@ -54,7 +54,7 @@ std::optional<PickedMirror> picked_mirror(const Previewer& previewer,
   return PickedMirror{part.material, std::acos(std::clamp(cosine, 0.0, 1.0))};
 }
 
-/// Looks at the open scene once, and follows what is clicked in the picture.
+/// Lists the mirrors once per scene, and selects the one that was clicked in the picture.
 void follow(const Previewer& previewer, ReflectionChoice& choice, std::optional<glm::ivec2> picked,
             const std::optional<PickedMirror>& seen) {
   if (choice.scene != previewer.scene().times_opened()) {
@@ -82,7 +82,7 @@ void bounce_controls(Controls& controls, RenderSettings& settings) {
                       roughest, {0.0f, 1.0f, static_cast<float>(usual.mirror.roughest)},
                       [](float r) { return fmt::format("{:.2f}", r); }))
     settings.mirror.roughest = static_cast<double>(roughest);
-  // The others cast single rays.
+  // The other methods trace single rays.
   if (!in_object_space(settings.method)) return;
   int way = static_cast<int>(settings.mirror.curved);
   if (controls.list(
@@ -102,7 +102,7 @@ void bounce_controls(Controls& controls, RenderSettings& settings) {
     settings.mirror.widest_angle_deg = static_cast<double>(angle);
 }
 
-/// The curve of one material, or that it has none.
+/// Controls of one material's curve, or a note that it has none.
 void material_controls(Controls& controls, Previewer& previewer, ReflectionChoice& choice,
                        std::optional<double> incidence_rad) {
   std::vector<std::string> names;

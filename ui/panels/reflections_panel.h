@@ -13,18 +13,18 @@
 
 namespace asos {
 
-/// The person's choice among the mirrors.
+/// The state of the reflections panel.
 struct ReflectionChoice {
   int material = 0;  ///< index into `mirrors`
   DfrChannel channel = DfrChannel::all;
 
-  // The mirrors of the open scene, found once.
+  // The mirrors of the open scene, searched once.
   std::uint64_t scene = 0;  ///< Previewer::scenes_opened
   std::vector<MirrorMaterial> mirrors;
-  std::optional<glm::ivec2> followed;  ///< the picked pixel whose material was chosen last
+  std::optional<glm::ivec2> followed;  ///< the picked pixel whose material was selected last
 };
 
-/// How far reflections are followed and how they blur; nothing where the scene has no mirror.
+/// Controls for the depth and the blur of reflections; nothing if the scene has no mirror.
 /// `picked`: the pixel that was clicked in the picture.
 void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoice& choice,
                        std::optional<glm::ivec2> picked);

@@ -77,7 +77,7 @@ void choose_movie(Controls& controls, SaveChoice& choice, const SaveFacts& facts
   controls.row("Length", fmt::format("{} frames, {:.1f} s", frames, frames / choice.fps));
 }
 
-// What a picture of another shape shows. The line is always there, so that nothing moves.
+// Says how a picture of another aspect ratio is framed. Always takes a line, so that nothing moves.
 void shape_words(Controls& controls, glm::ivec2 size, glm::ivec2 shown) {
   const glm::dvec2 wanted(size), window(shown);
   if (shown.x <= 0 || shown.y <= 0) return;
@@ -112,7 +112,7 @@ void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
   shape_words(controls, choice.size.x > 0 ? choice.size : shown, shown);
 }
 
-// The path, and what would go.
+// Controls for the path, with a note if a file will be replaced.
 void choose_file(Controls& controls, SaveChoice& choice) {
   ImGui::Spacing();
   const std::string added = choice.path().substr(choice.stem.size());

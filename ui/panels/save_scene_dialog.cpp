@@ -19,7 +19,7 @@ bool has_scene_ending(const std::string& path) {
   return ending == ".glb" || ending == ".gltf";
 }
 
-// The line is always there, so that nothing moves.
+// Always takes a line, so that nothing moves.
 void path_words(const std::string& path) {
   std::error_code ignored;
   const char* words = " ";

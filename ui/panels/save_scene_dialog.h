@@ -6,11 +6,11 @@
 
 namespace asos {
 
-/// A person's choice of where to write the scene.
+/// The user's choice of the exported scene's path.
 struct SaveSceneChoice {
-  std::string path;    ///< .glb or .gltf; empty: the next that is free
+  std::string path;    ///< .glb or .gltf; empty: the next free name
   bool show = false;   ///< the dialog
-  bool asked = false;  ///< it was answered: to be saved now
+  bool asked = false;  ///< the dialog was confirmed: save now
 };
 
 void save_scene_dialog(Controls& controls, SaveSceneChoice& choice);

@@ -12,13 +12,13 @@ namespace asos {
 
 namespace {
 
-// 1234567 as "1 234 567", whatever the locale.
+// Writes 1234567 as "1 234 567" in every locale.
 std::string grouped(std::uint64_t number) {
   const std::string digits = std::to_string(number);
   std::string text;
   for (std::size_t i = 0; i < digits.size(); ++i) {
     if (i > 0 && (digits.size() - i) % 3 == 0)
-      text += "\u00a0";  // so that a number stays in its line
+      text += "\u00a0";  // no-break space, so that a number stays in one line
     text += digits[i];
   }
   return text;
@@ -62,7 +62,7 @@ void edge_rows(Controls& controls, const FeatureCounts& edges) {
   kind("   alpha edge", edges.cut_out, "Outline pieces of alpha masks.");
 }
 
-/// The savings of leaving `feature` out, line by line.
+/// The savings of leaving `feature` out, one per line.
 std::string savings(const SceneFeature& feature) {
   std::string text = "Skipped with it:";
   const auto add = [&](const char* kind, const char* words) {

@@ -5,7 +5,7 @@
 
 namespace asos {
 
-/// The scenes of a file that has several, to choose one.
+/// Lists the scenes of a file that has several, to choose one.
 void scenes_panel(Controls& controls, OpenScene& scene);
 
 }  // namespace asos

@@ -13,7 +13,7 @@ void ScrollAnchor::hold(const Controls& controls) {
   const glm::vec2 pointer(at.x, at.y);
   const float scroll = ImGui::GetScrollY();
   const auto found = controls.all().find(name_);
-  // Who moves the pointer or scrolls looks for something else.
+  // After moving the pointer or scrolling, the user aims at another control.
   if (pointer != pointer_ || scroll != scroll_ || found == controls.all().end()) {
     take(controls, pointer);
     return;
@@ -26,7 +26,7 @@ void ScrollAnchor::hold(const Controls& controls) {
   moved_ = true;
 }
 
-// Of what lies under the pointer, or before it, the nearest.
+// Chooses the control under the pointer, or else the nearest one above it.
 void ScrollAnchor::take(const Controls& controls, glm::vec2 pointer) {
   name_.clear();
   pointer_ = pointer;

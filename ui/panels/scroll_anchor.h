@@ -8,19 +8,19 @@
 
 namespace asos {
 
-/// Keeps what lies under the pointer there while rows above it come and go, by scrolling the window
-/// that they are in: who aims at a button hits it. At the ends of what can be scrolled they move.
+/// Keeps the control under the pointer in place while rows above it come and go, by scrolling its
+/// window. At the ends of the scroll range the control moves after all.
 class ScrollAnchor {
  public:
-  /// In the ImGui window in question, after its last item. Rows of lists inside it hold nothing.
+  /// Call in the ImGui window, after its last item. Rows of inner lists are not held.
   void hold(const Controls& controls);
-  /// Whether the window is to be drawn again, scrolled.
+  /// Whether the window has to be drawn again, scrolled.
   [[nodiscard]] bool moved() const { return moved_; }
 
  private:
   void take(const Controls& controls, glm::vec2 pointer);
 
-  std::string name_;  // of the control that is held; empty: none
+  std::string name_;  // name of the control that is held; empty: none
   float y_ = 0.0f;    // of its upper edge
   float scroll_ = 0.0f;
   glm::vec2 pointer_{0.0f};

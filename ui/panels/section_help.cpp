@@ -21,7 +21,7 @@ constexpr std::array sketched{
     SketchedPixel{5, 3},
 };
 
-// A pixel without an edge, one that an edge cuts, and one that many edges split.
+// Sketches a pixel without an edge, one that an edge cuts, and one split by many edges.
 void antialiasing(const Sketch& s) {
   float left = 1.0f;
   for (const SketchedPixel& pixel : sketched) {
@@ -174,7 +174,7 @@ void camera(const Sketch& s) {
   s.disc({11.0f, 3.0f}, 0.25f, Ink::warm);
 }
 
-// A lens and the rays of two points: one in focus, and one behind it.
+// Sketches a lens and the rays of two points: one in focus, and one behind it.
 void lens(const Sketch& s) {
   s.line({8.0f, 0.8f}, {8.0f, 5.2f}, Ink::accent);
   s.line({12.0f, 0.6f}, {12.0f, 5.4f}, Ink::dim);

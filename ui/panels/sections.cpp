@@ -15,14 +15,14 @@ void Controls::row(const char* label_text, const std::string& value, const char*
   const float left = ImGui::GetCursorPosX(), top = ImGui::GetCursorPosY();
   ImGui::BeginGroup();
   name_text(label_text);
-  // In a group this counts from where it begins.
+  // In a group, positions count from its left edge.
   const float widgets = ImGui::GetFontSize() * label_width_em;
   ImGui::SameLine(how.beside_widgets ? widgets - left : widgets + 3.0f * ImGui::GetFontSize());
   const auto width = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(in_whole_words(value, ImGui::GetContentRegionAvail().x, width).c_str());
   ImGui::PopTextWrapPos();
-  // Lines of text are 20 units high, so that what follows stays in the rhythm.
+  // Lines of text are 20 units high, as everywhere in the panel.
   const float unit = ImGui::GetFontSize() / theme::text_pixels;
   const float between = unit * (theme::line_pixels - theme::text_pixels);
   if (how.lines > 1) {
@@ -39,7 +39,7 @@ void Controls::row(const char* label_text, const std::string& value, const char*
 bool Controls::section(const char* name, bool open_at_first) {
   section_ = name;
   if (!searched_.empty()) {
-    // A section that was never open is drawn once, to know its controls.
+    // A section that was never open is drawn once, to find its controls' names.
     const std::set<std::string>& names = in_sections_[section_];
     const auto matches = [&](const std::string& control) { return found(control); };
     if (opened_.contains(section_) && !matches(section_) &&
@@ -78,7 +78,7 @@ void Controls::note_in_section(const std::string& name) {
   if (!section_.empty()) in_sections_[section_].insert(name);
 }
 
-// At the right end of the headline.
+// The button is at the right end of the header.
 void Controls::help_button(const char* section) {
   const float width = 1.6f * ImGui::GetFontSize();
   ImGui::PushID(section);

@@ -10,13 +10,13 @@ namespace asos {
 
 namespace {
 
-/// The shares of a line between which it lies within the picture; empty where `to` is not above
+/// The range of a line's parameter, 0 to 1, that is within the picture; empty if `to` is not above
 /// `from`.
 struct Shares {
   double from = 0.0, to = 1.0;
 
-  /// Keeps the side where a value is not negative that is `at_a` at its one end and `at_b` at the
-  /// other.
+  /// Keeps the part where a linear function is not negative; `at_a` and `at_b` are its values at
+  /// both ends.
   void clip(double at_a, double at_b) {
     if (at_a < 0.0 && at_b < 0.0) to = from - 1.0;
     if ((at_a < 0.0) == (at_b < 0.0)) return;
@@ -25,7 +25,7 @@ struct Shares {
   }
 };
 
-/// Looks from the viewer at points of the line.
+/// Traces rays from the viewer to points of the line.
 class Looker {
  public:
   Looker(const RayScene& rays, const View& view, Culling faces, glm::dvec3 a, glm::dvec3 b)
@@ -47,7 +47,7 @@ class Looker {
   }
 
   [[nodiscard]] bool outside() const { return !(seen_.from < seen_.to); }
-  /// The point that is seen at this share of what is seen of the line.
+  /// The point of the line at a fraction of its visible length in the picture.
   [[nodiscard]] glm::dvec3 at(double share) const { return glm::mix(a_, b_, of_line(share)); }
 
   [[nodiscard]] std::vector<bool> hidden(int places) const {
@@ -59,8 +59,8 @@ class Looker {
     for (const Hit& hit : hits) hidden.push_back(hit.valid());
     return hidden;
   }
-  /// Where between two shares, of which the first is hidden or not and the second otherwise, that
-  /// changes.
+  /// Bisects for the change of visibility between two fractions. `from_hidden`: whether the first
+  /// one is hidden.
   [[nodiscard]] double change(double from, double to, bool from_hidden) const {
     for (int step = 0; step < steps_to_change; ++step) {
       const double middle = 0.5 * (from + to);
@@ -70,17 +70,17 @@ class Looker {
   }
 
  private:
-  static constexpr double touching = 1e-3;  // of the distance, from a surface
+  static constexpr double touching = 1e-3;  // fraction of the distance to the point
   static constexpr int steps_to_change = 6;
 
-  // What is evenly spread in the picture is not so along the line: what is far lies closer
-  // together.
+  // Converts a fraction of the visible length in the picture to the line's parameter, with the
+  // correction for perspective.
   [[nodiscard]] double of_line(double share) const {
     const double from = glm::mix(depth_a_, depth_b_, seen_.from);
     const double to = glm::mix(depth_a_, depth_b_, seen_.to);
     return glm::mix(seen_.from, seen_.to, share * from / (share * from + (1.0 - share) * to));
   }
-  // Ends just before the point.
+  // The ray ends just before the point.
   [[nodiscard]] Ray ray_to(double share) const {
     const glm::dvec3 point = at(share);
     const FramePoint p = frame_.project(frame_.homogeneous(point));

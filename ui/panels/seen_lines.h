@@ -9,15 +9,15 @@
 
 namespace asos {
 
-/// A part of a straight line, and whether a surface lies between it and the viewer.
+/// A part of a straight line, and whether a surface hides it.
 struct LinePart {
   glm::dvec3 from, to;
   bool hidden = false;
 };
 
-/// The parts of the line from `a` to `b` within the picture as surfaces hide them, in their order;
-/// none: it lies outside. Looked for at `places` places, evenly along it as it is seen, and where
-/// two of them differ more closely. A surface that the line lies in hides nothing.
+/// Splits the line from `a` to `b` within the picture into visible and hidden parts, in order;
+/// empty: it is outside. Tests `places` points, evenly spaced in the picture, and bisects between
+/// two that differ. A surface that contains the line does not hide it.
 [[nodiscard]] std::vector<LinePart> seen_parts(const RayScene& rays, const View& view,
                                                Culling faces, glm::dvec3 a, glm::dvec3 b,
                                                int places = 100);

@@ -62,7 +62,7 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
         bounces, usual.shadow.bounces > 0);
     settings.shadow.bounces = bounces ? 1 : 0;
   }
-  // The published method chooses its own quality and rule.
+  // The published method has fixed quality and rule.
   const bool soft = scene && scene->needs.soft_shadows;
   if (settings.method == Method::asos && settings.shadow.cast && soft)
     quality_controls(controls, settings);

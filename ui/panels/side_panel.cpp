@@ -32,7 +32,7 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   const RenderScene* scene = previewer.scene().get();
   const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
   const float third = std::floor((room - 2.0f * gap) / 3.0f), width = 0.5f * (room - gap);
-  // Three names in a row need less padding.
+  // Less padding, so that three names fit into a row.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0f, ImGui::GetStyle().FramePadding.y});
   if (controls.button("Open...", "Open a scene (Ctrl+O), or drop a file on the window.", third))
     state.show_open = true;
@@ -55,7 +55,7 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   if (controls.button("Tour", "Five cards that explain the program.", third))
     state.tour_asked = true;
   ImGui::PopStyleVar();
-  // A built-in scene never changes.
+  // A built-in scene cannot change.
   if (scene && !scene->geometry->source.starts_with("builtin:")) {
     if (controls.button("Reload", "Reload the file and keep the view (R).", width))
       state.opening = {{}, true};
@@ -77,7 +77,7 @@ void antialias_tab(Controls& controls, Previewer& previewer, UiState& state,
 
 void scene_tab(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   const RenderScene* scene = previewer.scene().get();
-  // First, so that what is said of a file at rest does not move its buttons when it plays.
+  // The timeline comes first, so that its buttons stay in place while warnings come and go.
   timeline_panel(controls, previewer.playback());
   scenes_panel(controls, previewer.scene());
   variants_panel(controls, previewer.scene());
@@ -113,7 +113,7 @@ void tab_choice(Controls& controls, UiState& state) {
       Controls::Option{"Scene", "Animation, lights, sky, materials, camera, objects."},
       Controls::Option{"Measure", "Snapshots, equal time, checks, statistics, study."},
   };
-  // A search shows all of them; a click ends it.
+  // A search covers all tabs; choosing a tab ends it.
   const bool one = state.tab != PanelTab::all && state.search.empty();
   int tab = one ? static_cast<int>(state.tab) : -1;
   if (!controls.options("Tab", tabs, tab, {false, std::nullopt})) return;
@@ -138,7 +138,7 @@ void search_field(Controls& controls, UiState& state) {
 
 void sections(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   if (const RenderScene* scene = previewer.scene().get()) {
-    // Animations and variants have sections of their own.
+    // Animations and variants have their own sections.
     SceneNotes notes = notes_of(*scene);
     notes.not_shown.clear();
     warnings_panel(controls, notes, previewer.scene());

@@ -10,7 +10,7 @@ class SkyReader;
 class SplitCheck;
 class ViewStudy;
 
-/// What the panel's sections ask to be done in the background.
+/// The background jobs that the panel's sections start.
 struct PanelJobs {
   const SplitForecast& forecast;
   SkyReader& sky_reader;
@@ -19,7 +19,7 @@ struct PanelJobs {
   ViewStudy& study;
 };
 
-/// All sections, one below the other, in the current Dear ImGui window.
+/// Draws all sections below each other into the current Dear ImGui window.
 void side_panel(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs);
 
 }  // namespace asos

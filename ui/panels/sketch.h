@@ -7,10 +7,11 @@
 
 namespace asos {
 
-/// A small drawing in the current Dear ImGui window and look, 16 units wide and 6 high; y down.
+/// A small drawing in the current Dear ImGui window with its colours, 16 units wide and 6 high; y
+/// down.
 class Sketch {
  public:
-  /// Takes the room of it, `width` window units wide.
+  /// Reserves the space, `width` window units wide.
   explicit Sketch(float width);
 
   enum class Ink { plain, dim, accent, warm, faint };
@@ -21,7 +22,7 @@ class Sketch {
   void ring(glm::vec2 at, float radius, Ink ink = Ink::plain) const;
   void shape(std::initializer_list<glm::vec2> corners, Ink ink, float alpha = 1.0f) const;
   void words(glm::vec2 middle, const char* text, Ink ink = Ink::dim) const;
-  /// A square split by quadrants, so often towards the point.
+  /// A square split `levels` times into quadrants, towards the point.
   void split_square(glm::vec2 lo, float side, glm::vec2 towards, int levels) const;
 
  private:

@@ -60,7 +60,7 @@ void choose_kind(SceneEdits& edits, SkyEdit& choice, SkyKind kind) {
     edits.set_sky(std::make_shared<const Sky>(first_zenith, first_horizon));
 }
 
-/// Turn and brightness of a picture or an environment.
+/// Rotation and brightness of an image or environment sky.
 void placing_controls(Controls& controls, SceneEdits& edits) {
   const double turned = edits.settings().sky->choice().turn_deg;
   float turn = static_cast<float>(turned);
@@ -79,7 +79,7 @@ void placing_controls(Controls& controls, SceneEdits& edits) {
     edits.brighten_sky(brightness);
 }
 
-/// Radiance as a colour of 0 to 1 and how many times as bright it is.
+/// Radiance split into colours of 0 to 1 and a brightness factor.
 struct SkyColours {
   glm::vec3 zenith, horizon;
   double brightness = 1.0;
@@ -139,7 +139,7 @@ void file_controls(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyRe
   if (pressed || entered) {
     choice.error.clear();
     choice.reading = FileStamp::of(choice.path);
-    // The same sky again would only begin the render anew.
+    // Reading the same sky again would only restart the render.
     const bool shown =
         settings.sky && settings.sky->is_picture() && settings.sky->choice().file == choice.path;
     if (shown && choice.reading->state && choice.reading == choice.read) return;

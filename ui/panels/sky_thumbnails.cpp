@@ -24,7 +24,8 @@ constexpr int panorama_columns = 24, panorama_rows = 10, thumbnails_a_row = 4;
 // Largest elevation shown.
 constexpr double highest_rad = 1.3;
 
-/// Colours at the corners of the cells, from the upper left. The middle is -Z, as a camera sees it.
+/// Colours at the corners of the cells, from the upper left. The centre faces -Z, like a default
+/// camera.
 using Panorama = std::array<std::uint32_t, (panorama_columns + 1) * (panorama_rows + 1)>;
 
 Panorama panorama_of(Environment environment) {

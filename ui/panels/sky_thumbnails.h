@@ -5,7 +5,7 @@
 
 namespace asos {
 
-/// The program's environments as small panoramas. A click chooses one as the sky.
+/// The built-in environments as small panoramas. A click sets one as the sky.
 void sky_thumbnails(Controls& controls, SceneEdits& edits);
 
 }  // namespace asos

@@ -22,7 +22,7 @@ double error_of(Frames& frames, const Film& film) {
   return common_rmse(film, chosen.film, frames.at_size(frames.chosen, {film.width, film.height}));
 }
 
-// Measures again when the picture is finished, or another snapshot is chosen.
+// Measures again when the picture is finished, or when another snapshot is chosen.
 void measure_all(const PreviewRender& render, Frames& frames) {
   const Film& film = render.film();
   const bool finished = render.progress().finished && film.width > 0;

@@ -10,10 +10,10 @@ namespace asos {
 /// chooses another one. Only with snapshots.
 void snapshot_table(Controls& controls, const Previewer& previewer, Frames& frames);
 
-/// RMSE over the pixels that both show, of linear values clipped to 0 to 1. `sized`: `b` at the
-/// size of `a`.
+/// RMSE over the pixels that both pictures cover, of linear values clipped to 0 to 1. `sized`: `b`
+/// resampled to the size of `a`.
 [[nodiscard]] double common_rmse(const Film& a, const Film& b, const Film& sized);
-/// "32.1 dB" of a peak of 1; "identical" where there is no error.
+/// "32.1 dB", for a peak value of 1; "identical" without any error.
 [[nodiscard]] std::string psnr_words(double rmse);
 
 }  // namespace asos

@@ -55,8 +55,7 @@ std::vector<LevelSwatch> level_swatches() {
   return swatches;
 }
 
-// The split map's colours on their absolute scale: a level keeps its colour at any MAX and in any
-// picture.
+// The split map's colours by level. The scale is absolute: a level has the same colour at any MAX.
 void level_legend(Controls& controls) {
   const std::vector<LevelSwatch> swatches = level_swatches();
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -133,7 +132,7 @@ void cost_legend(Controls& controls, SplitMapColours colours) {
           : "CPU time per pixel, 0.1 µs to 10 ms, logarithmic. The scale is absolute.");
 }
 
-// One swatch a cause, in two columns.
+// One swatch per cause, in two columns.
 void cause_legend(Controls& controls) {
   const float em = ImGui::GetFontSize();
   const float column = 0.5f * ImGui::GetContentRegionAvail().x;
@@ -164,7 +163,7 @@ std::string headline(SplitMapColours colours, int max_level) {
   return fmt::format("Deepest level of each pixel (MAX = {})", max_level);
 }
 
-// As GlDisplay hatches the map.
+// A swatch with GlDisplay's hatching.
 void unfinished_row(Controls& controls) {
   const float em = ImGui::GetFontSize();
   const ImVec2 lo = ImGui::GetCursorScreenPos();

@@ -14,7 +14,7 @@ namespace asos {
 
 namespace {
 
-/// Shares and averages of the finished pixels; a dash before there are any.
+/// Fractions and averages over the finished pixels; a dash before there are any.
 struct Finished {
   double pixels;
 
@@ -44,7 +44,8 @@ void light_rows(Controls& controls, const RenderStatistics& statistics,
   }
 }
 
-// Rows stand or fall with the scene, not with the first ray: a panel that jumps is hard to use.
+// The rows depend on the scene, not on whether rays were counted yet, so that the panel does not
+// jump.
 void ray_rows(Controls& controls, const RenderStatistics& statistics, const RenderScene& scene,
               const Finished& finished) {
   controls.row("Eye rays", finished.per_pixel(statistics.eye_rays),

@@ -8,13 +8,13 @@
 
 namespace asos {
 
-/// The plot as a drawing of 800 x 560 units, legend included.
+/// The plot as an SVG of 800 x 560 units with its legend.
 [[nodiscard]] std::string plot_svg(const StudyPlot& plot, const std::string& title);
 
-/// A line for each setting, and for each picture of the renders that were watched.
+/// CSV with a line for each setting, and for each picture of a watched render.
 [[nodiscard]] std::string study_csv(const SceneStudy& study);
 
-/// Writes `text` into the next free FOLDER/STEM-study-001.EXTENSION, and returns its path.
+/// Writes `text` into the next free FOLDER/STEM-study-001.EXTENSION and returns its path.
 [[nodiscard]] Result<std::string> save_study_text(const std::string& folder,
                                                   const std::string& stem,
                                                   const std::string& extension,

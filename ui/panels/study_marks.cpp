@@ -12,7 +12,7 @@ namespace asos {
 
 namespace {
 
-/// A regular polygon, turned from one with a corner at the right, and flattened.
+/// A regular polygon, rotated and flattened.
 struct MarkShape {
   int corners = 3;
   float turned_deg = 0.0f;
@@ -25,10 +25,9 @@ struct MethodMark {
   MarkShape shape;
 };
 
-/// The colours of the methods that a study has by default were found by a search: any two differ by
-/// 28 in CIELAB at least, for normal sight and for protanopia, deuteranopia and tritanopia (Machado
-/// et al. 2009). Their contrast to the plot's ground is 3 at least. The others share the text's
-/// colour.
+/// Colours for the default methods of a study, found by search. Any two differ by at least 28 in
+/// CIELAB, for normal sight and for protanopia, deuteranopia and tritanopia (Machado et al. 2009).
+/// Their contrast to the plot's background is at least 3. Other methods share the text's colour.
 constexpr std::array method_marks{
     MethodMark{"asos", 0xffee85, {16, 0.0f}},
     MethodMark{"asos-published", 0x7affc5, {6, 0.0f}},

@@ -168,7 +168,7 @@ void speed_row(Controls& controls, const std::string& method, const std::string&
   ImGui::TextWrapped("%s", range.c_str());
 }
 
-// The methods that were measured, in their order, without ASOS.
+// The measured methods except ASOS, in their order.
 std::vector<std::string> rivals_of(const SceneStudy& study) {
   std::vector<std::string> methods;
   for (const StudyPoint& point : study.points)
@@ -213,7 +213,7 @@ void enlarged_plot(Controls& controls, StudyChoice& choice, const StudyPlot& plo
           title, nullptr,
           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings))
     return;
-  // The legend has a line for each curve at most.
+  // The legend has at most one line per curve.
   const float others_em = 3.5f + 1.3f * static_cast<float>(plot.lines.size());
   draw_plot(plot, std::max(10.0f, ImGui::GetContentRegionAvail().y / em - others_em));
   const bool closed = controls.button("Close plot", "Back to the panel (Esc).") ||
@@ -257,7 +257,7 @@ StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
                   const RenderSettings& shown) {
   StudyPlan plan;
   plan.scenes = {scene_name};
-  // In the order of the ladders, as in a report
+  // In the order of the ladders, as in a report.
   for (const std::string& method : ladder_methods())
     if (method == subject || choice.rivals.contains(method)) plan.methods.push_back(method);
   plan.look = look_of(shown);
@@ -281,7 +281,7 @@ void update_study(ViewStudy& study, const Previewer& previewer, bool other_work)
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
                  const Previewer& previewer) {
   if (!controls.section("Error vs. time", false) || !previewer.scene()) return;
-  // Shown while a study runs, too: what would come back at its end would move the rest.
+  // The controls stay visible, but disabled, during a study: hiding them would move the rest.
   ImGui::BeginDisabled(study.busy());
   choice_controls(controls, choice);
   ImGui::EndDisabled();

@@ -26,7 +26,7 @@ void draw_mark(ImDrawList& draw, const std::string& method, ImVec2 at, float rad
     draw.AddConvexPolyFilled(corners.data(), count, colour);
 }
 
-/// Where a plot's square is in the window, and what is drawn into it.
+/// Placement of the plot's square in the window, and functions to draw into it.
 class Canvas {
  public:
   Canvas(const StudyPlot& plot, glm::vec2 lo, glm::vec2 hi)
@@ -89,7 +89,7 @@ class Canvas {
   [[nodiscard]] float y_of(double rmse) const {
     return hi_.y - static_cast<float>(plot_.rmse.share(rmse)) * (hi_.y - lo_.y);
   }
-  // So many decades from label to label that none touches the next.
+  // Number of decades between labels, so that labels do not overlap.
   static int step(const LogAxis& axis) { return (axis.decades + 4) / 5; }
   static std::string seconds_label(int decade) {
     const int thousands = static_cast<int>(std::floor(decade / 3.0));

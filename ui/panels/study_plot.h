@@ -11,18 +11,18 @@
 
 namespace asos {
 
-/// A logarithmic axis over whole decades, and where on it a value is.
+/// A logarithmic axis over whole decades.
 struct LogAxis {
-  int first_decade = 0;  ///< it begins at 10^first_decade
+  int first_decade = 0;  ///< the axis begins at 10^first_decade
   int decades = 1;       ///< at least 1
 
-  /// 0 at its begin, 1 at its end; `value` is above 0.
+  /// Position of `value`, which is positive: 0 at the axis's begin, 1 at its end.
   [[nodiscard]] double share(double value) const;
 };
-/// The axis over the decades that hold all of `values` above 0; the other values are left out.
+/// The axis over the decades of all positive `values`.
 [[nodiscard]] LogAxis axis_over(const std::vector<double>& values);
 
-/// The contents of a plot of a study.
+/// The contents of a study's plot.
 struct StudyPlot {
   struct Mark {
     double seconds = 0.0;
@@ -39,14 +39,14 @@ struct StudyPlot {
   LogAxis seconds;
   LogAxis rmse;
 };
-/// The finished pictures of all settings, or the pictures of one setting per method while it
-/// renders. Points without time or error are left out: a logarithm has no place for them.
+/// The finished pictures of all settings, or for each method the pictures of one setting during its
+/// render. Points without time or error are left out, because their logarithm is undefined.
 enum class StudyCurves { finished, while_rendering };
 [[nodiscard]] StudyPlot plot_of(const SceneStudy& study,
                                 StudyCurves curves = StudyCurves::finished);
 
-/// Draws into the current Dear ImGui window, over its width, with the legend below. `height_em`: of
-/// the axes with their labels, in heights of text.
+/// Draws the plot over the width of the current Dear ImGui window, with the legend below.
+/// `height_em`: height of the axes with their labels, in heights of text.
 void draw_plot(const StudyPlot& plot, float height_em = 13.0f);
 
 }  // namespace asos

@@ -64,7 +64,7 @@ std::string progress_words(const ProgressFacts& facts) {
   const Progress& progress = facts.progress;
   if (progress.failed) return "Not enough memory for edges";
   if (progress.finished) return "Finished in " + duration_words(progress.seconds);
-  // Slow renders move by less than a percent a second.
+  // Small percentages have a decimal, so that slow renders visibly progress.
   const double percent = 100.0 * facts.fraction;
   std::string text =
       fmt::format("{} {:.{}f} %   ", doing(facts.rest), percent, percent < 9.95 ? 1 : 0);

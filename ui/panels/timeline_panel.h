@@ -5,7 +5,7 @@
 
 namespace asos {
 
-/// Which animation of the file is shown, when, and whether it plays; nothing where it has none.
+/// Chooses and plays the file's animations; nothing if it has none.
 void timeline_panel(Controls& controls, Playback& playback);
 
 }  // namespace asos

@@ -44,7 +44,7 @@ constexpr std::array<CardWords, Tour::cards> card_words{{
      "time\" in the panel measures both."},
 }};
 
-// Some pixels of the picture around one, large.
+// Draws the pixels around one of the picture's pixels, enlarged.
 void loupe(Controls& controls, const Film& film, glm::ivec2 pixel,
            const DisplayTransform& display) {
   constexpr int columns = 16, rows = 5;
@@ -117,7 +117,7 @@ void ask_rival(Controls& controls, const Previewer& previewer, UiState& state, E
   if (job.busy()) equal_time_progress(controls, state.equal_time);
 }
 
-// To the scene that the cards are made for, and back.
+// A button to open the tour's scene, or the user's own scene again.
 void scene_button(Controls& controls, const Previewer& previewer, UiState& state) {
   if (!previewer.scene()) return;
   const bool own = previewer.scene()->geometry->source != tour_scene;
@@ -128,14 +128,14 @@ void scene_button(Controls& controls, const Previewer& previewer, UiState& state
     switch_scene(state, previewer);
 }
 
-// The drawing, or the part of the picture, that the card is about.
+// The drawing or detail of the picture that belongs to the card.
 void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob& job,
           float room_down, double now_seconds) {
   const Film& film = previewer.render().film();
   const float width = ImGui::GetContentRegionAvail().x;
   switch (*state.tour.card) {
     case Tour::Card::pyray:
-      // Low windows have room for one of them.
+      // Low windows have room for only one of them.
       if (room_down > 28.0f * ImGui::GetFontSize() || !state.tour.pixel) draw_pyray(Sketch(width));
       if (state.tour.pixel) loupe(controls, film, *state.tour.pixel, state.display.transform());
       scene_button(controls, previewer, state);
@@ -172,8 +172,8 @@ void stay_in_line(const char* name) {
   if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
 }
 
-// On, back, and out. Returns the card to go to; none: this one. The way on stays where it is, so
-// that it can be clicked again and again.
+// The buttons of a card. Returns the card to go to; none: stay. The first button keeps its place,
+// so that it can be clicked repeatedly.
 std::optional<int> buttons(Controls& controls, int card) {
   std::optional<int> next;
   const bool last = card + 1 == Tour::cards;
@@ -202,8 +202,8 @@ std::optional<int> buttons(Controls& controls, int card) {
   return next;
 }
 
-// The first card's pixel is on a clear edge of the picture as it is. The second card's is final,
-// and split: one from the refining picture at first, then the one that the search found.
+// The first card's pixel is on a clear edge of the current picture. The second card's pixel is
+// final and split: at first one from the unfinished picture, then the result of the search.
 std::optional<glm::ivec2> pixel_for_card(const Previewer& previewer, const UiState& state) {
   const Tour& tour = state.tour;
   const Film& film = previewer.render().film();
@@ -217,7 +217,8 @@ void choose_pixel(const Previewer& previewer, UiState& state, double now_seconds
   const bool watched = *tour.card == Tour::Card::split;
   if (*tour.card > Tour::Card::split) return;
   const PreviewRender& render = previewer.render();
-  // Each card keeps its pixel until the picture has changed much; what was found is final.
+  // Each card keeps its pixel until another quarter of the picture is rendered. The result of the
+  // search is final.
   const Progress progress = render.progress();
   const int quarters = progress.finished ? 5 : static_cast<int>(4.0 * progress.fraction);
   const Tour::Chosen now{render.restarts(), *tour.card, quarters, tour.found.has_value()};
@@ -246,7 +247,7 @@ WindowRect room_for_card(const WindowRect& picture, float em) {
   return {picture.lo + 0.5f * em, picture.size - em};
 }
 
-// The parts of the picture that a card must leave free: other panels, and the picked pixel.
+// The areas that a card must leave free: other panels, and the picked pixel.
 std::vector<WindowRect> taken_places(const Controls& controls, const UiState& state,
                                      const PictureArea& area) {
   std::vector<WindowRect> taken;

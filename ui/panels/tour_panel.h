@@ -5,10 +5,10 @@
 
 namespace asos {
 
-/// The card of the tour that is shown, over the picture; begins the tour where that was asked for.
+/// Shows the tour's current card over the picture; starts the tour if requested.
 void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob& equal_time,
                 const PictureArea& area, double now_seconds);
-/// When the card changes by itself, in seconds; none: it waits.
+/// Seconds until the card changes by itself; none: it does not.
 [[nodiscard]] std::optional<double> seconds_to_card(const UiState& state, double now_seconds);
 
 }  // namespace asos

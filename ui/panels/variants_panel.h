@@ -5,7 +5,8 @@
 
 namespace asos {
 
-/// The variants of the file's materials (KHR_materials_variants), where it has any, to choose one.
+/// Lists the file's material variants (KHR_materials_variants), to choose one; nothing if it has
+/// none.
 void variants_panel(Controls& controls, OpenScene& scene);
 
 }  // namespace asos

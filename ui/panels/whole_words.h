@@ -5,13 +5,12 @@
 
 namespace asos {
 
-/// The text in lines no wider than `room` that are broken between words only: Dear ImGui breaks
-/// behind a full stop, too, and with it numbers. A word that is wider stays whole. `width` measures
-/// a text.
+/// Breaks text into lines no wider than `room`, between words only; a wider word stays whole. (Dear
+/// ImGui also breaks after a full stop, and so within numbers.) `width` measures a text.
 template <typename Width>
 [[nodiscard]] std::string in_whole_words(std::string_view text, float room, Width&& width) {
   std::string lines;
-  std::size_t begun = 0;  // where the last line begins
+  std::size_t begun = 0;  // start of the last line
   while (true) {
     const std::size_t end = text.find(' ', 1);
     const std::string_view word = text.substr(0, end);  // with the space before it

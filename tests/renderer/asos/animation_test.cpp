@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-// Thin things that move keep their weight: what a pole 1/8 pixel wide adds to the picture, and what
-// a gap of that width takes from it, is the same at each step of a slow movement.
+// Moving thin objects keep their weight: the light that a pole 1/8 pixel wide adds to the picture,
+// and that a gap of this width removes, is the same at every step of a slow movement.
 
 namespace asos::test::animation_test {
 namespace {
@@ -48,9 +48,8 @@ TEST_P(MovingThinSubject, KeepsItsWeight) {
   }
   const Steadiness asos = steadiness(shares[0]);
   EXPECT_LT(asos.range, 0.01);
-  // Each of two sides is within 1e-5 of a pixel in each of at most two pixels of a row, which is
-  // 3.2e-4 of the 1/8 pixel that a row should show; corners rounded to floats may move a side by
-  // 4e-6 of a pixel.
+  // Each of the two edges is exact to 1e-5 pixel in each of at most two pixels per row: 3.2e-4 of
+  // the 1/8 pixel expected per row. Rounding of corners to floats may move an edge by 4e-6 pixel.
   EXPECT_NEAR(asos.mean, 1.0, 4e-4);
   RecordProperty("asos", std::to_string(asos.range));
   for (std::size_t i = 1; i < contenders.size(); ++i) {

@@ -12,16 +12,16 @@
 #include <random>
 #include <stop_token>
 
-// The whole of a method's way to a pixel, against closed forms: white polygons without shading on
-// the grey background, so that a pixel's colour tells the area that is covered.
+// The whole method against closed forms: unshaded white polygons on the grey background, so that a
+// pixel's colour gives the covered area.
 
 namespace asos::test::asos_test {
 namespace {
 
-constexpr int size = 16;  // pixels; the picture's (x, y) in pixels is at (x, -y) / size, depth 1
+constexpr int size = 16;  // pixels; (x, y) in pixels is at (x, -y) / size, depth 1
 
 Camera camera() {
-  // Looks down -Z; the picture's square is 1 x 1 at distance 1 and its top left is at (0, 0).
+  // Looks down -Z; the picture is the unit square at distance 1, with its top left at (0, 0).
   Camera c;
   c.fov_y_rad = 2.0 * std::atan(0.5);
   return c;
@@ -33,7 +33,7 @@ glm::vec3 point(glm::dvec2 pixels, double depth) {
 
 class Picture {
  public:
-  /// A flat polygon given in pixels, at a depth.
+  /// A flat polygon at a depth, with corners in pixels.
   void add(const std::vector<glm::dvec2>& corners, double depth, glm::vec4 color) {
     std::vector<glm::vec3> points;
     for (const glm::dvec2& c : corners) points.push_back(point(c, depth));
@@ -57,7 +57,7 @@ class Picture {
     scene_.instances.push_back(instance);
   }
 
-  /// Renders everything; pixel (x, y) of the result, and the statistics.
+  /// Renders the picture, for white(x, y) and the statistics.
   void render(const RenderSettings& wanted) {
     Scene placed = scene_;
     const auto prepared = prepare(placed);
@@ -78,7 +78,7 @@ class Picture {
     }
   }
 
-  /// Share of a pixel that shows white rather than background.
+  /// Fraction of a pixel that is white.
   [[nodiscard]] double white(int x, int y) const {
     return (static_cast<double>(film.radiance[film.index(x, y)].x) - sky_radiance) /
            (1.0 - sky_radiance);
@@ -117,7 +117,7 @@ TEST(Asos, StraightEdgesAreExactInEveryPixel) {
     picture.render(asos_at(4));
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
-        // Vertices are floats: 1e-7 of a polygon 200 pixels long.
+        // Vertices are floats: an error of 1e-7 relative to a polygon 200 pixels long.
         ASSERT_NEAR(picture.white(x, y), covered(polygon, x, y), 1e-4)
             << "case " << i << " pixel " << x << ", " << y;
       }
@@ -154,7 +154,7 @@ TEST(Asos, ASliverOfAFiftiethOfAPixelKeepsItsAreaAtMaxFour) {
 TEST(Asos, PixelsWithoutBoundariesAreOneSample) {
   Picture picture;
   picture.add({{-9, -9}, {40, -9}, {40, 40}, {-9, 40}}, 1.0, glm::vec4(1.0f));
-  // Behind the wall, where it must cost nothing.
+  // Hidden geometry, which must not add cost.
   std::mt19937 random(13);
   std::uniform_real_distribution<double> unit(0.0, 16.0);
   for (int i = 0; i < 100; ++i) {
@@ -167,9 +167,9 @@ TEST(Asos, PixelsWithoutBoundariesAreOneSample) {
   for (const glm::vec3& c : picture.film.radiance) EXPECT_EQ(c, glm::vec3(1.0f));
 }
 
-// Two walls that pass through each other: no mesh edge marks the line where they meet.
+// Two walls that intersect: no mesh edge marks their line of intersection.
 TEST(Asos, WallsThatPassThroughEachOtherMeetInAnExactLine) {
-  // The wall z = -3, and one that leans through it along the line x = 7.3 pixels.
+  // The wall z = -3, and one that intersects it along the line x = 7.3 pixels.
   const double x = 7.3;
   Picture picture;
   picture.add({{-9, -9}, {40, -9}, {40, 40}, {-9, 40}}, 3.0,
@@ -190,7 +190,7 @@ TEST(Asos, WallsThatPassThroughEachOtherMeetInAnExactLine) {
   }
 }
 
-TEST(Asos, MoreLevelsNeverLoseWeight) {
+TEST(Asos, KeepsUniformGreyAtEveryLevel) {
   Picture picture;
   std::mt19937 random(14);
   std::uniform_real_distribution<double> unit(0.0, 16.0);
@@ -200,7 +200,7 @@ TEST(Asos, MoreLevelsNeverLoseWeight) {
                 2.0 + 0.1 * i, glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
   }
   picture.add({{-9, -9}, {40, -9}, {40, 40}, {-9, 40}}, 30.0, glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
-  // Everything shows the same grey, so every pixel must, whatever splits.
+  // All surfaces have the same grey, so every pixel must have it, however it is split.
   for (const LeafKind leaf : {LeafKind::exact, LeafKind::point}) {
     for (int k = 0; k <= 8; k += 2) {
       Picture one = picture;
@@ -238,7 +238,7 @@ TEST(Asos, OnceStoppedItCastsNoMoreRays) {
   EXPECT_LE(stopped.statistics.eye_rays, 64u);
 }
 
-// Against the exact areas of the same scene: errors shrink as MAX grows.
+// Errors against the exact areas decrease with MAX.
 TEST(Asos, ConvergesToTheExactPicture) {
   Picture picture;
   std::mt19937 random(15);

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <random>
 
-// The light on a ball of triangles with smooth normals.
+// Light on a sphere made of triangles with smooth normals.
 
 namespace asos::test::bent_mesh_test {
 namespace {
@@ -93,7 +93,8 @@ double mean_of(const RenderScene& scene, Method method) {
   return sum / static_cast<double>(film.radiance.size());
 }
 
-// Each corner of a ball whose triangles are smaller than pixels shows another place of a texture.
+// A sphere whose triangles are smaller than pixels, with texture coordinates that differ between
+// corners.
 std::shared_ptr<const RenderScene> patched_ball(bool behind_glass) {
   Scene scene;
   Mesh patched = ball(128);
@@ -122,7 +123,7 @@ std::shared_ptr<const RenderScene> patched_ball(bool behind_glass) {
   return prepare(scene).value();
 }
 
-// What is seen through another surface is looked at as closely as what lies in front.
+// Surfaces behind a clear one are refined like those in front.
 TEST(BentMesh, LooksTheSameThroughClearGlass) {
   const auto bare = patched_ball(false), behind = patched_ball(true);
   const RenderSettings settings = settings_of(Method::asos);
@@ -138,8 +139,8 @@ TEST(BentMesh, LooksTheSameThroughClearGlass) {
   EXPECT_LT(worst, 0.01 * brightest);
 }
 
-// Near their horizon triangles turn away from the light that their normals see.
-TEST(BentMesh, HasTheLightThatSamplesFind) {
+// Near the silhouette, triangles face away from the light although their normals face it.
+TEST(BentMesh, MatchesSampledLight) {
   for (const float metallic : {0.0f, 1.0f}) {
     const auto scene = lit_ball(metallic);
     const double expected = mean_of(*scene, Method::sobol);
@@ -148,7 +149,7 @@ TEST(BentMesh, HasTheLightThatSamplesFind) {
   }
 }
 
-TEST(BentMesh, TheTraceOfAPixelSaysThatItIsSampled) {
+TEST(BentMesh, TraceReportsSampling) {
   const auto scene = lit_ball(0.0f);
   const RenderSettings settings = settings_of(Method::asos);
   const View view(before(*scene), side, side);

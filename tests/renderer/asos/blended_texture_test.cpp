@@ -17,8 +17,7 @@ namespace {
 
 constexpr int side = 24;
 
-/// White labels of 13 texels on what is black and does not cover; the first `faint` columns of them
-/// by 0.4.
+/// White labels of 13 texels on transparent black; the first `faint` columns have alpha 0.4.
 Image labels(int faint) {
   return make_image(128, 128, [faint](int x, int y) {
     const bool label = x % 32 < 13 && y % 32 < 13;
@@ -27,7 +26,7 @@ Image labels(int faint) {
   });
 }
 
-/// A sheet of labels before a grey wall; a pixel is 11 texels wide.
+/// A sheet of labels in front of a grey wall; a pixel is 11 texels wide.
 std::shared_ptr<const RenderScene> sheet(AlphaMode mode, float cutoff) {
   World world;
   add_quad(world, {-2, -2, -1}, {4, 0, 0}, {0, 4, 0}, unlit(glm::vec3(0.5f)));
@@ -61,18 +60,19 @@ double error_of_asos(AlphaMode mode, float cutoff) {
   return rmse(asos, truth);
 }
 
-// Black that covers nothing darkens nothing. It was 0.09 while colours were averaged apart from
-// alpha.
-TEST(BlendedTexture, LabelsAreAsBrightAsSamplesFindThem) {
+// Transparent black texels do not darken the labels. The error was 0.09 when colours and alpha were
+// averaged separately.
+TEST(BlendedTexture, BlendedLabelsAreAsBrightAsSampled) {
   EXPECT_LT(error_of_asos(AlphaMode::blend, 0.5f), 0.001);
 }
 
-TEST(BlendedTexture, SoAreThoseThatAreCutOut) {
+TEST(BlendedTexture, MaskedLabelsAreAsBrightAsSampled) {
   for (const float cutoff : {0.2f, 0.5f})
     EXPECT_LT(error_of_asos(AlphaMode::mask, cutoff), 0.001) << cutoff;
 }
 
-/// Black labels that hide a white wall, on sheets one before the other, each moved by so much.
+/// Black labels in front of a white wall, on one sheet per entry of `moved`, each shifted by that
+/// amount.
 Film labels_before_wall(const std::vector<glm::vec2>& moved, Method method) {
   World world;
   add_quad(world, {-2, -2, -1}, {4, 0, 0}, {0, 4, 0}, unlit(glm::vec3(1.0f)));
@@ -95,7 +95,8 @@ Film labels_before_wall(const std::vector<glm::vec2>& moved, Method method) {
   return render_picture(*scene, orthographic(2.0), settings).film;
 }
 
-/// Of labels that shine by half, as another texture that is alike says, or their own.
+/// Labels with emission 0.5. `own`: the emissive texture is the label's own; otherwise an equal
+/// copy.
 double mean_of_shining_labels(bool own, Method method) {
   World world;
   Material m = matte(glm::vec3(0));
@@ -118,23 +119,23 @@ double mean_of_shining_labels(bool own, Method method) {
   return sum / static_cast<double>(film.radiance.size());
 }
 
-// What labels send out is as much as they cover, not the square of that.
-TEST(BlendedTexture, LabelsThatShineDoSoWhereTheyAre) {
+// The emission of labels is proportional to their coverage, not to its square.
+TEST(BlendedTexture, EmissionIsWeightedByCoverageOnce) {
   constexpr double labelled = 13.0 * 13.0 / (32.0 * 32.0);
   for (const Method method : {Method::asos, Method::sobol})
     EXPECT_NEAR(mean_of_shining_labels(true, method), 0.5 * labelled, 0.001)
         << static_cast<int>(method);
-  // By samples, of which each takes two means.
+  // With a copy, samples are needed: each takes two texture averages.
   EXPECT_NEAR(mean_of_shining_labels(false, Method::asos), 0.5 * labelled, 0.005);
 }
 
-// What two sheets let through is not the product of what each does in the mean: labels before
-// labels hide no more than one of them, and labels beside labels hide as much as both.
-TEST(BlendedTexture, LayersThatHideTheSamePlacesHideThemOnce) {
+// The transmission of two sheets is not the product of their averages. Coincident labels hide as
+// much as one of them, and adjacent labels hide as much as both.
+TEST(BlendedTexture, CoincidentLayersHideOnce) {
   const Film once = labels_before_wall({{0, 0}}, Method::asos);
   const Film twice = labels_before_wall({{0, 0}, {0, 0}}, Method::asos);
   EXPECT_LT(rmse(once, twice), 0.003);
-  // No boundary lies there; the map tells that samples say how much is seen.
+  // There is no edge; the cause in the map shows that visibility was sampled.
   const auto by_samples = [](const Film& film) {
     return std::count(film.cause.begin(), film.cause.end(), SplitCause::cut_out);
   };
@@ -142,7 +143,7 @@ TEST(BlendedTexture, LayersThatHideTheSamePlacesHideThemOnce) {
   EXPECT_GT(by_samples(twice), side * side / 8);
 }
 
-TEST(BlendedTexture, LayersThatHideOtherPlacesHideBoth) {
+TEST(BlendedTexture, DisjointLayersAddUp) {
   const std::vector<glm::vec2> beside{{0, 0}, {13.0f / 128.0f, 0}};
   const Film asos = labels_before_wall(beside, Method::asos);
   EXPECT_LT(rmse(asos, labels_before_wall(beside, Method::sobol)), 0.003);

@@ -29,8 +29,8 @@ TEST(BlockQueue, IsEmptyOnceTaken) {
   queue.add(0, 0, 1.0);
   EXPECT_EQ(queue.take().size(), 1u);
   EXPECT_TRUE(queue.empty());
-  EXPECT_EQ(queue.add(5, 1, 1.0), 0u) << "numbers begin anew";
-  EXPECT_EQ(queue[0].radiance, glm::dvec3(0.0)) << "nothing is left of what was taken";
+  EXPECT_EQ(queue.add(5, 1, 1.0), 0u) << "numbers restart at 0";
+  EXPECT_EQ(queue[0].radiance, glm::dvec3(0.0)) << "taken samples are gone";
   EXPECT_EQ(queue.take().size(), 1u);
 }
 

@@ -19,11 +19,11 @@ using test::make_render_scene;
 using test::unlit;
 
 constexpr int side = 48;
-constexpr double distance = 4.0;  // of the camera above the mirror
+constexpr double distance = 4.0;  // from the camera to the mirror
 constexpr double height = 6.0;    // of the mirrored object
-constexpr double fov = 0.06;      // so narrow that all rays meet the mirror upright
+constexpr double fov = 0.06;      // so narrow that all rays hit the mirror at right angles
 
-/// Looks straight down at a mirror in y = 0, in which it sees what hangs at y = 6.
+/// Looks straight down at a mirror in y = 0, which reflects objects at y = 6.
 Camera from_above() {
   Camera camera = look_at({0, distance, 0}, {0, 0, -1e-9}, fov);
   // +X to the right, -Z up.
@@ -55,7 +55,7 @@ RenderSettings settings_of(Method method) {
   return settings;
 }
 
-/// How much of two boxes, one convolved with the other, lies below x.
+/// Integral below x of two convolved boxes of widths a and b.
 double below(double x, double a, double b) {
   const auto ramp2 = [](double y) { return y > 0.0 ? 0.5 * y * y : 0.0; };
   const double s = 0.5 * (a + b), d = 0.5 * (a - b);
@@ -65,9 +65,9 @@ double below(double x, double a, double b) {
 
 struct Edge {
   double at = 0.0013;
-  double width = 0.0;  // of the lobe, one unit ahead
+  double width = 0.0;  // of the lobe, at distance 1
 
-  /// Share of the pixel in this column that the dark half-plane x < at covers.
+  /// Fraction of the pixel in this column that the dark half-plane x < at covers.
   [[nodiscard]] double covered(int column) const {
     const double pixel = 2.0 * std::tan(0.5 * fov) / side;
     const double middle = (column + 0.5 - 0.5 * side) * pixel * (distance + height);
@@ -96,8 +96,8 @@ World half_plane(const Material& material, double at) {
 
 class EveryBlur : public testing::TestWithParam<double> {};
 
-// The profile of an edge in a blurred mirror: both the pixel's own width and the lobe's.
-TEST_P(EveryBlur, OfAHalfPlaneIsItsClosedForm) {
+// The profile of an edge in a blurred mirror: a convolution of the pixel's width and the lobe's.
+TEST_P(EveryBlur, HalfPlaneMatchesClosedForm) {
   Material material = mirror();
   blur(material, GetParam());
   Edge edge;
@@ -111,14 +111,14 @@ TEST_P(EveryBlur, OfAHalfPlaneIsItsClosedForm) {
 
 INSTANTIATE_TEST_SUITE_P(Ratios, EveryBlur, testing::Values(1.0, 0.9, 0.5, 0.2, 0.05));
 
-TEST(BlurredMirror, IsWhatSamplesConvergeTo) {
+TEST(BlurredMirror, MatchesSampledReflection) {
   Material material = mirror();
   blur(material, 0.2);
   Edge edge;
   edge.width = 2.0 * std::tan(0.5 * fov) / side * 4.0;
   RenderSettings settings = settings_of(Method::sobol);
   settings.sampling.spp = 4096;
-  // The deviation of as many independent samples.
+  // The standard deviation of as many independent samples.
   const double deviation = 0.5 / std::sqrt(settings.sampling.spp);
   const auto row = middle_row(half_plane(material, edge.at), settings);
   const double sky = static_cast<double>(sky_radiance);
@@ -126,10 +126,9 @@ TEST(BlurredMirror, IsWhatSamplesConvergeTo) {
     EXPECT_NEAR(row[static_cast<std::size_t>(x)] / sky, 1.0 - edge.covered(x), deviation) << x;
 }
 
-// A mirror ends in a corner with what it shows, and the corner runs through all pixels from side to
-// side: half of the rectangle around a leaf would lie behind that wall, whence nothing of it is
-// seen.
-TEST(BlurredMirror, IsOfTheLeafAndNotOfWhatLiesBeyondACorner) {
+// A mirror meets a wall in a corner that runs through all pixels from side to side. Half of the
+// rectangle around a leaf would be behind the wall, where nothing is reflected.
+TEST(BlurredMirror, StaysWithinTheLeafAtACorner) {
   World world;
   Material blurred = mirror();
   blur(blurred, 0.0125);
@@ -139,7 +138,7 @@ TEST(BlurredMirror, IsOfTheLeafAndNotOfWhatLiesBeyondACorner) {
   wall.double_sided = false;
   add_quad(world, {0, 0, 40}, {0, 0, -80}, {0, 40, 0}, wall);
   const auto scene = make_render_scene(std::move(world));
-  // Along the corner's floor, turned by half a right angle about what it looks at.
+  // Looks along the floor of the corner, rotated by 45 degrees about the view's target.
   Camera camera = look_at({4, 3, 0}, {0, 0, 0}, 0.03);
   camera.world_from_camera = camera.world_from_camera *
                              glm::dmat4(glm::dmat3(std::sqrt(0.5), std::sqrt(0.5), 0,
@@ -175,8 +174,9 @@ TEST(BlurredMirror, BlursColoursByTheirOwnCurves) {
   }
 }
 
-// A highlight is the light itself, as blurred as all else: its share of the lobe.
-TEST(BlurredMirror, ShowsALightThatNoSurfaceShows) {
+// The highlight is the light itself with the same blur as everything else: its fraction of the
+// lobe.
+TEST(BlurredMirror, ShowsLightsWithoutGeometry) {
   Material material = mirror();
   blur(material, 0.1);
   World world = half_plane(material, -8.0);

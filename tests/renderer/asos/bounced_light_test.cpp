@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-// Light that surfaces send each other, one diffuse bounce, beside closed forms.
+// One diffuse bounce of light between surfaces, against closed forms.
 
 namespace asos::test::bounced_light_test {
 namespace {
@@ -20,7 +20,7 @@ Material chalk(float albedo) {
   return material;
 }
 
-/// The walls of a cube from -1 to 1, which face inwards.
+/// The walls of a cube from -1 to 1, facing inwards.
 void add_room(World& world, const Material& material) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const float sign : {-1.0f, 1.0f}) {
@@ -33,7 +33,7 @@ void add_room(World& world, const Material& material) {
   }
 }
 
-/// Each wall of the room as a light of one nit.
+/// Each wall of the room as a light of 1 cd/m².
 std::vector<Light> shining_walls() {
   std::vector<Light> lights;
   for (int axis = 0; axis < 3; ++axis) {
@@ -52,7 +52,7 @@ std::vector<Light> shining_walls() {
   return lights;
 }
 
-/// The mean of a small picture of the middle of what is ahead.
+/// Mean brightness of a small picture of the point ahead.
 double brightness(const RenderScene& scene, Method method, int bounces, glm::dvec3 eye = {0, 0, 0},
                   float sky = 0.0f) {
   RenderSettings settings;
@@ -68,9 +68,9 @@ double brightness(const RenderScene& scene, Method method, int bounces, glm::dve
   return sum / static_cast<double>(film.radiance.size());
 }
 
-// A white furnace: all around is one nit, so that a surface sends on its albedo of it, and of what
-// the others send on its albedo once more.
-TEST(BouncedLight, AFurnaceIsTheSumOfItsAlbedosPowers) {
+// White furnace: all surroundings have a radiance of 1, so a surface reflects its albedo, plus its
+// albedo times what the others reflect.
+TEST(BouncedLight, WhiteFurnaceMatchesTheGeometricSeries) {
   for (const float albedo : {0.5f, 0.8f}) {
     World world;
     add_room(world, chalk(albedo));
@@ -84,7 +84,7 @@ TEST(BouncedLight, AFurnaceIsTheSumOfItsAlbedosPowers) {
   }
 }
 
-// What is not lit at all is a source of light, too.
+// Unlit surfaces are light sources, too.
 TEST(BouncedLight, UnlitWallsShineOnWhatTheyEnclose) {
   World world;
   Material unlit = matte(glm::vec3(0.6f));
@@ -98,9 +98,9 @@ TEST(BouncedLight, UnlitWallsShineOnWhatTheyEnclose) {
     EXPECT_NEAR(brightness(*scene, method, 1), 0.5 * 0.6, 1e-3);
 }
 
-// A floor beside an endless wall that a sky lights: the wall sees half of the sky less the floor,
-// which is black, and the floor's point sees the wall by its form factor.
-TEST(BouncedLight, AWallThatTheSkyLightsSendsItToTheFloor) {
+// A floor next to an endless wall under a uniform sky. The wall sees half of the sky and the black
+// floor; the floor's point sees the wall with its form factor.
+TEST(BouncedLight, SkyLitWallLightsTheFloor) {
   constexpr double albedo = 0.5, height = 2.0;
   World world;
   add_quad(world, {0.5f, 0, 1000}, {0, 0, -2000}, {0, static_cast<float>(height), 0},
@@ -110,8 +110,8 @@ TEST(BouncedLight, AWallThatTheSkyLightsSendsItToTheFloor) {
   dark.intensity = 1e-9f;
   const auto scene = make_render_scene(std::move(world), {dark});
   const double hidden = 0.5 * (1.0 - 0.5 / std::hypot(0.5, height));
-  // Nothing else lies below the sky, which is the same all over: half of it lights the wall's face
-  // from above and half from below.
+  // Below the horizon there is only sky, of the same radiance: it lights the wall's face half from
+  // above and half from below.
   const double expected = albedo * ((1.0 - hidden) + hidden * albedo);
   for (const Method method : {Method::asos, Method::sobol})
     EXPECT_NEAR(brightness(*scene, method, 1, {0, 1, -0.1}, 1.0f), expected, 4e-3 * expected);

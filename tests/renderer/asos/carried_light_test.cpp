@@ -18,7 +18,7 @@ std::vector<PreparedLight> prepared(const std::vector<Light>& lights) {
   return all;
 }
 
-/// White, and turned to what is above.
+/// A white surface point that faces up.
 struct WhiteFloor {
   explicit WhiteFloor(glm::vec3 position) {
     at.position = position;
@@ -29,8 +29,8 @@ struct WhiteFloor {
   ViewedMaterial material{glm::vec3(1.0f), glm::vec3(0.0f), glm::vec3(0.0f), 1.0f, glm::vec3(0.0f)};
 };
 
-// By way of the brightest of the places, and of none once they are forgotten.
-TEST(CarriedLight, IsWhatAWhiteFloorShowsOfIt) {
+// The maximum over the shading points; zero after start() has cleared them.
+TEST(CarriedLight, MatchesRadianceOfAWhiteFloor) {
   std::vector<Light> lights{point_light(), rectangle_light()};
   for (Light& light : lights) light.intensity = 0.2f;
   const std::vector<PreparedLight> all = prepared(lights);
@@ -41,15 +41,15 @@ TEST(CarriedLight, IsWhatAWhiteFloorShowsOfIt) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const glm::vec3 e = unshadowed_irradiance(all[i], {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}});
     const double radiance = static_cast<double>(e.x) * std::numbers::inv_pi;
-    // The rectangle is as wide as a third of its distance.
+    // The rectangle's width is a third of its distance.
     EXPECT_NEAR(most[i], radiance, 0.25 * radiance) << i;
   }
   carried.start();
   for (const double one : carried.most()) EXPECT_EQ(one, 0.0);
 }
 
-// The faces of one part are seen from two sides at most, however many they are.
-TEST(CarriedLight, OfOnePartHidesEachOther) {
+// At most two sides of a part's faces are visible from anywhere, however many faces there are.
+TEST(CarriedLight, IsLimitedToTwoSidesOfOnePart) {
   std::vector<PreparedLight> all = prepared(std::vector<Light>(40, rectangle_light()));
   for (PreparedLight& light : all) light.own_part = 3;
   CarriedLight carried(all);
@@ -57,7 +57,7 @@ TEST(CarriedLight, OfOnePartHidesEachOther) {
   carried.add({all, floor.view, floor.material});
   double sum = 0.0;
   for (const double one : carried.most()) sum += one;
-  EXPECT_NEAR(sum, 2.0, 1e-6) << "each is whiter than white";
+  EXPECT_NEAR(sum, 2.0, 1e-6) << "each light alone is brighter than white";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ LeafChoice leaf_of(double error, double weight = 1.0) {
   return leaf;
 }
 
-TEST(Choose, CentreWithinTheAllowance) {
+TEST(Choose, ChoosesCentreWithinTheAllowance) {
   EXPECT_EQ(choose(allowance_of(3), leaf_of(1.0 / 256.0)), Estimator::centre);
   EXPECT_EQ(choose(allowance_of(3), leaf_of(0.0)), Estimator::centre);
   EXPECT_NE(choose(allowance_of(3), leaf_of(1.01 / 256.0)), Estimator::centre);
@@ -38,25 +38,25 @@ TEST(Choose, SamplesWithoutABound) {
   EXPECT_EQ(choose(allowance_of(3), leaf), Estimator::samples);
 }
 
-TEST(Choose, CheaperOfSplitAndSamples) {
-  // Twice the tolerance: four leaves, whatever is left of the error.
+TEST(Choose, ChoosesCheaperOfSplitAndSamples) {
+  // Twice the tolerance: a split costs four leaves.
   LeafChoice leaf = leaf_of(2.0 / 256.0);
   const double samples = allowance_of(4).samples(1.0, Allowance::usual_contrast);
   leaf.price = 0.99 * samples / 4.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::split);
   leaf.price = 1.01 * samples / 4.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::samples);
-  // A light part deserves few samples.
+  // A leaf with a small weight needs few samples.
   leaf.price = 3.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::split);
   leaf.weight = 1.0 / 256.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::samples);
 }
 
-TEST(Choose, LeastErrorAtMax) {
+TEST(Choose, ChoosesLeastErrorAtMax) {
   LeafChoice leaf = leaf_of(1.0);
   leaf.may_split = false;
-  leaf.weight = 1.0 / 256.0;  // a finest cell of MAX 4: four samples
+  leaf.weight = 1.0 / 256.0;  // a cell at level MAX 4: four samples
   const double of_samples = Allowance::error_of_samples(4.0, Allowance::usual_contrast);
   leaf.bound.error = 1.02 * of_samples;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::samples);
@@ -79,7 +79,7 @@ TEST(Choose, SmallMaxLeavesAllToSamples) {
   EXPECT_TRUE(samples_cost_least(allowance_of(1), 1.0));
   EXPECT_FALSE(samples_cost_least(allowance_of(2), 1.0));
   EXPECT_TRUE(samples_cost_least(allowance_of(2), 1.0 / 8.0));
-  EXPECT_TRUE(samples_cost_least(allowance_of(8, 1.0 / 8.0), 1.0)) << "EPS asks for no more";
+  EXPECT_TRUE(samples_cost_least(allowance_of(8, 1.0 / 8.0), 1.0)) << "EPS needs no more samples";
 }
 
 TEST(ErrorBound, AddsUpInAnyOrder) {

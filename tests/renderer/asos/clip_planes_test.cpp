@@ -8,8 +8,8 @@
 #include <memory>
 #include <numbers>
 
-// The camera's near and far planes (glTF 2.0, 3.10.3) cut visible surfaces, but neither shadows nor
-// reflections. Areas of the pictures are closed forms.
+// The camera's near and far planes (glTF 2.0, 3.10.3) clip visible surfaces, but no shadows or
+// reflections. The expected areas are closed forms.
 
 namespace asos::test::clip_planes_test {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 constexpr int side = 24;
 const glm::vec3 outer(0.9f, 0.0f, 0.0f), inner(0.0f, 0.0f, 0.7f), back(0.0f, 0.8f, 0.0f);
 
-/// Looks along -z from the origin, 90 degrees wide or 4 units.
+/// Looks along -z from the origin, 90 degrees wide, or 4 units if orthographic.
 Camera camera_of(Camera::Type type) {
   Camera camera;
   camera.type = type;
@@ -58,7 +58,7 @@ Material card(glm::vec3 colour, float alpha = 1.0f) {
   return material;
 }
 
-/// A box from z = -2 to -5, 2 x 2 wide, about the view's axis: its front has the colour `outer`,
+/// A box from z = -2 to -5, 2 x 2 wide, around the view's axis: its front has the colour `outer`,
 /// its sides `inner` and its end `back`.
 World tunnel() {
   World world;
@@ -71,8 +71,8 @@ World tunnel() {
   return world;
 }
 
-/// Areas of the picture of the tunnel where the near plane has its front at depth `near`: its
-/// section and its end are squares.
+/// Projected areas of the tunnel if the near plane clips its front at depth `near`: its section and
+/// its end are squares.
 glm::dvec3 tunnel_from(double near) {
   const double whole = 1.0 / (near * near), end = 1.0 / 25.0;
   return (whole - end) * glm::dvec3(inner) + end * glm::dvec3(back);
@@ -107,7 +107,7 @@ TEST(ClipPlanes, FarPlaneEndsABoxInPerspective) {
               walls * glm::dvec3(inner), 2e-3);
 }
 
-/// A box 2 high, 5 away, whose section is a square with a corner towards the camera.
+/// A box of height 2 at distance 5, with a square base and a corner towards the camera.
 World turned_box() {
   const float r = std::numbers::sqrt2_v<float>;
   World world;
@@ -124,7 +124,7 @@ TEST(ClipPlanes, CutABoxInParallelProjection) {
   const auto scene = make_render_scene(turned_box());
   const Camera all = camera_of(Camera::Type::orthographic);
   const double r = std::numbers::sqrt2;
-  // The near plane takes 0.6 of depth away, and so 1.2 of the width; the far plane 0.4 and 0.8.
+  // The near plane removes 0.6 of the depth, and so 1.2 of the width; the far plane 0.4 and 0.8.
   const double whole = 2.0 * 2.0 * r / 16.0, cut = 1.2 * 2.0 / 16.0;
   const Camera near = with_planes(all, 5.0 - r + 0.6, {});
   const Camera between = with_planes(all, 5.0 - r + 0.6, 5.0 + r - 0.4);
@@ -140,20 +140,20 @@ TEST(ClipPlanes, CutABoxInParallelProjection) {
   expect_near(mean_of(render_picture(*scene, near, settings_of(Method::sobol))), opened, 2e-3);
 }
 
-// All pixels are determined by boundaries where the line of the cut lies askew.
+// All pixels are exact along an oblique clipping line.
 TEST(ClipPlanes, CutAPlaneAlongAnyLine) {
   World world;
-  // The plane z = -3 + 0.3 x + 0.5 y, far beyond the view.
+  // The plane z = -3 + 0.3 x + 0.5 y, larger than the view.
   add_quad(world, {-50, -50, -43}, {100, 0, 30}, {0, 100, 50}, card(glm::vec3(0.5f)));
   const Camera camera = with_planes(camera_of(Camera::Type::perspective), 3.0, {});
-  // Half of the picture remains: 0.3 x + 0.5 y < 0.
+  // The half-plane 0.3 x + 0.5 y < 0 of the picture remains.
   const Picture picture =
       render_picture(*make_render_scene(std::move(world)), camera, settings_of(Method::asos));
   EXPECT_NEAR(mean_of(picture).x, 0.25, 1e-4);
   EXPECT_EQ(picture.statistics.missed_splits, 0u);
 }
 
-TEST(ClipPlanes, MirrorsShowWhatTheyCutOff) {
+TEST(ClipPlanes, ClippedSurfacesAppearInMirrors) {
   World world;
   Material mirror;
   mirror.base_color = glm::vec4(1.0f);
@@ -162,7 +162,7 @@ TEST(ClipPlanes, MirrorsShowWhatTheyCutOff) {
   add_quad(world, {-9, -9, -5}, {18, 0, 0}, {0, 18, 0}, mirror);
   add_quad(world, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, card(outer));
   const auto scene = make_render_scene(std::move(world));
-  // The image of the card, 1 away, is 9 away.
+  // The reflection of the card, which is at distance 1, is at distance 9.
   const Camera camera = with_planes(camera_of(Camera::Type::perspective), 1.5, 6.0);
   expect_near(mean_of(render_picture(*scene, camera, settings_of(Method::asos))),
               1.0 / 81.0 * glm::dvec3(outer), 1e-4);
@@ -170,7 +170,7 @@ TEST(ClipPlanes, MirrorsShowWhatTheyCutOff) {
               1.0 / 81.0 * glm::dvec3(outer), 1e-3);
 }
 
-TEST(ClipPlanes, ShadowsAreCastByWhatTheyCutOff) {
+TEST(ClipPlanes, ClippedSurfacesCastShadows) {
   const auto lit = [](bool with_card) {
     World world;
     add_quad(world, {-9, -9, -5}, {18, 0, 0}, {0, 18, 0}, matte(glm::vec3(0.5f)));
@@ -197,14 +197,14 @@ TEST(ClipPlanes, BlendedSurfacesBeyondTheFarPlaneAreNotSeen) {
     add_quad(world, {-9, -9, -i}, {18, 0, 0}, {0, 18, 0}, card(glm::vec3(1.0f), 0.5f));
   const auto scene = make_render_scene(std::move(world));
   const Camera camera = with_planes(camera_of(Camera::Type::perspective), 1.5, 3.5);
-  // Two of the four are left.
+  // Two of the four remain.
   for (const Method method : {Method::asos, Method::sobol})
     expect_near(mean_of(render_picture(*scene, camera, settings_of(method))), glm::dvec3(0.75),
                 1e-5);
 }
 
-// Where a plane leaves everything, nothing changes at all.
-TEST(ClipPlanes, ThatCutNothingChangeNoBit) {
+// Planes that clip nothing change no bit.
+TEST(ClipPlanes, ChangeNoBitIfTheyClipNothing) {
   World world = turned_box();
   add_sphere(world, {0.5f, 0.3f, -4}, 0.8f, 8, matte({0.4f, 0.5f, 0.6f}));
   Light light;

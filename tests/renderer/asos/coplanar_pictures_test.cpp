@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-// Decals that lie exactly on a wall: every method shows them whole, whichever way they are turned.
+// Decals exactly on a wall: every method shows them completely, for any winding.
 
 namespace asos::test::coplanar_pictures_test {
 namespace {
@@ -25,7 +25,7 @@ Material paint(glm::vec3 colour, AlphaMode mode, float alpha = 1.0f) {
   return m;
 }
 
-/// A square about the origin, turned by an angle about an axis that is no coordinate's.
+/// A square around the origin, rotated about an oblique axis.
 void add_square(World& world, float half, double angle, const Material& material,
                 float turn = 0.0f) {
   const glm::dmat4 tilt = glm::rotate(glm::dmat4(1.0), angle, glm::normalize(glm::dvec3(1, 2, 3)));
@@ -51,7 +51,7 @@ glm::vec3 middle_of(const Film& film, glm::vec3& least, glm::vec3& most) {
   return sum;
 }
 
-/// All pixels of the picture's middle show this colour.
+/// Expects that all pixels in the picture's centre have this colour.
 void expect_even(const World& world, glm::vec3 expected) {
   const auto scene = make_render_scene(World(world));
   const Camera camera = look_at({0.3, 0.2, 4.0}, {0, 0, 0}, 0.6);

@@ -13,7 +13,7 @@ glm::dvec3 bent(glm::dvec2 p) {
   return {0.3 + 0.2 * p.x - 0.1 * p.y + 0.4 * p.x * p.y, 0.5 - p.x * p.x + 0.25 * p.y * p.y, 1.0};
 }
 
-/// Three by three places of a square somewhere, and what lies there.
+/// Nine places, 3 x 3, of a part of the unit square, with the function's values.
 template <typename Function>
 std::vector<KnownValue> nine(const Function& of, double variance) {
   std::vector<KnownValue> known;
@@ -24,7 +24,7 @@ std::vector<KnownValue> nine(const Function& of, double variance) {
   return known;
 }
 
-TEST(Course, MeetsWhatIsOfSecondDegree) {
+TEST(Course, FitsQuadraticsExactly) {
   const auto course = Course::through(nine(bent, 1e-6));
   ASSERT_TRUE(course);
   EXPECT_LT(course->misfit(), 1e-9);
@@ -34,12 +34,12 @@ TEST(Course, MeetsWhatIsOfSecondDegree) {
   }
 }
 
-// Of a step between the nodes the misfit tells, beside their noise.
-TEST(Course, TellsThatAStepIsNone) {
+// The misfit, relative to the values' noise, reveals a step between the nodes.
+TEST(Course, MisfitDetectsAStep) {
   const auto step = [](glm::dvec2 p) { return glm::dvec3(p.x < 0.4 ? 0.2 : 0.8, 0.5, 0.5); };
   const auto course = Course::through(nine(step, 1e-4));
   ASSERT_TRUE(course);
-  // A step along x is a curve of second degree there; one along a diagonal is none.
+  // A step along x can be fitted by a quadratic through three columns; a diagonal one cannot.
   EXPECT_LT(course->misfit(), 1e-9);
   const auto diagonal = [](glm::dvec2 p) {
     return glm::dvec3(p.x + p.y < 0.65 ? 0.2 : 0.8, 0.5, 0.5);
@@ -49,8 +49,8 @@ TEST(Course, TellsThatAStepIsNone) {
   EXPECT_GT(none->misfit(), 100.0);
 }
 
-// Noise of the size that it is said to have is off by 1 on the average.
-TEST(Course, HasTheMisfitOfItsNoise) {
+// Noise of the assumed variance gives a mean misfit of 1.
+TEST(Course, MisfitOfNoiseIsOne) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0.0, 0.01);
   double sum = 0.0;
@@ -75,7 +75,7 @@ TEST(Course, NeedsPlacesThatSpanASurface) {
   EXPECT_FALSE(Course::through(known)) << "one place";
 }
 
-// What is known better counts for more.
+// Values with less noise have more weight.
 TEST(Course, WeighsValuesByTheirNoise) {
   std::vector<KnownValue> known;
   for (int i = 0; i < 8; ++i) {

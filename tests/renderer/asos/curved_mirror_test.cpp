@@ -39,7 +39,7 @@ Material shown(glm::vec3 colour) {
   return m;
 }
 
-/// A mirroring ball among a floor, a wall and a post.
+/// A reflecting sphere with a floor, a wall and a post.
 std::shared_ptr<const RenderScene> ball(const Material& material) {
   World world;
   add_quad(world, {-6, 0, 6}, {12, 0, 0}, {0, 0, -12}, shown({0.3f, 0.35f, 0.3f}));
@@ -82,21 +82,21 @@ TEST_P(EveryCurvedMirror, ConvergesToTheReference) {
   settings.asos.eps = 0.0;
   settings.mirror.curved = GetParam();
   settings.mirror.widest_angle_deg = 4.0;
-  // The reference's noise: it is off by about as much as another one differs.
+  // The noise of the reference, estimated from the difference to one with another seed.
   const double noise = rmse(picture(*scene, sobol(4096, 1)), reference);
   std::vector<double> errors;
   for (const int level : {1, 2, 4}) {
     settings.asos.max_level = level;
     errors.push_back(rmse(picture(*scene, settings), reference));
   }
-  // Tangent planes leave gaps between the pyrays, which no level closes unless it splits for them.
+  // Tangent planes leave gaps between pyrays, which more levels do not close.
   if (GetParam() == CurvedMirror::tangent) {
     settings.mirror.curved = CurvedMirror::approximate;
     EXPECT_LT(rmse(picture(*scene, settings), reference), errors[2]);
   } else {
     EXPECT_LT(errors[1], errors[0]);
-    // Leaves that disagree are sampled, so that MAX 1 may be as good as any; nothing is refined
-    // below what nobody sees.
+    // Leaves with different results are sampled, so MAX 1 may already be best; errors below the
+    // visible threshold are not refined.
     EXPECT_LT(errors[2], std::max(0.5 * errors[0], 0.5 * Allowance::invisible))
         << errors[0] << ' ' << errors[1];
     EXPECT_LT(noise, 2e-4);
@@ -122,8 +122,8 @@ TEST(CurvedMirror, ConvergesWhenItIsRough) {
   EXPECT_LT(noise, 1e-3);
 }
 
-// The windscreen of a car that somebody made, whose frame is thinner than a pixel.
-TEST(CurvedMirror, OfAMeshIsNotTakenForThatOfOneTriangle) {
+// A real car model: its windscreen has a frame thinner than a pixel.
+TEST(CurvedMirror, MeshIsNotExtrapolatedFromOneTriangle) {
   const auto shared = shared_dir();
   if (!shared) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";
   const auto loaded = load_scene((*shared / "scenes/ToyCar/ToyCar.gltf").string());
@@ -136,14 +136,14 @@ TEST(CurvedMirror, OfAMeshIsNotTakenForThatOfOneTriangle) {
     settings.crop = {152, 80, 8, 8};
     return test::render_picture(**car, camera, settings).film.radiance;
   };
-  // Of all of the picture, which is black around it. It was 9.3e-4 while a pyray might spread by
-  // ten degrees.
+  // RMSE over the whole picture, which is black around the crop. It was 9.3e-4 when a pyray could
+  // diverge by ten degrees.
   EXPECT_LT(rmse(windscreen({}), windscreen(sobol(1024))), 3e-4);
 }
 
-// The normals of a mesh's corners lean to and fro by a little, from one to the next, four to a
-// pixel: each triangle says that the mirror is bent far more than it is.
-TEST(CurvedMirror, IsSampledWhereTrianglesSmallerThanPixelsDoNotTellItsBend) {
+// The normals of neighbouring mesh corners lean in alternating directions, four corners per pixel.
+// Each triangle suggests a much larger curvature than the mirror has.
+TEST(CurvedMirror, SamplesMeshesFinerThanPixels) {
   constexpr int side = 160;
   constexpr float leans = 0.005f;
   std::vector<test::TinyVertex> vertices;
@@ -176,7 +176,7 @@ TEST(CurvedMirror, IsSampledWhereTrianglesSmallerThanPixelsDoNotTellItsBend) {
   EXPECT_LT(rmse(picture(*scene, settings), reference), 2.0 / 256.0) << "two tolerances";
 }
 
-// Two mirrors that face each other, as deep as it goes: nothing grows, nothing is lost.
+// Two mirrors facing each other, up to the maximum depth: radiance neither grows nor vanishes.
 TEST(FacingMirrors, AreFollowedToTheLastBounce) {
   World world;
   Material m = mirror(0.0f);
@@ -193,7 +193,7 @@ TEST(FacingMirrors, AreFollowedToTheLastBounce) {
     settings.method = method;
     settings.sampling.spp = 4;
     for (const glm::vec3& c : test::render_picture(*scene, camera, settings).film.radiance) {
-      // The sky beside the mirrors, or its mean where the bounces end.
+      // The sky next to the mirrors, or its mean after the last bounce.
       EXPECT_GT(c.x, 0.2f);
       EXPECT_LT(c.x, 0.36f);
     }

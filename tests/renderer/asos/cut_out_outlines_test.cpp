@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// The share of each pixel that a shape covers which is painted into a texture's alpha, from many
-// texels a pixel to a fraction of one, against the area of the curve alpha = cut-off.
+// The covered fraction of pixels for shapes in a texture's alpha, from many texels per pixel to
+// fractions of one, against the area of the curve alpha = cutoff.
 
 namespace asos::test::cut_out_outlines_test {
 namespace {
@@ -24,7 +24,7 @@ constexpr double radius = 20.7;
 
 using Alpha = double (*)(glm::dvec2 texel);
 
-/// By its distance from the rim, a texel wide from none to all.
+/// From the distance to the rim, with a transition of one texel.
 double disk(glm::dvec2 p) {
   return 0.5 + radius - glm::distance(p, middle);
 }
@@ -39,7 +39,7 @@ std::uint8_t byte_of(double alpha) {
   return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(alpha, 0.0, 1.0)));
 }
 
-/// Texels begin at whole numbers here: the image's corner is the origin, y goes down.
+/// Texels begin at integers: the image's corner is the origin, y points down.
 class Painting {
  public:
   explicit Painting(Alpha alpha) {
@@ -52,8 +52,8 @@ class Painting {
     return bytes_[static_cast<std::size_t>(inside(y) * texels + inside(x))];
   }
 
-  /// The area of a rectangle in which the bilinear mean is at least `cutoff`: along lines, on which
-  /// it is straight from one texel's middle to the next.
+  /// The area of a rectangle where bilinear alpha is at least `cutoff`, integrated over lines, on
+  /// which alpha is linear between texel centres.
   [[nodiscard]] double kept(glm::dvec2 lo, glm::dvec2 hi, double cutoff) const {
     const int lines = static_cast<int>(std::ceil(std::max(2048.0, 512.0 * (hi.y - lo.y))));
     double sum = 0.0;
@@ -88,8 +88,8 @@ class Painting {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// A card of `texels` units before a black wall, of which the picture shows a window around the
-/// place `at` (in texels) with `texels_a_pixel`.
+/// A card of `texels` units in front of a black wall. The picture shows a window around `at` (in
+/// texels) with `texels_a_pixel`.
 struct Shot {
   Alpha alpha;
   double texels_a_pixel;
@@ -119,7 +119,7 @@ struct Shot {
                           orthographic(texels_a_pixel * pixels), settings);
   }
 
-  /// The part of the card that a pixel shows.
+  /// The corner of the card's area that a pixel shows.
   [[nodiscard]] glm::dvec2 corner(int x, int y) const {
     return at + texels_a_pixel * (glm::dvec2(x, y) - 0.5 * pixels);
   }
@@ -170,8 +170,8 @@ TEST(CutOutOutlines, CoverPixelsByTheAreaOfTheirCurve) {
   }
 }
 
-// What a byte of alpha and a texel's width can say of a disk: its rim to a hundredth of a texel
-// where it is soft, and to a quarter where it is not.
+// Accuracy that 8-bit alpha and the texel size allow for a disk's rim: a hundredth of a texel if it
+// is soft, a quarter if it is hard.
 TEST(CutOutOutlines, ShowTheDiskThatWasPainted) {
   const double area = std::numbers::pi * radius * radius;
   const double rim = 2.0 * std::numbers::pi * radius;

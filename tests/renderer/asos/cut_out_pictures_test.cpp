@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-// Whole pictures of a floor under a large masked card, whose outline is nowhere near the picture.
-// Place: tests/renderer/asos/cut_out_pictures_test.cpp.
+// Pictures of a floor under a large masked card whose outline is outside the view.
 
 namespace asos::test::cut_out_pictures_test {
 namespace {
@@ -53,8 +52,8 @@ double rms(const Picture& a, const Picture& b) {
   return std::sqrt(sum / static_cast<double>(a.film.radiance.size()));
 }
 
-// Each level halves the cells' side: the error falls by 2^1.5. EPS, which shadow rays are held to
-// whatever MAX is, has to fall with it.
+// Each level halves the side of cells, which reduces the error by 2^1.5. EPS, the tolerance of
+// shadow rays at any MAX, is reduced with it.
 void expect_error_falls(const Light& light, Method judge, int judge_spp) {
   const Picture truth = picture_of(light, judge, 3, judge_spp);
   double before = 0.0;
@@ -89,10 +88,10 @@ std::vector<Light> small_area_lights() {
   return lights;
 }
 
-// Up to the truth's own noise and, under a light from above, but for those far pixels that show
-// hundreds of texels; whatever MAX is, nearer than what is left to samples, and by fewer rays once
-// these are many.
-TEST(CutOutPictures, UnderHardLightsAreExactWhereTexelsAreFew) {
+// The error is within the reference's noise, except under a light from above for far pixels that
+// show hundreds of texels. At any MAX it is smaller than with samples only, and takes less than
+// half the rays.
+TEST(CutOutPictures, AreExactUnderHardLightsForFewTexels) {
   for (const Light& light : hard_lights()) {
     const Picture truth = picture_of(light, Method::uniform, 3, 1024);
     for (int max_level = 3; max_level <= 4; ++max_level) {
@@ -107,16 +106,16 @@ TEST(CutOutPictures, UnderHardLightsAreExactWhereTexelsAreFew) {
   }
 }
 
-TEST(CutOutPictures, LeftToSamplesGetExacterWithEveryLevelUnderHardLights) {
+TEST(CutOutPictures, SampledErrorFallsWithMaxUnderHardLights) {
   for (const Light& light : hard_lights()) expect_error_falls(light, Method::uniform, 1024);
 }
 
-TEST(CutOutPictures, LeftToSamplesGetExacterWithEveryLevelUnderSmallAreaLights) {
+TEST(CutOutPictures, SampledErrorFallsWithMaxUnderSmallAreaLights) {
   for (const Light& light : small_area_lights()) expect_error_falls(light, Method::sobol, 1024);
 }
 
-// Leaves before leaves, iron before its own shadow: many outlines in a pixel.
-TEST(CutOutPictures, OfTheBuiltInScenesAreThoseOfManySamples) {
+// Leaves in front of leaves, iron in front of its own shadow: many outlines per pixel.
+TEST(CutOutPictures, BuiltInScenesMatchManySamples) {
   for (const char* source : {"builtin:railing", "builtin:foliage"}) {
     const auto loaded = load_scene(source);
     ASSERT_TRUE(loaded);
@@ -140,8 +139,8 @@ TEST(CutOutPictures, OfTheBuiltInScenesAreThoseOfManySamples) {
   }
 }
 
-/// A card that stands on a mirror, seen in the mirror and beside it, or the card and its image
-/// built as two cards: ten texels and their outline.
+/// A card that stands on a mirror, seen directly and reflected; or, without the mirror, the card
+/// and its mirror image as two cards. Ten texels with their outline.
 Picture upon_mirror(bool mirrored) {
   World world;
   Material floor = matte({1, 1, 1});
@@ -161,7 +160,7 @@ Picture upon_mirror(bool mirrored) {
           }),
       Wrap::clamp_to_edge, Filter::linear);
   add_quad(world, {-1, 0.3f, 0}, {2, 0, 0}, {0, 2, 0}, card);
-  // Its image: what the mirror shows of the dark wall is dark, too.
+  // The mirror image, dark like the wall's reflection.
   if (!mirrored) add_quad(world, {-1, -0.3f, 0}, {2, 0, 0}, {0, -2, 0}, card);
   RenderSettings settings;
   settings.width = settings.height = 48;
@@ -170,7 +169,7 @@ Picture upon_mirror(bool mirrored) {
                         look_at({0.3, 2.5, 7}, {0, 0, 0}, 0.6), settings);
 }
 
-TEST(CutOutPictures, AreAsExactInAMirror) {
+TEST(CutOutPictures, AreEquallyExactInMirrors) {
   const Picture seen = upon_mirror(true), built = upon_mirror(false);
   EXPECT_EQ(seen.statistics.missed_splits, 0u);
   EXPECT_LT(rms(seen, built), 2e-3);

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-// Light that falls on the far side of a leaf (KHR_materials_diffuse_transmission): Lambert's law.
+// Light that arrives on the far side of a leaf (KHR_materials_diffuse_transmission): Lambert's law.
 
 namespace asos::test::diffuse_transmission_test {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr int leaf_side = 8;  // of a picture, in pixels
 constexpr glm::vec3 leaf_colour{0.9f, 0.5f, 0.25f};
 
-/// Light as far as `share` says goes through; it reflects nothing by its lobe.
+/// Transmits the fraction `share` of light, and has no specular reflection.
 Material leaf(float share) {
   Material m = matte(glm::vec3(0.4f));
   m.specular = 0.0f;
@@ -51,7 +51,7 @@ void expect_near(glm::vec3 found, glm::vec3 expected) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-4f) << c;
 }
 
-TEST(DiffuseTransmission, SharesTheLightOfEitherSide) {
+TEST(DiffuseTransmission, MixesTheLightOfBothSides) {
   constexpr float share = 0.6f, slope = 0.5f;
   for (const Method method : {Method::asos, Method::sobol, Method::whitted}) {
     SCOPED_TRACE(static_cast<int>(method));
@@ -68,11 +68,11 @@ TEST(DiffuseTransmission, SharesTheLightOfEitherSide) {
   }
 }
 
-TEST(DiffuseTransmission, LiesInTheShadowOfWhatIsBehind) {
+TEST(DiffuseTransmission, IsShadowedFromBehind) {
   for (const Method method : {Method::asos, Method::sobol}) {
     World world;
     add_quad(world, {-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, leaf(1.0f));
-    // Half of what is seen lies in its shadow.
+    // Half of the view is in its shadow.
     add_quad(world, {0, -5, -1}, {5, 0, 0}, {0, 10, 0}, matte(glm::vec3(1.0f)));
     const auto scene = make_render_scene(std::move(world), {sun_along({0.0, 0.0, 1.0})});
     const float irradiance = 2.0f * std::numbers::inv_pi_v<float>;
@@ -80,7 +80,7 @@ TEST(DiffuseTransmission, LiesInTheShadowOfWhatIsBehind) {
   }
 }
 
-// Both sides see the same sky: the sum of both shares.
+// Both sides see the same sky, so the result is the sum of both fractions.
 TEST(DiffuseTransmission, AddsNoLightUnderAnEvenSky) {
   for (const float share : {0.0f, 0.3f, 1.0f}) {
     World world;

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-// Each term by itself: none where its cause is missing, more the larger the leaf, and close to the
-// error that a finer leaf shows.
+// Each error term alone: zero without its cause, growing with the leaf's size, and close to the
+// error against a finer leaf.
 
 namespace asos::test::error_terms_test {
 namespace {
@@ -29,7 +29,7 @@ Material metal(float roughness) {
   return m;
 }
 
-/// A wall of that material that fills the picture, seen along -Z, 16 units high.
+/// A wall of this material that fills the picture, seen along -Z, 16 units high.
 World wall(const Material& material) {
   World world;
   add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, material);
@@ -79,7 +79,7 @@ TEST(ErrorTerms, LeafHoldsWhatItsSampleShows) {
   EXPECT_NEAR(whole.point.position.z, 0.0f, 1e-5f);
 }
 
-// The inverse square law beside a small light, by the factor of four of a quarter's area.
+// Inverse square falloff near a small light: an error proportional to the area.
 TEST(ErrorTerms, BendFallsWithTheAreaOfTheLeaf) {
   Light bulb;
   bulb.type = Light::Type::point;
@@ -101,7 +101,7 @@ TEST(ErrorTerms, FalloffIsThatOfLightsOfSomeSize) {
   EXPECT_EQ(far.terms().falloff(far.leaf(2, 1)).error, 0.0);
 }
 
-// A smooth ball's highlight of a panel is narrower than a pixel, and brighter than white.
+// A panel's highlight on a smooth sphere is narrower than a pixel and brighter than white.
 TEST(ErrorTerms, GlossHasTheContrastOfHighlights) {
   const auto ball = [](float roughness) {
     World world;
@@ -117,7 +117,7 @@ TEST(ErrorTerms, GlossHasTheContrastOfHighlights) {
   EXPECT_EQ(rough.terms().gloss(rough.leaf(1, 1)).contrast, 0.0);
 }
 
-// A quarter of the area mirrors half the angle: a quarter of the excess.
+// A quarter of the area reflects half the angle, with a quarter of the excess error.
 TEST(ErrorTerms, MirrorSpreadsWithItsCurvature) {
   World curved, flat = wall(metal(0.0f));
   add_sphere(curved, {0, 0, 0}, 5.0f, 24, metal(0.0f));
@@ -131,17 +131,18 @@ TEST(ErrorTerms, MirrorSpreadsWithItsCurvature) {
   World again;
   add_sphere(again, {0, 0, 0}, 5.0f, 24, metal(0.0f));
   const EyeBlock blind = block_of(std::move(again), {}, none);
-  EXPECT_EQ(blind.terms().mirror(blind.leaf(1, 1)).error, 0.0) << "nothing is followed";
+  EXPECT_EQ(blind.terms().mirror(blind.leaf(1, 1)).error, 0.0) << "reflections are off";
 }
 
-// A plate before a panel: the edge of its shadow runs through the block, and not beside it.
+// A plate in front of a panel: the edge of its shadow crosses the first block, but not the second
+// one.
 TEST(ErrorTerms, PenumbraIsFoundWhereItLies) {
   const auto shaded = [](float edge) {
     World world = wall(matte({0.8f, 0.8f, 0.8f}));
     add_quad(world, {edge, -30, 0.3f}, {30, 0, 0}, {0, 60, 0}, matte({0.5f, 0.5f, 0.5f}));
     Light bright = panel({0, 0, 20}, 2.0);
     bright.intensity = 100.0f;
-    // Seen from between the plate and the wall.
+    // The camera is between the plate and the wall.
     return EyeBlock(make_render_scene(std::move(world), {bright}),
                     look_at({0, 0, 0.2}, {0, 0, 0}, 2.2));
   };
@@ -158,7 +159,7 @@ TEST(ErrorTerms, PenumbraIsFoundWhereItLies) {
   EXPECT_EQ(none, 0.0);
 }
 
-// Alpha that is lower than a cut-off here and higher there, without an outline that is known.
+// Alpha below and above the cutoff, without a known outline.
 TEST(ErrorTerms, LayersAreUnboundedWhereTheyAreCutOutWithoutOutlines) {
   const auto card = [](AlphaMode mode) {
     World world;
@@ -178,7 +179,7 @@ TEST(ErrorTerms, LayersAreUnboundedWhereTheyAreCutOutWithoutOutlines) {
   EXPECT_FALSE(opaque.terms().layers(opaque.leaf(1, 1)).unbounded);
 }
 
-// A lid that is seen from its side, so that its far end is smaller than its near one.
+// A lid seen from the side, so that its far end appears smaller than its near one.
 TEST(ErrorTerms, TexturesAreUnboundedWhereTheyRecede) {
   World world;
   const Image halves = make_image(64, 64, [](int, int y) {
@@ -208,7 +209,7 @@ TEST(ErrorTerms, TexturesAreUnboundedWhereTheyRecede) {
   EXPECT_FALSE(above.terms().textures(leaf).unbounded);
 }
 
-// A bent mesh in a panel's light: its triangles' normals are not those of the leaf.
+// A curved mesh lit by a panel: its triangles' normals differ from the leaf's.
 TEST(ErrorTerms, BumpsAreUnboundedUnderAPanelOnly) {
   const auto ball = [](const Light& light) {
     World world;
@@ -225,7 +226,7 @@ TEST(ErrorTerms, BumpsAreUnboundedUnderAPanelOnly) {
   EXPECT_FALSE(flat.terms().bumps(flat.leaf(1, 1)).unbounded);
 }
 
-// Normals of pixels side by side that turn unevenly, as on a ball of fine triangles.
+// Normals that vary irregularly between adjacent pixels, as on a sphere of small triangles.
 TEST(ErrorTerms, NormalsVaryBetweenPixels) {
   World small;
   add_sphere(small, {0, 0, 0}, 4.0f, 64, matte({0.8f, 0.8f, 0.8f}));

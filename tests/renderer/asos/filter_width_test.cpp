@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-// Pixels that are the means of squares wider than themselves (CGF'98 section 3).
+// Pixel filters wider than a pixel (CGF'98 section 3).
 
 namespace asos::test::filter_width_test {
 namespace {
@@ -19,12 +19,12 @@ auto white_left_of_the_line() {
   return make_render_scene(two_colours(line, glm::vec3(1), glm::vec3(0)));
 }
 
-/// The share of a pixel that is the mean of `width` columns around its middle.
+/// White fraction of a pixel that averages `width` columns around its centre.
 double share_left_of_the_line(int x, double width) {
   return std::clamp((static_cast<double>(line) - (x + 0.5 - 0.5 * width)) / width, 0.0, 1.0);
 }
 
-/// Slanted edges before and behind one another.
+/// Slanted edges at several depths.
 auto slanted_cards() {
   World world;
   add_card(world, {-9, -9}, {17, 17}, unlit(glm::vec3(0.1f)));
@@ -50,7 +50,7 @@ TEST_P(AsosFilter, AStraightEdgeIsExact) {
   }
 }
 
-TEST_P(AsosFilter, OnePixelAloneSeesTheSame) {
+TEST_P(AsosFilter, TracedPixelMatchesThePicture) {
   const auto scene = slanted_cards();
   RenderSettings settings = settings_for(Method::asos);
   settings.filter_width = GetParam();
@@ -93,7 +93,7 @@ TEST(FilterWidth, ThreePixelsWideIsTheMeanOfNinePixels) {
 
 TEST(FilterWidth, RivalsSampleTheSameSquare) {
   const auto scene = white_left_of_the_line();
-  // At most a sample in each of so many columns is on the wrong side.
+  // In each column of samples, at most one sample is on the wrong side of the edge.
   const std::pair<Method, int> cases[] = {
       {Method::uniform, 16}, {Method::stochastic, 16}, {Method::sobol, 256}};
   for (const auto& [method, columns] : cases) {
@@ -105,7 +105,7 @@ TEST(FilterWidth, RivalsSampleTheSameSquare) {
   }
 }
 
-TEST(FilterWidth, WhatIsOutOfRangeIsRefused) {
+TEST(FilterWidth, RejectsWidthsOutOfRange) {
   for (const double width : {0.99, 4.01, -1.0, std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()}) {
     RenderSettings settings;

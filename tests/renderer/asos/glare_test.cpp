@@ -6,14 +6,14 @@
 
 #include <algorithm>
 
-// Something far brighter than white beside a tangle.
+// A light far brighter than white behind a tangle of twigs.
 
 namespace asos::test {
 namespace {
 
-// Twigs before a globe of a lamp, thirty times as bright as white: of two pixels one shows five
-// thousandths of it, which few samples miss.
-TEST(Glare, OfASliverBetweenTwigsIsSeen) {
+// Twigs in front of a lamp thirty times as bright as white. Five thousandths of one pixel of each
+// pair show it, which few samples hit.
+TEST(Glare, ShowsLampThroughNarrowGaps) {
   const auto scene = *prepare(*builtin_scene("park"));
   RenderSettings settings;
   settings.width = 160;
@@ -28,7 +28,7 @@ TEST(Glare, OfASliverBetweenTwigsIsSeen) {
       return std::min(1.0f, film.radiance[static_cast<std::size_t>(pixel.y * 160 + pixel.x)].x);
     };
     const float truth = red(Method::sobol);
-    ASSERT_GT(truth, 0.45f) << "the lamp is seen: what is around it is at 0.33";
+    ASSERT_GT(truth, 0.45f) << "the lamp is visible: its surroundings are at 0.33";
     EXPECT_NEAR(red(Method::asos), truth, 0.1f) << pixel.x;
   }
 }

@@ -8,22 +8,22 @@
 #include <utility>
 #include <vector>
 
-// Volumes within each other, and through each other: the smaller one is the medium, whichever way
-// light comes. Closed forms: Snell's law between two media, Beer's and Lambert's.
+// Volumes within each other, and overlapping ones: the smaller volume is the medium, from any
+// direction. Closed forms: Snell's law between two media, Beer's and Lambert's laws.
 
 namespace asos::test::glass {
 namespace {
 
 constexpr float water_index = 1.33f;
 
-/// A block of water along the axes, a little less deep than high.
+/// An axis-aligned block of water, a little less deep than high.
 void add_block(World& world, double front, double back, const Material& material,
                double reach = 5.0) {
   add_bar(world, {{-reach, front}, {reach, front}, {reach, back}, {-reach, back}},
           static_cast<float>(reach), material);
 }
 
-// A plate's shift is that of the ratio of the indices, in the water as in air.
+// The shift by a plate depends on the ratio of the indices, in water as in air.
 TEST(NestedGlass, BendsByTheRatioOfBothIndices) {
   constexpr double thickness = 0.4;
   for (const double i : {0.5, 0.9}) {
@@ -45,8 +45,8 @@ TEST(NestedGlass, BendsByTheRatioOfBothIndices) {
   }
 }
 
-// Where two go through each other the smaller attenuates, and nothing is seen of the larger's end.
-TEST(NestedGlass, IsTheSmallerOneWhereTwoOverlap) {
+// In an overlap the smaller volume attenuates, and the boundary of the larger one is invisible.
+TEST(NestedGlass, SmallerVolumeWinsInAnOverlap) {
   Material water = clear(water_index), glass = clear(1.5f);
   water.volume.attenuation_color = {0.25f, 0.5f, 1.0f};
   water.volume.attenuation_distance = 2.0f;
@@ -68,8 +68,8 @@ TEST(NestedGlass, IsTheSmallerOneWhereTwoOverlap) {
   }
 }
 
-// What is of the same kind as what it lies in is not there, with all that it would reflect.
-TEST(NestedGlass, OfTheSameIndexIsInvisible) {
+// A volume with the index of its surroundings is invisible, and reflects nothing.
+TEST(NestedGlass, IsInvisibleWithTheSameIndex) {
   Material glass = clear(1.5f);
   glass.specular = 1.0f;
   const auto sky =
@@ -90,7 +90,8 @@ TEST(NestedGlass, OfTheSameIndexIsInvisible) {
   }
 }
 
-// What was entered through a sheet that has no other side does not follow the ray to the next.
+// A medium entered through an open sheet ends with the sheet's part, and does not affect the next
+// one.
 TEST(NestedGlass, OpenSheetsEndWithTheirBoxes) {
   constexpr double thickness = 0.4, i = 0.8, n = 1.5;
   World world;

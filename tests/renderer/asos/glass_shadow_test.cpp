@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-// Shadows of glass: straight, by what its walls let through and what its volume leaves.
+// Shadows of glass are straight. They have the transmittance of its interfaces and of its volume.
 
 namespace asos::test::glass_shadow_test {
 namespace {
@@ -29,7 +29,7 @@ Material green() {
   return m;
 }
 
-/// What goes through such a plate at this angle.
+/// Transmittance of such a plate at this angle of incidence.
 glm::dvec3 through(double cosine) {
   const double left = 0.96 * (1.0 - std::pow(1.0 - cosine, 5.0));
   const double way = thickness / cosine / distance;
@@ -37,7 +37,7 @@ glm::dvec3 through(double cosine) {
          glm::dvec3(std::pow(0.25, way), std::pow(0.9, way), std::pow(0.5, way));
 }
 
-/// A white floor that reflects diffusely, below a plate; seen from between the two.
+/// A white diffuse floor below a plate, with the camera between the two.
 World floor_below_plate() {
   World world;
   Material floor = matte(glm::vec3(1.0f));
@@ -72,7 +72,7 @@ void expect_near(glm::dvec3 found, glm::dvec3 expected, double relative, Method 
         << "colour " << c << ", method " << static_cast<int>(method);
 }
 
-TEST(GlassShadow, OfAPlateIsItsWallsAndItsWay) {
+TEST(GlassShadow, PlateTransmitsByInterfacesAndThickness) {
   for (const double angle : {0.0, 0.6, 1.1}) {
     Light sun;
     sun.type = Light::Type::directional;
@@ -86,7 +86,7 @@ TEST(GlassShadow, OfAPlateIsItsWallsAndItsWay) {
   }
 }
 
-TEST(GlassShadow, OfALightWithASizeIsTheMeanOverIt) {
+TEST(GlassShadow, AveragesOverAreaLights) {
   Light lamp = rectangle_light();
   lamp.position = {0.5, 3.0, 0.0};
   lamp.direction = {0, -1, 0};

@@ -40,7 +40,7 @@ TEST(Glass, ABallTurnsRoundWhatLiesBeyondItsFocus) {
     add_edge(world, edge, -distance);
     add_shape(world, sphere(radius), glm::dmat4(1.0), clear(static_cast<float>(n)));
     const auto scene = make_render_scene(std::move(world));
-    // Paraxial rays at h leave for h (1 - distance / focus).
+    // Paraxial rays at height h leave at h (1 - distance / focus).
     const double scale = 1.0 - distance / focus;
     for (const Method method : methods) {
       const std::vector<glm::vec3> seen = picture(*scene, orthographic(width), method);
@@ -52,15 +52,15 @@ TEST(Glass, ABallTurnsRoundWhatLiesBeyondItsFocus) {
   }
 }
 
-/// By how much a prism of angle `a` turns a ray that meets it at `i` (closed form of Snell's law at
-/// both faces).
+/// Deviation of a ray by a prism of angle `a` at incidence `i` (closed form of Snell's law at both
+/// faces).
 double deviation(double n, double i, double a) {
   const double s = std::sin(i);
   return i + std::asin(std::sqrt(n * n - s * s) * std::sin(a) - s * std::cos(a)) - a;
 }
 
-/// A prism whose faces lean by half of its angle to either side: rays along -z meet one at that
-/// angle and are turned towards its base, along -x.
+/// A prism whose faces lean by half of its angle. Rays along -z hit one at that angle and are bent
+/// towards its base, along -x.
 void add_prism(World& world, double angle, const Material& material) {
   const double half = 0.5 * angle;
   add_bar(world, {{1.0, 0.0}, {-3.0, 4.0 * std::tan(half)}, {-3.0, -4.0 * std::tan(half)}}, 3.0f,
@@ -86,8 +86,8 @@ TEST(Glass, APrismTurnsRaysByItsAngleOfDeviation) {
   }
 }
 
-TEST(Glass, DispersionPartsTheColours) {
-  // n -+ (n - 1) / (2 V), of red and blue, and the dispersion is 20 / V.
+TEST(Glass, DispersionSeparatesColours) {
+  // The indices of red and blue are n -+ (n - 1) / (2 V); the dispersion is 20 / V.
   constexpr double n = 1.6, abbe = 25.0, far = 1e4;
   const double angle = 0.7;
   Material flint = clear(static_cast<float>(n));
@@ -104,7 +104,7 @@ TEST(Glass, DispersionPartsTheColours) {
       for (const Method method : methods) {
         const glm::dvec3 seen = mean(picture(*scene, orthographic(0.5), method));
         for (int k = 0; k < 3; ++k) {
-          // Blue is turned most, red least; white lies beyond the edge.
+          // Blue is deviated most and red least; white is beyond the edge.
           const bool white = k > c || (k == c && off < 0.0);
           EXPECT_NEAR(seen[k], white ? 1.0 : 0.0, 1e-3)
               << "colour " << c << " " << k << ", method " << static_cast<int>(method);
@@ -114,12 +114,12 @@ TEST(Glass, DispersionPartsTheColours) {
   }
 }
 
-// Half a cube, whose long face rays along -z meet at 45 degrees from within.
+// Half a cube: rays along -z hit its long face from inside at 45 degrees.
 TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
   for (const double n : {1.35, 1.5}) {
     World world;
     add_bar(world, {{-1.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}}, 1.0f, clear(static_cast<float>(n)));
-    // Straight on is red, to the right, where they are reflected, green.
+    // Straight ahead is red; to the right, where rays are reflected, green.
     add_quad(world, {-50, -50, -20}, {100, 0, 0}, {0, 100, 0}, wall({1, 0, 0}));
     add_quad(world, {20, -20, -10}, {0, 40, 0}, {0, 0, 20}, wall({0, 1, 0}));
     const auto scene = make_render_scene(std::move(world));
@@ -132,7 +132,7 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
   }
 }
 
-/// What a ray along -z beside the axis sees through a ball of radius 1: where it meets a plane.
+/// Where a ray along -z, off the axis, hits a plane after it passed through a sphere of radius 1.
 std::optional<glm::dvec2> through_ball(glm::dvec2 at, double n, double z) {
   const double h2 = glm::dot(at, at);
   if (!(h2 < 1.0)) return std::nullopt;

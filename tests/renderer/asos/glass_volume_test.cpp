@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// What is left of light within volumes of glass, closed or not (Beer's and Lambert's law), and what
-// bends none.
+// Attenuation in volumes of glass, closed or not (Beer's and Lambert's laws), and cases without
+// refraction.
 
 namespace asos::test::glass {
 namespace {
@@ -42,15 +42,15 @@ TEST(GlassVolume, AddsNoLight) {
   Material glass = clear(1.5f);
   glass.specular = 1.0f;
   const auto white = std::make_shared<const Sky>(glm::vec3(1.0f));
-  // Faint rays end by chance, which is noise within EPS: that is to be less than what is asked of
-  // each pixel.
+  // Faint rays end at random, which gives noise within EPS. It has to be below the tolerance of the
+  // test.
   constexpr double eps = 1.0 / 2048.0;
   for (const float roughness : {0.0f, 0.3f, 0.8f}) {
     glass.roughness = roughness;
     World world;
     add_shape(world, sphere(1.0), glm::dmat4(1.0), glass);
     const auto scene = make_render_scene(std::move(world));
-    const int spp = roughness > 0.0f ? 256 : 1024;  // single pixels are looked at
+    const int spp = roughness > 0.0f ? 256 : 1024;  // without roughness, single pixels are tested
     for (const Method method : methods) {
       const std::vector<glm::vec3> seen =
           picture(*scene, orthographic(2.2), method, white, eps, spp);
@@ -64,7 +64,7 @@ TEST(GlassVolume, AddsNoLight) {
   }
 }
 
-// A frosted pane, too, returns what it does not let through, and no more.
+// A frosted pane reflects the light that it does not transmit, and no more.
 TEST(GlassVolume, FrostedWallsAddNoLight) {
   Material glass = clear(1.5f);
   glass.volume.thickness = 0.0f;
@@ -80,7 +80,7 @@ TEST(GlassVolume, FrostedWallsAddNoLight) {
     for (const Method method : methods) {
       const double seen = mean(picture(*scene, orthographic(2.0), method, white)).y;
       EXPECT_LE(seen, 1.001) << roughness << ", method " << static_cast<int>(method);
-      // Lobes lose what would be reflected twice.
+      // The lobes lose light that would be reflected twice.
       EXPECT_GE(seen, 0.97) << roughness << ", method " << static_cast<int>(method);
     }
   }
@@ -93,7 +93,7 @@ Material green() {
   return m;
 }
 
-/// What white that fills the picture looks like.
+/// Expected attenuation of a white background that fills the picture.
 void expect_attenuated(World world, const Camera& camera, double way) {
   const auto scene = make_render_scene(std::move(world));
   const auto white = std::make_shared<const Sky>(glm::vec3(1.0f));
@@ -105,7 +105,7 @@ void expect_attenuated(World world, const Camera& camera, double way) {
   }
 }
 
-TEST(GlassVolume, AttenuatesFromTheEyeWhereThatIsWithin) {
+TEST(GlassVolume, AttenuatesFromAnEyeInsideTheGlass) {
   World world;
   add_plate(world, 0.0, 1.0, green());
   Camera camera = orthographic(0.5);
@@ -118,7 +118,7 @@ TEST(GlassVolume, AttenuatesWithinAnOpenSurfaceUpToWhatLiesBehind) {
   add_quad(world, {-5, -5, 1}, {10, 0, 0}, {0, 10, 0}, green());
   add_quad(world, {-50, -50, -2}, {100, 0, 0}, {0, 100, 0}, wall(glm::vec3(1.0f)));
   expect_attenuated(std::move(world), orthographic(0.5), 3.0);
-  // Nothing does: there is no telling how thick it is.
+  // Without a surface behind it the thickness is unknown, so nothing is attenuated.
   World open;
   add_quad(open, {-5, -5, 1}, {10, 0, 0}, {0, 10, 0}, green());
   expect_attenuated(std::move(open), orthographic(0.5), 0.0);
@@ -156,12 +156,12 @@ TEST(GlassVolume, ThinWallsAndUnfollowedOnesBendNothing) {
   }
 }
 
-/// How much of each column an edge leaves white, on the way to which rays are turned aside.
+/// White fraction of each column for an edge seen through glass that deviates rays.
 struct Columns {
   double edge = 0.0, width = 2.0;
   std::array<double, picture_side> white{};
 
-  /// A share of the rays, so far aside.
+  /// Adds a fraction `share` of the rays, shifted by `aside`.
   void add(double share, double aside) {
     const double pixel = width / picture_side;
     for (int x = 0; x < picture_side; ++x) {
@@ -172,7 +172,7 @@ struct Columns {
   }
 };
 
-/// Of a picture, beside them: to two EPS, or as independent samples of a column are spread.
+/// The columns of a picture: within two EPS, or within the deviation of independent samples.
 void expect_columns(const std::vector<glm::vec3>& seen, const Columns& expected, Method method,
                     double roughness) {
   const double allowed =
@@ -192,7 +192,7 @@ Facets facets_of(double roughness) {
   return facets;
 }
 
-// Each side of a rough plate refracts at its facets, as many as are seen.
+// Both sides of a rough plate refract at visible facets.
 TEST(GlassVolume, RoughGlassBlursWhatLiesBehindIt) {
   constexpr double n = 1.5, thickness = 0.4, behind = 3.8;
   constexpr int rings = 40;
@@ -205,7 +205,7 @@ TEST(GlassVolume, RoughGlassBlursWhatLiesBehindIt) {
       const double inside = thickness * within.x / -within.z;
       facets.each_visible(rings, -within, [&](glm::dvec3 second, double part) {
         glm::dvec3 beyond = glm::refract(within, second, n);
-        // A facet that would reflect all lets the light out by its neighbours.
+        // Total reflection at a facet: the light leaves through the mean surface instead.
         if (!(beyond.z < 0.0)) beyond = glm::refract(within, {0, 0, 1}, n);
         if (!(beyond.z < 0.0)) beyond = {within.x, within.y, -1e-6};
         expected.add(share * part, inside + behind * beyond.x / -beyond.z);
@@ -223,14 +223,14 @@ TEST(GlassVolume, RoughGlassBlursWhatLiesBehindIt) {
   }
 }
 
-// A rough thin wall shows what lies behind it as a mirror as rough shows what lies before it, on
-// the other side (KHR_materials_transmission), and loses nothing of it.
+// A rough thin wall shows the scene behind it like an equally rough mirror shows the scene in
+// front, but from the other side (KHR_materials_transmission), without loss.
 TEST(GlassVolume, RoughThinWallsBlurAsMirrorsDo) {
   constexpr double behind = 4.0;
   for (const double angle : {0.0, 0.8}) {
     for (const double roughness : {0.05, 0.2, 0.4}) {
-      // Seen upright, and along its length at an angle: the wall leans towards the viewer at its
-      // lower end.
+      // Seen at right angles, and in its length at an angle: the wall's lower end leans towards the
+      // viewer.
       Columns expected{0.0123};
       const Facets facets = facets_of(roughness);
       const glm::dvec3 eye(0, std::sin(angle), std::cos(angle));

@@ -13,14 +13,14 @@
 #include <utility>
 #include <vector>
 
-// Worlds of glass that reflects nothing, before walls that shine, and small pictures of them.
+// Scenes of glass without reflection in front of emissive walls, and small pictures of them.
 
 namespace asos::test::glass {
 
 inline constexpr int picture_side = 12;  // of a picture, in pixels
 inline constexpr std::array methods{Method::asos, Method::sobol};
 
-/// Glass that reflects nothing, unless it has to reflect all.
+/// Glass without reflection, except for total reflection.
 inline Material clear(float index) {
   Material m = matte(glm::vec3(1.0f));
   m.roughness = 0.0f;
@@ -37,7 +37,7 @@ inline Material wall(glm::vec3 colour) {
   return m;
 }
 
-/// A convex solid around a point within it, one part: its faces by their corners.
+/// A convex solid around an inner point, as one part, with faces given by their corners.
 inline void add_solid(World& world, const std::vector<std::vector<glm::vec3>>& faces,
                       glm::vec3 within, const Material& material) {
   std::vector<TinyVertex> vertices;
@@ -56,7 +56,7 @@ inline void add_solid(World& world, const std::vector<std::vector<glm::vec3>>& f
   add_part(world, vertices, triangles, material);
 }
 
-/// An outline in the xz plane, drawn out along y.
+/// An outline in the xz plane, extruded along y.
 inline void add_bar(World& world, const std::vector<glm::dvec2>& outline, float half_height,
                     const Material& material) {
   std::vector<glm::vec3> low, high;
@@ -74,7 +74,7 @@ inline void add_bar(World& world, const std::vector<glm::dvec2>& outline, float 
   add_solid(world, faces, middle / static_cast<float>(2 * low.size()), material);
 }
 
-/// A plate through the origin, turned about y so that rays along -z meet it at this angle.
+/// A plate through the origin, rotated about y, so that rays along -z hit it at this angle.
 inline void add_plate(World& world, double angle, double thickness, const Material& material) {
   const glm::dvec2 out(std::sin(angle), std::cos(angle)), along(std::cos(angle), -std::sin(angle));
   const glm::dvec2 half = 0.5 * thickness * out;
@@ -82,7 +82,7 @@ inline void add_plate(World& world, double angle, double thickness, const Materi
           5.0f, material);
 }
 
-/// White where x is below an edge, black beyond.
+/// White where x is below an edge, black elsewhere.
 inline void add_edge(World& world, double x, double z, double reach = 10.0) {
   const auto at = static_cast<float>(x), far = static_cast<float>(reach);
   const auto depth = static_cast<float>(z);
@@ -108,7 +108,7 @@ inline glm::dvec3 mean(const std::vector<glm::vec3>& pixels) {
   return sum / static_cast<double>(pixels.size());
 }
 
-/// Where the edge between white on the left and black appears in a picture this wide.
+/// Position of the edge between white on the left and black in a picture of this width.
 inline double edge_in(const std::vector<glm::vec3>& pixels, double width) {
   return (mean(pixels).y - 0.5) * width;
 }

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <string>
 
-// Hidden geometry costs next to nothing, counted in pyrays and rays.
+// Hidden geometry adds almost no cost, counted in pyrays and rays.
 
 namespace asos::test::hidden_cost_test {
 namespace {

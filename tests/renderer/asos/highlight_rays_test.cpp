@@ -18,7 +18,8 @@ Material metal() {
   return m;
 }
 
-/// A metal wall that faces a panel, behind the camera, and a plate before the panel from x on.
+/// A metal wall opposite a panel, which is behind the camera, and a plate in front of the panel for
+/// coordinates above x.
 EyeBlock wall_behind(float x) {
   World world;
   add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, metal());
@@ -51,7 +52,7 @@ TEST(HighlightRays, DoNotReachALightThatIsHidden) {
   EXPECT_EQ(rays_to_highlight(block.eye(), 0, leaf.point, leaf.to_viewer(), 0.3f).arrived, 0);
 }
 
-// The plate's edge runs through the lobe: the rays differ as the lobe's parts do.
+// The plate's edge crosses the lobe, so some of the lobe's rays reach the light.
 TEST(HighlightRays, ReachAPartOfALightThatIsHalfHidden) {
   const EyeBlock block = wall_behind(-0.5f);
   const Leaf leaf = block.leaf(1, 1);

@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
-// An orthographic camera's rays start in its image plane: a surface that passes through it ends
-// there, though it has no edge.
+// Rays of an orthographic camera start in its image plane: a surface that crosses this plane ends
+// there without an edge.
 
 namespace asos::test::image_plane_test {
 namespace {
@@ -21,8 +21,8 @@ Camera in_plane() {
   return camera;
 }
 
-/// A slope across the whole view that comes through the plane along a line: what lies above that
-/// is ahead of it.
+/// A slope over the whole view that crosses the plane along a line; the part above it is in front
+/// of the camera.
 Picture slope(glm::dvec2 line_at, glm::dvec2 up, int max_level) {
   const glm::dvec2 along(up.y, -up.x);
   const auto at = [&](double a, double b) {
@@ -39,8 +39,8 @@ Picture slope(glm::dvec2 line_at, glm::dvec2 up, int max_level) {
   return render_picture(*make_render_scene(std::move(world)), in_plane(), settings);
 }
 
-TEST(ImagePlane, CutsWhatPassesThroughItExactly) {
-  // The line runs level through row 11, of which the slope has the upper 0.22.
+TEST(ImagePlane, CutsCrossingSurfacesExactly) {
+  // The line is horizontal within row 11; the slope covers the upper 0.22 of that row.
   const double pixel = 4.0 / side;
   const Picture picture = slope({0.0, 2.0 - 11.22 * pixel}, {0.0, 1.0}, 3);
   EXPECT_EQ(picture.statistics.missed_splits, 0u);
@@ -48,14 +48,14 @@ TEST(ImagePlane, CutsWhatPassesThroughItExactly) {
     const auto value = [&](int y) {
       return static_cast<double>(picture.film.radiance[static_cast<std::size_t>(y * side + x)].x);
     };
-    ASSERT_GT(value(12), value(10) + 0.05) << "the background is brighter than the slope";
+    ASSERT_GT(value(12), value(10) + 0.05) << "the background must be brighter than the slope";
     EXPECT_NEAR((value(12) - value(11)) / (value(12) - value(10)), 0.22, 1e-4) << x;
     EXPECT_EQ(value(9), value(10));
   }
 }
 
 TEST(ImagePlane, CutsAlongAnyLine) {
-  // By areas, the line through the picture's middle leaves half of it.
+  // A line through the picture's centre halves its area.
   const Picture picture = slope({0.0, 0.0}, glm::normalize(glm::dvec2(0.4, 1.0)), 3);
   EXPECT_EQ(picture.statistics.missed_splits, 0u);
   const double slope_seen = static_cast<double>(picture.film.radiance.front().x);

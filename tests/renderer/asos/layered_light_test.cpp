@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-// Pictures of coated and sheeny surfaces against the rendering equation, pixel by pixel: by ASOS,
-// and by samples.
+// Pictures of surfaces with clear coat and sheen against the rendering equation, pixel by pixel, by
+// ASOS and by samples.
 
 namespace asos::test::layered_light_test {
 namespace {
@@ -17,7 +17,7 @@ Reflector sheeny(double roughness) {
   return {{0.4, 0.1, 0.05}, 0.0, 0.8, 0.0, 0.0, {0.9, 0.3, 0.6}, roughness};
 }
 
-/// RMSE in display intensity of what ASOS and Sobol points show.
+/// RMSE, in display intensity, of ASOS and of Sobol sampling.
 void expect_true(Subject subject, const Reflector& reflector, double asos, double sobol) {
   for (const char* kind : {"rectangle", "ball", "line", "sun"}) {
     const Light light = light_of(kind);
@@ -68,8 +68,8 @@ TEST(LayeredLight, OnABrushedDielectricPlane) {
   expect_true(Subject::plane, brushed(0.0, 0.5, 1.5), 2e-3, 0.02);
 }
 
-// A smooth coat over a matte floor mirrors a wall that shines: factor * F(n.v) times its radiance,
-// and the floor itself is dark.
+// A smooth coat over a matte floor reflects an emissive wall: factor * F(n.v) times its radiance.
+// The floor itself is dark.
 TEST(LayeredLight, SmoothCoatsMirror) {
   Material floor = matte(glm::vec3(0.0f));
   floor.ior = 1.0f;

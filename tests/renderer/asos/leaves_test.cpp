@@ -1,5 +1,5 @@
-// How leaves are chosen for and shaded, part by part: LeafChooser, LeafShader, SingleSamples,
-// WeakLights.
+// How leaves get their estimator and are shaded, part by part: LeafChooser, LeafShader,
+// SingleSamples, WeakLights.
 
 #include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_shader.h"
@@ -25,7 +25,7 @@ Material glows(glm::vec3 color) {
   return material;
 }
 
-/// A wall of that material that fills the picture of 16 x 16 pixels, seen along -Z, 16 units high.
+/// A wall of this material that fills the picture of 16 x 16 pixels, seen along -Z, 16 units high.
 World wall(const Material& material) {
   World world;
   add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, material);
@@ -64,7 +64,7 @@ PyrayLeaf pixel_leaf(const EyeBlock& block, int x, int y, double weight = 1.0) {
   return {number, number, weight, block.leaf(x, y).region};
 }
 
-TEST(LeafChooser, TakesTheCentreOfWhatIsEvenlyLit) {
+TEST(LeafChooser, ChoosesCentreForEvenLight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun()});
   LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
   chooser.learn_normals(EyeBlock::side);
@@ -74,13 +74,12 @@ TEST(LeafChooser, TakesTheCentreOfWhatIsEvenlyLit) {
   EXPECT_EQ(chooser.even_around(5, block.leaf(1, 1).region), nullptr);
 }
 
-// A bulb a tenth of a unit before a wall, where a pixel shows a unit: its light falls off within
-// one.
-TEST(LeafChooser, DividesOrSamplesWhatIsNot) {
+// A bulb 0.1 units in front of a wall, with pixels of 1 unit: its light falls off within a pixel.
+TEST(LeafChooser, SplitsOrSamplesUnevenLight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)});
   LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
   chooser.learn_normals(EyeBlock::side);
-  // The block's pixel (2, 1) shows x and y from 0 to 1.
+  // Pixel (2, 1) of the block covers x and y from 0 to 1.
   const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
   EXPECT_NE(decision.estimator, Estimator::centre);
   EXPECT_EQ(decision.cause, Unevenness::shading);
@@ -88,7 +87,7 @@ TEST(LeafChooser, DividesOrSamplesWhatIsNot) {
   EXPECT_NE(last.estimator, Estimator::split) << "it may not";
 }
 
-TEST(LeafChooser, AsksNothingAtMax0) {
+TEST(LeafChooser, ChoosesCentreAtMax0) {
   EyeBlock block =
       block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)}, at_max(0));
   LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
@@ -97,7 +96,7 @@ TEST(LeafChooser, AsksNothingAtMax0) {
   EXPECT_EQ(decision.cause, Unevenness::none);
 }
 
-// The plane under a sun has radiance albedo / pi times intensity times the cosine.
+// A plane under a sun has a radiance of albedo / pi times intensity times cosine.
 TEST(LeafShader, AddsALeafByItsWeight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.4f, 0.2f})), {sun(2.0f)});
   LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
@@ -111,14 +110,14 @@ TEST(LeafShader, AddsALeafByItsWeight) {
   EXPECT_DOUBLE_EQ(sums[leaf.root].weight, 0.25);
   const glm::vec3 mean = sums[leaf.root].mean();
   const float expected = 2.0f * 0.8f / std::numbers::pi_v<float>;
-  // The environment lights it as well, from all around, and evenly: by nothing, in these settings.
+  // The environment adds a uniform contribution.
   EXPECT_NEAR(mean.r / mean.g, 2.0f, 0.05f);
   EXPECT_GE(mean.r, 0.8f * expected - 1e-4f);
   EXPECT_TRUE(shader.take_open().parts.empty()) << "nothing was sampled";
 }
 
-// The brightness of a surface that a bulb almost touches is left open by few samples; what is open
-// is in no sum.
+// A few samples cannot determine the brightness near a bulb, so the region stays open. Open regions
+// are in no sum.
 TEST(LeafShader, LeavesRegionsOpen) {
   RenderSettings settings = at_max(6);
   settings.asos.eps = 1.0 / 2048.0;
@@ -140,7 +139,7 @@ TEST(LeafShader, LeavesRegionsOpen) {
   EXPECT_GT(open.parts[0].so_far.cost, 0.0);
   EXPECT_GT(open.parts[0].so_far.error, 0.0);
   EXPECT_EQ(sums[leaf.root].weight, 0.0);
-  EXPECT_TRUE(shader.take_open().parts.empty()) << "they were taken";
+  EXPECT_TRUE(shader.take_open().parts.empty()) << "open regions are returned once";
 }
 
 TEST(SingleSamples, ShadeByOneSampleEach) {
@@ -163,8 +162,8 @@ TEST(SingleSamples, ShadeByOneSampleEach) {
   EXPECT_TRUE(samples.run().empty()) << "none waits";
 }
 
-// One bulb that matters, and many that do not: together they are worth few rays.
-TEST(WeakLights, AreTheManyDimOnes) {
+// One important bulb, and many unimportant ones that deserve few rays together.
+TEST(WeakLights, AreTheDimLights) {
   std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
   for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));
   EyeBlock many = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
@@ -175,13 +174,13 @@ TEST(WeakLights, AreTheManyDimOnes) {
   lights.resize(LightPicks::few_lights);
   EyeBlock few = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
   few.weak_lights().find(EyeBlock::side);
-  EXPECT_TRUE(few.weak_lights().lights().empty()) << "so few are asked one by one";
+  EXPECT_TRUE(few.weak_lights().lights().empty()) << "so few lights are tested individually";
   few.weak_lights().take_all();
   EXPECT_TRUE(few.weak_lights().lights().empty());
 }
 
-// For who sends one ray only.
-TEST(WeakLights, AreAllOfThemOnDemand) {
+// For callers that send a single ray.
+TEST(WeakLights, IncludeAllLightsOnDemand) {
   std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
   for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));
   EyeBlock many = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);

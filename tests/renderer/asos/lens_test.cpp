@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-// Depth of field: pictures of unlit cards against closed forms, and against a sampler that shares
-// nothing with the renderer's.
+// Depth of field: pictures of unlit cards against closed forms, and against an independent sampler.
 
 namespace asos::test::lens_test {
 namespace {
@@ -24,7 +23,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int side = 16;
-constexpr double pixel = 0.01;  ///< width of a pixel one unit ahead of the camera
+constexpr double pixel = 0.01;  ///< width of a pixel at distance 1 from the camera
 constexpr double focus = 4.0;
 
 /// Looks along -z from the origin.
@@ -35,7 +34,7 @@ Camera camera_with(double radius, int blades = 0) {
   return camera;
 }
 
-/// The radius of the aperture whose circle of confusion has `pixels` at a depth.
+/// Aperture radius for a circle of confusion of `pixels` at a depth.
 double radius_for(double pixels, double depth) {
   return pixels * pixel / std::abs(1.0 / depth - 1.0 / focus);
 }
@@ -57,7 +56,7 @@ Material card(glm::vec3 colour) {
   return material;
 }
 
-/// A card of |x| <= 40, |y| <= 40 at a depth, from x = `from` on.
+/// A card of |x| <= 40, |y| <= 40 at a depth, for x >= `from`.
 void add_wall(World& world, float depth, float from, float to, glm::vec3 colour) {
   add_quad(world, {from, -40, -depth}, {to - from, 0, 0}, {0, 80, 0}, card(colour));
 }
@@ -74,13 +73,13 @@ std::vector<double> reds(const Picture& picture) {
   return values;
 }
 
-/// The share of a disk of radius 1 to the left of x = t.
+/// Fraction of a disk of radius 1 with x < t.
 double disk_left_of(double t) {
   t = std::clamp(t, -1.0, 1.0);
   return 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / pi;
 }
 
-/// A pixel's mean of a white half-plane left of column `edge`, blurred over a disk.
+/// Pixel value of a white half-plane left of column `edge`, blurred by a disk.
 double blurred_edge(int x, double edge, double radius) {
   constexpr int steps = 4000;
   double sum = 0.0;
@@ -92,7 +91,7 @@ double blurred_edge(int x, double edge, double radius) {
 }
 
 /// Independent of the renderer: R2 points in four dimensions (Roberts 2018), the aperture by
-/// rejection. `seen`: the red along a ray from (x, y, 0) with direction (dx, dy, -1).
+/// rejection. `seen`: red along a ray from (x, y, 0) with direction (dx, dy, -1).
 double sampled_pixel(int px, int py, double radius,
                      const std::function<bool(glm::dvec2)>& in_aperture,
                      const std::function<double(glm::dvec2 from, glm::dvec2 along)>& seen) {
@@ -135,14 +134,15 @@ TEST(Lens, EdgeOutOfFocusIsIntegralOfDisk) {
     EXPECT_LT(rmse(reds(picture), exact), 1e-3) << confusion;
     const Picture sampled = render_picture(*scene, camera, settings_of(Method::sobol));
     EXPECT_LT(rmse(reds(sampled), exact), 2e-3) << confusion;
-    // Pixels without blur in them take no samples.
+    // Pixels without blur take no samples.
     EXPECT_EQ(picture.film.cause[picture.film.index(0, 5)], SplitCause::none);
     EXPECT_EQ(picture.film.cause[picture.film.index(8, 5)], SplitCause::lens);
   }
 }
 
 TEST(Lens, PublishedWayWidensPyraysByDepth) {
-  // Behind the focus plane the background's blur is as wide as the wall's in front of it.
+  // Behind the focus plane, the blur of the background is as wide as that of the wall in front of
+  // it.
   constexpr float depth = 2.0f;
   constexpr double confusion = 2.0;
   World world;
@@ -156,7 +156,7 @@ TEST(Lens, PublishedWayWidensPyraysByDepth) {
   const double width = std::sqrt(1.0 + 3.0 * confusion * confusion);
   for (int x = 0; x < side; ++x) {
     const double share = std::clamp(0.5 + (edge - x - 0.5) / width, 0.0, 1.0);
-    // Cells have a side of 1/16, and each counts by its centre.
+    // Cells of side 1/16 are point-sampled at their centres.
     EXPECT_NEAR(picture.film.radiance[picture.film.index(x, 7)].r, share, 1.0 / 32.0) << x;
   }
 }
@@ -175,7 +175,7 @@ TEST(Lens, EdgesInFocusAreThoseOfAPinhole) {
   }
 }
 
-TEST(Lens, MattePlaneInFocusIsThatOfAPinhole) {
+TEST(Lens, MattePlaneInFocusMatchesAPinhole) {
   World world;
   add_quad(world, {-40, -40, -4}, {80, 0, 0}, {0, 80, 0}, matte({0.8f, 0.5f, 0.2f}));
   Light light;
@@ -202,7 +202,7 @@ TEST(Lens, SmallSphereBecomesDisk) {
   const Camera camera = camera_with(radius_for(confusion, depth));
   RenderSettings settings = settings_of(Method::asos, 1e-3);
   const Picture picture = render_picture(*scene, camera, settings);
-  // The sphere seen from a point is a disk of this radius in pixels.
+  // From a point of the aperture the sphere is a disk of this radius in pixels.
   const double seen = radius / std::sqrt(depth * depth - radius * radius) / pixel;
   const double plateau = brightness * seen * seen / (confusion * confusion);
   double sum = 0.0, inner = 0.0, outside = 0.0;
@@ -220,7 +220,7 @@ TEST(Lens, SmallSphereBecomesDisk) {
 }
 
 TEST(Lens, NearOccluderIsSeenThroughAtItsRim) {
-  // Black up to x = 0.008 at depth 1; behind it white and grey meet in focus.
+  // Black up to x = 0.008 at depth 1; behind it an edge between white and grey, in focus.
   World world;
   add_wall(world, 1.0f, -40.0f, 0.008f, glm::vec3(0.0f));
   add_wall(world, 4.0f, -40.0f, 0.016f, glm::vec3(1.0f));
@@ -252,7 +252,7 @@ TEST(Lens, NearOccluderIsSeenThroughAtItsRim) {
   }
 }
 
-/// A lit floor below the view with spheres from near to far, before a wall.
+/// A lit floor below the view, with spheres from near to far in front of a wall.
 std::shared_ptr<const RenderScene> lit_scene() {
   World world;
   add_quad(world, {-10, -0.3f, 0}, {20, 0, 0}, {0, 0, -12}, matte(glm::vec3(0.7f)));
@@ -282,7 +282,7 @@ TEST(Lens, MethodsAgreeInALitScene) {
   }
 }
 
-/// The means of rows 1 to side - 2, weighted 1 2 1 over neighbours both ways.
+/// Mean of rows 1 to side - 2, after smoothing with weights 1 2 1 in both directions.
 double mean_of_smoothed(const std::vector<double>& values) {
   constexpr double weights[] = {0.25, 0.5, 0.25};
   double sum = 0.0;
@@ -301,7 +301,7 @@ double mean_inside(const std::vector<double>& values) {
   return sum / ((side - 2) * (side - 2));
 }
 
-// They take few samples of each pixel, so that only means over many pictures tell.
+// They take few samples per pixel, so only means over many pictures can be compared.
 TEST(Lens, MethodsOfFewSamplesAgreeOnTheMean) {
   const auto scene = lit_scene();
   const Camera camera = camera_with(radius_for(1.5, 2.0), 6);
@@ -313,7 +313,7 @@ TEST(Lens, MethodsOfFewSamplesAgreeOnTheMean) {
     for (int seed = 0; seed < seeds; ++seed) {
       RenderSettings settings = settings_of(method, 1e-3);
       settings.seed = seed;
-      settings.sampling.contrast = 0.0;  // whitted: no bias by the choice of what to split
+      settings.sampling.contrast = 0.0;  // whitted: no bias from choosing pixels to split
       mean += mean_inside(reds(render_picture(*scene, camera, settings))) / seeds;
     }
     const double expected =
@@ -350,7 +350,7 @@ TEST(Lens, FocusIsOnTheMiddleUnlessGiven) {
   Camera camera = camera_with(0.1);
   camera.lens.focus.reset();
   const RenderSettings settings = settings_of(Method::asos);
-  // The middle shows a sphere's limb or the wall.
+  // The centre shows a sphere's silhouette or the wall.
   const Camera found = viewed_camera(*scene, camera, settings);
   ASSERT_TRUE(found.lens.focus);
   const View view(found, side, side);
@@ -364,7 +364,7 @@ TEST(Lens, FocusIsOnTheMiddleUnlessGiven) {
 }
 
 TEST(Lens, TexturesAreFilteredOverTheBlur) {
-  // Far out of focus a fine checkerboard is grey, with four samples a pixel, too.
+  // A fine checkerboard far out of focus is grey even with four samples per pixel.
   World world;
   Material material = card(glm::vec3(1.0f));
   const Image image = make_image(64, 64, [](int x, int y) {

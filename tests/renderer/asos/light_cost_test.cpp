@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The cost of shadows where there are none, and the sum of many lights.
+// Cost of shadows where there are none, and that the light of many lights adds up.
 
 namespace asos::test::light_cost_test {
 namespace {
@@ -22,7 +22,7 @@ RenderSettings settings_of(int width, int height) {
   return settings;
 }
 
-/// A floor with a block on it under all kinds of lights.
+/// A floor with a block on it, for all kinds of lights.
 World block_on_floor() {
   World world;
   const Material material = matte({0.6f, 0.6f, 0.6f});
@@ -47,7 +47,7 @@ TEST(LightCost, FarFromTheShadowHardlyAnyRaysAreCast) {
   }
 }
 
-// A roof over everything: one ray a pixel and light at most tells.
+// A roof over everything: at most one ray per pixel and light proves the umbra.
 TEST(LightCost, InTheUmbraOneRayAPixelIsEnough) {
   World world = block_on_floor();
   add_quad(world, {-5, 1, 5}, {10, 0, 0}, {0, 0, -10}, matte({0.6f, 0.6f, 0.6f}));
@@ -58,7 +58,7 @@ TEST(LightCost, InTheUmbraOneRayAPixelIsEnough) {
   EXPECT_GT(picture.statistics.shadow_rays, 0u);
 }
 
-// Some of a sphere, which has no plane in common with itself.
+// Pixels on a sphere, whose surface is not in a common plane.
 TEST(LightCost, OnARoundSurfaceOneRayAPixelIsEnough) {
   for (const Light& light : all_lights()) {
     World world;

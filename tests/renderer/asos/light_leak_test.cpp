@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-// Pictures whose shadows have to be complete, at the scales of a watch and of a city.
+// Shadows without leaks, at scales from a watch to a city.
 
 namespace asos::test::light_leak_test {
 namespace {
 
 constexpr double scales[] = {1e-4, 1.0, 1e4};
 
-/// A box in one piece, each face with corners of its own, or all faces in parts of their own.
+/// A box as one part with unshared corners, or with each face as a part.
 void add_box(World& world, glm::vec3 lo, glm::vec3 hi, bool in_parts) {
   const Material material = matte({0.6f, 0.6f, 0.6f});
   std::vector<TinyVertex> vertices;
@@ -50,7 +50,7 @@ RenderSettings small(int width, int height) {
   settings.width = width;
   settings.height = height;
   settings.cull = false;
-  settings.asos.eps = 0.0;  // or lights that are too weak to matter are not looked for
+  settings.asos.eps = 0.0;  // so that weak lights are not skipped
   return settings;
 }
 
@@ -58,7 +58,7 @@ double largest(glm::vec3 v) {
   return std::max({v.x, v.y, v.z});
 }
 
-/// By how much the brightest pixel of a picture outshines its counterpart.
+/// The largest amount by which any channel of a pixel is brighter in `lit` than in `dark`.
 double excess(const Picture& lit, const Picture& dark) {
   double worst = 0.0;
   for (std::size_t i = 0; i < lit.film.radiance.size(); ++i)
@@ -102,8 +102,8 @@ TEST(LightLeak, AClosedRoomStaysDarkWhateverShinesOutside) {
   expect_dark_room(all_lights(), Camera::Type::orthographic);
 }
 
-// A sun's ray begins on its own way, but not behind the wall that stands where its floor ends: of
-// many samples some come as near to it as rays clear a surface by.
+// A ray to the sun starts with an offset, but not beyond the wall that borders its floor. Of many
+// samples some start within that offset of the wall.
 TEST(LightLeak, NoneOfManySamplesMeetsASunBehindTheWalls) {
   World room;
   add_box(room, {-1, 0, -1}, {1, 1, 1}, false);
@@ -125,8 +125,8 @@ TEST(LightLeak, AClosedRoomStaysDarkUnderDirectionalLight) {
   expect_dark_room({distant_light()}, Camera::Type::perspective);
 }
 
-// Lights of which all together are below EPS: to be off by no more than that is no reason to let
-// them in. Outside office's room they made its lawn 5e-4 too bright.
+// Lights whose sum is below EPS: a small error does not justify letting them through walls. The
+// office's lawn was 5e-4 too bright from lights inside.
 TEST(LightLeak, DimLightsDoNotShineThroughWalls) {
   World room;
   add_box(room, {-1, 0, -1}, {1, 1, 1}, false);
@@ -142,7 +142,7 @@ TEST(LightLeak, DimLightsDoNotShineThroughWalls) {
   }
 }
 
-/// A floor with a box that stands on it, in front of each kind of light.
+/// A floor with a box on it, lit by `light`.
 Picture still_life_at(double scale, const Light& light, bool refined) {
   const auto s = static_cast<float>(scale);
   World world;
@@ -179,9 +179,9 @@ TEST(LightLeak, APictureDoesNotDependOnTheScale) {
   expect_same_at_all_scales(all_but(Light::Type::linear));
 }
 
-/// Rounding may decide what is just uneven enough to be split or sampled, and which way a ray that
-/// grazes an edge goes. Each picture's pixels are known to a standard error of half of what is let
-/// pass at the default MAX, 1/256; so the difference of two has one of 0.71 of that at most.
+/// Rounding may change which leaves are split or sampled, and on which side of an edge a ray
+/// passes. Each picture's pixels have a standard error of half of the tolerance at the default MAX,
+/// 1/256; the difference of two has at most 0.71 of the tolerance.
 void expect_refined_at_all_scales(const std::vector<Light>& lights) {
   const double let_pass = std::ldexp(1.0, -8);
   for (const Light& light : lights) {
@@ -211,7 +211,7 @@ TEST(LightLeak, APictureUnderALinearLightDoesNotDependOnTheScale) {
   expect_same_at_all_scales({linear_light()});
 }
 
-// Right behind the box, up to where it meets the floor, nothing arrives.
+// No light arrives right behind the box, up to its contact line with the floor.
 TEST(LightLeak, TheLineWhereABoxMeetsTheFloorIsDark) {
   for (const double scale : scales) {
     const auto s = static_cast<float>(scale);
@@ -229,15 +229,15 @@ TEST(LightLeak, TheLineWhereABoxMeetsTheFloorIsDark) {
                matte({0.7f, 0.7f, 0.6f}));
       add_box(world, s * glm::vec3(-1, 0, -9), s * glm::vec3(0, 4, 9), false);
       RenderSettings settings = small(16, 8);
-      // From above, a few pixels of the box's top and side and of the floor behind it; and from so
-      // close that the meeting line alone fills the picture.
+      // A view from above on a few pixels of the box's top and side and the floor behind it; and a
+      // close-up of the contact line alone.
       for (const double size : {1.0, 1e-2}) {
         const Camera camera = look_at(scale * (glm::dvec3(2.0, 1.5, 0.3) * size),
                                       scale * glm::dvec3(0.05 * size, 0, 0), 0.3);
         const Picture lit =
             render_picture(*make_render_scene(world, {scaled(light, scale)}), camera, settings);
         const Picture dark = render_picture(*make_render_scene(world), camera, settings);
-        constexpr double rounding = 1e-6;  // of means of other numbers of samples
+        constexpr double rounding = 1e-6;  // of means over different numbers of samples
         EXPECT_LE(excess(lit, dark), rounding) << light.name << ' ' << scale << ' ' << size;
       }
     }

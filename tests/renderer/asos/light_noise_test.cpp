@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// ASOS with all that it shares between pixels against plain sampling of the same pictures.
+// ASOS, which shares results between pixels, against independent samples of the same pictures.
 
 namespace asos::test::light_noise_test {
 namespace {
@@ -33,14 +33,13 @@ Means brightness(const Picture& picture) {
   return means;
 }
 
-/// Tolerance of a pixel of ASOS about its mean besides noise: each leaf is accepted while it is
-/// within this of the mean of its patch (RenderSettings::refine_shading), and so is each light's
-/// shadow.
+/// Tolerance for ASOS's systematic errors: a leaf is accepted while it is within this of the mean
+/// of its patch (RenderSettings::refine_shading), and so is each light's shadow.
 constexpr double let_pass = 2.0 / 2048.0;
 
-/// Sixteen seeds of sampling, for the standard error of fewer is told badly by themselves: along
-/// silhouettes the mean of four was 3 of its own standard errors off. Pooled over the picture it is
-/// a floor.
+/// Uses sixteen seeds of sampling, because fewer do not estimate their own standard error well:
+/// along silhouettes, the mean of four differed by three of their standard errors. The pooled
+/// standard error is a lower limit.
 void expect_same_picture(const RenderScene& scene, const Camera& camera, const std::string& name) {
   const Means found = brightness(render_picture(scene, camera, tiny(Method::asos)));
   constexpr int seeds = 16;

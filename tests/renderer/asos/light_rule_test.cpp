@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-// The published rule of lights of some size, pixel by pixel, on a floor with nothing in the way:
-// I A cos(theta) with inverse square, spheres without the cosine (CGF'98 section 4.2), and points
-// along linear lights (GI'93 "Distributed Light Sources").
+// The published rule for area lights, pixel by pixel, on an unoccluded floor: I A cos(theta) with
+// inverse square, spheres without the cosine (CGF'98 section 4.2), and points along linear lights
+// (GI'93 "Distributed Light Sources").
 
 namespace asos::test::light_rule_test {
 namespace {
@@ -25,7 +25,7 @@ Camera viewer() {
   return look_at({1.5, 2.0, 3.0}, {0.2, 0, 0.3}, 0.8);
 }
 
-/// A floor all over the picture, without any highlight: those of the rules differ.
+/// A floor that fills the picture, without highlights, because they differ between the rules.
 Picture picture_of(const std::vector<Light>& lights, Method method, LightRule rule) {
   World world;
   Material chalk = matte({0.9f, 0.9f, 0.9f});
@@ -36,12 +36,11 @@ Picture picture_of(const std::vector<Light>& lights, Method method, LightRule ru
   settings.width = width;
   settings.height = height;
   settings.shadow.light_rule = rule;
-  settings.asos.refine_shading =
-      false;  // or pixels are split, whose parts have middles of their own
+  settings.asos.refine_shading = false;  // so that pixels are not split
   return render_picture(*make_render_scene(std::move(world), lights), viewer(), settings);
 }
 
-/// The irradiance per candela, or per nit of flat lights, on the floor.
+/// Irradiance on the floor per candela, or per cd/m² of flat lights.
 using Form = std::function<double(const Receiver&)>;
 
 double cosine_over_square(const Light& light, const Receiver& receiver) {
@@ -77,7 +76,7 @@ std::vector<Case> cases() {
   const Light disk = disk_light();
   all.push_back({disk, flat_form(disk, pi * disk.radius * disk.radius)});
   const Light ball = ball_light(0.3);
-  // Nits times the area of the disk that is seen: candela.
+  // Radiance times the area of the visible disk: candela.
   all.push_back(
       {ball, [ball](const Receiver& receiver) { return cosine_over_square(ball, receiver); }});
   const Light line = linear_light();
@@ -89,7 +88,8 @@ std::vector<Case> cases() {
   return all;
 }
 
-// The floor reflects irradiance alike under both rules: the physical picture tells its radiance.
+// The floor reflects irradiance in the same way under both rules, so the physical picture gives its
+// reflectance.
 TEST(LightRule, PublishedIsItsClosedFormInEveryPixel) {
   const Picture dark = picture_of({}, Method::asos, LightRule::physical);
   const View view(viewer(), width, height);
@@ -123,7 +123,7 @@ TEST(LightRule, PublishedIsItsClosedFormInEveryPixel) {
       }
     }
     RecordProperty(c.light.name, testing::PrintToString(worst));
-    // The rules differ, but for a ball that is above the horizon as a whole.
+    // The rules differ, except for a sphere that is completely above the horizon.
     if (c.light.type == Light::Type::point) {
       EXPECT_NEAR(most - least, 0.0, 1e-5);
     } else {
@@ -136,7 +136,7 @@ TEST(LightRule, AsosPublishedShadesByThePublishedRule) {
   for (const Case& c : cases()) {
     const Picture published = picture_of({c.light}, Method::asos, LightRule::published);
     const Picture by_method = picture_of({c.light}, Method::asos_published, LightRule::physical);
-    // Rays that are cast together with others may differ in the last bits of where they hit.
+    // Rays traced in packets may differ in the last bits of their hits.
     for (std::size_t i = 0; i < published.film.radiance.size(); ++i)
       EXPECT_NEAR(by_method.film.radiance[i].x / published.film.radiance[i].x, 1.0, 1e-5)
           << c.light.name << ' ' << i;

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// A hundred lights: the sum of what each gives, and nothing spent on those that give nothing.
+// A hundred lights: their contributions add up, and lights without contribution cost nothing.
 
 namespace asos::test::many_lights_test {
 namespace {
@@ -22,8 +22,8 @@ RenderSettings exact_settings() {
   settings.width = 18;
   settings.height = 12;
   settings.cull = false;
-  settings.asos.eps = 0.0;               // or what is weak counts as seen
-  settings.asos.refine_shading = false;  // or leaves differ from picture to picture
+  settings.asos.eps = 0.0;               // so that weak lights are not skipped
+  settings.asos.refine_shading = false;  // so that leaves are the same in all pictures
   return settings;
 }
 
@@ -41,14 +41,14 @@ Picture picture_of(const std::vector<Light>& lights, const RenderSettings& setti
   return render_picture(*make_render_scene(furnished(), lights), camera, settings);
 }
 
-/// A light of a sample's type, moved and shrunk.
+/// A copy of a sample light, moved and scaled.
 Light placed(Light light, RandomSpace& random) {
   const glm::dvec3 step(random.between(-3, 3), random.between(-1, 1), random.between(-3, 3));
   light = scaled(std::move(light), random.between(0.2, 0.8));
   light.position += step;
   for (auto& outline : light.outlines)
     for (glm::dvec3& corner : outline) corner += step;
-  // Above the floor, and all about as bright.
+  // Above the floor, with similar brightness.
   const double rise = random.between(1.2, 2.5) - light.position.y;
   light.position.y += rise;
   for (auto& outline : light.outlines)
@@ -65,8 +65,8 @@ std::vector<Light> hundred_of(const std::vector<Light>& types, std::uint64_t see
   return lights;
 }
 
-/// By how much a picture differs from the sum of those of single lights at worst, relative to its
-/// brightest pixel.
+/// The largest difference between a picture and the sum of the single lights' pictures, relative to
+/// the brightest pixel.
 double off_from_sum(const std::vector<Light>& lights, const RenderSettings& settings) {
   const auto dark = picture_of({}, settings).film.radiance;
   const auto together = picture_of(lights, settings).film.radiance;
@@ -91,25 +91,25 @@ std::vector<Light> area_lights() {
   return {rectangle_light(), disk_light(), polygon_light(), ball_light(), linear_light()};
 }
 
-// Each pixel is a sum of a hundred floats, and so is what it is compared with.
+// Both the pixel and the sum have the rounding of a hundred floats.
 constexpr double rounding = 1e-5;
 
-TEST(ManyLights, WithoutShadowsAreTheirSum) {
+TEST(ManyLights, WithoutShadowsAddUp) {
   RenderSettings settings = exact_settings();
   settings.shadow.cast = false;
   for (const auto& types : {all_lights(), area_lights()})
     EXPECT_LT(off_from_sum(hundred_of(types, 21), settings), rounding);
 }
 
-// Leaves are cut exactly along the few boundaries of these shadows: nothing is left to samples,
-// which would depend on a light's number.
-TEST(ManyLights, WithShadowsAreTheirSum) {
+// The few edges of these shadows cut leaves exactly. Nothing is sampled, which would depend on a
+// light's index.
+TEST(ManyLights, WithShadowsAddUp) {
   for (const auto& types : {all_lights(), area_lights()})
     EXPECT_LT(off_from_sum(hundred_of(types, 22), exact_settings()), rounding);
 }
 
 // Two useful lights, then 98 that are out of range, below the floor or turned away.
-TEST(ManyLights, ThatGiveNothingCostNothing) {
+TEST(ManyLights, WithoutContributionCostNothing) {
   RandomSpace random(23);
   std::vector<Light> useful{rectangle_light(), point_light()};
   std::vector<Light> lights = useful;
@@ -138,7 +138,7 @@ TEST(ManyLights, ThatGiveNothingCostNothing) {
   EXPECT_GT(few.statistics.shadow_rays, 0u);
 }
 
-/// Root of the mean squared difference, and the mean one, over pixels and channels.
+/// Root mean square difference and mean difference, over pixels and channels.
 struct Difference {
   double rms = 0.0;
   double mean = 0.0;
@@ -161,7 +161,7 @@ double brightest_of(const Film& film) {
   return most;
 }
 
-/// Each so dim that all together leave a picture below white.
+/// The sum of all lights keeps the picture below white.
 std::vector<Light> hundred_dim_lights() {
   std::vector<Light> lights = hundred_of(area_lights(), 24);
   const double brightest = brightest_of(picture_of(lights, exact_settings()).film);
@@ -169,8 +169,8 @@ std::vector<Light> hundred_dim_lights() {
   return lights;
 }
 
-// Lights that are too dim to be asked one by one are sampled together, to within EPS.
-TEST(ManyLights, GetAsManyRaysAsTheyAreWorthTogether) {
+// Lights too dim for individual shadow tests are sampled together, to within EPS.
+TEST(ManyLights, SampledTogetherAreWithinEps) {
   const std::vector<Light> lights = hundred_dim_lights();
   const Picture exact = picture_of(lights, exact_settings());
   RenderSettings settings = exact_settings();
@@ -184,9 +184,8 @@ TEST(ManyLights, GetAsManyRaysAsTheyAreWorthTogether) {
   EXPECT_LT(sampled.statistics.shadow_pyrays, exact.statistics.shadow_pyrays / 4);
 }
 
-// No ray goes to one of them twice: where one carries all of it, points are as many as rays are
-// worth.
-TEST(ManyLights, OneThatIsAllOfTheirLightGetsAllTheirRays) {
+// No two rays go to the same light. If one light has all the light, it gets all the rays.
+TEST(ManyLights, ADominantLightGetsAllRays) {
   Light panel = rectangle_light();
   panel.position = {0.3, 2.0, 0.2};
   panel.direction = {0, -1, 0};
@@ -202,11 +201,11 @@ TEST(ManyLights, OneThatIsAllOfTheirLightGetsAllTheirRays) {
   settings.asos.eps = 1.0 / 256.0;
   settings.asos.refine_shading = true;
   const Picture sampled = picture_of(lights, settings);
-  EXPECT_EQ(sampled.statistics.shadow_pyrays, 0u) << "it is too dim to be asked by itself";
+  EXPECT_EQ(sampled.statistics.shadow_pyrays, 0u) << "it is too dim for its own shadow test";
   EXPECT_LT(difference(sampled.film, exact.film).rms, 0.25 * settings.asos.eps);
 }
 
-// What lights give that stand in a ring in the floor, half below it, off what exact windows say.
+// Error, against exact visibility, for lights in a ring that are half below the floor.
 double error_of_sunk_lights(const Light& shape) {
   World world;
   add_quad(world, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10}, matte(glm::vec3(0.6f)));
@@ -232,20 +231,20 @@ double error_of_sunk_lights(const Light& shape) {
   return difference(sampled.film, exact.film).rms;
 }
 
-// What a light gives is not told by its middle, which may lie below the floor that it shines on.
-TEST(ManyLights, ThatStandInTheFloorAreWorthTheirRays) {
+// A light's centre may be below the floor although the light illuminates it.
+TEST(ManyLights, PartlyBelowTheFloorAreWithinEps) {
   Light rectangle = rectangle_light();
   rectangle.intensity = 4.0f;
   EXPECT_LT(error_of_sunk_lights(rectangle), 1.0 / 256.0);
   Light disk = disk_light();
   disk.radius = 0.3;
   disk.intensity = 0.5f;
-  EXPECT_LT(error_of_sunk_lights(disk), 1.0 / 256.0) << "whose samples go below the floor, too";
+  EXPECT_LT(error_of_sunk_lights(disk), 1.0 / 256.0) << "some of its samples are below the floor";
 }
 
-// What they are worth on a surface is asked of it, though no pixel's middle shows it: here the
-// middles show a black wall alone.
-TEST(ManyLights, AreWorthTheirRaysOnWhatIsThinnerThanAPixel) {
+// The weights are computed on each surface, even if no pixel's centre shows it: here the centres
+// show only black surfaces.
+TEST(ManyLights, SampledTogetherAreWithinEpsOnSubpixelSurfaces) {
   constexpr float pixel = 0.1f;
   World world;
   add_quad(world, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10}, matte(glm::vec3(0.0f)));
@@ -254,7 +253,7 @@ TEST(ManyLights, AreWorthTheirRaysOnWhatIsThinnerThanAPixel) {
     const float x = (static_cast<float>(i) + 0.1f) * pixel;
     add_quad(world, {x, 0.01f, 1}, {0.3f * pixel, 0, 0}, {0, 0, -1.3f}, matte(glm::vec3(0.9f)));
   }
-  // In two rows, of which the wall hides one more or less.
+  // Two rows; the wall hides more of one than of the other.
   std::vector<Light> lights;
   for (int i = 0; i < light_count; ++i) {
     Light light = rectangle_light();
@@ -286,14 +285,14 @@ TEST(ManyLights, AreWorthTheirRaysOnWhatIsThinnerThanAPixel) {
 }
 
 // In mirrors, too.
-TEST(ManyLights, AreWorthAsManyRaysInAMirror) {
+TEST(ManyLights, SampledTogetherAreWithinEpsInMirrors) {
   World world = furnished();
   Material mirror = matte(glm::vec3(0.9f));
   mirror.metallic = 1.0f;
   mirror.roughness = 0.0f;
   add_quad(world, {-2, 0, -1.5f}, {4, 0, 0}, {0, 2.5f, 0}, mirror);
   const auto scene = make_render_scene(world, hundred_dim_lights());
-  // It shows the floor, and no lights.
+  // The view has the floor, but no lights.
   const Camera camera = look_at({0.4, 1.4, 0.8}, {0, 0.3, -1.5}, 0.25);
   RenderSettings settings = exact_settings();
   const Picture exact = render_picture(*scene, camera, settings);
@@ -310,8 +309,8 @@ TEST(ManyLights, AreWorthAsManyRaysInAMirror) {
   EXPECT_LT(sampled.statistics.shadow_pyrays, exact.statistics.shadow_pyrays / 4);
 }
 
-// A sample sends few rays to many lights, and the mean is theirs.
-TEST(ManyLights, AreSampledByFewRays) {
+// A sample sends few rays to many lights, with the correct expectation.
+TEST(ManyLights, AreSampledWithFewRays) {
   const std::vector<Light> lights = hundred_dim_lights();
   const Picture exact = picture_of(lights, exact_settings());
   RenderSettings settings = exact_settings();

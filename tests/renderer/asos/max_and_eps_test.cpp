@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// MAX bounds the work and EPS ends it sooner (CGF'98 section 3.1): either changes picture, split
+// MAX limits the work and EPS may end it sooner (CGF'98 section 3.1): both change picture, split
 // map and work.
 
 namespace asos::test::max_and_eps_test {
@@ -75,7 +75,7 @@ TEST_P(MaxAndEps, MaxBoundsTheWorkAndTheError) {
   EXPECT_LT(error_at[4], 1.05 * error_at[3]);
   EXPECT_LT(error_at[6], 1.05 * error_at[4]);
   EXPECT_GT(error_at[1], 1.5 * error_at[4]);
-  // Between them exact answers take the place of rays.
+  // Between them, exact answers replace rays.
   EXPECT_LT(rays_at[0], rays_at[1]);
   EXPECT_LT(rays_at[1], rays_at[4]);
   EXPECT_LT(rays_at[4], rays_at[6]);

@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-// Small images of a bright light in a bent mirror that another one shows.
+// Small images of a bright light in a curved mirror that another mirror shows.
 
 namespace asos::test {
 namespace {
 
-// A column of pixels with four of them, which a ball makes and a cylinder shows. One that is placed
-// a part of a pixel beside is as good as lost: all of its pixel's light is in another.
-TEST(MirroredLight, OfABentMirrorInAnotherIsWhereItIs) {
+// A column of pixels with four images of lights, reflected by a sphere and then by a cylinder. An
+// image displaced by a fraction of a pixel would be in another pixel.
+TEST(MirroredLight, HasTheRightPlaceAfterTwoCurvedMirrors) {
   const auto scene = *prepare(*builtin_scene("solids"));
   RenderSettings settings;
   settings.width = 160;
@@ -39,8 +39,9 @@ TEST(MirroredLight, OfABentMirrorInAnotherIsWhereItIs) {
   EXPECT_GE(shown, 4);
 }
 
-// A hundredth of the pixel, and brighter than white in all of it: 16 samples, or 64, see none.
-TEST(MirroredLight, IsMetWhereFewSamplesMissIt) {
+// The image is a hundredth of the pixel, but brighter than white over all of it; 16 or 64 samples
+// miss it.
+TEST(MirroredLight, IsFoundWhereFewSamplesMissIt) {
   const auto scene = *prepare(*builtin_scene("solids"));
   const Camera camera = first_camera(scene->world(), 320.0 / 180.0);
   for (const int x : {140, 162}) {
@@ -55,7 +56,7 @@ TEST(MirroredLight, IsMetWhereFewSamplesMissIt) {
       const Film film = render_picture(*scene, camera, settings).film;
       return film.radiance[film.index(x, 64)].x;
     };
-    // Values above white are compared as white.
+    // Clipped, because values above white are displayed as white.
     const float truth = std::min(1.0f, red(Method::sobol, 0));
     for (const int seed : {0, 1, 2, 3})
       EXPECT_NEAR(std::min(1.0f, red(Method::asos, seed)), truth, 0.1f) << x << ", seed " << seed;

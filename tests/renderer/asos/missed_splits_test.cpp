@@ -12,18 +12,18 @@
 #include <string>
 #include <vector>
 
-// Pixels that show several surfaces although no boundary was found in them (design section 3): none
-// in scenes of our own making, next to none in models as they are found.
+// Pixels that show several surfaces although no edge was found in them (design section 3): none in
+// our own scenes, next to none in models from other sources.
 
 namespace asos::test::missed_splits_test {
 namespace {
 
 struct Case {
   std::string name;
-  std::string source;  ///< empty: there is nothing to render
+  std::string source;  ///< empty: nothing to render
   int width = 320;
   int height = 180;
-  bool look_only = true;  ///< without shadows and reflections, which are no part of the search
+  bool look_only = true;  ///< no shadows and reflections: not needed for edges
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -70,14 +70,14 @@ std::vector<Case> builtin_cases() {
   for (const BuiltinScene& scene : builtin_scenes()) {
     const std::string source = "builtin:" + scene.name;
     cases.push_back({scene.name, source});
-    // Those two would take half a minute, for their triangles and for their lights.
+    // These two would take half a minute, because of their triangles and lights.
     if (scene.name != "dense" && scene.name != "neon")
       cases.push_back({scene.name + "_large", source, 640, 360});
   }
   return cases;
 }
 
-/// The glTF files of the shared scenes, or one case without a source where there are none.
+/// The glTF files of the shared scenes, or one case without a source if there are none.
 std::vector<Case> shared_cases(int width, int height, bool look_only) {
   std::vector<Case> cases;
   if (const auto dir = shared_dir()) {
@@ -112,7 +112,7 @@ TEST_P(SharedScenes, MissAThousandthOfThePixelsAtMost) {
 INSTANTIATE_TEST_SUITE_P(MissedSplits, SharedScenes,
                          testing::ValuesIn(shared_cases(320, 180, true)), name_of);
 
-// With everything on: shadows, mirrors, what is rough, bent or broken in other people's files.
+// All features on: shadows, mirrors, and rough, curved or invalid surfaces of other people's files.
 class ModelsAsFound : public MissedSplits {};
 TEST_P(ModelsAsFound, AreFiniteWithEverythingOn) {
   if (GetParam().source.empty())

@@ -16,8 +16,7 @@
 #include <string>
 #include <vector>
 
-// Features that a scene does not need are left out, and forcing them back in changes no bit of any
-// picture.
+// Features that a scene does not need are left out; forcing them in changes no bit of any picture.
 
 namespace asos::needs_test {
 namespace {
@@ -60,7 +59,7 @@ TEST_P(ForcedBuiltin, GivesTheSamePictureToTheBit) {
   const SharedScene forced = prepare(scene, SceneNeeds::all()).and_then(with_boundaries).value();
   EXPECT_GT(features_left_out(needed->needs).size(), 5u);
   EXPECT_LE(features_left_out(forced->needs).size(), 2u)
-      << "an opacity that varies and a sky's picture are not forced";
+      << "varying opacity and sky images cannot be forced";
   EXPECT_LT(needed->geometry->memory_mb(), forced->geometry->memory_mb());
   expect_same_pictures(*needed, *forced, 24, 16);
 }
@@ -89,7 +88,7 @@ void add_quad(Scene& scene, glm::vec3 corner, glm::vec3 a, glm::vec3 b, const Ma
   scene.instances.push_back(instance);
 }
 
-/// A pane upright on a floor, under a light of some size.
+/// An upright pane on a floor, under an area light.
 Scene pane_on_floor() {
   Scene scene;
   Material floor = test::matte({0.7f, 0.7f, 0.6f});
@@ -232,7 +231,7 @@ TEST_P(ForcedFeature, ChangesNoBitWithOrWithoutTheOthers) {
 INSTANTIATE_TEST_SUITE_P(Scenes, ForcedFeature, testing::Range<std::size_t>(0, 24),
                          [](const auto& index) { return std::string(cases()[index.param].name); });
 
-/// Rays that were mirrored in the picture of a scene.
+/// Number of reflection rays in the picture of a scene.
 std::uint64_t mirrored_rays(const RenderScene& scene, double roughest_mirror) {
   RenderSettings settings = settings_of(Method::asos, 20, 16);
   settings.mirror.roughest = roughest_mirror;
@@ -240,7 +239,7 @@ std::uint64_t mirrored_rays(const RenderScene& scene, double roughest_mirror) {
   return test::render_picture(scene, camera, settings).statistics.reflection_rays;
 }
 
-// Mirrors are left out by the usual limit; whoever asks for rougher ones gets them all the same.
+// Rough mirrors are left out by the default limit, but are followed if the settings raise it.
 TEST(ForcedNeeds, RougherMirrorsAreFollowedWhereTheSettingsAskForThem) {
   const SharedScene scene = prepare(pane_on_floor()).value();
   ASSERT_FALSE(scene->needs.mirrors);
@@ -256,7 +255,7 @@ TEST(ForcedNeeds, ASkysPictureIsOfTheSettings) {
   const SharedScene scene = prepare(pane_on_floor()).value();
   RenderSettings settings;
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.4f));
-  EXPECT_FALSE(needs_of(*scene, settings).sky_picture) << "one colour is no picture";
+  EXPECT_FALSE(needs_of(*scene, settings).sky_picture) << "a uniform colour is no image";
   settings.sky = std::make_shared<const Sky>(
       SkyMap(2, 1, std::vector{glm::vec3(0.4f), glm::vec3(0.2f)}), 0.0, "two texels");
   EXPECT_TRUE(needs_of(*scene, settings).sky_picture);

@@ -27,8 +27,8 @@ std::vector<glm::vec3> turned(Angle angle) {
 
 const std::vector<std::uint32_t> one_surface(side* side, 7);
 
-// A cylinder's normals turn evenly: the second difference of a circle of step a is 2 - 2 cos a.
-TEST(NormalVariation, OfACylinderAreThoseOfItsCircle) {
+// A cylinder's normals have a constant second difference: 2 - 2 cos a for a step of angle a.
+TEST(NormalVariation, MatchesClosedFormOnACylinder) {
   const double step = 0.2;
   NormalVariation normals;
   normals.find(side, turned([&](int x) { return step * x; }), one_surface, background);
@@ -37,14 +37,15 @@ TEST(NormalVariation, OfACylinderAreThoseOfItsCircle) {
       EXPECT_NEAR(normals.error(x, y), (2.0 - 2.0 * std::cos(step)) / 24.0, 1e-7) << x << ' ' << y;
 }
 
-// The midpoint rule's error itself: the mean of a cosine over pixels whose normal swings.
+// The actual error of the midpoint rule for the mean of a cosine over pixels with oscillating
+// normals.
 TEST(NormalVariation, BoundTheErrorOfTheMidpointRule) {
   const double amplitude = 0.3, frequency = 0.9;
   const auto angle = [&](double x) { return amplitude * std::sin(frequency * x); };
   NormalVariation normals;
   normals.find(side, turned(angle), one_surface, background);
   for (int x = 1; x + 1 < side; ++x) {
-    // Light along the surface sees most of the swing.
+    // Light along the surface is the most sensitive direction.
     double mean = 0.0;
     constexpr int steps = 1000;
     for (int i = 0; i < steps; ++i) mean += std::sin(angle(x - 0.5 + (i + 0.5) / steps)) / steps;
@@ -54,21 +55,21 @@ TEST(NormalVariation, BoundTheErrorOfTheMidpointRule) {
   }
 }
 
-TEST(NormalVariation, AreNoneBetweenSurfacesAndInTheBackground) {
+TEST(NormalVariation, IsZeroBetweenSurfacesAndInTheBackground) {
   std::vector<std::uint32_t> surfaces = one_surface;
   for (int y = 0; y < side; ++y) {
     for (int x = 4; x < side; ++x)
       surfaces[static_cast<std::size_t>(y * side + x)] = y < 4 ? 8 : background;
   }
-  // A crease between the two surfaces, which are flat.
+  // A crease between two flat surfaces.
   NormalVariation normals;
   normals.find(side, turned([](int x) { return x < 4 ? 0.0 : 1.0; }), surfaces, background);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) EXPECT_EQ(normals.error(x, y), 0.0f) << x << ' ' << y;
 }
 
-// A cylinder's neighbours are where the turn of its circle leads, but for its bend.
-TEST(NormalVariation, StrayFromATurnByHowFarTheyAreFromIt) {
+// On a cylinder the normal's linear extrapolation is correct, except for its curvature.
+TEST(NormalVariation, MeasuresDeviationFromALinearTurn) {
   const double step = 0.02, bend = 1.01 * step * step;
   NormalVariation normals;
   normals.find(side, turned([&](int x) { return step * x; }), one_surface, background);
@@ -88,7 +89,7 @@ TEST(NormalVariation, StrayFromATurnByHowFarTheyAreFromIt) {
   EXPECT_EQ(normals.strays(3, 3, glm::vec3(1), glm::vec3(1)), 0.0f) << "other surfaces";
 }
 
-TEST(NormalVariation, AreNoneOutsideAndInBlocksTooSmallToTell) {
+TEST(NormalVariation, IsZeroOutsideAndInTinyBlocks) {
   NormalVariation normals;
   normals.find(side, turned([](int x) { return 0.3 * x * x; }), one_surface, background);
   EXPECT_GT(normals.error(3, 3), 0.0f);

@@ -32,8 +32,8 @@ TEST(PartShape, OfWholeSquaresIsTheSquare) {
   EXPECT_EQ(shape.down, glm::vec2(0.0f, 1.0f));
 }
 
-TEST(PartShape, OfAStripIsTheStrip) {
-  // 0.64 wide and 0.25 high: the square of its area has the side 0.4.
+TEST(PartShape, MatchesAStrip) {
+  // 0.64 wide and 0.25 high: the square of equal area has the side 0.4.
   for (const bool turned : {false, true}) {
     std::vector<glm::vec2> corners{{0.1f, 0.5f}, {0.74f, 0.5f}, {0.74f, 0.75f}, {0.1f, 0.75f}};
     if (turned) std::reverse(corners.begin(), corners.end());
@@ -44,7 +44,7 @@ TEST(PartShape, OfAStripIsTheStrip) {
   }
 }
 
-// The mean of any quadratic over the parallelogram is that over the part.
+// The mean of a quadratic over the parallelogram equals that over the part.
 TEST(PartShape, HasTheMomentsOfAnyPart) {
   std::mt19937 rng(11);
   std::uniform_real_distribution<float> u(0.0f, 1.0f);
@@ -58,8 +58,8 @@ TEST(PartShape, HasTheMomentsOfAnyPart) {
     const double side = std::sqrt(area);
     const glm::dvec2 middle = glm::dvec2(at) + side * glm::dvec2(shape.offset);
     const glm::dvec2 e = side * glm::dvec2(shape.right), f = side * glm::dvec2(shape.down);
-    // The triangle's mean is that of its corners, its second moments are (sum of the corners' outer
-    // products about the mean) / 12.
+    // The triangle's mean is that of its corners; its second moments are the sum of the corners'
+    // outer products about the mean, divided by 12.
     const glm::dvec2 mean = (a + b + c) / 3.0;
     const auto product = [&](int x, int y) {
       double sum = 0.0;
@@ -80,18 +80,18 @@ TEST(PartShape, WithoutAreaIsTheSquare) {
   EXPECT_EQ(shape.down, glm::vec2(0.0f, 1.0f));
 }
 
-/// The second moments of a parallelogram around its middle.
+/// The second moments of a parallelogram about its centre.
 glm::dvec3 spread_of(const PartShape& shape) {
   const glm::dvec2 e(shape.right), f(shape.down);
   return glm::dvec3(e.x * e.x + f.x * f.x, e.x * e.y + f.x * f.y, e.y * e.y + f.y * f.y) / 12.0;
 }
 
-// Together they have the area, the middle and the second moments of the whole.
-TEST(PartShape, ItsPartsMakeUpTheWhole) {
+// Together they have the area, the centre and the second moments of the whole.
+TEST(PartShape, PartsHaveTheMomentsOfTheWhole) {
   std::mt19937 rng(12);
   std::uniform_real_distribution<float> u(0.0f, 1.0f);
   for (int i = 0; i < 50; ++i) {
-    // Triangles, and quadrilaterals that may run in on themselves.
+    // Triangles, and quadrilaterals that may be concave.
     std::vector<glm::vec2> corners{{u(rng), u(rng)}, {u(rng), u(rng)}, {u(rng), u(rng)}};
     if (i % 2 == 0) corners.push_back(0.4f * corners[0] + 0.3f * corners[1] + 0.3f * corners[2]);
     const std::vector<BorderEdge> sides = around(corners);
@@ -115,7 +115,7 @@ TEST(PartShape, ItsPartsMakeUpTheWhole) {
         spread += static_cast<double>(part.share) *
                   (spread_of(part.shape) + glm::dvec3(off.x * off.x, off.x * off.y, off.y * off.y));
       }
-      // Less what is next to nothing.
+      // Tolerance for parts that are too small to be kept.
       const double size = static_cast<double>(glm::length(whole.right) + glm::length(whole.down));
       EXPECT_NEAR(share, 1.0, 1e-5);
       EXPECT_NEAR(glm::distance(middle, glm::dvec2(whole.offset)), 0.0, 0.02 * size)

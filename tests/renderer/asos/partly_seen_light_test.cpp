@@ -9,7 +9,8 @@
 #include <memory>
 #include <utility>
 
-// Lights that are seen in part, in ways that no boundary between a patch and the light tells.
+// Partially occluded lights whose occlusion is not visible as an edge between the patch and the
+// light.
 
 namespace asos::test::partly_seen_light_test {
 namespace {
@@ -49,9 +50,9 @@ void add_floor(World& world, const Material& material) {
   add_quad(world, glm::vec3(-40, 0, 40), glm::vec3(80, 0, 0), glm::vec3(0, 0, -80), material);
 }
 
-// The eye looks through the back of a wall that stands in a floor, and over its foot: in one block
-// of pixels the light is seen, and hidden by a wall that has no edge nearby.
-TEST(PartlySeenLight, EndsAtTheFootOfAWallThatTheEyeLooksThrough) {
+// The camera looks through the back of a single-sided wall that stands in a floor. Within one block
+// of pixels the wall occludes the light on one side of its foot, without an edge nearby.
+TEST(PartlySeenLight, EndsAtTheFootOfASingleSidedWall) {
   for (const float slope : {0.0f, 0.3f}) {
     World world;
     add_floor(world, matte(glm::vec3(0.8f)));
@@ -68,8 +69,8 @@ TEST(PartlySeenLight, EndsAtTheFootOfAWallThatTheEyeLooksThrough) {
   }
 }
 
-// What lies within a ball that shines hides nothing of it, wherever pyrays to its rim go.
-TEST(PartlySeenLight, IsAllOfABallThatSomethingLiesIn) {
+// An object within a sphere light occludes nothing of it, wherever pyrays towards its rim go.
+TEST(PartlySeenLight, IsUnoccludedByObjectsInsideASphereLight) {
   Light ball;
   ball.type = Light::Type::point;
   ball.position = {0, 3, 0};
@@ -79,7 +80,7 @@ TEST(PartlySeenLight, IsAllOfABallThatSomethingLiesIn) {
   const auto with = [&](bool plate) {
     World world;
     add_floor(world, matte(glm::vec3(0.8f)));
-    // The ball's cross-section there is 0.8 wide to either side of its middle.
+    // At this height the sphere's section has a half-width of 0.8.
     if (plate)
       add_quad(world, glm::vec3(-0.5f, 2.4f, 0.5f), glm::vec3(1, 0, 0), glm::vec3(0, 0, -1),
                matte(glm::vec3(0.5f)));
@@ -91,8 +92,8 @@ TEST(PartlySeenLight, IsAllOfABallThatSomethingLiesIn) {
   EXPECT_LT(off.largest, 1e-3 * off.mean);
 }
 
-// Within a ball light comes from everywhere, and a wall hides some of it.
-TEST(PartlySeenLight, IsWhatAWallLeavesOfABallAround) {
+// Inside a sphere light, light comes from everywhere, and a wall occludes some of it.
+TEST(PartlySeenLight, IsOccludedByAWallInsideASphereLight) {
   Light ball;
   ball.type = Light::Type::point;
   ball.radius = 3.0;
@@ -110,9 +111,9 @@ TEST(PartlySeenLight, IsWhatAWallLeavesOfABallAround) {
   EXPECT_LT(off.largest, 0.02);
 }
 
-// Rough metal shows one end of a large light brighter than the other: half of a panel that is
-// covered shines as the other half would alone.
-TEST(PartlySeenLight, OfRoughMetalIsTheHalfThatIsSeen) {
+// Rough metal reflects one end of a large light more strongly than the other. A panel with one half
+// covered must look like the other half alone.
+TEST(PartlySeenLight, OnRoughMetalMatchesTheVisibleHalf) {
   Material metal = matte(glm::vec3(0.9f));
   metal.metallic = 1.0f;
   const Camera camera = look_at({-6, 1.5, 0}, {0, 0, 0}, 0.5);

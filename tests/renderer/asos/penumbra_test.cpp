@@ -9,7 +9,7 @@
 namespace asos::test::penumbra_test {
 namespace {
 
-/// Root mean square over the pixels of a part of two pictures, and channels.
+/// RMSE over a part of two pictures.
 double off(const Film& a, const Film& b, PixelRect part) {
   double squares = 0.0;
   for (int y = part.y; y < part.y + part.height; ++y) {
@@ -22,7 +22,7 @@ double off(const Film& a, const Film& b, PixelRect part) {
   return std::sqrt(squares / (part.width * part.height));
 }
 
-/// How far a part of a built-in scene's picture, 320x180, is off many samples by, in EPS.
+/// RMSE of a part of a built-in scene's picture, 320x180, against many samples, in units of EPS.
 double off(const char* scene, PixelRect part, int max_level, int samples) {
   const auto prepared = *prepare(*builtin_scene(scene));
   const Camera camera = first_camera(prepared->world(), 16.0 / 9.0);
@@ -39,15 +39,15 @@ double off(const char* scene, PixelRect part, int max_level, int samples) {
   return off(found, truth, part) / settings.asos.eps;
 }
 
-// Beside a box, where its shadow begins: a few leaves know it better than samples do, which are
-// told to be known by chance in a pixel or other. Sampled, they were off by a third of EPS at MAX
-// 3, and by an eighth at MAX 2, whose verdicts ask for less.
-TEST(Penumbra, IsSplitWhereThatTakesFewLeaves) {
+// The start of a box's shadow: a few leaves are more accurate than samples, whose error estimate is
+// too small in a pixel here and there. Sampled, the error was a third of EPS at MAX 3, and an
+// eighth at MAX 2, where shadow tests are less strict.
+TEST(Penumbra, IsSplitIfFewLeavesSuffice) {
   EXPECT_LT(off("boxes", {32, 96, 32, 16}, 3, 4096), 0.2);
 }
 
-// The shadows of a fence's palings, half a pixel wide.
-TEST(Penumbra, GetsExacterWithMaxUntilItIsWithinEps) {
+// Shadows of a fence's pales, half a pixel wide.
+TEST(Penumbra, ErrorFallsWithMaxUntilWithinEps) {
   const auto error = [](int max_level) {
     return off("turning-fence", {40, 112, 160, 4}, max_level, 1024);
   };

@@ -14,8 +14,8 @@
 #include <set>
 #include <tuple>
 
-// The trace of a pixel tells what rendering it does: it is checked against the whole picture and
-// against itself.
+// The trace of a pixel agrees with rendering it: it is checked against the whole picture and for
+// consistency.
 
 namespace asos::test::pixel_trace_test {
 namespace {
@@ -43,7 +43,7 @@ bool is_marginal(CellFate fate) {
   return fate == CellFate::split || fate == CellFate::stopped || fate == CellFate::finest;
 }
 
-// Corner and side in 1/256 of the pixel, in which all cells are whole but for rounding.
+// Corner and side in 1/256 of the pixel; these are integers for all cells, except for rounding.
 using Place = std::tuple<long, long, long>;
 Place place_of(glm::vec2 corner, float side) {
   return {std::lround(256.0f * corner.x), std::lround(256.0f * corner.y),
@@ -54,7 +54,7 @@ bool has_children(CellFate fate) {
   return fate == CellFate::split || fate == CellFate::uneven;
 }
 
-// Every split cell has its four quarters, and every cell but the first a parent.
+// Every split cell has four quarters, and every cell but the first has a parent.
 void check_tree(const PixelTrace& trace) {
   std::set<Place> expected{place_of({0, 0}, 1.0f)};
   std::set<Place> found;
@@ -81,7 +81,7 @@ double area_of(const std::vector<BorderEdge>& border) {
   return area;
 }
 
-// Each finished cell's samples carry its area; together they make the pixel.
+// The weights of each finished cell's samples sum to its area; together they give the pixel.
 void check_samples(const PixelTrace& trace) {
   double total = 0.0, unresolved = 0.0;
   glm::dvec3 colour(0.0);
@@ -90,7 +90,7 @@ void check_samples(const PixelTrace& trace) {
     for (const TracedSample& s : cell.samples) {
       weight += s.weight;
       const double area = s.border.empty() ? area_of(cell) : area_of(s.border);
-      EXPECT_NEAR(area, s.weight, 1e-5) << "a part has the sides of its area";
+      EXPECT_NEAR(area, s.weight, 1e-5) << "the part's border encloses its area";
       colour += s.weight * glm::dvec3(s.radiance);
       const glm::vec2 in = (s.at - cell.corner) / cell.side;
       EXPECT_TRUE(in.x > -1e-4f && in.y > -1e-4f && in.x < 1.0001f && in.y < 1.0001f);
@@ -109,7 +109,7 @@ void check_samples(const PixelTrace& trace) {
   }
 }
 
-// The tables count the cells that are told.
+// The tables count the listed cells.
 void check_levels(const PixelTrace& trace) {
   for (const LevelTally& tally : trace.levels) {
     const auto marginal =
@@ -127,10 +127,10 @@ void check_levels(const PixelTrace& trace) {
   }
 }
 
-/// How far a cone reaches beyond its cell, in cells: the circle around it reaches (sqrt 2 - 1) / 2,
-/// drawn out to an ellipse of 1 / cos off the axis, and most in the picture's corners. A cell's
-/// inner corner is seen larger than its middle by 2 tan times half its diagonal, and the cone
-/// reaches farther out by as much again.
+/// How far a cone extends beyond its cell, in cells. Its circle extends by (sqrt 2 - 1) / 2. Off
+/// the axis it becomes an ellipse stretched by 1 / cos, most in the picture's corners. There the
+/// inner corner of a cell also appears larger by 2 tan times half its diagonal, and the cone
+/// extends farther by the same amount.
 float reach_beyond(const Camera& camera, const RenderSettings& settings) {
   if (as_published(settings).asos.detect == Detection::square) return 1e-4f;
   const double half_height =
@@ -155,7 +155,7 @@ void check_boundaries(const PixelTrace& trace, float beyond) {
   }
 }
 
-/// Traces every `step`-th pixel, and those of the last row and column.
+/// Traces every `step`-th pixel, and the last row and column.
 void check_picture(const RenderScene& scene, const Camera& camera, const RenderSettings& settings,
                    int step) {
   const View view(camera, settings.width, settings.height);
@@ -194,7 +194,7 @@ SharedScene boxes() {
   return scene;
 }
 
-// 37 x 21 pixels end in blocks that are not whole.
+// 37 x 21 pixels: the last blocks are not complete.
 TEST(PixelTrace, IsWhatRenderingDoes) {
   check_picture(*boxes(), boxes()->world().cameras.at(0), settings_of(37, 21), 7);
 }
@@ -225,7 +225,7 @@ TEST(PixelTrace, IsWhatRenderingDoesForOrthographicCameras) {
   }
 }
 
-// A cut-out's outline is in its texture: no edge runs there, and samples find it.
+// The outline of a cut-out is in its texture: there is no edge, and samples find it.
 TEST(PixelTrace, TellsWhatSamplesFound) {
   World world;
   add_quad(world, {-5, -5, -1}, {10, 0, 0}, {0, 10, 0}, unlit({0.2f, 0.4f, 0.8f}));
@@ -254,14 +254,14 @@ TEST(PixelTrace, TellsWhatSamplesFound) {
       ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
                 0);
       check_samples(trace);
-      EXPECT_EQ(trace.cells.front().samples.size(), 1u) << "stands for those all over the pixel";
+      EXPECT_EQ(trace.cells.front().samples.size(), 1u) << "represents all samples of the pixel";
       EXPECT_FALSE(trace.missed);  // nobody could have known
     }
   }
   EXPECT_GT(sampled, 0);
 }
 
-// A pixel cut in three by a corner once had fewer rays than samples.
+// A pixel that a corner cuts into three once had fewer rays than samples.
 TEST(PixelTrace, HasARayForEachSample) {
   World world;
   add_quad(world, {-5, -5, -1}, {10, 0, 0}, {0, 10, 0}, unlit({0.2f, 0.4f, 0.8f}));
@@ -284,7 +284,7 @@ TEST(PixelTrace, HasARayForEachSample) {
   EXPECT_GE(most, 3u) << "some pixel is cut in three";
 }
 
-// Two planes that cross, with the boundaries of a world in which they do not.
+// Two intersecting planes, with the edges of a world in which they do not intersect.
 TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
   const auto world = [](float height) {
     World w;
@@ -313,7 +313,7 @@ TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
   EXPECT_EQ(missed, statistics.missed_splits);
 }
 
-// Polished boxes under a ball of light: each leaf sends pyrays to it and to what it mirrors.
+// Polished boxes under a sphere light: each leaf starts pyrays to the light and to its reflection.
 TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
   std::shared_ptr<const RenderScene> scene;
   for (const BuiltinScene& builtin : builtin_scenes()) {
@@ -332,7 +332,7 @@ TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
   }
   ASSERT_NE(scene, nullptr);
   RenderSettings settings = settings_of(8, 6);
-  // Small enough a tolerance for penumbrae to be split and not sampled.
+  // A tolerance so small that penumbrae are split and not sampled.
   settings.asos.max_level = 5;
   settings.asos.eps = 0.0;
   const View view(scene->world().cameras.front(), settings.width, settings.height,
@@ -344,7 +344,7 @@ TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
       const PixelTrace trace = trace_pixel(*scene, view, settings, x, y);
       ASSERT_EQ(std::memcmp(&trace.radiance, &film.radiance[film.index(x, y)], sizeof(glm::vec3)),
                 0)
-          << "writing down changes nothing";
+          << "tracing does not change the result";
       for (int i = 0; i < static_cast<int>(trace.pyrays.size()); ++i) {
         const TracedPyray& pyray = trace.pyrays[static_cast<std::size_t>(i)];
         ASSERT_LT(pyray.parent, i);
@@ -371,7 +371,7 @@ TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
   }
   EXPECT_GT(shadows, 0);
   EXPECT_GT(mirrors, 0);
-  EXPECT_GT(nested, 0) << "what is mirrored has shadows, too";
+  EXPECT_GT(nested, 0) << "reflected surfaces have shadows, too";
   EXPECT_GT(partly_lit, 0) << "a penumbra";
 }
 

@@ -35,7 +35,8 @@ Material mirror(double dfr = 1.0) {
   return m;
 }
 
-/// Two triangles and a sliver before the plane x + 0.3 z = 0 and behind the camera, or mirrored.
+/// Two triangles and a sliver in front of the plane x + 0.3 z = 0, behind the camera; or their
+/// mirror images.
 World things(bool mirrored) {
   const glm::vec3 n = glm::normalize(glm::vec3(1.0f, 0.0f, 0.3f));
   const auto place = [&](glm::vec3 p) {
@@ -54,7 +55,7 @@ World things(bool mirrored) {
   return world;
 }
 
-// The edges of the picture lie inside the mirror.
+// The borders of the picture are inside the mirror.
 std::vector<glm::vec3> picture(bool by_mirror, const Material& material) {
   World world = things(!by_mirror);
   const glm::vec3 n = glm::normalize(glm::vec3(1.0f, 0.0f, 0.3f));
@@ -86,8 +87,8 @@ TEST(PlaneMirror, ShowsTheMirroredScene) {
   EXPECT_LT(worst_difference(seen, direct), 1e-5);
 }
 
-/// A wall of 4 mm that stands on a mirror of four kilometres, which has rounding of more than that;
-/// or, without the mirror, the wall that goes on as far below.
+/// A wall of 4 mm on a mirror of four kilometres, whose rounding is larger than the wall; or,
+/// without the mirror, a wall that extends as far below.
 std::vector<glm::vec3> low_wall(bool by_mirror, Method method) {
   World world;
   Material red = unlit({0.9f, 0.2f, 0.1f});
@@ -105,17 +106,17 @@ std::vector<glm::vec3> low_wall(bool by_mirror, Method method) {
   return test::render_picture(*scene, camera, settings).film.radiance;
 }
 
-TEST(PlaneMirror, ShowsWhatStandsOnItDownToTheFoot) {
+TEST(PlaneMirror, ShowsObjectsDownToTheirFoot) {
   EXPECT_LT(worst_difference(low_wall(true, Method::asos), low_wall(false, Method::asos)), 2e-3);
   // The same samples.
   const auto seen = low_wall(true, Method::sobol), direct = low_wall(false, Method::sobol);
   int differ = 0;
   for (std::size_t i = 0; i < seen.size(); ++i)
     differ += glm::length(seen[i] - direct[i]) > 0.1f ? 1 : 0;
-  EXPECT_LE(differ, 2) << "pixels of which two samples fall to the other side of an edge";
+  EXPECT_LE(differ, 2) << "pixels with two samples on the other side of an edge";
 }
 
-/// The mirrored things behind a grating of thin bars, all of whose gaps are leaves of their own.
+/// The reflected objects behind a grating of thin bars; each gap is a leaf.
 std::vector<glm::vec3> behind_bars(double eps) {
   World world = things(false);
   const glm::vec3 n = glm::normalize(glm::vec3(1.0f, 0.0f, 0.3f));
@@ -136,9 +137,9 @@ std::vector<glm::vec3> behind_bars(double eps) {
       .film.radiance;
 }
 
-// Each leaf's reflection has its own share of EPS, not all of it: the standard error of a pixel is
-// half of EPS at most.
-TEST(PlaneMirror, LeavesThatAreMirroredStayWithinEpsTogether) {
+// Each leaf's reflection has a fraction of EPS as its tolerance: a pixel's standard error is at
+// most half of EPS.
+TEST(PlaneMirror, ManyReflectedLeavesStayWithinEps) {
   const auto found = behind_bars(0.125), exact = behind_bars(0.0);
   double squares = 0.0;
   for (std::size_t i = 0; i < found.size(); ++i) {

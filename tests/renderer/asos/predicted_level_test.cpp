@@ -48,7 +48,7 @@ TEST(LevelPrediction, FollowsEachCause) {
   EXPECT_EQ(LevelPrediction(zero, now).level_of(at_max_zero), 4);
   SplitOutlook shaded;
   shaded.error = 1.0f / 32.0f;
-  EXPECT_EQ(same.level_of(shaded), 2) << "eight times EPS: less than two quarterings are left";
+  EXPECT_EQ(same.level_of(shaded), 2) << "eight times EPS: less than two levels remain";
   EXPECT_EQ(flatter.level_of(shaded), 0);
   SplitOutlook sampled;
   sampled.samples = 64;
@@ -57,8 +57,8 @@ TEST(LevelPrediction, FollowsEachCause) {
   EXPECT_LT(flatter.level_of(sampled), 3);
 }
 
-// At a large EPS every lit pixel takes a few samples. They once counted as splitting, so that the
-// map differed from its prediction, and more pixels were split than at a small EPS.
+// At a large EPS every lit pixel takes a few samples. These once counted as splits, so the map
+// differed from its prediction and had more split pixels than at a small EPS.
 TEST(LevelPrediction, AgreesWithTheMapOfALargeEps) {
   const std::shared_ptr<const RenderScene> scene = *prepare(*builtin_scene("boxes"));
   const auto render = [&](const RenderSettings& settings) {
@@ -84,7 +84,7 @@ TEST(LevelPrediction, AgreesWithTheMapOfALargeEps) {
   EXPECT_LT(split, split_fine);
 }
 
-// Beside the map that other settings really give: most pixels within a level, and about as many
+// Against the actual map of other settings: most pixels are within one level, and about as many are
 // split.
 TEST(LevelPrediction, IsCloseToTheMapOfOtherSettings) {
   for (const char* name : {"boxes", "office", "fence", "primitives"}) {

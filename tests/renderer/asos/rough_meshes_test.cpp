@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-// Meshes as they are found, not as they should be, against beam tracing, which looks at triangles
-// and knows no features. Flat colours without light, so that a pixel's value is a sum of areas.
+// Meshes with typical defects against beam tracing, which uses triangles and knows no edges. Flat
+// unlit colours, so that a pixel's value is a sum of areas.
 
 namespace asos::test::rough_meshes_test {
 namespace {
@@ -24,7 +24,8 @@ struct Solid {
   std::vector<glm::uvec3> triangles;
 };
 
-// A closed mesh around the y axis; `profile` goes from (0, bottom) to (0, top) as (radius, y).
+// A closed surface of revolution about the y axis; `profile` goes from (0, bottom) to (0, top) as
+// (radius, y).
 Solid revolved(const std::vector<glm::vec2>& profile, std::uint32_t segments) {
   Solid solid;
   std::vector<std::vector<std::uint32_t>> rings;
@@ -150,8 +151,8 @@ Picture render(const RenderScene& scene, Method method, glm::dvec3 eye = {1.5, 2
   return picture;
 }
 
-// No boundary is missing: the picture can be wrong by the cells that stayed unresolved, no colour
-// channel being further than 1 from another, and by the rounding of lines in single precision.
+// No edge is missing: the error is limited by the area of unresolved cells, with colours that
+// differ by at most 1 per channel, and by single-precision rounding of lines.
 void expect_exact(const RenderScene& scene, const std::string& what) {
   const Picture asos = render(scene, Method::asos), beam = render(scene, Method::beam);
   EXPECT_EQ(asos.statistics.missed_splits, 0u) << what;
@@ -165,7 +166,7 @@ void expect_exact(const RenderScene& scene, const std::string& what) {
     EXPECT_LE(std::max({wrong.x, wrong.y, wrong.z}),
               found.statistics.unresolved_area + rounding * block_size * block_size)
         << what << ", block " << b;
-    // A cell of level 4 is 1/256 of a pixel; so the bound above says something.
+    // A cell of level 4 has 1/256 of a pixel's area, so this limit is meaningful.
     EXPECT_LT(found.statistics.unresolved_area, 1.0) << what << ", block " << b;
   }
 }
@@ -196,7 +197,7 @@ TEST(RoughMeshes, SolidsThatPassThroughEachOtherMeetInExactLines) {
   }
 }
 
-// One large slab of floor beside three small ones whose corners lie on its edge.
+// One large slab of floor next to three small ones with corners on its edge.
 TEST(RoughMeshes, TJunctionsLeaveNoGap) {
   RoughScene rough;
   rough.add(quad({-2, -0.5f, 1.5f}, {2, 0, 0}, {0, 0, -3}), unlit({0.8f, 0.7f, 0.2f}));
@@ -207,7 +208,7 @@ TEST(RoughMeshes, TJunctionsLeaveNoGap) {
   expect_exact(*rough.prepared(), "floor");
 }
 
-// A fan of walls on one floor: modelled once, and with some walls twice, turned over.
+// A fan of walls on one floor: modelled once, and with some walls duplicated and flipped.
 TEST(RoughMeshes, WallsModelledTwiceLookAsOnce) {
   RoughScene once, twice;
   for (int i = 0; i < 5; ++i) {
@@ -235,7 +236,7 @@ TEST(RoughMeshes, WallsModelledTwiceLookAsOnce) {
   EXPECT_TRUE(a.same(b, 1e-5f));
 }
 
-// The winding says nothing: not to boundaries and not to shading, which is lit here, with shadows.
+// The winding matters neither to edges nor to shading, which is lit with shadows here.
 TEST(RoughMeshes, FlippedFacesLookTheSame) {
   std::mt19937 random(22);
   RoughScene sound;
@@ -260,14 +261,14 @@ TEST(RoughMeshes, FlippedFacesLookTheSame) {
   EXPECT_EQ(a.statistics.split_pixels, b.statistics.split_pixels);
   EXPECT_EQ(a.statistics.missed_splits, 0u);
   EXPECT_EQ(b.statistics.missed_splits, 0u);
-  // Barycentric coordinates are rounded differently, and of the rays that sample a penumbra one may
-  // fall to the other side of an edge: within the tolerance of a pixel at MAX 4.
+  // Barycentric coordinates are rounded differently, and rays that sample a penumbra may pass an
+  // edge on the other side: within the tolerance of a pixel at MAX 4.
   EXPECT_TRUE(a.same(b, std::ldexp(1.0f, -10)));
   EXPECT_LT(a.rms(b), 1e-5);
 }
 
-// A wall of two halves with vertices of their own, whose texture goes on as if it were one.
-TEST(RoughMeshes, ATextureThatGoesOnAcrossASplitMeshCostsNothing) {
+// A wall of two halves with separate vertices and a continuous texture.
+TEST(RoughMeshes, ContinuousTexturesNeedNoSeam) {
   const auto wall = [](float jump) {
     RoughScene rough;
     Material paint = unlit({1, 1, 1});
@@ -298,7 +299,7 @@ TEST(RoughMeshes, ATextureThatGoesOnAcrossASplitMeshCostsNothing) {
   EXPECT_EQ(a.statistics.eye_rays, b.statistics.eye_rays);
   EXPECT_EQ(b.statistics.missed_splits, 0u);
   EXPECT_GT(render(*broken, Method::asos).statistics.eye_rays, a.statistics.eye_rays);
-  // 3 + u keeps 22 bits of u: 1e-6 of the width of 16 texels, each of which may span 0 to 1.
+  // 3 + u keeps 22 bits of u: 1e-6 of the width of 16 texels, whose values may go from 0 to 1.
   EXPECT_TRUE(a.same(b, 1e-4f));
 }
 

@@ -12,8 +12,8 @@
 #include <ostream>
 #include <vector>
 
-// What a rough mirror shows of surfaces is what glTF's lobe does: beside the integral over its
-// facets (tests/support/facets.h).
+// Surfaces in a rough mirror look as glTF's lobe requires: against the integral over its facets
+// (tests/support/facets.h).
 
 namespace asos::rough_mirror_test {
 namespace {
@@ -33,7 +33,7 @@ constexpr double eps = 1.0 / 1024.0;
 
 struct Case {
   double roughness = 0.2;
-  double angle = 0.0;       // from the normal to the viewer
+  double angle = 0.0;       // between the normal and the view direction
   double f0 = 1.0;          // a dielectric's below 1
   double anisotropy = 0.0;  // across the edge
 
@@ -43,7 +43,7 @@ struct Case {
   }
 };
 
-/// Looks down at a mirror in y = 0, from where the edge above it, along z, runs up the picture.
+/// Looks down at a mirror in y = 0; the edge above it, along z, runs upwards in the picture.
 Camera camera_of(const Case& c) {
   return look_at({0, 4.0 * std::cos(c.angle), 4.0 * std::sin(c.angle) + 1e-9}, {0, 0, 0}, fov);
 }
@@ -58,7 +58,7 @@ Material mirror_of(const Case& c) {
   return m;
 }
 
-/// A mirror below a dark half-plane, x below 0.
+/// A mirror below the dark half-plane x < 0.
 World half_plane(const Case& c) {
   World world;
   add_quad(world, {-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, mirror_of(c));
@@ -78,7 +78,7 @@ RenderSettings settings_of(Method method) {
   return settings;
 }
 
-/// Columns' means of the rows that are rendered.
+/// Means of columns over the rendered rows.
 std::vector<double> columns(const RenderScene& scene, const Case& c, Method method) {
   const RenderSettings settings = settings_of(method);
   const Film film = test::render_picture(scene, camera_of(c), settings).film;
@@ -90,12 +90,12 @@ std::vector<double> columns(const RenderScene& scene, const Case& c, Method meth
   return means;
 }
 
-/// What facets show along a ray to the mirror.
+/// Radiance that the facets reflect along a ray to the mirror.
 double seen_along(const Ray& ray, const Facets& facets) {
   constexpr int rings = 120;
   const glm::dvec3 from(ray.origin), towards = glm::normalize(glm::dvec3(ray.direction));
   const glm::dvec3 at = from - (from.y / towards.y) * towards;
-  // x stays x, and y of the world is the facets' z.
+  // x stays x; the world's y is the facets' z.
   const glm::dvec3 v(-towards.x, towards.z, -towards.y);
   return facets.mirrored(rings, v, [&](glm::dvec3 l) {
     const double way = height / l.z;
@@ -130,7 +130,8 @@ TEST_P(EveryRoughness, ShowsAnEdgeAsItsFacetsDo) {
   const auto scene = make_render_scene(half_plane(c));
   const std::vector<double> truth = expected(c);
   const double sky = static_cast<double>(sky_radiance);
-  // A column's independent samples would be spread by 0.5 / sqrt(1024 * rows) of what is mirrored.
+  // Standard error of a column with independent samples: 0.5 / sqrt(1024 * rows) of the reflected
+  // radiance.
   const double noise = 3.0 * 0.5 / std::sqrt(1024.0 * rows) * c.f0 * sky;
   for (const Method method : {Method::sobol, Method::asos}) {
     const double allowed = noise + (method == Method::asos ? eps : 0.0);

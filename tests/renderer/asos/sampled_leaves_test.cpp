@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-// What is shaded unevenly is sampled where that costs less than splitting it.
+// Unevenly shaded leaves are sampled if that is cheaper than splitting.
 
 namespace asos::test::sampled_leaves_test {
 namespace {
 
 constexpr int side = 24;
 
-/// The penumbra of a post's edge under a ball, on a plane, seen from above.
+/// The penumbra of a post's edge under a sphere light, on a plane, seen from above.
 auto penumbra() {
   World world;
   add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, matte(glm::vec3(0.6f)));
@@ -40,12 +40,12 @@ Picture picture_of(const RenderScene& scene, int max_level, double eps, double h
   return render_picture(scene, orthographic(height), settings);
 }
 
-TEST(SampledLeaves, OfAPenumbraAreAsExactAsEpsAsks) {
+TEST(SampledLeaves, PenumbraIsWithinEps) {
   const auto scene = penumbra();
   const Picture sampled = picture_of(*scene, 3, 1.0 / 256.0);
   const Picture exact = picture_of(*scene, 6, 0.0);
-  EXPECT_EQ(sampled.statistics.pyrays_by_level[1], 0u) << "none is split for its shadow";
-  EXPECT_GT(exact.statistics.pyrays_by_level[1], 0u) << "to be more exact they are split";
+  EXPECT_EQ(sampled.statistics.pyrays_by_level[1], 0u) << "none is split for its penumbra";
+  EXPECT_GT(exact.statistics.pyrays_by_level[1], 0u) << "a smaller EPS splits them";
   double squares = 0.0, off = 0.0;
   std::size_t uneven = 0;
   for (std::size_t i = 0; i < sampled.film.radiance.size(); ++i) {
@@ -60,10 +60,10 @@ TEST(SampledLeaves, OfAPenumbraAreAsExactAsEpsAsks) {
   EXPECT_EQ(uneven, sampled.statistics.uneven_pixels);
   const auto count = static_cast<double>(uneven);
   EXPECT_LT(std::sqrt(squares / count), 0.5 / 256.0) << "half of the tolerance";
-  EXPECT_LT(std::abs(off / count), 0.5 / 256.0 / std::sqrt(count) * 3.0) << "and in no direction";
+  EXPECT_LT(std::abs(off / count), 0.5 / 256.0 / std::sqrt(count) * 3.0) << "and without bias";
 }
 
-/// The triangles of a sheet of cells x cells squares, whose corners are in rows.
+/// The triangles of a grid of cells x cells squares, with corners stored by row.
 std::vector<glm::uvec3> grid_of(std::uint32_t cells) {
   std::vector<glm::uvec3> triangles;
   for (std::uint32_t y = 0; y < cells; ++y) {
@@ -76,8 +76,8 @@ std::vector<glm::uvec3> grid_of(std::uint32_t cells) {
   return triangles;
 }
 
-/// A rumpled sheet across the view, some two triangles to a pixel, each of which has its own scale
-/// of a texture of random squares; unlit.
+/// An unlit crumpled sheet across the view, with about two triangles per pixel. Each triangle has
+/// its own scale of a texture of random squares.
 auto rumpled() {
   constexpr int cells = 40;
   constexpr float width = 5.0f;
@@ -108,8 +108,8 @@ auto rumpled() {
   return make_render_scene(std::move(world));
 }
 
-// One triangle does not tell how its neighbours show their texture.
-TEST(SampledLeaves, OfATextureOnSmallTrianglesAreAsExactAsEpsAsks) {
+// The texture mapping of one triangle says nothing about its neighbours'.
+TEST(SampledLeaves, TexturesOnSmallTrianglesAreWithinEps) {
   const auto scene = rumpled();
   const Picture sampled = picture_of(*scene, 3, 1.0 / 256.0);
   RenderSettings settings;
@@ -128,7 +128,7 @@ TEST(SampledLeaves, OfATextureOnSmallTrianglesAreAsExactAsEpsAsks) {
   EXPECT_LT(std::sqrt(squares), 1.0 / 256.0);
 }
 
-/// A rough sheet of metal in the light of a panel, some ninety triangles to a pixel.
+/// A rough metal sheet lit by a panel, with about ninety triangles per pixel.
 auto rough_metal() {
   constexpr int cells = 160;
   constexpr float width = 4.0f, step = width / cells;
@@ -163,7 +163,7 @@ auto rough_metal() {
   return make_render_scene(std::move(world), {panel});
 }
 
-// One triangle tells of its own bend, and not of the ninety that a pixel shows.
+// The curvature of one triangle says nothing about the ninety in the pixel.
 TEST(SampledLeaves, ShowTheHighlightsOfAFineMesh) {
   const auto scene = rough_metal();
   RenderSettings settings;
@@ -177,7 +177,7 @@ TEST(SampledLeaves, ShowTheHighlightsOfAFineMesh) {
   EXPECT_LT(off.rmse, 0.003);
   const auto count = static_cast<double>(found.film.radiance.size());
   const double samples = static_cast<double>(found.statistics.eye_rays) / count;
-  EXPECT_LT(samples, 256.0) << "and a pixel takes no more than it deserves";
+  EXPECT_LT(samples, 256.0) << "the number of samples per pixel is limited";
 }
 
 }  // namespace

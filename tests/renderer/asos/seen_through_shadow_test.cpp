@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-// Shadows on what is seen through a blended surface.
+// Shadows on a surface that is seen through a blended one.
 
 namespace asos::test::seen_through_shadow_test {
 namespace {
@@ -18,10 +18,10 @@ namespace {
 constexpr int side = 24;
 constexpr double view_height = 2.0;
 
-// The card's edge, half a unit before the wall, and out of view.
+// The card's edge, half a unit in front of the wall, outside the view.
 constexpr double edge_below = 1.05, edge_above = 1.65;  // x at y = -2 and y = 2
 
-/// A wall behind a wide pane of black glass, and an opaque card between them, beside the view.
+/// A wall behind a wide pane of black glass; an opaque card between them, outside the view.
 World wall_behind_a_pane() {
   World world;
   add_quad(world, {-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, matte(glm::vec3(0.8f)));
@@ -46,7 +46,7 @@ Film film_of(const RenderScene& scene, Method method) {
   return render_picture(scene, orthographic(view_height), settings).film;
 }
 
-// Light that comes from 45 degrees aside: the card's edge falls half a unit aside of it.
+// Light at 45 degrees: the edge of the shadow is shifted by half a unit.
 TEST(SeenThroughShadow, OfAHardLightIsExact) {
   Light light = distant_light();
   light.direction = glm::normalize(glm::dvec3(-1.0, 0.0, -1.0));

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-// How many rays prove that nothing lies between a surface and a light, and where none is needed.
+// Number of rays needed to prove that nothing is between a surface and a light, and cases that need
+// none.
 
 namespace asos::test::shadow_ray_count_test {
 namespace {
@@ -21,13 +22,13 @@ RenderSettings settings_with(int fat) {
   settings.width = width;
   settings.height = height;
   settings.asos.fat = fat;
-  settings.asos.eps = 0.0;  // or weak lights are not asked for
+  settings.asos.eps = 0.0;  // so that weak lights are not skipped
   settings.cull = false;
   settings.asos.refine_shading = false;
   return settings;
 }
 
-/// A floor all over the picture, and a ball that shades what is not seen.
+/// A floor that fills the picture, and a sphere that only shades points outside the view.
 World plain() {
   World world;
   add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, matte({0.6f, 0.6f, 0.6f}));
@@ -35,7 +36,7 @@ World plain() {
   return world;
 }
 
-/// The same with one part in two far corners, so that its box lies between everything.
+/// The same with one part in two far corners, so that its bounding box is between all points.
 World plain_in_a_wide_box() {
   World world = plain();
   const std::vector<TinyVertex> vertices = {
@@ -51,8 +52,8 @@ Picture picture_of(World world, const std::vector<Light>& lights, const RenderSe
   return render_picture(*make_render_scene(std::move(world), lights), camera, settings);
 }
 
-// Boundaries are searched once for each fat pyray and light; where there are none, one surface may
-// still cover all of the light, which one ray tells.
+// Edges are searched once per fat pyray and light. Without edges a single surface may still cover
+// all of the light, which one ray decides.
 TEST(ShadowRayCount, OnAnOpenFloorIsOneForEachFatPyrayAndLight) {
   for (const int fat : {4, 8, 16}) {
     const std::vector<Light> lights = all_lights();
@@ -66,7 +67,7 @@ TEST(ShadowRayCount, OnAnOpenFloorIsOneForEachFatPyrayAndLight) {
   }
 }
 
-// The boxes of the scene's parts prove that nothing lies between the floor and any of the lights.
+// The bounding boxes of the parts prove that nothing is between the floor and the lights.
 TEST(ShadowRayCount, IsNoneWhereNoBoxLiesBetween) {
   for (const int fat : {4, 8}) {
     const Picture picture = picture_of(plain(), all_lights(), settings_with(fat));
@@ -75,7 +76,7 @@ TEST(ShadowRayCount, IsNoneWhereNoBoxLiesBetween) {
   }
 }
 
-/// Lights that give nothing to the floor.
+/// Lights without contribution to the floor.
 std::vector<Light> lights_of_no_use() {
   std::vector<Light> lights;
   for (Light light : all_lights()) {
@@ -121,7 +122,7 @@ TEST(ShadowRayCount, IsNoneForLightsThatGiveNothing) {
     EXPECT_EQ(picture.statistics.shadow_pyrays, 0u) << light.name;
     EXPECT_EQ(picture.film.radiance, dark.film.radiance) << light.name;
   }
-  // Nor beside one that does give something, with leaves that are refined for its sake.
+  // The same next to a contributing light, whose leaves are refined.
   const std::size_t useful = lights.size();
   lights.push_back(rectangle_light());
   RenderSettings refined = settings;
@@ -133,8 +134,8 @@ TEST(ShadowRayCount, IsNoneForLightsThatGiveNothing) {
   EXPECT_NE(together.film.radiance, dark.film.radiance);
 }
 
-// The tolerance of each light is EPS over the number of lights: how exactly one that weak is shaded
-// does not show, but a ray says whether it shines there at all.
+// The tolerance of each light is EPS divided by the number of lights. The shading by such a weak
+// light is not refined, but a ray decides whether it is visible.
 TEST(ShadowRayCount, IsOneAPixelForLightsTooWeakToMatter) {
   RenderSettings settings = settings_with(8);
   settings.asos.eps = 1.0 / 64.0;

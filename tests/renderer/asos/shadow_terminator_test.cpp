@@ -12,8 +12,8 @@
 #include <ostream>
 #include <vector>
 
-// Where a smooth mesh turns away from a light, it is lit as the smooth surface is that it stands
-// for: its triangles neither shade each other nor end the light at their planes.
+// Where a smooth mesh turns away from a light, it is shaded like the smooth surface that it
+// approximates: its triangles neither shadow each other nor end the light at their planes.
 
 namespace asos::test::shadow_terminator_test {
 namespace {
@@ -27,7 +27,7 @@ struct Lamp {
   friend std::ostream& operator<<(std::ostream& out, const Lamp& lamp) { return out << lamp.name; }
 };
 
-/// Lights from the right and above that make a white surface nearly white.
+/// Lights from the upper right that make a white surface almost white.
 std::vector<Lamp> lamps() {
   const glm::dvec3 from = glm::normalize(glm::dvec3(1.0, 0.7, 0.3));
   Light sun;
@@ -57,7 +57,7 @@ std::vector<Lamp> lamps() {
           {"ball", ball},   {"rectangle", rectangle}, {"line", line}};
 }
 
-/// A sphere, of triangles or the true one.
+/// A sphere, as triangles or as an analytic shape.
 std::shared_ptr<const RenderScene> sphere_under(const Light& light, bool true_one) {
   World world;
   if (true_one) {
@@ -78,7 +78,7 @@ RenderSettings settings_of(Method method) {
   return settings;
 }
 
-/// Whether all of a pixel and those around it show the mesh.
+/// Whether a pixel and its neighbours are fully covered by the mesh.
 bool inside(const RenderScene& scene, const View& view, int x, int y) {
   for (int j = -1; j <= 2; ++j)
     for (int i = -1; i <= 2; ++i)
@@ -86,7 +86,8 @@ bool inside(const RenderScene& scene, const View& view, int x, int y) {
   return true;
 }
 
-/// The largest difference between the mesh's picture and the true sphere's by the same method.
+/// The largest difference between the pictures of the mesh and of the true sphere by the same
+/// method.
 double worst(const Light& light, Method method) {
   const Camera camera = look_at({0.5, 1.0, 4.0}, {0, 0, 0}, 0.55);
   const auto mesh = sphere_under(light, false);
@@ -117,8 +118,8 @@ TEST_P(EveryLight, MeshIsLitAsTheTrueSphere) {
 
 INSTANTIATE_TEST_SUITE_P(ShadowTerminator, EveryLight, testing::ValuesIn(lamps()));
 
-/// From inside a sphere is hollow, and its triangles do shade each other.
-TEST(ShadowTerminator, AHollowMeshIsSeenByLightsAsItsTriangles) {
+/// Seen from inside, a sphere is hollow, and its triangles do shadow each other.
+TEST(ShadowTerminator, AHollowMeshShadowsItself) {
   World world;
   add_sphere(world, {0, 0, 0}, 1.0f, 8, matte(glm::vec3(1.0f)));
   const SceneNeeds needs = find_needs(world);
@@ -143,7 +144,7 @@ TEST(ShadowTerminator, AHollowMeshIsSeenByLightsAsItsTriangles) {
   EXPECT_GT(seen, 150);
 }
 
-/// Normals that are averaged over the edges of a box make no sphere of it.
+/// A box with normals averaged over its edges must not look like a sphere.
 TEST(ShadowTerminator, ABoxWithAveragedNormalsStaysABox) {
   World world;
   std::vector<TinyVertex> vertices;

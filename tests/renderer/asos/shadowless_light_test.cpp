@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-// Lights that cast no shadows, by themselves or because shadows are switched off.
+// Lights that cast no shadows, by their own property or because shadows are off.
 
 namespace asos::test::shadowless_light_test {
 namespace {
 
-/// A block on a floor and a masked or blended pane above, for shadows of all kinds.
+/// A block on a floor and a masked or blended pane above, for all kinds of shadows.
 World furnished() {
   World world;
   add_quad(world, {-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, matte({0.6f, 0.5f, 0.4f}));
@@ -71,7 +71,7 @@ TEST(ShadowlessLight, GivesThePictureWithoutShadowsBitForBit) {
   }
 }
 
-// One light that casts shadows beside one that does not: each as if it were alone.
+// One light with shadows and one without: each looks as it does alone.
 TEST(ShadowlessLight, LeavesOtherLightsTheirShadows) {
   RenderSettings settings = settings_for(Method::asos);
   settings.asos.refine_shading = false;

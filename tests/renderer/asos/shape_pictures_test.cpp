@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-// Pictures of analytic shapes: what they cover of pixels against closed forms, and against many
-// samples.
+// Pictures of analytic shapes: their coverage against closed forms and against many samples.
 
 namespace asos::test::shape_pictures_test {
 namespace {
@@ -33,8 +32,8 @@ Camera looking(glm::dvec3 from, glm::dvec3 at) {
   return camera;
 }
 
-/// The share of a pixel inside a conic, whose value along a line of the picture is a parabola: an
-/// integral over lines, of which each is cut in closed form.
+/// Fraction of a pixel inside a conic. Along a line of the picture the conic's value is a parabola,
+/// whose roots are known in closed form; integrates over lines.
 template <typename Value>
 double area_inside(double x, double y, Value value) {
   const auto length = [&](double v) {
@@ -54,7 +53,7 @@ double area_inside(double x, double y, Value value) {
     }
     return inside;
   };
-  // Well inside or outside, border and all.
+  // Pixels that are completely inside or outside, borders included.
   bool all_in = true, all_out = true;
   for (int i = 0; i <= 12; ++i) {
     for (int k = 0; k <= 12; ++k) {
@@ -69,7 +68,7 @@ double area_inside(double x, double y, Value value) {
   return sum / lines;
 }
 
-/// Above 0 where the ray through a point of the picture meets the face's quadric, or its disk.
+/// Positive if the ray through a point of the picture hits the face's quadric or disk.
 class Conic {
  public:
   Conic(const ShapeFace& face, const Camera& camera, int size)
@@ -81,7 +80,7 @@ class Conic {
     if (frame_.parallel()) o += at, d = frame_.direction();
     o = face_.unit(o), d = face_.unit_from_world * d;
     if (face_.kind == ShapeFace::Kind::disk) {
-      // (o + t d) at height 0, times d.y.
+      // The point (o + t d) at height 0, multiplied by d.y.
       const glm::dvec3 p = o * d.y - d * o.y;
       return d.y * d.y - p.x * p.x - p.z * p.z;
     }
@@ -97,7 +96,7 @@ class Conic {
 
 struct Worst {
   double error = 0.0;
-  double total = 0.0;  ///< signed error of all pixels
+  double total = 0.0;  ///< signed error summed over pixels
   int partial = 0;
 };
 
@@ -160,7 +159,7 @@ World floating() {
   return world;
 }
 
-/// Shapes that stand on a floor or pass through it, and a wall through some of them.
+/// Shapes that stand on a floor or intersect it, and a wall through some of them.
 World crossing() {
   World world;
   add_floor(world);
@@ -211,7 +210,7 @@ struct Compared {
   std::uint64_t missed_splits = 0;
 };
 
-/// The world by asos at MAX 4 and by Sobol points.
+/// The world rendered by asos at MAX 4 and by Sobol sampling.
 Compared against_samples(FlattenedScene flattened, const Camera& camera, int spp,
                          Method method = Method::asos) {
   const auto scene = make_render_scene(std::move(flattened));
@@ -246,7 +245,7 @@ void expect_near(const Compared& found, double most) {
   EXPECT_LT(found.rms, most);
 }
 
-// Where Sobol points err by some 1e-4 themselves.
+// Sobol sampling itself has errors of about 1e-4.
 TEST(ShapePictures, OutlinesAreThoseOfManySamples) {
   expect_near(against_samples(without_shading(floating()), in_front(), 1024), 3e-4);
 }
@@ -274,7 +273,7 @@ TEST(ShapePictures, SoftShadowsAreThoseOfManySamples) {
   expect_near(against_samples(under(floating(), panel()), in_front(), 1024), 1e-3);
 }
 
-// Cones around pyrays, and point leaves: some 256 samples where outlines are.
+// Cones around pyrays, and point leaves: about 256 samples at outlines.
 TEST(ShapePictures, ThePublishedMethodSeesThemToo) {
   expect_near(
       against_samples(without_shading(floating()), in_front(), 1024, Method::asos_published), 4e-3);
@@ -293,7 +292,7 @@ TEST(ShapePictures, FromInsideOnlyRimsAreSeen) {
   expect_near(against_samples(under(world, light), camera, 256), 1e-3);
 }
 
-// The radius is 20, 3 and 0.4 pixels.
+// Radii of 20, 3 and 0.4 pixels.
 TEST(ShapePictures, SpheresAndDisksCoverWhatTheClosedFormSays) {
   for (const Shape& shape : {sphere(1.0), disk(1.0)}) {
     for (const Place& place : places()) {

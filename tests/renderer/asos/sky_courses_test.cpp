@@ -10,7 +10,8 @@
 namespace asos::test::sky_courses_test {
 namespace {
 
-/// A block's leaves on one plane, side x side of them, whose first rays found `value` of the sky.
+/// The leaves of a block on one plane, side x side of them, whose first rays found the fraction
+/// `value` of the sky.
 class Leaves {
  public:
   static constexpr int side = 6;
@@ -48,7 +49,7 @@ double ramp(glm::vec2 at) {
   return 0.6 + 0.3 * static_cast<double>(at.x);
 }
 
-/// Gives the cell's nodes their rays; whether its leaves could be interpolated.
+/// Gives the cell's nodes their rays. Returns whether its leaves could be interpolated.
 template <typename Value>
 bool interpolated(Leaves& leaves, Value&& value) {
   const SkyCourses courses(leaves.lits, leaves.expected, error);
@@ -60,7 +61,7 @@ bool interpolated(Leaves& leaves, Value&& value) {
   return courses.tell(cells.front());
 }
 
-TEST(SkyCourses, InterpolateWhatVariesEvenly) {
+TEST(SkyCourses, InterpolateSmoothVariation) {
   Leaves leaves(ramp);
   ASSERT_TRUE(interpolated(leaves, ramp));
   for (const SkyLit& lit : leaves.lits) {
@@ -69,18 +70,18 @@ TEST(SkyCourses, InterpolateWhatVariesEvenly) {
   }
 }
 
-// The edge of a shadow: no polynomial of degree two goes through it.
-TEST(SkyCourses, DoNotInterpolateAcrossAnEdge) {
+// A shadow's edge, which no quadratic fits.
+TEST(SkyCourses, RefuseToInterpolateAcrossAnEdge) {
   const auto edge = [](glm::vec2 at) { return at.x + 0.3f * at.y < 0.6f ? 0.9 : 0.55; };
   Leaves leaves(edge);
   EXPECT_FALSE(interpolated(leaves, edge));
   for (const SkyLit& lit : leaves.lits) EXPECT_FALSE(lit.told.has_value());
 }
 
-// A leaf whose own rays contradict the fit takes rays of its own.
-TEST(SkyCourses, LeaveOutWhatContradictsThem) {
+// A leaf whose own rays contradict the fit is sampled instead.
+TEST(SkyCourses, ExcludeLeavesThatContradictTheFit) {
   Leaves leaves(ramp);
-  const std::uint32_t odd = Leaves::side + 1;  // no node: those lie in corners and between
+  const std::uint32_t odd = Leaves::side + 1;  // not a node: see choose_nodes
   leaves.set_rays(odd, 8, 0.05);
   ASSERT_TRUE(interpolated(leaves, ramp));
   EXPECT_FALSE(leaves.lits[odd].told.has_value());
@@ -94,7 +95,7 @@ TEST(SkyCourses, KeepSurfacesApart) {
   const std::vector<SkyCourses::Cell> cells = courses.cells();
   ASSERT_EQ(cells.size(), 2u);
   EXPECT_EQ(cells[0].lits.size() + cells[1].lits.size(), leaves.lits.size());
-  // A leaf that is turned by more than 25 degrees is a surface of its own, too small for a cell.
+  // A leaf tilted by more than 25 degrees counts as another surface, too small for a cell.
   leaves.lits[0].point.shading_normal = {1, 0, 0};
   EXPECT_EQ(courses.cells().size(), 2u);
 }
@@ -104,7 +105,7 @@ TEST(SkyCourses, ChooseNodesOnlyWhereTheySaveRays) {
   leaves.expected.assign(leaves.lits.size(), {0.04, 8});
   const SkyCourses courses(leaves.lits, leaves.expected, error);
   SkyCourses::Cell cell = courses.cells().front();
-  EXPECT_FALSE(courses.choose_nodes(cell)) << "all have as many as they need";
+  EXPECT_FALSE(courses.choose_nodes(cell)) << "all leaves have enough rays already";
 }
 
 TEST(SkyCourses, DivideIntoQuarters) {

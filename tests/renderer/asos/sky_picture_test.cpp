@@ -14,7 +14,7 @@ namespace {
 
 constexpr int sky_side = 16;
 
-/// Waves of some 12 degrees and some 3, which pixels of 4 degrees average.
+/// Waves of about 12 degrees and 3 degrees, which pixels of 4 degrees average.
 std::shared_ptr<const Sky> wavy_sky() {
   constexpr int height = 256;
   std::vector<glm::vec3> texels;
@@ -40,7 +40,7 @@ RenderSettings under(std::shared_ptr<const Sky> sky, Method method, int spp = 1)
   return settings;
 }
 
-/// Without any light a scene gets its own.
+/// A scene without lights would get default lighting.
 Light dark_light() {
   Light dark;
   dark.type = Light::Type::directional;
@@ -51,7 +51,7 @@ Light dark_light() {
 
 TEST(SkyPicture, BackgroundIsThePixelsMean) {
   const auto scene = make_render_scene(speck());
-  // Ahead, and straight up, where all columns of the picture meet.
+  // Straight ahead, and straight up, where all columns of the picture meet.
   for (const glm::dvec3 target : {glm::dvec3(0, 0.2, -1), glm::dvec3(0.01, 1, 0.02)}) {
     const Camera camera = look_at({0, 0, 0}, target, 1.0);
     const Film found = render_picture(*scene, camera, under(wavy_sky(), Method::asos)).film;
@@ -92,15 +92,15 @@ TEST(SkyPicture, LightsAMatteFloorByItsClosedForm) {
   for (const Method method : {Method::asos, Method::sobol}) {
     const Film film = render_picture(*scene, camera, under(sky, method)).film;
     const glm::vec3 c = film.radiance[film.index(8, 8)];
-    // Two thirds of what the zenith has more than the horizon.
+    // Two thirds of the difference between zenith and horizon.
     EXPECT_NEAR(c.r, 0.5f * sky_visibility * 1.5f, 1e-5f);
     EXPECT_NEAR(c.b, 0.5f * sky_visibility * (0.5f - 1.0f / 3.0f), 1e-5f);
   }
 }
 
-// Metal that is followed as a mirror, and metal that is just too rough to be, in the open: they are
-// not to be told apart by their brightness.
-TEST(SkyPicture, WhatIsTooRoughToMirrorGoesOnFromMirrors) {
+// Metal that is followed as a mirror and metal just too rough for that have the same brightness
+// under an open sky.
+TEST(SkyPicture, RoughMetalMatchesMirrorsAtTheLimit) {
   const Camera camera = look_at({0, 3, 0.5}, {0, 0, 0}, 0.3);
   for (const Method method : {Method::asos, Method::sobol}) {
     const auto shown = [&](double roughness) {
@@ -115,7 +115,7 @@ TEST(SkyPicture, WhatIsTooRoughToMirrorGoesOnFromMirrors) {
     };
     const float mirror = shown(usual_roughest_mirror), beyond = shown(usual_roughest_mirror + 1e-3);
     EXPECT_NEAR(mirror, 1.0f, 0.02f);
-    EXPECT_LT(beyond / mirror, 0.98f) << "both are followed, or none is";
+    EXPECT_LT(beyond / mirror, 0.98f) << "either both are followed or neither";
     EXPECT_GT(beyond / mirror, 0.92f);
   }
 }

@@ -12,8 +12,8 @@
 #include <numbers>
 #include <vector>
 
-// What a point of a matte floor gets of a sky that is the same all over, beside form factors
-// (Howell, "A catalog of radiation heat transfer configuration factors").
+// Light of a uniform sky on a point of a matte floor, against form factors (Howell, "A catalog of
+// radiation heat transfer configuration factors").
 
 namespace asos::test::sky_shadows_test {
 namespace {
@@ -26,7 +26,7 @@ Material chalk() {
   return material;
 }
 
-/// For a scene that is to have no other light.
+/// A light that suppresses the default lighting.
 Light dark() {
   Light light;
   light.type = Light::Type::directional;
@@ -35,14 +35,13 @@ Light dark() {
   return light;
 }
 
-/// A black wall that stands on the floor along z at this x, as high as given and as good as
-/// infinitely long.
+/// A black wall on the floor along z at this x, of this height and practically infinite length.
 void add_wall(World& world, double x, double height) {
   add_quad(world, {static_cast<float>(x), 0, 1000}, {0, 0, -2000},
            {0, static_cast<float>(height), 0}, matte(glm::vec3(0.0f)));
 }
 
-/// A wall two high at x = 1 and one at z = -2, each three long from the corner where they meet.
+/// A wall of height 2 at x = 1 and one at z = -2, each 3 long from their common corner.
 void add_corner(World& world) {
   add_quad(world, {1, 0, 1}, {0, 0, -3}, {0, 2, 0}, matte(glm::vec3(0.0f)));
   add_quad(world, {-2, 0, -2}, {3, 0, 0}, {0, 2, 0}, matte(glm::vec3(0.0f)));
@@ -60,18 +59,18 @@ void add_disk(World& world, double height, double radius) {
   }
 }
 
-/// How the share of the sky's light that the floor's origin gets is asked for.
+/// How to measure the fraction of the sky's light that the floor's origin receives.
 struct Asked {
   Method method = Method::asos;
   int spp = 1;
   glm::dvec3 eye{0, 0.4, 0.9};
   int seeds = 1;
-  bool exact = false;  ///< EPS 0, and a sky as bright as white
+  bool exact = false;  ///< EPS 0, and a white sky
 };
 
-/// That share, as pictures of a speck show it.
+/// Measures the fraction with pictures of a tiny area.
 double seen_share(World world, const Asked& asked) {
-  // A small floor: rays start higher above large triangles.
+  // A small floor, because rays start higher above large triangles.
   add_quad(world, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, chalk());
   const auto scene = make_render_scene(std::move(world), {dark()});
   RenderSettings settings;
@@ -99,8 +98,8 @@ double wall_factor(double distance, double height) {
   return 0.5 * (1.0 - distance / std::hypot(distance, height));
 }
 
-/// Howell's B-4: a wall so high and long, from the point of the floor that lies at this distance
-/// before the wall's end.
+/// Howell's B-4: the form factor of a wall of finite height and length, seen from a floor point in
+/// front of its end.
 double end_factor(double distance, double height, double length) {
   const double x = height / length, y = distance / length, r = std::hypot(x, y);
   return (std::atan(1.0 / y) - y / r * std::atan(1.0 / r)) / (2.0 * std::numbers::pi);
@@ -133,9 +132,8 @@ std::vector<Place> places() {
   return all;
 }
 
-// All pixels of such a picture share what they find, so that one picture has the noise of one
-// pixel.
-TEST(SkyShadows, AreTheFormFactorsOfWhatHidesTheSky) {
+// All pixels of such a picture share results, so a picture has the noise of a single pixel.
+TEST(SkyShadows, MatchFormFactorsOfOccluders) {
   for (const Place& place : places()) {
     EXPECT_NEAR(seen_share(place.world, {.seeds = 64}), place.seen, 2e-3) << place.name;
     EXPECT_NEAR(seen_share(place.world, {.method = Method::sobol, .spp = 1024}), place.seen, 1e-3)
@@ -143,15 +141,14 @@ TEST(SkyShadows, AreTheFormFactorsOfWhatHidesTheSky) {
   }
 }
 
-// Asked for all that anybody could see, the mean over seeds is within a ten-thousandth of the
-// catalogue.
-TEST(SkyShadows, AreAsExactAsEpsAsksFor) {
+// At EPS 0, the mean over seeds is within 1e-4 of the catalogue.
+TEST(SkyShadows, AreExactAtEpsZero) {
   for (const Place& place : places())
     EXPECT_NEAR(seen_share(place.world, {.seeds = 16, .exact = true}), place.seen, 1e-4)
         << place.name;
 }
 
-/// A picture of a floor with a wall on it, and of what stands before it, that no lamp lights.
+/// A picture of a floor with a wall and the objects in `world`, lit only by the sky.
 Picture floor_picture(World world, Method method, int size, int max_level = 3) {
   add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, chalk());
   const auto scene = make_render_scene(std::move(world), {dark()});
@@ -164,7 +161,7 @@ Picture floor_picture(World world, Method method, int size, int max_level = 3) {
   return render_picture(*scene, look_at({0, 4, 4}, {0, 0, 0}, 0.7), settings);
 }
 
-/// Five black squares in a row, so high above the floor.
+/// Five black squares in a row at this height above the floor.
 World specks(float height) {
   World world;
   for (int i = 0; i < 5; ++i)
@@ -182,8 +179,8 @@ double root_mean_square(const Film& found, const Film& exact) {
   return std::sqrt(square);
 }
 
-// Leaves of one surface tell each other what they get: so few rays that all of them by themselves
-// would be noisy, and no noise.
+// Leaves of one surface share results: with fewer rays than independent leaves would need, there is
+// no noise.
 TEST(SkyShadows, AreSharedOverASurface) {
   World wall;
   add_wall(wall, 2.0, 1.0);
@@ -193,7 +190,7 @@ TEST(SkyShadows, AreSharedOverASurface) {
   EXPECT_LT(shared.statistics.sky_rays, 90u * size * size);
 }
 
-// EPS says how exact they are where MAX allows as many rays.
+// EPS sets the accuracy where MAX allows enough rays.
 TEST(SkyShadows, AreWithinEpsWhereMaxAllowsIt) {
   const World world = specks(0.2f);
   constexpr int size = 32;
@@ -204,8 +201,8 @@ TEST(SkyShadows, AreWithinEpsWhereMaxAllowsIt) {
         << max_level;
 }
 
-// What stands on a plane shades a sliver of the pixel before it most: the mean over the pixel, and
-// not what its middle gets.
+// A wall shades mostly a narrow strip of the adjacent pixel. The result is the mean over the pixel,
+// not the value at its centre.
 TEST(SkyShadows, AreTheMeanOverAPixelThatAWallBorders) {
   constexpr double height = 0.02, side = 0.2;
   constexpr int size = 4;
@@ -228,13 +225,14 @@ TEST(SkyShadows, AreTheMeanOverAPixelThatAWallBorders) {
       seen += static_cast<double>(film.radiance[film.index(size - 1, y)].r) /
               (albedo * static_cast<double>(sky_radiance) * size * seeds);
   }
-  // Where the first few rays all see the sky, more are seldom sent: 3e-3 of it too much.
+  // If the first few rays all reach the sky, more are rarely sent: this adds 3e-3.
   EXPECT_NEAR(seen, 0.5 * (1.0 + (std::hypot(side, height) - height) / side), 6e-3);
-  EXPECT_LT(seen, 1.0 - wall_factor(side / 2.0, height) - 0.03) << "what its middle gets";
+  EXPECT_LT(seen, 1.0 - wall_factor(side / 2.0, height) - 0.03)
+      << "the value at the pixel's centre";
 }
 
-// A shadow between the nodes, less than a pixel wide and dark, is found by the leaves in it.
-TEST(SkyShadows, OfWhatIsSmallAreNotSharedAway) {
+// A dark shadow between the nodes, narrower than a pixel, is found by the leaves inside it.
+TEST(SkyShadows, SmallShadowsSurviveSharing) {
   const World world = specks(0.02f);
   constexpr int size = 64;
   const Film found = floor_picture(world, Method::asos, size).film;
@@ -243,9 +241,9 @@ TEST(SkyShadows, OfWhatIsSmallAreNotSharedAway) {
     EXPECT_NEAR(found.radiance[i].x, exact.radiance[i].x, 0.02f) << i % size << ' ' << i / size;
 }
 
-// What shines shows another part of a gradient by each ray: where nothing hides any of it, and a
-// few rays tell so, its light is as exact as EPS asks all the same.
-TEST(SkyShadows, WhatShinesUnderAGradientIsAsExactAsEpsAsksFor) {
+// On glossy surfaces each ray sees another part of a gradient. Its light is as accurate as EPS
+// requires even if a few rays prove that nothing is hidden.
+TEST(SkyShadows, GlossyReflectionOfAGradientIsWithinEps) {
   for (const float metallic : {0.0f, 1.0f}) {
     World world;
     Material material = matte(glm::vec3(0.8f));
@@ -281,7 +279,7 @@ TEST(SkyShadows, AreLeftOutWhereLightsCastNone) {
     EXPECT_NEAR(c.r, static_cast<float>(albedo) * ambient_radiance, 1e-5f);
 }
 
-// Mirrors show surfaces with what hides the sky from them.
+// Surfaces in mirrors have sky shadows, too.
 TEST(SkyShadows, AreSeenInMirrors) {
   World world;
   add_wall(world, 1.0, 2.0);
@@ -292,7 +290,7 @@ TEST(SkyShadows, AreSeenInMirrors) {
   const double sampled =
       seen_share(world, {.method = Method::sobol, .spp = 1024, .eye = {0, 0.4, 0.3}});
   EXPECT_NEAR(share, sampled, 4e-3);
-  EXPECT_LT(share, 1.0 - wall_factor(1.0, 2.0) - 0.1) << "the mirror hides some of it, too";
+  EXPECT_LT(share, 1.0 - wall_factor(1.0, 2.0) - 0.1) << "the mirror also occludes the sky";
 }
 
 TEST(SkyShadows, CountTheirRays) {
@@ -308,9 +306,9 @@ TEST(SkyShadows, CountTheirRays) {
   EXPECT_GE(render_picture(*scene, camera, settings).statistics.sky_rays, 64u * 8u);
 }
 
-// occlusionTexture, 1 + strength * (red - 1), is of the open sky alone: where its shadows are
-// found, it would count twice.
-TEST(SkyShadows, AMaterialsOcclusionStandsInForThem) {
+// occlusionTexture, 1 + strength * (red - 1), applies only without sky shadows; otherwise occlusion
+// would count twice.
+TEST(SkyShadows, ReplaceTheMaterialsOcclusion) {
   for (const Method method : {Method::asos, Method::sobol}) {
     for (const bool shadows : {false, true}) {
       World world;

@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
-// Why pixels are split, in scenes of which each pixel's reason is known.
+// Causes of splits, in scenes with a known cause for each pixel.
 
 namespace asos::test::split_causes_test {
 namespace {
 
-constexpr int size = 16;  // pixels; the camera sees |x|, |y| <= 4 from z = 10, half a unit a pixel
+constexpr int size = 16;  // pixels; the camera sees 8 x 8 units from z = 10
 
 RenderSettings settings_of(Method method = Method::asos) {
   RenderSettings settings;
@@ -39,7 +39,7 @@ std::uint64_t pixels_with(const Picture& picture, SplitCause cause) {
   return picture.statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
 }
 
-/// The statistics' counts are those of the map, and only what is split has a cause.
+/// The statistics agree with the map, and only split pixels have a cause.
 void expect_consistent(const Picture& picture) {
   for (std::size_t i = 1; i < split_cause_count; ++i) {
     const auto cause = static_cast<SplitCause>(i);
@@ -58,7 +58,7 @@ void expect_consistent(const Picture& picture) {
   EXPECT_EQ(picture.statistics.split_pixels, split);
 }
 
-/// Any split pixel has this cause, and some have.
+/// Every split pixel has this cause, and there are some.
 void expect_only(const Picture& picture, SplitCause expected) {
   expect_consistent(picture);
   EXPECT_GT(pixels_with(picture, expected), 0u);
@@ -93,7 +93,7 @@ TEST(CauseOf, WhatWasNotSplitHasNone) {
   EXPECT_EQ(cause_of(pixel), SplitCause::shadow);
 }
 
-// Each of these comes before all that were added before it.
+// Each cause added later takes precedence over all before it.
 TEST(CauseOf, FollowsTheOrderOfItsRule) {
   PixelFindings pixel = split_pixel();
   pixel.shadow_cut = true;
@@ -129,7 +129,7 @@ TEST(CauseOf, EveryKindOfBoundaryHasOne) {
   EXPECT_EQ(cause_of(split_pixel()), SplitCause::outline);
 }
 
-// A card one unit before a wall; its shadow falls one unit to its left.
+// A card one unit in front of a wall; its shadow is shifted one unit to the left.
 TEST(SplitCauses, AnOutlineAndTheEdgeOfItsHardShadow) {
   World world;
   add_wall(world);
@@ -137,7 +137,7 @@ TEST(SplitCauses, AnOutlineAndTheEdgeOfItsHardShadow) {
   add_quad(world, {x0, -y1, 1}, {x1 - x0, 0, 0}, {0, 2 * y1, 0}, matte(glm::vec3(0.8f)));
   const Picture picture = render({std::move(world), {sun_from_the_right()}});
   expect_consistent(picture);
-  // Whether the border of the rectangle from a to b passes through a pixel.
+  // Whether a border of the rectangle from a to b crosses a pixel.
   const auto on_border = [](glm::dvec2 a, glm::dvec2 b, int x, int y) {
     const glm::dvec2 lo(-4.0 + 0.5 * x, 3.5 - 0.5 * y), hi = lo + 0.5;
     const bool meets = lo.x < b.x && hi.x > a.x && lo.y < b.y && hi.y > a.y;
@@ -172,7 +172,7 @@ TEST(SplitCauses, AKinkAndALineWhereWallsPassThroughEachOther) {
         << "one pixel a row";
     EXPECT_EQ(std::count(picture->film.split_level.begin(), picture->film.split_level.end(), 0),
               size * size)
-        << "one line cuts each of them: exact, and no quarters";
+        << "one line cuts each pixel exactly, without a split";
   }
 }
 
@@ -191,7 +191,7 @@ TEST(SplitCauses, TheShadowOfASmallLightOfSomeSizeIsSplit) {
   add_quad(world, {0.13f, -9, 0.4f}, {9, 0, 0}, {0, 18, 0}, matte(glm::vec3(0.8f)));
   Light light;
   light.radius = 0.05;
-  light.intensity = 120.0f;  // bright enough for more than a few rays
+  light.intensity = 120.0f;  // so bright that it needs more than a few rays
   light.position = {-6, 0, 3};
   const Picture hidden = render({world, {light}});
   EXPECT_GT(pixels_with(hidden, SplitCause::outline), 0u);
@@ -231,7 +231,7 @@ TEST(SplitCauses, WhereItIsNotKnownSamplesFindIt) {
   expect_only(render({std::move(world), {}}), SplitCause::cut_out);
 }
 
-// So many edges in one pixel that it is saturated, and a fan of them that is not.
+// So many edges in one pixel that it is sampled, and a fan of edges that is not.
 TEST(SplitCauses, SaturationAndTheDepthLimit) {
   World world;
   add_wall(world);

@@ -1,4 +1,4 @@
-// A block in two stages: what is kept between them, and that it ends as in one.
+// Rendering a block in two stages gives the same result as in one.
 
 #include "renderer/asos/asos.h"
 #include "renderer/scene/builtin.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int width = 96, height = 56;
 
-/// All blocks of a picture in both stages.
+/// All blocks of a picture in two stages.
 struct Staged {
   explicit Staged(const char* name, int fat = 8)
       : scene(*prepare(*builtin_scene(name))),
@@ -64,7 +64,7 @@ TEST(StartedBlock, FinishesWithTheBitsOfADirectRender) {
     EXPECT_GT(std::count_if(staged.gains.begin(), staged.gains.end(),
                             [](double gain) { return gain > 0.0; }),
               20)
-        << "or nothing is left for the second stage";
+        << "otherwise nothing is left for the second stage";
     for (std::size_t i = 0; i < staged.direct.size(); ++i) {
       EXPECT_EQ(staged.finished[i].tile.radiance, staged.direct[i].tile.radiance);
       EXPECT_EQ(staged.finished[i].tile.split_level, staged.direct[i].tile.split_level);
@@ -89,7 +89,7 @@ TEST(StartedBlock, TheFirstStageIsCloseAndTakesAPartOfTheRays) {
   EXPECT_LT(static_cast<double>(first_rays), 0.7 * static_cast<double>(rays));
 }
 
-// The half of the blocks with the largest gains has most of what is missing for each sample.
+// The half of the blocks with the largest gains has most of the remaining error per sample.
 TEST(StartedBlock, GainsTellWhereMostIsMissing) {
   const Staged staged("dense");
   std::vector<std::pair<double, double>> blocks;  // gain, squared error

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int picture_side = 24;
 
-/// A plane that fills the picture, black and white squares of 0.31 pixels, and more of the same
-/// behind a post in the middle if asked for.
+/// A plane that fills the picture with black and white squares of 0.31 pixels; optionally with a
+/// plain post in front of its centre.
 World checks(bool post) {
   World world;
   Material m = unlit(glm::vec3(1));
@@ -39,7 +39,7 @@ World checks(bool post) {
   return world;
 }
 
-/// With its mip chains, over which textures are averaged.
+/// Includes mip chains for area averages.
 std::shared_ptr<const RenderScene> filtered_scene(World world) {
   auto geometry = build_geometry(std::move(world), {}, {}, nullptr).value();
   Lighting lighting = prepare_lighting(geometry->world, {});
@@ -54,7 +54,7 @@ RenderSettings with_tr(int tr) {
   return settings;
 }
 
-/// Root mean square of the pixels' distance from the plane's grey, and their mean.
+/// RMS of the pixels' deviation from the plane's grey, and their mean.
 struct PictureSpread {
   double error = 0.0;
   double mean = 0.0;
@@ -79,8 +79,8 @@ TEST(TextureResolution, PointSamplesOfAFineTextureConvergeToItsMean) {
     EXPECT_EQ(picture.statistics.eye_rays,
               static_cast<std::uint64_t>(picture_side * picture_side * (tr > 1 ? tr * tr + 1 : 1)));
     if (tr == 1) continue;
-    // Stratified samples of 0 and 1 are no worse than independent ones, whose mean of n has a
-    // standard deviation of 0.5 / sqrt(n); five of those for the picture's mean.
+    // Stratified samples of 0 and 1 are at least as good as independent ones, whose mean has a
+    // standard deviation of 0.5 / sqrt(n). Allows five of those for the picture's mean.
     EXPECT_LT(s.error, 0.5 / tr) << tr;
     EXPECT_NEAR(s.mean, 0.5, 5.0 * 0.5 / tr / picture_side) << tr;
   }
@@ -109,13 +109,13 @@ TEST(TextureResolution, LeavesTheSubdivisionAndItsStatisticsAlone) {
   EXPECT_EQ(one.statistics.pyrays_by_level, four.statistics.pyrays_by_level);
   EXPECT_EQ(one.statistics.split_pixels, four.statistics.split_pixels);
   EXPECT_GT(four.statistics.eye_rays, one.statistics.eye_rays);
-  // The post has no texture: it stays what it was.
+  // The post has no texture, so its pixels do not change.
   const std::size_t inside = four.film.index(11, 12);
   EXPECT_EQ(four.film.radiance[inside], one.film.radiance[inside]);
 }
 
 TEST(TextureResolution, WeightsAddUpToAPixel) {
-  // A constant texture gives a constant picture, whatever is divided and cut.
+  // A constant texture gives a constant picture, however leaves are divided and cut.
   World world = checks(true);
   for (std::uint8_t& byte : world.images[0].rgba.own()) byte = 255;
   const auto scene = make_render_scene(std::move(world));
@@ -140,8 +140,8 @@ TEST(TextureResolution, WeightsAddUpToAPixel) {
   }
 }
 
-// A ramp of colour that a slanted post cuts: what is left of a pixel beside it has its own mean,
-// which equal samples at the middles of its quarters miss by half of a sixteenth and more.
+// A colour ramp that a slanted post cuts: the visible rest of a pixel has its own mean. Equally
+// weighted samples at the quarters' centres would miss it by at least 1/32.
 TEST(TextureResolution, LeavesWhatBoundariesCutToTheirOwnAreas) {
   World world;
   Material m = unlit(glm::vec3(1.0f));
@@ -151,7 +151,7 @@ TEST(TextureResolution, LeavesWhatBoundariesCutToTheirOwnAreas) {
   });
   m.base_color_texture.texture = add_texture(world, two, Wrap::clamp_to_edge, Filter::linear);
   add_quad(world, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, m);
-  // Between the texels' middles: from black on the left to white on the right.
+  // Between the texel centres: from black on the left to white on the right.
   for (glm::vec2& uv : world.texcoords[0]) uv.x = 0.25f + 0.5f * uv.x;
   constexpr float left = -0.33f, slant = 0.1f;
   add_quad(world, {left, -3, 1}, {0.5f, slant, 0}, {0, 6, 0}, unlit(glm::vec3(0.0f)));
@@ -182,9 +182,9 @@ TEST(TextureResolution, LeavesWhatBoundariesCutToTheirOwnAreas) {
   }
 }
 
-// A texture that is another colour as soon as it is out of sight, as textures are beyond their
-// seams: little of that is seen in what the seam leaves of a pixel.
-TEST(TextureResolution, WhatBoundariesHideOfATextureIsNotSeen) {
+// A texture that changes its colour where it becomes hidden, like textures beyond their seams. The
+// hidden part must hardly contribute to a pixel on the seam.
+TEST(TextureResolution, HiddenPartsOfTexturesDoNotContribute) {
   World world;
   Material m = unlit(glm::vec3(1.0f));
   const Image halves = make_image(256, 1, [](int x, int) {
@@ -193,7 +193,7 @@ TEST(TextureResolution, WhatBoundariesHideOfATextureIsNotSeen) {
   });
   m.base_color_texture.texture = add_texture(world, halves, Wrap::clamp_to_edge, Filter::linear);
   add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
-  // White up to a slanted line, along which a post begins.
+  // White up to a slanted line that is the border of a post.
   const auto beyond = [](glm::dvec2 p) { return p.x - 0.03 - 0.7 * p.y; };
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec2 corner(world.positions[i].x, world.positions[i].y);
@@ -249,7 +249,7 @@ TEST(TextureResolution, DoesNotDependOnWhichBlocksAreRendered) {
   const auto scene = make_render_scene(checks(true));
   RenderSettings settings = with_tr(3);
   const Picture whole = render_picture(*scene, orthographic(2.0), settings);
-  // Other fat pyrays, other frames: the same random places, up to the frames' rounding.
+  // Other fat pyrays have other frames, but the same random places up to rounding.
   settings.asos.fat = 4;
   const Picture other = render_picture(*scene, orthographic(2.0), settings);
   int differ = 0;
@@ -265,8 +265,8 @@ TEST(TextureResolution, DoesNotDependOnWhichBlocksAreRendered) {
                 whole.film.radiance[whole.film.index(8 + x, 8 + y)]);
 }
 
-// A texture that changes nothing, in the shadows of a post under a ball and a sun: the parts of a
-// leaf share one look at the lights, which tells what as many looks would.
+// A constant texture, in the shadows of a post under a sphere light and a sun. The parts of a leaf
+// share one shadow test, with the same result as one test each.
 TEST(TextureResolution, PartsShareTheirShadows) {
   World world;
   Material m = matte(glm::vec3(0.6f));
@@ -287,7 +287,7 @@ TEST(TextureResolution, PartsShareTheirShadows) {
   sun.type = Light::Type::directional;
   sun.direction = glm::normalize(glm::dvec3(-0.7, 0.1, -1.0));
   const auto scene = make_render_scene(std::move(world), {ball, sun});
-  // The lights are not bright enough for more than a few rays otherwise, and penumbrae are sampled.
+  // EPS 0, because otherwise these lights get only a few rays and penumbrae are sampled.
   const auto exact = [](int tr) {
     RenderSettings settings = with_tr(tr);
     settings.asos.eps = 0.0;
@@ -302,14 +302,14 @@ TEST(TextureResolution, PartsShareTheirShadows) {
   for (std::size_t i = 0; i < once.film.radiance.size(); ++i)
     worst = std::max(
         worst, static_cast<double>(glm::length(once.film.radiance[i] - parts.film.radiance[i])));
-  EXPECT_LT(worst, 4e-3) << "let pass at MAX 3";
+  EXPECT_LT(worst, 4e-3) << "the tolerance at MAX 3";
 }
 
 TEST(TextureResolution, SmallLeavesAreDividedLess) {
   EXPECT_EQ(texture_divisions(1, 1.0), 1);
   EXPECT_EQ(texture_divisions(4, 1.0), 4);
   EXPECT_EQ(texture_divisions(4, 0.5), 2);
-  EXPECT_EQ(texture_divisions(3, 0.5), 2) << "no part is larger than a pixel's ninth";
+  EXPECT_EQ(texture_divisions(3, 0.5), 2) << "no part is larger than 1/9 pixel";
   EXPECT_EQ(texture_divisions(4, 0.25000001), 1);
   EXPECT_EQ(texture_divisions(8, 1.0 / 16.0), 1);
 }
@@ -325,12 +325,12 @@ TEST(TextureResolution, PartsLieInTheirStrataAndInTheLeaf) {
     EXPECT_EQ(static_cast<std::size_t>(within.y), i / 5);
     places.insert(within.x - std::floor(within.x));
   }
-  EXPECT_GT(places.size(), 20u) << "each has a place of its own";
+  EXPECT_GT(places.size(), 20u) << "places are jittered independently";
   for (const TexturePart& part : texture_parts(square, 5, {{16, 8}, 8}, 0, false)) {
     EXPECT_FLOAT_EQ(part.at.x, part.square.centre_u());
     EXPECT_FLOAT_EQ(part.at.y, part.square.centre_v());
   }
-  // Another frame around the same pixel, another seed.
+  // Another frame around the same pixel, and another seed.
   const auto moved = texture_parts({0.5f, 0.5f, 0.25f}, 5, {{16, 10}, 4}, 0, true);
   const auto reseeded = texture_parts(square, 5, {{16, 8}, 8}, 1, true);
   int same = 0;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-// Where the mean of a texture over the patch that a pixel shows is not what it shows.
+// Pixels whose colour is not the mean of a texture over their patch.
 
 namespace asos::test::textured_sight_test {
 namespace {
@@ -23,7 +23,7 @@ struct Difference {
   double mean = 0.0, rms = 0.0;
 };
 
-/// Of ASOS's picture from what 1024 samples find.
+/// Difference of ASOS's picture from one with 1024 samples.
 Difference difference_from_samples(World world, const Camera& camera) {
   const auto scene = make_textured_scene(std::move(world));
   RenderSettings settings;
@@ -43,9 +43,9 @@ Difference difference_from_samples(World world, const Camera& camera) {
   return difference;
 }
 
-// Dark metal with bright paint on it, which is rougher, both finer than pixels: what is seen is
-// neither what a half metal shows nor what is half as rough. Means alone are off by 0.058.
-TEST(TexturedSight, OfSeveralTexturesIsThatOfTheirProducts) {
+// Dark metal with bright and rougher paint on it, both finer than pixels. The pixel's value differs
+// from that of a material with mean properties, by 0.058.
+TEST(TexturedSight, AveragesProductsOfTextures) {
   World world;
   const auto painted = [](int x, int y) { return (x / 3 + y / 5) % 2 == 0; };
   Material m = matte(glm::vec3(1.0f));
@@ -65,9 +65,9 @@ TEST(TexturedSight, OfSeveralTexturesIsThatOfTheirProducts) {
   EXPECT_LT(d.rms, 0.004);
 }
 
-// A lid that is seen nearly from its side, all of it in two rows of pixels, half black and half
-// white: the far half is seen smaller. 0.008 where it is not looked at more closely.
-TEST(TexturedSight, OfWhatRecedesIsNotEven) {
+// A lid seen nearly from the side, within two rows of pixels, half black and half white: its far
+// half is foreshortened. The error was 0.008 without refinement.
+TEST(TexturedSight, WeightsForeshortenedTextures) {
   World world;
   const Image halves = make_image(64, 64, [](int, int y) {
     const std::uint8_t c = y < 32 ? 255 : 0;
@@ -81,10 +81,10 @@ TEST(TexturedSight, OfWhatRecedesIsNotEven) {
   EXPECT_LT(difference_from_samples(std::move(world), camera).rms, 0.004);
 }
 
-// A flat sheet whose corners lie anywhere in a texture of broad stripes: beyond its edges no
-// triangle tells what is seen. 0.099 where it is asked all the same; few samples, which have
-// footprints of their own, are off by 0.013.
-TEST(TexturedSight, OfSeveralTrianglesIsTheirs) {
+// A flat sheet whose corners have random coordinates in a texture of broad stripes: a triangle's
+// mapping must not be extrapolated beyond its edges. With extrapolation the error was 0.099; a few
+// samples with their own footprints have 0.013.
+TEST(TexturedSight, DoesNotExtrapolateOneTriangle) {
   constexpr std::uint32_t cells = 6;
   World world;
   const Image stripes = make_image(256, 256, [](int x, int) {
@@ -111,9 +111,9 @@ TEST(TexturedSight, OfSeveralTrianglesIsTheirs) {
   EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.02);
 }
 
-// Corners of a flat sheet that are black or white: an edge between its triangles is no boundary,
-// but colours bend there. 0.093 where one of them is taken to go on.
-TEST(TexturedSight, OfColoursThatBendAtAnEdge) {
+// A flat sheet with black and white corners: edges between its triangles are no edges for ASOS, but
+// the colour gradient changes there. With extrapolation of one triangle the error was 0.093.
+TEST(TexturedSight, InterpolatesVertexColoursPerTriangle) {
   constexpr std::uint32_t cells = 20;
   World world;
   std::mt19937 random(5);
@@ -134,9 +134,9 @@ TEST(TexturedSight, OfColoursThatBendAtAnEdge) {
   EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.008);
 }
 
-// A card with a black rim that is a tenth of a pixel wide, and so a strip of triangles along what
-// bounds it. 0.023 where the card is taken to go on.
-TEST(TexturedSight, OfANarrowRimIsTheRims) {
+// A card with a black rim a tenth of a pixel wide, made of a strip of triangles along its edge.
+// With extrapolation of the card the error was 0.023.
+TEST(TexturedSight, ShowsNarrowRims) {
   World world;
   const Image rim = make_image(2, 2, [](int, int y) {
     const std::uint8_t c = y == 0 ? 255 : 0;

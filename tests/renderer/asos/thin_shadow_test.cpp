@@ -8,12 +8,12 @@
 #include <string>
 #include <utility>
 
-// Shadows of much that is thin, for which rays stand.
+// Shadows of many thin objects, which are sampled by rays.
 
 namespace asos::test::thin_shadow_test {
 namespace {
 
-/// The mean over a picture of a floor under a lamp that shines straight down, behind so many slats.
+/// Mean of a picture of a floor under a lamp straight above it, behind `slats` slats.
 double mean_behind(int slats, float period, float share) {
   World world;
   add_quad(world, {-8, 0, 8}, {16, 0, 0}, {0, 0, -16}, matte(glm::vec3(0.5f)));
@@ -36,9 +36,9 @@ double mean_behind(int slats, float period, float share) {
   return mean / static_cast<double>(film.radiance.size());
 }
 
-// Slats hide a twentieth of the lamp, a few of them before each pixel. To end once rays agree would
-// favour what most of them saw: 0.02 too bright, of which 0.004 are left.
-TEST(ThinShadow, IsAsDarkAsSlatsAreWide) {
+// Slats hide a twentieth of the lamp, with a few of them above each pixel. Stopping once rays agree
+// would favour the majority: that was 0.02 too bright; 0.004 remain.
+TEST(ThinShadow, DarknessMatchesTheWidthOfSlats) {
   for (const float period : {0.0093f, 0.0131f, 0.0187f}) {
     const double lit = mean_behind(400, period, 0.05f) / mean_behind(0, period, 0.05f);
     RecordProperty("off_" + std::to_string(period), std::to_string(lit - 0.95));

@@ -23,19 +23,19 @@ namespace {
 using namespace true_light;
 
 constexpr std::array roughnesses{0.1, 0.2, 0.3, 0.45, 0.6, 1.0};
-/// What ASOS may be off at most by each roughness: RMSE over the mean, of display intensity.
+/// Largest allowed error of ASOS per roughness: RMSE over the mean, in display intensity.
 using Bounds = std::array<double, roughnesses.size()>;
 
-// Along each side of a pixel, for the truth: a narrow highlight that a ball bends is small in its
-// pixel.
+// Points along each side of a pixel for the reference: a narrow highlight on a sphere is small
+// within its pixel.
 int points_along(Subject subject, double roughness) {
   if (roughness > 0.25) return 4;
   if (subject != Subject::sphere) return 6;
   return roughness > 0.15 ? 12 : 16;
 }
 
-// Highlights of all that has a size, at MAX 3 and the usual EPS, with reflections followed as
-// usual: what mirrors shows lights by its lobe.
+// Highlights of all area lights, at MAX 3 and the default EPS, with reflections: mirrors show
+// lights through their lobe.
 void expect_true(Subject subject, double metallic, const Bounds& bounds) {
   for (std::size_t i = 0; i < roughnesses.size(); ++i) {
     double worst = 0.0, worst_bias = 0.0;
@@ -84,9 +84,9 @@ TEST(TrueLight, OnABox) {
   expect_true(Subject::box, 0.0, {0.0006, 0.0006, 0.0005, 0.0005, 0.0005, 0.0004});
 }
 
-// A glossy floor under a panel that shines, as a mesh: the lobe shows it and the reflection does
-// not, nor is it lost. What a texture paints is left to the reflection.
-TEST(TrueLight, ShowsAPanelThatShinesOnce) {
+// A glossy floor under an emissive panel made of triangles. Its lobe shows the panel, its
+// reflection does not, and the light is not lost. Textured emission is left to the reflection.
+TEST(TrueLight, CountsAnEmissivePanelOnce) {
   const Reflector reflector{{0.9, 0.6, 0.3}, 1.0, 0.3};
   const Light panel = light_of("rectangle");
   const auto exact = truth(Subject::plane, reflector, prepare_light(panel), 2);
@@ -95,7 +95,7 @@ TEST(TrueLight, ShowsAPanelThatShinesOnce) {
   shining.emissive = glm::vec3(1.0f);
   shining.emissive_strength = panel.intensity;
   const glm::vec3 u(panel.half_u), v(panel.half_v);
-  // It faces the way that u x v leads.
+  // It faces the direction of u x v.
   ASSERT_GT(glm::dot(glm::cross(u, v), glm::vec3(panel.direction)), 0.0f);
   add_quad(world, glm::vec3(panel.position) - u - v, 2.0f * u, 2.0f * v, shining);
   std::vector<Light> lights = lights_of_meshes(world);
@@ -110,9 +110,9 @@ TEST(TrueLight, ShowsAPanelThatShinesOnce) {
   }
 }
 
-// What shines and is flat sends its own light nowhere that it sees: it is as bright as it shines,
-// however it lies and is rounded.
-TEST(TrueLight, DoesNotFallOnWhatShinesItself) {
+// A flat emissive surface does not light itself: it has its own radiance, for any orientation and
+// rounding.
+TEST(TrueLight, EmittersDoNotLightThemselves) {
   RandomSpace space(11);
   for (int i = 0; i < 8; ++i) {
     const glm::vec3 normal(space.direction());
@@ -123,7 +123,7 @@ TEST(TrueLight, DoesNotFallOnWhatShinesItself) {
     Material shining = matte(glm::vec3(0.9f));
     shining.emissive = glm::vec3(0.25f);
     shining.double_sided = true;
-    // Of two triangles a rectangle, of four a polygon.
+    // Two triangles form a rectangle, four a polygon.
     std::vector<TinyVertex> corners;
     const int count = i % 2 == 0 ? 4 : 6;
     for (int k = 0; k < count; ++k) {
@@ -148,9 +148,9 @@ TEST(TrueLight, DoesNotFallOnWhatShinesItself) {
   }
 }
 
-// Where a light sets, what is left of it above the horizon is seen: a look at its other part finds
-// nothing hidden.
-TEST(TrueLight, DoesNotGoOutWhereALightSets) {
+// Where a light is partly below the horizon, its part above the horizon is visible. Testing the
+// other part finds no occluder.
+TEST(TrueLight, StaysWhereALightSets) {
   World world;
   add_sphere(world, glm::vec3(0.0f), 0.45f, 64, matte(glm::vec3(0.9f)));
   Light light = placed(rectangle_light());
@@ -174,7 +174,7 @@ TEST(TrueLight, DoesNotGoOutWhereALightSets) {
   EXPECT_EQ(dark, 0);
 }
 
-// The quadrature itself does not change when it is made finer.
+// A finer quadrature gives the same result.
 TEST(TrueLight, QuadratureHasConverged) {
   const SeenPoint at{{0.1, 0.0, 0.2}, {0, 1, 0}, glm::normalize(glm::dvec3(0.3, 0.5, 1.0))};
   for (const char* kind : kinds) {

@@ -11,13 +11,13 @@
 #include <random>
 #include <utility>
 
-// KHR_materials_anisotropy whose texture turns the lobe from texel to texel: what a pixel shows is
-// the mean of highlights that lie along each, and no highlight along their mean.
+// KHR_materials_anisotropy with a texture that rotates the lobe per texel: a pixel shows the mean
+// of the texels' highlights, not a highlight in their mean direction.
 
 namespace asos::test::turned_lobe_test {
 namespace {
 
-TEST(TurnedLobe, IsTheMeanOfItsTexelsHighlights) {
+TEST(TurnedLobe, AveragesTheTexelsHighlights) {
   constexpr int side = 40;
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> any(0.0, 6.283185307179586);

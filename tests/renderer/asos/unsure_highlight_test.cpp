@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-// A highlight of a light that is seen in part is sampled: all that the leaf shows, and once.
+// The highlight of a partially occluded light is sampled, and counted exactly once.
 
 namespace asos::test::unsure_highlight_test {
 namespace {
@@ -19,7 +19,7 @@ double mean_of(const Film& film) {
   return sum / static_cast<double>(film.radiance.size());
 }
 
-/// Behind and above the middle of a floor, tilted towards it.
+/// Behind the floor's centre and above it, tilted towards it.
 Light panel_of(float intensity) {
   Light panel;
   panel.type = Light::Type::rectangle;
@@ -31,8 +31,8 @@ Light panel_of(float intensity) {
   return panel;
 }
 
-TEST(UnsureHighlight, HasTheSkysLightOnce) {
-  // A shining floor under a panel, half of which a board hides.
+TEST(UnsureHighlight, CountsSkyLightOnce) {
+  // A glossy floor under a panel that a board half covers.
   World world;
   Material floor = matte(glm::vec3(0.4f));
   floor.roughness = 0.3f;
@@ -53,9 +53,9 @@ TEST(UnsureHighlight, HasTheSkysLightOnce) {
   EXPECT_NEAR(mean_of(asos.film), mean_of(truth.film), 5e-4);
 }
 
-// A bar hides a twenty-fifth of a panel, and all that a smooth floor mirrors of it in its middle: a
-// highlight goes with what it shows of the light, and not with how much of the light is seen.
-TEST(UnsureHighlight, IsHiddenWhereItsPlaceOfTheLightIs) {
+// A bar hides a twenty-fifth of a panel, but all of it that a smooth floor reflects at its centre.
+// A highlight's visibility is that of its own part of the light, not the light's mean visibility.
+TEST(UnsureHighlight, IsHiddenWithItsPartOfTheLight) {
   World world;
   Material floor = matte(glm::vec3(0.2f));
   floor.roughness = 0.08f;
@@ -75,7 +75,7 @@ TEST(UnsureHighlight, IsHiddenWhereItsPlaceOfTheLightIs) {
   settings.method = Method::sobol;
   settings.sampling.spp = 4096;
   const Picture truth = render_picture(*scene, camera, settings);
-  // Of each column, along the bar.
+  // Means of columns, which run along the bar.
   double most = 0.0, darkest = 1.0, brightest = 0.0;
   for (int x = 0; x < settings.width; ++x) {
     double expected = 0.0, found = 0.0;
@@ -91,9 +91,9 @@ TEST(UnsureHighlight, IsHiddenWhereItsPlaceOfTheLightIs) {
   EXPECT_LT(most, 0.75 * settings.asos.eps) << darkest << " to " << brightest;
 }
 
-// Arrows whose heads hide most of a panel from their shafts: of the few samples that see what is
-// left of it there may be none among the first, which agree then.
-TEST(UnsureHighlight, IsNotTakenForNoneByItsFirstSamples) {
+// Arrows whose heads occlude most of a panel for their shafts. The first few samples may all miss
+// its visible rest, and then agree on darkness.
+TEST(UnsureHighlight, IsFoundEvenIfFirstSamplesMissIt) {
   const auto shared = shared_dir();
   if (!shared) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";
   const auto loaded = load_scene(*shared / "scenes/OrientationTest/OrientationTest.glb");

@@ -10,7 +10,7 @@
 namespace asos {
 namespace {
 
-/// A white matte unit square under a sun of so many lux that shines straight at it.
+/// A white matte unit square under a sun of `lux` that shines straight at it.
 Scene sunlit_square(double lux) {
   Scene scene;
   scene.source = "square.glb";
@@ -37,7 +37,7 @@ Scene sunlit_square(double lux) {
   return scene;
 }
 
-/// Meters a picture in which the square covers this share.
+/// Meters a picture in which the square covers this fraction.
 Metering metered(const RenderScene& scene, double share, RenderSettings settings = {},
                  bool usual = true) {
   Camera camera;
@@ -49,7 +49,7 @@ Metering metered(const RenderScene& scene, double share, RenderSettings settings
                : meter(scene, camera, settings, ToneCurve::neutral);
 }
 
-// Its radiance is E / pi, and 0.21 of the neutral sky.
+// The square's radiance is E / pi, plus 0.21 of the neutral sky.
 TEST(AutoExposure, BringsABrightSurfaceNearWhite) {
   for (const double lux : {100.0, 5000.0, 100000.0}) {
     const auto scene = prepare(sunlit_square(lux)).value();
@@ -63,7 +63,7 @@ TEST(AutoExposure, BringsABrightSurfaceNearWhite) {
 TEST(AutoExposure, LeavesPicturesWithLittleWhiteAsTheyAre) {
   const auto bright = prepare(sunlit_square(5000.0)).value();
   EXPECT_EQ(metered(*bright, 0.05).stops, 0.0f);
-  // Pixels at its edges are white, too: it is 10.7 of them wide.
+  // Pixels at its edges are white, too: it is 10.7 pixels wide.
   EXPECT_GE(metered(*bright, 0.05).whitened, 0.05);
   EXPECT_LE(metered(*bright, 0.05).whitened, 12.0 * 12.0 / (64.0 * 36.0));
   const auto dim = prepare(sunlit_square(2.0)).value();
@@ -102,7 +102,7 @@ TEST(AutoExposure, IsNotForDefaultLightingAndBuiltInScenes) {
   EXPECT_TRUE(exposure_may_follow(*prepare(sunlit_square(1.0)).value()));
 }
 
-// Whose pixels no exposure changes.
+// Their pixels do not depend on the exposure.
 TEST(AutoExposure, UnlitSurfacesDoNotCount) {
   Scene scene = sunlit_square(5000.0);
   scene.materials[0].unlit = true;

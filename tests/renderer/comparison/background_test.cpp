@@ -10,15 +10,15 @@
 #include <numbers>
 #include <string>
 
-// What the eye sees where no surface is, and how much of pixels surfaces cover.
+// The background behind surfaces, and the coverage of pixels by surfaces.
 
 namespace asos {
 namespace {
 
-constexpr double tilt = 0.37;   // the slope of a half-plane's border
-constexpr double cross = 3.21;  // where it crosses the picture's left border, in pixels
+constexpr double tilt = 0.37;   // slope of a half-plane's border
+constexpr double cross = 3.21;  // its intersection with the picture's left border, in pixels
 
-/// All below the line y = cross + tilt x, in pixels.
+/// The half-plane below the line y = cross + tilt x, in pixels.
 World half_plane(const Material& material) {
   World world;
   const auto at = [](double x, double y) { return glm::vec3(glm::dvec3(x - 4.0, 4.0 - y, 0.0)); };
@@ -27,7 +27,7 @@ World half_plane(const Material& material) {
   return world;
 }
 
-/// The share of pixel (x, y) that it covers.
+/// The fraction of pixel (x, y) that it covers.
 double covered(int x, int y) {
   const test::Polygon below = test::clip({{x, y}, {x + 1.0, y}, {x + 1.0, y + 1.0}, {x, y + 1.0}},
                                          [](glm::dvec2 p) { return p.y - cross - tilt * p.x; });
@@ -40,8 +40,8 @@ RenderSettings clear(Method method, int spp = 16) {
   return settings;
 }
 
-/// The most that pixels' coverage is off, of a surface that shines with `colour`, whose radiance
-/// has to be in proportion.
+/// The largest error of pixels' coverage, for an emissive surface of this colour. Its radiance has
+/// to be proportional to the coverage.
 double most_off(const RenderSettings& settings) {
   const glm::vec3 colour(0.25f, 0.5f, 1.0f);
   const auto scene = test::make_render_scene(half_plane(test::unlit(colour)));
@@ -59,19 +59,19 @@ double most_off(const RenderSettings& settings) {
   return most;
 }
 
-TEST(Background, AsosKnowsTheCoverageOfAHalfPlaneExactly) {
+TEST(Background, AsosCoverageOfAHalfPlaneIsExact) {
   EXPECT_LT(most_off(clear(Method::asos)), 2e-6);
   EXPECT_LT(most_off(clear(Method::beam)), 2e-6);
 }
 
-// Samples on n strata a side are off by less than the strata that the line crosses.
-TEST(Background, SamplersCountIt) {
+// With n strata per side the error is less than the strata that the line crosses.
+TEST(Background, SamplersEstimateCoverage) {
   for (const Method method : {Method::uniform, Method::stochastic, Method::sobol}) {
     const double off = most_off(clear(method, 256));
     EXPECT_LT(off, 2.0 / 16.0) << static_cast<int>(method);
-    EXPECT_GT(off, 1e-5) << "they do not know it";
+    EXPECT_GT(off, 1e-5) << "they estimate it only";
   }
-  // Those that decide by what they see decide about coverage, too: a black surface has edges.
+  // Adaptive methods take coverage into account: a black surface has edges, too.
   RenderSettings settings = clear(Method::sobol_adaptive);
   settings.asos.eps = 0.0;
   EXPECT_LT(most_off(settings), 0.1);
@@ -93,8 +93,8 @@ TEST(Background, ADiskCoversItsArea) {
   EXPECT_NEAR(all, std::numbers::pi * 2.5 * 2.5, 1e-3);
 }
 
-// A pixel before any colour is the same mixture: edges are as exact before all backgrounds.
-TEST(Background, IsMixedByTheCoverage) {
+// Pixels are mixed by coverage for every kind of background, so edges are equally exact.
+TEST(Background, IsBlendedByCoverage) {
   const auto scene = test::make_render_scene(half_plane(test::matte(glm::vec3(0.7f, 0.2f, 0.1f))));
   for (const Method method : {Method::asos, Method::sobol, Method::beam}) {
     const BlockResult alone = test::render_small(*scene, clear(method));
@@ -112,7 +112,7 @@ TEST(Background, IsMixedByTheCoverage) {
   }
 }
 
-// Down the picture, whatever the camera: a pixel is the gradient's mean over it.
+// A gradient over the picture's height, for any camera: a pixel is the gradient's mean over it.
 TEST(Background, AGradientRunsDownThePicture) {
   const auto scene = test::make_render_scene(half_plane(test::unlit(glm::vec3(1.0f))));
   RenderSettings settings = test::settings_for(Method::asos);
@@ -144,7 +144,7 @@ TEST(Background, ABlurredSkyIsItsMeanAroundADirection) {
     return render_block(*scene, View(up, 8, 8), settings, test::small_block).tile.radiance[9].x;
   };
   EXPECT_NEAR(seen(BackgroundKind::environment), 0.0f, 1e-6f);
-  // The mean of 1 - 1 / sqrt(1 + x^2 + y^2) over a square of 0.95.
+  // Mean of 1 - 1 / sqrt(1 + x^2 + y^2) over a square of 0.95.
   double mean = 0.0;
   constexpr int n = 400;
   for (int i = 0; i < n; ++i)
@@ -155,7 +155,7 @@ TEST(Background, ABlurredSkyIsItsMeanAroundADirection) {
   EXPECT_NEAR(seen(BackgroundKind::blurred), mean, 0.005);
 }
 
-// A mirror before the camera shows the sky behind it, and not what the eye sees beside it.
+// A mirror in front of the camera reflects the sky behind it, not the background.
 TEST(Background, MirrorsSeeTheEnvironment) {
   Material mirror;
   mirror.base_color = glm::vec4(1.0f);

@@ -19,7 +19,7 @@ namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-// Corners stay in double here, so that closed forms hold to its precision.
+// Corners are double here, so that closed forms hold to that precision.
 glm::dvec3 at(double u, double v, double depth) {
   return glm::dvec3(u, -v, -1.0) * depth;
 }
@@ -107,7 +107,7 @@ TEST(ExactVisibility, ATriangleWithinTheSquareKeepsItsAreaAndCentroid) {
   EXPECT_NEAR(seen.parts[0].centroid.y, 1.3 / 3.0, 1e-14);
 }
 
-TEST(ExactVisibility, ARectangleWithinTheSquareIsAllThatIsLookedAt) {
+TEST(ExactVisibility, LimitsTheResultToARectangle) {
   const FrameRectangle rectangle{{0.25, 0.5}, {0.5, 0.75}};
   const Seen seen({Corners{at(-1, -1, 2), at(3, -1, 2), at(-1, 1.25, 2)}}, unit_frame(), rectangle);
   // The hypotenuse u * 2.25 + v * 4 = 2.75 crosses v = 0.5 at u = 1 / 3.
@@ -118,7 +118,7 @@ TEST(ExactVisibility, ARectangleWithinTheSquareIsAllThatIsLookedAt) {
 }
 
 TEST(ExactVisibility, NearerSurfacesHideFartherOnes) {
-  // A square of side 1/2 in front of a wall that fills the right three quarters, before another
+  // A square of side 1/2 in front of a wall that fills the right three quarters, in front of a wall
   // that fills everything.
   std::vector<Corners> triangles;
   add_fan(triangles, {at(0, 0, 9), at(1, 0, 9), at(1, 1, 9), at(0, 1, 9)});
@@ -132,8 +132,8 @@ TEST(ExactVisibility, NearerSurfacesHideFartherOnes) {
 }
 
 TEST(ExactVisibility, RectanglesThatPassThroughEachOtherMeetInALine) {
-  // 1/q is the depth: one rectangle stands at depth 2, the other runs in depth from 1 at u = 0 to
-  // infinity: q = 1 - 0.9 u. They meet where q = 1/2, at u = 5/9.
+  // The depth is 1/q. One rectangle is at depth 2; the other goes from depth 1 at u = 0 to
+  // infinity: q = 1 - 0.9 u. They intersect at q = 1/2, u = 5/9.
   std::vector<Corners> triangles;
   const auto tilted = [](double u, double v) { return at(u, v, 1.0 / (1.0 - 0.9 * u)); };
   add_fan(triangles, {at(-1, -1, 2), at(2, -1, 2), at(2, 2, 2), at(-1, 2, 2)});
@@ -149,7 +149,7 @@ TEST(ExactVisibility, TheLowerOfTwoTrianglesAtOneDepthIsSeen) {
   const Seen twice({a, a, a});
   EXPECT_NEAR(twice.areas[0], 0.5, 1e-14);
   EXPECT_EQ(twice.areas[1] + twice.areas[2], 0.0);
-  // Coplanar, overlapping, and many of them: the union must be seen once.
+  // Many coplanar overlapping triangles: their union must count once.
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(-0.5, 1.5);
   std::vector<Corners> triangles;
@@ -163,17 +163,17 @@ TEST(ExactVisibility, TheLowerOfTwoTrianglesAtOneDepthIsSeen) {
 }
 
 TEST(ExactVisibility, CornersBehindTheApexNeedNoSpecialCase) {
-  // The floor half a unit below the eye reaches from far ahead to far behind. Looking down -Z at
-  // the unit square, v of a floor point at depth d is 0.5 / d.
+  // The floor is half a unit below the eye and extends far ahead and behind. Looking down -Z at the
+  // unit square, v of a floor point at depth d is 0.5 / d.
   std::vector<Corners> floor;
   add_fan(floor, {{-1e7, -0.5, 1e3}, {1e7, -0.5, 1e3}, {1e7, -0.5, -1e6}, {-1e7, -0.5, -1e6}});
   const Seen seen(floor);
-  // Visible down from the far edge's v = 0.5e-6.
+  // Visible from the far edge, v = 0.5e-6, downwards.
   EXPECT_NEAR(sum(seen.areas, 0, 2), 1.0 - 0.5e-6, 1e-11);
   EXPECT_NEAR(seen.total, 1.0, 1e-11);
 }
 
-TEST(ExactVisibility, WhatHasNoAreaIsNotThere) {
+TEST(ExactVisibility, IgnoresTrianglesWithoutArea) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Frame frame = unit_frame();
   EXPECT_FALSE(make_facet(frame, 0, {at(0, 0, 1), at(1, 1, 2), at(0.5, 0.5, 3)}));  // edge-on
@@ -194,7 +194,7 @@ Corners random_triangle(std::mt19937& random) {
   return corners;
 }
 
-/// How deep a point lies in a convex polygon, whichever way it turns; negative outside.
+/// Distance of a point from the border of a convex polygon with either winding; negative outside.
 double depth_in(const ConvexPolygon& polygon, glm::dvec2 p) {
   double least = 1e9, greatest = -1e9;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -223,7 +223,7 @@ std::uint32_t nearest(const World& world, const Frame& frame, glm::dvec2 p) {
   return best;
 }
 
-// Each sample of a dense grid lies in one part, and that part shows what the ray meets.
+// Each sample of a dense grid is in one part, which shows the surface that the sample's ray hits.
 TEST(ExactVisibility, AgreesWithRaysOnRandomSoups) {
   constexpr int n = 64;
   for (unsigned seed = 0; seed < 200; ++seed) {
@@ -261,7 +261,7 @@ TEST(ExactVisibility, AgreesWithRaysOnRandomSoups) {
       ASSERT_EQ(holders, 1) << "seed " << seed << " at " << p.x << ", " << p.y;
       ASSERT_EQ(shown, nearest(world, frame, p)) << "seed " << seed << " at " << p.x << ", " << p.y;
     }
-    // Only the grid's own lines can be met by a cell's cut.
+    // Samples exactly on the grid's lines may lie on a cell's cut.
     ASSERT_LT(skipped, n * n / 100) << "seed " << seed;
   }
 }
@@ -320,7 +320,7 @@ TEST(Beam, APixelIsAreaTimesRadiance) {
 }
 
 TEST(Beam, ShadesAsRaysDo) {
-  // Without shadows, whose edges beams to the eye do not find.
+  // Without shadows, whose edges beam tracing does not find.
   FlattenedScene still = still_life();
   for (Light& light : still.lights) light.casts_shadows = false;
   const auto scene = make_render_scene(std::move(still));
@@ -332,7 +332,7 @@ TEST(Beam, ShadesAsRaysDo) {
   settings.sampling.spp = 64 * 64;
   const BlockResult fine = render_block(*scene, view, settings, {0, 0, 8, 8});
   for (std::size_t i = 0; i < 64; ++i) {
-    // The grid is wrong by up to a 64th of a pixel along each edge.
+    // The grid's error is up to 1/64 pixel along each edge.
     const double difference = glm::length(exact.tile.radiance[i] - fine.tile.radiance[i]);
     EXPECT_LT(difference, 1.0 / 64.0) << "pixel " << i;
   }

@@ -12,9 +12,9 @@
 #include <memory>
 #include <ostream>
 
-// White furnaces on surfaces whose shading normals are not their own: under a sky of radiance 1 a
-// point sends what its lobes return of light from all around, by the closed forms of the lobes
-// (lobe_norms). No light is lost where a lobe about the shading normal leads below the surface.
+// White furnaces for surfaces whose shading normals differ from their geometric ones. Under a sky
+// of radiance 1 a point must have the radiance of its lobes' closed forms (lobe_norms). No light is
+// lost where a lobe about the shading normal points below the surface.
 
 namespace asos::test::mesh_furnace_test {
 namespace {
@@ -83,7 +83,7 @@ std::shared_ptr<const RenderScene> scene_of(const Furnace& f) {
   } else {
     add_sphere(world, {0, 0, 0}, 1.0f, 8, material);
   }
-  Light dark;  // without any a scene gets its own
+  Light dark;  // without any light there would be default lighting
   dark.type = Light::Type::directional;
   dark.direction = {0, 1, 0};
   dark.intensity = 1e-9f;
@@ -110,7 +110,7 @@ RenderSettings settings_of(Method method) {
   return settings;
 }
 
-/// Adds all that lobes return of a white sky.
+/// Sums the radiance that all lobes return of a white sky.
 class ReturnedByLobes final : public LightTransport {
  public:
   void add(const Illumination&, glm::vec3&, RenderStatistics&) override {}
@@ -124,7 +124,7 @@ class ReturnedByLobes final : public LightTransport {
   }
 };
 
-/// Returns a pixel's expected value; negative where it shows the mesh's outline.
+/// Returns a pixel's expected value; negative: it shows the mesh's silhouette.
 double returned(const RenderScene& scene, const View& view, const Shader& shader, int x, int y) {
   constexpr int parts = 4;
   double sum = 0.0;
@@ -173,12 +173,12 @@ double worst(const Furnace& f, Method method) {
 
 class EveryLobe : public testing::TestWithParam<Lobe> {};
 
-// A pixel of 512 samples, or within EPS of its mean, differs by its noise alone.
-TEST_P(EveryLobe, ReturnsWhatItDoesOfAFlatSurface) {
+// A pixel of 512 samples, or one within EPS of its mean, differs only by noise.
+TEST_P(EveryLobe, ReflectsAsOnAFlatSurface) {
   constexpr double of_samples = 0.02, of_asos = 0.03;
   for (const Mesh mesh : {Mesh::sphere, Mesh::normal_map}) {
     for (const double roughness : {0.0, 0.05, 0.1, 0.2, 0.35, 0.5, 1.0}) {
-      // A sheen this narrow is noise where it is seen at a grazing angle.
+      // A narrow sheen seen at a grazing angle has too much noise.
       if (GetParam() == Lobe::sheen && mesh == Mesh::sphere && roughness < 0.2) continue;
       const Furnace furnace{GetParam(), mesh, roughness};
       EXPECT_LT(worst(furnace, Method::sobol), of_samples) << furnace;

@@ -15,8 +15,8 @@
 namespace asos::methods_test {
 namespace {
 
-/// A white half-plane left of the line x = 0.3 + 0.2 y over the grey background, seen by an
-/// orthographic camera whose pixels are 1 x 1; the line crosses pixel (4, 4) of 8 x 8.
+/// A white half-plane left of the line x = 0.3 + 0.2 y in front of the grey background, for an
+/// orthographic camera with pixels of 1 x 1. The line crosses pixel (4, 4) of 8 x 8.
 std::shared_ptr<const RenderScene> half_plane() {
   World world;
   test::add_part(world,
@@ -45,7 +45,7 @@ RenderSettings small_settings(Method method, int spp) {
   return settings;
 }
 
-// The others take the same samples whatever these show as, so that a curve is display only.
+// The other methods take the same samples for any curve, so it is applied for display only.
 TEST(Methods, ThoseThatAdaptJudgeByTheCurveThatIsShown) {
   for (const MethodRow& row : method_table()) {
     const bool adapts = row.value == Method::asos || row.value == Method::sobol_adaptive ||
@@ -59,7 +59,7 @@ TEST(Methods, ThoseThatAdaptJudgeByTheCurveThatIsShown) {
   }
 }
 
-/// A method of its own: nothing but its function and its row is needed.
+/// A new method needs only its function and its row in the table.
 BlockResult render_block_checkered(const BlockJob& job) {
   BlockResult result;
   result.tile.rect = job.block;
@@ -89,7 +89,7 @@ TEST(MethodTable, AnotherMethodIsAFunctionAndARow) {
   EXPECT_EQ(pixel(r, 3, 4), 1.0f);
   EXPECT_EQ(r.tile.cause, std::vector<SplitCause>(64, SplitCause::none));
   EXPECT_EQ(r.tile.rays, std::vector<float>(64, 1.0f));
-  // The others are where they were.
+  // The built-in methods are unchanged.
   const RenderSettings uniform = small_settings(Method::uniform, 16);
   EXPECT_EQ(render_block({*scene, view, uniform, block}, methods).tile.radiance,
             render_block(*scene, view, uniform, block).tile.radiance);
@@ -120,7 +120,8 @@ TEST(Uniform, ConvergesOnTheCoverageOfAHalfPlane) {
   const View view(test::orthographic(8.0), 8, 8);
   for (const int spp : {16, 256, 4096}) {
     const BlockResult r = render_block(*scene, view, small_settings(Method::uniform, spp), block);
-    // Each of the n rows rounds its coverage to a multiple of 1 / n: half a column at most.
+    // Each of the n rows rounds its coverage to a multiple of 1 / n: an error of at most half a
+    // column.
     const double bound = (1.0 - sky_radiance) * 0.5 / std::sqrt(spp) + 1e-5;
     EXPECT_NEAR(pixel(r, 4, 4), expected_pixel, bound) << spp;
     EXPECT_FLOAT_EQ(pixel(r, 0, 0), 1.0f);
@@ -135,7 +136,8 @@ TEST(Stochastic, ConvergesOnTheCoverageOfAHalfPlane) {
   for (const int spp : {16, 256, 4096}) {
     const BlockResult r =
         render_block(*scene, view, small_settings(Method::stochastic, spp), block);
-    // The line crosses about 1.2 n strata, each with a variance of at most 1/4: five sigma.
+    // The line crosses about 1.2 n strata, each with a variance of at most 1/4. Allows five
+    // standard deviations.
     const double n = std::sqrt(spp);
     const double bound = 5.0 * (1.0 - sky_radiance) * std::sqrt(1.3 * n * 0.25) / (n * n);
     EXPECT_NEAR(pixel(r, 4, 4), expected_pixel, bound) << spp;
@@ -166,7 +168,7 @@ TEST(Stochastic, SamplesBelongToThePixelAndNotToTheBlock) {
 }
 
 TEST(SampleBlock, DropsAndCountsWhatIsNotFinite) {
-  // A vertex colour that is not a number spoils the lower right triangle only.
+  // A NaN in a vertex colour affects only the lower right triangle.
   World world;
   test::add_quad(world, {-4, -4, 0}, {8, 0, 0}, {0, 8, 0}, test::unlit({1, 1, 1}));
   world.colors.assign(4, glm::vec4(1));
@@ -180,7 +182,7 @@ TEST(SampleBlock, DropsAndCountsWhatIsNotFinite) {
     EXPECT_TRUE(c == glm::vec3(1) || c == glm::vec3(0)) << c.r;
     black += c == glm::vec3(0) ? 1 : 0;
   }
-  // 28 pixels lie below the diagonal as a whole; on it a pixel keeps its upper samples.
+  // 28 pixels are completely below the diagonal; those on it keep their upper samples.
   EXPECT_EQ(black, 28u);
   EXPECT_GE(r.statistics.rejected_samples, 28u * 16u + 8u * 6u);
   EXPECT_LE(r.statistics.rejected_samples, 28u * 16u + 8u * 10u);
@@ -216,7 +218,7 @@ TEST(Random, IsAFunctionOfItsKeysAndEven) {
     }
   }
   EXPECT_EQ(seen.size(), static_cast<std::size_t>(n * n));
-  // Five sigma of means of 4096 uniform numbers and of their product.
+  // Allows five standard deviations of means of 4096 uniform numbers and of their product.
   EXPECT_NEAR(u / (n * n), 0.5, 5.0 * std::sqrt(1.0 / 12.0) / n);
   EXPECT_NEAR(v / (n * n), 0.5, 5.0 * std::sqrt(1.0 / 12.0) / n);
   EXPECT_NEAR(uv / (n * n), 0.0, 5.0 / 12.0 / n);

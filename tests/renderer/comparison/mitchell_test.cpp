@@ -21,14 +21,14 @@ TEST(Mitchell, AFlatPictureCostsFourRaysAPixel) {
       EXPECT_EQ(red_at(r, 3, 3), grey);
     }
     EXPECT_EQ(render_small(*scene, mitchell(3)).statistics.eye_rays, 64u * 3u);
-    // Scale 0 asks for no contrast at all.
+    // A scale of 0 disables the contrast test.
     EXPECT_EQ(render_small(*scene, mitchell(16, 0.0)).statistics.eye_rays, 64u * 16u);
   }
 }
 
-// Two of four points of the sequence lie in each half of the pixel, so that an edge through the
-// middle is always seen; each column of 1/256 has one of 256 points.
-TEST(Mitchell, AnEdgeTakesTheHighDensityAndIsExactWhereTheNetIs) {
+// Of the sequence's first four points, two are in each half of the pixel, so an edge through its
+// centre is always detected. Each column of width 1/256 has one of 256 points.
+TEST(Mitchell, EdgesTakeTheHighDensityAndAreExact) {
   for (const int spp : {16, 64, 256}) {
     const auto scene = make_render_scene(two_colours(4.5f, glm::vec3(1), glm::vec3(0)));
     const BlockResult r = render_small(*scene, mitchell(spp));
@@ -44,8 +44,8 @@ TEST(Mitchell, AnEdgeTakesTheHighDensityAndIsExactWhereTheNetIs) {
   for (int y = 0; y < 8; ++y) EXPECT_NEAR(red_at(r, 4, y), 0.3125f, 1e-6);
 }
 
-// 0.6 beside 1.2 has a contrast of a third; Neutral shows them as 0.56 and 0.9, AgX as 0.46 and
-// 0.63, which are less than 0.3 apart.
+// 0.6 next to 1.2 has a contrast of a third. Neutral shows these as 0.56 and 0.9; AgX as 0.46 and
+// 0.63, which differ by less than 0.3.
 TEST(Mitchell, ACurveLessensTheContrastThatCounts) {
   const auto scene = make_render_scene(two_colours(4.5f, glm::vec3(0.6f), glm::vec3(1.2f)));
   RenderSettings settings = mitchell(16);

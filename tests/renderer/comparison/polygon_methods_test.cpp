@@ -7,15 +7,15 @@
 #include <cmath>
 #include <numbers>
 
-// Cone tracing, covers and coverage masks on the papers' argument (CGF'98 sections 2.7, 2.8 and
-// 2.12): what each gets right, and the error that it is known for, against closed forms.
+// Cone tracing, covers and coverage masks as the papers describe them (CGF'98 sections 2.7, 2.8 and
+// 2.12): their correct results and their known errors, against closed forms.
 
 namespace asos::test::polygon_methods_test {
 namespace {
 
 /// Pixels are 1 x 1; pixel (4, 4) of 8 x 8 is 0 to 1 by -1 to 0 in the world.
 struct Wall {
-  float left, right;  ///< in x, over the whole height
+  float left, right;  ///< range in x, over the whole height
   float z;
   glm::vec3 colour;
 };
@@ -37,7 +37,7 @@ glm::vec3 pixel_by(Method method, const std::vector<Wall>& walls) {
 constexpr glm::vec3 red{1, 0, 0}, green{0, 1, 0};
 constexpr float tolerance = 1e-5f;
 
-/// The share of a disk of area 1 around (0.5, 0.5) that lies left of x.
+/// Fraction of a disk of area 1 around (0.5, 0.5) that is left of x.
 double disk_left_of(double x) {
   const double r = 1.0 / std::sqrt(std::numbers::pi), d = x - 0.5;
   return 0.5 + (d * std::sqrt(r * r - d * d) + r * r * std::asin(d / r));
@@ -52,7 +52,8 @@ TEST(PolygonMethods, WeighOneEdgeByTheirOwnRule) {
   EXPECT_NEAR(pixel_by(Method::mask, walls).r, 2.0 / 8.0, tolerance);
 }
 
-// Two walls that cover the same half: the second is hidden, which fractions cannot tell.
+// Two walls cover the same half, so the second one is hidden. Coverage fractions cannot represent
+// this.
 TEST(PolygonMethods, FractionsCountWhatIsHiddenBehindEachOther) {
   const std::vector<Wall> walls{{-20, 0.5f, 0, red}, {-20, 0.5f, -2, green}};
   for (const Method exact : {Method::beam, Method::mask}) {
@@ -67,7 +68,7 @@ TEST(PolygonMethods, FractionsCountWhatIsHiddenBehindEachOther) {
   }
 }
 
-// Two walls side by side cover all of the pixel; by fractions a quarter of it shows the blue wall.
+// Two adjacent walls cover all of the pixel; by fractions a quarter of it shows the blue wall.
 TEST(PolygonMethods, FractionsLetTheBackgroundThroughBesideEachOther) {
   const std::vector<Wall> walls{{-20, 0.5f, 0, red}, {0.5f, 20, -2, green}};
   for (const Method exact : {Method::beam, Method::mask}) {
@@ -81,7 +82,7 @@ TEST(PolygonMethods, FractionsLetTheBackgroundThroughBesideEachOther) {
   }
 }
 
-// A wire of a tenth of a pixel, through the centre and beside it, between two columns of points.
+// A wire of a tenth of a pixel, through the centre and off it, between two columns of points.
 TEST(PolygonMethods, ThinObjectsShowEachMethodsFault) {
   const std::vector<Wall> centred{{0.45f, 0.55f, 0, red}}, between{{0.7f, 0.8f, 0, red}};
   EXPECT_NEAR(pixel_by(Method::beam, centred).r, 0.1, tolerance);
@@ -93,7 +94,7 @@ TEST(PolygonMethods, ThinObjectsShowEachMethodsFault) {
   EXPECT_NEAR(pixel_by(Method::mask, between).r, 0.0, tolerance);
 }
 
-// A matte wall under a large light: each shadow ray counts for its share of the light.
+// A matte wall under a large light: each shadow ray has the weight of its part of the light.
 TEST(PolygonMethods, SumLightsOfAnySizeOnce) {
   FlattenedScene scene;
   add_quad(scene.world, {-50, -50, 0}, {100, 0, 0}, {0, 100, 0}, matte(glm::vec3(0.5f)));

@@ -15,7 +15,7 @@ namespace asos::test::ray_bound_test {
 namespace {
 
 TEST(RayBound, TakesAllSamplesAtABoundaryAndOneElsewhere) {
-  // The line cuts the first of n columns of samples off, for n = 4; and it is far from centres.
+  // The line cuts off the first of n columns of samples for n = 4, and is far from centres.
   const auto scene = make_render_scene(two_colours(4.25f, glm::vec3(1), glm::vec3(0)));
   for (const int spp : {1, 4, 9, 16, 60}) {
     const BlockResult r = render_small(*scene, settings_for(Method::ray_bound, spp));
@@ -41,7 +41,7 @@ TEST(RayBound, AFlatPictureCostsOneRayAPixel) {
 }
 
 TEST(RayBound, SamplesConvergeOnTheCoverageOfAnObliqueEdge) {
-  // Left of x = 4.2 + 0.2 y, in pixel (4, 2): 0.2 + 0.5 + 0.2 / 2 wide on average, up to the side.
+  // The half-plane left of x = 4.2 + 0.2 y, in pixel (4, 2): 0.2 + 0.5 + 0.2 / 2 wide on average.
   World world;
   add_part(world,
            {{{0.2f - 8, 4, 0}, {0, 0, 1}, {}},
@@ -53,13 +53,14 @@ TEST(RayBound, SamplesConvergeOnTheCoverageOfAnObliqueEdge) {
   for (const int spp : {16, 256, 4096}) {
     const BlockResult r = render_small(*scene, settings_for(Method::ray_bound, spp));
     const double n = std::sqrt(spp);
-    // Five sigma of some 1.3 n strata, and the one that has the centre's sample instead of its own.
+    // Five standard deviations of about 1.3 n strata, plus the one whose sample is replaced by the
+    // centre's.
     const double bound = (1.0 - sky_radiance) * (5.0 * std::sqrt(1.3 * n * 0.25) + 1.0) / (n * n);
     EXPECT_NEAR(red_at(r, 4, 2), 0.7 + 0.3 * sky_radiance, bound) << spp;
   }
 }
 
-TEST(RayBound, FindsWhatNoSampleMeetsAndNotWhatIsHidden) {
+TEST(RayBound, FindsUnsampledButNotHiddenObjects) {
   World world;
   add_card(world, {-9, -9}, {17, 17}, unlit(glm::vec3(0)));
   add_card(world, {2.03f, 5.04f}, {2.06f, 5.07f}, unlit(glm::vec3(1)), 1.0f);
@@ -78,7 +79,7 @@ TEST(RayBound, FindsWhatNoSampleMeetsAndNotWhatIsHidden) {
             64u);
 }
 
-/// How many surfaces n x n rays through a pixel meet.
+/// Number of surfaces that n x n rays through a pixel hit.
 std::size_t surfaces_in(const RenderScene& scene, const View& view, int x, int y, int n) {
   std::set<std::uint32_t> surfaces;
   for (int k = 0; k < n * n; ++k) {
@@ -91,9 +92,9 @@ std::size_t surfaces_in(const RenderScene& scene, const View& view, int x, int y
 
 struct Findings {
   int bounded = 0;
-  int differ = 0;                    // pixels whose rays meet more than one surface
-  int unbounded = 0;                 // those of them that count as having no boundary
-  std::vector<glm::ivec2> doubtful;  // pixels with a boundary of which no ray tells
+  int differ = 0;                    // pixels whose rays hit more than one surface
+  int unbounded = 0;                 // those of them without a detected edge
+  std::vector<glm::ivec2> doubtful;  // pixels with an edge that no ray confirms
 };
 
 constexpr int size = 44;
@@ -130,7 +131,7 @@ TEST(RayBound, MissesNoPixelWhereRaysDiffer) {
   EXPECT_EQ(found.unbounded, 0);
 }
 
-// Where nothing hidden lies closer than a few pixels' widths behind what hides it.
+// For surfaces that are at least a few pixel widths behind their occluders.
 TEST(RayBound, BoundariesAreWhereRaysDiffer) {
   World world;
   for (int i = 0; i < 6; ++i) {
@@ -146,7 +147,7 @@ TEST(RayBound, BoundariesAreWhereRaysDiffer) {
   const Findings found = compare(*scene);
   EXPECT_GT(found.differ, 100);
   EXPECT_EQ(found.unbounded, 0);
-  // Some boundaries touch no more than a corner of their pixel.
+  // Some edges touch only a corner of their pixel.
   for (const glm::ivec2 p : found.doubtful)
     EXPECT_TRUE(surfaces_in(*scene, square_view(), p.x, p.y, 300) > 1 ||
                 surfaces_in(*scene, square_view(), p.x, p.y, 2000) > 1)

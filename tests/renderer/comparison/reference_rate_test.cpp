@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-// Sobol sampling, by which all else is judged, has no bias: the mean over seeds of few samples goes
-// to what the rendering equation says, as the root of their number.
+// Sobol sampling is the reference for everything else and must be unbiased: the mean over seeds
+// converges to the rendering equation with the square root of the sample count.
 
 namespace asos::test::reference_rate_test {
 namespace {
@@ -23,8 +23,8 @@ constexpr int seeds = 512;
 constexpr int side = 8;
 constexpr int samples = 4;
 
-/// Pictures of a speck around the origin, of which all pixels show the same: each pixel of each
-/// seed is an estimate of its own, of the mean over the channels.
+/// Pictures of a tiny area around the origin, so that all pixels have the same expectation. Each
+/// pixel of each seed is an estimate (mean over the channels).
 std::vector<double> estimates(const RenderScene& scene, RenderSettings settings, glm::dvec3 eye) {
   settings.method = Method::sobol;
   settings.width = settings.height = side;
@@ -52,7 +52,7 @@ Mean mean_of(const std::vector<double>& all) {
   return {sum / count, std::sqrt(squares / (count * (count - 1.0)))};
 }
 
-/// The root of the mean squared error of means of so many estimates.
+/// RMSE of means of `together` estimates.
 double error_of_means(const std::vector<double>& all, std::size_t together, double truth) {
   double squares = 0.0;
   for (std::size_t first = 0; first < all.size(); first += together) {
@@ -64,13 +64,13 @@ double error_of_means(const std::vector<double>& all, std::size_t together, doub
   return std::sqrt(squares * static_cast<double>(together) / static_cast<double>(all.size()));
 }
 
-/// The power of their number by which the error of means falls, from single estimates to means of
-/// 2048: -1/2 without a bias.
+/// Exponent of the error of means by their number, from single estimates to means of 2048: -1/2
+/// without bias.
 double rate(const std::vector<double>& all, double truth) {
   return std::log2(error_of_means(all, 2048, truth) / error_of_means(all, 1, truth)) / 11.0;
 }
 
-// Both tell a bias of a hundredth.
+// Either test detects a bias of one percent.
 void expect_unbiased(const std::vector<double>& all, double truth, const std::string& name) {
   ASSERT_EQ(all.size(), std::size_t{seeds * side * side});
   const Mean mean = mean_of(all);
@@ -101,7 +101,7 @@ RenderSettings in_the_dark() {
   return settings;
 }
 
-/// A floor of this kind under the lamp, and what the eye sees of its middle.
+/// A floor of this material under the lamp, seen at its centre.
 void expect_unbiased_floor(const Reflector& reflector, const std::string& name) {
   World world;
   Material material = matte(glm::vec3(reflector.base));
@@ -127,7 +127,7 @@ TEST(ReferenceRate, OfADielectricUnderAnAreaLight) {
   expect_unbiased_floor({{0.2, 0.3, 0.1}, 0.0, 0.3}, "dielectric");
 }
 
-// Half of an even sky is hidden by a black wall, which is as good as infinitely long.
+// A black wall of practically infinite length hides half of a uniform sky.
 TEST(ReferenceRate, OfTheSkyBesideAWall) {
   constexpr double albedo = 0.5, radiance = 0.8, height = 2.0;
   World world;

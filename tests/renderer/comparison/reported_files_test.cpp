@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-// Small files of what people reported about other viewers, with the values that glTF asks for
+// Small files from bug reports about other viewers, with the values that glTF requires
 // (reported/INDEX.tsv of the shared folder).
 
 namespace asos::test::reported_files_test {
@@ -91,7 +91,7 @@ TEST(ReportedFiles, ASmoothSphereUnderASunHasNoStairsOfTriangles) {
   if (!scene) GTEST_SKIP() << "the shared folder is missing";
   for (const Method method : methods) {
     const Film film = film_of(*scene, method, glm::vec3(0.0f));
-    // Within the smooth sphere's outline light falls off smoothly.
+    // Within the silhouette of the smooth sphere, shading varies smoothly.
     float most = 0.0f;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x + 1 < width; ++x) {

@@ -7,14 +7,14 @@
 
 #include <utility>
 
-// Scenes of a few flat colours before an orthographic camera: 8 x 8 pixels, each of which is 1 x 1
-// in the world; pixel (x, y) covers x - 4 to x - 3 and 4 - y to 3 - y there.
+// Scenes of a few flat colours for an orthographic camera: 8 x 8 pixels, each 1 x 1 in the world.
+// Pixel (x, y) covers x - 4 to x - 3 and 4 - y to 3 - y.
 
 namespace asos::test {
 
 inline constexpr PixelRect small_block{0, 0, 8, 8};
 
-/// A rectangle of the picture, in pixels, at a height above the plane z = 0.
+/// A rectangle given in pixels, at a height above the plane z = 0.
 inline void add_card(World& world, glm::vec2 lo, glm::vec2 hi, const Material& material,
                      float z = 0.0f) {
   add_quad(world, {lo.x - 4.0f, 4.0f - hi.y, z}, {hi.x - lo.x, 0, 0}, {0, hi.y - lo.y, 0},

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-// Properties that all methods share that ASOS is compared with and that decide where to sample.
+// Properties that all adaptive methods except ASOS share.
 
 namespace asos::test::rivals_test {
 namespace {
@@ -54,7 +54,7 @@ TEST(Rivals, CountShadowRaysByLightAndTellNoCause) {
     EXPECT_GT(counts.of_light(0).shadow_rays, 0u);
     EXPECT_GT(counts.of_light(1).shadow_rays, 0u);
     EXPECT_EQ(counts.of_light(0).shadow_rays + counts.of_light(1).shadow_rays, counts.shadow_rays);
-    // A sample looks at one point of each light at most.
+    // A sample tests at most one point of each light.
     EXPECT_LE(counts.of_light(1).shadow_rays, counts.eye_rays);
     EXPECT_EQ(counts.rejected_samples, 0u);
     for (const SplitCause cause : picture.film.cause) EXPECT_EQ(cause, SplitCause::none);
@@ -62,7 +62,7 @@ TEST(Rivals, CountShadowRaysByLightAndTellNoCause) {
 }
 
 TEST(Rivals, LeaveOutAndCountWhatIsNotFinite) {
-  // Red is no number right of the middle.
+  // Red is NaN right of the centre.
   World world = two_colours(4.0f, glm::vec3(1), glm::vec3(1));
   world.colors.assign(8, glm::vec4(1));
   for (std::size_t i = 4; i < 8; ++i) world.colors[i].r = std::numeric_limits<float>::quiet_NaN();
@@ -80,7 +80,7 @@ TEST(Rivals, LeaveOutAndCountWhatIsNotFinite) {
   }
 }
 
-/// Against `sobol` with so many samples that its noise does not matter.
+/// Error against `sobol` with so many samples that its noise is negligible.
 double rms_error(const RenderScene& scene, RenderSettings settings) {
   settings.width = settings.height = 24;
   const Picture picture = render_picture(scene, camera(), settings);

@@ -18,7 +18,7 @@ RenderSettings adaptive(double eps, int max_level, int size = 8) {
   return settings;
 }
 
-/// Brighter from left to right, by an eighth each pixel: no two samples are equal.
+/// Brighter from left to right, by an eighth per pixel: no two samples are equal.
 std::shared_ptr<const RenderScene> gradient() {
   World world;
   add_card(world, {0, 0}, {8, 8}, unlit(glm::vec3(1)));
@@ -35,7 +35,7 @@ TEST(SobolAdaptive, AFlatPictureTakesTheFirstSixteenSamplesOnly) {
   for (int x = 0; x < 8; ++x) EXPECT_EQ(red_at(r, x, 3), x < 4 ? 0.25f : 0.75f) << x;
 }
 
-// What is beside the edge waits until its neighbours are done.
+// Pixels next to the edge wait until their neighbours have converged.
 TEST(SobolAdaptive, AnEdgeAndItsNeighboursTakeMoreSamplesThanTheRest) {
   const auto scene = make_render_scene(two_colours(3.3f, glm::vec3(0), glm::vec3(1)));
   const BlockResult r = render_small(*scene, adaptive(1.0 / 256.0, 4));
@@ -50,8 +50,8 @@ TEST(SobolAdaptive, AnEdgeAndItsNeighboursTakeMoreSamplesThanTheRest) {
   for (int y = 0; y < 8; ++y) EXPECT_NEAR(red_at(r, 3, y), 0.7, 4.0 / 256.0) << y;
 }
 
-// A wire of a 25th of a pixel, which the 16 samples of every third pixel miss.
-TEST(SobolAdaptive, WhatTheFirstSamplesMissIsFoundByTheNeighbours) {
+// A wire 1/25 pixel wide, which the 16 samples of every third pixel miss.
+TEST(SobolAdaptive, NeighboursFindWhatFirstSamplesMiss) {
   World world;
   add_card(world, {-9, -9}, {17, 17}, unlit(glm::vec3(0)));
   add_card(world, {3.51f, -9}, {3.55f, 17}, unlit(glm::vec3(1)), 0.5f);
@@ -63,7 +63,7 @@ TEST(SobolAdaptive, WhatTheFirstSamplesMissIsFoundByTheNeighbours) {
     if (red_at(few, 3, y) == 0.0f) ++missed;
     EXPECT_NEAR(red_at(many, 3, y), 0.04, 4.0 / 1024.0) << y;
   }
-  EXPECT_GT(missed, 0) << "or there is nothing to find";
+  EXPECT_GT(missed, 0) << "otherwise there is nothing to find";
 }
 
 TEST(SobolAdaptive, EndsAtItsLimits) {
@@ -83,11 +83,11 @@ TEST(SobolAdaptive, EqualsSobolWithAsManySamples) {
   const auto scene = gradient();
   const BlockResult all = render_small(*scene, adaptive(0.0, 3));
   const BlockResult sobol = render_small(*scene, settings_for(Method::sobol, 256));
-  // But for the order in which the samples are summed up.
+  // Up to the order of summation of the samples.
   for (int x = 0; x < 8; ++x) EXPECT_NEAR(red_at(all, x, 5), red_at(sobol, x, 5), 1e-6) << x;
 }
 
-TEST(SobolAdaptive, WhatIsWhiteAsShownIsDone) {
+TEST(SobolAdaptive, StopsAtDisplayedWhite) {
   const auto white = make_render_scene(two_colours(3.3f, glm::vec3(2), glm::vec3(9)));
   EXPECT_EQ(render_small(*white, adaptive(0.0, 8)).statistics.eye_rays, pixels * 16);
   const auto grey = make_render_scene(two_colours(3.3f, glm::vec3(0.5f), glm::vec3(9)));
@@ -97,8 +97,9 @@ TEST(SobolAdaptive, WhatIsWhiteAsShownIsDone) {
   EXPECT_EQ(render_small(*dark, adaptive(1.0 / 256.0, 4)).statistics.split_pixels, 24u);
 }
 
-// Neutral shows what is brighter than white by several steps: an edge between two such goes on.
-TEST(SobolAdaptive, WhatTheCurveTellsApartGoesOn) {
+// Neutral displays values above white with differences of several steps, so an edge between two of
+// them is refined.
+TEST(SobolAdaptive, RefinesDifferencesVisibleThroughTheCurve) {
   const auto bright = make_render_scene(two_colours(3.3f, glm::vec3(1.2f), glm::vec3(4)));
   RenderSettings settings = adaptive(1.0 / 4096.0, 4);
   EXPECT_EQ(render_small(*bright, settings).statistics.split_pixels, 0u);
@@ -132,7 +133,7 @@ struct SoftScene {
   }
 };
 
-/// What a picture is off another one as displayed: the mean over pixels, and the root mean square.
+/// Differences between two displayed pictures: mean over pixels, and RMS.
 struct Off {
   double mean = 0.0;
   double rms = 0.0;
@@ -163,9 +164,9 @@ TEST(SobolAdaptive, MeetsEpsAndIsNotBiasedBesideSobol) {
     sum += found.mean;
     squares += found.mean * found.mean;
   }
-  // The mean of the seeds' means has a standard error that they tell themselves; what the reference
-  // is off, which has 4096 samples where these have 16 and more, does not matter beside it. By
-  // Student's distribution with 15 degrees of freedom one in a thousand is beyond four of them.
+  // The standard error of the mean comes from the seeds' means. The reference's noise is
+  // negligible, because it has 4096 samples instead of 16 or more. By Student's distribution with
+  // 15 degrees of freedom one in a thousand differs by more than four standard errors.
   const double mean = sum / seeds;
   const double spread = std::sqrt((squares / seeds - mean * mean) / (seeds - 1));
   EXPECT_GT(spread, 0.0);

@@ -7,17 +7,17 @@
 #include <cmath>
 #include <optional>
 
-// The part of pixels that shows unlit surfaces, beside lit ones.
+// The fraction of pixels that shows unlit surfaces, next to lit ones.
 
 namespace asos {
 namespace {
 
-constexpr double slope = 0.37;     // of the half-plane's border
-constexpr double crossing = 3.21;  // of that border and the picture's left one, in pixels
+constexpr double slope = 0.37;     // slope of the half-plane's border
+constexpr double crossing = 3.21;  // its intersection with the picture's left border, in pixels
 const glm::vec3 unlit_orange(1.0f, 0.5f, 0.25f);
 const glm::vec3 glow(2.0f, 0.5f, 0.0f);
 
-/// Below the line y = crossing + slope x, in pixels, before a wall that glows.
+/// The half-plane below the line y = crossing + slope x, in pixels, in front of an emissive wall.
 World unlit_before_glow(const Material& material) {
   World world;
   const auto at = [](double x, double y) { return glm::vec3(glm::dvec3(x - 4.0, 4.0 - y, 0.0)); };
@@ -45,8 +45,8 @@ BlockResult render_apart(const RenderScene& scene, const RenderSettings& setting
   return result;
 }
 
-/// The largest error of the shares that are found. The colour has to be in proportion, and with
-/// the lit rest it has to be the radiance, within `rest`.
+/// The largest error of the fractions. The unlit colour has to be proportional to the fraction, and
+/// together with the lit rest it has to give the radiance, within `rest`.
 double share_error(const RenderSettings& settings, double rest) {
   const auto scene = test::make_render_scene(unlit_before_glow(test::unlit(unlit_orange)));
   const BlockResult result = render_apart(*scene, settings);
@@ -101,7 +101,7 @@ TEST(UnlitPart, OfABlendedSurfaceIsItsOpacity) {
   }
 }
 
-// A block that it fills needs no second pass, and shows its radiance.
+// A block that the surface fills needs no second pass, and has its radiance.
 TEST(UnlitPart, OfASurfaceThatFillsTheBlockIsAll) {
   World world;
   test::add_card(world, {-9, -9}, {17, 17}, test::unlit(unlit_orange));
@@ -114,7 +114,7 @@ TEST(UnlitPart, OfASurfaceThatFillsTheBlockIsAll) {
   }
 }
 
-// What a mirror shows is light.
+// A reflection is light, so it is not unlit.
 TEST(UnlitPart, IsNotSeenInMirrors) {
   Material mirror;
   mirror.base_color = glm::vec4(1.0f);

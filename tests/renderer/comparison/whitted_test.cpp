@@ -43,9 +43,9 @@ TEST(Whitted, AVerticalEdgeIsFoundToHalfASquare) {
         EXPECT_EQ(red_at(r, 3, y), 1.0f);
         EXPECT_EQ(red_at(r, 5, y), 0.0f);
       }
-      // Each level halves a column of 8 * 2^level squares: 3 rays in each, one between each two
-      // and at both ends. From level 6 on four pixels' squares are kept at a time, and the two
-      // halves of the column each take what lies on the line between them.
+      // Each level halves a column of 8 * 2^level squares: 3 new rays in each, one between two
+      // neighbours, and one at each end. From level 6 on the squares of four pixels are kept at a
+      // time, and both halves of the column trace the line between them.
       const auto levels = static_cast<unsigned>(depth);
       EXPECT_EQ(r.statistics.eye_rays,
                 81u + 32u * ((1u << levels) - 1u) + (depth < 6 ? levels : 2u * levels));
@@ -65,7 +65,7 @@ TEST(Whitted, ContrastIsThatOfTheCurve) {
 }
 
 TEST(Whitted, OnlyContrastAboveTheThresholdIsSplit) {
-  // Display intensities 0.5 and 0.56, to the sRGB curve.
+  // Display intensities of 0.5 and 0.56 with the sRGB curve.
   const float low = 0.21404f, high = 0.27396f;
   const auto scene = make_render_scene(two_colours(4.4f, {0.5f, low, 0.5f}, {0.5f, high, 0.5f}));
   RenderSettings settings = whitted(3);
@@ -75,7 +75,7 @@ TEST(Whitted, OnlyContrastAboveTheThresholdIsSplit) {
   EXPECT_EQ(render_small(*scene, settings).statistics.split_pixels, 8u);
 }
 
-// Soft shadows make every corner a random number of its own.
+// With soft shadows each corner uses its own random number.
 TEST(Whitted, ACornerDependsOnItsPlaceAndTheSeedAlone) {
   FlattenedScene still = still_life();
   Light ball;
@@ -101,7 +101,7 @@ TEST(Whitted, ACornerDependsOnItsPlaceAndTheSeedAlone) {
   EXPECT_NE(render_block(*scene, view, settings, {11, 20, 9, 7}).tile.radiance, part.tile.radiance);
 }
 
-/// A white rectangle before black, turned about its middle, in pixels.
+/// A white rectangle in front of black, rotated about its centre, in pixels.
 struct Needle {
   glm::dvec2 middle;
   glm::dvec2 half;
@@ -131,7 +131,7 @@ double all_red(const BlockResult& result) {
   return sum;
 }
 
-/// The share of the finest corners that it covers, as if all of the picture were split.
+/// The fraction of the finest corners that it covers if the whole picture is split.
 double covered(const Needle& needle, int depth) {
   const int side = 8 << depth;
   int count = 0;
@@ -152,7 +152,7 @@ TEST(Whitted, SpheresFindADotInEveryPlace) {
     const BlockResult found = render_small(*scene, whitted(depth, true));
     EXPECT_NEAR(all_red(found), covered(dot, depth), 1e-5) << at.x << ' ' << at.y;
     EXPECT_GT(all_red(found), 0.0);
-    // It is looked for in few pixels only.
+    // Only a few pixels are searched for it.
     EXPECT_LE(found.statistics.split_pixels, 16u);
 
     const glm::dvec2 in_pixel = at - glm::floor(at);
@@ -222,7 +222,7 @@ TEST(Whitted, SpheresOfWhatIsHiddenOrLargeSplitNothing) {
   EXPECT_NEAR(spheres[1].thickness, std::sqrt(0.02), 1e-6);
   EXPECT_FALSE(EnlargedSpheres(spheres, view, small_block).empty());
   EXPECT_TRUE(EnlargedSpheres(std::span(spheres).first(1), view, small_block).empty());
-  // Nor does one that lies far from the block.
+  // A sphere far from the block is ignored, too.
   EXPECT_TRUE(EnlargedSpheres(spheres, view, {400, 0, 8, 8}).empty());
 }
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// The curve at which a texture's alpha is the cut-off, against the alpha that rays look up.
+// The curve where a texture's alpha equals the cutoff, against the alpha that rays look up.
 
 namespace asos::test::alpha_contour_test {
 namespace {
@@ -42,7 +42,7 @@ double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// All pieces between two corners of the plane, in texels.
+/// All pieces of the curve within a rectangle, in texels.
 std::vector<ContourPiece> pieces_between(const AlphaContour& contour, glm::dvec2 lo, glm::dvec2 hi,
                                          double tolerance) {
   std::vector<ContourCell> cells;
@@ -56,9 +56,9 @@ std::vector<ContourPiece> pieces_between(const AlphaContour& contour, glm::dvec2
 
 class ContourOf : public testing::TestWithParam<Case> {};
 
-// From a place that is cut out to one that is not there is an odd number of crossings, however one
-// goes; between places of one sort, an even one.
-TEST_P(ContourOf, PartsWhatIsCutOutFromWhatIsNot) {
+// A path between a transparent and an opaque point crosses the curve an odd number of times; one
+// between points of the same kind, an even number.
+TEST_P(ContourOf, SeparatesOpaqueFromTransparent) {
   constexpr double tolerance = 1e-4;
   for (const Wrap wrap_u : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
     for (const Wrap wrap_v : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
@@ -80,11 +80,11 @@ TEST_P(ContourOf, PartsWhatIsCutOutFromWhatIsNot) {
           const auto place = [&] {
             return glm::dvec2(random.between(lo.x, hi.x), random.between(lo.y, hi.y));
           };
-          // Half of them begin near the image's middle, where the dot is.
+          // Half of the points start near the image's centre, where the dot is.
           const glm::dvec2 p =
               i % 2 ? place() : glm::dvec2(random.between(2, 4), random.between(1, 3));
           const glm::dvec2 q = place();
-          // Rounding decides so near to the curve.
+          // Very close to the curve rounding decides.
           const auto unsure = [&](glm::dvec2 at) {
             for (const glm::dvec2 off : {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}})
               if ((alpha(at + 1e-3 * off) >= cutoff) != (alpha(at) >= cutoff)) return true;
@@ -108,8 +108,8 @@ TEST_P(ContourOf, PartsWhatIsCutOutFromWhatIsNot) {
   }
 }
 
-// Middles of pieces lie no farther from the curve than the tolerance, and twice as fine pieces show
-// that it is what decides.
+// The centres of pieces are within the tolerance of the curve; with half the tolerance there are
+// more pieces, so it is the tolerance that decides.
 TEST_P(ContourOf, StaysWithinTheTolerance) {
   World world;
   const int texture = add_texture(world, image_of(GetParam()), Wrap::repeat, Filter::linear);
@@ -138,8 +138,8 @@ TEST_P(ContourOf, StaysWithinTheTolerance) {
 INSTANTIATE_TEST_SUITE_P(Textures, ContourOf, testing::ValuesIn(cases),
                          [](const auto& tested) { return tested.param.name; });
 
-// A checkerboard at half its alpha: the curve's arcs meet in the middle between four texels.
-TEST(AlphaContour, IsTwoLinesWhereSaddlesLieOnIt) {
+// A checkerboard at half its alpha: the curve's arcs meet halfway between four texels.
+TEST(AlphaContour, SplitsSaddlesIntoTwoLines) {
   Texture sampler;
   const Image image = make_image(2, 2, [](int x, int y) -> Texel {
     return {0, 0, 0, static_cast<std::uint8_t>(x == y ? 254 : 0)};

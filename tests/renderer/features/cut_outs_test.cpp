@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-// Outlines of cut-outs on the triangles that show them, against the opacity that rays ask for.
+// Outlines of cut-outs on triangles, against the opacity that rays look up.
 
 namespace asos::test::cut_outs_test {
 namespace {
@@ -37,8 +37,8 @@ Material leaves(World& world, Wrap wrap, Filter filter) {
   return material;
 }
 
-/// A fan of triangles around a point of the plane z = 0, in the unit square's outline, whose
-/// texture coordinates go 1.7 times and 2.3 times around the image.
+/// A fan of triangles around a point of the plane z = 0, within the unit square. The image repeats
+/// 1.7 times and 2.3 times.
 World fan(Wrap wrap, Filter filter) {
   World world;
   Material material = leaves(world, wrap, filter);
@@ -56,7 +56,7 @@ double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// Whether rays meet the fan at a point of the unit square.
+/// Whether a ray hits the fan at a point of the unit square.
 bool solid(const World& world, glm::dvec2 p) {
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
     const glm::uvec3 v = world.triangles[t];
@@ -70,7 +70,7 @@ bool solid(const World& world, glm::dvec2 p) {
   return false;
 }
 
-TEST(CutOuts, LinesPartHolesFromWhatRaysMeet) {
+TEST(CutOuts, LinesSeparateHolesFromOpaqueParts) {
   for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
     for (const Filter filter : {Filter::linear, Filter::nearest}) {
       const World world = fan(wrap, filter);
@@ -103,7 +103,7 @@ TEST(CutOuts, LinesPartHolesFromWhatRaysMeet) {
   }
 }
 
-/// A bent sheet of n x n quadrilaterals of all shapes over the unit square.
+/// A curved sheet of n x n quadrilaterals of various shapes over the unit square.
 World sheet(int n) {
   World world;
   const Material material = leaves(world, Wrap::repeat, Filter::linear);
@@ -131,8 +131,8 @@ World sheet(int n) {
   return world;
 }
 
-// Inside of the surface an outline goes on, across triangles' sides, too: each of its ends is that
-// of another line, to the bit. At the surface's rim it ends.
+// Outlines continue across triangles: each end within the surface coincides with the end of another
+// line, bit by bit. At the surface's border they end.
 TEST(CutOuts, LinesJoinToTheBit) {
   for (const World& world : {fan(Wrap::repeat, Filter::linear), sheet(40)}) {
     const CutOuts found = find_cut_outs(world);
@@ -164,8 +164,8 @@ TEST(CutOuts, StandOnTheTriangles) {
   EXPECT_FALSE(features.opacity_unbounded());
 }
 
-// What has no outline is said to have none, and gets no line.
-TEST(CutOuts, LeaveToSamplesWhatTheyDoNotOutline) {
+// Cut-outs without an outline are marked as such and get no lines.
+TEST(CutOuts, MarkCutOutsWithoutOutlineForSampling) {
   const auto left_out = [](World world, const CutOutBudget& budget = {}) {
     const CutOuts found = find_cut_outs(world, budget);
     EXPECT_TRUE(found.lines.empty());
@@ -173,13 +173,13 @@ TEST(CutOuts, LeaveToSamplesWhatTheyDoNotOutline) {
   };
   EXPECT_TRUE(left_out(fan(Wrap::repeat, Filter::linear), {.lines = 15}));
   EXPECT_TRUE(left_out(fan(Wrap::repeat, Filter::linear), {.looks = 30}));
-  // Alpha that differs between a triangle's corners.
+  // Alpha that differs between the corners of a triangle.
   World coloured = fan(Wrap::repeat, Filter::linear);
   coloured.colors.assign(coloured.positions.size(), glm::vec4(1.0f));
   EXPECT_FALSE(find_cut_outs(coloured).lines.empty());
   coloured.colors[4].a = 0.5f;
   EXPECT_TRUE(left_out(coloured));
-  // Coordinates that say nothing.
+  // Invalid texture coordinates.
   for (const float wild :
        {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 1e30f}) {
     World world = fan(Wrap::repeat, Filter::linear);
@@ -187,23 +187,23 @@ TEST(CutOuts, LeaveToSamplesWhatTheyDoNotOutline) {
     EXPECT_TRUE(left_out(world)) << wild;
     EXPECT_TRUE(FeatureSet(world).cut_outs_unbounded());
   }
-  // More repetitions than anybody could look at.
+  // More repetitions than the limit.
   World endless = fan(Wrap::repeat, Filter::linear);
   endless.materials[0].base_color_texture.uv_transform *= 1e6f;
   EXPECT_TRUE(left_out(endless));
-  // A line of the texture across the surface.
+  // A texture degenerated to a line across the surface.
   World line = fan(Wrap::repeat, Filter::linear);
   for (glm::vec2& uv : line.texcoords[0]) uv.y = 0.0f;
   EXPECT_TRUE(left_out(line));
-  // Without masks there is nothing to say.
+  // Without masks there is nothing to outline.
   World plain = fan(Wrap::repeat, Filter::linear);
   plain.materials[0].alpha_mode = AlphaMode::blend;
   EXPECT_TRUE(find_cut_outs(plain).outlined.empty());
   EXPECT_TRUE(FeatureSet(plain).opacity_unbounded());
 }
 
-// A side is hidden where no place of it is met; an edge is dropped where no face of it is.
-/// A thousand leaves, each of which shows the image several times over.
+// A side is hidden where its points are transparent; an edge is dropped if all of its faces are.
+/// A thousand leaves, each with several repetitions of the image.
 void add_thicket(World& world, const Material& material) {
   constexpr float times = 4.0f;
   std::vector<TinyVertex> vertices;
@@ -218,8 +218,8 @@ void add_thicket(World& world, const Material& material) {
   add_part(world, vertices, triangles, material);
 }
 
-// Trees of which each has too many lines take little of what the others may look at.
-TEST(CutOuts, WhatHasFarTooManyLinesLeavesTheOthersTheirLooks) {
+// Trees with too many lines use up little of the budget for the others.
+TEST(CutOuts, ComplexCutOutsLeaveBudgetForOthers) {
   World world = fan(Wrap::repeat, Filter::linear);
   const Material material = world.materials[0];
   world = World{};
@@ -238,11 +238,11 @@ TEST(CutOuts, WhatHasFarTooManyLinesLeavesTheOthersTheirLooks) {
   EXPECT_GT(found.lines.size(), 100u);
 }
 
-TEST(CutOuts, TellWhichSidesAreCutOut) {
+TEST(CutOuts, FindTransparentSides) {
   World world;
   Material material = matte({1, 1, 1});
   material.alpha_mode = AlphaMode::mask;
-  // Cut out but for a spot that reaches the right side.
+  // Transparent except for a spot that reaches the right side.
   material.base_color_texture.texture = add_texture(
       world,
       make_image(8, 8,
@@ -263,16 +263,16 @@ TEST(CutOuts, TellWhichSidesAreCutOut) {
     }
   }
   EXPECT_EQ(FeatureSet(world).counts().open, 1u) << "the right side alone";
-  // Of another card behind it that is whole, all sides are there.
+  // All sides of an opaque card behind it are kept.
   add_quad(world, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
   EXPECT_EQ(FeatureSet(world).counts().open, 5u);
-  // Beside one that is whole an edge is there, too.
+  // The edge shared with an opaque card is kept, too.
   add_quad(world, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
   EXPECT_EQ(FeatureSet(world).counts().open + FeatureSet(world).counts().seam, 9u);
 }
 
-// Sides that run through the outer halves of a texture's first and last texels.
-TEST(CutOuts, SayOfNoSideThatIsMetThatItIsCutOut) {
+// Sides through the outer halves of a texture's first and last texels.
+TEST(CutOuts, VisibleSidesAreNeverDropped) {
   for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
     World world;
     Material material = matte({1, 1, 1});
@@ -289,7 +289,7 @@ TEST(CutOuts, SayOfNoSideThatIsMetThatItIsCutOut) {
   }
 }
 
-// Without a texture, or where all of it is kept, nothing is cut out.
+// Without a texture, or with an opaque one, nothing is cut out.
 TEST(CutOuts, NeedNoLinesWhereNothingIsCutOut) {
   World world = fan(Wrap::repeat, Filter::linear);
   world.materials[0].alpha_cutoff = 0.0f;

@@ -38,7 +38,7 @@ TEST(Features, ASmoothCubeHasTwelveSilhouetteCandidatesAndOneSheet) {
   for (std::uint32_t t = 1; t < 12; ++t) EXPECT_EQ(features.sheet(t), features.sheet(0));
 }
 
-// Walls modelled twice, the second time turned over.
+// Duplicated walls, with the second copy flipped.
 TEST(Features, WallsModelledTwiceCountOnce) {
   const auto twice = [](auto&& change) {
     World world = cube(true);
@@ -60,7 +60,7 @@ TEST(Features, WallsModelledTwiceCountOnce) {
                 .counts()
                 .open,
             0u);
-  // Those that look different stay: all the diagonals and edges have four faces.
+  // Copies that look different stay: all diagonals and edges have four faces.
   const auto repainted = twice([](World& second, World& all) {
     all.materials[1].metallic = 0.3f;
     second.parts[0].material = 1;
@@ -81,7 +81,7 @@ TEST(Features, AWallModelledTwiceByItselfHasItsOutline) {
   EXPECT_EQ(features.edges().size(), 4u);
 }
 
-// How neighbours are wound says nothing, where both of their sides show.
+// The winding of neighbours does not matter if both of their sides are visible.
 TEST(Features, FlippedFacesHaveTheSameEdges) {
   std::mt19937 random(2);
   for (const bool smooth : {false, true}) {
@@ -105,7 +105,7 @@ TEST(Features, FlippedFacesHaveTheSameEdges) {
   }
 }
 
-// From either side just one of them is there.
+// From either side only one of them is visible.
 TEST(Features, ASingleSidedFaceBesideOneThatIsTurnedOverBounds) {
   const auto diagonals = [](bool double_sided, const std::vector<glm::uvec3>& triangles) {
     World world = empty_world();
@@ -119,10 +119,10 @@ TEST(Features, ASingleSidedFaceBesideOneThatIsTurnedOverBounds) {
   const std::vector<glm::uvec3> turned{{0, 1, 2}, {0, 3, 2}};
   EXPECT_EQ(diagonals(false, turned), 1u);
   EXPECT_EQ(diagonals(true, turned), 0u);
-  // With a copy turned over a face shows from both sides; its neighbour does not.
+  // With a flipped copy a face is visible from both sides; its neighbour is not.
   EXPECT_EQ(diagonals(false, {{0, 1, 2}, {0, 2, 1}, {0, 2, 3}}), 1u);
   EXPECT_EQ(diagonals(false, {{0, 1, 2}, {0, 2, 1}, {0, 2, 3}, {0, 3, 2}}), 0u);
-  // A copy that is wound alike adds nothing.
+  // A copy with the same winding adds nothing.
   EXPECT_EQ(diagonals(false, {{0, 1, 2}, {1, 2, 0}, {0, 2, 3}}), 0u);
 }
 
@@ -134,8 +134,8 @@ TEST(Features, MoreThanTwoFacesAtAnEdgeAlwaysBound) {
   EXPECT_EQ(features.counts().open, 7u);
 }
 
-// The sheet of the face on a side is that of a triangle of which the edge is a side, with that
-// third vertex. The hierarchy has reordered the edges.
+// The surface on a side of an edge is that of the triangle with this edge and that third vertex.
+// The hierarchy has reordered the edges.
 TEST(Features, AnEdgeKnowsTheSheetsOfItsFaces) {
   World world = cube(false);
   add_part(world, {{5, 5, 5}, {7, 5, 5}, {5, 7, 5}}, {up[0], up[0], up[0]}, {{0, 1, 2}});
@@ -182,8 +182,8 @@ TEST(Features, AnEdgeOfThreeFacesKnowsTheFirstTwo) {
   EXPECT_EQ(shared, 1u);
 }
 
-// How far the surface goes beyond a face's plane before it can end: a whole neighbouring face of
-// the cube, and nowhere where it ends at a crease.
+// How far a surface may leave a face's plane before it can end: a whole neighbouring face of the
+// cube, but not beyond a crease.
 TEST(Features, ASmoothSurfaceDepartsFromItsTrianglesPlanes) {
   const World smooth = cube(true), creased = cube(false);
   const FeatureSet bent(smooth), flat(creased);
@@ -191,7 +191,7 @@ TEST(Features, ASmoothSurfaceDepartsFromItsTrianglesPlanes) {
     EXPECT_FLOAT_EQ(bent.deviation(t), 2.0f);
     EXPECT_EQ(flat.deviation(t), 0.0f);
   }
-  // A roof that falls by 3 in 4 on one side, and on that side twice modelled.
+  // A roof that falls by 3 in 4 on one side, which is modelled twice.
   World roof = empty_world();
   roof.materials[0].double_sided = true;
   add_part(roof, {{0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, -4, -3}},
@@ -227,7 +227,7 @@ TEST(Features, AnEmptyWorldHasNone) {
   EXPECT_TRUE(features.nodes().empty());
 }
 
-// Every edge lies in exactly one leaf, and inside all the boxes above it.
+// Every edge is in exactly one leaf, and inside all boxes above it.
 TEST(Features, TheHierarchyHoldsEveryEdgeOnce) {
   const World world = cube(false);
   World many = empty_world();

@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-// Worlds of a few triangles for the tests of features: no bounds, and attributes only where wanted.
+// Worlds of a few triangles for tests of features: without bounds, and with attributes only if
+// needed.
 
 namespace asos::test {
 

@@ -103,7 +103,7 @@ glm::mat3 random_turn(std::mt19937& random) {
   return {x, y, glm::cross(x, y)};
 }
 
-// Sheets that overlap in one plane, turned and moved so that their corners are rounded.
+// Overlapping sheets in one oblique plane, whose corners are rounded.
 TEST(Intersections, CoplanarOverlapsHaveNoneHoweverTheyAreTurned) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
@@ -123,9 +123,9 @@ TEST(Intersections, CoplanarOverlapsHaveNoneHoweverTheyAreTurned) {
   }
 }
 
-// One long edge beside two short ones, flat or bent: the middle corner lies on the long edge. Where
-// both sides hang down from it they may be said to cross along the edges themselves, which bound
-// anyway.
+// One long edge along two short ones, flat or bent, with the middle corner on the long edge. If
+// both sides hang down from it, intersections along the edges themselves are allowed, which are
+// boundaries anyway.
 TEST(Intersections, TJunctionsHaveNoneButAlongTheJunction) {
   std::mt19937 random(6);
   std::uniform_real_distribution<float> unit(0.1f, 0.9f);
@@ -177,7 +177,7 @@ TEST(Intersections, TrianglesThatShareOneCornerCanCrossFromThere) {
   EXPECT_NEAR(total_length(found), 3.0, 1e-6);
 }
 
-// The pairs that share a corner, and no edge, in closed meshes that do not pass through themselves.
+// Pairs that share a corner but no edge, in closed meshes without self-intersections.
 TEST(Intersections, NeighboursAtACornerHaveNone) {
   World world;
   std::mt19937 random(7);
@@ -202,7 +202,7 @@ TEST(Intersections, NeighboursAtACornerHaveNone) {
   EXPECT_TRUE(intersections_of(world, plenty).lines.empty());
 }
 
-// A small thing that stands a little in a floor of kilometres.
+// A small object that intersects a floor of kilometres.
 TEST(Intersections, TheSizeOfTheOtherTriangleHidesNothing) {
   PolygonScene scene;
   scene.add({{-4000, -1.04f, -4000}, {4000, -1.04f, -4000}, {0, -1.04f, 4000}});
@@ -210,7 +210,7 @@ TEST(Intersections, TheSizeOfTheOtherTriangleHidesNothing) {
   EXPECT_NEAR(total_length(intersections_of(scene.world, plenty)), 2 * (0.002 + 0.003), 1e-7);
 }
 
-// All boxes overlap all others: given up after a look at some of them, and always.
+// All boxes overlap all others: the search gives up after a limited number of tests, reproducibly.
 TEST(Intersections, ASceneOfNothingButOverlapsIsGivenUp) {
   std::mt19937 random(8);
   std::uniform_real_distribution<float> unit(0.0f, 0.01f);
@@ -223,7 +223,7 @@ TEST(Intersections, ASceneOfNothingButOverlapsIsGivenUp) {
   EXPECT_FALSE(intersections_of(world, IntersectionBudget::of(world)).complete);
 }
 
-// Sixty walls through sixty others: far more lines than triangles, and all of them are edges.
+// Sixty walls through sixty others: far more lines than triangles, all kept as edges.
 TEST(Intersections, AHeapOfFewTrianglesKeepsItsLines) {
   PolygonScene scene;
   constexpr int walls = 60;
@@ -237,7 +237,7 @@ TEST(Intersections, AHeapOfFewTrianglesKeepsItsLines) {
   EXPECT_NEAR(total_length(found), walls * walls * 2.0, 1e-3 * walls * walls);
 }
 
-// Triangles that meet at a hub make pairs with each other; they cross nowhere.
+// Triangles that meet at a hub form many pairs, but intersect nowhere.
 World fans(int sides, bool closed_at_tips, float slant) {
   World world;
   const auto angle = [&](int i) {
@@ -277,14 +277,14 @@ TEST(Intersections, ThePairsHaveABudgetToo) {
   PolygonScene scene;
   for (int i = 0; i < 100; ++i) {
     const float y = 0.01f * static_cast<float>(i);
-    scene.add({{-1, y, -1}, {1, y + 1, -1}, {0, y, 1}});  // parallel, so without lines
+    scene.add({{-1, y, -1}, {1, y + 1, -1}, {0, y, 1}});  // parallel, so there are no lines
   }
   // All 4,950 pairs overlap.
   EXPECT_TRUE(intersections_of(scene.world, {0, 4950}).complete);
   EXPECT_FALSE(intersections_of(scene.world, {0, 4949}).complete);
 }
 
-// Against every pair, on random triangles; and twice the same.
+// Against testing every pair, on random triangles; and twice with the same result.
 TEST(Intersections, FindEveryCrossingPair) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
@@ -300,7 +300,7 @@ TEST(Intersections, FindEveryCrossingPair) {
   std::size_t pairs = 0;
   for (std::uint32_t s = 0; s < 400; ++s) {
     for (std::uint32_t t = s + 1; t < 400; ++t) {
-      // Two triangles cross if an edge of one passes through the inside of the other.
+      // Two triangles intersect if an edge of one passes through the interior of the other.
       const auto pierces = [&](std::uint32_t x, std::uint32_t y) {
         const auto corner = [&](std::uint32_t n, int k) {
           return glm::dvec3(scene.world.positions[scene.world.triangles[n][k]]);
@@ -335,7 +335,7 @@ TEST(Intersections, BecomeFeatureEdges) {
   EXPECT_TRUE(features.intersections_complete());
   for (const FeatureEdge& e : features.edges()) {
     if (e.kind != FeatureKind::intersection) continue;
-    // The floor comes first; a side of the box is the other.
+    // The first side is the floor's surface, the other one the box's.
     EXPECT_EQ(e.left_sheet, features.sheet(0));
     EXPECT_NE(e.right_sheet, features.sheet(0));
     EXPECT_NE(e.right_sheet, FeatureEdge::none);

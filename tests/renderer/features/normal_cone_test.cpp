@@ -36,7 +36,7 @@ TEST(NormalCone, HoldsAllThatItWasMergedOf) {
                          b = random_normal(rng, around, spread);
         normals.push_back(a);
         normals.push_back(b);
-        // Turned over every other time, which is the same double cone.
+        // Every other direction is reversed, which gives the same double cone.
         NormalCone of = cone_of(a, b);
         if (i % 2 == 1) of.axis = -of.axis;
         whole = merge(whole, of);
@@ -53,7 +53,7 @@ TEST(NormalCone, HoldsAllThatItWasMergedOf) {
   EXPECT_GT(narrow, 1000);
 }
 
-// Of two cones, by arcs: half of both angles and of what lies between.
+// The smallest cone around two cones, by arcs: half of both angles and of the angle between.
 TEST(NormalCone, OfTwoIsTheSmallest) {
   std::mt19937 rng(8);
   std::uniform_real_distribution<double> angle(0.0, 0.5 * std::numbers::pi);

@@ -21,7 +21,7 @@ namespace {
 
 using Pairs = std::multiset<std::pair<std::uint32_t, std::uint32_t>>;
 
-// Small triangles all over, a few that are as large as the world, and some flat ones that touch.
+// Small triangles everywhere, a few as large as the world, and some coplanar ones that touch.
 World scattered(std::size_t triangles, float scale) {
   World world;
   std::mt19937 random(7);
@@ -80,8 +80,8 @@ TEST(BoxTree, StopsWhereTheVisitorHasSeenEnough) {
   EXPECT_EQ(visits, 3);
 }
 
-/// The house has chains of edges. Alone where the thread sanitizer watches: it does not see what
-/// TBB's tasks wait for, and looks into all that one of them reads of another's.
+/// The house has chains of edges. Only this scene under the thread sanitizer, which does not
+/// understand the synchronisation of TBB's tasks and is slow with their reads.
 std::vector<std::string> scenes() {
   if (sanitized) return {"builtin:house"};
   return {"builtin:house", "builtin:mixed"};

@@ -51,7 +51,7 @@ TEST(ShapeIntersections, ShapesThatCoincideHaveNone) {
   }
 }
 
-// What is dropped where surfaces coincide must not hide where they cross.
+// Dropping coincident surfaces must not drop their intersection.
 TEST(ShapeIntersections, ShapesThatNearlyCoincideCrossInOneLine) {
   for (const double apart : {1e-6, 1e-3, 0.5}) {
     const ShapeIntersections found =
@@ -65,7 +65,7 @@ TEST(ShapeIntersections, ShapesThatNearlyCoincideCrossInOneLine) {
   }
 }
 
-// Sixty-four spheres in one place took twenty seconds, for lines of rounding errors.
+// Sixty-four spheres in one place once took twenty seconds, because of lines from rounding errors.
 TEST(ShapeIntersections, ManyShapesInOnePlaceHaveNoBoundaryBetweenThem) {
   World world;
   for (int i = 0; i < 64; ++i) add_shape(world, sphere(1), moved(0.1, 0.2, 0.3), {});

@@ -57,8 +57,8 @@ TEST(SurfaceLook, MaterialsThatDifferInNothingVisibleMeetInNoSeam) {
   EXPECT_EQ(seams([](World& w) { w.materials[1].base_color_texture.texture = -1; }), 1u);
 }
 
-// Two squares side by side whose texture coordinates jump between them by (0.5, 0): a texture with
-// this period hides it. `texture` is looked up at (u, v).
+// Two adjacent squares whose texture coordinates jump by (0.5, 0): a texture with this period hides
+// the jump. `texture` is a function of (u, v).
 std::uint64_t seams_of_jump(TextureAt texture, const Material& material) {
   World world = empty_world();
   world.materials[0] = material;
@@ -98,7 +98,7 @@ TEST(SurfaceLook, AJumpOfTextureCoordinatesThatDoesNotShowIsNoSeam) {
   EXPECT_EQ(seams_of_jump(periodic, emissive), 0u);
 }
 
-// One texel in 64 along the edge shows the jump.
+// The jump is visible in one texel of 64 along the edge.
 TEST(SurfaceLook, AJumpThatShowsInOneTexelIsASeam) {
   Material textured;
   textured.base_color_texture.texture = 0;
@@ -120,7 +120,7 @@ TEST(SurfaceLook, TextureCoordinatesCountOnlyWhereATextureUsesThem) {
   for (const bool textured : {false, true}) {
     World world = empty_world();
     if (textured) world.materials[0].base_color_texture.texture = 0;
-    // Two squares side by side with coordinates that jump between them.
+    // Two adjacent squares with a jump of the coordinates.
     std::vector<glm::vec3> positions = square, normals(8, glm::vec3(0, 0, 1));
     for (const glm::vec3& p : square) positions.push_back(p + glm::vec3(1, 0, 0));
     add_part(world, positions, normals, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});

@@ -41,7 +41,7 @@ TEST(ReadFile, RefusesWhatIsNoRegularFileAtOnce) {
 TEST(ReadFile, JudgesSizeAndHeadBeforeTheRest) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("large", "magic");
-  // A hole of a terabyte: who reads it is found out.
+  // A sparse file of a terabyte: reading it would be noticed.
   std::filesystem::resize_file(path, std::uintmax_t{1} << 40);
   EXPECT_EQ(refusal(path, {1000}), "has 1099511627776 bytes; the limit is 1000");
   FileRules rules{std::uint64_t{1} << 41};

@@ -22,7 +22,7 @@ std::string attribute(const std::string& type, const std::string& value, std::ui
   return "a" + std::string(1, '\0') + type + std::string(1, '\0') + word(claimed) + value;
 }
 
-/// A file that was written, with more at the head of its header.
+/// A written file with additional bytes at the start of its header.
 std::string with_attribute(const std::string& whole, const std::string& attribute) {
   return whole.substr(0, 8) + attribute + whole.substr(8);
 }
@@ -31,7 +31,7 @@ std::string fault_of(const std::string& file) {
   return fault_of_exr_claims({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()});
 }
 
-/// The most memory that this process has had.
+/// Peak memory of this process.
 double peak_mb() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -50,7 +50,7 @@ class ExrClaims : public testing::Test {
   std::string whole_;
 };
 
-TEST_F(ExrClaims, OfWhatIsThereAreFine) {
+TEST_F(ExrClaims, HonestSizesAreAccepted) {
   EXPECT_EQ(fault_of(whole_), "");
   EXPECT_EQ(fault_of(with_attribute(whole_, attribute("string", "abc", 3))), "");
   const auto read = read_exr(folder_.file("whole.exr"));
@@ -76,7 +76,7 @@ TEST_F(ExrClaims, OfMoreThanTheFileHoldsAreRefusedBeforeMemoryIsTaken) {
 }
 
 TEST_F(ExrClaims, OfPixelsThatNoCompressionCouldHoldAreRefusedBeforeMemoryIsTaken) {
-  // The window's last corner: 20,000 x 10,000.
+  // The data window's last corner: 20,000 x 10,000.
   std::string huge = whole_;
   const std::size_t at = huge.find("dataWindow") + sizeof "dataWindow" + sizeof "box2i" + 4;
   huge.replace(at + 8, 8, word(19999) + word(9999));
@@ -93,7 +93,7 @@ TEST_F(ExrClaims, CutOffAnywhereAreNoHarm) {
   ASSERT_NE(header, std::string::npos);
   for (std::size_t size = 0; size < header; ++size)
     EXPECT_NE(fault_of(whole_.substr(0, size)), "") << size;
-  // Of several parts, each is looked at.
+  // Every part of a multi-part file is checked.
   std::string parts = whole_.substr(0, header);
   parts[5] = 0x10;
   const std::string second = attribute("string", "", 0x7fffffffu);

@@ -73,7 +73,7 @@ TEST(FinishedTile, CopiesThePixelsThatTwoShare) {
   EXPECT_EQ(to.cause[2], SplitCause::crease);
   EXPECT_EQ(to.cause[4], SplitCause::none);
   EXPECT_EQ(to.seconds, (std::vector<float>{5, 0, 0, 5, 5, 5})) << "not told";
-  // Costs that are not kept are left out, and tiles that share nothing are left as they are.
+  // Costs that are not stored are skipped, and tiles without overlap change nothing.
   to.rays.clear();
   copy_pixels(tile_at({10, 20, 1, 1}, 3.0f), to);
   copy_pixels(tile_at({13, 20, 4, 4}, 4.0f), to);
@@ -98,7 +98,7 @@ TEST(SplitMap, CostsHaveAbsoluteLogarithmicScales) {
     for (int v = 1; v <= 255; ++v) {
       const glm::u8vec3 c = key.colour(static_cast<std::uint8_t>(v));
       const int sum = c.x + c.y + c.z;
-      EXPECT_GE(sum, before - 1) << v << ": each of the three is rounded";
+      EXPECT_GE(sum, before - 1) << v << ": three roundings";
       before = sum;
     }
   }
@@ -139,7 +139,7 @@ TEST(Display, BytesAreTheRoundedCurve) {
   for (int i = 0; i < 100000; ++i) {
     const float x = i < 5000 ? static_cast<float>(i) * 1e-6f : d(rng);
     const float exact = 255.0f * display_rgb(glm::vec3(x), 0.0f).r;
-    // Within float's error of a half the two may round to either side.
+    // Within float rounding of one half, the two may round differently.
     const float to_half = std::abs(exact - std::floor(exact) - 0.5f);
     if (to_half < 1e-3f) continue;
     EXPECT_EQ(display_bytes(glm::vec3(x), 0.0f).r, static_cast<int>(exact + 0.5f)) << x;
@@ -175,7 +175,7 @@ TEST(SplitColour, IsTheMapsColour) {
   EXPECT_EQ(split_words(0, SplitCause::none), "not split");
   EXPECT_EQ(split_words(0, SplitCause::crease), "exact, crease, seam");
   EXPECT_EQ(split_words(4, SplitCause::shading), "level 4, shading");
-  EXPECT_EQ(split_words(2, SplitCause::none), "level 2") << "of a method that tells no causes";
+  EXPECT_EQ(split_words(2, SplitCause::none), "level 2") << "the method records no causes";
 }
 
 TEST(Statistics, AddUp) {

@@ -30,7 +30,7 @@ class HdrFile : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-/// A packed row: its mark, then four channels that are given whole.
+/// A run-length encoded row: its header, then the given bytes of four channels.
 std::string packed(int width, const std::vector<std::string>& channels) {
   std::string row{'\x02', '\x02', static_cast<char>(width >> 8), static_cast<char>(width & 255)};
   for (const std::string& channel : channels) row += channel;
@@ -38,14 +38,14 @@ std::string packed(int width, const std::vector<std::string>& channels) {
 }
 
 TEST_F(HdrFile, PackedRowsHoldRunsAndWhatIsNone) {
-  // Ten pixels: a run of 10 of 128; one by one; a run of 4, then 6; a run of 10.
+  // Ten pixels per channel: a run of 10 of 128; single values; runs of 4 and 6; a run of 10.
   const std::string bytes =
       head(10, 1) + packed(10, {"\x8a\x80", "\x0a\x01\x02\x03\x04\x05\x06\x07\x08\x09\x0a",
                                 "\x84\x08\x06\x01\x01\x01\x01\x01\x40", "\x8a\x88"});
   const auto image = read(bytes);
   ASSERT_TRUE(image) << image.error().message();
   ASSERT_EQ(image->pixels.size(), 10u);
-  // The exponent 136 makes a unit of every mantissa.
+  // With the exponent 136 a value equals its mantissa.
   for (std::size_t x = 0; x < 10; ++x) {
     EXPECT_EQ(radiance_of(image->pixels[x]).r, 128.0f);
     EXPECT_EQ(radiance_of(image->pixels[x]).g, static_cast<float>(x + 1));
@@ -70,7 +70,7 @@ TEST_F(HdrFile, FlatRowsAreReadAndMayRepeatPixels) {
 
 TEST_F(HdrFile, RunsThatDoNotEndAreRefused) {
   using std::string_literals::operator""s;
-  // A length of 0 takes a reader that trusts it nowhere, for ever.
+  // A run length of 0 would make a naive reader loop for ever.
   const std::string row = packed(8, {});
   EXPECT_NE(refusal(head(8, 1) + row + std::string(64, '\0')).find("row 0"), std::string::npos);
   EXPECT_NE(refusal(head(8, 1) + row + "\x80"s).find("row 0"), std::string::npos);
@@ -102,12 +102,12 @@ TEST_F(HdrFile, TheSizeIsAskedAboutBeforeThePicture) {
 }
 
 TEST_F(HdrFile, SoManyPixelsInSoFewBytesAreRefused) {
-  // Rows without any bytes would be told first.
+  // Rows without any bytes would fail earlier.
   const std::string rows(4 * 5792, '\0');
   EXPECT_NE(refusal(head(11584, 5792) + rows).find("has 11584 x 5792 pixels in "),
             std::string::npos);
   EXPECT_NE(refusal(head(8192, 4096) + rows).find("row 0 is damaged"), std::string::npos)
-      << "these are read from files of any size";
+      << "accepted for any file size";
 }
 
 TEST_F(HdrFile, WhatPixelsWereMultipliedByIsUndone) {
@@ -119,7 +119,7 @@ TEST_F(HdrFile, WhatPixelsWereMultipliedByIsUndone) {
     return image ? image->scale : glm::vec3(0.0f);
   };
   EXPECT_EQ(scale(""), glm::vec3(1.0f));
-  // All of them count, and those of each channel beside those of all.
+  // All EXPOSURE lines multiply, and so do those of single channels.
   EXPECT_EQ(scale("EXPOSURE=4\nEXPOSURE= 5.0e-1\n"), glm::vec3(0.5f));
   EXPECT_EQ(scale("COLORCORR= 2 4 0.5\nEXPOSURE=2\r\n"), glm::vec3(0.25f, 0.125f, 1.0f));
   for (const char* line :

@@ -13,7 +13,7 @@
 namespace asos {
 namespace {
 
-/// A folder that goes with the test; its name has a space and a letter beyond ASCII.
+/// Has a temporary folder whose name contains a space and a non-ASCII letter.
 class ImageIo : public testing::Test {
  protected:
   void SetUp() override {
@@ -73,8 +73,8 @@ TEST_F(ImageIo, PngComesBackWithItsText) {
 }
 
 TEST_F(ImageIo, TextChunksHaveTheirChecksums) {
-  // The chunk of the specification's own example of a CRC: IEND's is AE 42 60 82. Ours are checked
-  // by a plain bitwise twin.
+  // The CRC of the specification's example, the IEND chunk, is AE 42 60 82. Others are checked by a
+  // bitwise implementation.
   RgbImage image = gradient(2, 2);
   image.text = words;
   ASSERT_TRUE(write_png(path("c.png"), image).has_value());
@@ -156,7 +156,7 @@ TEST_F(ImageIo, OverwritesAWholeFileOrNothing) {
   wrong.rgb.pop_back();
   EXPECT_FALSE(write_png(path("x.png"), wrong).has_value());
   EXPECT_EQ(read_png(path("x.png"))->width, 9);
-  // A folder cannot be replaced by a file, and nothing stays beside it.
+  // A folder cannot be replaced by a file, and no temporary file is left.
   std::filesystem::create_directories(path("folder/inside"));
   const auto refused = write_png(path("folder"), gradient(3, 3));
   ASSERT_FALSE(refused.has_value());

@@ -32,7 +32,7 @@ std::string deflated(const std::string& text) {
   return packed;
 }
 
-/// The beginning of a PNG with its text chunks, which is all that a reader of text needs.
+/// The beginning of a PNG with these chunks, which is enough for reading its texts.
 std::string png_with(const std::string& chunks) {
   return "\x89PNG\r\n\x1a\n" + chunks + chunk("IEND", "");
 }

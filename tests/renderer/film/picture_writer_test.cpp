@@ -33,7 +33,7 @@ class PictureWriterTest : public testing::Test {
   test::TemporaryFolder folder;
 };
 
-// Rows in uneven portions give the file that the whole film gives.
+// Writing rows in uneven portions gives the same file as writing the whole film.
 TEST_F(PictureWriterTest, PortionsGiveTheWholeFile) {
   const Film film = stripes(37, 23);
   const ImageText text{{"k", "ä"}, {"l", "m"}};
@@ -56,7 +56,7 @@ TEST_F(PictureWriterTest, PortionsGiveTheWholeFile) {
   EXPECT_EQ(read_exr(folder.file("b.exr")).value().film.radiance, film.radiance);
 }
 
-// Straight in PNG, premultiplied in EXR; what is not covered at all has no colour.
+// PNG has straight alpha, EXR premultiplied; fully transparent pixels have no colour.
 TEST_F(PictureWriterTest, CoverageIsTheAlphaChannel) {
   Film film(3, 1);
   film.radiance = {{0.25f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.5f, 4.0f, 1.0f}};
@@ -80,11 +80,11 @@ TEST_F(PictureWriterTest, CoverageIsTheAlphaChannel) {
   film.coverage.clear();
   ASSERT_TRUE(write_png(folder.file("b.png"), film, 0.0f, {}));
   ASSERT_TRUE(png_image_begin_read_from_file(&image, folder.file("b.png").c_str()));
-  EXPECT_EQ(image.format & PNG_FORMAT_FLAG_ALPHA, 0u) << "there is none where all is covered";
+  EXPECT_EQ(image.format & PNG_FORMAT_FLAG_ALPHA, 0u) << "a fully covered picture has no alpha";
   png_image_free(&image);
 }
 
-TEST_F(PictureWriterTest, WhatIsNotFinishedLeavesNothing) {
+TEST_F(PictureWriterTest, UnfinishedFilesAreRemoved) {
   folder.write("old.png", "old");
   for (const char* name : {"old.png", "new.exr"}) {
     const std::string to = folder.file(name);
@@ -100,7 +100,7 @@ TEST_F(PictureWriterTest, WhatIsNotFinishedLeavesNothing) {
   EXPECT_EQ(nowhere.error().subject, folder.file("no/x.exr"));
 }
 
-// As on a full disk: writing fails somewhere in the middle.
+// Writing fails somewhere in the middle, as on a full disk.
 TEST_F(PictureWriterTest, WhatCannotBeWrittenToTheEndIsAnErrorWithItsReason) {
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
@@ -167,7 +167,7 @@ TEST(WrittenFiles, LinksAreFollowed) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "there"), {}), 2);
 }
 
-// Programs that save a PNG again pack its texts, and put them where they like.
+// Other programs compress the texts of a PNG and move them.
 TEST_F(PictureWriterTest, TextsOfOtherProgramsAreRead) {
   using namespace std::string_literals;
   ASSERT_TRUE(write_png(folder.file("a.png"), stripes(2, 2), 0.0f, {}));

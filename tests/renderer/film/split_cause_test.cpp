@@ -28,8 +28,8 @@ glm::dvec3 lab(glm::dvec3 rgb) {
   return {116.0 * v.y - 16.0, 500.0 * (v.x - v.y), 200.0 * (v.y - v.z)};
 }
 
-/// The colour that eyes without one kind of cones see, in linear RGB: Vienot, Brettel and Mollon,
-/// "Digital video colourmaps for checking the legibility of displays by dichromats" (1999).
+/// The colour that dichromats see, in linear RGB: Vienot, Brettel and Mollon, "Digital video
+/// colourmaps for checking the legibility of displays by dichromats" (1999).
 glm::dvec3 as_seen_by(int missing_cone, glm::dvec3 rgb) {
   const glm::dmat3 lms_from_rgb(17.8824, 3.45565, 0.0299566, 43.5161, 27.1554, 0.184309, 4.11935,
                                 3.86714, 1.46709);
@@ -40,7 +40,7 @@ glm::dvec3 as_seen_by(int missing_cone, glm::dvec3 rgb) {
 }
 
 TEST(SplitCauseColours, CanBeToldApartByEveryone) {
-  // A difference of some 2.3 is just noticeable; 10 is seen at a glance.
+  // A difference of about 2.3 is just noticeable; 10 is visible at a glance.
   for (const int missing : {-1, 0, 1}) {
     for (std::size_t i = 0; i < split_cause_count; ++i) {
       for (std::size_t k = 0; k < i; ++k) {

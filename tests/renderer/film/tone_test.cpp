@@ -22,8 +22,8 @@ TEST(Tone, NoneIsTheClippedCurve) {
   }
 }
 
-// The specification's promise: the diffuse part of a dielectric, with the 0.04 that its surface
-// reflects on top, comes out as the base colour was, up to 0.8 - 0.04 of it.
+// The specification's guarantee: the diffuse part of a dielectric, with the surface's specular 0.04
+// added, is displayed as its base colour, up to 0.8 - 0.04.
 TEST(Tone, NeutralGivesBaseColoursBack) {
   for (const glm::vec3 base :
        {glm::vec3(0.1f, 0.5f, 0.7f), glm::vec3(0.3f), glm::vec3(0.75f, 0.05f, 0.05f)}) {
@@ -32,7 +32,7 @@ TEST(Tone, NeutralGivesBaseColoursBack) {
   }
 }
 
-// Whatever the curve, brighter is never darker, white is reached and nothing leaves 0 to 1.
+// For every curve: monotonic, reaches white, and stays within 0 to 1.
 TEST(Tone, RisesWithinTheScreensRange) {
   for (const NamedTone& tone : tone_names) {
     if (tone.value == ToneCurve::none) continue;
@@ -61,10 +61,10 @@ TEST(Tone, WhatIsJudgedIsWhatIsShown) {
   }
 }
 
-// ASOS knows by how much radiance a pixel may be off: what a curve makes of that is no more than
-// its steepness where the channels rise together (Neutral: but for two hundredths that the fading
-// of bright hues adds to the least channel). Towards other hues the toe of Neutral takes from all
-// channels what the least one gains: twice as much at most.
+// ASOS limits the error of radiance. The displayed error is at most that times the curve's slope
+// for equal changes of all channels (Neutral adds two hundredths to the smallest channel, where
+// bright hues fade). For changes of hue Neutral's toe subtracts the smallest channel from all: the
+// error is at most doubled.
 TEST(Tone, NoDifferenceShowsLargerThanTheCurvesSteepnessSays) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -79,7 +79,7 @@ TEST(Tone, NoDifferenceShowsLargerThanTheCurvesSteepnessSays) {
         rise[k] = unit(random);
       }
       rise /= largest(rise);
-      const float size = std::exp2(-7.0f + 7.0f * unit(random));  // 1/256 to much of the screen
+      const float size = std::exp2(-7.0f + 7.0f * unit(random));  // 1/256 to 1
       const auto slope = [&](glm::vec3 b) {
         const DisplayTransform display{0.0f, tone.value};
         const glm::vec3 shown = tone_mapped(b, display) - tone_mapped(a, display);
@@ -90,7 +90,7 @@ TEST(Tone, NoDifferenceShowsLargerThanTheCurvesSteepnessSays) {
     }
     const auto steep = static_cast<float>(steepness(tone.value));
     EXPECT_LE(rising, 1.02f * steep) << tone.name;
-    EXPECT_GT(rising, 0.9f * steep) << tone.name << ": it is no more than it has to be";
+    EXPECT_GT(rising, 0.9f * steep) << tone.name << ": the bound is too large";
     EXPECT_LE(any, 2.0f * steep) << tone.name;
   }
 }

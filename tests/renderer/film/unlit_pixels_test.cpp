@@ -7,12 +7,12 @@
 
 #include <cmath>
 
-// Display of pixels that show unlit surfaces in part.
+// Display of pixels that are partly unlit.
 
 namespace asos {
 namespace {
 
-/// The linear colour of a byte of a texture.
+/// The linear value of a texture's byte.
 float linear(int byte) {
   const double encoded = byte / 255.0;
   return static_cast<float>(encoded <= 0.04045 ? encoded / 12.92
@@ -35,7 +35,7 @@ TEST(UnlitPixels, ShowTheirBytesByEveryCurveAndExposure) {
   }
 }
 
-// A quarter of the pixel is unlit: three quarters of what the lit surface shows, and that.
+// A quarter of the pixel is unlit: three quarters of the displayed lit colour plus that quarter.
 TEST(UnlitPixels, MixWithLitSurfacesAsTheseAreShown) {
   const glm::vec3 lit(3.0f, 0.4f, 0.1f), unlit(1.0f, 0.5f, 0.0f);
   const glm::vec4 part(0.25f * unlit, 0.25f);

@@ -20,12 +20,12 @@ double half_height(const Camera& camera) {
 
 TEST(CameraFit, FitShowsAllThatTheCameraSees) {
   const Camera camera = perspective(0.7, 8.0 / 3.0);
-  // In a narrower picture its width is kept.
+  // A narrower picture keeps the horizontal field of view.
   for (const double picture : {16.0 / 9.0, 1.0, 0.5}) {
     const Camera fitted = fitted_camera(camera, picture, CameraFit::fit);
     EXPECT_NEAR(half_height(fitted) * picture, half_height(camera) * 8.0 / 3.0, 1e-12);
   }
-  // In a wider one its height is, bit for bit.
+  // A wider picture keeps the vertical one, bit for bit.
   EXPECT_EQ(fitted_camera(camera, 3.0, CameraFit::fit).fov_y_rad, 0.7);
   EXPECT_EQ(fitted_camera(camera, 8.0 / 3.0, CameraFit::fit).fov_y_rad, 0.7);
 }
@@ -63,7 +63,7 @@ TEST(CameraFit, OrthographicCamerasGrowByTheirHeight) {
   EXPECT_EQ(fitted_camera(camera, 1.0, CameraFit::fit).fov_y_rad, camera.fov_y_rad);
 }
 
-// No angle below half a turn is that wide.
+// No angle below 180 degrees is that wide.
 TEST(CameraFit, ExtremeRatiosAreNotFitted) {
   EXPECT_EQ(fitted_camera(perspective(3.0, 1e300), 1e-4, CameraFit::fit).fov_y_rad, 3.0);
   Camera camera;

@@ -8,7 +8,7 @@
 namespace asos {
 namespace {
 
-// How far a ray passes from a point, in double.
+// Distance of a ray from a point, in double.
 double miss(const Ray& ray, glm::dvec3 point) {
   const glm::dvec3 d = glm::normalize(glm::dvec3(ray.direction));
   const glm::dvec3 to_point = point - glm::dvec3(ray.origin);
@@ -19,9 +19,10 @@ TEST(FarView, RaysFromFarAwayPassTheSceneWhereTheyShould) {
   const glm::dvec3 eye = 1e7 * glm::normalize(glm::dvec3(0.3, 0.5, 0.81));
   const Camera camera = test::look_at(eye, {0, 0, 0}, 3e-7);
   const View view(camera, 8, 8, 1.5);
-  // The middle of the picture is the origin; 16 roundings of the scene's size.
+  // The centre of the picture is the origin; allows 16 roundings of the scene's size.
   EXPECT_LT(miss(view.ray(4, 4), {0, 0, 0}), 1.5 * 16.0 * 6e-8);
-  // Without knowing the scene, floats of the eye's size move it by up to half a unit.
+  // Without the scene's size, rounding to floats at the eye's distance moves the ray by up to half
+  // a unit.
   EXPECT_GT(miss(View(camera, 8, 8).ray(4, 4), {0, 0, 0}), 1e-3);
 }
 

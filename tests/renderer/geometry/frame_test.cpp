@@ -20,7 +20,7 @@ TEST(Frame, ProjectAndWorldAreInverse) {
                                Frame::prism(apex, glm::normalize(vector()), vector(), vector())}) {
       const FramePoint p{unit(random), unit(random), 0.5 + 0.4 * unit(random)};
       const FramePoint q = frame.project(frame.homogeneous(frame.world(p)));
-      // The matrix may be nearly singular; its inverse then loses digits in proportion.
+      // If the matrix is nearly singular, its inverse loses digits accordingly.
       EXPECT_NEAR(q.u, p.u, 1e-8);
       EXPECT_NEAR(q.v, p.v, 1e-8);
       EXPECT_NEAR(q.nearness, p.nearness, 1e-8);
@@ -57,7 +57,7 @@ TEST(View, TheMiddleRayLooksForwardAndTheTopOneUp) {
   EXPECT_EQ(middle.origin, glm::vec3(1, 2, 3));
   const Ray top = view.ray(100, 0);
   EXPECT_NEAR(std::atan2(top.direction.y, -top.direction.x), 0.5f, 1e-6f);
-  // Camera right is world -Z here.
+  // The camera's right vector is the world's -Z here.
   EXPECT_LT(view.ray(200, 50).direction.z, 0.0f);
 }
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-// A thin lens: its aperture, its rays, and its circles of confusion, against closed forms.
+// A thin lens: aperture, rays and circles of confusion, against closed forms.
 
 namespace asos::test::lens_test {
 namespace {
@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 constexpr int grid = 256;
 
-/// Calls visit(point) for a grid of points all over an aperture.
+/// Calls visit(point) for a grid of points that contains the aperture.
 template <typename Visit>
 void for_each_point(const Lens& lens, Visit&& visit) {
   for (int i = 0; i < grid * grid; ++i)
@@ -34,7 +34,7 @@ Lens aperture(int blades, double turn_rad = 0.0) {
   return lens;
 }
 
-/// Whether a point lies in the polygon of `aperture`, scaled; by the distances from its sides.
+/// Whether a point is in the scaled polygon of `aperture`. Uses the distances from the sides.
 bool in_polygon(const Lens& lens, glm::dvec2 p, double scale) {
   const double step = 2.0 * pi / lens.blades;
   for (int k = 0; k < lens.blades; ++k) {
@@ -92,7 +92,7 @@ TEST(Aperture, MomentsAreThoseOfItsPoints) {
 }
 
 TEST(FStop, IsOfASensor24Millimetres) {
-  // A focal length of 50 mm at f/2 has an aperture 25 mm across.
+  // A focal length of 50 mm at f/2 has an aperture of 25 mm.
   const double fov = 2.0 * std::atan(0.012 / 0.050);
   EXPECT_NEAR(aperture_of_f_stop(2.0, fov), 0.0125, 1e-12);
   EXPECT_NEAR(f_stop_of_aperture(0.0125, fov), 2.0, 1e-12);
@@ -123,7 +123,7 @@ TEST(LensView, RaysMeetOnTheFocusPlane) {
 
 TEST(LensView, ConfusionIsLinearInInverseDepth) {
   const View view(camera_with_lens(), 16, 16);
-  // A pixel is 1/8 wide one unit ahead.
+  // A pixel is 1/8 wide at distance 1.
   EXPECT_EQ(view.confusion(4.0), 0.0);
   EXPECT_NEAR(view.confusion(2.0), 0.5 / 0.125 * 0.25, 1e-12);
   EXPECT_NEAR(view.confusion(std::numeric_limits<double>::infinity()), 0.5 / 0.125 * 0.25, 1e-12);

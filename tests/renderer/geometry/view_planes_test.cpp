@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-// Where a view's rays start and end: at its camera's near and far planes.
+// Rays start and end at the camera's near and far planes.
 
 namespace asos::view_planes_test {
 namespace {
@@ -47,7 +47,7 @@ TEST(ViewPlanes, ManyRaysAreThoseOneByOne) {
 TEST(ViewPlanes, ThoseBeyondTheSceneAreLeftOut) {
   for (const auto type : {Camera::Type::perspective, Camera::Type::orthographic}) {
     Camera camera = camera_of(type);
-    // The scene reaches from 2.5 to 7.5 ahead.
+    // The scene extends from 2.5 to 7.5 ahead.
     camera.near_depth = 2.4, camera.far_depth = 7.6;
     const View view(camera, 10, 8, 2.5);
     EXPECT_EQ(view.near_depth(), 0.0);

@@ -29,7 +29,8 @@ bool said(const Scene& scene, const std::string& part) {
   });
 }
 
-/// The channel is left out, the remark says why, and the square stays where the file has it.
+/// Expects that the channel is ignored with this warning, and that the square stays at its place in
+/// the file.
 void expect_ignored(const GltfBuilder& b, const std::string& why) {
   SCOPED_TRACE(why);
   const Scene scene = with_rig(b);
@@ -114,7 +115,7 @@ TEST(AnimationFaults, JointsThatDoNotExistAreIgnoredWithARemark) {
   EXPECT_EQ(world_vertex(posed(scene, 1), 0), glm::dvec3(2, 0, 0));
 }
 
-TEST(AnimationFaults, ACircleOfNodesIsCutAndMovesAllTheSame) {
+TEST(AnimationFaults, NodeCyclesAreCutAndStillMove) {
   GltfBuilder b = moving({0, 1}, two);
   b.json["nodes"] = {{{"mesh", 0}, {"children", {1}}}, {{"children", {0}}}};
   const Scene scene = with_rig(b);
@@ -122,8 +123,9 @@ TEST(AnimationFaults, ACircleOfNodesIsCutAndMovesAllTheSame) {
   EXPECT_EQ(world_vertex(posed(scene, 1), 0), glm::dvec3(2, 0, 0));
 }
 
-// Scaled by a key far enough, a node is at infinity: that moment has nothing to draw, others have.
-TEST(AnimationFaults, AMomentWithNothingToDrawIsAnErrorOfItsOwn) {
+// A key with a huge scale places a node at infinity: there is nothing to draw at that time, but at
+// others there is.
+TEST(AnimationFaults, EmptyMomentIsAnError) {
   GltfBuilder b = GltfBuilder::square();
   b.json["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"children", {3}}}};
   b.json["nodes"] = nlohmann::json::array();
@@ -139,9 +141,9 @@ TEST(AnimationFaults, AMomentWithNothingToDrawIsAnErrorOfItsOwn) {
   EXPECT_TRUE(scene.rig->pose(ClipTime{0, 0.0}));
 }
 
-// Each sampler names another stretch of the same bytes: read as they are named, they would be a
-// thousand times as many.
-TEST(AnimationFaults, KeysThatLieOverEachOtherDoNotFillTheMemory) {
+// The samplers use different ranges of the same bytes. Expanded separately, they would take a
+// thousand times the memory.
+TEST(AnimationFaults, OverlappingKeysUseBoundedMemory) {
   GltfBuilder b = GltfBuilder::square();
   const std::size_t count = 1 << 15;
   const int view = b.view(std::vector<float>(count + 4096, 0.0f));

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// The files that URIs name, and the folders that they may lie in.
+// Files referenced by URIs, and the folders that they may be in.
 
 namespace asos {
 namespace {
@@ -25,7 +25,7 @@ using test::GltfBuilder;
 using test::load_in_time;
 using test::TemporaryFolder;
 
-/// Sets HOME while it lives.
+/// Sets HOME during its lifetime.
 class HomeFolder {
  public:
   explicit HomeFolder(const fs::path& path) {
@@ -40,7 +40,7 @@ class HomeFolder {
   std::optional<std::string> before_;
 };
 
-/// a/b/c/d/e in a temporary folder, each with a file x.bin; the model is in e.
+/// a/b/c/d/e in a temporary folder, with a file x.bin in each folder; the model is in e.
 class AssetFiles : public testing::Test {
  protected:
   AssetFiles() {
@@ -52,7 +52,8 @@ class AssetFiles : public testing::Test {
   [[nodiscard]] fs::path at(const std::string& name) const {
     return fs::canonical(folder_.path()) / name;
   }
-  /// The text that a URI of the model refers to, or the fault; then a remark, if there is one.
+  /// The content of the file that a URI of the model names, or the error; followed by a warning, if
+  /// any.
   [[nodiscard]] std::string read(const std::string& uri, const fs::path& asset_root = {}) const {
     gltf::ModelFiles files(gltf::asset_folders(model_, asset_root).value());
     const auto bytes = files.read(uri);
@@ -84,7 +85,7 @@ TEST_F(AssetFiles, DefaultRootIsBelowHomeAndFileSystem) {
     EXPECT_EQ(root(), at("a/b/c"));
   }
   {
-    // A model in the home folder itself reads its own folder only, and never above.
+    // A model in the home folder itself may read only its own folder.
     const HomeFolder home(at("a/b/c/d/e"));
     EXPECT_EQ(root(), at("a/b/c/d/e"));
   }
@@ -106,7 +107,7 @@ TEST_F(AssetFiles, ChosenRootReplacesTheDefault) {
   EXPECT_EQ(read("../../../../x.bin", at("a")), "a");
   EXPECT_NE(read("../../../../../x.bin", at("a")).find("asset root '" + at("a").string() + "'"),
             std::string::npos);
-  // The model's own folder stays readable below another root.
+  // The model's own folder stays readable with another root.
   fs::create_directory(folder_.path() / "apart");
   folder_.write("apart/x.bin", "apart");
   EXPECT_EQ(read("../../../../../apart/x.bin", at("apart")), "apart");
@@ -146,7 +147,7 @@ TEST_F(AssetFiles, OtherSpellingsAreOpenedWithARemark) {
             "backslashes are read as slashes, which glTF asks for");
   EXPECT_NE(read("..\\..\\..\\..\\x.bin").find("leads out"), std::string::npos);
   EXPECT_NE(read("\\etc\\passwd").find("absolute path"), std::string::npos);
-  // A file that has the name itself comes first.
+  // A file with the literal name is preferred.
   folder_.write("a/b/c/d/e/q?v.bin", "question");
   folder_.write("a/b/c/d/e/back\\slash.bin", "back");
   EXPECT_EQ(read("q?v.bin"), "question");
@@ -207,7 +208,7 @@ TEST_F(AssetFiles, OuterRootHoldsTheRefusedFiles) {
   EXPECT_EQ(outer({"../../../../gone.bin"}), "") << "there is no such file";
   EXPECT_EQ(outer({"../../../../x.bin"}, at("a").string()), "") << "it is allowed";
   EXPECT_EQ(outer({"../x.bin"}, at("a/b/c/d/e").string()), at("a/b/c/d").string());
-  // Only the file system's root holds both.
+  // Only the file system's root contains both.
   EXPECT_EQ(outer({"../../../../x.bin", "../../../../../../../../../../../proc/self/status"}), "");
   EXPECT_EQ(outer_asset_root("builtin:boxes"), "");
   EXPECT_EQ(outer_asset_root(at("gone.gltf").string()), "");

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Entries that are broken cost themselves alone: what else the file has is shown, and each is said.
+// Invalid entries only affect themselves: the rest of the file is shown, and each one is reported.
 
 namespace asos {
 namespace {
@@ -17,7 +17,7 @@ using nlohmann::json;
 using test::GltfBuilder;
 using test::load_in_time;
 
-/// A square in the first node; tests break the second node.
+/// A square in the first node; tests change the second node.
 GltfBuilder square_and_more() {
   GltfBuilder b = GltfBuilder::square();
   b.json["nodes"].push_back(json::object());
@@ -25,7 +25,7 @@ GltfBuilder square_and_more() {
   return b;
 }
 
-/// The remarks on the file. Expects its square.
+/// Returns the warnings about the file. Expects its square.
 std::vector<std::string> remarks_on(const GltfBuilder& builder) {
   const Result<Scene> scene = load_in_time(builder);
   EXPECT_TRUE(scene) << scene.error().message();
@@ -84,7 +84,7 @@ TEST(BrokenEntries, CamerasAreLeftOut) {
   left_out({{"perspective", {{"yfov", 1}}}}, "has no type");
   left_out({{"type", "orthographic"}, {"orthographic", {{"xmag", 1}}}}, "has no xmag or ymag");
   left_out(3, "is not an object");
-  // Without its planes a camera sees all the same.
+  // A camera with invalid planes works without them.
   const GltfBuilder endless = with({{"type", "perspective"}, {"perspective", {{"yfov", 1.0}}}});
   expect_said(remarks_on(endless), "camera 0 has no znear; it cuts nothing off there");
   EXPECT_EQ(load_in_time(endless)->cameras.size(), 2u);
@@ -127,7 +127,7 @@ TEST(BrokenEntries, AccessorsAndViewsCostTheirPrimitives) {
 }
 
 TEST(BrokenEntries, StridesAreReadAsTheyStand) {
-  // Positions of shorts, one every 6 bytes.
+  // Positions as shorts with a stride of 6 bytes.
   GltfBuilder b;
   const std::vector<std::int16_t> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const int view = b.view(corners);
@@ -138,7 +138,7 @@ TEST(BrokenEntries, StridesAreReadAsTheyStand) {
   EXPECT_EQ(scene->meshes[0].positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   expect_said(scene->notes.warnings,
               "buffer view 0 has a byteStride of 6, which glTF does not allow; it is read by it");
-  // Where elements would overlap, the primitive is left out.
+  // With overlapping elements the primitive is skipped.
   for (const int stride : {2, 3}) {
     GltfBuilder more = square_and_more();
     const int p = more.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
@@ -149,7 +149,7 @@ TEST(BrokenEntries, StridesAreReadAsTheyStand) {
                 "mesh 1 primitive 0 is left out: accessor 3 has elements of 12 bytes every " +
                     std::to_string(stride) + " bytes");
   }
-  // Longer strides than 252 are as readable.
+  // Strides above 252 are readable, too.
   GltfBuilder wide;
   std::string bytes(1200, '\0');
   const float one = 1.0f;

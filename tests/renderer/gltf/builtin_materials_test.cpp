@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// The materials of the built-in scenes of CGF'98 sections 7.2 to 7.4.
+// Materials of the built-in scenes of CGF'98 sections 7.2 to 7.4.
 
 namespace asos {
 namespace {
@@ -35,8 +35,8 @@ const Mesh& mesh_called(const Scene& scene, const std::string& name) {
   return *found;
 }
 
-/// The larger of the mean byte differences between texels that are side by side: those of two
-/// columns `x` and the next, and of two rows. The image repeats.
+/// The larger mean difference, in bytes, between adjacent columns (`x` and the next) or rows. The
+/// image repeats.
 double step_at(const Image& image, int x) {
   const auto byte = [&image](int column, int row, int channel) {
     return static_cast<int>(image.rgba[4u * (row * image.width + column) + channel]);
@@ -73,11 +73,11 @@ TEST(BuiltinTextures, NormalsAreUnitAndUpright) {
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
       const glm::dvec3 n(image.rgba[i] / 127.5 - 1.0, image.rgba[i + 1] / 127.5 - 1.0,
                          image.rgba[i + 2] / 127.5 - 1.0);
-      ASSERT_NEAR(glm::length(n), 1.0, 1.8 / 255.0);  // half a step of each of three bytes
+      ASSERT_NEAR(glm::length(n), 1.0, 1.8 / 255.0);  // half a step in each of three bytes
       ASSERT_GT(n.z, 0.5);
       sum += n / n.z;
     }
-    // The slopes of heights that repeat are none on average.
+    // Repeating heights have a mean slope of zero.
     EXPECT_NEAR(sum.x / sum.z, 0.0, 1e-3);
     EXPECT_NEAR(sum.y / sum.z, 0.0, 1e-3);
   }
@@ -112,7 +112,7 @@ TEST(BuiltinHouse, TexturedHasThePapersPolygonsAndTextures) {
     EXPECT_EQ(texture.wrap_u, Wrap::repeat);
     EXPECT_EQ(scene.images.at(texture.image).name,
               std::string(name) == "clapboard" ? "clapboards" : "wood planks");
-    // Texture coordinates are metres, of which the image covers two.
+    // Texture coordinates are metres; the image covers two of them.
     EXPECT_EQ(use.uv_transform * glm::vec3(2.0f, -4.0f, 1.0f), glm::vec3(1.0f, -2.0f, 1.0f));
   }
   for (const char* name : {"porch floor", "gazebo floor", "walls"}) {
@@ -133,7 +133,7 @@ TEST(BuiltinHouse, SandIsAMeshWithTangentsAlongItsTexture) {
     ASSERT_EQ(ground.texcoords[0][i], glm::vec2(p.x, p.z));
     ASSERT_NEAR(glm::length(tangent), 1.0f, 1e-5f);
     ASSERT_NEAR(glm::dot(tangent, ground.normals[i]), 0.0f, 1e-5f);
-    // Green points against v, and so towards -z.
+    // Green points against v, that is towards -z.
     ASSERT_LT(ground.tangents[i].w * glm::cross(ground.normals[i], tangent).z, -0.9f);
     if (std::abs(p.x) < 10.0f && std::abs(p.z) < 8.0f) {
       ASSERT_EQ(p.y, 0.0f) << "the house stands on level sand";
@@ -174,7 +174,7 @@ TEST(BuiltinOffice, MetalDiffersFromTheOfficeInDeskAndWhiteboard) {
   EXPECT_EQ(top.roughness, 0.15f);
   EXPECT_EQ(material_called(metal, "whiteboard").metallic, 0.0f);
   EXPECT_EQ(material_called(metal, "whiteboard").roughness, 0.1f);
-  // The camera is nearer to the middle of the desk's top.
+  // The camera is nearer to the centre of the desk's top.
   const auto distance = [](const Scene& scene) {
     const glm::dvec3 eye(scene.cameras.at(0).world_from_camera[3]);
     return glm::distance(eye, glm::dvec3(-0.15, 0.74, -0.75));
@@ -212,7 +212,7 @@ TEST(BuiltinWorkshop, IsOfRoughMetalWithMapsOfNormals) {
     SCOPED_TRACE(m.name);
     maps.push_back(m.normal_texture.texture);
     EXPECT_EQ(m.metallic, 1.0f);
-    // Rougher than what mirrors unless somebody asks for it: it shows the lamps only.
+    // Rougher than the default limit of mirrors: it reflects only the lamps.
     EXPECT_GT(m.roughness, 0.35f);
     EXPECT_EQ(mesh.texcoords[0].size(), mesh.positions.size());
   }
@@ -228,7 +228,7 @@ TEST(BuiltinWorkshop, RoundMetalHasCoordinatesInMetresWithoutASeam) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = t[i], b = t[(i + 1) % 3];
       const float apart = glm::distance(pipes.positions[a], pipes.positions[b]);
-      // An arc is longer than its chord, here by two thousandths.
+      // An arc is longer than its chord, here by 0.2 %.
       EXPECT_NEAR(glm::distance(pipes.texcoords[0][a], pipes.texcoords[0][b]), apart,
                   0.004f * apart + 1e-5f);
     }

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-// The lens of a camera in its extras.
+// The lens in a camera's extras.
 
 namespace asos::test::camera_lens_test {
 namespace {

@@ -36,7 +36,7 @@ Light light_of(Light::Type type, const char* name) {
   return light;
 }
 
-/// A polygon with a notch and a hole in the plane of u and v; it shines against u x v.
+/// A polygon with a notch and a hole in the plane of u and v; it emits against u x v.
 Light polygon() {
   Light light = light_of(Light::Type::polygon, "polygon");
   const Axes axes;
@@ -109,7 +109,7 @@ TEST(ExportLights, EveryKindComesBackAsItWas) {
   EXPECT_TRUE(back.instances[1].shows_light);
 }
 
-TEST(ExportLights, NothingIsAskedOfOtherPrograms) {
+TEST(ExportLights, RequiresNoExtension) {
   const json root = exported(lit_scene());
   EXPECT_FALSE(root.contains("extensionsRequired"));
   EXPECT_EQ(root["extensionsUsed"], (json{"EXT_lights_area", "KHR_lights_punctual"}));
@@ -132,7 +132,7 @@ TEST(ExportLights, NothingIsAskedOfOtherPrograms) {
   EXPECT_EQ(areas[1]["size"].get<double>(), 1.4);
 }
 
-/// Programs that do not know an extension lose it and keep extras, or the other way round.
+/// Programs without support for an extension may drop it and keep extras, or the reverse.
 TEST(ExportLights, FlatLightsOutliveTheLossOfEitherDescription) {
   const Scene scene = lit_scene();
   json without_extension = exported(scene), without_extras = without_extension;
@@ -152,7 +152,7 @@ TEST(ExportLights, FlatLightsOutliveTheLossOfEitherDescription) {
   for (const Light& light : imported(without_extras).lights) left[light.name] = light;
   EXPECT_FALSE(left.contains("polygon"));
   EXPECT_FALSE(left.contains("linear"));
-  EXPECT_EQ(left.at("ball").radius, 0.3);  // in the extras of the light itself
+  EXPECT_EQ(left.at("ball").radius, 0.3);  // in the light's own extras
   const Light &was = scene.lights[0], &is = left.at("rectangle");
   test::expect_close(was.half_u, is.half_u);
   test::expect_close(was.half_v, is.half_v);
@@ -161,7 +161,7 @@ TEST(ExportLights, FlatLightsOutliveTheLossOfEitherDescription) {
   EXPECT_LT(glm::length(before - after), 1e-5f * glm::length(before));
 }
 
-/// A Blender round trip leaves truth values as 0 and 1, and whole numbers as they are.
+/// Blender saves booleans as 0 and 1, and integers unchanged.
 TEST(ExportLights, TruthValuesMayComeBackAsNumbers) {
   const Scene scene = lit_scene();
   json root = exported(scene);
@@ -184,7 +184,7 @@ TEST(ExportLights, TruthValuesMayComeBackAsNumbers) {
 }
 
 TEST(ExportLights, ARectangleMayBeTurnedRoundAboutItsMiddle) {
-  // A node's axes are right-handed; of a rectangle, v and -v are one and the same.
+  // A node's axes are right-handed; for a rectangle v and -v are equivalent.
   Scene scene = lit_scene();
   scene.lights = {scene.lights[0]};
   scene.lights[0].half_v *= -1.0;

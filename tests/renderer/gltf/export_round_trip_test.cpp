@@ -8,7 +8,7 @@
 
 #include <string>
 
-// What is written is what is read again.
+// Exported scenes are read back unchanged.
 
 namespace asos {
 namespace {

@@ -34,7 +34,7 @@ struct Parsed {
   std::string binary;
 };
 
-/// Takes a .glb apart, with assertions on its every length.
+/// Parses a .glb and asserts all of its lengths.
 Parsed parse_glb(const std::string& file) {
   Parsed parsed;
   EXPECT_GE(file.size(), 20u);
@@ -54,7 +54,7 @@ Parsed parse_glb(const std::string& file) {
   return parsed;
 }
 
-/// Every accessor lies in its view, every view in the buffer, at multiples of four.
+/// Every accessor is within its view, every view within the buffer, at multiples of four.
 void expect_sound_accessors(const Parsed& file) {
   const json& root = file.root;
   for (const json& view : root.value("bufferViews", json::array())) {
@@ -160,7 +160,7 @@ TEST_F(ExportTest, EmptySceneIsValid) {
   const Parsed file = parse_glb(content_of(path("empty.glb")));
   for (const char* list : {"meshes", "buffers", "bufferViews", "accessors", "materials", "images",
                            "textures", "cameras", "extensionsUsed", "extensions"}) {
-    EXPECT_FALSE(file.root.contains(list)) << list << " must not be there rather than be empty";
+    EXPECT_FALSE(file.root.contains(list)) << list << " must be absent, not empty";
   }
   EXPECT_EQ(file.root["nodes"], json::array({{{"name", "place of nothing"}}}));
 }
@@ -194,7 +194,7 @@ TEST(TextureTransform, DecomposesEveryTurnAndMirror) {
   EXPECT_FALSE(exporting::decompose(sheared));
 }
 
-/// Each change makes the rich scene impossible to write; the error has to name the culprit.
+/// Each change makes the scene impossible to write; the error must name its cause.
 TEST_F(ExportTest, BrokenScenesAreRefusedByName) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const auto refused = [this](auto change, const std::string& expected) {
@@ -239,7 +239,7 @@ TEST_F(ExportTest, UnwritablePathsNameFileAndReason) {
   EXPECT_FALSE(export_gltf(scene, path("folder.glb")));
   EXPECT_TRUE(fs::is_directory(path("folder.glb")));
   EXPECT_FALSE(export_gltf(scene, path("picture.png")));
-  // Nothing half-written stays behind.
+  // No partly written file is left.
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
@@ -252,7 +252,7 @@ TEST_F(ExportTest, FailureKeepsTheOldFile) {
   EXPECT_EQ(content_of(path("kept.glb")), before);
 }
 
-/// A locale that writes commas and groups digits, without needing one to be installed.
+/// A locale with decimal commas and digit grouping that need not be installed.
 struct Commas : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }

@@ -12,7 +12,7 @@
 
 namespace asos::test {
 
-/// Puts a glTF file together: numbers go into the one binary buffer, the rest is JSON.
+/// Builds a glTF file: numbers go into a single binary buffer, everything else is JSON.
 struct GltfBuilder {
   nlohmann::json json = {{"asset", {{"version", "2.0"}}},
                          {"scene", 0},
@@ -57,7 +57,7 @@ struct GltfBuilder {
   }
   nlohmann::json& node() { return json["nodes"][0]; }
 
-  /// A unit square in the plane z = 0 that faces +Z, of two triangles.
+  /// A unit square of two triangles in the plane z = 0, facing +Z.
   static GltfBuilder square() {
     GltfBuilder b;
     const int p = b.vec3({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});

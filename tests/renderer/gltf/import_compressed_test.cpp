@@ -43,7 +43,7 @@ GltfBuilder meshopt_square() {
                           {"byteStride", stride},
                           {"count", count},
                           {"mode", mode}};
-    // The view itself describes the decompressed bytes in a placeholder buffer.
+    // The view describes the decompressed bytes in a placeholder buffer.
     declared = {{"buffer", 1}, {"byteLength", stride * count}};
     declared["extensions"]["EXT_meshopt_compression"] = ext;
   };
@@ -71,7 +71,7 @@ TEST(ImportCompressed, MeshoptThatClaimsTooMuchIsRefused) {
   EXPECT_NE(scene.error().reason.find("cannot hold"), std::string::npos) << scene.error().message();
 }
 
-// Each expands as far as its bytes may, and all of them are the same.
+// Each view decompresses to the allowed size, but they share their compressed bytes.
 TEST(ImportCompressed, MeshoptThatManyViewsShareIsCounted) {
   constexpr std::size_t count = 3 * 5461;
   const std::vector<glm::vec3> positions(count, glm::vec3(1));
@@ -109,7 +109,7 @@ TEST(ImportCompressed, BrokenMeshoptIsNamed) {
       << scene.error().message();
 }
 
-/// A square in a Draco stream; its accessors have no data of their own.
+/// A square in a Draco stream; its accessors have no data.
 GltfBuilder draco_square(int method) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(2);

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-// Lights that are described in a node's extras, since glTF has no words for them or other programs
-// lose them.
+// Lights in a node's extras, for types that glTF lacks or other programs drop.
 
 namespace asos {
 namespace {
@@ -18,7 +17,7 @@ json linear() {
   return {{"type", "linear"}, {"intensity", 40}, {"from", {-1, 0, 0.5}}, {"to", {2, 0, 0.5}}};
 }
 
-/// A square of side 4 in the plane y = 1 that shines up, with a square hole of side 2.
+/// A square of side 4 in the plane y = 1 that emits upwards, with a square hole of side 2.
 json framed() {
   return {{"type", "polygon"},
           {"intensity", 3},
@@ -37,7 +36,7 @@ TEST(ImportLinearLight, ItsEndsGoWhereItsNodePutsThem) {
   EXPECT_EQ(plain.color, glm::vec3(1.0f));
   EXPECT_EQ(plain.half_u, glm::dvec3(1.5, 0, 0));
   EXPECT_EQ(plain.position, glm::dvec3(0.5, 0, 0.5));
-  // Each end is a point, so uneven scale acts along the light; its candela stay.
+  // Each end is a point, so non-uniform scale acts along the light; its candela do not change.
   const Light placed = file.turned({10, 0, 0}, {2, 5, 7}).light();
   expect_close(placed.half_u, {0, 0, -3});
   expect_close(placed.position, {10 + 3.5, 0, -1});
@@ -78,7 +77,8 @@ TEST(ImportPolygonLight, ShinesToWhereItsOutlineRunsCounterClockwise) {
   ASSERT_EQ(light.outlines.size(), 2u);
   expect_close(light.outlines[0][0], {-2, 1, 2});
   expect_close(light.outlines[0][1], {2, 1, 2});
-  // The hole was given clockwise, as it is kept: the same after it is turned round in the file.
+  // The hole was given clockwise, the stored winding; the result is the same with it reversed in
+  // the file.
   json turned = framed();
   turned["corners"] = {-2, 1, 2, 2, 1, 2,  2,  1, -2, -2, 1, -2,
                        1,  1, 1, 1, 1, -1, -1, 1, -1, -1, 1, 1};
@@ -94,7 +94,7 @@ TEST(ImportPolygonLight, IsPlacedLikeAMeshMirrorsIncluded) {
   expect_close(placed.direction, {0, 1, 0});
   EXPECT_NEAR(placed.position.y, 11.0, 1e-12);
   expect_close(placed.outlines[0][0], {6, 11, 2});
-  // Mirrored, the front stays in front, as the front of a mesh does.
+  // After mirroring the front stays in front, as for a mesh.
   const Light mirrored = file.turned({0, 10, 0}, {-1, 1, 1}).light();
   expect_close(mirrored.direction, {0, 1, 0});
   const Light upside_down = file.turned({0, 10, 0}, {1, -1, 1}).light();
@@ -197,7 +197,7 @@ TEST(ImportFlatLight, ALightThatIsDescribedTwiceIsOneLight) {
   EXPECT_EQ(exact.intensity, 10.0f);
   EXPECT_TRUE(exact.two_sided);
 
-  // A program that knows the extension only has made the light smaller.
+  // A program that only supports the extension has made the light smaller.
   extras["width"] = 5;
   file.with_extras(extras);
   const Scene scene = file.load();
@@ -207,7 +207,7 @@ TEST(ImportFlatLight, ALightThatIsDescribedTwiceIsOneLight) {
   EXPECT_TRUE(scene.lights[0].two_sided);
   LightFile::expect_warning(scene, "'lamp'");
 
-  // Where the extras are broken, the extension is left.
+  // If the extras are invalid, the extension counts.
   extras["width"] = -1;
   const Scene broken = file.with_extras(extras).load();
   ASSERT_EQ(broken.lights.size(), 1u);

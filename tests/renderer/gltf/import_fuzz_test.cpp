@@ -83,8 +83,8 @@ GltfBuilder lit() {
   return b;
 }
 
-/// What of the promises a file breaks, at rest and in the middle of its animations; counts it where
-/// it could be loaded.
+/// Returns the violated guarantees of a file, at rest and at times of its animations, and counts
+/// loadable files.
 std::string broken_promise_of(const std::string& path, std::size_t& loaded) {
   const Result<Scene> scene = load_in_time(path, {.keep_rig = true});
   loaded += scene.has_value() ? 1 : 0;
@@ -104,7 +104,7 @@ TEST(ImportFuzz, FlippedBytesNeitherCrashNorHang) {
     std::string bytes = seeds[seed];
     const unsigned flips = 1 + random() % 4;
     for (unsigned i = 0; i < flips; ++i) {
-      // Digits are what makes JSON lie; other bytes mostly break it.
+      // Changed digits give valid JSON with wrong values; other bytes mostly break it.
       const std::size_t at = random() % bytes.size();
       const bool digit = bytes[at] >= '0' && bytes[at] <= '9';
       bytes[at] =

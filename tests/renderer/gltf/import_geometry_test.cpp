@@ -19,7 +19,7 @@ Result<Scene> load(const GltfBuilder& builder, const LoadOptions& options = {}) 
   return import_gltf(folder.write("test.glb", builder.glb()), options);
 }
 
-/// Loads and flattens; the test stops where that fails.
+/// Loads and flattens; stops the test on an error.
 World world_of(const GltfBuilder& builder) {
   const Result<Scene> scene = load(builder);
   if (!scene) throw std::runtime_error(scene.error().message());
@@ -38,7 +38,7 @@ void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-6) {
   EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
-/// The geometric normal of a triangle by its winding.
+/// The geometric normal of a triangle according to its winding.
 glm::vec3 front(const World& world, std::size_t triangle) {
   const glm::uvec3 t = world.triangles[triangle];
   const glm::vec3 a = world.positions[t.x];
@@ -181,7 +181,7 @@ TEST(ImportGeometry, MirroredNodesKeepTheirFrontSides) {
 }
 
 TEST(ImportGeometry, NormalsGoByTheInverseTranspose) {
-  // A face at 45 degrees, stretched: its normal leans away from the stretch.
+  // A face at 45 degrees under a stretch: its normal tilts away from the stretched direction.
   GltfBuilder b;
   const int p = b.vec3({{1, 0, 0}, {0, 1, 0}, {1, 0, 1}});
   const int n = b.vec3(std::vector<glm::vec3>(3, glm::normalize(glm::vec3(1, 1, 0))));
@@ -222,7 +222,7 @@ TEST(ImportGeometry, OnlyTheVerticesThatAPrimitiveUsesAreKept) {
 
 TEST(ImportGeometry, TangentsFollowTheNormalMap) {
   GltfBuilder b = GltfBuilder::square();
-  // u grows along +Y and v along +X, so the picture's up (against v) is -X.
+  // u grows along +Y and v along +X, so the texture's up direction (against v) is -X.
   const int uv = b.vec2({{0, 0}, {0, 1}, {1, 1}, {1, 0}});
   b.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = uv;
   b.json["meshes"][0]["primitives"][0]["material"] = 0;
@@ -246,7 +246,7 @@ TEST(ImportGeometry, TangentsFollowTheNormalMap) {
 
 TEST(ImportGeometry, SkinsBendWithTheirJoints) {
   GltfBuilder b = GltfBuilder::square();
-  // Vertices 2 and 3 hang on a joint one up; it is turned by 90 degrees about Z.
+  // Vertices 2 and 3 belong to a joint one unit up, which is rotated by 90 degrees about Z.
   const int joints = b.accessor(
       b.view(std::vector<glm::u8vec4>{{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}}),
       5121, "VEC4", 4);
@@ -409,7 +409,7 @@ TEST(ImportGeometry, ReadsMaterials) {
   EXPECT_FLOAT_EQ(m.emissive_strength, 7.0f);
   EXPECT_FLOAT_EQ(m.ior, 1.33f);
   EXPECT_FLOAT_EQ(m.transmission, 0.75f);
-  // Scaled, then turned by a quarter: (u, v) -> (3 v, -2 u), then moved.
+  // Scaled, then rotated by 90 degrees: (u, v) -> (3 v, -2 u), then shifted.
   const glm::vec3 uv = m.base_color_texture.uv_transform * glm::vec3(0.1f, 0.2f, 1.0f);
   EXPECT_NEAR(uv.x, 0.5f + 0.6f, 1e-6f);
   EXPECT_NEAR(uv.y, -0.2f, 1e-6f);

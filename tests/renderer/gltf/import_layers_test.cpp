@@ -5,7 +5,7 @@
 
 #include <limits>
 
-// KHR_materials_clearcoat and KHR_materials_sheen as files say them: gltf/MATERIALS.md.
+// KHR_materials_clearcoat and KHR_materials_sheen in files: gltf/MATERIALS.md.
 
 namespace asos {
 namespace {
@@ -108,7 +108,7 @@ TEST(ImportLayers, AnisotropyIsRead) {
   EXPECT_TRUE(all.texture.used());
   EXPECT_TRUE(scene.notes.unsupported_extensions.empty());
   EXPECT_TRUE(scene.notes.warnings.empty());
-  EXPECT_EQ(scene.meshes.at(0).tangents.size(), 4u) << "made for its direction";
+  EXPECT_EQ(scene.meshes.at(0).tangents.size(), 4u) << "made for the lobe's direction";
   const Scene none = import_with("KHR_materials_anisotropy", {{"anisotropyRotation", 1}});
   EXPECT_FALSE(none.materials.at(0).anisotropy.used());
   EXPECT_TRUE(none.meshes.at(0).tangents.empty());
@@ -175,7 +175,7 @@ TEST(ImportLayers, VolumesOutOfRangeAreRemarkedOn) {
 }
 
 TEST(ImportLayers, ByDefaultThereAreNone) {
-  // Their textures need not even be there.
+  // Missing textures are tolerated.
   const Scene bare = coated({{"clearcoatTexture", {{"index", 0}}}});
   EXPECT_EQ(bare.materials.at(0).coat.factor, 0.0f);
   EXPECT_EQ(bare.materials.at(0).coat.roughness, 0.0f);

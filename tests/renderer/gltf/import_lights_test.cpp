@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-// Lights that glTF or a proposal for it has words for, with their sizes.
+// Lights of glTF's extensions and proposals, with their sizes.
 
 namespace asos {
 namespace {
@@ -49,7 +49,7 @@ TEST(ImportPunctualSize, TheNodesExtrasGoBeforeTheLights) {
   file.with(punctual, sized("point", "radius", 0.25));
   file.node()["extras"] = {{"radius", 2}, {"author", "somebody"}};
   EXPECT_EQ(file.light().radius, 2.0);
-  // A size that the light's type has no use for is ignored.
+  // A size that does not apply to the light's type is ignored.
   LightFile sun;
   sun.with(punctual, sized("directional", "radius", 0.25));
   EXPECT_EQ(sun.light().radius, 0.0);
@@ -81,7 +81,7 @@ TEST(ImportPunctualSize, BadSizesAreWarnedOfAndTheLightHasNone) {
 }
 
 TEST(ImportPunctualSize, ZerosAndOnesStandForNoAndYes) {
-  // So programs without truth values of their own save them.
+  // Programs without booleans save them like this.
   LightFile file;
   EXPECT_FALSE(file.with(punctual, sized("point", "casts_shadows", 0)).light().casts_shadows);
   LightFile other;
@@ -116,7 +116,8 @@ TEST(ImportAreaLight, SizesAndDefaultsAreThoseOfTheirProposals) {
   EXPECT_EQ(square.intensity, 1000.0f);
   expect_close(square.half_u, {0.5, 0, 0});
   expect_close(square.half_v, {0, 0.5, 0});
-  // The size of a disk is its diameter; `shape` is what the proposal's schema says for `type`.
+  // The size of a disk is its diameter; `shape` has the value that the proposal's schema gives for
+  // `type`.
   const Light half = disk.with(ext_area, {{"shape", "disk"}}).light();
   EXPECT_EQ(half.type, Light::Type::disk);
   EXPECT_EQ(half.radius, 0.5);
@@ -125,7 +126,8 @@ TEST(ImportAreaLight, SizesAndDefaultsAreThoseOfTheirProposals) {
   expect_close(tall.half_u, {0.5, 0, 0});
   expect_close(tall.half_v, {0, 1.5, 0});
   EXPECT_EQ(round.with(khr_area, {{"shape", "disk"}}).light().radius, 1.0);
-  // A ball of radius r and radiance L has pi r^2 L candela: twice the radius, four times the light.
+  // A sphere of radius r and radiance L has pi r^2 L candela: twice the radius, four times the
+  // light.
   ball.with(khr_area, {{"shape", "sphere"}, {"radius", 0.5}, {"intensity", 10}});
   const Light small = ball.light(), large = ball.turned({}, glm::dvec3(2)).light();
   EXPECT_EQ(small.type, Light::Type::point);
@@ -141,7 +143,7 @@ TEST(ImportAreaLight, TheLargestComponentOfTheScaleEnlargesItAllOver) {
   const Light light = file.turned({}, {0.5, -3, 2}).light();
   EXPECT_NEAR(glm::length(light.half_u), 1.5, 1e-14);
   EXPECT_NEAR(glm::length(light.half_v), 3.0, 1e-14);
-  EXPECT_EQ(light.intensity, 1000.0f);  // nits stay: the light grows with the area
+  EXPECT_EQ(light.intensity, 1000.0f);  // radiance stays: the light's power grows with its area
   LightFile disk;
   EXPECT_NEAR(disk.with(ext_area, {{"type", "disk"}}).turned({}, {0.5, 1, 4}).light().radius, 2.0,
               1e-14);

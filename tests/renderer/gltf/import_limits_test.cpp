@@ -30,7 +30,7 @@ TEST(ImportLimits, AGlbsHeaderIsJudgedBeforeTheFileIsRead) {
   using std::string_literals::operator""s;
   const test::TemporaryFolder folder;
   const std::string path = folder.file("large.glb");
-  // Three gigabytes that are not there: reading them would be noticed.
+  // A sparse file of three gigabytes: reading it would be noticed.
   const auto with_head = [&](const std::string& head, std::uintmax_t size) {
     folder.write("large.glb", head);
     std::filesystem::resize_file(path, size);
@@ -44,7 +44,7 @@ TEST(ImportLimits, AGlbsHeaderIsJudgedBeforeTheFileIsRead) {
   EXPECT_NE(with_head("glTF", std::uintmax_t{9} << 30).find("the limit is"), std::string::npos);
 }
 
-// They were called broken JSON.
+// These were once reported as broken JSON.
 TEST(ImportLimits, AFileOfAnotherKindIsNamedByItsFirstBytes) {
   using std::string_literals::operator""s;
   const test::TemporaryFolder folder;
@@ -81,7 +81,7 @@ TEST(ImportLimits, AccessorsWithoutDataAreCountedAgainstTheFile) {
   large.bin = std::string(1 << 20, '\0');
   large.json["asset"]["extras"] = {{"why", "the buffer counts"}};
   EXPECT_NE(reason(folder.write("large.glb", large.glb())).find("without data"), std::string::npos);
-  // None of them is too large alone.
+  // None of them alone is too large.
   const auto many = load_scene(folder.write("many.glb", zeros(100, 60'000).glb()));
   ASSERT_TRUE(many) << many.error().message();
   EXPECT_LE(many->instances.size(), 3u);
@@ -109,7 +109,7 @@ TEST(ImportLimits, AFileThatManyBuffersNameIsReadOnce) {
   EXPECT_EQ(reason(folder.file("shared.gltf")), "");
 }
 
-/// A square for each of `images`, which shows it.
+/// A square for each of `images`.
 GltfBuilder with_images(GltfBuilder b, const nlohmann::json& images) {
   b.json["images"] = images;
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -135,7 +135,7 @@ TEST(ImportLimits, APictureThatManyImagesNameIsDecodedOnce) {
   for (const char* uri : {"a.png", "./a.png"}) images.push_back({{"uri", uri}});
   const auto scene = load_scene(folder.write("images.glb", with_images(b, images).glb()));
   ASSERT_TRUE(scene) << scene.error().message();
-  EXPECT_EQ(scene->images.size(), 2u) << "that of the buffer, and that of the file";
+  EXPECT_EQ(scene->images.size(), 2u) << "the buffer's limit, and the file's limit";
   EXPECT_EQ(scene->textures.size(), 5u);
 }
 
@@ -152,8 +152,8 @@ TEST(ImportLimits, WhatTheMachineHasNoMemoryForIsRefused) {
 
 TEST(ImportLimits, EntriesThatSayNothingAreCountedAgainstTheFile) {
   const test::TemporaryFolder folder;
-  // Of millions of entries the text, not the JSON: that takes a test that is not optimised half a
-  // minute.
+  // Inserts millions of entries as text: building the JSON would take half a minute in an
+  // unoptimised test.
   const auto loaded = [&](const GltfBuilder& b, const std::string& entries) {
     std::string text = b.gltf();
     text.replace(text.find("\"@\""), 3, entries);
@@ -173,7 +173,7 @@ TEST(ImportLimits, EntriesThatSayNothingAreCountedAgainstTheFile) {
   EXPECT_EQ(with("materials", 10'000, "{}"), "");
   EXPECT_NE(with("nodes", 400'000, "{}").find("more entries"), std::string::npos);
   EXPECT_NE(with("materials", 100'000, "{}").find("more entries"), std::string::npos);
-  // Those that say something are what files of this size have.
+  // Entries with contents are normal for files of this size.
   EXPECT_EQ(with("nodes", 400'000, R"({"name":"node","translation":[1,2,3]})"), "");
   GltfBuilder b = GltfBuilder::square();
   b.json["extensionsUsed"] = {"KHR_node_visibility"};
@@ -214,7 +214,7 @@ TEST(ImportLimits, MoreCopiesThanObjectsMayBeAreRefusedBeforeTheyAreRead) {
             "has more than 4000000 objects, which is the limit");
 }
 
-// A pose, and a name, is found once for all that share it: not once for each of n for each of n.
+// A pose, and a name, is computed once for all that share it, not n times for each of n.
 TEST(ImportLimits, ManyThatShareMuchLoadInTime) {
   if (test::sanitized) GTEST_SKIP() << "times are not the program's";
   constexpr int count = 20'000;

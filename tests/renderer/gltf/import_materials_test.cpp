@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-// Materials' reflections as files say them: gltf/MATERIALS.md.
+// Reflection properties of materials in files: gltf/MATERIALS.md.
 
 namespace asos {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 using test::GltfBuilder;
 
-/// A file of one material, and what the importer made of it.
+/// A file with one material, and the imported material.
 struct Imported {
   Material material;
   std::vector<std::string> warnings;
@@ -91,7 +91,7 @@ TEST(ImportMaterials, TexturesOfExtensionsAreRead) {
           {{"transmissionFactor", 0.5}, {"transmissionTexture", {{"index", 0}}}}}}}});
   EXPECT_TRUE(glass.material.transmission_texture.used());
   EXPECT_EQ(glass.material.transmission, 0.5f);
-  // A second set that there is not.
+  // A second set of coordinates that does not exist.
   const Imported third =
       import_material(with_specular({{"specularTexture", {{"index", 0}, {"texCoord", 2}}}}));
   EXPECT_FALSE(third.material.specular_texture.used());

@@ -7,8 +7,8 @@
 #include <array>
 #include <webp/encode.h>
 
-// Pictures that extensions bring along: EXT_texture_webp, KHR_texture_basisu, and the roughness
-// that KHR_materials_pbrSpecularGlossiness has in a texture's alpha.
+// Images of extensions: EXT_texture_webp, KHR_texture_basisu, and the roughness in a texture's
+// alpha of KHR_materials_pbrSpecularGlossiness.
 
 namespace asos {
 namespace {
@@ -27,7 +27,7 @@ std::string webp_of(const Texels& rgba, int width, int height) {
   if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, 0) ||
       !WebPPictureInit(&picture))
     return {};
-  config.exact = 1;  // the colours of what is transparent, too
+  config.exact = 1;  // keeps the colours of transparent texels
   picture.use_argb = 1;
   picture.width = width;
   picture.height = height;
@@ -84,7 +84,7 @@ TEST(WebpTextures, TakeTheirOwnImageBeforeTheOther) {
 
 TEST(WebpTextures, WithBrokenDataFallBackOrAreLeftOutByName) {
   const std::string webp = webp_of(two_texels, 2, 1);
-  // Cut anywhere, and with each byte changed: an image, or a warning that names it.
+  // Truncated anywhere, and with each byte changed: an image, or a warning that names it.
   for (std::size_t length = 0; length < webp.size(); ++length) {
     SCOPED_TRACE(length);
     const auto scene =
@@ -110,7 +110,7 @@ TEST(WebpTextures, WithBrokenDataFallBackOrAreLeftOutByName) {
 }
 
 TEST(WebpTextures, ClaimNoMoreThanTheirBytesCanHold) {
-  // The header of a lossless picture of 16383 x 16383 texels: 14 bits a side, less one.
+  // The header of a lossless image of 16383 x 16383 texels: 14 bits per side, minus one.
   std::string head = webp_of(two_texels, 2, 1);
   ASSERT_EQ(head.substr(12, 4), "VP8L");
   head[21] = '\xfe', head[22] = '\xbf', head[23] = '\xff';

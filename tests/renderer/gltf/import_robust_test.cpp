@@ -55,7 +55,7 @@ TEST(ImportRobust, FilesThatAreNone) {
 TEST(ImportRobust, NestingBomb) {
   const std::string deep(100'000, '[');
   expect_refused(load_text(R"({"asset":{"version":"2.0"},"extras":)" + deep), "nested");
-  // The limit is on depth alone: brackets in texts do not count.
+  // The limit is on depth only: brackets within strings do not count.
   const std::string text =
       R"({"asset":{"version":"2.0","generator":"\"[[[[)" + std::string(1000, '[') + R"("}})";
   EXPECT_TRUE(load_text(text));
@@ -90,7 +90,7 @@ TEST(ImportRobust, HugeCountsAreRefusedBeforeAllocation) {
   beyond.json["accessors"][0]["count"] = 4'000'000'000u;
   expect_refused(load_in_time(beyond), "reaches outside");
 
-  // An offset and a count whose product wraps around 64 bits.
+  // The product of offset and count wraps around 64 bits.
   GltfBuilder wrap = GltfBuilder::square();
   wrap.json["accessors"][0]["count"] = 0x1555555555555556u;
   expect_refused(load_in_time(wrap), "reaches outside");
@@ -154,8 +154,7 @@ TEST(ImportRobust, FilesOutsideTheAssetRootAreNotRead) {
   };
   EXPECT_TRUE(with("in side.bin"));
   EXPECT_TRUE(with("in%20side.bin"));
-  EXPECT_TRUE(with("as%20written.bin"))
-      << "no file of that name but for what the uri itself spells";
+  EXPECT_TRUE(with("as%20written.bin")) << "only the literal URI names a file";
   expect_refused(with("../outside.bin"), "leads out of");
   expect_refused(with("%2e%2e/outside.bin"), "leads out of");
   expect_refused(with("link.bin"), "symbolic link");
@@ -231,7 +230,7 @@ TEST(ImportRobust, BrokenPicturesCostOnlyThemselves) {
   outside.json["bufferViews"].push_back(
       {{"buffer", 0}, {"byteOffset", 4'000'000'000u}, {"byteLength", 100}});
   expect_warned(load_in_time(outside), "reach outside buffer 0");
-  // Headers of 20000 x 16 and of 12336 x 12336 pixels with no data behind them.
+  // Headers of 20000 x 16 and of 12336 x 12336 pixels without data.
   std::string head = "\x89PNG\r\n\x1a\n";
   head += std::string("\0\0\0\rIHDR\0\0\x4e\x20\0\0\0\x10\x08\x02\0\0\0", 21);
   head += std::string(64, '\0');

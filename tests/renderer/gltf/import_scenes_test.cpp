@@ -12,7 +12,7 @@ namespace {
 
 using test::GltfBuilder;
 
-/// Scenes of one, two and three squares; the second is the file's own.
+/// Scenes of one, two and three squares; the second is the file's default.
 GltfBuilder three_scenes() {
   GltfBuilder b = GltfBuilder::square();
   b.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 5}}});
@@ -46,7 +46,7 @@ TEST(ImportScenes, AreChosenByNumberOrName) {
   EXPECT_EQ(squares("0"), 1u);
   EXPECT_EQ(squares("pair"), 2u);
   EXPECT_EQ(squares("2"), 3u);
-  EXPECT_EQ(squares("1"), 2u) << "a number is one, whatever others are called";
+  EXPECT_EQ(squares("1"), 2u) << "numbers take precedence over names";
 }
 
 TEST(ImportScenes, UnknownOnesAreRefusedWithThoseThatThereAre) {
@@ -73,7 +73,7 @@ TEST(ImportScenes, ADefaultThatDoesNotExistIsTheFirst) {
   EXPECT_NE(scene->notes.warnings[0].find("default scene 7 does not exist"), std::string::npos);
 }
 
-// Node 1 of the file is below node 2, which is shown first.
+// In the file node 1 is a child of node 2, which is listed first.
 TEST(ImportScenes, KeepTheTreeOfTheirNodes) {
   GltfBuilder b = three_scenes();
   b.json["scenes"] = {{{"nodes", {0, 2}}}};

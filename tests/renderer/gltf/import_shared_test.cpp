@@ -71,8 +71,7 @@ TEST_F(SharedFiles, ScenesHaveTheirTrianglesLightsAndCameras) {
 }
 
 TEST_F(SharedFiles, OddFilesLoadOrAreRefusedByName) {
-  // These are valid but ask for what is not supported, or hold no data; each refusal's reason has
-  // to say so.
+  // Valid files that need unsupported features or have no data; the error has to say so.
   const std::map<std::string, std::string> refused = {{"ACMEBox.gltf", "ACME_gizmo"},
                                                       {"BoxTextured.gltf", "KHR_technique_webgl"},
                                                       {"min_version_valid.gltf", "minVersion"},
@@ -98,7 +97,7 @@ TEST_F(SharedFiles, OddFilesLoadOrAreRefusedByName) {
 }
 
 TEST_F(SharedFiles, BadFilesGiveAnErrorOrAWarning) {
-  // Faults that change nothing of what is drawn, so that no word is lost on them.
+  // Defects that do not affect the picture, so that no warning is given.
   const std::map<std::string, std::string> harmless = {
       {"Animation_Skin_06.gltf", "joints without a common root are placed all the same"},
       {"box_sparse.glb", "an offset into no buffer view is not used"},

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// EXT_lights_image_based as files say it: gltf/LIGHTS.md.
+// EXT_lights_image_based in files: gltf/LIGHTS.md.
 
 namespace asos::import_surroundings_test {
 namespace {
@@ -26,7 +26,7 @@ constexpr const char* png_with_alpha =
     "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAEUlEQVR4nGP438BgDMIMMAYA"
     "QuIGyeMPakYAAAAASUVORK5CYII=";
 
-/// A square lit by a cube of 2 x 2 pictures, the last of which has alpha; `change` is made to it.
+/// A square lit by a cube of 2 x 2 images, the last with alpha; `change` edits the file.
 json file_of(const std::function<void(json& file, json& light)>& change = {}) {
   GltfBuilder b = GltfBuilder::square();
   json file = b.json;
@@ -72,7 +72,7 @@ TEST(ImportSurroundings, AreRead) {
     EXPECT_EQ(all.sides[i].image.width, 2) << i;
     EXPECT_EQ(all.sides[i].divided, i == 5) << i;
   }
-  // Turned by 2 atan(0.6 / 0.8) about +Y.
+  // Rotated by 2 atan(0.6 / 0.8) about +Y.
   const glm::dvec3 turned = all.world_from_cube * glm::dvec3(1, 0, 0);
   EXPECT_NEAR(turned.x, 0.28, 1e-6);
   EXPECT_NEAR(turned.z, -0.96, 1e-6);
@@ -137,7 +137,7 @@ TEST(ImportSurroundings, ThatAreBrokenAreLeftOutAndNamed) {
   EXPECT_TRUE(warns(other_size, "specularImageSize"));
 }
 
-// Written and read again they are the same, divided by their alpha or not.
+// They are the same after export and import, with or without division by alpha.
 TEST(ImportSurroundings, AreWrittenAsTheyWereRead) {
   const Scene scene = scene_of([](json&, json& light) { light["name"] = "dusk"; });
   const test::TemporaryFolder folder;
@@ -160,10 +160,10 @@ TEST(ImportSurroundings, AreWrittenAsTheyWereRead) {
   }
 }
 
-// A cube that shines on one side alone: a surface that faces the side's middle takes the form
-// factor of a cube's face from its centre, 0.554 of pi (two angles of atan(1/sqrt 2) and so on;
-// here by summing cosine over solid angle), a surface that faces away nothing. Three bands of
-// harmonics are within 9 percent of the largest irradiance (Ramamoorthi and Hanrahan 2001).
+// A cube that emits on one side only. A surface facing that side's centre receives the form factor
+// of a cube's face from its centre, 0.554 of pi (by numerical integration of the cosine); a surface
+// facing away receives nothing. Three bands of spherical harmonics are within 9 percent of the
+// largest irradiance (Ramamoorthi and Hanrahan 2001).
 TEST(ImportSurroundings, AreWrittenWithTheirIrradiance) {
   for (std::size_t lit = 0; lit < 6; ++lit) {
     Scene scene = scene_of();

@@ -14,7 +14,7 @@ using nlohmann::json;
 using test::GltfBuilder;
 using test::load_in_time;
 
-/// How many of the warnings hold `words`; -1 where the file was refused.
+/// Number of warnings that contain `words`; -1 if the file was rejected.
 int warnings_of(const GltfBuilder& file, const std::string& words) {
   const Result<Scene> scene = load_in_time(file);
   if (!scene) return -1;
@@ -52,7 +52,7 @@ TEST(ImportValues, FiltersAndWrapsThatAreNoneAreSaid) {
     b.json["samplers"] = {{{name, std::string(name).starts_with("wrap") ? 33071 : 9728}}};
     EXPECT_EQ(warnings_of(b, "/samplers"), 0) << name;
   }
-  // Of the two, only what makes pictures smaller may go between levels.
+  // Only the minification filter may interpolate between levels.
   GltfBuilder b = GltfBuilder::square();
   b.json["samplers"] = {{{"magFilter", 9987}, {"minFilter", 9987}}};
   EXPECT_EQ(warnings_of(b, "Filter is 9987"), 1);

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using test::GltfBuilder;
 
-/// Two squares: the first has mappings, the second none; both of material 0.
+/// Two squares of material 0: the first has mappings, the second none.
 Result<Scene> import_variant(const std::string& name, json mappings, bool required = false) {
   GltfBuilder b = GltfBuilder::square();
   json& primitives = b.json["meshes"][0]["primitives"];

@@ -8,7 +8,7 @@
 
 namespace asos::test {
 
-/// The same to a few roundings of a double, relative to the larger one's length.
+/// Equal up to a few roundings of a double, relative to the larger vector's length.
 inline void expect_close(glm::dvec3 a, glm::dvec3 b) {
   const double size = std::max({glm::length(a), glm::length(b), 1e-300});
   EXPECT_LT(glm::length(a - b), 1e-12 * size)

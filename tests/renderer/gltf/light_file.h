@@ -11,7 +11,7 @@
 
 namespace asos::test {
 
-/// A file with a square and one more node, which carries what a test is about.
+/// A file with a square and one more node, the subject of the test.
 class LightFile {
  public:
   LightFile() {
@@ -21,7 +21,7 @@ class LightFile {
 
   nlohmann::json& node() { return builder_.json["nodes"][1]; }
   nlohmann::json& json() { return builder_.json; }
-  /// Puts `light` at the node under an extension.
+  /// Attaches `light` to the node through an extension.
   LightFile& with(const std::string& extension, nlohmann::json light) {
     builder_.json["extensionsUsed"].push_back(extension);
     builder_.json["extensions"][extension]["lights"] = {std::move(light)};
@@ -32,7 +32,7 @@ class LightFile {
     node()["extras"]["asos_light"] = std::move(light);
     return *this;
   }
-  /// Places the node: a quarter turn about +Y takes its -Z to -X and its X to -Z.
+  /// Places the node; a quarter turn about +Y takes its -Z to -X and its X to -Z.
   LightFile& turned(glm::dvec3 translation, glm::dvec3 scale) {
     node()["translation"] = {translation.x, translation.y, translation.z};
     node()["rotation"] = {0.0, std::sqrt(0.5), 0.0, std::sqrt(0.5)};
@@ -46,14 +46,14 @@ class LightFile {
     if (!scene) throw std::runtime_error(scene.error().message());
     return std::move(*scene);
   }
-  /// The one light of the file, read without a word of warning.
+  /// Returns the only light of the file, which must load without warnings.
   [[nodiscard]] Light light() const {
     const Scene scene = load();
     EXPECT_EQ(scene.notes.warnings, std::vector<std::string>());
     EXPECT_EQ(scene.lights.size(), 1u);
     return scene.lights.empty() ? Light() : scene.lights[0];
   }
-  /// Expects that the light is left out and that one warning says so and holds `words`.
+  /// Expects that the light is ignored with a single warning that contains `words`.
   void expect_left_out(const std::string& words) const {
     const Scene scene = load();
     EXPECT_TRUE(scene.lights.empty()) << words;

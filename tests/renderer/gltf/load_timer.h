@@ -11,12 +11,12 @@
 
 namespace asos::test {
 
-/// No file may take longer to load or to be refused, whatever is in it, in any build.
+/// Time limit to load or reject any file, in every kind of build.
 inline constexpr double longest_load_seconds = 5.0;
 
-/// Loads a file and expects it to stay within that time. Processor time is what is measured: that
-/// of all threads, so no less than an idle machine's clock would show, and independent of what else
-/// the machine does. A load that waits instead of working runs into the test's own time limit.
+/// Loads a file and expects it to stay within that limit of CPU time of all threads. This is at
+/// least the wall-clock time of an idle machine, and independent of other load. A load that blocks
+/// runs into the test's own time limit.
 inline Result<Scene> load_in_time(const std::string& path, const LoadOptions& options = {}) {
   const std::clock_t start = std::clock();
   Result<Scene> scene = load_scene(path, options);
@@ -25,7 +25,7 @@ inline Result<Scene> load_in_time(const std::string& path, const LoadOptions& op
   return scene;
 }
 
-/// The same for a file that holds what was built, named test.glb.
+/// The same for a built file, which is written as test.glb.
 inline Result<Scene> load_in_time(const GltfBuilder& builder) {
   const TemporaryFolder folder;
   return load_in_time(folder.write("test.glb", builder.glb()));

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-// What KHR_animation_pointer moves beside nodes' own poses: gltf/ANIMATIONS.md.
+// Animated properties of KHR_animation_pointer, besides nodes' poses: gltf/ANIMATIONS.md.
 
 namespace asos::test::moved_values_test {
 namespace {
@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr const char* name = "KHR_animation_pointer";
 
-/// A channel from time 0 to 1 that aims at `pointer`.
+/// A channel from time 0 to 1 that animates `pointer`.
 void aim(GltfBuilder& b, const std::string& pointer, int values,
          const std::string& interpolation = "LINEAR") {
   add_channel(b, 0, "pointer", b.scalars({0, 1}), values, interpolation);
@@ -90,16 +90,16 @@ TEST(MovedValues, MaterialsChangeAndComeBack) {
   EXPECT_EQ(posed(rest, 0.5).materials.at(0).base_color, m.base_color);
 }
 
-// What is black, or round, at rest has its texture and its tangents as soon as it is not.
+// Materials that are black, or isotropic, at rest still get their textures and tangents.
 TEST(MovedValues, WhatShowsLaterHasItsTexturesAndTangents) {
   GltfBuilder b = furnished();
   aim(b, "/materials/0/extensions/KHR_materials_sheen/sheenColorFactor",
       b.vec3({{0, 0, 0}, {1, 1, 1}}));
   aim(b, "/materials/0/extensions/KHR_materials_anisotropy/anisotropyStrength", b.scalars({0, 1}));
-  // A texture of its own, which nothing shows at rest.
+  // A separate texture that nothing uses at rest.
   b.json["textures"].push_back({{"source", 0}});
   b.json["materials"][0]["extensions"]["KHR_materials_sheen"]["sheenColorTexture"]["index"] = 1;
-  // Tangents are those of the normal map's or the lobe's own texture coordinates.
+  // Tangents follow the texture coordinates of the normal map, or of the anisotropy texture.
   b.json["materials"][0]["extensions"]["KHR_materials_anisotropy"]["anisotropyTexture"] = {
       {"index", 0}};
   const Scene rest = with_rig(b);
@@ -160,7 +160,7 @@ TEST(MovedValues, OneOfSeveralWeightsMovesAlone) {
   EXPECT_EQ(world_vertex(posed(rest, 0.5), 0), glm::dvec3(2, 0, 1));
 }
 
-/// The channel is left, and the words are said of it.
+/// Expects that the channel is ignored with this warning.
 void expect_left(const GltfBuilder& b, const std::string& why) {
   SCOPED_TRACE(why);
   const Scene scene = with_rig(b);
@@ -215,7 +215,7 @@ TEST(MovedValues, ChannelsThatAreNotValidAreLeftWithTheReason) {
   expect_left(weightless, "its node has no weight '3'");
 }
 
-// Values out of range are brought into it, and said, at the moment at which they are.
+// Values out of range are clamped and reported, at the times when they occur.
 TEST(MovedValues, ValuesOutOfRangeAreBroughtIntoIt) {
   GltfBuilder b = furnished();
   aim(b, "/materials/0/pbrMetallicRoughness/roughnessFactor", b.scalars({0, 3}));

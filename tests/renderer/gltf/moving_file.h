@@ -15,8 +15,7 @@
 
 namespace asos::test {
 
-/// Adds a channel with its sampler to the file's first animation, which is made where there is
-/// none.
+/// Adds a channel with its sampler to the file's first animation, which is created if missing.
 inline void add_channel(GltfBuilder& b, int node, const std::string& path, int times, int values,
                         const std::string& interpolation = "LINEAR") {
   if (!b.json.contains("animations"))
@@ -29,13 +28,13 @@ inline void add_channel(GltfBuilder& b, int node, const std::string& path, int t
                                    {"target", {{"node", node}, {"path", path}}}});
 }
 
-/// A quaternion x, y, z, w that turns about z.
+/// A quaternion (x, y, z, w) for a rotation about z.
 inline glm::vec4 about_z(double degrees) {
   const double half = degrees * std::numbers::pi / 360.0;
   return {0, 0, std::sin(half), std::cos(half)};
 }
 
-/// The file's scene at rest, with its rig; the test stops where that fails.
+/// The file's scene at rest with its rig; stops the test on an error.
 inline Scene with_rig(const GltfBuilder& b) {
   const TemporaryFolder folder;
   Result<Scene> scene = import_gltf(folder.write("test.glb", b.glb()), {.keep_rig = true});

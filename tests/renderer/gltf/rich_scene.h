@@ -18,7 +18,7 @@ inline Mesh triangle_to_write() {
   return mesh;
 }
 
-/// A texture that is turned, then scaled, then shifted.
+/// A texture use with rotation, scale and offset.
 inline TextureUse moved(int texture, double angle, glm::vec2 scale, glm::vec2 offset) {
   TextureUse use;
   use.texture = texture;
@@ -29,7 +29,7 @@ inline TextureUse moved(int texture, double angle, glm::vec2 scale, glm::vec2 of
   return use;
 }
 
-/// A scene that uses every field that can be written.
+/// A scene that uses every exportable field.
 inline Scene rich_scene() {
   Scene scene;
   scene.name = "rich \"\u00e9\u6f22\"";
@@ -118,7 +118,7 @@ inline Scene rich_scene() {
   Light sun;
   sun.name = "sun";
   sun.type = Light::Type::directional;
-  sun.direction = {0.0, 0.0, 1.0};  // straight against glTF's own axis
+  sun.direction = {0.0, 0.0, 1.0};  // opposite to glTF's own axis
   sun.intensity = 3.25f;
   Light spot;
   spot.name = "spot";

@@ -18,7 +18,8 @@ void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-6) {
   EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
-/// Where a translation of these keys has moved the square's first corner, which is the origin.
+/// Position of the square's first corner, which is at the origin at rest, under a translation with
+/// these keys.
 glm::dvec3 moved(const std::string& interpolation, const std::vector<float>& times,
                  const std::vector<glm::vec3>& values, double seconds) {
   GltfBuilder b = GltfBuilder::square();
@@ -38,8 +39,8 @@ TEST(Rig, InterpolatesBetweenKeysAsTheySay) {
   }
 }
 
-// Hermite's polynomial through p, q with slopes m, n over a span d is, by its Taylor series at p,
-// p + m x + (3 (q - p) / d - 2 m - n) x^2 / d + (2 (p - q) / d + m + n) x^3 / d^2.
+// Hermite's polynomial through p and q with slopes m and n over a span d: p + m x + (3 (q - p) / d
+// - 2 m - n) x^2 / d + (2 (p - q) / d + m + n) x^3 / d^2.
 TEST(Rig, SplinesAreHermites) {
   const double p = 1, m = -3, q = 5, n = 7, d = 2;
   const std::vector<glm::vec3> values{{99, 0, 0}, {p, 0, 0}, {m, 0, 0},
@@ -56,7 +57,7 @@ TEST(Rig, SplinesAreHermites) {
 TEST(Rig, TurnsAlongTheShorterArcAtAnEvenSpeed) {
   for (const bool opposite : {false, true}) {
     GltfBuilder b = GltfBuilder::square();
-    // A quaternion and its opposite are one rotation.
+    // A quaternion and its negative are the same rotation.
     const glm::vec4 end = opposite ? -about_z(90) : about_z(90);
     add_channel(b, 0, "rotation", b.scalars({0, 3}), b.vec4({about_z(0), end}));
     const Scene scene = with_rig(b);
@@ -72,7 +73,7 @@ TEST(Rig, SplinesOfRotationsComeOutAsUnits) {
   const glm::vec4 none(0);
   add_channel(b, 0, "rotation", b.scalars({0, 1}),
               b.vec4({none, about_z(0), none, none, about_z(120), none}), "CUBICSPLINE");
-  const double h = std::numbers::pi / 6.0;  // half way, the sum of both bisects them
+  const double h = std::numbers::pi / 6.0;  // halfway: the bisector
   expect_near(world_vertex(posed(with_rig(b), 0.5), 1), {std::cos(2 * h), std::sin(2 * h), 0});
 }
 
@@ -94,7 +95,7 @@ TEST(Rig, ReadsNormalisedIntegers) {
   EXPECT_NEAR(world_vertex(posed(with_rig(m), 1), 0).z, 0.4, 1e-6);
 }
 
-// A morph target may be quantised, sparse, and change normals.
+// A morph target may be quantised or sparse, and may change normals.
 TEST(Rig, MorphsPositionsAndNormals) {
   GltfBuilder b = GltfBuilder::square();
   b.json["extensionsUsed"] = b.json["extensionsRequired"] = {"KHR_mesh_quantization"};
@@ -119,8 +120,8 @@ TEST(Rig, MorphsPositionsAndNormals) {
   expect_near(world_vertex(scene, 2), {1, 1, 0});
 }
 
-/// An arm of two joints along x, from 0 by the elbow at 1 to the hand at 2, whose elbow bends by 90
-/// degrees in a second. Vertices: shoulder, elbow (of both joints), hand.
+/// An arm of two joints along x, from 0 over the elbow at 1 to the hand at 2. The elbow bends by 90
+/// degrees in one second. Vertices: shoulder, elbow (both joints), hand.
 GltfBuilder arm(float elbow_weights = 0.5f) {
   GltfBuilder b;
   const int positions = b.vec3({{0, 0, 0}, {1, 0.5, 0}, {2, 0, 0}});
@@ -144,10 +145,10 @@ GltfBuilder arm(float elbow_weights = 0.5f) {
 }
 
 TEST(Rig, BendsAnArmAtItsElbow) {
-  for (const float weights : {0.5f, 1.0f}) {  // those that do not add up to 1 count by their shares
+  for (const float weights : {0.5f, 1.0f}) {  // weights are normalised to a sum of 1
     const Scene bent = posed(with_rig(arm(weights)), 1.0);
     expect_near(world_vertex(bent, 0), {0, 0, 0});
-    // Half of (1, 0.5) and half of what the elbow makes of it: (0.5, 0).
+    // Half of (1, 0.5) and half of (0.5, 0), the elbow's result.
     expect_near(world_vertex(bent, 1), {0.75, 0.25, 0});
     expect_near(world_vertex(bent, 2), {1, 1, 0});
     expect_near(bent.meshes[0].normals[2], {-1, 0, 0});
@@ -162,12 +163,12 @@ TEST(Rig, AtRestTheFilesNodesPoseASkin) {
   const Scene scene = with_rig(b);
   EXPECT_FALSE(scene.time.has_value());
   expect_near(world_vertex(scene, 2), {1, -1, 0});
-  // And the same comes back after another time.
+  // The same pose again after another time.
   (void)posed(scene, 1.0);
   expect_near(world_vertex(scene.rig->pose(std::nullopt).value(), 2), {1, -1, 0});
 }
 
-// A joint stretched by (2, 1, 1) takes the plane x = y to x = 2y: its normal is (1, -2)/sqrt(5).
+// A joint stretched by (2, 1, 1) maps the plane x = y to x = 2y: its normal is (1, -2)/sqrt(5).
 TEST(Rig, NormalsOfSkinsStaySquareToTheirSurface) {
   GltfBuilder b = arm();
   const float s = std::sqrt(0.5f);
@@ -266,7 +267,7 @@ TEST(Rig, TellsWhatMovesAndWhatThereIsAChoiceOf) {
         "1 camera is in no node that is shown and cannot be looked through",
         "1 variant is not shown: 'red'; materials are as without (--variant shows one)"})
     EXPECT_EQ(std::ranges::count(said, line), 1) << line;
-  // At a time that is asked for, the animation is played.
+  // With a time given, the animation is played.
   for (const std::string& line : remarks(posed(scene, 0.5).notes))
     EXPECT_EQ(line.find("not played"), std::string::npos) << line;
 }
@@ -291,10 +292,10 @@ TEST(Rig, IsKeptOnlyWhereItIsAskedForAndSomethingMoves) {
   EXPECT_NE(with_rig(arm()).rig, nullptr);
 }
 
-// A playing window asks for poses without end.
+// Playing requests any number of poses.
 TEST(Rig, DataThatTheFileDoesNotHaveDoesNotRunOut) {
   GltfBuilder b = GltfBuilder::square();
-  // As many zeros as may be read once and no second time.
+  // So many zeros that they may be read once, but not twice.
   const int zeros = b.accessor(-1, 5126, "VEC3", 30000);
   b.json["meshes"].push_back(
       {{"primitives",

@@ -28,7 +28,7 @@ class ShapesTest : public testing::Test {
     return import_gltf(path("scene.glb"));
   }
 
-  /// A square that stands for a shape by its extras.
+  /// A square whose extras define a shape that replaces it.
   static test::GltfBuilder with_extras(json shape) {
     test::GltfBuilder b = test::GltfBuilder::square();
     b.node()["extras"]["asos_shape"] = std::move(shape);

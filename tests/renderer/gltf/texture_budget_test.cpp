@@ -32,7 +32,7 @@ std::uint64_t texels_after(const std::vector<PictureClaim>& claims) {
 TEST(TextureBudget, PicturesOfTheirSizeStayAsTheyAre) {
   EXPECT_EQ(shrinks_of({}), std::vector<int>{});
   EXPECT_EQ(shrinks_of(std::vector<PictureClaim>{{4096, 4096, 20'000}}), std::vector<int>{1});
-  // Ten of 4096 x 4096 as a JPEG holds them.
+  // Ten textures of 4096 x 4096 from JPEG files.
   const std::vector<PictureClaim> rich(10, {4096, 4096, 2'500'000});
   EXPECT_EQ(shrinks_of(rich), std::vector<int>(10, 1));
   EXPECT_EQ(shrinks_of(std::vector<PictureClaim>{{8192, 8192, 7'000'000}}), std::vector<int>{1});

@@ -16,13 +16,13 @@
 #include <string>
 #include <vector>
 
-// Rays that are aimed many at a time, against those of one point in double precision, and their
-// weights against the closed forms of whole lights.
+// Vectorised generation of rays to lights against the scalar double-precision functions, and their
+// weights against closed forms of whole lights.
 
 namespace asos::test::aim_kernel_test {
 namespace {
 
-/// A place of a light by area where it is flat, and what the light would be there per its power.
+/// A point of a light, by area if it is flat, and its light per unit of power.
 LightSample place_on(const PreparedLight& light, const Receiver& receiver, glm::dvec2 at) {
   if (!light.rectangle) return sample_light(light, receiver, at.x, at.y);
   const glm::dvec3 to = light.position - receiver.position + (2.0 * at.x - 1.0) * light.half_u +
@@ -51,15 +51,15 @@ float largest(glm::vec3 v) {
 
 class AimKernel : public testing::TestWithParam<AimedBy> {};
 
-TEST_P(AimKernel, RaysAreTheOnesOfThePointsOneByOne) {
+TEST_P(AimKernel, RaysMatchTheScalarFunctions) {
   const bool by_radiance = GetParam() == AimedBy::radiance;
   for (const auto& [scale, offset] : scales) {
     const LitSubjects batch(static_cast<std::uint64_t>(std::log10(scale) + 60.0), scale, offset);
     for (const NamedLight& named : lights(scale, offset)) {
       const PreparedLight& light = named.prepared;
       if (by_radiance && light.rule == LightRule::published) continue;
-      // Inside of a ball light stops at the horizon at once, on whichever side a direction is
-      // rounded to.
+      // Inside a sphere light, light ends abruptly at the horizon, and rounding decides on which
+      // side a direction is.
       if (named.name == "huge ball") continue;
       SCOPED_TRACE(named.name + " at scale " + std::to_string(std::log10(scale)));
       ShadowRayBatch rays;
@@ -80,7 +80,7 @@ TEST_P(AimKernel, RaysAreTheOnesOfThePointsOneByOne) {
         mean += expected.back() / static_cast<double>(batch.subjects.size());
       }
       ASSERT_GT(mean, 0.0);
-      // The rays are those of the points that get something, in their order.
+      // The rays belong to the lit points, in order.
       std::size_t next = 0;
       for (std::size_t i = 0; i < expected.size(); ++i) {
         SCOPED_TRACE("point " + std::to_string(i));
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(By, AimKernel, testing::Values(AimedBy::irradiance, Aim
                            return by.param == AimedBy::radiance ? "Radiance" : "Irradiance";
                          });
 
-// A batch is used for one picture after another, and what it held before is of no meaning.
+// Batches are reused between pictures, so old contents must not matter.
 TEST(RepeatedPoint, HasNoSheenThatAnotherHad) {
   const auto& [scale, offset] = scales[0];
   const LitSubjects subjects(7, scale, offset);
@@ -155,8 +155,8 @@ TEST(RepeatedPoint, HasNoSheenThatAnotherHad) {
   EXPECT_GT(without, 10);
 }
 
-// Their mean is the closed form of the light (Lambert's sum, of balls and disks the view factor).
-TEST(AimedRays, WeighTogetherWhatTheWholeLightGives) {
+// The mean is the closed form of the light (Lambert's sum; the view factor for spheres and disks).
+TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
   SurfacePoint point;
   point.position = {0.7f, 0.0f, 0.2f};
   point.shading_normal = point.geometric_normal = {0, 1, 0};

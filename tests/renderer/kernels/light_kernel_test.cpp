@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-// The kernels against the functions for one point in double precision that they stand for.
+// The kernels against the scalar double-precision functions.
 
 namespace asos::test::light_kernel_test {
 namespace {
@@ -31,7 +31,7 @@ struct Expected {
   glm::vec3 unshadowed;
 };
 
-/// The density of the mirrored visible normals (Heitz 2018), by solid angle.
+/// Density of reflected visible normals (Heitz 2018), by solid angle.
 double lobe_density(const LitSubject& s, glm::dvec3 l) {
   const glm::dvec3 n(s.point->shading_normal), v(s.view->to_viewer);
   const double a2 = std::pow(static_cast<double>(s.material.roughness), 4.0);
@@ -41,8 +41,8 @@ double lobe_density(const LitSubject& s, glm::dvec3 l) {
   return a2 / (std::numbers::pi * d * d) * masked / (4.0 * nv);
 }
 
-/// The share of its highlight that a sample of the light carries; samples of the lobe carry the
-/// rest (the balance heuristic).
+/// Weight of a light sample for its highlight; samples of the lobe have the rest (balance
+/// heuristic).
 double share_of_light(const PreparedLight& light, const LitSubject& s, const LightSample& sample) {
   const glm::dvec3 n(s.point->shading_normal);
   const bool area = light.extended() && light.shape != PreparedLight::Shape::segment;
@@ -84,8 +84,7 @@ glm::vec3 at(const std::array<ShadowRayBatch::Floats, 3>& v, std::size_t i) {
   return {v[0][i], v[1][i], v[2][i]};
 }
 
-// Floats have 24 bits: what is left of some dozens of roundings, and where a highlight is narrow,
-// a square of them.
+// Floats have 24 bits: the error of a few dozen roundings, squared for narrow highlights.
 constexpr double relative = 2e-4;
 constexpr double typical = 1e-5;
 constexpr double direction_error = 2e-5;
@@ -115,8 +114,8 @@ TEST(LightKernel, RaysAreTheOnesOfThePointsOneByOne) {
         const float off = largest(carried - e.carried);
         const double tolerance = relative * static_cast<double>(largest(e.carried)) +
                                  typical * static_cast<double>(bright);
-        // Inside of a ball light stops at the horizon at once, on whichever side of it a direction
-        // is rounded to.
+        // Inside a sphere light, light ends abruptly at the horizon, and rounding decides on which
+        // side a direction is.
         const glm::dvec3 up(batch.subjects[i].point->geometric_normal);
         const bool stops =
             light.name == "huge ball" && std::abs(glm::dot(e.sample.direction, up)) < 1e-3;
@@ -140,14 +139,14 @@ TEST(LightKernel, RaysAreTheOnesOfThePointsOneByOne) {
         ++next;
       }
       EXPECT_EQ(next, rays.count) << "indices have to ascend";
-      // On average errors are those of roundings.
+      // The mean error is that of rounding.
       EXPECT_LT(sum / static_cast<double>(batch.subjects.size()), 1e-5);
     }
   }
 }
 
-/// What all samples of a light carry on the mean, and those of the lobe alone, of a point without
-/// a patch that is seen 30 degrees off its normal.
+/// Mean radiance from all samples of a light and from those of the lobe alone, for a point without
+/// a patch seen at 30 degrees.
 struct Means {
   double both = 0.0, by_lobe = 0.0;
 };
@@ -179,7 +178,7 @@ Means means_of(const PreparedLight& light, const LitSubject& s) {
   return means;
 }
 
-// Neither half of the samples alone: together they have the mean of the rendering equation.
+// Neither half of the samples alone has the mean of the rendering equation, but both together do.
 TEST(LightKernel, SamplesOfLightAndLobeTogetherHaveTheMeanOfTheBrdf) {
   for (const float roughness : {0.1f, 0.25f, 0.5f, 0.8f}) {
     LitSubject s;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-// The functions of kernels against the standard library's, in the baseline's lanes: light_kernel's
-// test sees that all instruction sets have the same bits.
+// The kernels' math functions against the standard library, with the baseline's lanes.
+// light_kernel_test checks that all instruction sets give equal bits.
 
 namespace asos::test::simd_math_test {
 namespace {
@@ -58,7 +58,7 @@ TEST(SimdMath, ArcTangentAllAround) {
       const double expected = std::atan2(y, x);
       if (expected != 0.0) worst = std::max(worst, std::abs(found(y, x) / expected - 1.0));
     }
-    // Angles so small that nothing but relative accuracy tells them.
+    // Small angles, where only the relative error matters.
     for (double y = 1.0; y > 1e-20; y *= 0.37)
       worst = std::max(worst, std::abs(found(length * y, length) / std::atan2(y, 1.0) - 1.0));
   }

@@ -18,7 +18,7 @@ TEST(SobolKernel, PlacesOnLightsAreTheOnesOfThePixelsOneByOne) {
   for_every_target([] {
     SobolBatch batch;
     std::vector<std::pair<SobolPixel, std::uint32_t>> samples;
-    // Runs of all lengths, and indices that the table of the first ones does not hold.
+    // Runs of all lengths, and indices beyond the precomputed table.
     for (int run = 1; samples.size() + static_cast<std::size_t>(run) <= LitBatch::size; ++run) {
       const SobolPixel pixel(run, 3 * run, 7);
       for (int i = 0; i < run; ++i) {

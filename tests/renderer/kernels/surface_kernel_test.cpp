@@ -17,14 +17,14 @@
 #include <memory>
 #include <vector>
 
-// The kernels against the functions for one point that they stand for.
+// The kernels against the scalar functions.
 
 namespace asos::test::surface_kernel_test {
 namespace {
 
 constexpr std::size_t points_of_a_batch = 251;
 
-/// Random triangles, some without area, some whose normals turn, and hits on them.
+/// Random triangles, some degenerate, some with varying normals, and hits on them.
 struct Subjects {
   World world;
   SceneNeeds needs;
@@ -63,7 +63,7 @@ struct Subjects {
                           i % 2 == 0 ? normal : turned,
                           {0, 0}});
     }
-    if (i % 4 == 1) {  // a smooth surface, seen from either side
+    if (i % 4 == 1) {  // a smooth surface, from either side
       const glm::dvec3 a(vertices[0].position), b(vertices[1].position), c(vertices[2].position);
       const glm::dvec3 own = glm::normalize(glm::cross(b - a, c - a));
       for (TinyVertex& v : vertices)
@@ -165,13 +165,13 @@ TEST(SurfaceKernel, PointsAreTheOnesMadeOneByOne) {
         EXPECT_EQ(found->points.clear_height[i], clear_height(expected));
         spread += !expected.spread.flat();
       }
-      EXPECT_EQ(spread > 40, filtered) << "some normals have to turn";
+      EXPECT_EQ(spread > 40, filtered) << "some normals must vary";
       EXPECT_GT(lifted, 20);
     }
   }
 }
 
-// What the lights of a batch get to know of it, which light_kernel_test goes on from.
+// The material data that the lights' kernels use: see light_kernel_test.
 TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
   const Subjects subjects(3, 1.0, true);
   const auto found = std::make_unique<Found>();
@@ -192,7 +192,7 @@ TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
     ViewedPoint view{point, -subjects.directions[i], 0.0f};
     view.n_dot_v = std::max(glm::dot(point.shading_normal, view.to_viewer), grazing_cosine);
     const ViewedMaterial seen = viewed(materials[i], mirroring_cosine(view));
-    // As Shader does; patches of surfaces that show none count only where normals turn.
+    // As in Shader: patches of surfaces without textures count only if normals vary.
     const bool shows = subjects.batch->textured[i] > 0.0f || subjects.batch->shiny[i] > 0.0f;
     if (subjects.sides[i] > 0.0f && materials[i].roughness < least_broad_roughness && shows) {
       view.patch = patch_on_plane(subjects.spacing, subjects.directions[i], subjects.hits[i].t,
@@ -229,7 +229,7 @@ TEST(SurfaceKernel, WhatIsNotFiniteIsNoticed) {
   for (std::size_t i = 0; i < points_of_a_batch; ++i)
     found->materials.set(i, random_material(space, i));
   EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
-  // Lanes behind the last point do not count.
+  // Unused lanes after the last point do not affect the result.
   found->materials.base_color.y[points_of_a_batch] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
   found->materials.base_color.y[points_of_a_batch - 1] = std::numeric_limits<float>::infinity();

@@ -39,7 +39,7 @@ struct Table {
   mutable float sum_ = 0.0f;
 };
 
-/// What samples of each light carry by way of each point in the brightest channel.
+/// Contribution of each light's samples at each point, in the brightest channel.
 struct Carried {
   std::vector<double> mean, root_mean_square, most;  ///< by point
 };
@@ -66,8 +66,8 @@ Carried carried_of(const LitSubjects& batch, const LightConstants& light, std::u
   return carried;
 }
 
-// Or else what is never picked would be missing from the mean.
-TEST(WeighLights, GivesWeightToAllThatMayCarrySomething) {
+// Otherwise the mean would miss lights that are never selected.
+TEST(WeighLights, GivesEveryContributingLightAWeight) {
   for (const auto& [scale, offset] : scales) {
     const LitSubjects batch(17, scale, offset);
     const std::vector<NamedLight> all = lights(scale, offset);
@@ -81,7 +81,7 @@ TEST(WeighLights, GivesWeightToAllThatMayCarrySomething) {
         const float weight = table.weights(batch.points, i)[light];
         EXPECT_TRUE(std::isfinite(weight));
         EXPECT_GE(weight, 0.0f);
-        // At the last bits of a horizon they may differ.
+        // At the horizon they may differ in the last bits.
         if (carried.most[i] > 1e-6 * bright) {
           EXPECT_GT(weight, 0.0f) << "point " << i << " carries " << carried.most[i];
         }
@@ -90,9 +90,9 @@ TEST(WeighLights, GivesWeightToAllThatMayCarrySomething) {
   }
 }
 
-// Of the variance of a light that is picked by its weight w, E[c^2] / w matters: where w is too
-// small, it is noise. Its ideal is the root of E[c^2].
-TEST(WeighLights, IsAboutWhatLightsAreWorth) {
+// With selection probabilities w, the variance is the sum of E[c^2] / w; small w give noise. The
+// optimal w is the root of E[c^2].
+TEST(WeighLights, IsNearTheOptimalWeights) {
   const LitSubjects batch(18, 1.0, {0, 0, 0});
   const std::vector<NamedLight> all = lights(1.0, {0, 0, 0});
   const Table table(all);
@@ -116,7 +116,7 @@ TEST(WeighLights, IsAboutWhatLightsAreWorth) {
   EXPECT_NEAR(at(0.5), 1.0, 0.4);
 }
 
-// White, without a highlight, far from a light of any type: what it shows of it.
+// White, without highlight, and far from a light of any type: the weight is its irradiance.
 TEST(WeighLights, IsTheIrradianceOfSmallLights) {
   LitSubject s;
   s.point->position = {0.0f, -40.0f, 0.0f};
@@ -140,9 +140,9 @@ TEST(WeighLights, IsTheIrradianceOfSmallLights) {
   }
 }
 
-// A wall, of which the floor at its foot sees half of all there is, however long it is and wherever
-// its middle.
-TEST(WeighLights, KnowsALargeLightByWhatIsNear) {
+// A wall light: a floor point next to it sees half of its hemisphere filled, whatever the light's
+// length and centre.
+TEST(WeighLights, UsesTheNearPartOfLargeLights) {
   LitSubject s;
   s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
   s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, {0, 1, 0}, 1.0f});
@@ -152,7 +152,8 @@ TEST(WeighLights, KnowsALargeLightByWhatIsNear) {
   for (const double length : {1.0, 10.0, 100.0}) {
     for (const double below : {0.0, 5.0}) {
       Light wall = rectangle_light();
-      // 0.1 away, from `below` under the floor to 1 above it; the point is near its one end.
+      // At a distance of 0.1, from `below` under the floor to 1 above it; the point is near one
+      // end.
       wall.half_u = {0.0, 0.5 * (1.0 + below), 0.0};
       wall.half_v = {0.0, 0.0, length};
       wall.direction = {-1, 0, 0};

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-// Emissive surfaces, and what power the lights made of them give off.
+// Emissive surfaces, and the power of the lights made from them.
 
 namespace asos::test {
 
@@ -21,13 +21,13 @@ inline Material glow(glm::vec3 nits) {
   return m;
 }
 
-/// The material's factor and strength everywhere.
+/// The material's emissive factor and strength everywhere.
 inline glm::vec3 plain_emission(const World& world, std::uint32_t triangle, float, float) {
   const Material& m = world.material_of(triangle);
   return m.emissive * m.emissive_strength;
 }
 
-/// Triangles with vertices of their own, as one part.
+/// Triangles with unshared vertices as one part.
 inline void add_soup(World& world, const std::vector<std::array<glm::vec3, 3>>& soup,
                      const Material& material) {
   std::vector<TinyVertex> vertices;
@@ -59,7 +59,7 @@ inline void add_box(std::vector<std::array<glm::vec3, 3>>& soup, glm::vec3 lo, g
   add_square(soup, lo + y, z, x);
 }
 
-/// The side of a cylinder around the y axis, facing outwards, with or without its ends.
+/// The side of a cylinder around the y axis, facing outwards, with or without caps.
 inline std::vector<std::array<glm::vec3, 3>> cylinder(float radius, float length, int sides,
                                                       bool ends) {
   std::vector<std::array<glm::vec3, 3>> soup;
@@ -95,7 +95,8 @@ inline double area_of(const World& world, std::uint32_t part) {
   return area;
 }
 
-/// The flux of a light (red) through a sphere around it: the irradiance of its inside, summed up.
+/// The flux (red) of a light through a sphere around it, by integrating the irradiance on its
+/// inside.
 inline double flux_through_sphere(const Light& light, glm::dvec3 middle, double radius) {
   constexpr int rows = 96;
   constexpr int columns = 192;

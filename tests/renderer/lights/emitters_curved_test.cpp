@@ -51,14 +51,14 @@ TEST(EmissiveLights, ALongTubeIsALineOfItsPower) {
   }
 }
 
-// A receiver beside the middle of a tube gets what it would get of the cylinder itself.
+// A receiver next to the middle of a tube gets the same light as from the cylinder itself.
 TEST(EmissiveLights, ATubeShinesSidewaysAsItsSurfaceDoes) {
   World world;
   add_soup(world, test::cylinder(0.02f, 2.0f, 64, false), glow(glm::vec3(1)));
   const std::vector<Light> lights = emissive_lights(world, plain_emission);
   ASSERT_EQ(lights.size(), 1u);
   const Receiver beside{{1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}};
-  // Triangle by triangle, each at its middle.
+  // Sums over triangles, with their centroids.
   double expected = 0.0;
   const Soup soup = test::cylinder(0.02f, 2.0f, 64, false);
   constexpr int cuts = 200;
@@ -67,7 +67,7 @@ TEST(EmissiveLights, ATubeShinesSidewaysAsItsSurfaceDoes) {
         glm::cross(glm::dvec3(t[1]) - glm::dvec3(t[0]), glm::dvec3(t[2]) - glm::dvec3(t[0]));
     const glm::dvec3 normal = glm::normalize(across);
     for (int k = 0; k < cuts; ++k) {
-      // The triangle's pair makes up a strip of equal parts.
+      // The triangle's pair is a strip of equal parts.
       const double y = -1.0 + 2.0 * (k + 0.5) / cuts;
       const glm::dvec3 p(0.02 * normal.x, y, 0.02 * normal.z);
       const glm::dvec3 d = beside.position - p;
@@ -80,7 +80,7 @@ TEST(EmissiveLights, ATubeShinesSidewaysAsItsSurfaceDoes) {
 }
 
 TEST(EmissiveLights, WhatIsCurvedBecomesAFewRectanglesOfItsPower) {
-  // The upper half of a sphere, a bent strip and a ring: no balls or tubes.
+  // The upper half of a sphere, a curved strip and a ring: neither spheres nor tubes.
   for (int shape = 0; shape < 3; ++shape) {
     Soup soup;
     const auto on = [&](double u, double v) {
@@ -147,7 +147,7 @@ TEST(EmissiveLights, AThousandLampsAreAtMost64LightsOfTheirPower) {
     EXPECT_GT(lights.size(), max_lights_of_part / 2);
     const double power = 50.0 * pi * area_of(world, 0);
     EXPECT_NEAR(total_flux(lights, {2, 1.25, 0}, 10.0), power, 0.01 * power);
-    // A surface near the field gets the light that all the lamps give it.
+    // A surface near the field gets the same light as from all lamps.
     const Receiver near{{2, 1.25, 1.5}, {0, 0, -1}, {0, 0, -1}};
     double merged = 0.0;
     for (const Light& light : lights) merged += unshadowed_irradiance(prepare_light(light), near).r;
@@ -158,7 +158,7 @@ TEST(EmissiveLights, AThousandLampsAreAtMost64LightsOfTheirPower) {
       const glm::dvec3 d = near.position - (a + glm::dvec3(t[1]) + glm::dvec3(t[2])) / 3.0;
       each += 50.0 * std::max(0.0, glm::dot(across, d)) * d.z / std::pow(glm::length(d), 4);
     }
-    // A cube shows less or more of itself than the ball that stands for it.
+    // A cube has a larger or smaller outline than the sphere that replaces it.
     EXPECT_NEAR(merged, each, (cubes ? 0.3 : 0.02) * each);
   }
 }
@@ -180,7 +180,7 @@ TEST(EmissiveLights, TwentyLampCubesStayWithinTheLimitAndKeepTheirPower) {
   EXPECT_NEAR(total_flux(lights, {10, 0, 0}, 30.0), power, 0.01 * power);
 }
 
-// Whatever triangles: overlapping, folded, without area, large and small. They keep their power.
+// Arbitrary triangles: overlapping, folded, degenerate, large and small. They keep their power.
 TEST(EmissiveLights, AnySoupKeepsItsPowerInFewFiniteLights) {
   std::mt19937 rng(5);
   for (int round = 0; round < 400; ++round) {
@@ -208,7 +208,7 @@ TEST(EmissiveLights, AnySoupKeepsItsPowerInFewFiniteLights) {
   }
 }
 
-/// A quad 2 x 1 with an emissive texture of 64 x 32 texels; its texels are what the callback says.
+/// A quad of 2 x 1 with an emissive texture of 64 x 32 texels, whose values come from the callback.
 World screen() {
   World world;
   Material material = glow(glm::vec3(1));
@@ -257,7 +257,7 @@ TEST(EmissiveLights, BlackTexturesGiveNoLight) {
     const bool bad = t == 0 && glm::length(uv_at(w, t, b1, b2) - glm::vec2(0.75f, 0.25f)) < 0.05f;
     return glm::vec3(bad ? std::numeric_limits<float>::quiet_NaN() : 1.0f);
   };
-  // The triangle whose mean is not a number is left out, the other one shines.
+  // The triangle with a NaN mean is skipped, the other one emits.
   const std::vector<Light> lights = emissive_lights(world, one_bad_texel);
   ASSERT_EQ(lights.size(), 1u);
   EXPECT_NEAR(prepare_light(lights[0]).area, 1.0, 1e-6);

@@ -81,7 +81,7 @@ TEST(EmissiveLights, TheFrontShinesAndBothSidesIfDoubleSided) {
   EXPECT_NEAR(lights[0].direction.z, -1.0, 1e-12);
   EXPECT_FALSE(lights[0].two_sided);
   EXPECT_TRUE(lights[1].two_sided);
-  // The other way round, the back gets nothing.
+  // On the other side, the back gets nothing.
   const Receiver behind{{0.5, 0.5, 2}, {0, 0, -1}, {0, 0, -1}};
   EXPECT_EQ(unshadowed_irradiance(prepare_light(lights[0]), behind).r, 0.0f);
   EXPECT_GT(unshadowed_irradiance(prepare_light(lights[1]), behind).r, 0.1f);
@@ -109,7 +109,7 @@ TEST(EmissiveLights, AMirroredInstanceKeepsItsFrontInFront) {
 }
 
 TEST(EmissiveLights, AFrameHasAnOuterOutlineAndAHole) {
-  // Eight squares around a missing one, turned and moved, every triangle with its own vertices.
+  // Eight squares around a missing one, rotated and shifted, with unshared vertices.
   Soup soup;
   const glm::vec3 a = 2.0f * glm::normalize(glm::vec3(1, 2, 0));
   const glm::vec3 b = 2.0f * glm::normalize(glm::vec3(-2, 1, 1));

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-// The closed forms against quadrature, for lights of all sizes and receivers of all kinds.
+// Closed forms against quadrature, for lights of all sizes and receivers of all kinds.
 
 namespace asos::form_factor_oracle_test {
 namespace {
@@ -17,12 +17,13 @@ using Outlines2 = std::vector<std::vector<glm::dvec2>>;
 constexpr int kRounds = 60;
 const double kSizes[] = {1e-4, 1e-2, 0.3, 1.0, 3.0, 100.0, 1e4};  // sizes at a distance of about 1
 
-/// To 1e-5; below that a contour sum is left with the rounding of its sides, which are up to 1.
+/// Relative error 1e-5. Smaller forms have the rounding error of a contour's sides, which are up to
+/// 1.
 void expect_form(double form, double expected, double size, int round) {
   EXPECT_NEAR(form, expected, 1e-5 * expected + 1e-14) << "size " << size << ", round " << round;
 }
 
-/// How many of the cases were not 0: a test of nothing but unlit receivers would show nothing.
+/// Number of nonzero cases: a test with only unlit receivers would prove nothing.
 struct Lit {
   int lit = 0;
   int all = 0;
@@ -34,8 +35,8 @@ struct Lit {
   ~Lit() { EXPECT_GT(lit, all / 2); }
 };
 
-/// A plane and a receiver above a place on it or next to it; every fifth receiver very near to the
-/// plane, unless the light is so large that its corners' own rounding would show.
+/// A plane and a receiver above a point on it or next to it. Every fifth receiver is very close to
+/// the plane, except for lights so large that rounding of their corners matters.
 struct FlatCase {
   FlatCase(test::RandomSpace& random, double size, int round)
       : facing(random.direction()),

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-// Forms known from the literature, and what must hold of any.
+// Form factors known from the literature, and general properties.
 
 namespace asos::form_factor_test {
 namespace {
@@ -21,7 +21,7 @@ using Corners = std::vector<glm::dvec3>;
 
 const glm::dvec3 up(0, 1, 0);
 
-/// Level at the height `height`, shining down: counter-clockwise as seen from below.
+/// A horizontal square at `height`, facing down: counter-clockwise seen from below.
 Corners level_square(double half, double height) {
   return {
       {-half, height, -half}, {half, height, -half}, {half, height, half}, {-half, height, half}};
@@ -34,7 +34,7 @@ TEST(ContourSide, IsPositiveCounterClockwiseAsSeenFromTheReceiver) {
 }
 
 TEST(ContourSide, KeepsItsDigitsForSmallAngles) {
-  // sin(1e-9) is 1e-9 to more digits than a double has: half of it, times the plane's cosine 1.
+  // sin(1e-9) equals 1e-9 in double precision: half of it, times the plane's cosine 1.
   EXPECT_NEAR(contour_side({1, 0, 0}, {1, 0, 1e-9}, up) / 0.5e-9, 1.0, 1e-14);
 }
 
@@ -44,7 +44,7 @@ TEST(ContourSide, CountsNothingThroughTheReceiver) {
 }
 
 TEST(PolygonForm, IsThatOfAParallelSquareAboveItsCentre) {
-  // Four times the corner factor of a parallel rectangle with X = Y = half / height (Howell,
+  // Four times the corner form factor of a parallel rectangle with X = Y = half / height (Howell,
   // "A Catalog of Radiation Heat Transfer Configuration Factors", B-3).
   for (const double half : {1e-4, 0.3, 1.0, 20.0, 1e4}) {
     const double ratio = half / std::sqrt(1.0 + half * half);
@@ -54,7 +54,7 @@ TEST(PolygonForm, IsThatOfAParallelSquareAboveItsCentre) {
 }
 
 TEST(PolygonForm, FallsToNothingAsItSinksBelowTheHorizon) {
-  // A wall on the horizon, half of it above, tells no more than its upper half alone.
+  // A wall half above the horizon has the form factor of its upper half.
   const Corners wall{{1, -1, 2}, {-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}};
   const Corners upper{{1, 0, 2}, {-1, 0, 2}, {-1, 1, 2}, {1, 1, 2}};
   EXPECT_NEAR(polygon_form(wall, up), polygon_form(upper, up), 1e-15);
@@ -75,7 +75,7 @@ TEST(PolygonForm, TakesHolesOff) {
   EXPECT_GT(inner, 0.0);
 }
 
-/// A comb whose teeth point across a horizon: the clip leaves several parts.
+/// A comb whose teeth cross the horizon: clipping leaves several parts.
 TEST(PolygonForm, ClosesEveryPartOfAConcavePolygonThatTheHorizonCuts) {
   const glm::dvec3 tilted = glm::normalize(glm::dvec3(1.0, 0.1, 0.0));
   Corners comb{{-2, 1, -2}};
@@ -115,7 +115,8 @@ TEST(DiskForm, IsTheLimitOfPolygons) {
     const glm::dvec3 centre = random.direction() * 1.5;
     const Receiver receiver =
         random.receiver(centre + facing * random.between(0.2, 2.0) + u, centre, i);
-    // Corners so far out that the area is the disk's; the error goes with the square of the angle.
+    // With so many corners the area is the disk's; the relative error goes with the square of the
+    // angle.
     constexpr int corners = 4000;
     const double angle = 2.0 * pi / corners;
     Corners rim;
@@ -149,7 +150,7 @@ TEST(BallForm, IsPiInsideAndAWedgeBetweenTwoHorizons) {
 }
 
 TEST(LineForm, IsThatOfALevelTubeAboveItsMiddle) {
-  // Over an endless tube of one candela a metre: pi / (2 h) with the sine, 2 / h without.
+  // Above an endless line of one candela per metre: pi / (2 h) with the sine, 2 / h without.
   const Receiver receiver{{0, 0, 0}, up, up};
   for (const double h : {1e-3, 1.0, 50.0}) {
     EXPECT_NEAR(line_form({-1e9, h, 0}, {1e9, h, 0}, true, receiver) * h, 0.5 * pi, 1e-7) << h;
@@ -164,7 +165,7 @@ TEST(LineForm, GivesNothingAlongATubeAndInverseSquareAlongPoints) {
   EXPECT_EQ(line_form({0, -1, 0}, {0, 2, 0}, false, receiver), 0.0) << "on the line itself";
 }
 
-/// Steps of a thousandth of the light's size around where it sinks below a horizon.
+/// Steps of a thousandth of the light's size, around the point where it crosses a horizon.
 TEST(Forms, AreContinuousAcrossBothHorizons) {
   const glm::dvec3 geometric = glm::normalize(glm::dvec3(0.3, 1.0, 0.1));
   for (const Receiver& receiver :

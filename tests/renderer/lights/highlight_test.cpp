@@ -40,7 +40,7 @@ TEST(Highlight, IsTheNearestEndWhereTheRayMisses) {
   expect_direction(highlight_of(prepare_light(test::rectangle_light()), origin, ray), {0.8, 2, 0});
   expect_direction(highlight_of(prepare_light(test::disk_light()), origin, ray), {0.7, 2, 0});
   expect_direction(highlight_of(prepare_light(test::linear_light()), origin, ray), {0.9, 2.2, 0});
-  // At right angles to the ray from the ball's middle.
+  // At right angles to the ray from the sphere's centre.
   const glm::dvec3 nudge = 0.6 * glm::normalize(glm::dvec3(1, -3, 0));
   expect_direction(highlight_of(prepare_light(test::ball_light()), origin, ray),
                    glm::dvec3(0, 2, 0) + nudge);
@@ -52,7 +52,7 @@ TEST(Highlight, OfASegmentIsNearestToTheRay) {
   for (int i = 0; i < 50; ++i) {
     const glm::dvec3 ray = glm::normalize(glm::dvec3(0, 2, 0) + 1.5 * random.direction());
     const glm::dvec3 found = highlight_of(light, origin, ray).direction;
-    // From the ray to every point of the light, and to the one that was found.
+    // Distance of the ray from every point of the light, and from the point found.
     double least = 1e9;
     double of_found = 1e9;
     for (int k = -1000; k <= 1000; ++k) {
@@ -70,7 +70,7 @@ TEST(Highlight, TurnsWithoutAJumpAsTheRayLeavesThePlane) {
     const PreparedLight prepared = prepare_light(light);
     glm::dvec3 last(0.0);
     for (int i = 0; i <= 2000; ++i) {
-      const double angle = i * 1e-3;  // from the light's middle to well below its plane
+      const double angle = i * 1e-3;  // from the light's centre to well below its plane
       const glm::dvec3 ray = glm::normalize(glm::dvec3(std::sin(angle), std::cos(angle), 0.05));
       const glm::dvec3 now = highlight_of(prepared, origin, ray).direction;
       if (i > 0) {

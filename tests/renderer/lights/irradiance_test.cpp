@@ -19,7 +19,7 @@ using test::RandomSpace;
 
 const glm::dvec3 up(0, 1, 0);
 
-/// Irradiance of the red channel; the lights of tests/support shine 5 in it.
+/// Irradiance of the red channel; the lights of tests/support have 5 in it.
 float irradiance(const Light& light, const Receiver& receiver,
                  LightRule rule = LightRule::physical) {
   return unshadowed_irradiance(prepare_light(light, rule), receiver).r;
@@ -32,7 +32,8 @@ TEST(Irradiance, OfAPointFallsWithTheSquareAndTheCosine) {
                   5.0f / 9.0f * std::sqrt(0.5f));
   EXPECT_EQ(irradiance(test::point_light(), {{0, -1, 0}, tilted, -up}), 0.0) << "its back";
   EXPECT_EQ(irradiance(test::point_light(), {{0, -1, 0}, -up, up}), 0.0);
-  EXPECT_EQ(irradiance(test::point_light(), {{0, 2, 0}, up, up}), 0.0) << "at its very place";
+  EXPECT_EQ(irradiance(test::point_light(), {{0, 2, 0}, up, up}), 0.0)
+      << "at the light's own position";
 }
 
 TEST(Irradiance, KeepsTheColour) {
@@ -51,8 +52,8 @@ TEST(Irradiance, OfADirectionalLightIsItsLux) {
     EXPECT_NEAR(irradiance(test::sun_light(diameter), facing), 5.0, 1e-5) << diameter;
 }
 
-TEST(Irradiance, OfABallIsItsCandelaOverTheSquare) {
-  // A ball that the horizon does not cut lights as a point of its candela at its middle.
+TEST(Irradiance, OfASphereMatchesAPointAtItsCentre) {
+  // A sphere light that the horizon does not cut acts as a point light at its centre.
   for (const double radius : {1e-4, 0.5, 1.9}) {
     EXPECT_NEAR(irradiance(test::ball_light(radius), {{0, 0, 0}, up, up}), 1.25, 1e-6) << radius;
   }
@@ -60,7 +61,7 @@ TEST(Irradiance, OfABallIsItsCandelaOverTheSquare) {
   const Receiver aside{{1.0, 0, 0}, up, up};
   const double point = irradiance(spot, aside);
   spot.radius = 0.5;
-  EXPECT_NEAR(irradiance(spot, aside), point, 1e-6) << "cone and range of its middle";
+  EXPECT_NEAR(irradiance(spot, aside), point, 1e-6) << "cone and range use its centre";
   EXPECT_GT(point, 0.0);
 }
 
@@ -98,7 +99,7 @@ TEST(Irradiance, OfOneSidedLightsStopsAtTheirPlane) {
   }
 }
 
-/// A flat light of that type that is turned and placed anywhere.
+/// A flat light of this type with a random orientation and place.
 Light turned_light(Light::Type type, RandomSpace& space) {
   Light light = test::rectangle_light();
   light.type = type;
@@ -117,8 +118,8 @@ Light turned_light(Light::Type type, RandomSpace& space) {
   return light;
 }
 
-// What shines lies in its own light's plane, but for rounding: that light would fill half of all
-// directions, or none, by which side it is rounded to.
+// An emissive surface is in the plane of its own light, except for rounding. The light would fill
+// half of all directions or none, depending on the rounding.
 TEST(Irradiance, IsNothingInTheLightsOwnPlane) {
   RandomSpace space(7);
   for (const Light::Type type : {Light::Type::rectangle, Light::Type::polygon, Light::Type::disk}) {
@@ -133,7 +134,7 @@ TEST(Irradiance, IsNothingInTheLightsOwnPlane) {
       EXPECT_EQ(unshadowed_irradiance(prepared, in_it), glm::vec3(0.0f)) << i;
       for (const glm::dvec2 p : {glm::dvec2(0.1, 0.9), glm::dvec2(0.5, 0.5)})
         EXPECT_EQ(sample_light(prepared, in_it, p.x, p.y).irradiance, glm::vec3(0.0f)) << i;
-      // A millimetre beneath a metre of it, it is nearly all of the sky.
+      // A millimetre behind one metre of light, it fills nearly all of the hemisphere.
       const Receiver beside{at - 1e-3 * normal, normal, normal};
       EXPECT_GT(unshadowed_irradiance(prepared, beside).r, 0.99 * pi * 5.0) << i;
     }

@@ -11,7 +11,7 @@
 namespace asos::test::light_intersections_test {
 namespace {
 
-/// A light of 2 x 1 in y = 2, its middle at x = z = 0, that shines downwards.
+/// A light of 2 x 1 in y = 2, centred at x = z = 0, facing down.
 Light ceiling_light() {
   Light light;
   light.type = Light::Type::rectangle;
@@ -53,7 +53,7 @@ TEST(LightIntersections, LieWhereASurfaceMeetsTheLightsPlane) {
   EXPECT_NEAR(length_of(cuts), 1.0 + 1.0 / 16.0, 1e-6);
 }
 
-TEST(LightIntersections, AreOnlyOfWhatMeetsTheLight) {
+TEST(LightIntersections, AreFoundOnlyForCrossingSurfaces) {
   EXPECT_TRUE(cuts_of(wall(1.01, 0.0, 8.0), ceiling_light()).empty());
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 1.999), ceiling_light()).empty());
   EXPECT_TRUE(cuts_of(wall(0.25, 2.001, 8.0), ceiling_light()).empty());
@@ -68,7 +68,7 @@ TEST(LightIntersections, AreWhereSurfacesEndOnTheSideThatShines) {
 }
 
 TEST(LightIntersections, AreNotAlongTheOutlineNorInThePlane) {
-  // A shade that hangs from the outline of a light in a ceiling.
+  // A lampshade along the outline of a light in a ceiling.
   World world = wall(1.0, 0.0, 2.0);
   add_quad(world, {-9, 2, -9}, {18, 0, 0}, {0, 0, 18}, matte({0.5f, 0.5f, 0.5f}));
   EXPECT_TRUE(cuts_of(world, ceiling_light()).empty());
@@ -77,7 +77,7 @@ TEST(LightIntersections, AreNotAlongTheOutlineNorInThePlane) {
   triangle.outlines = {{{0.25, 2, -0.75}, {0.25, 2, 0.75}, {-1, 2, 0}}};
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 2.0), triangle).empty());
   EXPECT_FALSE(cuts_of(wall(0.125, 0.0, 2.0), triangle).empty());
-  // Inside of the rectangle around it, outside of the light.
+  // Within the bounding rectangle, but outside the light.
   World beside;
   add_quad(beside, {-1.5f, 1.0f, 0.625f}, {0.875f, 0, 0}, {0, 2, 0}, matte({0.5f, 0.5f, 0.5f}));
   EXPECT_TRUE(cuts_of(beside, triangle).empty());
@@ -102,7 +102,7 @@ TEST(LightIntersections, AreNotOfTheLightsOwnPartNorOfLightsWithoutShadows) {
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 8.0), light).empty());
 }
 
-// Through a disk: the length of the chord.
+// For a disk: the length of the chord.
 TEST(LightIntersections, OfADiskAreChords) {
   Light disk = ceiling_light();
   disk.type = Light::Type::disk;
@@ -137,8 +137,8 @@ TEST(EnteredBalls, AreThoseThatATriangleOfAnotherPartReachesInto) {
   EXPECT_TRUE(entered({-1, -1, 0.5f}, -1)) << "its face, all around the ball";
   EXPECT_FALSE(entered({-1, -1, 1.01f}, -1));
   EXPECT_TRUE(entered({0.5f, -1, 0}, -1)) << "an edge";
-  EXPECT_FALSE(entered({0.72f, 0.72f, 0}, -1)) << "beside a corner";
-  EXPECT_FALSE(entered({-3.3f, -3.3f, 0}, -1)) << "its box alone: beside the longest edge";
+  EXPECT_FALSE(entered({0.72f, 0.72f, 0}, -1)) << "past a corner";
+  EXPECT_FALSE(entered({-3.3f, -3.3f, 0}, -1)) << "only its box: past the longest edge";
   EXPECT_TRUE(entered({0.70f, 0.70f, 0}, -1)) << "a corner";
   EXPECT_FALSE(entered({-1, -1, 0.5f}, 0)) << "its own";
   ball.radius = 0.0;

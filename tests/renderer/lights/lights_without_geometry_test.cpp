@@ -17,7 +17,7 @@ PreparedLight ball_at(glm::dvec3 position, double radius) {
 }
 
 TEST(MayShow, IsNeverWrongAboutABall) {
-  // Rays in a cone that meet the ball: it may be shown.
+  // Rays in a cone that hit the sphere, which makes it visible.
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> r(-1.0, 1.0);
   int met = 0, denied = 0;

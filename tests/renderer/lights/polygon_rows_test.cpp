@@ -9,7 +9,7 @@ namespace {
 
 using Outlines = std::vector<std::vector<glm::dvec2>>;
 
-/// A square of side 4 with a hole of side 2 in the middle, and a tooth on top.
+/// A square of side 4 with a hole of side 2 in its centre, and a tooth on top.
 const Outlines frame{{{0, 0}, {4, 0}, {4, 4}, {2, 6}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}};
 
 TEST(PolygonRows, HasTheArea) {
@@ -37,7 +37,7 @@ TEST(PolygonRows, SpreadsPointsByArea) {
   EXPECT_EQ(in_hole, 0);
   EXPECT_EQ(in_tooth, count * count / 4);      // 4 of 16
   EXPECT_EQ(left_of_hole, count * count / 8);  // 2 of 16
-  EXPECT_EQ(in_tip, count * count / 16);       // the upper half of a triangle is a quarter of it
+  EXPECT_EQ(in_tip, count * count / 16);  // the upper half of a triangle has a quarter of its area
 }
 
 TEST(PolygonRows, ReachesTheCornersOfTheSquare) {

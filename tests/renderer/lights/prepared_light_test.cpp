@@ -46,7 +46,7 @@ TEST(PrepareLight, ConvertsPower) {
 TEST(PrepareLight, MakesLightsOfNoSizePointsOrNothing) {
   EXPECT_EQ(prepare_light(test::sun_light(0.0)).shape, LightShape::distant);
   EXPECT_EQ(prepare_light(test::ball_light(1e-30)).shape, LightShape::point)
-      << "no float holds its nits";
+      << "its radiance overflows a float";
   Light linear = test::linear_light();
   linear.half_u = {0, 0, 0};
   EXPECT_EQ(prepare_light(linear).shape, LightShape::point);
@@ -86,7 +86,7 @@ TEST(PrepareLight, TurnsHalvesAndOutlinesAlongTheLight) {
 }
 
 TEST(PrepareLight, PutsTheSmallestRectangleAroundAPolygon) {
-  // A square on its corner with a notch: its own sides, not those of the axes.
+  // A square on its corner with a notch: sampled by its own sides, not by the axes.
   Light light = test::polygon_light();
   light.outlines = {{{1, 2, 0}, {0, 2, 1}, {-0.5, 2, 0.5}, {-0.2, 2, 0.1}, {-1, 2, 0}, {0, 2, -1}}};
   const PreparedLight prepared = prepare_light(light);
@@ -104,7 +104,7 @@ TEST(PrepareLight, TakesAShearedRectangleForWhatItIs) {
   EXPECT_NEAR(prepared.area, 1.6, 1e-12);
 }
 
-/// Receivers at and beside every light, lights of extreme sizes, both rules.
+/// Receivers at every light and next to it, lights of extreme sizes, both rules.
 TEST(PreparedLight, GivesFiniteResultsForAllFiniteInput) {
   const glm::dvec3 up(0, 1, 0);
   const glm::dvec3 places[] = {{0, 2, 0},     {0.9, 2.2, 0}, {0.8, 2, 0.5},     {0.7, 2, 0},

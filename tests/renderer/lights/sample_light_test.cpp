@@ -12,7 +12,7 @@
 namespace asos::sample_light_test {
 namespace {
 
-/// Mean irradiance of the red channel over the middles of count x count cells.
+/// Mean irradiance of the red channel over the centres of count x count cells.
 double mean(const PreparedLight& light, const Receiver& receiver, int count) {
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -33,9 +33,9 @@ std::vector<PreparedLight> prepared_lights() {
   return lights;
 }
 
-/// Both horizons the same: the integrand has kinks at most, which cost a share of the brightest
-/// cells (of a receiver that faces the light). A polygon's map has steps at the height of a notch,
-/// which the grid may miss by one row of cells.
+/// With equal horizons the integrand has only kinks, which cost a fraction of the brightest cells
+/// (of a receiver that faces the light). A polygon's map has steps at the height of a notch, which
+/// the grid may misplace by one row.
 TEST(SampleLight, HasTheIrradianceAsItsMean) {
   test::RandomSpace random(21);
   for (const PreparedLight& light : prepared_lights()) {
@@ -55,7 +55,7 @@ TEST(SampleLight, HasTheIrradianceAsItsMean) {
   }
 }
 
-/// The second horizon cuts with a step, which a grid finds to about a cell in a row.
+/// The second horizon cuts with a step, which a grid locates to about one cell per row.
 TEST(SampleLight, GivesNothingBelowTheSecondHorizon) {
   test::RandomSpace random(22);
   for (const PreparedLight& light : prepared_lights()) {
@@ -104,7 +104,7 @@ TEST(SampleLight, LandsOnTheLight) {
 }
 
 TEST(SampleLight, BySolidAngleIsEvenUnderALargeRectangle) {
-  // All samples of equal solid angle differ by the receiver's cosine alone.
+  // Samples of equal solid angle differ only by the receiver's cosine.
   const PreparedLight light = prepare_light(test::rectangle_light());
   const Receiver receiver{{0, 1.9, 0}, {0, 1, 0}, {0, 1, 0}};
   const double first = sample_light(light, receiver, 0.1, 0.2).irradiance.r /
@@ -115,8 +115,9 @@ TEST(SampleLight, BySolidAngleIsEvenUnderALargeRectangle) {
   }
 }
 
-// None of its samples is wasted below a floor that it stands in, upright; of a leaning one few are.
-TEST(SampleLight, OfARectangleGoesToWhatIsAboveTheHorizons) {
+// No sample is wasted below a floor for an upright rectangle that stands in it; few are for a
+// tilted one.
+TEST(SampleLight, SamplesOnlyThePartAboveTheHorizons) {
   Light wall = test::rectangle_light();
   wall.position = {0, -0.2, -1.0};
   wall.direction = {0, 0, 1};
@@ -141,7 +142,7 @@ TEST(SampleLight, OfARectangleGoesToWhatIsAboveTheHorizons) {
   EXPECT_GT(share_above(leaning, {{0, 0, 0}, up, up}), 0.7);
 }
 
-// What is left is as large as what it was cut from: two halves make the whole.
+// The remaining part is as large as the part cut from it: two halves make the whole.
 TEST(SphericalRectangle, KeepsWhatIsAboveAHorizon) {
   const glm::dvec3 middle(0.2, -0.1, -1), u(0.8, 0, 0), v(0, 0.5, 0);
   const glm::dvec3 up = glm::normalize(glm::dvec3(0, 1, 0.05));

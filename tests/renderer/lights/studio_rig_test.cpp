@@ -53,7 +53,7 @@ TEST(StudioRig, LightsTheMiddleAlikeAtEverySize) {
       EXPECT_LT(nearest, 1.1 * expected[i]);
       EXPECT_GT(farthest, 0.7 * expected[i]);
     }
-    // The key from the upper left, the fill from the right, both in front.
+    // The key light comes from the upper left, the fill light from the right, both from the front.
     const glm::dmat4& m = camera.world_from_camera;
     const glm::dvec3 key = lights[0].position - middle;
     const glm::dvec3 fill = lights[1].position - middle;
@@ -94,11 +94,11 @@ TEST(StudioRig, AnyCameraAndBoundsGiveFiniteLightsFromAbove) {
   }
 }
 
-/// The inside of a box, with a wall or not seen from behind.
+/// The inside of a box, whose walls may be single-sided.
 struct Room {
   glm::dvec3 lo, hi;
 
-  /// To the walls from inside, or to the nearest from outside.
+  /// Distance to the walls from inside, or to the nearest wall from outside.
   [[nodiscard]] double operator()(glm::dvec3 from, glm::dvec3 direction) const {
     double enter = 0.0;
     double leave = std::numeric_limits<double>::infinity();
@@ -125,7 +125,7 @@ struct Room {
         const glm::dvec3 d = glm::normalize(glm::dvec3(m * glm::dvec4(0.08 * x, 0.06 * y, -1, 0)));
         double t = (*this)(eye, d);
         if (!std::isfinite(t)) continue;
-        // From outside the eye goes through the near wall.
+        // From outside, the view goes through the near wall.
         if (!holds(eye)) t += (*this)(eye + (t + 1e-9) * d, d);
         const glm::dvec3 p = eye + t * d;
         glm::dvec3 normal(0.0);
@@ -187,7 +187,7 @@ TEST(InteriorRig, AViewThroughUnseenWallsKeepsTheKeyInside) {
   ASSERT_EQ(lights.size(), 2u);
   EXPECT_TRUE(room.holds(lights[0].position));
   EXPECT_GT(reached_share({lights.data(), 1}, seen, room), 0.5);
-  // The fill reaches every room as the eye does.
+  // The fill light reaches every room that the eye sees into.
   EXPECT_FALSE(lights[1].casts_shadows);
   EXPECT_EQ(lights[1].intensity, studio_rig(camera, bounds)[1].intensity);
 }

@@ -17,10 +17,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// No member as it is by default.
+/// Settings in which every member differs from its default.
 RenderSettings odd_settings() {
   RenderSettings s;
-  // A member that is added stops this line from compiling: write it, read it, and set it below.
+  // A new member breaks the compilation of this line: write it, read it, and set it below.
   const auto& [width, height, crop, method, filter_width, line_width, judged_tone, asos, sampling,
                texture, shadow, mirror, sky, background, ground, cull, seed, threads] = s;
   const auto& [kind, top, bottom, coverage] = background;
@@ -31,7 +31,7 @@ RenderSettings odd_settings() {
   const auto& [bounces, roughest, dfr, curved, widest_angle_deg] = mirror;
   (void)threads, (void)jitter, (void)contrast_scale, (void)resolution, (void)light_rule;
   (void)widest_angle_deg, (void)kind, (void)top, (void)bottom;
-  (void)coverage;  // only while a picture is rendered
+  (void)coverage;  // exists only while a picture is rendered
   s.width = 321;
   s.height = 123;
   s.crop = {3, 5, 100, 50};
@@ -155,7 +155,7 @@ TEST(PictureDescription, ComesBackBitForBit) {
 TEST(PictureDescription, NoSettingIsAsByDefaultInTheTestAbove) {
   const ordered_json odd = settings_json(odd_settings()), plain = settings_json({});
   for (const auto& [key, value] : plain.items()) {
-    if (key == "sky") continue;  // which the test below is about
+    if (key == "sky") continue;  // tested below
     EXPECT_NE(odd.at(key), value) << key;
   }
 }
@@ -259,7 +259,7 @@ TEST(PictureDescription, IsNeverReadInPart) {
   EXPECT_FALSE(parse_description(std::string(100000, '['), "a").has_value());
 }
 
-// Edits made in the window are in its pictures.
+// Pictures contain the edits made in the window.
 TEST(PictureDescription, EditedBlurComesBackWithItsScene) {
   const Scene scene = load_scene("builtin:solids").value();
   const auto original = prepare(scene).value();
@@ -273,7 +273,7 @@ TEST(PictureDescription, EditedBlurComesBackWithItsScene) {
   EXPECT_EQ(read.dfrs, dfrs);
   EXPECT_EQ((*prepare(scene, read))->dfrs(), dfrs);
 
-  // Another scene than that of the picture is told, not half edited.
+  // A scene that differs from the picture's is reported, not partly edited.
   const auto other = prepare(load_scene("builtin:boxes").value(), read);
   ASSERT_FALSE(other.has_value());
   EXPECT_NE(other.error().reason.find("is not the scene that the picture was made of"),

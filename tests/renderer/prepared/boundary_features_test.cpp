@@ -25,7 +25,7 @@ TEST(BoundaryFeatures, AreKnownToBeNoneWithoutASearch) {
   EXPECT_TRUE(boundaries.get().edges().empty());
 }
 
-TEST(BoundaryFeatures, WhoAsksWaitsUntilTheyAreFound) {
+TEST(BoundaryFeatures, BlocksUntilTheSearchEnds) {
   const World world = test::still_life().world;
   Gate gate;
   BoundaryFeatures boundaries;
@@ -60,7 +60,7 @@ TEST(BoundaryFeatures, WaitingEndsWithAStop) {
   });
 }
 
-TEST(BoundaryFeatures, TheirEndStopsTheSearch) {
+TEST(BoundaryFeatures, DestructionStopsTheSearch) {
   Gate never;
   bool stopped = false;
   {
@@ -73,7 +73,7 @@ TEST(BoundaryFeatures, TheirEndStopsTheSearch) {
   EXPECT_TRUE(stopped);
 }
 
-TEST(BoundaryFeatures, TellThatTheyCouldNotBeFound) {
+TEST(BoundaryFeatures, ReportsAFailedSearch) {
   BoundaryFeatures boundaries;
   boundaries.find([](const std::stop_token&) -> FeatureSet { throw std::bad_alloc(); });
   EXPECT_FALSE(boundaries.wait());
@@ -84,7 +84,7 @@ TEST(BoundaryFeatures, TellThatTheyCouldNotBeFound) {
 TEST(FeatureSet, EndsSoonOnceAStopIsRequested) {
   const auto flat = flatten(load_scene("builtin:dense").value()).value();
   using Clock = std::chrono::steady_clock;
-  // At moments of each stage, in thousandths of a second.
+  // Times in milliseconds, one within each stage.
   for (const int moment : {0, 20, 100, 400, 1200}) {
     std::stop_source source;
     std::optional<Clock::time_point> asked;
@@ -101,7 +101,7 @@ TEST(FeatureSet, EndsSoonOnceAStopIsRequested) {
     }
     asks.join();
     const std::chrono::duration<double> taken = Clock::now() - *asked;
-    // The whole takes seconds; where it was quicker than the request it was not stopped.
+    // The whole search takes seconds; a search that ended before the request was not stopped.
     EXPECT_LT(taken.count(), 1.0) << moment;
     if (moment == 0) {
       EXPECT_TRUE(stopped);
@@ -112,7 +112,7 @@ TEST(FeatureSet, EndsSoonOnceAStopIsRequested) {
 TEST(Prepare, LeavesTheBoundariesToFindThemselves) {
   const auto scene = prepare(load_scene("builtin:boxes").value()).value();
   const SceneNeeds before = scene->needs;
-  EXPECT_TRUE(before.intersections) << "nothing is known of them yet";
+  EXPECT_TRUE(before.intersections) << "the search has not ended";
   const auto same = with_boundaries(scene).value();
   EXPECT_EQ(same, scene);
   EXPECT_TRUE(scene->geometry->boundaries.known());

@@ -16,7 +16,7 @@ Dfr blurred() {
   return dfr;
 }
 
-/// The built-in boxes, of polished metal; with a ratio of their own where that is asked for.
+/// The built-in boxes of polished metal, optionally with their own ratio.
 std::shared_ptr<const RenderScene> polished_boxes(std::optional<Dfr> dfr, float roughness = 0.0f) {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     if (builtin.name != "boxes") continue;
@@ -45,7 +45,7 @@ TEST(WithDfrs, GivesThePictureOfASceneWithThoseMaterials) {
   MaterialDfrs dfrs = dfrs_of(fresh->world());
   const auto edited = with_dfrs(before, dfrs);
   ASSERT_TRUE(edited.has_value());
-  EXPECT_EQ((*edited)->geometry, before->geometry) << "nothing is built again";
+  EXPECT_EQ((*edited)->geometry, before->geometry) << "nothing is rebuilt";
   EXPECT_EQ((*edited)->lighting, before->lighting);
   EXPECT_EQ((*edited)->dfrs(), dfrs);
   const Film got = film_of(**edited);
@@ -72,8 +72,7 @@ TEST(WithDfrs, LightsAndRatiosAreEditedInEitherOrder) {
   EXPECT_EQ(film_of(*lit_first).radiance, film_of(*lit_last).radiance);
 }
 
-// Only a ratio of its own makes a rough material a mirror, whether it had one from the first or
-// not.
+// Only its own ratio makes a rough material a mirror, whether it had one before or not.
 TEST(WithDfrs, ARoughMaterialBecomesAMirror) {
   const auto rough = polished_boxes(std::nullopt, 0.6f);
   const auto mirrors = polished_boxes(blurred(), 0.6f);

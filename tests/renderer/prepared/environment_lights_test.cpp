@@ -52,7 +52,7 @@ TEST(EnvironmentLights, TakeThePlaceOfARigOnly) {
   EXPECT_FALSE(changes_lights(*dark, &colours));
 }
 
-// A white diffuse surface that faces the sun, which gives it E / pi, and sees the sky behind it.
+// A white diffuse surface that faces the sun, which contributes E / pi, with the sky behind it.
 TEST(EnvironmentLights, SunsBringWhiteSurfacesNearWhite) {
   const auto dark = ready(unlit("builtin:boxes"));
   for (const Environment e : {Environment::windows, Environment::daylight, Environment::dusk}) {
@@ -85,7 +85,7 @@ TEST(EnvironmentLights, FollowTheTurnAndBrightnessOfTheirSky) {
     EXPECT_TRUE(changes_lights(*dark, &placed));
     for (std::size_t i = 0; i < before.size(); ++i) {
       EXPECT_FLOAT_EQ(after[i].intensity, 2.5f * before[i].intensity);
-      // Counter-clockwise as seen from above: +Z goes to +X, and +X to -Z.
+      // Counter-clockwise seen from above: +Z goes to +X, and +X to -Z.
       const glm::dvec3 d = before[i].direction;
       EXPECT_NEAR(glm::distance(after[i].direction, glm::dvec3(d.z, d.y, -d.x)), 0.0, 1e-12);
       if (before[i].type == Light::Type::directional) continue;
@@ -99,8 +99,8 @@ TEST(EnvironmentLights, FollowTheTurnAndBrightnessOfTheirSky) {
   }
 }
 
-// What faces the key is near white and below it; behind it all is what both white and black stand
-// out on, wherever the camera looks but into the ceiling.
+// Surfaces facing the key light are just below white. The backdrop contrasts with white and with
+// black in every direction except the ceiling.
 TEST(EnvironmentLights, AStudioIsNeitherTooBrightNorTooDark) {
   const auto dark = ready(unlit("builtin:boxes"));
   const Sky sky(Environment::studio);
@@ -114,8 +114,8 @@ TEST(EnvironmentLights, AStudioIsNeitherTooBrightNorTooDark) {
     radiance +=
         glm::dvec3(unshadowed_irradiance(prepare_light(light), receiver)) / std::numbers::pi;
   EXPECT_GT(radiance.x, 0.9);
-  EXPECT_LT(radiance.x, 1.05) << "what is nearer to the light than the middle may be white";
-  // By the contrast of what is shown (WCAG 2), which is 3 for large text.
+  EXPECT_LT(radiance.x, 1.05) << "points nearer to the light than the centre may be white";
+  // Contrast of displayed colours (WCAG 2); 3 is the minimum for large text.
   const auto contrast = [](double bright, double dark_one) {
     const auto shown = [](double radiant) {
       return displayed_intensity(glm::dvec3(radiant), ToneCurve::neutral).g + 0.05;
@@ -130,7 +130,7 @@ TEST(EnvironmentLights, AStudioIsNeitherTooBrightNorTooDark) {
     EXPECT_GT(contrast(radiance.x, behind), elevation_deg <= 0 ? 3.0 : 1.8) << elevation_deg;
     EXPECT_GT(contrast(behind, black), 2.4) << elevation_deg;
   }
-  // Mirrored in metal there is a horizon: a step within a few degrees.
+  // Metal reflects a horizon: a step within a few degrees.
   EXPECT_GT(sky.radiance({0.0f, 0.07f, -1.0f}).g, 1.25f * sky.radiance({0.0f, -0.07f, -1.0f}).g);
 }
 

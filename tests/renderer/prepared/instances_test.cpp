@@ -15,7 +15,7 @@
 namespace asos {
 namespace {
 
-/// Over 100,000 triangles of copies, of 1512 and 1512.
+/// Over 100,000 triangles in total, of copies with 1512 and 1512.
 constexpr int places = 140;
 constexpr std::uint32_t rings = 28;
 
@@ -65,7 +65,7 @@ class Instances : public testing::Test {
   static inline std::shared_ptr<const RenderScene> shared_, copied_;
 };
 
-/// The share of pixels of two pictures that differ by more than 1e-5.
+/// Fraction of pixels of two pictures that differ by more than 1e-5.
 double differing(const test::Picture& a, const test::Picture& b) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.film.radiance.size(); ++i) {
@@ -104,7 +104,7 @@ TEST_F(Instances, BlockTheSameRaysAsCopies) {
       if (part != world.triangle_part[b.triangle]) continue;  // they touch
       const glm::dvec3 p = hit_plane(shared_->world(), a).point(a.b1, a.b2);
       const HitPlane plane = hit_plane(world, b);
-      // Along the ray, rounding shows more the flatter it meets the surface.
+      // Along the ray, the rounding error grows at grazing angles.
       const double cosine =
           std::abs(glm::dot(glm::normalize(plane.normal()), glm::dvec3(ray.direction)));
       ASSERT_LT(glm::distance(p, plane.point(b.b1, b.b2)) * cosine, 4e-6) << world.parts[part].name;
@@ -118,7 +118,7 @@ TEST_F(Instances, LookLikeCopiesByPointSamples) {
   EXPECT_LE(differing(picture(*shared_, Method::sobol), picture(*copied_, Method::sobol)), 0.002);
 }
 
-// Not to the bit: copies fold where rounding bends their flat faces, and are cut there.
+// Not bit by bit: in copies, rounding bends flat faces and creates creases.
 TEST_F(Instances, LookLikeCopiesByAsos) {
   const test::Picture a = picture(*shared_, Method::asos), b = picture(*copied_, Method::asos);
   const test::Difference d = test::difference(a, b);
@@ -127,7 +127,7 @@ TEST_F(Instances, LookLikeCopiesByAsos) {
   EXPECT_LT(d.largest, 0.02 * d.mean);
 }
 
-// A closed mesh of F triangles has 3/2 F edges. The diagonals of quadrangles are flat.
+// A closed mesh of F triangles has 3/2 F edges. The diagonals of quads are flat.
 TEST_F(Instances, HaveTheBoundariesOfTheirMeshes) {
   const FeatureCounts a = shared_->features().counts(), b = copied_->features().counts();
   constexpr std::uint64_t quadrangles = std::uint64_t{rings} * (rings - 2);
@@ -141,7 +141,7 @@ TEST_F(Instances, HaveTheBoundariesOfTheirMeshes) {
               0.001 * static_cast<double>(b.intersection));
 }
 
-/// Each place's nodes hold the edges below them.
+/// The nodes of each instance contain its edges.
 TEST_F(Instances, LieInTheNodesOfTheirHierarchy) {
   const FeatureSet& features = shared_->features();
   std::vector<std::uint32_t> left{0};

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// Painted triangles, quadrilaterals and meshes shine where their texture does: compared with a
-// numerical integral of the texture over the triangles.
+// Textured emissive triangles, quadrilaterals and meshes, against numerical integration of the
+// texture over the triangles.
 
 namespace asos::test::painted_shapes_test {
 namespace {
@@ -27,7 +27,7 @@ Image halves() {
   });
 }
 
-/// White; the left half is masked away.
+/// White; the left half is masked out.
 Image half_masked() {
   return make_image(2, 1, [](int x, int) {
     return Texel{255, 255, 255, static_cast<std::uint8_t>(x == 0 ? 0 : 255)};
@@ -66,7 +66,7 @@ glm::dvec3 emission(const World& world, std::uint32_t triangle, float b1, float 
   return glm::dvec3(strength * glm::vec3(texel));
 }
 
-/// The irradiance of a point, by the centroids of many small triangles.
+/// Irradiance of a point, summed over the centroids of many small triangles.
 glm::dvec3 integral(const World& world, const Receiver& at, int steps) {
   glm::dvec3 sum(0.0);
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
@@ -148,7 +148,8 @@ TEST(PaintedShapes, EvenFacesStayOneLight) {
   }
 }
 
-// One face of a cube has a pattern; the other five are even and leave it their share of the lights.
+// One face of a cube has a pattern; the other five are uniform and leave their share of the lights
+// to it.
 TEST(PaintedShapes, FacesOfAPieceShareItsLights) {
   World world;
   const Image stripes = make_image(8, 1, [](int x, int) {
@@ -180,8 +181,8 @@ TEST(PaintedShapes, FacesOfAPieceShareItsLights) {
   expect_integral(world, 5e-3, 100);
 }
 
-// A half pipe of 32 strips around the x axis, open towards +Z; u runs around it. Its rectangles
-// turn by up to 30 degrees.
+// A half pipe of 32 strips around the x axis, open towards +Z; u runs around it. Neighbouring
+// rectangles differ by up to 30 degrees.
 TEST(PaintedShapes, CurvedMeshesShineFromWhereTheyAre) {
   World world;
   const Material m = painted(world, halves());
@@ -201,7 +202,7 @@ TEST(PaintedShapes, CurvedMeshesShineFromWhereTheyAre) {
   expect_integral(world, 0.06, 40);
 }
 
-// As one ball it would shine purple all around.
+// A single sphere light would be purple in all directions.
 TEST(PaintedShapes, BallsOfTwoColoursShineFromWhereTheyAre) {
   World world;
   add_sphere(world, {0, 0, -1}, 0.7f, 16, painted(world, halves()));

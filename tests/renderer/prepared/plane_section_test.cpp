@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-// Where a plane cuts the triangles of a world.
+// Lines along which a plane cuts the triangles of a world.
 
 namespace asos::test::plane_section_test {
 namespace {
@@ -25,7 +25,7 @@ double length_of(const PlaneSection& section) {
 TEST(PlaneSection, OfASlopeLiesInThePlane) {
   const HalfSpace plane{{0, 0, 1}, 0.25};
   const PlaneSection section = plane_section(slope(), plane);
-  ASSERT_EQ(section.size(), 2u) << "a line a triangle";
+  ASSERT_EQ(section.size(), 2u) << "one line per triangle";
   for (const SectionLine& line : section) {
     for (const glm::dvec3 p : {line.from, line.to}) {
       EXPECT_NEAR(plane.height(p), 0.0, 1e-12);
@@ -49,7 +49,7 @@ TEST(PlaneSection, ThatIsKeptIsThatOfThePlaneAskedFor) {
   const auto second = sections.of(world, {{0, 0, 1}, 0.5});
   ASSERT_EQ(second->size(), 2u);
   EXPECT_NEAR(second->front().from.x, 0.5, 1e-12);
-  EXPECT_NEAR(first->front().from.x, 0.25, 1e-12) << "still there for who has it";
+  EXPECT_NEAR(first->front().from.x, 0.25, 1e-12) << "existing owners keep it";
   EXPECT_EQ(sections.of(world, {{0, 0, 1}, 0.25}), first) << "a near and a far plane are both kept";
   EXPECT_EQ(sections.of(world, {{0, 0, 1}, 0.5}), second);
 }

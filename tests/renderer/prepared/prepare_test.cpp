@@ -14,7 +14,7 @@
 namespace asos::prepare_test {
 namespace {
 
-/// Adds a box seen from outside, or from inside, and places it.
+/// Adds an instance of a box, seen from outside or from inside.
 void add_box(Scene& scene, glm::vec3 lo, glm::vec3 hi, bool inside, const Material& material) {
   Mesh mesh;
   for (int axis = 0; axis < 3; ++axis) {
@@ -95,7 +95,7 @@ TEST(Prepare, AFilesLightIsKeptAndNotDoubledByItsLamp) {
   EXPECT_EQ(scene->lighting->emissive_lights, 6u);
   EXPECT_EQ(scene->lights().size(), 7u);
 
-  // A light that is switched off is none.
+  // A light that is switched off does not count.
   file.instances[1].shows_light = true;
   file.lights[0].intensity = 0.0f;
   EXPECT_TRUE(prepared(file)->lighting->default_rig);
@@ -107,15 +107,15 @@ TEST(Prepare, BlendedEmissionShinesByItsOpacity) {
   blended.materials[1].alpha_mode = AlphaMode::blend;
   blended.materials[1].base_color.a = 0.25f;
   Scene glass = blended;
-  glass.materials[1].transmission = 0.5f;  // lets light through and shines all the same
+  glass.materials[1].transmission = 0.5f;  // transmits, but its emission counts all the same
   EXPECT_FLOAT_EQ(prepared(blended)->lights()[0].intensity,
                   0.25f * prepared(solid)->lights()[0].intensity);
   EXPECT_FLOAT_EQ(prepared(glass)->lights()[0].intensity,
                   0.25f * prepared(solid)->lights()[0].intensity);
 }
 
-/// The shares of a small picture that are brighter than the ambient light leaves a white surface,
-/// and than white.
+/// Fractions of a small picture that are brighter than a white surface in ambient light, and
+/// brighter than white.
 struct Brightness {
   double lit = 0.0;
   double over = 0.0;
@@ -147,7 +147,7 @@ TEST(Prepare, ARigLightsAClosedRoomFromInside) {
     Scene room;
     add_box(room, scale * glm::vec3(-3, 0, -2), scale * glm::vec3(3, 2.5f, 4), true,
             test::matte(glm::vec3(1)));
-    // A wardrobe beside the camera, and a beam across the room.
+    // A wardrobe next to the camera, and a beam across the room.
     add_box(room, scale * glm::vec3(0.8f, 0, 1), scale * glm::vec3(2.5f, 2, 2), false,
             test::matte(glm::vec3(1)));
     add_box(room, scale * glm::vec3(-3, 2.1f, 0), scale * glm::vec3(3, 2.4f, 0.2f), false,
@@ -165,7 +165,7 @@ TEST(Prepare, ARigLightsAClosedRoomFromInside) {
 }
 
 TEST(Prepare, AnOpenSceneAroundTheCameraHasAStudio) {
-  // The camera stands within the bounds, but nothing shuts the lights out.
+  // The camera is within the bounds, but nothing occludes the lights.
   Scene open;
   add_box(open, {-20, -1, -20}, {20, 0, 20}, false, test::matte(glm::vec3(0.8f)));
   add_box(open, {-6, 0, -6}, {-4, 12, -4}, false, test::matte(glm::vec3(0.8f)));
@@ -194,7 +194,7 @@ TEST(Prepare, SharedScenesGetTheLightsThatTheirEmittersAre) {
       EXPECT_FALSE(light.two_sided);
     }
   }
-  // Two lamps in front and two red ones behind, which do not light the scene.
+  // Two lamps in front and two red ones behind, which hardly light the scene.
   const auto car = load("ToyCar/ToyCar.gltf");
   EXPECT_TRUE(car->lighting->default_rig);
   EXPECT_GE(car->lighting->emissive_lights, 4u);
@@ -213,7 +213,7 @@ TEST(Prepare, NeonHasAboutAHundredLights) {
     bulbs += light.type == Light::Type::point && light.radius > 0.0;
     panes += light.type == Light::Type::rectangle;
   }
-  EXPECT_GE(tubes, 50) << "a stroke of a letter each";
+  EXPECT_GE(tubes, 50) << "one light per stroke of a letter";
   EXPECT_EQ(bulbs, 19);
   EXPECT_EQ(panes, 13);
   EXPECT_NEAR(static_cast<double>(neon->lights().size()), 100.0, 20.0);

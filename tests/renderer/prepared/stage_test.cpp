@@ -43,15 +43,15 @@ TEST(Stage, LightsAndOriginStayWhereTheSceneIsAtRest) {
   EXPECT_EQ(places(*moved), places(*rest));
   EXPECT_TRUE(moved->lighting->default_rig);
   EXPECT_EQ(moved->world().origin.x + static_cast<double>(moved->world().positions[1].x), 8.0);
-  // Of its own accord the rig goes with the scene.
+  // Without a stage, the default lighting follows the scene.
   const auto alone = prepare(at(7.0)).value();
   EXPECT_NE(places(*alone), places(*rest));
-  // And the stage is handed on.
+  // The new scene passes the stage on.
   const auto again = prepare(at(2.0), {}, &moved->geometry->stage).value();
   EXPECT_EQ(places(*again), places(*rest));
 }
 
-// Feet that leave the ground do not pull it up.
+// Feet that leave the ground do not lift it.
 TEST(Stage, TheGroundStaysWhereItIsAtRest) {
   const auto rest = prepare(at(0.0)).value();
   Scene jumps = at(0.0);

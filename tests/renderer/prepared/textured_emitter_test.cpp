@@ -10,15 +10,15 @@
 #include <cmath>
 #include <cstdint>
 
-// Rectangles that a texture or a mask paints shine where it does: beside the integral of the
-// texture over the rectangle.
+// Emissive rectangles with a texture or a mask, against numerical integration of the texture over
+// the rectangle.
 
 namespace asos::test::textured_emitter_test {
 namespace {
 
 constexpr float width = 2.0f, height = 1.0f;
 
-/// A rectangle in z = 0 that shines towards +Z.
+/// A rectangle in z = 0 that emits towards +Z.
 World emitter(const Image& image, Filter filter, bool mask) {
   World world;
   Material m;
@@ -35,7 +35,7 @@ World emitter(const Image& image, Filter filter, bool mask) {
   return world;
 }
 
-/// Integrates the irradiance of a point numerically, by the centres of many small squares.
+/// Integrates the irradiance of a point over the centres of many small squares.
 glm::dvec3 integral(const World& world, const Receiver& at, bool mask) {
   const Material& m = world.materials[0];
   constexpr int steps = 400;
@@ -100,7 +100,8 @@ TEST(TexturedEmitter, AWindowOfFewTexelsShinesAlone) {
   expect_integral(emitter(window, Filter::nearest, false), false, 5e-3);
 }
 
-// A block of 16 differs from the gradient by up to a quarter, which shows at half its width.
+// One of 16 blocks differs from the gradient by up to a quarter, which matters at distances of half
+// its width.
 TEST(TexturedEmitter, AGradientIsWithinItsBlocks) {
   const Image ramp = make_image(64, 32, [](int x, int y) {
     return Texel{static_cast<std::uint8_t>(4 * x), static_cast<std::uint8_t>(8 * y),
@@ -109,7 +110,7 @@ TEST(TexturedEmitter, AGradientIsWithinItsBlocks) {
   expect_integral(emitter(ramp, Filter::linear, false), false, 0.05);
 }
 
-TEST(TexturedEmitter, WhatIsMaskedAwayDoesNotShine) {
+TEST(TexturedEmitter, MaskedPartsDoNotEmit) {
   const Image holes = make_image(4, 4, [](int x, int y) {
     return Texel{255, 255, 255, static_cast<std::uint8_t>(x == 0 || y == 3 ? 255 : 0)};
   });

@@ -15,7 +15,7 @@
 namespace asos::test::with_ground_test {
 namespace {
 
-/// A white square of 2 x 2 at height 1, and lines where asked for, under a sun straight above.
+/// A white square of 2 x 2 at height 1, optionally with lines, under a sun straight above.
 Scene board(bool lines) {
   Scene scene;
   scene.source = "test";
@@ -49,7 +49,7 @@ std::shared_ptr<const RenderScene> ready(const Scene& scene) {
   return prepare(scene).value();
 }
 
-/// Straight at a point of the ground, of the author's coordinates, from below the board.
+/// Radiance of a point of the ground, in the author's coordinates, seen from below the board.
 glm::vec3 ground_at(const RenderScene& scene, double x, double z) {
   Camera camera;
   camera.type = Camera::Type::orthographic;
@@ -62,8 +62,8 @@ glm::vec3 ground_at(const RenderScene& scene, double x, double z) {
   return render_picture(scene, camera, settings).film.radiance[5];
 }
 
-// Half as bright as white, which returns radiance 1 of an irradiance of pi; nothing of the sun
-// under the board, whose shadow is as wide as it is.
+// The ground has half of white's albedo, so an irradiance of pi gives a radiance of 1/2. Under the
+// board, which casts a shadow of its own width, no sun arrives.
 TEST(WithGround, ReceivesShadows) {
   const auto scene = with_ground(ready(board(false)), Ground::on).value();
   const glm::vec3 lit = ground_at(*scene, 1.02, 0.3), dark = ground_at(*scene, 0.98, 0.3);
@@ -85,8 +85,8 @@ TEST(WithGround, LiesAtTheLowestPointAndIsSizedByTheScene) {
   EXPECT_NEAR(plate.bounds.hi.x - plate.bounds.lo.x, 2.0 * ground_radii * radius, 1e-3);
 }
 
-// What was prepared stays what it was, for all that is told of the scene.
-TEST(WithGround, IsNoPartOfTheSceneThatItWasPutUnder) {
+// The original scene stays unchanged, in all that is reported about it.
+TEST(WithGround, DoesNotChangeTheOriginalScene) {
   const auto bare = ready(board(false));
   const auto before = bare->world().triangles.size();
   const auto scene = with_ground(bare, Ground::mirror).value();
@@ -128,7 +128,7 @@ TEST(WithGround, LinesAreDrawnOnIt) {
   settings.height = 36;
   const StrokePicture picture = stroke_picture(camera, settings);
   const auto alone = with_strokes(ready(author), picture).value();
-  // Whether they were drawn before or not.
+  // Whether the lines were drawn before or not.
   for (const auto& under : {ready(author), alone}) {
     const auto scene = with_strokes(with_ground(under, Ground::on).value(), picture).value();
     const World& world = scene->world();
@@ -145,7 +145,7 @@ TEST(WithGround, LinesAreDrawnOnIt) {
   }
 }
 
-// And framed as ever, whether it stands on one or not.
+// The framing is the same with and without a ground.
 TEST(WithGround, IsTakenAwayAgain) {
   const auto bare = ready(board(true));
   const auto on = with_ground(bare, Ground::on).value();
@@ -171,7 +171,7 @@ TEST(WithGround, IsTakenAwayAgain) {
             frame_world(b, camera, 1.5).camera.world_from_camera);
 }
 
-// Nor does it matter to the framing whether lines are drawn. Lines alone have no ground.
+// Lines do not affect the framing either. A scene of lines only has no ground.
 TEST(WithGround, LinesAreNoGroundToStandOn) {
   const StrokePicture picture{Camera{}, 100, 4.0};
   const auto bare = with_strokes(ready(board(true)), picture).value();
@@ -185,7 +185,7 @@ TEST(WithGround, LinesAreNoGroundToStandOn) {
   EXPECT_EQ(with_ground(only, Ground::on).value(), only);
 }
 
-TEST(WithGround, NothingIsPutUnderNothing) {
+TEST(WithGround, EmptyScenesGetNoGround) {
   const auto bare = ready(board(false));
   EXPECT_EQ(with_ground(bare, Ground::off).value(), bare);
   Scene empty = board(false);

@@ -48,7 +48,7 @@ TEST(WithLights, GivesThePictureOfASceneWithThoseLights) {
   const auto relit = with_lights(before, lights);
   ASSERT_TRUE(relit.has_value());
   EXPECT_EQ((*relit)->needs, fresh->needs);
-  EXPECT_EQ((*relit)->geometry, before->geometry) << "nothing is built again";
+  EXPECT_EQ((*relit)->geometry, before->geometry) << "nothing is rebuilt";
   EXPECT_EQ((*relit)->materials, before->materials);
   const test::Picture expected = picture_of(*fresh), got = picture_of(**relit);
   EXPECT_EQ(got.film.radiance, expected.film.radiance);
@@ -60,7 +60,7 @@ TEST(WithLights, OutlivesTheSceneItCameFrom) {
   const auto film = picture_of(*before).film;
   std::vector<Light> lights = before->lights();
   auto relit = with_lights(with_lights(before, other_lights()).value(), lights).value();
-  EXPECT_EQ(relit->own_lighting, before->lighting) << "what it came from is known";
+  EXPECT_EQ(relit->own_lighting, before->lighting) << "the original scene is known";
   before.reset();
   EXPECT_EQ(picture_of(*relit).film.radiance, film.radiance);
 }

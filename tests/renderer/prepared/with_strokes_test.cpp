@@ -38,7 +38,7 @@ Mesh points(std::vector<glm::vec3> positions) {
   return mesh;
 }
 
-/// A square in the plane z = `z`, from -half to half, that faces +Z; plain.
+/// A plain square in the plane z = `z`, from -half to half, facing +Z.
 Mesh square(float half, float z) {
   Mesh mesh;
   mesh.positions = {{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}};
@@ -62,7 +62,7 @@ Scene scene_of(std::vector<Mesh> meshes) {
   return scene;
 }
 
-/// At (0, 0, 5) of the author's, looking along -Z.
+/// At (0, 0, 5) in the author's coordinates, looking along -Z.
 Camera camera_for(const RenderScene& scene, bool perspective = true) {
   Camera camera;
   camera.type = perspective ? Camera::Type::perspective : Camera::Type::orthographic;
@@ -91,7 +91,7 @@ Film picture_of(const std::shared_ptr<const RenderScene>& scene, const Camera& c
   return render_picture(*drawn, camera, settings).film;
 }
 
-/// The place in the picture, in pixels from its middle, of one of the author's.
+/// Position in the picture, in pixels from its centre, of a point in the author's coordinates.
 glm::dvec2 projected(glm::dvec3 p, const Camera& camera, int height) {
   const bool perspective = camera.type == Camera::Type::perspective;
   const double tall =
@@ -103,13 +103,13 @@ glm::vec3 at(const Film& film, int x, int y) {
   return film.radiance[film.index(x, y)];
 }
 
-/// How many pixels are red: of a picture before the neutral sky, whose light is grey.
+/// Number of red pixels, in front of the grey neutral sky.
 double red_area(const Film& film) {
   double area = 0.0;
   const glm::vec3 sky = at(film, 0, 0);
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
-      // Green tells how much of the sky is hidden.
+      // Green measures how much of the sky is hidden.
       area += 1.0 - static_cast<double>(at(film, x, y).g) / static_cast<double>(sky.g);
       EXPECT_NEAR(at(film, x, y).r - at(film, x, y).g, red * (1.0f - at(film, x, y).g / sky.g),
                   2e-5f);
@@ -135,7 +135,7 @@ TEST(WithStrokes, ALineCoversItsRectangle) {
       for (const double angle : {0.0, 0.3, 0.7853981, 1.2, 1.5707963}) {
         SCOPED_TRACE(testing::Message() << "perspective " << perspective << ", width " << width
                                         << ", angle " << angle);
-        // One end nearer than the other.
+        // One end is nearer than the other.
         const glm::dvec3 a(0.9 * std::cos(angle), 0.9 * std::sin(angle), 0.8);
         const glm::dvec3 b(-1.1 * std::cos(angle), -1.1 * std::sin(angle), -0.6);
         const auto scene = prepared(scene_of({lines({glm::vec3(a), glm::vec3(b)})}));
@@ -184,7 +184,7 @@ TEST(WithStrokes, SurfacesHideLinesAndLinesHideSurfaces) {
 }
 
 TEST(WithStrokes, ALineUponASurfaceIsNotBuriedInIt) {
-  // The wall's own diagonal: all of the ribbon is seen.
+  // A line along the wall's diagonal: the whole ribbon is visible.
   const auto scene =
       prepared(scene_of({square(1.0f, 0.0f), lines({{-0.8f, -0.8f, 0.0f}, {0.8f, 0.8f, 0.0f}})}));
   const Camera camera = camera_for(*scene);
@@ -214,7 +214,7 @@ TEST(WithStrokes, ALineIsCutWhereItEntersASurface) {
 }
 
 TEST(WithStrokes, LinesAndPointsCastNoShadows) {
-  // Between the wall and the sun, and the sky, but beyond the picture's edge.
+  // Between the wall and sun and sky, but outside the picture.
   std::vector<glm::vec3> near;
   for (int i = 0; i < 40; ++i) {
     const float x = -0.9f + 0.045f * static_cast<float>(i);
@@ -234,7 +234,7 @@ TEST(WithStrokes, LinesAndPointsCastNoShadows) {
         lamp.intensity = 10.0f;
       }
       const auto ready = prepared(scene);
-      // From behind the lines: there is nothing but the wall in the picture.
+      // From behind the lines only the wall is visible.
       Camera camera = camera_for(*ready);
       camera.world_from_camera[3].z -= 4.98;
       camera.fov_y_rad = 2.5;
@@ -262,7 +262,7 @@ TEST(WithStrokes, NoneAreDrawnWithoutWidth) {
   EXPECT_EQ(
       largest_difference(picture_of(with, camera, settings), picture_of(without, camera, settings)),
       0.0);
-  // Also after they have been.
+  // The same after they were drawn.
   const auto drawn = with_strokes(with, stroke_picture(camera, settings_of(1.0))).value();
   EXPECT_EQ(largest_difference(picture_of(drawn, camera, settings),
                                picture_of(without, camera, settings)),
@@ -299,14 +299,14 @@ TEST(WithStrokes, VerticesColoursRunAlongALine) {
   const auto scene = prepared(scene_of({square(0.1f, -50.0f), line}));
   const Camera camera = camera_for(*scene, false);
   const Film film = picture_of(scene, camera, settings_of(6.0));
-  // A unit is 12 pixels; the middle of the column of pixels 37 is at 5.5 / 12.
+  // A unit is 12 pixels; the centre of pixel column 37 is at 5.5 / 12.
   const glm::vec3 there = at(film, 37, 24);
   EXPECT_NEAR(there.r, 0.5 * (1.0 - 5.5 / 12.0), 1e-3);
   EXPECT_NEAR(there.g, 0.5 * (1.0 + 5.5 / 12.0), 1e-3);
   EXPECT_NEAR(there.b, 0.0, 1e-6);
 }
 
-/// A wide line across the middle of the picture, seen as it is: no light, and a black sky.
+/// A wide line across the picture's centre, without light and with a black sky.
 Film picture_of_line(Scene scene, Method method = Method::asos) {
   scene.lights.clear();
   const auto ready = prepared(scene);
@@ -350,7 +350,7 @@ TEST(WithStrokes, TexturesRunAlongALine) {
   material.emissive = glm::vec3(0.25f);
   material.emissive_texture.texture = 0;
   material.emissive_texture.texcoord = 1;
-  // The base colour from red to green, and the emission from green to red.
+  // Base colour from red to green, and emission from green to red.
   scene.meshes[0].texcoords[0] = {{0, 0.5f}, {1, 0.5f}};
   scene.meshes[0].texcoords[1] = {{1, 0.5f}, {0, 0.5f}};
   for (const Method method : both_methods) {
@@ -358,13 +358,13 @@ TEST(WithStrokes, TexturesRunAlongALine) {
     expect_near(at(film, 20, 24), {0.5f, 0.25f, 0.0f}, 1e-5f);
     expect_near(at(film, 44, 24), {0.25f, 0.5f, 0.0f}, 1e-5f);
   }
-  // Without coordinates of its own it has those of the texture's corner.
+  // Without its own coordinates the line has the colour of the texture's corner.
   scene.meshes[0].texcoords[0].clear();
   scene.meshes[0].texcoords[1].clear();
   expect_near(at(picture_of_line(scene), 44, 24), {0.75f, 0.0f, 0.0f}, 1e-5f);
 }
 
-// A matt line under a sun: E cos / pi times its colour, whatever way its ribbon faces.
+// A matte line under a sun has E cos / pi times its colour, whatever way its ribbon faces.
 TEST(WithStrokes, NormalsLightLinesAndPoints) {
   const glm::vec3 normal(0.0f, 0.8f, 0.6f);
   for (const glm::dvec3 to_light : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0.6, 0.8),

@@ -13,7 +13,7 @@
 namespace asos::test {
 namespace {
 
-/// Seeded frames over skewed parallelograms, cells of them, and segments near those.
+/// Random frames over skewed parallelograms, their cells, and segments near those; seeded.
 class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}
@@ -29,7 +29,7 @@ class Draw {
     return glm::normalize(d);
   }
 
-  /// A base `width` wide at distance 1, turned and skewed.
+  /// A base of `width` at distance 1, rotated and skewed.
   Frame frame(double width, bool parallel) {
     const glm::dvec3 axis = direction();
     const glm::dvec3 right = glm::normalize(glm::cross(axis, direction()));
@@ -54,7 +54,7 @@ class Draw {
     const float u = at();
     return {u, at(), 1.0f / n};
   }
-  /// Around the cell, up to its width away.
+  /// A point in the cell or up to its width away.
   glm::vec2 point(const Square& cell) {
     const double side = static_cast<double>(cell.side);
     const double u = cell.centre_u() + side * between(-1.5, 1.5);
@@ -69,7 +69,7 @@ class Draw {
   std::mt19937 random_;
 };
 
-/// How far a point of the frame lies off a cell's axis: the angle, or the distance in a prism.
+/// Deviation of a point from a cell's axis: the angle, or the distance in a prism.
 double off_axis(const Frame& frame, const Square& cell, glm::dvec2 p) {
   const glm::dvec2 centre(cell.centre_u(), cell.centre_v());
   const auto towards = [&](glm::dvec2 q) {
@@ -84,7 +84,7 @@ double off_axis(const Frame& frame, const Square& cell, glm::dvec2 p) {
   return std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y));
 }
 
-/// The cone's half angle, or the cylinder's radius: that of the cell's farthest corner.
+/// Half angle of the cone, or radius of the cylinder: that of the cell's farthest corner.
 double half_angle(const Frame& frame, const Square& cell) {
   double most = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -127,7 +127,7 @@ TEST(ConeDetection, CountsSegmentsWithinTheHalfAngle) {
     const Square cell = draw.cell();
     const double half = half_angle(frame, cell);
     const Segment s = draw.segment(cell);
-    // Directions along the segment; between two of them it comes no nearer than half their angle.
+    // Directions along the segment; between two of them it is at most half their angle closer.
     constexpr int n = 2000;
     const glm::dvec2 a(s.u0, s.v0), d = glm::dvec2(s.u1, s.v1) - a;
     double least = 10.0, step = 0.0, last = 0.0;
@@ -157,7 +157,7 @@ TEST(ConeDetection, ReachIsTightAroundTheCone) {
     const Square reach = cone.reach(cell);
     const double half = half_angle(frame, cell);
     const double allowed = 0.5 * reach.side * (1.0 + 1e-5);
-    // Along each direction the cone ends where the angle is its half angle: by bisection.
+    // Bisects, along each direction, for the cone's border.
     double widest = 0.0;
     for (int i = 0; i < 360; ++i) {
       const double turn = glm::radians(static_cast<double>(i));
@@ -175,8 +175,9 @@ TEST(ConeDetection, ReachIsTightAroundTheCone) {
   }
 }
 
-// CGF'98 section 6.1 hands hit lists down. Prisms' cylinders are nested; of pyramids the cones are,
-// but for the square of their half angle: the picture's plane foreshortens the parent's outer half.
+// CGF'98 section 6.1 passes hit lists down. Cylinders of prisms are nested. Cones of pyramids are,
+// except for the square of their half angle: the picture's plane foreshortens the outer half of the
+// parent.
 TEST(ConeDetection, ChildrensConesLieWithinTheirParents) {
   for (unsigned seed = 0; seed < cases; ++seed) {
     Draw draw(seed);
@@ -223,7 +224,7 @@ double greatest_difference(const std::vector<glm::vec3>& a, const std::vector<gl
   return static_cast<double>(most);
 }
 
-// White on black, so that a pixel's value is the share that is covered.
+// White on black, so that a pixel's value is the covered fraction.
 World one_triangle() {
   World world;
   add_triangle(world, {-1.7f, -1.1f, 0}, {1.6f, -0.8f, 0}, {0.3f, 1.6f, 0}, unlit({1, 1, 1}));

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// Each shadow quality of the paper (CGF'98 sections 4.2 to 4.3.4) against its own definition: the
-// floor z = 0 as a viewer overhead sees it, under a rectangle behind a half-plane.
+// The paper's shadow qualities (CGF'98 sections 4.2 to 4.3.4) against their definitions: the floor
+// z = 0 seen from above, under a rectangular light partly hidden by a half-plane.
 
 namespace asos::test::shadow_qualities_test {
 namespace {
@@ -46,7 +46,7 @@ struct Pixel {
   }
 };
 
-/// A half-plane that hides some of the light from somewhere in the pixel.
+/// A half-plane that hides some of the light from some points of the pixel.
 struct Scene {
   World world;
   Polygon3 screen;
@@ -76,14 +76,14 @@ Receiver receiver_on_floor(glm::dvec3 position) {
   return receiver;
 }
 
-/// What is seen of the light from a point of the floor, 0 to 1.
+/// Visible fraction of the light from a point of the floor.
 double share_at(const Scene& scene, glm::dvec3 p) {
   const Receiver receiver = receiver_on_floor(p);
   const Polygon3 light = corners_of(panel());
   return seen_form(light, {scene.screen}, receiver) / form_of(light, receiver);
 }
 
-/// The mean of the pixel by the middles of n x n parts.
+/// Mean of that over the centres of n x n parts of the pixel.
 double mean_share(const Scene& scene, int n) {
   double sum = 0.0;
   for (int i = 0; i < n * n; ++i) sum += share_at(scene, scene.pixel.part(n, i).at(0.5, 0.5));
@@ -97,15 +97,15 @@ double area_of(const Polygon3& polygon) {
   return 0.5 * glm::length(sum);
 }
 
-/// Where the pyray through the light's corners starts if it is `width` times as wide at the floor
-/// as at the light, and its axis leads from a patch's middle to the light's: behind the floor.
+/// Apex, behind the floor, of the pyray through the light's corners if it is `width` times as wide
+/// at the floor as at the light. Its axis goes from the patch's centre to the light's.
 glm::dvec3 source_behind(const Pixel& patch, double width) {
   const glm::dvec3 middle = patch.at(0.5, 0.5);
   return middle - width / (1.0 - width) * (panel().position - middle);
 }
 
-/// 4.3.2: the light's projection is the largest one inside the patch; what of the light its source
-/// sees. No wider at the floor than 0.99 of what it is at the light.
+/// 4.3.2: the light's projection is the largest one inside the patch, at most 0.99 of the light's
+/// width at the floor. Returns the fraction of the light that its source sees.
 double extended_share(const Scene& scene, const Pixel& patch) {
   const Light light = panel();
   const double width =
@@ -115,9 +115,9 @@ double extended_share(const Scene& scene, const Pixel& patch) {
                    area_of(corners);
 }
 
-/// 4.3.4: patches are divided until they lie inside the light's projection onto the floor, along
-/// the line between their middles; then the projection is the smallest one around the patch, and
-/// what of the patch the light reaches through it counts.
+/// 4.3.4: patches are divided until they are inside the light's projection onto the floor along the
+/// line between their centres. The projection is then the smallest one around the patch. Returns
+/// the fraction of the patch that the light reaches through it.
 double adaptive_share(const Scene& scene, const Pixel& patch) {
   const Light light = panel();
   const double width = patch.side / (2.0 * std::min(light.half_u.x, light.half_v.y));
@@ -156,11 +156,11 @@ double found_share(const Scene& scene, ShadowQuality quality, int divisions,
                             leaf_of({{0.0f, 0.0f, 1.0f}, {}}, 1.0f, seed));
 }
 
-/// Over random scenes with pixels of several sizes: `exact` is what the definition says.
+/// Compares the method with the definition, `exact`, over random scenes and several pixel sizes.
 template <typename Exact>
 void expect_definition(ShadowQuality quality, int divisions, const Exact& exact) {
   RandomSpace random(static_cast<std::uint64_t>(divisions) + 3);
-  // From small beside the light's projection to larger than it.
+  // From much smaller than the light's projection to larger than it.
   constexpr double sides[] = {0.03, 0.3, 0.55, 1.3};
   double worst = 0.0;
   int partly = 0;
@@ -207,8 +207,8 @@ TEST(ShadowQualities, ExtendedAdaptiveIsTheLitPartOfThePatch) {
                     [](const Scene& scene) { return adaptive_share(scene, scene.pixel); });
 }
 
-// Its points differ from seed to seed, and their mean is that of the patch: to within five times
-// its standard error, of the same scenes with every run.
+// The points differ between seeds, and their mean is that of the patch within five standard errors;
+// the scenes are the same in every run.
 TEST(ShadowQualities, SupersamplingIsUnbiased) {
   RandomSpace random(8);
   double spread = 0.0;
@@ -230,8 +230,8 @@ TEST(ShadowQualities, SupersamplingIsUnbiased) {
   EXPECT_GT(spread, 1e-3);
 }
 
-/// The same by the light's area: what pyrays from behind the surface measure, which see the light
-/// from no one point.
+/// The mean over the light's area, as pyrays from behind the surface measure it: they see the light
+/// from no single point.
 double mean_area_share(const Scene& scene, int n) {
   const Polygon3 light = corners_of(panel());
   double sum = 0.0;
@@ -257,10 +257,10 @@ double rms_error(ShadowQuality quality, int divisions, double side) {
   return std::sqrt(sum2);
 }
 
-// Parts a quarter as wide make a sixteenth of the error of the middles of parts, where the share
-// bends too, and of jittered points, whose errors are independent from part to part: half of that
-// is asked for. Pyrays from behind the surface pair each point of a part with one point of the
-// light: what that is off falls like the parts' width only.
+// With parts a quarter as wide, the error falls to a sixteenth for the centres of parts, even where
+// the visibility is curved, and for jittered points, which are independent. Requires half of that.
+// Pyrays from behind the surface pair each point of a part with one point of the light: their error
+// only falls with the parts' width.
 TEST(ShadowQualities, ConvergeToTheMeanOfThePatch) {
   const std::pair<ShadowQuality, double> cases[] = {{ShadowQuality::supersampling, 8.0},
                                                     {ShadowQuality::forced, 8.0},

@@ -46,7 +46,7 @@ void PrintTo(const Row& r, std::ostream* os) {
   *os << "K " << r.level << " M " << r.marginal << " in " << r.in << " out " << r.out;
 }
 
-/// By looking at each of the level's 4^K cells: marginal is one whose circle the outline enters.
+/// Counts the level's 4^K cells directly: a cell is marginal if the outline enters its circle.
 Row count_cells(const Polygon& polygon, int level) {
   Row row{level};
   const int n = 1 << level;
@@ -59,15 +59,15 @@ Row count_cells(const Polygon& polygon, int level) {
   return row;
 }
 
-/// Subdivides a pixel that shows one polygon, and checks each level against the published rows and
-/// against the count of cells. Returns the subdivision's answer.
+/// Subdivides a pixel with one polygon, and compares each level with the published rows and with
+/// the counted cells. Returns the subdivision's answer.
 Answer check_table(const Polygon& polygon, const std::vector<Row>& published, bool one_edge) {
   PolygonScene scene;
   add_parallel_polygon(scene, polygon);
   TracedPyray trace;
   const Answer answer =
       subdivide(scene.world, published_rules(8, 1.0 / 16.0), parallel_pixel(), &trace);
-  EXPECT_EQ(trace.levels.size(), published.size() + 1) << "stops elsewhere";
+  EXPECT_EQ(trace.levels.size(), published.size() + 1) << "stops at another level";
   for (const LevelTally& tally : trace.levels) {
     EXPECT_EQ(tally.objects.size(), 1u);
     const ObjectTally& object = tally.objects.front();
@@ -116,14 +116,14 @@ TEST(PublishedSubdivision, OneEdgeBoundIsTheLeastLevel) {
   EXPECT_EQ(one_edge_level_bound(1.0 / 1024.0), 9);
 }
 
-// GI'93 table 1 with a quadrilateral of our own: the papers' drawing has no coordinates.
+// GI'93 table 1, with another quadrilateral: the paper's drawing has no coordinates.
 TEST(PublishedTables, APolygonInsideThePixel) {
   const Polygon polygon{{0.491, 0.351}, {0.600, 0.404}, {0.804, 0.556}, {0.859, 0.903}};
   const Answer answer =
       check_table(polygon, {{1, 3, 0, 3}, {2, 5, 0, 5}, {3, 12, 4, 8}, {4, 28, 13, 15}}, false);
   EXPECT_EQ(answer.outcome.deepest, 4);
-  // "14 4-pyrays": of its 13 marginal cells and one within it. In the papers' case that was wrong
-  // by 0.63 % of the pixel.
+  // "14 4-pyrays": 13 marginal cells and one inside. In the paper's case the error was 0.63 % of
+  // the pixel.
   EXPECT_EQ(answer.coverage[0], 14.0 / 256.0);
   EXPECT_LT(std::abs(answer.coverage[0] - area(polygon)), 0.0063);
 }
@@ -138,7 +138,7 @@ TEST(PublishedTables, OneEdge) {
   EXPECT_LE(std::abs(answer.coverage[0] - area(clip_to_unit_square(polygon))), 1.0 / 16.0);
 }
 
-// CGF'98 section 6.2, for the edge that is anywhere.
+// CGF'98 section 6.2, for a random edge.
 void check_random_edges(Detection detection) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -153,7 +153,7 @@ void check_random_edges(Detection detection) {
     const Answer answer =
         subdivide(scene.world, published_rules(max, eps, detection), parallel_pixel(), &trace);
     ASSERT_LE(answer.outcome.deepest, std::min(max, one_edge_level_bound(eps))) << "case " << i;
-    // At EPS = 1/1024 the bound is 9, so that MAX may come first; then L bounds the error.
+    // At EPS = 1/1024 the bound is 9, so MAX may be reached first; then L limits the error.
     const double bound = trace.levels.empty() ? 0.0 : trace.levels.back().largest_change();
     const double error = std::abs(answer.coverage[0] - area(clip_to_unit_square(polygon)));
     ASSERT_LE(error, bound + rounding) << "case " << i;
@@ -167,10 +167,9 @@ TEST(PublishedRule, OneEdgeStopsInTimeAndKeepsEpsByTheCone) {
   check_random_edges(Detection::cone);
 }
 
-/// A comb whose bar lies above the pixel and whose teeth run down through the centres of the cells
-/// of even levels, and so past those of odd ones, whose u are never the same: one connected flat
-/// object for which the centre of the pixel is in, those of level 1 out, those of level 2 in, and
-/// so on (CGF'98 section 3.1).
+/// A comb whose bar is above the pixel, with teeth through the centres of the cells of even levels,
+/// which miss those of odd levels. It is one connected flat object, with the pixel's centre inside,
+/// those of level 1 outside, those of level 2 inside, and so on (CGF'98 section 3.1).
 struct Comb {
   static constexpr double half_tooth = 1.0 / 512.0;
   static constexpr int levels = 4;
@@ -219,15 +218,15 @@ TEST(PublishedRule, ThePathologicalObjectStopsAtMax) {
         }
       EXPECT_EQ(tally.largest_change(), 1.0);
     }
-    // All or nothing: wrong by what the comb leaves free or covers, within L / 2^2K.
+    // All or nothing: the error is the area between the teeth or of the teeth, within L / 2^2K.
     const double seen = std::accumulate(answer.coverage.begin(), answer.coverage.end(), 0.0);
     EXPECT_EQ(seen, max % 2 ? 0.0 : 1.0);
     EXPECT_LE(std::abs(seen - comb.area), trace.levels.back().largest_change());
   }
 }
 
-// Half a pixel's worth of a far object shows beside a near one. Where the axis hits the near one,
-// the far one's edge lies behind that, and counts all the same.
+// Half a pixel of a far object is visible next to a near one. If the axis hits the near object, the
+// far one's edge is behind it but has to count.
 TEST(PublishedRule, CountsObjectsBehindTheEdgeOfANearerOne) {
   PolygonScene scene;
   add_polygon(scene, {{-1, -1}, {0.26, -1}, {0.26, 2}, {-1, 2}}, 2.0);
@@ -248,8 +247,7 @@ TEST(PublishedRule, CountsObjectsBehindTheEdgeOfANearerOne) {
   EXPECT_EQ(tally->out, 4u);
 }
 
-/// A white rectangle in each quarter of the pixel, wide enough to cover two fifths of it but missed
-/// by its centre.
+/// A white rectangle in each quarter of the pixel, two fifths of its area but missed by its centre.
 PolygonScene four_rectangles() {
   PolygonScene scene;
   for (int i = 0; i < 4; ++i) {
@@ -263,8 +261,8 @@ double sum_of(const std::vector<double>& shares) {
   return std::accumulate(shares.begin(), shares.end(), 0.0);
 }
 
-// CGF'98 section 3.1 says "accurate to within the tolerance"; it looks at one object.
-TEST(PublishedRule, BreaksItsPromiseWhereSeveralObjectsChangeTogether) {
+// CGF'98 section 3.1 claims "accurate to within the tolerance", but considers one object at a time.
+TEST(PublishedRule, FailsForSeveralObjectsThatChangeTogether) {
   const PolygonScene scene = four_rectangles();
   const double eps = 0.25;
   const double truth = sum_of(by_oracle(scene.world));
@@ -287,7 +285,8 @@ TEST(UnresolvedRule, KeepsItsPromiseWhereThePublishedOneDoesNot) {
   const PolygonScene scene = four_rectangles();
   const double truth = sum_of(by_oracle(scene.world));
   for (const bool exact : {false, true}) {
-    // Outlines of 5.4 pixels cross about 5.4 * 2^8 of the finest cells: over 1 / 64 of the pixel.
+    // Outlines of 5.4 pixels cross about 5.4 * 2^8 of the finest cells: more than 1/64 of the
+    // pixel.
     for (int i = 1; i <= 5; ++i) {
       const double eps = std::ldexp(1.0, -i);
       const Answer answer = subdivide(scene.world, rules_of(8, eps, exact));
@@ -297,7 +296,7 @@ TEST(UnresolvedRule, KeepsItsPromiseWhereThePublishedOneDoesNot) {
   }
 }
 
-// Where the rule ended the subdivision above MAX, a single object's share is right to EPS.
+// If the rule ended the subdivision above MAX, a single object's area is exact to EPS.
 void keeps_eps(bool exact, StoppingRule rule) {
   Errors errors;
   for (unsigned seed = 0; seed < 2 * cases; ++seed) {
@@ -325,7 +324,8 @@ TEST(PublishedRule, ExactLeavesKeepWithinEpsForOneObject) {
 TEST(PublishedRule, PointLeavesKeepWithinEpsForOneObject) {
   keeps_eps(false, StoppingRule::published);
 }
-// With exact leaves also of several objects; where MAX came first there is no promise.
+// With exact leaves this also holds for several objects. If MAX was reached first there is no
+// guarantee.
 TEST(UnresolvedRule, ExactLeavesKeepWithinEpsForSeveralObjects) {
   Errors errors;
   for (unsigned seed = 0; seed < cases; ++seed) {

@@ -15,8 +15,8 @@ Allowance allowance_of(int max_level, double eps = 1.0 / 256.0) {
   return Allowance::of(settings);
 }
 
-// AgX shows differences of dark colours larger than they are: the allowed error is as much less,
-// for leaves as for the pyrays that they send on.
+// AgX displays differences between dark colours enlarged. The allowed error shrinks accordingly,
+// for leaves and for the pyrays that they start.
 TEST(Allowance, SteepToneCurveDividesEps) {
   RenderSettings settings;
   settings.asos.eps = 1.0 / 64.0;
@@ -38,7 +38,7 @@ TEST(Allowance, MaxBoundsSamplesByFourForEachFinestCell) {
   EXPECT_EQ(allowance_of(1).most_samples(1.0), 16.0);
   EXPECT_EQ(allowance_of(3).most_samples(1.0), 256.0);
   EXPECT_EQ(allowance_of(3).most_samples(0.25), 64.0);
-  EXPECT_EQ(allowance_of(3).most_samples(1e-9), 1.0) << "no part has none";
+  EXPECT_EQ(allowance_of(3).most_samples(1e-9), 1.0) << "every part has at least one sample";
   for (int max_level = 0; max_level <= max_level_limit; ++max_level) {
     const Allowance allowance = allowance_of(max_level, 0.0);
     for (double part = 1.0; part > 1e-6; part *= 0.7) {
@@ -50,17 +50,17 @@ TEST(Allowance, MaxBoundsSamplesByFourForEachFinestCell) {
 }
 
 TEST(Allowance, EpsEndsSamplesSooner) {
-  // 0.35 n^(-3/4) is half of EPS.
+  // 0.35 n^(-3/4) equals half of EPS.
   const double converged = std::pow(0.35 / (0.5 / 64.0), 4.0 / 3.0);
   EXPECT_NEAR(allowance_of(5, 1.0 / 64.0).samples(1.0, 1.0), converged, 1e-6);
   EXPECT_NEAR(allowance_of(5, 1.0 / 64.0).samples(1.0, 0.5), converged * std::pow(0.5, 4.0 / 3.0),
               1e-6);
   EXPECT_EQ(allowance_of(5, 1.0).samples(1.0, 1.0), 1.0);
-  EXPECT_EQ(allowance_of(2, 0.0).samples(1.0, 1.0), 64.0) << "MAX alone decides";
-  EXPECT_GT(allowance_of(8, 0.0).tolerance, 0.0f) << "nobody sees less";
+  EXPECT_EQ(allowance_of(2, 0.0).samples(1.0, 1.0), 64.0) << "only MAX limits the samples";
+  EXPECT_GT(allowance_of(8, 0.0).tolerance, 0.0f) << "smaller errors are invisible";
 }
 
-// Errors of a pixel's parts are independent, so that all together stay within EPS.
+// Errors of a pixel's parts are independent, so that their sum stays within EPS.
 TEST(Allowance, PartsTogetherErrAsOnePixel) {
   for (int max_level = 1; max_level <= 5; ++max_level) {
     const Allowance pixel = allowance_of(max_level);
@@ -78,7 +78,7 @@ TEST(Allowance, PartsTogetherErrAsOnePixel) {
   }
 }
 
-// Contrast that the samples of a pilot miss by chance leaves an error of few EPS in the pixel.
+// Contrast that the pilot's samples miss by chance leaves an error of a few EPS in the pixel.
 TEST(Allowance, PilotLeavesLittleToChance) {
   const Allowance allowance = allowance_of(4);
   for (double part = 1.0 / 16.0; part > 1e-6; part *= 0.9) {

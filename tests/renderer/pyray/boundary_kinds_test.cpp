@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-// Which kinds of boundaries a root was split for, and whether MAX ended it.
+// Kinds of edges that a root was split for, and whether MAX ended the subdivision.
 
 namespace asos::test {
 namespace {
@@ -24,8 +24,8 @@ void expect_kinds(const SubdivisionOutcome& outcome, const std::vector<FeatureKi
   }
 }
 
-/// A ridge that runs down the square at u = 0.4, its left side as wide as the square, its right
-/// side's far edge where `right` says.
+/// A ridge from top to bottom of the square at u = 0.4. Its left side covers the rest of the
+/// square; its right side ends at `right_u`, `right_depth`.
 PolygonScene ridge(double right_u, double right_depth) {
   const glm::vec3 top = at_depth(0.4, -2, 2), bottom = at_depth(0.4, 3, 2);
   PolygonScene scene;
@@ -41,13 +41,13 @@ TEST(BoundaryKinds, AnOpenEdge) {
     expect_kinds(subdivide(scene.world, rules_of(3, 0.0, exact)).outcome, {FeatureKind::open});
 }
 
-TEST(BoundaryKinds, AKinkOfWhichBothSidesAreSeen) {
+TEST(BoundaryKinds, CreaseWithBothSidesVisible) {
   const PolygonScene scene = ridge(4.0, 3.0);
   for (const bool exact : {true, false})
     expect_kinds(subdivide(scene.world, rules_of(3, 0.0, exact)).outcome, {FeatureKind::crease});
 }
 
-TEST(BoundaryKinds, AKinkOfWhichOneSideIsTurnedAwayIsASilhouette) {
+TEST(BoundaryKinds, CreaseWithOneSideHiddenIsASilhouette) {
   const PolygonScene scene = ridge(-2.9, 9.0);
   const SubdivisionOutcome outcome = subdivide(scene.world, rules_of(3)).outcome;
   expect_kinds(outcome, {FeatureKind::silhouette});
@@ -62,10 +62,10 @@ TEST(BoundaryKinds, ALineWhereSurfacesPassThroughEachOther) {
   expect_kinds(subdivide(scene.world, rules_of(3)).outcome, {FeatureKind::intersection});
 }
 
-TEST(BoundaryKinds, WhatIsHiddenDoesNotCount) {
+TEST(BoundaryKinds, IgnoresHiddenEdges) {
   PolygonScene scene = ridge(4.0, 3.0);
   add_polygon(scene, half_plane({0.5, 0.5}, 1.0), 50.0);
-  // The sample in the middle tells that it is hidden.
+  // The sample at the centre reveals that it is hidden.
   expect_kinds(subdivide(scene.world, rules_of(3)).outcome, {FeatureKind::crease});
 }
 

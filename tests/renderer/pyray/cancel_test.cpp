@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-// A subdivision that is cancelled in its middle asks about no sample that it has not taken.
+// A subdivision that is cancelled asks only about samples that it has taken.
 
 namespace asos::test {
 namespace {
 
-/// Is cancelled from a number of questions on, and counts samples that are none of its own.
+/// Is cancelled after a number of calls, and counts samples that it did not return.
 class ImpatientCaster final : public BruteForceCaster {
  public:
   ImpatientCaster(const World& world, const FeatureSet& features, const Frame& frame, int patience)
@@ -49,7 +49,7 @@ class ImpatientCaster final : public BruteForceCaster {
 
 class Cancel : public testing::TestWithParam<StoppingRule> {};
 
-TEST_P(Cancel, AtAnyMomentAsksAboutNoSampleThatWasNotTaken) {
+TEST_P(Cancel, NeverReadsSamplesThatWereNotTaken) {
   PolygonScene scene;
   add_polygon(scene, half_plane({0.3, 0.4}, 0.7), 3.0);
   add_polygon(scene, half_plane({0.6, 0.5}, 2.1), 2.0);
@@ -69,7 +69,7 @@ TEST_P(Cancel, AtAnyMomentAsksAboutNoSampleThatWasNotTaken) {
       EXPECT_NEAR(caster.total, 1.0, 1e-9);
     }
   }
-  EXPECT_GT(patience, 5) << "it was cancelled here and there";
+  EXPECT_GT(patience, 5) << "some runs must have been cancelled";
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, Cancel,

@@ -55,7 +55,7 @@ std::vector<glm::vec3> circle(int n, double radius) {
   return joints;
 }
 
-/// The pieces in any order and either direction.
+/// The pieces in random order and direction.
 Segments shuffled(Segments segments, std::mt19937& random) {
   std::shuffle(segments.begin(), segments.end(), random);
   for (Segment& s : segments) {
@@ -77,7 +77,7 @@ double distance(glm::dvec2 p, const Segment& s) {
   return glm::distance(p, a + t * d);
 }
 
-/// How far points along `from` lie from `to`, at most.
+/// Largest distance of points of `from` from `to`.
 double farthest(const Segments& from, const Segments& to) {
   double most = 0.0;
   for (const Segment& s : from) {
@@ -92,14 +92,14 @@ double farthest(const Segments& from, const Segments& to) {
   return most;
 }
 
-/// Every place where a segment ends, with the number of those that do.
+/// Every end point of segments, with the number of segments that end there.
 std::map<Place, int> ends_of(const Segments& segments) {
   std::map<Place, int> ends;
   for (const Segment& s : segments) ++ends[first_of(s)], ++ends[second_of(s)];
   return ends;
 }
 
-/// The segments whichever way they run.
+/// The segments without their direction.
 std::set<std::pair<Place, Place>> undirected(const Segments& segments) {
   std::set<std::pair<Place, Place>> set;
   for (const Segment& s : segments) set.insert(std::minmax(first_of(s), second_of(s)));
@@ -119,7 +119,7 @@ TEST(ChainSimplifier, StaysWithinToleranceBothWays) {
   }
 }
 
-TEST(ChainSimplifier, KeepsWhatBendsMoreThanItMay) {
+TEST(ChainSimplifier, KeepsStrongBends) {
   const Segments corner = chain_of({{0, 0, 1}, {0.5f, 0.5f, 1}, {1, 0, 1}});
   EXPECT_EQ(simplify(corner, 0.49f).size(), 2u);
   EXPECT_EQ(simplify(corner, 0.51f).size(), 1u);
@@ -147,7 +147,7 @@ TEST(ChainSimplifier, SegmentsThatDoNotMeetStay) {
   EXPECT_TRUE(simplify({}, 0.1f).empty());
 }
 
-TEST(ChainSimplifier, WhereThreeMeetAllThreeEnd) {
+TEST(ChainSimplifier, EndsChainsAtJunctions) {
   std::mt19937 random(4);
   const glm::vec3 junction(0.4f, 0.6f, 1.0f);
   Segments arms;
@@ -174,7 +174,7 @@ TEST(ChainSimplifier, AClosedChainStaysClosed) {
   }
 }
 
-// A loop that hangs on a junction begins and ends there.
+// A loop attached to a junction begins and ends there.
 TEST(ChainSimplifier, ALoopOnAStalkKeepsItsJunction) {
   std::mt19937 random(6);
   const auto loop = circle(100, 0.3);
@@ -185,8 +185,8 @@ TEST(ChainSimplifier, ALoopOnAStalkKeepsItsJunction) {
   EXPECT_LE(farthest(segments, result), 0.01 + rounding);
 }
 
-// Of open chains the same segments come out, whatever order and direction they went in; only the
-// order of the result follows that of the input.
+// The same open chains give the same segments for any order and direction; only the order of the
+// result follows the input.
 TEST(ChainSimplifier, OpenChainsDependOnTheSetOfSegmentsOnly) {
   std::mt19937 random(7);
   for (int i = 0; i < 50; ++i) {
@@ -213,8 +213,9 @@ TEST(ChainSimplifier, TheSameInputGivesTheSameBitsFromUsedMemory) {
   }
 }
 
-// What is hidden must be hidden all along: a piece is as near as the nearest of what it stands for.
-TEST(ChainSimplifier, IsNowhereFartherThanTheChain) {
+// A hidden piece must be hidden completely: a piece is as near as the nearest of the segments that
+// it replaces.
+TEST(ChainSimplifier, IsNeverFartherThanTheChain) {
   std::mt19937 random(9);
   const auto joints = wave(200, random);
   for (const Segment& s : simplify(chain_of(joints), 0.01f)) {
@@ -226,14 +227,14 @@ TEST(ChainSimplifier, IsNowhereFartherThanTheChain) {
   }
 }
 
-// A chord of an arc whose height is h cuts off two thirds of h, times its length.
+// A chord of an arc of height h cuts off two thirds of h times its length.
 TEST(ChainSimplifier, ACircleOfTenThousandPiecesKeepsItsArea) {
   std::mt19937 random(10);
   const double radius = 0.4;
   const Segments original = shuffled(chain_of(circle(10000, radius)), random);
   for (const float tolerance : {1e-2f, 1e-3f, 1e-4f}) {
     const Segments result = simplify(original, tolerance);
-    // Walk around the closed chain, from piece to piece.
+    // Walk around the closed chain, piece by piece.
     std::map<Place, std::vector<Place>> next;
     for (const Segment& s : result) {
       next[first_of(s)].push_back(second_of(s));
@@ -251,7 +252,7 @@ TEST(ChainSimplifier, ACircleOfTenThousandPiecesKeepsItsArea) {
     const double most =
         2.0 / 3.0 * static_cast<double>(tolerance) * 2.0 * std::numbers::pi * radius;
     EXPECT_NEAR(area(outline), std::numbers::pi * radius * radius, most + 1e-5);
-    // Arcs of height h span 2 sqrt(2 h / r): halving stops at most one halving late.
+    // Arcs of height h span 2 sqrt(2 h / r); halving stops at most one step late.
     EXPECT_LE(
         static_cast<double>(result.size()),
         2.0 * std::numbers::pi / std::sqrt(2.0 * static_cast<double>(tolerance) / radius) + 2);

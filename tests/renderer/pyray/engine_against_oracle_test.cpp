@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-// The engine against the exact reference, on seeded random polygons in one pixel. A failure prints
-// its seed and its polygons. Each class of cases has the bound that the engine promises for it;
-// what the stopping rules promise is in stopping_test.cpp.
+// The engine against the exact reference, for seeded random polygons in one pixel. A failure prints
+// its seed and polygons. Each class of cases has the bound that the engine guarantees for it; the
+// stopping rules' guarantees are in stopping_test.cpp.
 
 namespace asos::test {
 namespace {
@@ -34,7 +34,7 @@ TEST(EngineAgainstOracle, WedgesStayBelowTheFinestCell) {
   }
 }
 
-// A bent outline of a few segments, which enters and leaves the pixel or lies within it.
+// A curved outline of a few segments that crosses the pixel or is inside it.
 TEST(EngineAgainstOracle, ChainsStayBelowTheFinestCell) {
   Errors errors;
   for (unsigned seed = 0; seed < cases; ++seed) {
@@ -74,8 +74,9 @@ TEST(EngineAgainstOracle, SmallTrianglesKeepTheirArea) {
   }
 }
 
-// Of 10,000 segments, against the closed form: the oracle's pairs of triangles would take minutes.
-// It is one disk, of radius 1 at depth 2, seen through pixels of any size and place.
+// 10,000 segments against the closed form: the exact reference would take minutes for their pairs
+// of triangles. It is a disk of radius 1 at depth 2, seen through pixels of random size and
+// position.
 TEST(EngineAgainstOracle, DisksOfManySegmentsStayBelowTheFinestCell) {
   Polygon disk;
   for (int i = 0; i < 10000; ++i) {
@@ -102,7 +103,7 @@ TEST(EngineAgainstOracle, DisksOfManySegmentsStayBelowTheFinestCell) {
   }
 }
 
-/// Scenes of several surfaces: the unresolved area bounds the error of each one's share.
+/// Scenes of several surfaces: the unresolved area limits the error of each surface's area.
 void several(void (*build)(Case&)) {
   Errors errors;
   for (unsigned seed = 0; seed < cases; ++seed) {
@@ -139,7 +140,7 @@ TEST(EngineAgainstOracle, EdgesInFrontOfHiddenOnes) {
     c.add_half_plane(c.between(12, 30));
   });
 }
-// Depths so near to each other that the covers' slack decides.
+// Depths so close to each other that the tolerance of covers decides.
 TEST(EngineAgainstOracle, EdgesAtNearDepths) {
   several([](Case& c) {
     for (int i = 0; i < 4; ++i) c.add_triangle(0.8, c.between(2, 2.2));

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Parallel, so that lengths are those of the world: the square is 0 to 1 in x and y.
+/// Orthographic, so that lengths are those of the world: the square is 0 to 1 in x and y.
 Frame unit_square() {
   return Frame::prism({0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
 }
@@ -47,7 +47,7 @@ TEST(Flatten, AClosedArcKeepsItsArea) {
         EXPECT_EQ(pieces[i].u1, next.u0);
         EXPECT_EQ(pieces[i].v1, next.v0);
       }
-      // Chords alone would lose 4 radius^2 (pi / n)^2 / 6 or so.
+      // Chords alone would lose about 4 radius^2 (pi / n)^2 / 6.
       const double n = static_cast<double>(pieces.size());
       EXPECT_NEAR(area(pieces), pi * radius * radius,
                   pi * radius * radius * 8.0 / (n * n * n * n) * 10.0 + 1e-7);
@@ -114,7 +114,7 @@ TEST(Flatten, AnOutlineEndsOnRims) {
       ++ends[{s.u0, s.v0}];
       ++ends[{s.u1, s.v1}];
     }
-    // Seen along the axis there may be none.
+    // Seen along the axis there may be no lines.
     ASSERT_TRUE(lines == 2 || lines == 0);
     int joints_of_three = 0;
     for (const auto& [place, count] : ends) {

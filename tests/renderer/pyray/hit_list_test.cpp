@@ -24,7 +24,7 @@ PolygonScene random_scene(std::uint32_t seed, int count) {
   return scene;
 }
 
-// Every edge against the square, without hierarchy, boxes or lists: the plain twin.
+// Tests every edge against the square, without hierarchy, boxes or lists.
 std::set<std::uint32_t> edges_in_square(const FeatureSet& features, const Frame& frame) {
   std::set<std::uint32_t> found;
   for (std::uint32_t e = 0; e < features.edges().size(); ++e) {
@@ -54,7 +54,8 @@ TEST(HitLists, FindEveryEdgeThatCrossesTheSquare) {
     const Frame frame = unit_frame();
     HitLists lists;
     lists.reset(features, frame, 0.0f);
-    // Ever smaller cells open everything; the union of their lists is what the square holds.
+    // Smaller and smaller cells open all nodes; the union of their lists has all edges in the
+    // square.
     std::set<std::uint32_t> found;
     const int n = 64;
     HitLists::List list;
@@ -66,7 +67,7 @@ TEST(HitLists, FindEveryEdgeThatCrossesTheSquare) {
           if (lists.entry(i).is_segment()) {
             found.insert(lists.segment(i).edge);
           } else {
-            // Closed nodes are small, or hold too much to be opened for so few entries.
+            // Closed nodes are small, or contain too many edges to open for so few entries.
             const HitEntry& e = lists.entry(i);
             EXPECT_LE(e.extent(), 0.25f * cell.side);
           }
@@ -94,7 +95,7 @@ TEST(HitLists, ChildrenNeedOnlyTheirParentsList) {
   for (int i = 0; i < 4; ++i) {
     lists.refine(square.quarter(i), {}, parent, from_parent);
     lists.refine(square.quarter(i), {}, lists.root(), from_root);
-    // Both are cuts through the same tree; what they name as segments must agree where opened.
+    // Both lists are cuts through the same tree, so their opened segments must agree.
     std::set<std::uint32_t> a, b;
     for (const std::uint32_t e : from_parent)
       if (lists.entry(e).is_segment()) a.insert(e);
@@ -104,9 +105,9 @@ TEST(HitLists, ChildrenNeedOnlyTheirParentsList) {
   }
 }
 
-// What is in front of the surface that a sample met, wherever it is: open edges that cross all of
-// the square, as those of thousands of points that are as wide as a pixel.
-TEST(HitLists, ASaturatedCellKeepsTheRestClosedForItsQuarters) {
+// Thousands of open edges across the whole square, such as those of points as wide as a pixel, all
+// in front of the sampled surface.
+TEST(HitLists, ASaturatedCellKeepsNodesClosed) {
   PolygonScene scene;
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -122,13 +123,13 @@ TEST(HitLists, ASaturatedCellKeepsTheRestClosedForItsQuarters) {
   HitLists::List all, list;
   lists.reset(features, unit_frame(), 0.0f);
   lists.refine(square, {}, lists.root(), all);
-  EXPECT_EQ(all.size(), truth.size()) << "no surface is known, so that any of them may be hidden";
+  EXPECT_EQ(all.size(), truth.size()) << "no surface is known to hide any of them";
 
   lists.reset(features, unit_frame(), 0.0f);
   lists.refine(square, {}, lists.root(), list, true);
   EXPECT_GT(list.size(), 256u);
   EXPECT_LT(list.size(), 400u);
-  // What was left closed holds all the others.
+  // The closed nodes contain all other edges.
   HitLists::List resolved;
   for (const std::uint32_t i : list) ASSERT_TRUE(lists.resolve(i, square, 0.0f, 20000, resolved));
   std::set<std::uint32_t> found;
@@ -137,8 +138,8 @@ TEST(HitLists, ASaturatedCellKeepsTheRestClosedForItsQuarters) {
 }
 
 TEST(HitLists, AClosedSmoothMeshOutOfSilhouetteIsDroppedNearTheRoot) {
-  // A finely divided dome that fills the square and faces the apex: thousands of candidates, none
-  // of them an outline, and the search looks at a few nodes only.
+  // A finely tessellated dome that fills the square and faces the apex: of thousands of candidates
+  // none is an outline, and the search visits a few nodes only.
   PolygonScene scene;
   const int n = 60;
   for (int y = 0; y <= n; ++y) {
@@ -179,7 +180,7 @@ TEST(HitLists, EdgesBehindTheApexDoNotCount) {
 }
 
 TEST(HitLists, AnEdgeThatPassesBesideTheApexIsCutThere) {
-  // From far ahead to far behind, through the square at (0.5, 0.5) side of the apex.
+  // From far ahead to far behind, through the square at (0.5, 0.5), passing the apex on one side.
   PolygonScene scene;
   scene.add({{0.3f, -0.4f, -10.0f}, {0.3f, -0.4f, 10.0f}, {50.0f, 30.0f, 10.0f}});
   const FeatureSet features(scene.world);
@@ -187,14 +188,14 @@ TEST(HitLists, AnEdgeThatPassesBesideTheApexIsCutThere) {
   lists.reset(features, unit_frame(), 0.0f);
   HitLists::List list;
   lists.refine({0, 0, 1}, {}, lists.root(), list);
-  // The edge beside the apex, and the start of the one that leads away from it.
+  // The edge next to the apex, and the start of the one that leads away from it.
   ASSERT_EQ(list.size(), 2u);
   const auto beside = [&](std::uint32_t i) {
     const FeatureEdge& e = features.edges()[lists.segment(i).edge];
     return std::max(e.a, e.b) == 1;
   };
   const Segment& s = lists.segment(beside(list[0]) ? list[0] : list[1]);
-  // The line x = 0.3, y = -0.4 runs through the frame's (0, 0) and (0.03, 0.04): v = 4/3 u.
+  // The line x = 0.3, y = -0.4 goes through the frame's (0, 0) and (0.03, 0.04): v = 4/3 u.
   EXPECT_NEAR(s.v0 * 3.0f, s.u0 * 4.0f, 1e-5f);
   EXPECT_NEAR(s.v1 * 3.0f, s.u1 * 4.0f, 1e-5f);
   EXPECT_NEAR(std::max(s.v0, s.v1), 1.0f + 1.0f / 16.0f, 1e-5f);

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <vector>
 
-// Roots that boundaries cut into many parts are sampled where that costs less than the parts.
+// Roots that edges cut into many parts are sampled if that is cheaper than shading the parts.
 
 namespace asos::test::many_parts_test {
 namespace {
 
-/// Says that samples cost as much as a number of parts, of shares of the root up to one, and that
-/// leaves of larger shares than another are uneven.
+/// Assumes that samples cost as much as `price` parts, for weights up to `largest_sampled`, and
+/// that leaves heavier than `largest_even` are uneven.
 class PricedCaster final : public BruteForceCaster {
  public:
   PricedCaster(const World& world, const FeatureSet& features, const Frame& frame,
@@ -41,7 +41,7 @@ class PricedCaster final : public BruteForceCaster {
   double largest_sampled_, largest_even_;
 };
 
-/// A wall, and what is before it.
+/// A wall, with objects in front of it.
 struct Wall {
   Wall() { add_polygon(scene, {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}, 4.0); }
 
@@ -65,7 +65,7 @@ struct Wall {
   double total = 0.0;  // of all leaves
 };
 
-/// Upright strips, each a fifth of the space that it has.
+/// Vertical strips, each a fifth of its space.
 struct Strips : Wall {
   explicit Strips(int count) {
     for (int i = 0; i < count; ++i) {
@@ -75,8 +75,8 @@ struct Strips : Wall {
   }
 };
 
-/// Specks, so many in so little space that they are a few groups, which nothing resolves: in one
-/// of four by four cells.
+/// Many specks in a small area, which form a few groups that stay unresolved in one of four by four
+/// cells.
 struct Specks : Wall {
   Specks() {
     constexpr int count = 40;
@@ -95,8 +95,8 @@ constexpr std::size_t parts = 9;
 TEST(ManyParts, AreSampledWhereSamplesCostNoMore) {
   Strips strips(many);
   strips.trace(parts);
-  ASSERT_EQ(strips.sampled, std::vector<double>{1.0}) << "all of the root, and once";
-  EXPECT_EQ(strips.total, 0.0) << "and nothing else of it";
+  ASSERT_EQ(strips.sampled, std::vector<double>{1.0}) << "the whole root, once";
+  EXPECT_EQ(strips.total, 0.0) << "and no other part of it";
   EXPECT_TRUE(strips.outcome.saturated);
 }
 
@@ -116,7 +116,7 @@ TEST(ManyParts, FewAreCutWhateverSamplesCost) {
   EXPECT_NEAR(strips.wall, 0.8, 1e-6);
 }
 
-TEST(ManyParts, OfWhatWasSplitAreCut) {
+TEST(ManyParts, AreCutAfterASplit) {
   Strips strips(many);
   strips.trace(0, 0.5, 0.15);
   EXPECT_EQ(strips.outcome.deepest, 2) << "a fifth of it was uneven";

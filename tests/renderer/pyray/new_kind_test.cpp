@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-// A new kind of pyray is a frame and a caster: here, how much of a square window one sees from a
-// point, which nothing in the renderer asks.
+// A new kind of pyray needs a frame and a caster. This one, which the renderer does not have,
+// measures the visible fraction of a square window from a point.
 
 namespace asos::test {
 namespace {
 
-/// Adds up the leaves that nothing stands before.
+/// Sums the leaves without an occluder.
 class WindowView final : public BruteForceCaster {
  public:
   using BruteForceCaster::BruteForceCaster;
@@ -29,8 +29,8 @@ TEST(NewKindOfPyray, TheOpenShareOfAWindowIsExact) {
   const Pyray pyray = unit_pyray();
   WindowView view(room.world, features, pyray.frame);
   (void)Tracer().trace(features, pyray, rules_of(4), view);
-  // A square of 0.25, a triangle of 0.125, less what they share: the square's corner (0.4..0.6) x
-  // (0.4..0.7), whose corner the slope u + v = 1.3 of the triangle just touches.
+  // A square of 0.25 and a triangle of 0.125, minus their overlap: the square's corner (0.4..0.6) x
+  // (0.4..0.7), which the triangle's side u + v = 1.3 just touches.
   const double shared = 0.2 * 0.3;
   EXPECT_NEAR(view.open, 1.0 - 0.25 - 0.125 + shared, 1e-5);
 }

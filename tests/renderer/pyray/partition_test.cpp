@@ -26,7 +26,7 @@ double total_area(std::span<const CellPart> parts) {
   return sum;
 }
 
-// The area of the face whose sample lies nearest to (u, v).
+// The area of the part whose sample is nearest to (u, v).
 const CellPart& part_near(std::span<const CellPart> parts, float u, float v) {
   return *std::min_element(parts.begin(), parts.end(), [&](const CellPart& a, const CellPart& b) {
     return std::hypot(a.u - u, a.v - v) < std::hypot(b.u - u, b.v - v);
@@ -74,7 +74,7 @@ TEST(CellPartition, CrossingLinesMakeFourFaces) {
   EXPECT_NEAR(part_near(parts, 0.75f, 0.6f).area, 0.375, 1e-6);
 }
 
-TEST(CellPartition, AnIslandIsTakenFromWhatHoldsIt) {
+TEST(CellPartition, SubtractsIslandsFromTheirSurroundings) {
   CellPartition partition;
   const Segment lines[3] = {line(0.4, 0.4, 0.6, 0.4), line(0.6, 0.4, 0.5, 0.6),
                             line(0.5, 0.6, 0.4, 0.4)};
@@ -102,7 +102,8 @@ TEST(CellPartition, ABentChainIsOneBoundary) {
   for (const CellPart& f : parts) EXPECT_GT(std::abs(f.v - 0.5f), 0.051f);
 }
 
-// As where a mirrored corner and the outline of the leaf that mirrors it were found separately.
+// A mirrored corner and the outline of the leaf that reflects it are found separately, with a small
+// gap.
 TEST(CellPartition, ALineThatEndsALittleBeforeTheNextGoesOnToIt) {
   CellPartition partition;
   const Segment lines[2] = {line(0.5, -1, 0.5, 2), line(-1, 0.25, 0.49, 0.25)};
@@ -115,7 +116,7 @@ TEST(CellPartition, ALineThatEndsALittleBeforeTheNextGoesOnToIt) {
 
 TEST(CellPartition, TwoLinesThatEndBesideEachOtherMakeACorner) {
   CellPartition partition;
-  // Neither crosses the other's way, nor is the border near.
+  // Neither line blocks the other, and the border is far.
   const Segment lines[2] = {line(-1, 0.5, 0.5, 0.5), line(0.505, 0.505, 0.505, 2)};
   const auto parts = partition.cut({0, 0, 1}, lines, 8);
   ASSERT_EQ(parts.size(), 2u);
@@ -137,8 +138,8 @@ TEST(CellPartition, LinesAlongTheBorderBoundNothing) {
   EXPECT_DOUBLE_EQ(parts[0].area, 1.0);
 }
 
-// An outline too small to be cut along must not let its sample stand for the cell.
-TEST(CellPartition, SamplesLieBesideSpecks) {
+// An outline too small to cut along: its sample must not represent the cell.
+TEST(CellPartition, PlacesSamplesOffSpecks) {
   CellPartition partition;
   for (const float size : {0.0f, 1e-7f, 1e-6f, 3e-6f, 1e-5f, 1e-3f}) {
     for (const glm::vec2 at : {glm::vec2(0.5f), glm::vec2(0.25f, 0.5f), glm::vec2(0.25f, 0.625f)}) {
@@ -149,7 +150,7 @@ TEST(CellPartition, SamplesLieBesideSpecks) {
       for (int i = 0; i < 3; ++i)
         lines.push_back(line(c[i].x, c[i].y, c[(i + 1) % 3].x, c[(i + 1) % 3].y));
       for (const bool beside_a_line : {false, true}) {
-        // The speck lies at the centroid of what the line leaves, or of the cell.
+        // The speck is at the centroid of the part that the line leaves, or of the cell.
         if (beside_a_line) lines.push_back(line(at.x + 0.25, -1, at.x + 0.25, 2));
         double speck = 0.0;
         const auto parts = partition.cut(cell, lines, 8);
@@ -174,7 +175,7 @@ TEST(CellPartition, RefusesMoreFacesThanAllowed) {
   EXPECT_TRUE(partition.cut({0, 0, 1}, std::span(&bad, 1), 3).empty());
 }
 
-// Full lines split a convex polygon into convex polygons: an independent way to the same areas.
+// Full lines split a convex polygon into convex polygons: an independent computation of the areas.
 TEST(CellPartition, AgreesWithHalfPlaneClippingOnRandomLines) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -205,7 +206,7 @@ TEST(CellPartition, AgreesWithHalfPlaneClippingOnRandomLines) {
     for (const test::Polygon& polygon : polygons) expected.push_back(test::area(polygon));
     std::vector<double> got;
     for (const CellPart& f : partition.cut({0, 0, 1}, lines, 64)) got.push_back(f.area);
-    // Slivers below the snapping distance may go to a neighbour.
+    // Slivers narrower than the snapping distance may be merged into a neighbour.
     const auto tiny = [](double a) { return a < 2e-5; };
     std::erase_if(expected, tiny);
     std::erase_if(got, tiny);

@@ -31,9 +31,9 @@ TEST(SafetyNet, SplitsUntilTheSamplesAgreeOrAtMax) {
     const SubdivisionOutcome outcome = split_by_samples(Root{}, max_level, caster);
     EXPECT_NEAR(caster.total, 1.0, 1e-12);
     EXPECT_LE(outcome.deepest, max_level);
-    // A line meets at most 2 * 2^K of the 4^K finest cells, each of them wrong by at most half of
-    // its area. What it cuts off beyond the samples of the first trusted level is never seen: a
-    // strip of an eighth beyond four by four samples, of a quarter beyond two by two.
+    // A line crosses at most 2 * 2^K of the 4^K finest cells, each with an error of at most half
+    // its area. A part beyond the samples of the first trusted level is never detected: a strip of
+    // 1/8 with four by four samples, of 1/4 with two by two.
     const double cells = std::ldexp(2.0, max_level) * std::ldexp(0.5, -2 * max_level);
     const double unseen = max_level == 1 ? 0.25 : 0.125;
     EXPECT_NEAR(caster.coverage[0], area(clip_to_unit_square(polygon)), cells + unseen);

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <vector>
 
-// Things much smaller than a pixel in its middle, where its sample would be taken.
+// Objects much smaller than a pixel at its centre, where its sample is taken.
 
 namespace asos::test {
 namespace {
 
 constexpr float fov = 0.8f;
 
-/// How much of the only pixel of a picture a white world covers.
+/// Fraction of a single-pixel picture that a white world covers.
 double share_of_pixel(const World& world, const Camera& camera, int max_level) {
   RenderSettings settings;
   settings.width = settings.height = 1;
@@ -40,7 +40,7 @@ TEST(Speck, AddsItsAreaOrNothing) {
   }
 }
 
-// More of them than are told apart.
+// More pieces than the limit for separate outlines.
 TEST(Speck, OfManyPiecesAddsItsAreaOrNothing) {
   World crowd;
   add_sphere(crowd, {0, 0, 0}, 1.0f, 24, unlit({1.0f, 1.0f, 1.0f}));

@@ -11,7 +11,7 @@
 namespace asos::test {
 namespace {
 
-TEST(Subdivide, NothingThereIsOneSample) {
+TEST(Subdivide, AnEmptyPixelTakesOneSample) {
   PolygonScene scene;
   add_polygon(scene, {{3, 3}, {4, 3}, {4, 4}}, 2.0);
   const Answer answer = subdivide(scene.world, rules_of(4));
@@ -71,8 +71,9 @@ TEST(Subdivide, SmallTrianglesInsideAPixelKeepTheirArea) {
   }
 }
 
-// Two overlapping half-planes, one in front: the far one shows where the near one does not.
-TEST(Subdivide, WhatANearerSurfaceHidesDoesNotCount) {
+// Two overlapping half-planes at different depths: the far one is visible where the near one does
+// not cover it.
+TEST(Subdivide, HiddenSurfacesDoNotCount) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < 500; ++i) {
@@ -81,7 +82,7 @@ TEST(Subdivide, WhatANearerSurfaceHidesDoesNotCount) {
     PolygonScene scene;
     add_polygon(scene, far, 5.0);
     add_polygon(scene, near, 2.0);
-    // Visible part of the far one: its area less what both cover, by clipping one with the other.
+    // Visible part of the far one: its area minus the overlap, by clipping one with the other.
     std::vector<glm::dvec2> both = clip_to_unit_square(far);
     const double far_area = area(both);
     std::vector<glm::dvec2> kept;
@@ -126,8 +127,8 @@ TEST(Subdivide, ADiskOfManySegmentsHasItsArea) {
   }
   add_polygon(scene, disk, 2.0);
   const double truth = area(disk);
-  // The outline is one chain, simplified to within a 64th of a finest cell at the finest level and
-  // within less in larger cells; a chord cuts off two thirds of its arc's height, times its length.
+  // The outline is one chain, simplified to within 1/64 of a finest cell at the finest level, and
+  // to less in larger cells. A chord cuts off two thirds of its arc's height times its length.
   const double finest = 1.0 / 64.0;
   const Answer answer = subdivide(scene.world, rules_of(6));
   EXPECT_EQ(answer.outcome.unresolved_area, 0.0);
@@ -193,7 +194,7 @@ TEST(Subdivide, ASphereMeshShowsItsSilhouetteWhateverItsWinding) {
     const FeatureSet features(scene.world);
     EXPECT_EQ(features.counts().open, 0u);
     EXPECT_EQ(features.counts().crease, 0u);
-    // Truth: dense regular samples.
+    // Reference: dense regular samples.
     const Frame frame = unit_frame();
     BruteForceCaster truth(scene.world, features, frame);
     const int n = 200;

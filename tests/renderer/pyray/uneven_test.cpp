@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-// Cells that no boundary makes marginal, split for their shading.
+// Cells without edges that are split for their shading.
 
 namespace asos::test {
 namespace {
 
-/// Says that no leaf may stand for more than a share of its root.
+/// Decides that leaves heavier than a limit must be split.
 class PickyCaster final : public BruteForceCaster {
  public:
   PickyCaster(const World& world, const FeatureSet& features, const Frame& frame, double most)
@@ -70,7 +70,7 @@ TEST(Uneven, ExactAreasStayExactAndNothingIsUnresolved) {
   EXPECT_FALSE(coarse.outcome.uneven_shading);
   EXPECT_NEAR(fine.coverage, coarse.coverage, 1e-6);
   EXPECT_EQ(fine.outcome.unresolved_area, 0.0);
-  EXPECT_TRUE(fine.trace.levels.empty());  // the rule's tables are about boundaries
+  EXPECT_TRUE(fine.trace.levels.empty());  // the rule's tables are about edges
 }
 
 TEST(Uneven, StopsAtMax) {

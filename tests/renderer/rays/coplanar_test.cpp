@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-// Of triangles in one plane it is a rule, and not rounding, that tells which is in front.
+// For coplanar triangles a rule decides which one is in front, not rounding.
 
 namespace asos::coplanar_test {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using test::add_quad;
 using test::matte;
 
-/// A plane through the origin, turned any way.
+/// A plane through the origin with any orientation.
 struct Tilt {
   glm::vec3 right, up, normal;
 
@@ -39,7 +39,7 @@ Material both_sides(AlphaMode mode) {
   return m;
 }
 
-/// Rays to places within `half` of the plane's middle, from either side.
+/// Rays to points within `half` of the plane's centre, from either side.
 std::vector<Ray> rays_to(const Tilt& tilt, float half) {
   std::mt19937 rng(7);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
@@ -55,7 +55,7 @@ std::vector<Ray> rays_to(const Tilt& tilt, float half) {
   return rays;
 }
 
-/// The part that each ray meets.
+/// The part that each ray hits.
 std::vector<std::uint32_t> parts_met(const World& world, const std::vector<Ray>& rays) {
   const RayScene scene = test::build(world);
   std::vector<Hit> hits(rays.size());

@@ -11,8 +11,7 @@
 namespace asos::extreme_rays_test {
 namespace {
 
-// Debian's Embree keeps its assertions: a number that it does not take ends the program, and with
-// it this test.
+// Assertions in Debian's Embree end the program, and so this test, for numbers out of its range.
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -23,7 +22,7 @@ World square_of(float size) {
   return world;
 }
 
-/// Rays that are sound but for one number of origin or direction, which is `number`.
+/// Valid rays except for one component of origin or direction, which is `number`.
 std::vector<Ray> rays_with(float number) {
   std::vector<Ray> rays;
   for (int i = 0; i < 6; ++i) {
@@ -39,7 +38,7 @@ std::vector<Ray> rays_with(float number) {
 }
 
 TEST(ExtremeRays, NoNumberOfARayEndsTheProgram) {
-  // Embree is told lengths of tiny and huge worlds in other units.
+  // Lengths in tiny and huge worlds are scaled for Embree.
   for (const float size : {1e-30f, 1e-6f, 1.0f, 1e6f, 5e14f}) {
     RayScene scene = test::build(square_of(size));
     for (const int width : {1, 4, 8, 16}) {
@@ -64,7 +63,7 @@ TEST(ExtremeRays, AWorldOfTheLargestSizeIsMetFromOutside) {
   const float size = 5e14f;
   const World world = square_of(size);
   const RayScene scene = test::build(world);
-  // As far away as rays start: see View.
+  // The distance at which rays start: see View.
   Ray ray = test::down(0.25f * size, 0.25f * size, 1024.0f * size);
   const Hit hit = scene.closest(ray);
   ASSERT_TRUE(hit.valid());
@@ -72,7 +71,7 @@ TEST(ExtremeRays, AWorldOfTheLargestSizeIsMetFromOutside) {
   EXPECT_EQ(scene.transmittance(ray).x, 0.0f);
 }
 
-/// `count` surfaces that are each a single point, all the same, beside or without a square.
+/// `count` surfaces that are the same single point, with or without a square.
 World points(std::size_t count, const Material& material, bool beside_a_square) {
   World world = beside_a_square ? square_of(1.0f) : World{};
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,7 +94,7 @@ void expect_points_missed(std::size_t count, bool beside, HierarchyUse use) {
     }
     EXPECT_EQ(scene.transmittance(ray).x, beside ? 0.0f : 1.0f) << count;
   }
-  // The last one is a light's own.
+  // The last part belongs to a light.
   const World world = points(count, test::matte(glm::vec3(1)), beside);
   const auto last = static_cast<std::int32_t>(world.parts.size()) - 1;
   const RayScene scene = test::build(world, test::factor_alpha, {test::lamp_of(last)}, use);

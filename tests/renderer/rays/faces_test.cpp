@@ -24,7 +24,7 @@ using test::matte;
 const Material grey = matte(glm::vec3(0.5f));
 const Material grey_both = double_sided(grey);
 
-/// The hits of one ray in every form: alone, and in the last lane of packets of each width.
+/// The hits of one ray in all forms: single, and in the last lane of packets of each width.
 std::vector<Hit> all_forms(RayScene& scene, const Ray& ray, Culling faces) {
   std::vector<Hit> found = {scene.closest(ray, faces)};
   for (const int width : {1, 4, 8, 16}) {
@@ -51,7 +51,7 @@ TEST(Culling, ARayGoesThroughTheBackOfASingleSidedSurface) {
   for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Culling::none)) {
     EXPECT_FLOAT_EQ(hit.t, 1.0f);
   }
-  // From below, the front of the first is met through the back of the second.
+  // From below, the second one's back is passed and the front of the first is hit.
   Ray up = down(0.1f, 0.3f, -5.0f);
   up.direction = {0, 0, 1};
   for (const Hit& hit : all_forms(scene, up, Culling::as_material_says)) {
@@ -81,7 +81,7 @@ TEST(Culling, DoubleSidedSurfacesShowTheirBack) {
 }
 
 TEST(Culling, AFrontInTheVeryPlaceOfABackIsMet) {
-  // As leaves are modelled: two single-sided squares of opposite windings in one plane.
+  // Leaves are often modelled as two single-sided squares of opposite windings in one plane.
   for (const bool back_first : {false, true}) {
     World world;
     add_square(world, 0.3f, grey, !back_first);
@@ -129,7 +129,7 @@ TEST(Culling, HolesAndBlendedSurfacesHaveBacksToo) {
   }
 }
 
-/// A unit quad that faces +z, placed by a matrix.
+/// A unit quad that faces +z, transformed by a matrix.
 World placed_quad(const glm::dmat4& world_from_mesh) {
   Scene scene;
   Mesh mesh;
@@ -156,8 +156,8 @@ TEST(Culling, AMirroredInstanceKeepsItsFrontInFront) {
     glm::dmat4 placed;
     bool front_up;
   };
-  // By glTF a mirror across a plane that holds the normal leaves the front where it was; one
-  // across the quad's own plane turns it round with the normal.
+  // In glTF, a mirroring across a plane that contains the normal keeps the front's direction; one
+  // across the quad's own plane reverses it with the normal.
   for (const Case& c : {Case{scaled(1, 1, 1), true}, Case{scaled(-1, 1, 1), true},
                         Case{scaled(1, -2, 1), true}, Case{scaled(1, 1, -1), false},
                         Case{scaled(-1, -1, -1), false}, Case{scaled(-1, -1, 1), true}}) {
@@ -168,7 +168,7 @@ TEST(Culling, AMirroredInstanceKeepsItsFrontInFront) {
       EXPECT_EQ(hit.valid(), c.front_up);
     }
     EXPECT_EQ(meets_back(world, 0, ray.direction), !c.front_up);
-    // The winding agrees with the normals that shading uses.
+    // The winding agrees with the shading normals.
     EXPECT_EQ(world.normals[0].z > 0.0f, c.front_up);
   }
 }
@@ -200,7 +200,7 @@ TEST(Culling, AgreeWithBruteForceInDouble) {
         const Part& part = world.parts[world.triangle_part[t]];
         const glm::uvec3 c = world.triangles[t];
         const glm::dvec3 p(world.positions[c.x]);
-        // Seen counter-clockwise: a positive volume with the eye.
+        // Counter-clockwise as seen from the eye: a positive volume.
         const double volume = glm::dot(
             glm::cross(glm::dvec3(world.positions[c.y]) - p, glm::dvec3(world.positions[c.z]) - p),
             glm::dvec3(rays[i].origin) - p);

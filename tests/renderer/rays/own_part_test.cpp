@@ -20,7 +20,7 @@ using test::matte;
 
 const Material grey = matte(glm::vec3(0.5f));
 
-/// With lights whose own these parts are.
+/// With lights that own these parts.
 RayScene build(const World& world, const std::vector<std::int32_t>& own_parts) {
   std::vector<Light> lamps;
   for (const std::int32_t part : own_parts) lamps.push_back(lamp_of(part));
@@ -32,7 +32,7 @@ struct Answers {
   std::vector<Blocker> met;
 };
 
-/// The answers for one ray: alone, and in the odd lanes of packets of each width.
+/// The answers for one ray: single, and in the odd lanes of packets of each width.
 Answers all_forms(RayScene& scene, const Ray& ray, std::int32_t ignored_part) {
   Answers answers;
   answers.shares = {scene.transmittance(ray, ignored_part).x};
@@ -70,7 +70,7 @@ TEST(OwnPart, DoesNotShadeItsLight) {
       EXPECT_EQ(met.transmittance.x, 1.0f);
       EXPECT_FALSE(met.see_through);
     }
-    // It shades other lights, and is seen.
+    // It occludes other lights, and is visible.
     const float left = lamp.alpha_mode == AlphaMode::blend ? 0.5f : 0.0f;
     const Answers others = all_forms(scene, down(0.1f, 0.3f), -1);
     for (const float share : others.shares) EXPECT_EQ(share, left);
@@ -110,7 +110,7 @@ TEST(OwnPart, OfAnotherLightBlocks) {
   EXPECT_EQ(blocking_part(0), 1u);
   EXPECT_EQ(blocking_part(1), 0u);
   EXPECT_EQ(blocking_part(-1), 0u);
-  EXPECT_EQ(blocking_part(2), 0u);  // no light's own, so never ignored
+  EXPECT_EQ(blocking_part(2), 0u);  // belongs to no light, so it is never ignored
 }
 
 TEST(OwnPart, ItsLayersAreLeftOutOfTheProduct) {

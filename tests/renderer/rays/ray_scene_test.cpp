@@ -25,11 +25,11 @@ using test::random_triangles;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// The slow twin: every triangle, in double.
+/// Reference implementation: tests every triangle, in double.
 struct Oracle {
   std::uint32_t triangle = Hit::none;
   double t = infinity;
-  double margin = 1.0;  ///< the smallest barycentric coordinate of any candidate, in absolute value
+  double margin = 1.0;  ///< smallest absolute barycentric coordinate of any candidate
 };
 
 Oracle brute_force(const World& world, const Ray& ray) {
@@ -51,7 +51,7 @@ TEST(RayScene, AgreesWithBruteForceInDouble) {
     const World world = random_triangles(seed, 200, 0.4f);
     const RayScene scene = build(world);
     std::mt19937 rng(seed + 100);
-    std::vector<Ray> rays(1003);  // not a multiple of any packet's width
+    std::vector<Ray> rays(1003);  // not a multiple of any packet width
     for (Ray& ray : rays) ray = random_ray(rng);
     std::vector<Hit> packet_hits(rays.size());
     scene.closest(rays, packet_hits);
@@ -59,12 +59,12 @@ TEST(RayScene, AgreesWithBruteForceInDouble) {
     int compared = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const Oracle expected = brute_force(world, rays[i]);
-      if (expected.margin < 1e-4) continue;  // an edge, where floats may fall on either side
+      if (expected.margin < 1e-4) continue;  // near an edge floats may give either result
       ++compared;
       for (const Hit& hit : {scene.closest(rays[i]), packet_hits[i]}) {
         ASSERT_EQ(hit.triangle, expected.triangle) << "seed " << seed << " ray " << i;
         if (!hit.valid()) continue;
-        // Triangles and distances here are of the order of 1.
+        // Triangles and distances are about 1 here.
         EXPECT_NEAR(hit.t, expected.t, 2e-4 * (1.0 + expected.t)) << "seed " << seed << " " << i;
       }
       EXPECT_EQ(scene.transmittance(rays[i]).x, expected.triangle == Hit::none ? 1.0f : 0.0f);
@@ -73,7 +73,7 @@ TEST(RayScene, AgreesWithBruteForceInDouble) {
   }
 }
 
-// A hierarchy for a moment is another one, of the same surfaces.
+// A hierarchy for one time of an animation gives the same answers.
 TEST(RayScene, OfAMomentAnswersTheSame) {
   const World world = random_triangles(4, 5000, 0.1f);
   const RayScene lasting = build(world);
@@ -120,7 +120,7 @@ TEST(RayScene, EveryPacketWidthFindsTheSame) {
   scene.closest(rays, reference);
   for (const int width : {4, 8, 16}) {
     scene.set_packet_width(width);
-    // Those that the processor has not stay as they were.
+    // Widths that the processor lacks are ignored.
     EXPECT_EQ(scene.packet_width(), std::min(width, widest));
     std::vector<Hit> hits(rays.size());
     scene.closest(rays, hits);
@@ -233,8 +233,8 @@ TEST(RayScene, RespectsTheRaysEnds) {
   EXPECT_EQ(scene.transmittance(ray).x, 1.0f);
 }
 
-// Masked: the left half (b1 < 0.5 along u) is cut away. Mixed with opaque parts, so that Embree's
-// primitive numbers are not World's.
+// Masked: the left half (b1 < 0.5 along u) is transparent. Mixed with opaque parts, so that
+// Embree's primitive numbers differ from World's.
 float half_alpha(const World&, std::uint32_t, float b1, float) {
   return b1 < 0.5f ? 0.2f : 0.8f;
 }
@@ -258,7 +258,7 @@ TEST(RayScene, MaskedSurfacesAreCutAtTheirCutoff) {
   EXPECT_EQ(hit.triangle, 2u);
   EXPECT_EQ(scene.transmittance(toward(0.7f)).x, 0.0f);
 
-  // In packets too: every second ray passes.
+  // The same in packets: every second ray passes.
   std::vector<Ray> rays;
   for (int i = 0; i < 40; ++i) rays.push_back(toward(i % 2 ? 0.7f : 0.3f));
   std::vector<Hit> hits(rays.size());

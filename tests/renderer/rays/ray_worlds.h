@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-// Worlds and rays of the ray tracing tests.
+// Worlds and rays for tests of ray tracing.
 
 namespace asos::test {
 
-/// Opacity by the material's factors alone.
+/// Opacity from the material's factors only.
 inline float factor_alpha(const World& world, std::uint32_t triangle, float, float) {
   const Material& m = world.material_of(triangle);
   return m.base_color.a * (1.0f - m.transmission);
@@ -61,7 +61,7 @@ inline Ray down(float x, float y, float z = 1.0f) {
   return ray;
 }
 
-/// A square of side 2 around (0, 0, z) whose front looks up (+z), or down.
+/// A square of side 2 around (0, 0, z) whose front faces up (+z) or down.
 inline void add_square(World& world, float z, const Material& material, bool faces_up = true) {
   if (faces_up) {
     add_quad(world, {-1, -1, z}, {2, 0, 0}, {0, 2, 0}, material);
@@ -89,7 +89,7 @@ inline Material masked(float cutoff) {
   return material;
 }
 
-/// A light whose own the part is.
+/// A light that owns the part.
 inline Light lamp_of(std::int32_t part) {
   Light light;
   light.type = Light::Type::rectangle;

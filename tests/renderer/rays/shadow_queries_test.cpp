@@ -28,7 +28,7 @@ Blocker blocker_of(const RayScene& scene, const Ray& ray, std::int32_t ignored_p
   return blocker;
 }
 
-/// Random triangles: opaque, blended and masked (some all hole), of several opacities.
+/// Random triangles: opaque, blended and masked (some fully transparent), with several opacities.
 World random_kinds(std::uint32_t seed, int count) {
   World world = test::random_triangles(seed, count, 0.4f);
   for (std::size_t i = 0; i < world.materials.size(); ++i) {
@@ -44,13 +44,13 @@ std::vector<Ray> random_rays(std::uint32_t seed, std::size_t count) {
   std::mt19937 rng(seed);
   std::vector<Ray> rays(count);
   for (Ray& ray : rays) ray = test::random_ray(rng);
-  // Some end early, and some are nothing that can be traced.
+  // Some end early, and some cannot be traced.
   for (std::size_t i = 0; i < count; i += 5) rays[i].t_far = 1.5f;
   for (std::size_t i = 3; i < count; i += 50) rays[i].direction = glm::vec3(0.0f);
   return rays;
 }
 
-/// Both queries for one ray by repeated `closest`, which steps through the surfaces in order.
+/// Both queries for one ray by repeated calls of `closest`.
 Blocker stepped(const World& world, const RayScene& scene, Ray ray) {
   Blocker found;
   while (true) {
@@ -84,7 +84,7 @@ TEST(ShadowQueries, AgreeWithSteppingThroughTheSurfaces) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const Blocker expected = stepped(world, scene, rays[i]);
       ASSERT_EQ(met[i].hit.triangle, expected.hit.triangle) << "width " << width << " ray " << i;
-      // The order of the factors is the traversal's.
+      // The order of the factors is that of the traversal.
       EXPECT_NEAR(shares[i].x, expected.transmittance.x, 1e-6f) << width << " " << i;
       EXPECT_NEAR(met[i].transmittance.x, expected.transmittance.x, 1e-6f) << width << " " << i;
       EXPECT_NEAR(scene.transmittance(rays[i]).x, shares[i].x, 1e-6f) << width << " " << i;

@@ -17,8 +17,8 @@ namespace {
 
 using Real = long double;
 
-/// Where a line meets a shape in the shape's own space, in the textbook's way and in long double:
-/// all crossings, and by how much the nearest decision was made (relative, 0: a toss-up).
+/// Intersections of a line with a shape in its own space, by textbook formulas in long double. Also
+/// the margin of the closest decision (relative, 0: undecidable).
 struct Crossings {
   std::vector<Real> t;
   Real margin = 1.0L;
@@ -166,7 +166,7 @@ void compare(const Case& c, double scale) {
     const bool on_surface = std::any_of(exact.t.begin(), exact.t.end(), [&](Real t) {
       return std::abs(t) < 1e-9L * static_cast<Real>(scale);
     });
-    // Double precision decides all but the last digits of grazing.
+    // Double precision cannot decide extreme grazing.
     if (exact.margin < 1e-11L || on_surface) continue;
     ++decided;
     ASSERT_EQ(hits[i].valid(), hit) << c.name << " ray " << i << " scale " << scale;
@@ -175,7 +175,7 @@ void compare(const Case& c, double scale) {
     if (!hit) continue;
     const auto t = static_cast<double>(*first);
     worst_t = std::max(worst_t, std::abs(static_cast<double>(hits[i].t) - t) / (t + scale));
-    // The point from the hit's coordinates is on the surface, and near the ray's.
+    // The point from the hit's coordinates is on the surface and near the ray's point.
     const glm::dvec3 p = hit_plane(world, hits[i]).point(hits[i].b1, hits[i].b2);
     const glm::dvec3 q = glm::dvec3(sent[i].origin) + t * glm::dvec3(sent[i].direction);
     worst_off = std::max(worst_off, glm::distance(p, q) / scale);
@@ -184,7 +184,7 @@ void compare(const Case& c, double scale) {
   EXPECT_GT(met, 2'500) << c.name;
   EXPECT_GT(missed, 500) << c.name;
   EXPECT_LT(worst_t, 1.2e-7) << c.name;  // a float's last digit
-  EXPECT_LT(worst_off, 2e-6) << c.name;  // that of a coordinate around a face
+  EXPECT_LT(worst_off, 2e-6) << c.name;  // of a coordinate around a face
 }
 
 TEST(ShapeRays, MeetWhatTheTextbookSays) {
@@ -237,7 +237,7 @@ TEST(ShapeRays, AShapeAmongTrianglesIsMetInItsPlace) {
 TEST(ShapeRays, RaysAloneAndInPacketsAgree) {
   const std::vector<Case> all = cases();
   World world;
-  // Those that are stretched pass through each other, and no two lie in one place.
+  // Stretched shapes intersect each other, but no two coincide.
   for (std::size_t i = 1; i < all.size(); i += 3)
     test::add_shape(world, all[i].shape, all[i].place, test::blended(1.0f));
   RayScene rays = test::build(world);

@@ -11,8 +11,8 @@
 namespace asos::small_world_test {
 namespace {
 
-// A power of two changes no float's digits: hits in a tiny world are those of the same world at
-// scale 1, to the bit.
+// A power of two preserves the digits of floats: hits in a tiny world are the same as at scale 1,
+// bit by bit.
 
 struct Answers {
   std::vector<Hit> hits;

@@ -12,7 +12,7 @@ namespace {
 
 const LeafRegion whole{{0.0f, 0.0f, 1.0f}, {}};
 
-/// The kernel's weight of what `holds`, by the middles of n x n cells.
+/// Integral of the kernel over the area where `holds` is true, by the centres of n x n cells.
 template <typename Holds>
 double brute_force(double share_u, double share_v, Holds holds) {
   constexpr int n = 1000;
@@ -55,7 +55,7 @@ TEST_P(EveryShare, OfPartsWithStraightSidesIsExact) {
 }
 
 TEST_P(EveryShare, OfAHalfPlaneIsItsClosedForm) {
-  // Left of x: the convolution of two boxes, integrated.
+  // The half-plane left of x: the integral of two convolved boxes.
   const double share = GetParam();
   const BlurKernel kernel({share, 0.5});
   const double ramp = std::min(share, 1.0 - share);
@@ -91,10 +91,10 @@ TEST_P(EveryShare, WarpsUniformPointsToItsOwnDistribution) {
   EXPECT_NEAR(found / static_cast<double>(n), expected, 1.0 / n);
 }
 
-TEST_P(EveryShare, HasTheMomentsOfItsUniformLikenessInAnyPart) {
+TEST_P(EveryShare, MatchesTheMomentsOfItsUniformApproximation) {
   const BlurKernel kernel({GetParam(), 0.1});
   for (const glm::vec2 range : {glm::vec2(0, 1), {0.25f, 0.5f}, {0.1f, 0.95f}, {0.5f, 1.0f}}) {
-    // Its strips' integrals, as masses in their middles.
+    // The integrals of strips, as masses at their centres.
     constexpr int n = 4000;
     double mass = 0.0, first = 0.0, second = 0.0;
     for (int i = 0; i < n; ++i) {
@@ -110,7 +110,7 @@ TEST_P(EveryShare, HasTheMomentsOfItsUniformLikenessInAnyPart) {
     const double mean = first / mass, half = std::sqrt(3.0 * (second / mass - mean * mean));
     EXPECT_NEAR(found.lo.x, mean - half, 1e-3) << range.x;
     EXPECT_NEAR(found.hi.x, mean + half, 1e-3) << range.x;
-    // All of the other coordinate: the root of the boxes' squares.
+    // The other coordinate is complete: the root of the sum of the boxes' squares.
     EXPECT_NEAR(found.hi.y - found.lo.y, std::hypot(0.1, 0.9), 1e-6);
   }
 }
@@ -123,7 +123,7 @@ TEST(Horizon, SharesTheSquare) {
   EXPECT_EQ((Horizon{-1.0, 0.5, 0.5}).share_above(), 0.0);
   EXPECT_NEAR((Horizon{0.25, 1.0, 0.0}).share_above(), 0.75, 1e-12);
   EXPECT_NEAR((Horizon{0.0, 1.0, 1.0}).share_above(), 0.5, 1e-12);
-  // A corner of sides 0.4 is cut off.
+  // A corner with sides of 0.4 is cut off.
   EXPECT_NEAR((Horizon{0.6, 1.0, 1.0}).share_above(), 1.0 - 0.08, 1e-12);
   const auto line = Horizon{0.25, 1.0, 0.0}.line();
   ASSERT_TRUE(line);

@@ -9,8 +9,8 @@
 namespace asos {
 namespace {
 
-/// A flat mirror in the plane z = 0, and a pyray from above that meets it at the origin: `tilt`
-/// radians from its normal, with edges of these lengths where it meets it.
+/// A flat mirror in z = 0, and a pyray from above that hits it at the origin, at `tilt` radians to
+/// its normal, with edges of these lengths at the mirror.
 struct Meeting {
   IncidentPyray pyray;
   MirrorSurface surface;
@@ -34,14 +34,14 @@ MirroredPyray blurred(const Meeting& m, double width) {
   return found.value_or(MirroredPyray{});
 }
 
-/// Where a corner's ray leaves the plane of the mirror.
+/// Where a corner's ray leaves the mirror plane.
 glm::dvec2 on_mirror(const PyrayPicture& picture, double u, double v) {
   const glm::dvec3 along = picture.corner + u * picture.right + v * picture.down;
   const glm::dvec3 p = picture.apex - picture.apex.z / along.z * along;
   return {p.x, p.y};
 }
 
-TEST(MirroredPyray, OfAPlaneBeginsAtTheMirroredApex) {
+TEST(MirroredPyray, StartsAtTheMirroredApex) {
   const Meeting m = meeting(0.7, 0.1, 0.1);
   const MirroredPyray sharp = blurred(m, 0.0);
   const glm::dvec3 apex = -10.0 * m.pyray.axis;
@@ -50,8 +50,8 @@ TEST(MirroredPyray, OfAPlaneBeginsAtTheMirroredApex) {
   EXPECT_EQ(sharp.sharp_share, glm::dvec2(1.0));
 }
 
-TEST(MirroredPyray, ABlurredOneOfASquareLeavesFromItsPatch) {
-  // Small beside its distance, so that the corners' own directions do not matter.
+TEST(MirroredPyray, BlurredStartsFromItsPatch) {
+  // The patch is small relative to its distance, so the corners' directions do not matter.
   const MirroredPyray wide = blurred(meeting(0.5, 1e-3, 1e-3), 1e-3);
   const glm::dvec2 a = on_mirror(wide.picture, 0.0, 0.5), b = on_mirror(wide.picture, 1.0, 0.5);
   EXPECT_NEAR(glm::distance(a, b), 1e-3 / std::cos(0.5), 2e-6);
@@ -59,13 +59,14 @@ TEST(MirroredPyray, ABlurredOneOfASquareLeavesFromItsPatch) {
   EXPECT_NEAR(glm::distance(c, d), 1e-3, 2e-6);
 }
 
-// A surface beside a strip of mirror, such as the frame beside a pane, is no part of it.
-TEST(MirroredPyray, ABlurredOneOfAStripDoesNotLeaveBesideIt) {
+// A surface adjacent to a strip of mirror, such as a frame around a pane, must not be part of the
+// reflected pyray's start.
+TEST(MirroredPyray, BlurredStaysWithinANarrowStrip) {
   for (const double tilt : {0.0, 0.6, 1.2}) {
     for (const auto& [right, down] : {std::pair{1e-3, 8e-3}, {8e-3, 1e-3}, {2e-3, 2e-3}}) {
       for (const double width : {1e-4, 1e-2, 0.05}) {
         const MirroredPyray wide = blurred(meeting(tilt, right, down), width);
-        // A wide lobe's corners lean, so that they leave a little farther out.
+        // The corners of a wide lobe diverge, so they leave a little farther out.
         const double lean = 1.0 + width * std::tan(tilt);
         for (const double u : {0.0, 1.0}) {
           for (const double v : {0.0, 1.0}) {
@@ -81,13 +82,13 @@ TEST(MirroredPyray, ABlurredOneOfAStripDoesNotLeaveBesideIt) {
   }
 }
 
-// Down to a ten-thousandth of a radian above the mirror, and with any lobe.
-TEST(MirroredPyray, ABlurredOneIsThereHoweverSteepTheView) {
+// Down to 1e-4 radian above the mirror, and with any lobe.
+TEST(MirroredPyray, IsFoundAtGrazingAngles) {
   for (const double above : {0.1, 1e-2, 2.4e-3, 1e-4}) {
     for (const double width : {1e-9, 1e-6, 1e-3, 0.1}) {
       for (const double aside : {0.0, 0.6}) {
         Meeting m = meeting(std::numbers::pi / 2.0 - above, 2e-2, 2e-2);
-        // As at a wide picture's side, where pixels are seen at an angle.
+        // As at the side of a wide picture, where pixels are seen at an angle.
         m.pyray.down = std::cos(aside) * m.pyray.down + std::sin(aside) * 2e-3 * m.pyray.axis;
         const MirrorLobe lobe = lobe_around(m.surface, mirrored_direction(m.surface, m.pyray.axis),
                                             m.pyray.right, width);

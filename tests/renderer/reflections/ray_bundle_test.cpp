@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Bundles against rays of their own, traced one by one through a ball by Snell's law.
+// Bundles against single rays, traced through a sphere by Snell's law.
 
 namespace asos {
 namespace {
@@ -16,7 +16,7 @@ struct Line {
   glm::dvec3 origin, direction;
 };
 
-/// The line that leaves a ball around the origin at its near or its far side.
+/// The refracted line at the near or the far side of a sphere around the origin.
 Line through(const Line& in, double ratio, bool far) {
   const double along = -glm::dot(in.origin, in.direction);
   const double half = std::sqrt(radius * radius - glm::dot(in.origin, in.origin) + along * along);
@@ -27,7 +27,7 @@ Line through(const Line& in, double ratio, bool far) {
   return {p, ratio * in.direction + (ratio * c - behind) * n};
 }
 
-/// The ball where a bundle meets it.
+/// The sphere's surface at the point that a bundle hits.
 MirrorSurface surface_at(const RayBundle& bundle, glm::dvec3 p, bool far, double ratio) {
   MirrorSurface surface;
   surface.position = p;
@@ -51,7 +51,7 @@ RayBundle from_eye(double beside, double width) {
   return bundle;
 }
 
-/// Through both of its sides.
+/// Through both sides of the sphere.
 RayBundle bundle_through(const RayBundle& eye, Line* middle = nullptr) {
   const Line first = through({eye.origin, eye.direction}, 1.0 / index, false);
   const RayBundle inside = mirrored(eye, surface_at(eye, first.origin, false, 1.0 / index));
@@ -74,7 +74,7 @@ TEST(RayBundle, ChangesAsItsRaysDo) {
           through(through({eye.origin, glm::normalize(turned)}, 1.0 / index, false), index, true);
       const glm::dvec3 moved = at.x * out.right_at + at.y * out.down_at;
       const glm::dvec3 direction = at.x * out.right + at.y * out.down;
-      // To first order: what is left is of the second.
+      // To first order: the rest is of second order.
       EXPECT_NEAR(glm::distance(ray.origin - middle.origin, moved), 0.0, 1e-3 * glm::length(moved));
       EXPECT_NEAR(glm::distance(ray.direction - middle.direction, direction), 0.0,
                   1e-3 * glm::length(direction));
@@ -92,7 +92,7 @@ TEST(RayBundle, PartsAreBundlesOfTheirOwn) {
   EXPECT_NEAR(glm::distance(part.right, own.right), 0.0, 1e-2 * glm::length(own.right));
 }
 
-// Before the focus of the ball, in it, and beyond, where the picture is turned round.
+// In front of the sphere's focus, at it, and behind it, where the image is reversed.
 TEST(RayBundle, PyramidsPassThroughItsCorners) {
   const RayBundle eye = from_eye(0.3, 1e-3);
   const RayBundle out = bundle_through(eye);
@@ -117,8 +117,8 @@ TEST(RayBundle, PyramidsPassThroughItsCorners) {
   }
 }
 
-/// The second moments of a bundle's rays along x, t from a place: of the place, of it with the
-/// direction, and of the direction; by what its edges say.
+/// Second moments along x at distance t, computed from the bundle's edges: of the position, of
+/// position and direction, and of the direction.
 glm::dvec3 moments(const RayBundle& bundle, double t) {
   const double place = bundle.section(t).right.x, blurred = t * bundle.lobe_right.x;
   const double turn = bundle.right.x, lobe = bundle.lobe_right.x;
@@ -127,7 +127,7 @@ glm::dvec3 moments(const RayBundle& bundle, double t) {
          12.0;
 }
 
-// As wide as the rays are spread at a section, and spread as they are from there on.
+// At the section it has the width and the spread of the rays.
 TEST(RayBundle, ABlurredOneKeepsItsMomentsAtASection) {
   for (const double lobe : {0.01, 0.1, 0.5}) {
     for (const double turn : {0.04, 0.0, -0.2}) {
@@ -139,7 +139,7 @@ TEST(RayBundle, ABlurredOneKeepsItsMomentsAtASection) {
       bundle.lobe_right = {lobe, 0, 0};
       bundle.lobe_down = {0, -lobe, 0};
       for (const double t : {0.01, 0.3, 4.0}) {
-        // The part of the section's frame that is as wide as the sum of both boxes is spread.
+        // The box of the combined width is spread within the section's frame.
         const double own = std::abs(0.1 + t * turn), blur = t * lobe;
         const double share = std::hypot(own, blur) / (own + blur);
         const auto lo = static_cast<float>(0.5 - 0.5 * share);
@@ -148,7 +148,7 @@ TEST(RayBundle, ABlurredOneKeepsItsMomentsAtASection) {
         EXPECT_NEAR(found.section(t).right.x,
                     (0.1 + t * turn < 0.0 ? -1 : 1) * std::hypot(own, blur), 1e-6);
         for (const double beyond : {0.0, 0.5, 7.0}) {
-          // The blur that is left starts at the section.
+          // The remaining blur starts at the section.
           RayBundle from_section = found;
           from_section.right_at = found.section(t).right;
           const glm::dvec3 expected = moments(bundle, t + beyond);
@@ -162,7 +162,7 @@ TEST(RayBundle, ABlurredOneKeepsItsMomentsAtASection) {
   }
 }
 
-/// The second moments of places and directions along x, t from a bundle's origin.
+/// Second moments of positions and directions along x, at distance t from a bundle's origin.
 glm::dvec3 all_moments(const RayBundle& bundle, double t) {
   const double place = bundle.section(t).right.x, blur = bundle.blur_of_section(t).right.x;
   const double turn = bundle.right.x, lobe = bundle.lobe_right.x;
@@ -174,8 +174,8 @@ double fourth_powers(const RayBundle& bundle, double t) {
          std::pow(bundle.blur_of_section(t).right.x, 4.0);
 }
 
-// Lobe after lobe: what they add to the moments, wherever that is looked at; and where it is to be
-// seen the shape, as far as two boxes can have that of three.
+// The moments of several lobes add up at every distance. At the section the shape is right, too, as
+// far as two boxes can represent three.
 TEST(RayBundle, LobesAddUpTheirMoments) {
   for (const double second : {0.05, 0.3, 1.0}) {
     RayBundle bundle;
@@ -185,10 +185,10 @@ TEST(RayBundle, LobesAddUpTheirMoments) {
     bundle.down = {0, -0.02, 0};
     constexpr double first = 0.2;
     bundle.add_lobe({{1, 0, 0}, {0, -1, 0}, first}, 3.0);
-    EXPECT_NEAR(bundle.right.x, 0.02, 1e-12) << "two boxes are two boxes";
+    EXPECT_NEAR(bundle.right.x, 0.02, 1e-12) << "two boxes are represented exactly";
     EXPECT_NEAR(std::abs(bundle.lobe_right.x), first, 1e-12);
     EXPECT_NEAR(bundle.lobe_right_at.x, 0.0, 1e-12);
-    // From a surface on that is half a unit away.
+    // From the surface to one half a unit away.
     bundle.right_at = bundle.section(0.5).right, bundle.down_at = bundle.section(0.5).down;
     bundle.lobe_right_at = bundle.blur_of_section(0.5).right;
     bundle.lobe_down_at = bundle.blur_of_section(0.5).down;

@@ -13,16 +13,16 @@
 namespace asos::test::light_picks_test {
 namespace {
 
-constexpr std::size_t point_count = 128;  // a number each, evenly spaced
+constexpr std::size_t point_count = 128;  // one number each, evenly spaced
 constexpr std::size_t light_count = 40;
 constexpr float rays_a_point = 8.0f;
 
-// Light 0 is as bright as all others together, which differ; the last is behind the floor.
+// Light 0 is as bright as all others together, which differ; the last is below the floor.
 float brightness(std::size_t light) {
   return light == 0 ? 20.0f : static_cast<float>(light % 5 + 1) / 6.0f;
 }
 
-/// Points of a floor, all at the same place, under lights of one height.
+/// Points at the same place of a floor, under lights of one height.
 class Picked : public testing::Test {
  protected:
   Picked() {
@@ -57,11 +57,11 @@ class Picked : public testing::Test {
   LightPicks picks_;
 };
 
-TEST_F(Picked, AreSoManyAPoint) {
+TEST_F(Picked, AreEvenlySpreadOverPoints) {
   std::vector<int> rays(point_count, 0);
   for (std::size_t light = 0; light < light_count; ++light)
     for (const std::uint32_t point : picks_.of(light).point) ++rays[point];
-  // One goes to the bright light, which is half of all, and the others have seven.
+  // One ray goes to the bright light, which has half of the weight, and the others get seven.
   EXPECT_EQ(*std::max_element(rays.begin(), rays.end()), 8);
   EXPECT_GE(*std::min_element(rays.begin(), rays.end()), 7);
 }
@@ -73,21 +73,21 @@ TEST_F(Picked, StandForEachLightOnTheAverage) {
     EXPECT_TRUE(std::is_sorted(picked.point.begin(), picked.point.end()));
     double sum = 0.0;
     for (const float weight : picked.weight) sum += static_cast<double>(weight);
-    // A light is picked by an interval of the points' numbers: one point too many, or too few, of
-    // that weight.
+    // A light is selected by an interval of the points' numbers: one point more or less is
+    // possible.
     const double probability =
         std::min(1.0, static_cast<double>(brightness(light) * (rays_a_point - 1.0f) / 19.0f));
     EXPECT_NEAR(sum / point_count, 1.0, 1.5 / (probability * point_count)) << light;
   }
 }
 
-TEST_F(Picked, AlwaysHoldWhatIsBrighterThanARaysShare) {
+TEST_F(Picked, AlwaysIncludeBrightLights) {
   const LightPicks::Points picked = picks_.of(0);
   ASSERT_EQ(picked.point.size(), point_count);
   for (const float weight : picked.weight) EXPECT_EQ(weight, 1.0f);
 }
 
-TEST_F(Picked, NeverHoldWhatCarriesNothing) {
+TEST_F(Picked, NeverIncludeLightsWithoutContribution) {
   EXPECT_TRUE(picks_.of(light_count - 1).point.empty());
 }
 

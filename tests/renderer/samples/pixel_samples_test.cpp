@@ -19,7 +19,7 @@ TEST(PixelSamples, DoubleUntilThereAreEnough) {
   EXPECT_EQ(PixelSamples::after_round(8, 9), 9);
 }
 
-// Single rounds give the same pixels as a block that takes all samples at once.
+// Rendering in single passes gives the same pixels as a block that takes all samples at once.
 TEST(PixelSamples, RoundsEndAsABlockDoes) {
   const auto scene = *prepare(*builtin_scene("boxes"));
   RenderSettings settings;
@@ -62,7 +62,7 @@ TEST(PixelSamples, TellWhatMoved) {
   EXPECT_GT(some, 100);
 }
 
-// Each stratum once, and of the first quarter of them no two side by side in a row.
+// Visits each stratum once; in the first quarter of them no two are adjacent in a row.
 TEST(GridPlaces, VisitEachStratumOnceAndSpreadTheFirst) {
   for (const int n : {1, 2, 3, 4, 8, 16}) {
     GridPlaces places(n, false);

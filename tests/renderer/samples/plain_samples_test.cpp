@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-// Points of scenes in arrays, beside the same ones by Shader.
+// The SIMD path for arrays of points, against Shader for single points.
 
 namespace asos::test::plain_samples_test {
 namespace {
 
-/// Keeps what Shader makes of one ray.
+/// Records Shader's results for one ray.
 class OnePoint final : public LightTransport {
  public:
   TakenLights gather(const LitPoint& point) override {
@@ -28,7 +28,7 @@ class OnePoint final : public LightTransport {
   }
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
            RenderStatistics& /*counts*/) override {
-    ADD_FAILURE() << "all lights are gathered";
+    ADD_FAILURE() << "lights are gathered, not added one by one";
   }
   bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
                RenderStatistics& /*counts*/) override {

@@ -32,7 +32,7 @@ Material glowing(glm::vec3 color) {
   return material;
 }
 
-/// A wall across the view of 8x8 pixels, 8 units wide: red to the left of x = 0.3, green beside.
+/// A wall across the view of 8x8 pixels, 8 units wide: red left of x = 0.3, green right of it.
 class TwoColours : public testing::Test {
  protected:
   TwoColours() { show({1, 0, 0}, {0, 1, 0}); }
@@ -44,7 +44,7 @@ class TwoColours : public testing::Test {
     show(std::move(world));
   }
 
-  /// A strip on black, from x = 0.3 on.
+  /// A strip on black, starting at x = 0.3.
   void show_strip(float width, glm::vec3 color) {
     World world;
     add_quad(world, {-50, -50, 0}, {50.3f, 0, 0}, {0, 100, 0}, glowing(glm::vec3(0.0f)));
@@ -76,13 +76,13 @@ class TwoColours : public testing::Test {
   RenderStatistics counts_;
 };
 
-// The pixel in column 4 shows x from 0 to 1.
+// The pixel in column 4 covers x from 0 to 1.
 constexpr Square crossed{4.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
 
-TEST_F(TwoColours, AreMixedByTheirAreas) {
+TEST_F(TwoColours, MeanMatchesTheAreas) {
   const auto found = sample({crossed, {}}, goal_of(-1.0, 1024));
   EXPECT_EQ(found.cost, 1024.0);
-  // A net of 1024 points: 32 columns of 32, of which one is crossed.
+  // A net of 1024 points has 32 columns of 32 points; the line crosses one column.
   EXPECT_NEAR(found.value.x, 0.3, 1.0 / 32.0);
   EXPECT_NEAR(found.value.x + found.value.y, 1.0, 1e-6);
   EXPECT_EQ(counts_.eye_rays, 1024u);
@@ -104,8 +104,8 @@ TEST_F(TwoColours, StopOnceTheGoalIsMet) {
   EXPECT_NEAR(fine.value.x, 0.3, 3.0 * 0.005);
 }
 
-// A bright strip of a twentieth of the pixel, which one sample more or less tells.
-TEST_F(TwoColours, GoOnWhereTheyAreFarOffAtMost) {
+// A bright strip of a twentieth of the pixel: each sample that hits it changes the mean noticeably.
+TEST_F(TwoColours, SamplingContinuesForLargeErrors) {
   show_strip(0.05f, glm::vec3(60.0f));
   const auto few = sample({crossed, {}}, goal_of(0.004, 512, 64));
   const auto many = sample({crossed, {}}, goal_of(0.004, 4096, 64));
@@ -113,19 +113,20 @@ TEST_F(TwoColours, GoOnWhereTheyAreFarOffAtMost) {
   EXPECT_EQ(many.cost, 4096.0);
   EXPECT_LT(std::abs(many.value.x - 3.0), 0.03);
   EXPECT_GT(many.error, 0.0);
-  EXPECT_LT(many.error, 0.5 * few.error) << "told by all samples";
-  // As far off as what had so many times the fewest may be: more are better spent elsewhere.
+  EXPECT_LT(many.error, 0.5 * few.error) << "estimated from all samples";
+  // The error allowed grows with the sample count (Neyman allocation): more samples are better
+  // spent elsewhere.
   const double goal = few.error / std::sqrt(512.0 / 64.0);
   EXPECT_EQ(sample({crossed, {}}, goal_of(1.01 * goal, 4096, 64)).cost, 512.0);
   EXPECT_GT(sample({crossed, {}}, goal_of(0.99 * goal, 4096, 64)).cost, 512.0);
 }
 
-// What a few samples may miss alike is likely where those of the pixel beside have met it.
-TEST_F(TwoColours, GoOnBesideWhatIsNoisy) {
+// Variance that a few samples all miss is likely next to a pixel whose samples found it.
+TEST_F(TwoColours, SamplingContinuesNextToNoise) {
   show_strip(0.1f, glm::vec3(60.0f));
   RegionSampler::Goal goal = goal_of(0.02, 1024);
   goal.share = 1.0;
-  // How many samples a black pixel takes beside that of the strip, `columns` to the left of it.
+  // Number of samples of a black pixel that is `columns` to the left of the strip's pixel.
   const auto samples_of = [&](float columns) {
     const Square black{crossed.u - columns * crossed.side, crossed.v, crossed.side};
     RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
@@ -135,13 +136,13 @@ TEST_F(TwoColours, GoOnBesideWhatIsNoisy) {
   };
   EXPECT_EQ(samples_of(2.0f), 16u);
   EXPECT_GT(samples_of(1.0f), 64u);
-  // What fills little of a pixel says nothing of others.
+  // A region that is a small part of its pixel says nothing about others.
   goal.share = 0.25;
   EXPECT_EQ(samples_of(1.0f), 16u);
 }
 
-// Samples that agree by chance end what is not known yet: that is to be rare.
-TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
+// Samples that agree by chance may stop too early; this has to be rare.
+TEST_F(TwoColours, EstimatesMeetTheGoal) {
   constexpr double goal = 0.02;
   constexpr int squares = 512;
   constexpr float side = 1.0f / 64.0f, edge = 4.3f / 8.0f;
@@ -151,7 +152,7 @@ TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
     const float red = (static_cast<float>(i) + 0.5f) / squares;
     const float v = static_cast<float>(i * 37 % 512) / 540.0f;
     const auto found = sample({{edge - red * side, v, side}, {}}, {goal, 1024});
-    // More is allowed of what takes more samples.
+    // The error allowed grows with the sample count.
     const double allowed = goal * std::sqrt(found.cost / 16.0);
     const double off = (found.value.x - static_cast<double>(red)) / allowed;
     sum += off * off;
@@ -161,8 +162,9 @@ TEST_F(TwoColours, AreAsKnownAsTheGoalAsksFor) {
   EXPECT_LE(far_off, 4);
 }
 
-// What a mirror blurs counts most in its middle, in whatever a boundary leaves of a square, too.
-TEST_F(TwoColours, AreSampledAsAKernelIsDistributed) {
+// A blurred reflection has more weight at its centre, also within a part that an edge leaves of a
+// square.
+TEST_F(TwoColours, SamplesFollowTheKernel) {
   const BlurKernel kernel({0.4, 0.4});
   const Square all{0.0f, 0.0f, 1.0f};
   const float edge = 4.3f / 8.0f;  // where red ends
@@ -173,7 +175,8 @@ TEST_F(TwoColours, AreSampledAsAKernelIsDistributed) {
   for (const float u1 : {1.0f, 0.7f}) {
     const auto border = rectangle(0.05f, u1), red = rectangle(0.05f, edge);
     const double expected = kernel.integral({all, red}) / kernel.integral({all, border});
-    ASSERT_GT(std::abs(expected - (edge - 0.05) / (u1 - 0.05)), 0.02) << "told from an even one";
+    ASSERT_GT(std::abs(expected - (edge - 0.05) / (u1 - 0.05)), 0.02)
+        << "differs from a uniform kernel";
     RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
     const auto found = sampler.sample({all, border}, goal_of(-1.0, 4096), counts_, &kernel);
     EXPECT_NEAR(found.value.x, expected, 1.0 / 64.0) << u1;
@@ -184,8 +187,8 @@ TEST_F(TwoColours, AreSampledAsAKernelIsDistributed) {
               1.0 / 64.0);
 }
 
-// Whoever turns a knob waits for no block of samples to be done.
-TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
+// A change of settings need not wait for a block of samples.
+TEST_F(TwoColours, SamplingStopsOnRequest) {
   std::stop_source stop;
   RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed, nullptr,
                         stop.get_token());
@@ -195,8 +198,9 @@ TEST_F(TwoColours, AreLeftOnceNobodyWantsThem) {
   EXPECT_EQ(counts_.eye_rays, 0u);
 }
 
-// As far as in an exposure that shows them as white: of what they alone bring to their pixel.
-TEST_F(TwoColours, ThatAreBrighterThanWhiteMayBeAsMuchFurtherOff) {
+// Values above white have the same relative error as white; the value counts by its share of the
+// pixel.
+TEST_F(TwoColours, GoalIsRelativeAboveWhite) {
   show(glm::vec3(3), glm::vec3(2.5));
   const auto error_of = [&](double share) {
     return sample({crossed, {}}, goal_of(-1.0, 16, 16, share));
@@ -208,8 +212,8 @@ TEST_F(TwoColours, ThatAreBrighterThanWhiteMayBeAsMuchFurtherOff) {
   EXPECT_NEAR(half.error, part.error / (0.5 * part.value.x), 1e-9);
 }
 
-TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
-  // The part of the crossed pixel to the left of the seam, and a hair less.
+TEST_F(TwoColours, OnlySamplesInTheRegionCount) {
+  // The part of the crossed pixel that is left of the seam, minus a tiny margin.
   const float u0 = crossed.u, u1 = crossed.u + 0.299f * crossed.side;
   const float v0 = crossed.v, v1 = crossed.v + crossed.side;
   const std::array<BorderEdge, 4> sides = {BorderEdge{{u0, v0}, {u1, v0}},
@@ -222,8 +226,8 @@ TEST_F(TwoColours, OnlyWhatLiesInTheRegionCounts) {
   EXPECT_EQ(found.cost, 256.0);
 }
 
-// What is thin fills little of the rectangle around it, which the samples are spread over.
-TEST_F(TwoColours, AsManyCountInAThinRegionAsInASquare) {
+// Samples are spread over the bounding rectangle; a thin region covers a small part of it.
+TEST_F(TwoColours, ThinRegionsGetAsManySamples) {
   // A strip from corner to corner of a red pixel, an eleventh of its area.
   const Square pixel{1.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
   const auto at = [&](float u, float v) {
@@ -237,7 +241,7 @@ TEST_F(TwoColours, AsManyCountInAThinRegionAsInASquare) {
   EXPECT_GT(all.cost, 128.0);
   EXPECT_LT(all.cost, 512.0);
   const auto even = sample({pixel, sides}, goal_of(1e-3, 256));
-  EXPECT_GT(even.cost, 8.0) << "a few that agree are no answer";
+  EXPECT_GT(even.cost, 8.0) << "a few equal samples are not enough";
   EXPECT_LT(even.cost, 32.0);
 }
 
@@ -267,7 +271,7 @@ TEST_F(TwoColours, AreTheSameTogetherAsAlone) {
   }
 }
 
-/// A floor whose normals swing from pixel to pixel, under a panel.
+/// A floor whose normals oscillate from pixel to pixel, under a panel.
 FlattenedScene swinging(float amplitude) {
   FlattenedScene scene;
   World& world = scene.world;
@@ -312,21 +316,21 @@ Picture picture_of(float amplitude, Method method) {
                         settings);
 }
 
-// What is split for its shading only has its shadows found once: a ray and light for each pixel.
+// Parts that were split for shading only share one shadow test: one ray per light and pixel.
 TEST(SharedShadows, PartsOfABumpyPixelTakeOneShadowRayTogether) {
   const Picture bumpy = picture_of(0.5f, Method::asos);
   const double pixels = 32.0 * 32.0;
   EXPECT_GT(static_cast<double>(bumpy.statistics.uneven_pixels), 0.25 * pixels);
   EXPECT_GT(static_cast<double>(bumpy.statistics.eye_rays), 2.0 * pixels);
   EXPECT_LE(static_cast<double>(bumpy.statistics.shadow_rays), pixels);
-  // And they are right: no farther from samples than what is let pass of a pixel at MAX 3.
+  // They are correct: within the tolerance of a pixel at MAX 3 of the sampled picture.
   const Picture sampled = picture_of(0.5f, Method::sobol);
   for (std::size_t i = 0; i < bumpy.film.radiance.size(); ++i)
     EXPECT_NEAR(bumpy.film.radiance[i].y, sampled.film.radiance[i].y, 1.0 / 256.0) << i;
 }
 
-// Two stages, the second by another sampler: within four times the goal, then within it.
-TEST_F(TwoColours, TwoStagesByAnySamplers) {
+// Two stages, the second by another sampler: within four times the goal, then within the goal.
+TEST_F(TwoColours, TwoStagesMatchAcrossSamplers) {
   const auto sampler = [&] {
     return std::make_unique<RegionSampler>(*scene_, *viewer_, settings_, PixelRect{0, 0, 8, 8},
                                            settings_.seed);

@@ -10,14 +10,14 @@
 #include <memory>
 #include <utility>
 
-// What samples make of colours that are finer than what they stand for.
+// Colours of samples on textures finer than a sample's footprint.
 
 namespace asos::test::sample_colours_test {
 namespace {
 
 constexpr int side = 24;
 
-/// A sheet of thin white lines on black, 8 texels apart, of which a pixel shows 21 texels.
+/// Thin white lines on black, 8 texels apart; a pixel covers 21 texels.
 std::shared_ptr<const RenderScene> lines() {
   World world;
   Material m = unlit(glm::vec3(1));
@@ -33,7 +33,7 @@ std::shared_ptr<const RenderScene> lines() {
   return unedited_scene(std::move(geometry), std::move(lighting));
 }
 
-/// The root of the mean squared difference between a pixel and the mean of as good as all samples.
+/// RMS difference between a pixel and the mean of practically all samples.
 double error_of(const RenderScene& scene, int spp) {
   RenderSettings settings;
   settings.width = settings.height = side;
@@ -52,8 +52,9 @@ double error_of(const RenderScene& scene, int spp) {
   return std::sqrt(sum / static_cast<double>(truth.radiance.size()));
 }
 
-// By half of the square it is 0.028 and 0.012, by three quarters 0.020 and 0.0083.
-TEST(SampleColours, AreAveragedOverMostOfWhatASampleStandsFor) {
+// With footprints of half the square the errors are 0.028 and 0.012, with three quarters 0.020 and
+// 0.0083.
+TEST(SampleColours, AverageOverMostOfTheFootprint) {
   const auto scene = lines();
   EXPECT_LT(error_of(*scene, 16), 0.024);
   EXPECT_LT(error_of(*scene, 64), 0.010);

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <cstddef>
 
-// What a mirror shows dimly is looked at by some samples only, which count for all.
+// Dim reflections are traced for some of the samples, with increased weight.
 
 namespace asos::test::sampled_reflections_test {
 namespace {
 
 constexpr float wall = 4.0f;
 
-/// A black mirror that reflects so much, looked at straight on, before a wall of even radiance
-/// behind the camera.
+/// A black mirror with this reflectance, seen at right angles, opposite a wall of constant
+/// radiance.
 Picture mirror_of(float reflected, int seed) {
   World world;
   Material metal = matte(glm::vec3(reflected));
@@ -33,9 +33,9 @@ Picture mirror_of(float reflected, int seed) {
 }
 
 struct Seen {
-  double rays = 0.0;   // of reflections, for each from the eye
+  double rays = 0.0;   // reflection rays per eye ray
   double mean = 0.0;   // radiance
-  double error = 0.0;  // of a pixel, root of the mean square
+  double error = 0.0;  // RMS error of a pixel
 };
 
 Seen seen_of(float reflected) {
@@ -63,12 +63,12 @@ TEST(SampledReflections, AreAllFollowedWhereTheyShow) {
 }
 
 TEST(SampledReflections, ThatAreDimAreFollowedBySomeSamplesForAll) {
-  // A quarter of the samples, for each counts by a 128th of white instead of a 32nd.
+  // A quarter of the samples: the reflection has 1/128 of white instead of 1/32.
   const Seen seen = seen_of(1.0f / 128.0f);
   EXPECT_NEAR(seen.rays, 0.25, 0.01);
   EXPECT_NEAR(seen.mean, static_cast<double>(wall) / 128.0,
               0.01 * static_cast<double>(wall) / 128.0);
-  // Independent choices would leave sqrt(3 / 64) of it; those of a sequence leave less.
+  // Independent selection would give sqrt(3 / 64) of it; a sequence gives less.
   EXPECT_LT(seen.error, std::sqrt(3.0 / 64.0) * static_cast<double>(wall) / 128.0);
   EXPECT_GT(seen.error, 0.0);
 }

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// Properties of surfaces without lighting, against the values that their materials have.
+// Unlit surface properties, against the values of the materials.
 
 namespace asos::test::surface_view_test {
 namespace {
@@ -21,7 +21,7 @@ Material painted() {
   return m;
 }
 
-/// A square from x = -1 to 0 that faces the camera, which sees -1 to 1.
+/// A square from x = -1 to 0 that faces the camera, whose view is -1 to 1.
 std::shared_ptr<const RenderScene> half(const Material& material) {
   World world;
   add_quad(world, {-1, -1, 0}, {1, 0, 0}, {0, 2, 0}, material);
@@ -75,7 +75,7 @@ TEST(SurfacePicture, CoversOnlyWhatSurfacesCover) {
   EXPECT_EQ(picture.film.radiance[2], glm::vec3(0.0f));
 }
 
-// The diagonal of the square, and its rim, are half a pixel wide on either side.
+// The diagonal and the border of the square are drawn half a pixel to either side.
 TEST(SurfacePicture, DrawsTheEdgesOfTriangles) {
   World world;
   add_quad(world, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, painted());
@@ -90,7 +90,7 @@ TEST(SurfacePicture, DrawsTheEdgesOfTriangles) {
   EXPECT_EQ(line(1, 5), 0.0f);
 }
 
-// Eight squares along each side of a texture, dark and bright in turn.
+// Eight squares along each side of a texture, alternately dark and bright.
 TEST(SurfacePicture, ShowsTextureCoordinatesAsACheckerboard) {
   World world;
   const Material m = painted();

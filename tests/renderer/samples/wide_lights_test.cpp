@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-// Highlights of lights that are wider than the lobe, by samples that look at several of their
-// places and directions and send one ray for all.
+// Highlights of lights wider than the lobe: samples evaluate several points and directions and send
+// one ray for all.
 
 namespace asos::test::wide_lights_test {
 namespace {
@@ -45,9 +45,9 @@ TEST(WideLights, HaveLittleNoise) {
   EXPECT_LT(e.rmse, 0.3);
 }
 
-// Each point keeps one of its nine rays, for a quarter of what all nine carry; and each is kept by
-// as many points as it deserves.
-TEST(OnePicked, CarriesAllAndComesFromEachByItsShare) {
+// Each point keeps one of its nine rays, for a quarter of the light of all nine. The number of
+// points that keep a ray is proportional to its light.
+TEST(OnePicked, KeepsTheTotalAndPicksInProportion) {
   constexpr std::size_t rays_a_point = 9, points = 128;
   const auto carried_by = [](std::size_t ray) { return static_cast<float>(ray % 5 + 1) / 6.0f; };
   std::vector<ShadowRayBatch> rays(rays_a_point);

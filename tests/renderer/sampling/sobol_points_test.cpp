@@ -33,8 +33,8 @@ std::vector<Point> points(const SobolPixel& pixel, std::uint32_t first, std::uin
   return all;
 }
 
-/// Whether 2^m points are a (t, m, s)-net in the dimensions named: every elementary interval of
-/// volume 2^(t-m) holds 2^t of them.
+/// Whether 2^m points are a (t, m, s)-net in the given dimensions: every elementary interval of
+/// volume 2^(t-m) contains 2^t of them.
 bool is_net(const std::vector<Point>& net, const std::vector<std::size_t>& dimensions, int t) {
   const int m = std::countr_zero(net.size());
   std::vector<int> halvings(dimensions.size(), 0);
@@ -62,7 +62,8 @@ bool is_net(const std::vector<Point>& net, const std::vector<std::size_t>& dimen
 }
 
 TEST(SobolBits, AreJoeAndKuosFirstPoints) {
-  // The first ten points in three dimensions that the authors' notes list, in Gray code's order.
+  // The first ten points in three dimensions from the authors' notes, in the order of the Gray
+  // code.
   constexpr double published[10][3] = {{0, 0, 0},
                                        {0.5, 0.5, 0.5},
                                        {0.75, 0.25, 0.25},
@@ -80,8 +81,8 @@ TEST(SobolBits, AreJoeAndKuosFirstPoints) {
   }
 }
 
-// Beyond the first byte of an index, too: each digit has a direction number of its own, by Sobol's
-// recurrence, of which those of an index's digits are added without carry.
+// Also beyond the first byte of an index: each digit has a direction number by Sobol's recurrence,
+// and those of an index's digits are combined by exclusive or.
 TEST(SobolBits, AreSumsOfDirectionNumbersWhateverTheIndex) {
   std::uint32_t m = 1;  // of the polynomial x + 1
   for (int k = 0; k < 32; ++k) {
@@ -107,15 +108,15 @@ TEST(OwenScramble, DependsOnTheDigitsBeforeAlone) {
     const auto a = static_cast<std::uint32_t>(random);
     const auto b = a ^ (static_cast<std::uint32_t>(random >> 32) >> (seed % 32));
     const std::uint64_t key = mix_bits(random);
-    // Two numbers part at the same digit after scrambling.
+    // The first digit in which two numbers differ stays the same after scrambling.
     EXPECT_EQ(std::countl_zero(owen_scramble(a, key) ^ owen_scramble(b, key)),
               std::countl_zero(a ^ b));
   }
 }
 
 TEST(OwenScramble, FlipsEveryDigitOfEveryBranchIndependently) {
-  // The flips at the 31 first nodes of the tree, over many seeds: each a fair coin, each pair of
-  // them two fair coins. Bounds are 5 standard deviations of 2^14 throws; there are 496 of them.
+  // The flips at the first 31 nodes of the tree, over many seeds: each is a fair coin, and each
+  // pair two fair coins. Allows 5 standard deviations of 2^14 throws; there are 496 of them.
   constexpr int throws = 1 << 14;
   std::vector<std::array<int, 31>> flips(throws);
   for (int i = 0; i < throws; ++i) {
@@ -179,14 +180,14 @@ TEST(SobolPixel, PixelAndLightTogetherAreNets) {
 }
 
 TEST(SobolPixel, IsNoNetOfBetterQuality) {
-  // The net test must be able to see that the light's pair is no net of quality zero, and that
-  // points that do not start at a multiple of their number are no net of the pixel's.
+  // The net test must detect that the light's pair is no net of quality zero, and that points are
+  // no net of the pixel's if they do not start at a multiple of their number.
   const SobolPixel pixel(1, 2, 3);
   EXPECT_FALSE(is_net(points(pixel, 0, 64), {2, 3}, 0));
   EXPECT_FALSE(is_net(points(pixel, 3, 64), {0, 1}, 0));
 }
 
-/// Every coordinate of one sample of many pixels: x, y, and two lights' u, v.
+/// All coordinates of one sample of many pixels: x, y, and u, v of two lights.
 std::vector<std::array<double, 6>> over_pixels(std::uint32_t index, std::uint32_t seed, int dx = 0,
                                                int dy = 0) {
   std::vector<std::array<double, 6>> all;
@@ -258,7 +259,7 @@ TEST(SobolPixel, IsAFunctionOfItsKeysAlone) {
   const SobolPixel again(3, 4, 5);
   EXPECT_EQ(again.pixel(1), early);
   EXPECT_EQ(again.light(9, 2), late);
-  // No two of a picture's pixels, of a few seeds, share their points.
+  // No two pixels of a picture, for a few seeds, have the same points.
   std::set<std::pair<double, double>> seen;
   for (int y = 0; y < 50; ++y) {
     for (int x = 0; x < 50; ++x) {
@@ -271,7 +272,7 @@ TEST(SobolPixel, IsAFunctionOfItsKeysAlone) {
   EXPECT_EQ(seen.size(), 10'000u);
 }
 
-/// Root mean square error, over pixels, of the mean of `n` values of an integrand.
+/// RMSE, over pixels, of the mean of `n` values of an integrand.
 template <typename Value>
 double rms_error(std::uint32_t n, double expected, Value value) {
   constexpr int pixels = 400;
@@ -305,7 +306,7 @@ TEST(SobolPixel, IntegratesSmoothFunctionsBetterThanStratifiedSamples) {
     return smooth((i % 16 + r.u) / 16.0, (i / 16 + r.v) / 16.0);
   };
   const double reference = rms_error(256, smooth_integral, stratified);
-  // The variance of stratified samples falls as N^-2 here, that of scrambled nets nearly as N^-3
+  // Here the variance falls as N^-2 for stratified samples, and nearly as N^-3 for scrambled nets
   // (Owen 1997, "Scrambled net variance for integrals of smooth functions").
   const auto rate = [](auto value) {
     return 2.0 *
@@ -320,14 +321,14 @@ TEST(SobolPixel, IntegratesSmoothFunctionsBetterThanStratifiedSamples) {
 }
 
 TEST(SobolPixel, StratifiesEveryLightTogetherWithThePixel) {
-  // x u + y v has an interaction of pixel and light, which samples of both that are stratified
-  // apart and paired at random leave at the rate of random samples.
+  // x u + y v couples pixel and light. Samples that are stratified separately and paired at random
+  // converge only at the random rate.
   for (const std::uint32_t light : {0u, 5u}) {
     const auto together = [light](const SobolPixel& pixel, int, std::uint32_t i) {
       const Point p = point(pixel, i, light);
       return p[0] * p[2] + p[1] * p[3];
     };
-    // An order that keeps 0 to 255 in place as a set.
+    // A permutation that maps the set 0 to 255 to itself.
     const auto paired_at_random = [light](const SobolPixel& pixel, int p, std::uint32_t i) {
       const std::uint64_t seed = mix_bits(static_cast<std::uint64_t>(p));
       const Point a = point(pixel, i, light);

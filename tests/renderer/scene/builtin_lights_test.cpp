@@ -27,8 +27,8 @@ std::vector<Light> lights_of(const Scene& scene, Light::Type type) {
   return found;
 }
 
-/// The illuminance in lux that a rectangle gives at `p` to a surface of unit `normal`, summed over
-/// small pieces of it by the inverse square and both cosines.
+/// Illuminance in lux of a rectangle at `p` on a surface with unit `normal`, summed over small
+/// pieces by the inverse square and both cosines.
 double illuminance(const Light& light, glm::dvec3 p, glm::dvec3 normal) {
   constexpr int n = 400;
   double sum = 0.0;
@@ -61,7 +61,7 @@ TEST(BuiltinLights, IlluminanceBeforeAPanelIsItsIntegral) {
     EXPECT_NEAR(illuminance(light, {1, 2, 5}, {0, 0, -1}) / builtin::illuminance_before(size, 2.0),
                 1.0, 1e-5);
   }
-  // An endless panel is half of all directions: pi lux a nit.
+  // An endless panel fills half of all directions: pi lux per cd/m².
   EXPECT_NEAR(builtin::illuminance_before(glm::dvec2(1e9), 1.0), 3.14159265358979, 1e-8);
 }
 
@@ -88,8 +88,8 @@ TEST(BuiltinLights, PanelsGiveTheSubjectTheLightOfASun) {
     const std::vector<Light> panels = lights_of(make(name), Light::Type::rectangle);
     ASSERT_EQ(panels.size(), 1u);
     const Light& panel = panels[0];
-    // All over the subject, which is within three metres of the middle: by the inverse square, that
-    // much of 120 metres changes the light by a twentieth.
+    // Everywhere on the subject, within three metres of the centre: by the inverse square, that
+    // fraction of 120 metres changes the light by a twentieth.
     for (const glm::dvec3 p : {glm::dvec3(0, 0.6, 0), glm::dvec3(2, 0, 0), glm::dvec3(-2, 2, 0)}) {
       EXPECT_NEAR(illuminance(panel, p, -panel.direction), 3.1, 3.1 / 20.0);
     }
@@ -119,7 +119,7 @@ TEST(BuiltinLights, OfficesPanelIsSeenAndHangsFreeOfWhatOneSees) {
     EXPECT_NEAR(hi.z - lo.z, 2.0 * glm::length(panels[0].half_v), 1e-5);
   }
   EXPECT_EQ(panel, 1);
-  // The sky's screen and the monitor's picture shine, too, and are no lights.
+  // The sky's screen and the monitor's picture are emissive, too, but no lights.
   EXPECT_EQ(shown, 3);
 }
 

@@ -26,7 +26,7 @@ struct PositionHash {
   }
 };
 
-/// For each vertex the first one at exactly the same position.
+/// For each vertex the first vertex at exactly the same position.
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
   std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, PositionHash> first_at;
   std::vector<std::uint32_t> welded;
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> weld(const Mesh& mesh) {
   return welded;
 }
 
-/// The reason why a mesh is not a closed, consistently wound surface; empty where it is one.
+/// The reason why a mesh is not a closed, consistently wound surface; empty: it is one.
 std::string why_not_closed(const Mesh& mesh) {
   const std::vector<std::uint32_t> welded = weld(mesh);
   std::unordered_map<std::uint64_t, int> directed;
@@ -72,7 +72,7 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-/// Every triangle must face the way its vertices' normals point.
+/// Every triangle must face in the direction of its vertices' normals.
 void expect_normals_agree(const Mesh& mesh) {
   ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
   for (const glm::vec3& n : mesh.normals) ASSERT_NEAR(glm::length(n), 1.0f, 1e-5f);
@@ -88,7 +88,7 @@ void expect_normals_agree(const Mesh& mesh) {
   }
 }
 
-/// Surfaces that are sheets by nature: grounds, the room seen from inside, panes and the disk.
+/// Open surfaces by design: grounds, the room seen from inside, panes and the disk.
 bool is_sheet(const std::string& scene, const std::string& mesh) {
   static const std::map<std::string, std::set<std::string>> sheets{
       {"office", {"floor", "ceiling", "walls", "sky", "lawn"}},
@@ -221,7 +221,7 @@ TEST_P(BuiltinSceneTest, EachCameraSeesGeometry) {
         }
       }
     }
-    // Most objects have to be in the picture, or it is not worth looking at.
+    // Most objects have to be visible in the picture.
     EXPECT_GE(2 * seen.size(), scene.meshes.size() - 1) << camera.name;
   }
 }
@@ -266,7 +266,7 @@ TEST(Shapes, SphereHasExactlySharedVerticesAndTheVolumeOfASphere) {
     EXPECT_EQ(why_not_closed(mesh), "");
     const double exact = 4.0 / 3.0 * 3.14159265358979 * 8.0;
     EXPECT_LT(volume(mesh), exact);
-    // The inscribed volume falls short by a share that shrinks like 1 / n^2.
+    // The inscribed volume is too small by a fraction that falls with 1 / n^2.
     EXPECT_NEAR(volume(mesh) / exact, 1.0, 1.6 / (n * n));
   }
 }
@@ -322,7 +322,7 @@ TEST(Shapes, BlobNormalsAreThoseOfTheSurface) {
   Mesh mesh;
   builtin::add_blob(mesh, {0, 0, 0}, {1.0f, 2.0f, 0.5f}, blob, 128);
   EXPECT_EQ(why_not_closed(mesh), "");
-  // Finely tessellated, so each face's own normal is close to the exact ones of its corners.
+  // Finely tessellated, so each face's normal is close to the exact normals of its corners.
   for (const glm::uvec3& t : mesh.triangles) {
     const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
     const glm::dvec3 face = glm::normalize(glm::cross(b - a, c - a));

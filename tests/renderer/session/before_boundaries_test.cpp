@@ -1,4 +1,4 @@
-// Renders of scenes whose boundaries are still looked for.
+// Renders of scenes whose edges are still being searched.
 
 #include "renderer/features/stoppable_loop.h"
 #include "renderer/session/film_render.h"
@@ -20,7 +20,7 @@ namespace {
 
 using test::Gate;
 
-/// Finds its boundaries once `gate` is open.
+/// A geometry that finds its edges once `gate` is open.
 std::shared_ptr<Geometry> held_geometry(Gate& gate) {
   auto geometry = test::make_geometry(test::still_life().world);
   geometry->boundaries.find([&gate, &world = geometry->world](const std::stop_token& stop) {
@@ -49,7 +49,7 @@ bool reaches(const RenderSession& session, Reached::Pass pass) {
   return session.reached().pass >= pass;
 }
 
-// Samples go on: 8 and more a pixel, where boundaries that are known would end them earlier.
+// Sampling continues: 8 and more samples per pixel, where known edges would end it earlier.
 TEST(BeforeBoundaries, SamplesComeAndNothingElse) {
   Gate gate;
   RenderSession session;
@@ -113,7 +113,7 @@ TEST(BeforeBoundaries, ARenderCanBeCancelledAndReplaced) {
   }
   ASSERT_TRUE(reaches(session, Reached::Pass::samples));
   session.restart(snapshot_of(test::make_geometry(test::still_life().world)));
-  EXPECT_TRUE(first.expired()) << "with the search for its boundaries";
+  EXPECT_TRUE(first.expired()) << "the search for edges still uses it";
   session.wait();
   EXPECT_TRUE(session.progress().finished);
 
@@ -122,7 +122,7 @@ TEST(BeforeBoundaries, ARenderCanBeCancelledAndReplaced) {
   EXPECT_FALSE(session.progress().finished);
   EXPECT_FALSE(session.progress().running);
   session.restart(snapshot_of(held_geometry(closed)));
-  // It ends here, whatever its workers do.
+  // The session is destroyed here, whatever its workers are doing.
 }
 
 TEST(BeforeBoundaries, WithoutThemTheRenderFails) {
@@ -134,7 +134,7 @@ TEST(BeforeBoundaries, WithoutThemTheRenderFails) {
   session.wait();
   EXPECT_TRUE(session.progress().failed);
   EXPECT_FALSE(session.progress().finished);
-  EXPECT_EQ(session.reached().pass, Reached::Pass::samples) << "what rays can tell is shown";
+  EXPECT_EQ(session.reached().pass, Reached::Pass::samples) << "the sampled picture is shown";
   EXPECT_FALSE(FilmRender().render(snapshot, {}, {}).has_value());
   EXPECT_FALSE(with_boundaries(snapshot.scene).has_value());
   EXPECT_EQ(notes_of(*snapshot.scene).warnings.size(), 1u);

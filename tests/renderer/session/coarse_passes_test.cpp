@@ -10,11 +10,11 @@
 namespace asos::test::coarse_passes_test {
 namespace {
 
-// Whole numbers of quarters of blocks, but not of blocks.
+// Multiples of quarters of blocks, but not of blocks.
 constexpr int width = 44;
 constexpr int height = 28;
 
-/// What the picture shows after each pass: of blocks, of their quarters, of pixels.
+/// The pictures after each pass: of blocks, of their quarters, of pixels.
 std::array<Film, 3> passes(const Snapshot& snapshot) {
   RenderSession session;
   session.restart(snapshot);
@@ -31,7 +31,7 @@ std::array<Film, 3> passes(const Snapshot& snapshot) {
   return shown;
 }
 
-/// Whether each square of this side, counted from the picture's corner, is of one colour.
+/// Whether each square of this side, counted from the picture's corner, has a single colour.
 bool flat_in_squares(const Film& film, int side) {
   bool flat = true;
   for (int y = 0; y < height; ++y)
@@ -47,7 +47,7 @@ TEST(CoarsePasses, EachHasAQuarterOfThePixelsForASample) {
   snapshot.camera = first_camera(snapshot.scene->world(), double{width} / height);
   snapshot.settings.width = width;
   snapshot.settings.height = height;
-  snapshot.settings.shadow.cast = false;  // which the pixels decide how to sample
+  snapshot.settings.shadow.cast = false;  // which would make sampling depend on the pixels
   snapshot.settings.threads = 1;          // passes follow each other
   const auto [blocks, quarters, centres] = passes(snapshot);
   EXPECT_TRUE(flat_in_squares(blocks, 8));
@@ -61,8 +61,8 @@ TEST(CoarsePasses, EachHasAQuarterOfThePixelsForASample) {
   one_sample.settings.sampling.spp = 1;
   EXPECT_EQ(centres.radiance, render_to_end(one_sample).film.radiance);
   one_sample.settings.method = Method::uniform;  // through pixels' centres
-  // A quarter has what its middle shows, which is a pixel's centre in a picture of fewer, but for
-  // places that are counted in pixels.
+  // A quarter has the colour at its centre, which is a pixel's centre in a smaller picture, except
+  // for positions that are rounded in pixels.
   one_sample.settings.width = width / 4;
   one_sample.settings.height = height / 4;
   const Film small = render_to_end(one_sample).film;

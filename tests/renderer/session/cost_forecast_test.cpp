@@ -23,8 +23,8 @@ double sum_of(const std::vector<double>& costs) {
   return std::accumulate(costs.begin(), costs.end(), 0.0);
 }
 
-/// The worst factor, above 1, by which estimates of all the work were off from a tenth of it on,
-/// and those of what was left; the last tenth counts as a tenth.
+/// The worst factors, at least 1, of estimates from a tenth of the work on: of the total time, and
+/// of the remaining time. The last tenth counts as a tenth.
 struct Worst {
   double of_all = 1.0;
   double of_rest = 1.0;
@@ -52,14 +52,13 @@ TEST(CostForecast, TellsARenderWithoutPassesFromATenthOn) {
       worst.look(forecast, sum_of(costs));
     }
     EXPECT_LT(worst.of_all, 1.5) << recorded.scene;
-    // A picture of 1280x720 has sixteen times the blocks: there it was 1.1 to 1.3.
+    // A picture of 1280x720 has sixteen times the blocks, and factors of 1.1 to 1.3.
     EXPECT_LT(worst.of_rest, 1.6) << recorded.scene;
     EXPECT_NEAR(*forecast.seconds_left(), 0.0, 1e-4);
   }
 }
 
-// A few blocks are tried in both passes first. What is known beforehand is wrong by a factor of
-// two.
+// A few blocks are rendered in both passes first. The prior is wrong by a factor of two.
 TEST(CostForecast, TellsARenderInPassesFromATenthOn) {
   const WorkPlan plan = plan_of_recorded();
   for (const RecordedCosts& recorded : recorded_costs) {
@@ -87,8 +86,8 @@ TEST(CostForecast, TellsARenderInPassesFromATenthOn) {
   }
 }
 
-/// The share of the moments from a tenth of the work on at which what is left is forecast within a
-/// factor 1.5. Blocks come in the order of `values`, largest first, but for every fourth.
+/// Fraction of the time, from a tenth of the work on, at which the forecast of the remaining time
+/// is within a factor of 1.5. Blocks come in descending order of `values`, except for every fourth.
 double share_within(const RecordedCosts& recorded, const std::vector<double>& values, bool alike) {
   const std::vector<double> low = seconds_of(recorded.at_max_1);
   const std::vector<double> high = seconds_of(recorded.at_max_3);
@@ -117,7 +116,7 @@ double share_within(const RecordedCosts& recorded, const std::vector<double>& va
   return static_cast<double>(within) / moments;
 }
 
-// Blocks that take most in the second pass come first in it.
+// The blocks with the highest cost in the second pass come first in it.
 TEST(CostForecast, ForecastsAPassThatTakesItsDearestBlocksFirst) {
   double all_with = 0.0, all_without = 0.0;
   for (const RecordedCosts& recorded : recorded_costs) {
@@ -137,7 +136,7 @@ TEST(CostForecast, ForecastsAPassThatTakesItsDearestBlocksFirst) {
   EXPECT_GT(all_with, all_without + 0.1 * std::size(recorded_costs));
 }
 
-// Blocks that end in a pass cost nothing in the next. They are no evidence for the others.
+// Blocks that end in a pass cost nothing in the next one. They must not count for the others.
 TEST(CostForecast, IgnoresBlocksThatEndedInThePassBefore) {
   CostForecast forecast(8, {1.0});
   for (std::size_t i = 0; i < 4; ++i) {
@@ -145,9 +144,10 @@ TEST(CostForecast, IgnoresBlocksThatEndedInThePassBefore) {
     forecast.add(1, i, i == 0 ? 3.0 : 0.0);
   }
   for (std::size_t i = 4; i < 6; ++i) forecast.add(0, i, 1.0);
-  // One block took three times its first cost; the prior counts as four blocks at once that cost.
+  // One block took three times its first cost; the prior counts as four blocks with their first
+  // cost.
   const double ratio = (3.0 + 4.0) / (1.0 + 4.0);
-  // Two blocks wait for the second pass, and two more for both; half of all go on.
+  // Two blocks wait for the second pass, and two more for both; half of all continue.
   EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 2.0 + 2.0 * ratio + 2.0 * 0.5 * ratio);
 }
 
@@ -161,12 +161,12 @@ TEST(CostForecast, KnowsNothingBeforeABlockIsDone) {
 TEST(CostForecast, TakesThePassBeforeForAGuide) {
   CostForecast forecast(4, {5.0});
   for (std::size_t i = 0; i < 4; ++i) forecast.add(0, i, 1.0 + static_cast<double>(i));
-  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 50.0) << "by what is known beforehand";
-  // A block that takes three times what it took: half way between the two ratios, or nearly.
+  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 50.0) << "from the prior alone";
+  // A block with a ratio of three: the result is about halfway between the two ratios.
   forecast.add(1, 3, 12.0);
   const double ratio = (12.0 + 5.0 * 10.0) / (4.0 + 10.0);
   EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 6.0 * ratio);
-  // A block that comes again is work that is done, and not another block.
+  // A block that returns is finished work, not another block.
   forecast.add(1, 3, 12.0);
   EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 6.0 * ratio);
   EXPECT_DOUBLE_EQ(forecast.seconds_done(), 34.0);
@@ -177,7 +177,7 @@ TEST(CostForecast, PassesThatAreLeftOutCostNothing) {
   for (const std::size_t block : {0, 1}) forecast.add(0, block, 1.0);
   EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 4.0 + 12.0);
   forecast.leave_out(1);
-  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 12.0) << "the last pass is as dear as before";
+  EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 12.0) << "the last pass costs as much as before";
 }
 
 TEST(CostForecast, BlocksThatCostNothingHarmNothing) {
@@ -200,7 +200,7 @@ TEST(WorkPlan, SpreadOrdersHoldEachBlockOnce) {
       EXPECT_EQ(order, all);
     }
   }
-  // The first tenth of a thousand leaves no gap of more than twice its even share.
+  // The first tenth of a thousand leaves no gap larger than twice the even spacing.
   std::vector<std::size_t> first = spread_order(1000);
   first.resize(100);
   std::sort(first.begin(), first.end());

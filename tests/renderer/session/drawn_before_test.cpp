@@ -14,13 +14,12 @@
 #include <thread>
 #include <vector>
 
-// What a thread keeps from one block to the next, so as not to ask for its memory again, is of no
-// meaning: what it drew before does not show.
+// Buffers that a thread reuses between blocks must not carry anything over from earlier pictures.
 
 namespace asos::test {
 namespace {
 
-/// Every lobe that a material can have, on all that is not glass.
+/// Adds every lobe to all materials that are not glass.
 void add_lobes(std::vector<Material>& materials) {
   for (Material& m : materials) {
     if (m.transmission > 0.0f) continue;
@@ -70,14 +69,14 @@ RenderResult drawn_here(const Subject& subject) {
   return result;
 }
 
-TEST(DrawnBefore, ShowsInNoPicture) {
+TEST(DrawnBefore, LeavesNoTraceInLaterPictures) {
   std::vector<Subject> subjects;
   for (const char* name : {"boxes", "workshop", "office-metal", "glass", "neon"})
     add_subject(subjects, name);
   if (!sanitized)
     for (const char* name : {"house-textured", "foliage", "primitives-ball", "primitives-linear"})
       add_subject(subjects, name);
-  std::vector<Subject> dirty;  // what leaves the most behind
+  std::vector<Subject> dirty;  // those that leave the most data behind
   for (const char* name : {"mixed", "office"}) add_subject(dirty, name, true);
   ASSERT_FALSE(HasFatalFailure());
 

@@ -6,8 +6,8 @@
 
 namespace asos::test {
 
-/// What the 920 blocks of a picture of 320x180 pixels took in a pass at MAX 1 and at MAX 3, as
-/// measured, in the order of its WorkPlan: a letter a block, ten for each power of ten, '#' for 10
+/// Measured costs of the 920 blocks of a picture of 320x180 pixels in passes at MAX 1 and at MAX 3,
+/// in the order of its WorkPlan. One letter per block, ten letters per power of ten; '#' is 10
 /// microseconds.
 struct RecordedCosts {
   const char* scene;

@@ -36,7 +36,7 @@ Snapshot snapshot_of(Method method, int width, int height, int threads) {
   return snapshot;
 }
 
-/// A picture that is one flat colour wherever the camera looks.
+/// A scene whose picture is one flat colour from any camera.
 std::shared_ptr<const RenderScene> flat_scene(float grey) {
   World world;
   test::add_quad(world, {-100, -100, 0}, {200, 0, 0}, {0, 200, 0}, test::unlit(glm::vec3(grey)));
@@ -50,11 +50,11 @@ TEST(WorkerCount, UsesAllCoresAndLeavesOneToAWindowWhereThereAreMoreThanTwo) {
   EXPECT_EQ(worker_count_on(3, 0, true), 2);
   EXPECT_EQ(worker_count_on(16, 0, true), 15);
   EXPECT_EQ(worker_count_on(16, 5, true), 5);
-  // Where the machine does not tell.
+  // For machines that do not report it.
   EXPECT_EQ(worker_count_on(0, 0, false), 1);
 }
 
-// A window's frames would else wait for their turn on a busy processor.
+// Otherwise a window's frames would wait for their turn on a busy processor.
 TEST(RenderSession, WorkersBesideAWindowHaveALowerPriority) {
   const int own = getpriority(PRIO_PROCESS, 0);
   constexpr int lowest = 19;
@@ -68,7 +68,7 @@ TEST(RenderSession, WorkersBesideAWindowHaveALowerPriority) {
     session.wait();
     EXPECT_EQ(of_worker, beside_window ? std::min(lowest, own + 5) : own);
   }
-  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), own) << "of the caller";
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), own) << "the caller's priority stays";
 }
 
 RenderSettings plan_settings(int width, int height, PixelRect crop = {}) {
@@ -100,7 +100,7 @@ TEST(WorkPlan, ACropTakesTheBlocksThatItTouchesFromTheMiddle) {
   const WorkPlan plan(plan_settings(100, 100, {7, 9, 2, 60}));
   ASSERT_EQ(plan.blocks.size(), 2u * 8u);
   const PixelRect first = plan.groups.front().rect;
-  EXPECT_EQ(first.y, 32);  // holds the crop's middle, y = 39
+  EXPECT_EQ(first.y, 32);  // contains the crop's centre, y = 39
   const WorkPlan clipped(plan_settings(12, 12, {9, 9, 1, 1}));
   ASSERT_EQ(clipped.blocks.size(), 1u);
   EXPECT_EQ(clipped.blocks[0].rect, (PixelRect{8, 8, 4, 4}));
@@ -137,7 +137,7 @@ TEST(RenderSession, PassesFollowEachOtherAndEndAsHeadless) {
     film.put(tile);
     if (tile.rect.x <= 50 && 50 < tile.rect.x + tile.rect.width && tile.rect.y <= 35 &&
         35 < tile.rect.y + tile.rect.height) {
-      // The coarse tile comes first and is flat in each of its blocks.
+      // The coarse tile comes first and is constant within each of its blocks.
       if (middle++ == 0) {
         EXPECT_EQ(tile.radiance[0], tile.radiance[1]);
       }
@@ -163,7 +163,7 @@ TEST(RenderSession, APauseHoldsTheFinalPassAndTheClock) {
   std::int64_t pixels = 0;
   while (pixels < 100 * 70) {
     for (const FinishedTile& tile : session.take_finished()) {
-      EXPECT_TRUE(tile.coarse) << "only coarse passes go on";
+      EXPECT_TRUE(tile.coarse) << "only coarse passes continue";
       film.put(tile);
       pixels += static_cast<std::int64_t>(tile.rect.width) * tile.rect.height;
     }
@@ -242,8 +242,8 @@ TEST(RenderSession, RestartsAThousandTimes) {
   EXPECT_GT(calls, 0);
 }
 
-// A worker asks between its samples whether to stop: what is spent until it does, in processor
-// time, since a busy machine stretches all others, is a small part of what a block would take.
+// Workers check between samples whether to stop. The CPU time until they do is a small part of a
+// block's. (CPU time, because other load stretches wall-clock times.)
 TEST(RenderSession, CancelKeepsWhatWasPublishedAndIsQuick) {
   Snapshot block = snapshot_of(Method::stochastic, 320, 184, 1);
   block.settings.crop = {160, 96, block_size, block_size};
@@ -295,8 +295,8 @@ TEST(RenderSession, CamerasThatAreNotFiniteDoNotHang) {
   for (const glm::vec3& c : result.film.radiance) EXPECT_TRUE(std::isfinite(c.r));
 }
 
-// With even work the truth is known at every moment, whatever else the machine does: what was spent
-// is to what is left as the work done to the rest.
+// With uniform work the truth is known at every time, independently of other load: elapsed and
+// remaining time are proportional to finished and remaining work.
 TEST(RenderSession, EstimateOfTheTimeLeftIsHonest) {
   Snapshot snapshot = snapshot_of(Method::stochastic, 512, 512, 2);
   snapshot.scene = flat_scene(0.5f);
@@ -305,14 +305,14 @@ TEST(RenderSession, EstimateOfTheTimeLeftIsHonest) {
   snapshot.progressive = false;
   RenderSession session;
   session.restart(snapshot);
-  std::vector<double> estimates;  // of the end, over what the work that is done tells
+  std::vector<double> estimates;  // estimated total time relative to the extrapolated one
   while (!session.progress().finished) {
     const double share_before = session.reached().final_share;
     const Progress p = session.progress();
     const double share_after = session.reached().final_share;
     if (p.seconds_left > 0.0 && p.fraction > 0.1 && p.fraction < 0.9) {
       estimates.push_back((p.seconds + p.seconds_left) * p.fraction / p.seconds);
-      // Groups of blocks are published when all of them are done.
+      // Groups of blocks are published once all of them are finished.
       EXPECT_GT(p.fraction, share_before - 0.05);
       EXPECT_LT(p.fraction, share_after + 0.15);
     }

@@ -1,4 +1,4 @@
-// The rounds of samples that pictures begin with, and the blocks that follow them.
+// The passes of samples that pictures begin with, and the blocks that follow them.
 
 #include "renderer/comparison/method.h"
 #include "renderer/scene/builtin.h"
@@ -62,7 +62,7 @@ TEST(Rounds, EndAsADirectRenderDoes) {
   for (const Method method : {Method::asos, Method::sobol, Method::uniform, Method::stochastic,
                               Method::whitted, Method::mitchell}) {
     for (const int threads : {1, 3}) {
-      if (sanitized && threads == 1) continue;  // minutes, and nothing to watch
+      if (sanitized && threads == 1) continue;  // it would take minutes
       Snapshot snapshot = fence(threads, method);
       snapshot.settings.sampling.spp = 9;
       snapshot.settings.asos.max_level = 2;
@@ -93,8 +93,8 @@ TEST(Rounds, EndAsADirectRenderDoesBehindATransparentBackground) {
   }
 }
 
-// The first round of all methods is one Sobol sample a pixel, but of those with places of their
-// own.
+// The first pass of most methods is one Sobol sample per pixel; some methods have their own
+// samples.
 TEST(Rounds, BeginWithOneSampleAPixel) {
   const Snapshot snapshot = fence(1);
   Film shown(width, height);
@@ -111,15 +111,15 @@ TEST(Rounds, BeginWithOneSampleAPixel) {
   EXPECT_EQ(shown.radiance, render_to_end(sobol).film.radiance);
 }
 
-// Of each group, one worker shows all pictures from the first on: blocks, their quarters, 1, 2, 4
-// samples and so on. Of many workers, a late one may leave out a picture, or take more rounds. So
-// what many show of a group are pictures of one worker in its order, and then only later ones.
+// For each group one worker shows all pictures in order: blocks, their quarters, 1, 2, 4 samples
+// and so on. With several workers, a late one may skip a picture or take more passes. The pictures
+// of several workers are then a subsequence of one worker's, possibly followed by later ones.
 TEST(Rounds, ShowTheSameWhateverTheThreads) {
   using Pictures = std::vector<std::vector<glm::vec3>>;
   const auto shown = [](int threads) {
     std::map<std::tuple<int, int, int>, Pictures> pictures;
     for (FinishedTile& tile : shown_of(fence(threads)).tiles) {
-      if (tile.rect.width <= block_size) continue;  // a block that was tried, or later
+      if (tile.rect.width <= block_size) continue;  // a block of the trial, or later
       pictures[{tile.rect.x, tile.rect.y, tile.rect.width}].push_back(std::move(tile.radiance));
     }
     return pictures;
@@ -140,7 +140,7 @@ TEST(Rounds, ShowTheSameWhateverTheThreads) {
         after_all = true;
         continue;
       }
-      EXPECT_FALSE(after_all) << "a picture that one worker does not show";
+      EXPECT_FALSE(after_all) << "one worker shows no such picture";
       at = next + 1;
       ++same;
     }
@@ -176,7 +176,7 @@ TEST(SampleRounds, DoubleUntilThePictureHasItsSamples) {
   EXPECT_EQ(first.rounds().back(), 1024);
 }
 
-// A method that ends with its samples needs none of a group once this is final, nor do blocks.
+// The sums of a group are freed once it is final or its blocks no longer need them.
 TEST(SampleRounds, FreeTheirSumsOnceNobodyNeedsThem) {
   Snapshot snapshot = fence(1, Method::sobol);
   snapshot.settings.sampling.spp = 4;
@@ -199,7 +199,7 @@ TEST(SampleRounds, FreeTheirSumsOnceNobodyNeedsThem) {
   }
 }
 
-// Edges move from round to round, and what is flat does not.
+// Edges change from pass to pass; flat areas do not.
 TEST(SampleRounds, TellWhichBlocksMove) {
   const PlannedRender render(fence(1));
   TileCollector tiles(render.plan, {});
@@ -212,7 +212,7 @@ TEST(SampleRounds, TellWhichBlocksMove) {
   EXPECT_GT(samples.seconds_up_to(1), samples.seconds_up_to(0));
   const std::vector<double> moved = samples.moved(render.plan);
   ASSERT_EQ(moved.size(), render.plan.blocks.size());
-  // Against the picture that they come closer to.
+  // Against the picture that they converge to.
   const Film best = render_to_end(fence(1)).film;
   Film shown(width, height);
   for (const FinishedTile& tile : tiles.take_finished()) shown.put(tile);
@@ -225,7 +225,7 @@ TEST(SampleRounds, TellWhichBlocksMove) {
         off[i] += static_cast<double>(glm::dot(error, error));
       }
   }
-  // The half of the blocks that moved most has most of the error.
+  // The half of the blocks that changed most has most of the error.
   std::vector<std::size_t> order(moved.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
@@ -264,7 +264,7 @@ TEST(FinalBlocks, ThoseOfTheLargestGainComeFirst) {
         });
     return found - render.plan.blocks.begin();
   };
-  // All but every fourth, which is one of those spread over the picture.
+  // Without every fourth block, which is one of those spread over the picture.
   std::vector<std::ptrdiff_t> by_gain, spread;
   for (std::size_t i = 0; i < rest.size(); ++i)
     (i % 4 == 3 ? spread : by_gain).push_back(number(rest[i]));
@@ -272,8 +272,7 @@ TEST(FinalBlocks, ThoseOfTheLargestGainComeFirst) {
   EXPECT_FALSE(std::is_sorted(spread.rbegin(), spread.rend()));
 }
 
-// A few blocks that are spread over the picture tell the time of all, and they are tried no longer
-// than is worth it.
+// A few blocks spread over the picture predict the total time, within a limited trial time.
 TEST(FinalBlocks, ATrialTellsTheTimeOfAll) {
   const PlannedRender render(fence(1));
   const auto expected = [&](double enough) {
@@ -300,7 +299,7 @@ TEST(FinalBlocks, ATrialTellsTheTimeOfAll) {
   EXPECT_GT(all_told, 0.0);
 }
 
-// Unlit surfaces are shown as they are from the first stage on.
+// Unlit surfaces have their final colour from the first stage on.
 TEST(FinalBlocks, OfAnUnlitSurfaceComeInTwoStages) {
   World world = still_life().world;
   world.materials[world.parts.front().material].unlit = true;

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-// A picture is a function of scene, camera and settings: whatever the number of workers, the order
-// of the blocks and the part that is asked for, it is the same to the bit.
+// A picture depends only on scene, camera and settings. It is the same, bit by bit, for any number
+// of workers, order of blocks and crop.
 
 namespace asos::test {
 namespace {
@@ -24,10 +24,10 @@ struct Choice {
   RenderSettings settings;
 };
 
-/// Each method, and each way that ASOS can be told to go.
+/// Each method, and each variant of ASOS.
 std::vector<Choice> choices() {
   RenderSettings base;
-  base.width = 90;  // the last blocks are clipped, of all sizes
+  base.width = 90;  // so that the last blocks are clipped to all sizes
   base.height = 54;
   base.sampling.spp = 4;
   base.asos.max_level = 2;
@@ -68,7 +68,7 @@ std::vector<Choice> choices() {
     s.asos.jitter = true;
   });
   if (!sanitized) return all;
-  // A fifth of them: what threads share does not depend on it.
+  // A fifth of them: the data shared between threads does not depend on the settings.
   std::vector<Choice> some;
   for (std::size_t i = 0; i < all.size(); i += 5) some.push_back(all[i]);
   return some;

@@ -65,7 +65,7 @@ TEST(StripRender, GivesThePictureOfOnePieceBitForBit) {
   }
 }
 
-// In stages or rounds as in one piece.
+// The same in stages or passes as in one piece.
 TEST(StripRender, TellsTheUnlitPartOfPixels) {
   for (const Method method : {Method::asos, Method::sobol}) {
     Snapshot snapshot = still_life_of(method);
@@ -84,7 +84,7 @@ TEST(StripRender, TellsTheUnlitPartOfPixels) {
     EXPECT_GT(share(1.0f, 1.0f), 100) << "it fills pixels";
     EXPECT_GT(share(0.01f, 0.99f), 10) << "it shares pixels";
     EXPECT_GT(share(0.0f, 0.0f), 100) << "lit surfaces fill pixels";
-    RenderSession session;  // as a window does, with coarse passes first
+    RenderSession session;  // like a window, with coarse passes first
     session.restart(snapshot);
     session.wait();
     Film shown(83, 131);

@@ -9,7 +9,7 @@
 namespace asos::tile_collector_test {
 namespace {
 
-// Two groups beside each other, of 16 blocks each, without the picture's left column and top row.
+// Two adjacent groups of 16 blocks each, without the picture's left column and top row.
 RenderSettings two_groups() {
   RenderSettings settings;
   settings.width = 64;
@@ -18,7 +18,7 @@ RenderSettings two_groups() {
   return settings;
 }
 
-/// A block whose pixels tell their place in the picture.
+/// A block whose pixels encode their place in the picture.
 BlockResult block_at(const PixelRect& rect) {
   BlockResult result;
   result.tile.rect = rect;
@@ -44,7 +44,7 @@ TEST(TileCollector, PublishesWhatIsVisibleOfABlock) {
   TileCollector collector(plan, [&] { ++calls; });
   for (std::size_t b = 16; b-- > 0;)
     EXPECT_FALSE(collector.finish_block(b, block_at(plan.blocks[b].rect)));
-  EXPECT_EQ(calls, 1) << "the others wait with the first";
+  EXPECT_EQ(calls, 1) << "the others wait for the first";
   const std::vector<FinishedTile> tiles = collector.take_finished();
   ASSERT_EQ(tiles.size(), 16u);
   for (std::size_t b = 0; b < 16; ++b) {
@@ -99,7 +99,7 @@ TEST(TileCollector, DropsPassesThatCameTooLate) {
   EXPECT_EQ(publish(pass_of_samples(4)), 0u);
 }
 
-// A block that is final, or was started, stays so: samples come for the others of its group.
+// A block that is final, or was started, is kept: samples replace only the others of its group.
 TEST(TileCollector, KeepsWhatIsFinalOfAGroup) {
   const WorkPlan plan(two_groups());
   TileCollector collector(plan, {});

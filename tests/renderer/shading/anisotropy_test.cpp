@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-// KHR_materials_anisotropy in what shading makes of a material, against the extension's formulas.
+// KHR_materials_anisotropy in shading, against the extension's formulas.
 
 namespace asos::test::anisotropy_test {
 namespace {
@@ -35,14 +35,14 @@ Reflector white(Reflector r) {
   return r;
 }
 
-TEST(Anisotropy, OfALightIsTheExtensionsFormula) {
+TEST(Anisotropy, MatchesTheExtensionsFormula) {
   for (const Reflector& reflector : reflectors()) {
     SCOPED_TRACE(reflector.anisotropy);
     expect_formula_under_suns(reflector, angles);
   }
 }
 
-// White furnace: the sky's samples return the integral of the formula, and never more than 1.
+// White furnace: the sky's samples give the integral of the formula, at most 1.
 TEST(Anisotropy, UnderASkyOfRadianceOneReturnsItsAlbedo) {
   const Sky white(glm::vec3(1.0f));
   for (const Reflector& reflector : reflectors()) {
@@ -135,7 +135,7 @@ TEST(Anisotropy, SumsOverLightsWithASizeAreTheirIntegrals) {
   }
 }
 
-/// What is seen of a floor that is drawn out along x or z, of a light that is mirrored beside.
+/// Radiance of a floor with a lobe stretched along x or z, for a light reflected off to one side.
 double seen_of(const Material& material, glm::vec3 to_viewer, glm::dvec3 to_light) {
   Light sun;
   sun.type = Light::Type::directional;
@@ -156,7 +156,7 @@ TEST(Anisotropy, IsTurnedByItsRotationAndItsTexture) {
   EXPECT_GT(seen_of(m, up, beside_z), 5.0 * seen_of(m, up, beside_x)) << "against v";
   m.anisotropy.rotation_rad = 0.7853982f;
   EXPECT_GT(seen_of(m, up, {0.4, 1, 0.4}), 5.0 * seen_of(m, up, {0.4, 1, -0.4})) << "between";
-  // Red and green say the same as 45 degrees, and blue half of the strength.
+  // Red and green encode 45 degrees, as before, and blue half of the strength.
   const SurfaceAnisotropy by_texel = anisotropy_of(m.anisotropy, {1.0f, 1.0f, 0.5f});
   EXPECT_NEAR(by_texel.direction.x, 0.0f, 1e-6f);
   EXPECT_NEAR(by_texel.direction.y, 1.0f, 1e-6f);
@@ -209,8 +209,8 @@ TEST(Anisotropy, TurnsAsTheMeshesTangentsDo) {
   EXPECT_EQ(tangent_turn(world, hit, patch, {0, 1, 0}), glm::vec2(0.0f));
 }
 
-// Where neither tangents nor coordinates tell a direction, lobes are round.
-TEST(Anisotropy, WithoutADirectionIsNone) {
+// Without tangents and coordinates there is no direction, and lobes are isotropic.
+TEST(Anisotropy, IsOffWithoutADirection) {
   World world;
   Material m = matte(glm::vec3(0.5f));
   m.anisotropy.strength = 0.5f;

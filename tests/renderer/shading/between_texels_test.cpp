@@ -10,13 +10,13 @@
 #include <optional>
 #include <random>
 
-// What is no mean of texels: unit normals, and colours that alpha shows, against look-ups all over
-// a patch.
+// Filtered values that are not means of texels, unit normals and colours weighted by alpha, against
+// lookups at many points of a patch.
 
 namespace asos::test::between_texels_test {
 namespace {
 
-/// What is seen of n x n places all over a patch, and their mean alpha.
+/// Mean visible colour of n x n points of a patch, and their mean alpha.
 glm::dvec4 mean_of_seen(const Textured& t, std::optional<float> cutoff, glm::vec2 middle,
                         glm::vec2 a, glm::vec2 b, int n) {
   glm::dvec3 sum(0.0);
@@ -33,7 +33,7 @@ glm::dvec4 mean_of_seen(const Textured& t, std::optional<float> cutoff, glm::vec
   return {sum / seen, alpha / (n * n)};
 }
 
-TEST(BetweenTexels, ColoursThatAlphaBlendsOrCutsCountByWhatIsSeenOfThem) {
+TEST(BetweenTexels, ColoursAreWeightedByAlpha) {
   const Image columns = make_image(64, 64, [](int x, int) {
     constexpr Texel red{255, 0, 0, 255}, green{0, 255, 0, 102}, blue{0, 0, 255, 0};
     return x / 8 % 4 == 1 ? green : x / 8 % 4 == 2 ? blue : red;
@@ -43,8 +43,8 @@ TEST(BetweenTexels, ColoursThatAlphaBlendsOrCutsCountByWhatIsSeenOfThem) {
     return filtered_texture(t.world, t.mips, t.use, {kind, cutoff},
                             {0, 0.31f, 0.4f, {{0.5f, 0.0f}, {0.0f, height}}});
   };
-  // What is so long is the mean of texels, and so are coarser levels: along outlines these do not
-  // know what lies between texels. Where it is less, see the next test.
+  // At this length the filter uses means of texels or coarser levels, which do not interpolate
+  // along outlines. Shorter patches: see the next test.
   constexpr float allowed = 0.03f;
   const auto expect = [&](glm::vec4 got, glm::vec4 truth, const char* what) {
     for (int k = 0; k < 4; ++k) EXPECT_NEAR(got[k], truth[k], allowed) << what << " " << k;
@@ -65,9 +65,9 @@ TEST(BetweenTexels, ColoursThatAlphaBlendsOrCutsCountByWhatIsSeenOfThem) {
   }
 }
 
-// White labels on black that does not cover: along their outlines the one's colour goes with the
-// other's alpha, as it does where a point is looked up.
-TEST(BetweenTexels, WhatIsSeenIsWhatLookupsAllOverThePatchSee) {
+// White labels on transparent black: along their outlines, interpolated colour and alpha vary
+// together, as in a point lookup.
+TEST(BetweenTexels, VisibleColourMatchesLookups) {
   const Image labels = make_image(128, 128, [](int x, int y) {
     const bool label = x % 32 < 13 && y % 32 < 13;
     const std::uint8_t c = label ? 255 : 0;
@@ -94,7 +94,7 @@ TEST(BetweenTexels, WhatIsSeenIsWhatLookupsAllOverThePatchSee) {
   }
 }
 
-/// The mean of the unit normals at n x n places all over a patch.
+/// Mean of the unit normals at n x n points of a patch.
 glm::dvec3 mean_of_normals(const Textured& t, glm::vec2 middle, glm::vec2 a, glm::vec2 b, int n) {
   glm::dvec3 sum(0.0);
   for (int k = 0; k < n * n; ++k) {
@@ -106,8 +106,8 @@ glm::dvec3 mean_of_normals(const Textured& t, glm::vec2 middle, glm::vec2 a, glm
   return sum / static_cast<double>(n * n);
 }
 
-TEST(BetweenTexels, NormalsAreThoseOfLookupsAllOverThePatchAndWhatTheyLackIsVariance) {
-  // Ridges tilted to either side by 30 degrees; bumps without order; and a dome over all of it.
+TEST(BetweenTexels, MeanNormalsMatchLookupsAndGiveVariance) {
+  // Ridges tilted to either side by 30 degrees; random bumps; and a dome over the whole map.
   std::mt19937 rng(7);
   std::uniform_int_distribution<int> any(64, 191);
   const auto byte = [](float x) {
@@ -129,7 +129,7 @@ TEST(BetweenTexels, NormalsAreThoseOfLookupsAllOverThePatchAndWhatTheyLackIsVari
       })};
   for (const Image& map : maps) {
     const Textured t(map);
-    // Up to a point's, within four texels, and as coarser levels have it.
+    // A single point, up to four texels, and coarser levels.
     for (const float texels : {0.3f, 0.6f, 1.0f, 2.5f, 3.9f, 5.0f, 9.0f, 24.0f}) {
       const glm::vec2 a = texels / 64.0f * glm::vec2(0.8f, 0.6f);
       const glm::vec2 b = texels / 64.0f * glm::vec2(-0.6f, 0.8f);

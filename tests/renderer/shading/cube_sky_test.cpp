@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-// The sides of a cube (EXT_lights_image_based) as a sky: where each is, which way up, how bright.
+// A cube map (EXT_lights_image_based) as a sky: place, orientation and radiance of its sides.
 
 namespace asos::cube_sky_test {
 namespace {
@@ -55,10 +55,10 @@ TEST(CubeSky, SidesAreTowardsTheirAxes) {
   }
 }
 
-// As a camera in the middle that looks at a side sees it: its right and upper halves.
+// The right and upper halves of each side, as seen by a camera at the centre.
 TEST(CubeSky, SidesAreTheRightWayUp) {
-  // To the right and up of each side, by a camera with +Y up; above and below, by one that has
-  // tilted back or forward from looking along +Z.
+  // The right and up vectors of each side, for a camera with +Y up; for the upper and lower side,
+  // for one that was tilted from looking along +Z.
   constexpr std::array<glm::vec3, 6> right{glm::vec3(0, 0, 1), {0, 0, -1}, {-1, 0, 0},
                                            {-1, 0, 0},         {-1, 0, 0}, {1, 0, 0}};
   for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -82,7 +82,7 @@ TEST(CubeSky, SidesAreTheRightWayUp) {
 TEST(CubeSky, IsTurnedByItsRotation) {
   Surroundings cube = grey_cube(0);
   cube.sides[0] = side_of([](int, int) { return Texel{255, 255, 255, 255}; });
-  // +X of the cube to +Y of the world.
+  // The cube's +X becomes the world's +Y.
   cube.world_from_cube = {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
   const Sky sky = sky_of(cube);
   EXPECT_NEAR(sky.radiance({0, 1, 0}).x, 1.0f, 1e-5f);
@@ -100,8 +100,8 @@ TEST(CubeSky, ColoursAreDividedByAlpha) {
   EXPECT_EQ(sky_of(cube).radiance({0, 0, 1}), glm::vec3(0.0f));
 }
 
-// One grey all over: what a surface gets of it, and what it sees.
-TEST(CubeSky, OfOneColourIsThatSky) {
+// A uniform grey: its irradiance and its radiance.
+TEST(CubeSky, UniformCubeIsAUniformSky) {
   const float grey = srgb_byte_to_linear(128);
   const Sky sky = sky_of(grey_cube(128));
   for (const glm::vec3 d : {glm::vec3(0.6f, 0.8f, 0.0f), glm::vec3(0.0f, -0.28f, 0.96f)}) {

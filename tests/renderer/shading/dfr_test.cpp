@@ -24,7 +24,7 @@ TEST(Dfr, WidensPyraysAsThePapersTable) {
 }
 
 TEST(Dfr, FollowsThePapersFigureOverTheIncidenceAngle) {
-  // CGF'98, figure 7: every ten degrees from 0 to 90, from the text's formula by other code.
+  // CGF'98, figure 7: every ten degrees from 0 to 90, from the text's formula by independent code.
   struct Curve {
     double exponent;
     double increase[10];
@@ -62,7 +62,7 @@ TEST(Dfr, HasDefinedLimits) {
   EXPECT_EQ(dfr_at({0.0, 0.0, 1.0}, 0.3), least_dfr);
   EXPECT_EQ(dfr_at({0.9, 0.1, 1.0}, 1.0), 0.9) << "may fall with the angle";
   EXPECT_EQ(dfr_at({0.9, 0.1, 1.0}, 0.0), 0.1);
-  EXPECT_EQ(dfr_at({0.2, 0.7, 0.0}, 1.0), 0.7) << "sin^0 is 1, that of 0 too";
+  EXPECT_EQ(dfr_at({0.2, 0.7, 0.0}, 1.0), 0.7) << "sin^0 is 1, also for an angle of 0";
   EXPECT_EQ(dfr_at({0.2, 0.7, 0.0}, 0.4), 0.7);
   EXPECT_EQ(dfr_at({0.2, 0.7, 1e4}, 0.1), 0.2);
   EXPECT_EQ(dfr_at({0.2, 0.7, 1e4}, 0.0), 0.7);
@@ -87,15 +87,17 @@ TEST(Dfr, IsPerturbedByPlaceAlone) {
   for (int i = 0; i < places; ++i) {
     const glm::vec3 place(0.25f * static_cast<float>(i), -0.0f, 1.5f);
     const auto at = dfr_at(dfr, 0.5, place_bits(place));
-    EXPECT_EQ(at, dfr_at(dfr, 0.5, place_bits({place.x, 0.0f, place.z}))) << "of one place";
+    EXPECT_EQ(at, dfr_at(dfr, 0.5, place_bits({place.x, 0.0f, place.z}))) << "the same place";
     const double factor = at[0] / dfr_at(dfr.rgb[0], 0.5);
-    EXPECT_NEAR(at[1], factor * dfr_at(dfr.rgb[1], 0.5), 1e-12) << "colours go together";
+    EXPECT_NEAR(at[1], factor * dfr_at(dfr.rgb[1], 0.5), 1e-12)
+        << "all colours are perturbed alike";
     EXPECT_LE(at[2], 1.0);
     sum += factor;
     least = std::min(least, factor);
     most = std::max(most, factor);
   }
-  // Five standard deviations of the mean of uniform numbers; the extremes of so many are near.
+  // Five standard deviations of the mean of uniform numbers. With so many points the extremes are
+  // close.
   EXPECT_NEAR(sum / places, 1.0, 5.0 * 0.3 / std::sqrt(3.0 * places));
   EXPECT_GE(least, 0.7);
   EXPECT_LT(least, 0.71);
@@ -109,8 +111,8 @@ TEST(Dfr, WithoutPerturbationIsTheCurves) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(at[k], dfr_at(dfr.rgb[k], 0.5));
 }
 
-/// The tangent, from the mirrored direction, within which half of the light lies that a GGX
-/// surface seen square on reflects of a parallel beam.
+/// Tangent of the angle to the mirrored direction that contains half of the light of a parallel
+/// beam, for a GGX surface at normal incidence.
 double median_tangent(float roughness) {
   constexpr int steps = 200000;
   const auto energy = [&](double angle) {
@@ -133,7 +135,7 @@ double median_tangent(float roughness) {
 
 TEST(LobeWidth, HoldsHalfOfTheLightWhereAGgxLobeDoes) {
   for (float roughness : {0.1f, 0.2f, 0.3f}) {
-    // The disk of the square's area has this radius, and half of its light within 1 / sqrt(2).
+    // The disk of the square's area has this radius; half of its light is within 1 / sqrt(2) of it.
     const double radius = lobe_width(static_cast<double>(roughness)) / std::sqrt(std::numbers::pi);
     EXPECT_NEAR(radius / std::sqrt(2.0) / median_tangent(roughness), 1.0, 0.02) << roughness;
   }

@@ -8,12 +8,12 @@
 #include <complex>
 #include <numbers>
 
-// KHR_materials_iridescence: a thin film's reflection against Airy's sum, wavelength by wavelength.
+// KHR_materials_iridescence: reflectance of a thin film, against Airy's sum per wavelength.
 
 namespace asos {
 namespace {
 
-/// The eye's sensitivities, CIE 1931 (Wyman, Sloan and Shirley 2013), by wavelength in nm.
+/// Colour matching functions, CIE 1931 (Wyman, Sloan and Shirley 2013), by wavelength in nm.
 glm::dvec3 sensitivities(double nm) {
   const auto lobe = [nm](double middle, double before, double after) {
     const double t = (nm - middle) / (nm < middle ? before : after);
@@ -29,8 +29,8 @@ double schlick(double f0, double cosine) {
   return f0 + (1.0 - f0) * std::pow(1.0 - cosine, 5.0);
 }
 
-/// The same as the extension has them ("Iridescence", evalSensitivity): Gaussians by wave number.
-/// Their transforms have the exponent -variance * phase^2, so that `variance` is half of theirs.
+/// The extension's functions ("Iridescence", evalSensitivity): Gaussians of the wave number. Their
+/// transforms have the exponent -variance * phase^2, so `variance` is half of theirs.
 glm::dvec3 gaussian_sensitivities(double nm) {
   const auto lobe = [nm](double value, double position, double variance) {
     const double off = 1e9 / nm - position;
@@ -44,8 +44,9 @@ struct FilmCase {
   double ior = 1.3, base_f0 = 0.04, nm = 120.0, cosine = 1.0;
 };
 
-/// What a film over a grey base reflects: all rounds within it, each wavelength by itself. The mean
-/// over wavelengths is white, as the extension has it, and what differs from it is seen by the eye.
+/// Reflectance of a film over a grey base: sums all internal reflections per wavelength. The mean
+/// over wavelengths is white, as in the extension; the deviation from it is weighted by the colour
+/// matching functions.
 template <typename Sensitivities>
 glm::dvec3 airy(const FilmCase& film, Sensitivities eye, double white_per_step) {
   const double root = std::sqrt(film.base_f0), base_ior = (1.0 + root) / (1.0 - root);
@@ -57,14 +58,14 @@ glm::dvec3 airy(const FilmCase& film, Sensitivities eye, double white_per_step) 
   const auto reflectance = [&](double nm) {
     const double phase = 2.0 * std::numbers::pi * 2.0 * ior * film.nm * inner / nm;
     const std::complex<double> round = r23 * std::polar(1.0, phase);
-    // The denser side turns the phase: -r12 outside, r12 inside.
+    // The denser side reverses the phase: -r12 outside, r12 inside.
     return std::norm((-r12 + round) / (1.0 - r12 * round));
   };
   const double r2 = r12 * r12, s2 = r23 * r23;
   const double mean = r2 + (1.0 - r2) * (1.0 - r2) * s2 / (1.0 - r2 * s2);
   glm::dvec3 xyz(0.0), all(0.0);
   for (double nm = 250.0; nm < 1100.0; nm += 1.0) {
-    // Per wave number, where the eye is told so.
+    // Per wave number, if the functions are defined that way.
     const double step = white_per_step > 0.0 ? 1e9 / (nm * nm) : 1.0;
     xyz += step * (reflectance(nm) - mean) * eye(nm);
     all += step * eye(nm);
@@ -95,19 +96,19 @@ void expect_all(Expected expected_of, double allowed) {
   }
 }
 
-// To the extension's own eye: what is left is that two rounds stand for all.
+// Against the extension's functions; the difference comes from approximating the sum by two terms.
 TEST(Film, ReflectsByAirysSumToTheExtensionsEye) {
   expect_all([](const FilmCase& film) { return airy(film, gaussian_sensitivities, 1.0685e-7); },
              1e-2);
 }
 
-// To the eye of CIE 1931: what is left is that the extension's is four Gaussians.
+// Against CIE 1931; the difference comes from the extension's four Gaussians.
 TEST(Film, ReflectsByAirysSum) {
   expect_all([](const FilmCase& film) { return airy(film, sensitivities, 0.0); }, 0.04);
 }
 
-// Farther from upright Schlick's term mirrors something even between air and air.
-TEST(Film, ThatIsNotThereIsTheBase) {
+// At larger angles Schlick's term reflects something even between air and air.
+TEST(Film, WithZeroThicknessIsTheBase) {
   for (const float cosine : {1.0f, 0.95f}) {
     const glm::vec3 found = film_fresnel({1.0f, 1.8f, 0.0f}, {0.04f, 0.5f, 0.9f}, cosine);
     const glm::vec3 expected(schlick(0.04, cosine), schlick(0.5, cosine), schlick(0.9, cosine));
@@ -115,7 +116,7 @@ TEST(Film, ThatIsNotThereIsTheBase) {
   }
 }
 
-// However it is seen, what film and base return of light from all around is no more than all.
+// From any direction, film and base together reflect at most all light.
 TEST(Film, NeverReturnsMoreThanItGets) {
   SurfaceMaterial m;
   m.base_color = glm::vec3(1.0f);
@@ -138,7 +139,7 @@ TEST(Film, NeverReturnsMoreThanItGets) {
   }
 }
 
-TEST(Film, OfNoFactorChangesNoBit) {
+TEST(Film, WithZeroFactorChangesNoBit) {
   SurfaceMaterial m;
   m.base_color = {0.8f, 0.3f, 0.1f};
   m.roughness = 0.4f;

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-// Whole pictures through the shader: one sample a pixel beside what many point samples converge to.
+// Whole pictures through the shader: one sample per pixel against the limit of many point samples.
 
 namespace asos {
 namespace {
@@ -26,7 +26,7 @@ class Picture {
         rays_(RayScene::build(world_, alpha_at).value()) {}
   Picture(const Picture&) = delete;
 
-  /// Root mean square error of one sample a pixel against n x n point samples a pixel.
+  /// RMSE of one sample per pixel against n x n point samples per pixel.
   [[nodiscard]] double error(float side, int n) const {
     const ShadingSettings settings{
         .shadows = false, .mips = &mips_, .spacing = PixelSpacing::of(view_)};
@@ -87,7 +87,7 @@ TEST(FilteredPicture, ATexturedPlaneToTheHorizonHasNoMoire) {
 }
 
 TEST(FilteredPicture, HighlightsOnSmallShinyThingsDoNotSparkle) {
-  // Balls of two pixels, whose highlights are far narrower than a pixel.
+  // Spheres of two pixels, whose highlights are far narrower than a pixel.
   World world;
   Material m = test::matte(glm::vec3(0.8f));
   m.metallic = 1.0f;

@@ -35,8 +35,8 @@ Patch patch_at(const View& view, const Plane& plane, double x, double y, float s
 }
 
 TEST(Footprint, FollowsTheRaysOfNeighbouringPixels) {
-  // Central differences over half a pixel each way err by the third derivative; a pixel is 1/500 of
-  // the distance here, so by some 1e-6 of a step, and rounding of hits by some 1e-4 of it.
+  // Central differences over half a pixel have an error of the third derivative. A pixel is 1/500
+  // of the distance here: about 1e-6 of a step, plus about 1e-4 for the rounding of hits.
   for (const Camera& camera :
        {test::look_at({0, 0.5, 1}, {0, 0, -4}, 0.8), test::orthographic(3.0)}) {
     const View view(camera, 640, 480);
@@ -65,7 +65,7 @@ TEST(Footprint, IsBoundedWhereAPlaneIsSeenEdgeOn) {
     const Plane edge_on{{0, 0, 0}, glm::normalize(glm::vec3(1, 0, tilt))};
     const Patch patch =
         patch_on_plane(PixelSpacing::of(view), {0, 0, -1}, 10.0f, edge_on.normal, 1.0f);
-    // The longest allowed: the pixel over the bound's cosine, and the pixel's own width.
+    // The maximum length: the pixel divided by the limit's cosine, and the pixel's own width.
     EXPECT_NEAR(glm::length(patch.right), 0.01f * std::hypot(1.0f, 1.0f / steepest_patch), 1e-4f);
     EXPECT_NEAR(glm::length(patch.down), 0.01f, 1e-6f);
   }

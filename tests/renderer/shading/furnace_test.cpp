@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-// White furnaces: what materials send to a viewer under a sky of radiance 1, which is never more
-// than they get. Those of coats and sheen are in layers_test.cpp, of anisotropy in
-// anisotropy_test.cpp, of thin walls in passage_test.cpp, of volumes in asos/glass_volume_test.cpp.
+// White furnaces: the radiance of materials under a sky of radiance 1, which is at most 1. Coats
+// and sheen are in layers_test.cpp, anisotropy in anisotropy_test.cpp, thin walls in
+// passage_test.cpp, volumes in asos/glass_volume_test.cpp.
 
 namespace asos::test::furnace_test {
 namespace {
@@ -20,8 +20,8 @@ glm::vec3 seen_of(const Material& material, double angle) {
   return SeenFloor(material).look(angle, white, sky_samples);
 }
 
-// KHR_materials_iridescence: the lobe's integral times the film's Fresnel term for the viewer, and
-// below it what that leaves of a dielectric.
+// KHR_materials_iridescence: the lobe's integral times the film's Fresnel term for the view
+// direction, plus the dielectric below with the remaining light.
 TEST(Furnace, OfFilmsIsTheLobeTimesTheirFresnelTerm) {
   for (const double metallic : {0.0, 1.0}) {
     for (const float thickness : {150.0f, 400.0f, 800.0f}) {
@@ -50,8 +50,8 @@ TEST(Furnace, OfFilmsIsTheLobeTimesTheirFresnelTerm) {
   }
 }
 
-// KHR_materials_diffuse_transmission: a share of the diffuse part is the other side's light, which
-// under a sky that is white all around is as bright, in its own colour.
+// KHR_materials_diffuse_transmission: a fraction of the diffuse part comes from the other side.
+// Under a uniform white sky it is as bright, in its own colour.
 TEST(Furnace, OfDiffuseTransmissionIsThatOfAnOpaqueSurface) {
   for (const double share : {0.25, 1.0}) {
     const Reflector r{{0.8, 0.4, 0.2}, 0.0, 0.6};
@@ -72,8 +72,8 @@ TEST(Furnace, OfDiffuseTransmissionIsThatOfAnOpaqueSurface) {
   }
 }
 
-// Appendix B: mix(dielectric, metal, metallic), of which KHR_materials_transmission changes the
-// first. A sky of one radiance is reflected at once, and not by samples.
+// Appendix B: mix(dielectric, metal, metallic); KHR_materials_transmission changes the first. A
+// uniform sky is reflected in closed form, without samples.
 TEST(Furnace, OfHalfMetalsIsTheMixOfBoth) {
   const Sky white(glm::vec3(1.0f));
   const auto seen = [&](double metallic, double roughness, float transmission, double angle) {

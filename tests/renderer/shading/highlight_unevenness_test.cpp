@@ -16,8 +16,8 @@ SurfacePoint flat_point() {
   return point;
 }
 
-/// A patch of a perfect mirror around the origin, of unit side, seen at this angle to the normal by
-/// parallel rays.
+/// A patch of a perfect mirror at the origin with unit sides, seen by parallel rays at this angle
+/// to the normal.
 GlossyPatch mirror(const SurfacePoint& point, double angle) {
   const glm::vec3 to_viewer(static_cast<float>(std::sin(angle)), 0.0f,
                             static_cast<float>(std::cos(angle)));
@@ -29,8 +29,8 @@ double schlick(double angle) {
   return 0.04 + 0.96 * std::pow(1.0 - std::cos(angle), 5.0);
 }
 
-/// Schlick's term on average over normals that turn so far in the plane of view, less that in the
-/// middle.
+/// Mean of Schlick's term over normals within `turn` in the plane of view, minus that at the
+/// centre.
 double mean_less_middle(double angle, double turn) {
   constexpr int n = 10000;
   double sum = 0.0;
@@ -50,7 +50,7 @@ TEST(ReflectanceError, IsWhatSchlicksTermIsOffOverTurningNormals) {
           << angle << ' ' << turn;
     }
   }
-  EXPECT_GT(mean_less_middle(1.35, 0.2), 1.0 / 256.0) << "more than EPS lets pass";
+  EXPECT_GT(mean_less_middle(1.35, 0.2), 1.0 / 256.0) << "more than EPS";
 }
 
 TEST(ReflectanceError, OfAPixelIsNone) {

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <vector>
 
-// KHR_materials_clearcoat and KHR_materials_sheen in what shading makes of a material, against the
-// extensions' formulas.
+// KHR_materials_clearcoat and KHR_materials_sheen in shading, against the extensions' formulas.
 
 namespace asos::test::layers_test {
 namespace {
@@ -37,8 +36,8 @@ TEST(Layers, OfALightAreTheExtensionsFormulas) {
   }
 }
 
-// The base itself may return more than it gets at grazing angles (brdf.h): layers are compared with
-// the same integral.
+// The base alone may reflect more than it receives at grazing angles (brdf.h): layers are compared
+// with the same integral.
 TEST(Layers, UnderASkyOfRadianceOneReturnTheirAlbedo) {
   const Sky white(glm::vec3(1.0f));
   for (const Reflector& reflector : reflectors()) {
@@ -56,7 +55,7 @@ TEST(Layers, UnderASkyOfRadianceOneReturnTheirAlbedo) {
   }
 }
 
-// In the ambient light no layer makes light, whatever lies below it and however it is seen.
+// In ambient light no layer adds light, for any base and view direction.
 TEST(Layers, NeverReturnMoreThanTheyGet) {
   const Sky white(glm::vec3(1.0f));
   for (const double roughness : {0.0, 0.1, 0.2, 0.5, 1.0}) {
@@ -88,7 +87,7 @@ TEST(Layers, HideWhatShinesBelowThem) {
   }
 }
 
-// The coat's normals are its own; without a map of its own they are the surface's.
+// The coat has its own normals; without a map these are the surface's.
 TEST(Layers, CoatsHaveTheirOwnNormals) {
   const auto tilted = [](World& world) {
     return add_texture(world,

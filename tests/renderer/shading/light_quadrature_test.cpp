@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// What surfaces make of lights against a finer quadrature of other code in double precision.
+// Light reflected by surfaces, against a finer, independent quadrature in double precision.
 
 namespace asos::test::light_quadrature_test {
 namespace {
@@ -25,7 +25,7 @@ glm::dvec3 direction(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-/// A light of a kind in a direction from the origin.
+/// A light of this kind in a direction from the origin.
 PreparedLight light_at(const std::string& kind, glm::dvec3 towards, double distance, double size) {
   Light light;
   light.color = glm::vec3(1.0f);
@@ -71,7 +71,7 @@ struct Errors {
   [[nodiscard]] double worst_share() const { return worst * count / values; }
 };
 
-/// f0 1 alone, a grey dielectric, of one roughness and angle.
+/// f0 1 alone and a grey dielectric, for one roughness and angle.
 void add_errors(const std::string& kind, double roughness, double theta, Errors& metal,
                 Errors& dielectric, int& cells) {
   const glm::dvec3 up(0, 0, 1);
@@ -100,7 +100,7 @@ void add_errors(const std::string& kind, double roughness, double theta, Errors&
   }
 }
 
-// One light in all places: on average, and at worst, over the mean.
+// One light in all places: mean and worst errors, relative to the mean.
 TEST(LightQuadrature, AgreesWithAFinerOne) {
   for (const char* kind : kinds) {
     for (const double roughness : roughnesses) {
@@ -118,7 +118,7 @@ TEST(LightQuadrature, AgreesWithAFinerOne) {
   }
 }
 
-// A round light that is small beside the lobe is one cell, and summed up as well.
+// A round light that is small relative to the lobe needs one cell for the same accuracy.
 TEST(LightQuadrature, ASmallRoundLightIsOneCell) {
   const glm::dvec3 up(0, 0, 1);
   const Receiver receiver{glm::dvec3(0.0), up, up};
@@ -139,8 +139,8 @@ TEST(LightQuadrature, ASmallRoundLightIsOneCell) {
   }
 }
 
-// Closed forms: a cone's solid angle, and the projected one of a disk seen square on.
-TEST(LightQuadrature, ACellOfQuartersIsAllOfALight) {
+// Closed forms: the solid angle of a cone, and the projected one of a disk at normal incidence.
+TEST(LightQuadrature, QuartersOfACellSumToTheLight) {
   std::vector<LightPatch> patches;
   const Receiver receiver{glm::dvec3(0.0), {0, 0, 1}, {0, 0, 1}};
   const PreparedLight sun = light_at("sun", direction(0.0, 0.0), 10.0, 1.0);
@@ -171,7 +171,7 @@ TEST(LightQuadrature, ACellOfQuartersIsAllOfALight) {
   EXPECT_NEAR(form, std::numbers::pi / 101.0, 1e-5 * std::numbers::pi / 101.0);
 }
 
-// At grazing angles narrow lobes are bent, and cut by the horizon.
+// At grazing angles narrow lobes are distorted, and cut by the horizon.
 TEST(LightQuadrature, AgreesLessWellAtGrazingAngles) {
   for (const char* kind : kinds) {
     for (const double roughness : roughnesses) {
@@ -184,8 +184,8 @@ TEST(LightQuadrature, AgreesLessWellAtGrazingAngles) {
   }
 }
 
-// A line is summed up from where it rises over the horizon: that of the shading normal, or the
-// surface's own.
+// A line light is integrated from the point where it crosses the horizon of the shading or the
+// geometric normal.
 TEST(LightQuadrature, ALineThatSetsEndsAtTheHorizon) {
   const glm::dvec3 up(0, 0, 1);
   for (const double tilt : {0.3, 1.0, -0.7}) {
@@ -229,7 +229,7 @@ TEST(LightQuadrature, WithinABallLightComesFromEverywhere) {
     double expected = sum(flat_patch(n - x + y, 2.0 * x, -2.0 * y)).x;
     for (const auto& [side, along] : {std::pair{x, -y}, {-x, y}, {y, x}, {-y, -x}})
       expected += sum(flat_patch(side - along, 2.0 * along, n)).x;
-    // A narrow lobe at a grazing view is flatter than the cells: 0.7 % were measured.
+    // At grazing views a narrow lobe is flatter than the cells: 0.7 % was measured.
     const bool grazing = glm::dot(n, v) < 0.2 && roughness < 0.3;
     EXPECT_NEAR(found.lobe, expected, (grazing ? 1e-2 : 1e-3) * expected) << roughness;
   }
@@ -244,7 +244,7 @@ TEST(LightQuadrature, DoesNotDependOnUnits) {
     EXPECT_GT(one.lobe, 0.0);
     for (const double unit : {1e-6, 1e6}) {
       const ReflectedIntegral other = quadrature(light_at(kind, towards, unit * 2.0, unit * 0.6));
-      // What a metre of a line gives goes with the distance.
+      // The contribution of a metre of a line scales with the distance.
       const double scale = std::string(kind) == "line" ? unit : 1.0;
       EXPECT_NEAR(other.lobe * scale, one.lobe, 1e-5 * one.lobe) << kind;
       EXPECT_NEAR(other.scattered * scale, one.scattered, 1e-5 * one.scattered) << kind;

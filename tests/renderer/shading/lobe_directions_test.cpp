@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t samples = 1 << 14;
 constexpr int rings = 700;
 
-/// A surface whose normal is z, seen at an angle from it in a plane that x and y share.
+/// A surface with normal z, seen at an angle in an oblique vertical plane.
 struct Seen {
   Seen(double angle, float roughness)
       : to_viewer(0.8 * std::sin(angle), 0.6 * std::sin(angle), std::cos(angle)) {
@@ -32,7 +32,7 @@ struct Seen {
   glm::dvec3 to_viewer;
 };
 
-/// The mean of what the lobe returns of something by the light's direction.
+/// Mean over the lobe of a function of the light's direction.
 template <typename Function>
 glm::dvec3 mean(const LobeDirections& lobe, const Function& radiance) {
   const SobolPixel places(3, 5, 7);
@@ -43,7 +43,7 @@ glm::dvec3 mean(const LobeDirections& lobe, const Function& radiance) {
   return sum / static_cast<double>(samples);
 }
 
-/// Surroundings that tell any direction from its neighbours.
+/// Surroundings that differ in all directions.
 double surroundings(glm::dvec3 l) {
   return 0.5 + 0.3 * std::sin(7.0 * l.x) + 0.2 * std::cos(5.0 * l.y);
 }
@@ -134,7 +134,7 @@ TEST(LobeDirections, GoThroughThinWallsAsTheyAreMirrored) {
     const auto mirrored = lobe.mirrored(places.lobe(i, 0));
     const auto through = lobe.refracted(places.lobe(i, 0), 1.0f);
     ASSERT_TRUE(through);
-    EXPECT_LT(through->z, 0.0f) << "none is lost";
+    EXPECT_LT(through->z, 0.0f) << "no direction is lost";
     if (!mirrored) continue;
     ++above;
     EXPECT_LT(glm::distance(*through, mirrored->unit * glm::vec3(1, 1, -1)), 1e-6f);
@@ -142,8 +142,8 @@ TEST(LobeDirections, GoThroughThinWallsAsTheyAreMirrored) {
   EXPECT_GT(above, 56);
 }
 
-// A map may turn the normal from the viewer; what the lobe mirrors is above the surface all the
-// same.
+// A normal map may tilt the normal away from the viewer; the reflected direction is above the
+// surface all the same.
 TEST(MirroringNormal, MirrorsAboveTheSurface) {
   SurfacePoint point;
   point.geometric_normal = {0, 1, 0};

@@ -11,8 +11,8 @@
 namespace asos::lobe_norms_test {
 namespace {
 
-/// Over directions to the light in equal steps of the polar angle and around the normal, by
-/// brdf.h's own lobe: another measure than the table's, which goes over normals.
+/// Integrates brdf.h's lobe over directions to the light, in equal steps of the polar angle and the
+/// azimuth. The table integrates over normals instead.
 LobeNorms by_directions(float n_dot_v, float roughness) {
   constexpr int polar = 600;
   constexpr int around = 300;
@@ -23,7 +23,7 @@ LobeNorms by_directions(float n_dot_v, float roughness) {
     const double z = std::cos(angle);
     for (int k = 0; k < around; ++k) {
       const double x = std::sin(angle) * std::cos(std::numbers::pi * (k + 0.5) / around);
-      // Half of the sum of both directions is v.h long.
+      // Half of the sum of both directions has the length v.h.
       const double v_dot_h = std::sqrt(0.5 * (1.0 + x * sine + z * static_cast<double>(n_dot_v)));
       const auto n_dot_h = static_cast<float>(0.5 * (z + static_cast<double>(n_dot_v)) / v_dot_h);
       const BrdfAngles angles{static_cast<float>(z), n_dot_v, n_dot_h, static_cast<float>(v_dot_h)};
@@ -66,7 +66,7 @@ TEST(LobeNorms, OutsideOfTheirRangeAreThoseOfItsEndsAndNeverHideWhatIsNoNumber) 
   EXPECT_TRUE(std::isnan(lobe_norms(0.5f, none).fresnel));
 }
 
-// Energy: no lobe returns more than it gets.
+// Energy conservation: no lobe reflects more than it receives.
 TEST(LobeNorms, NeverExceedOne) {
   for (int c = 0; c <= 100; ++c) {
     for (int r = 0; r <= 100; ++r) {

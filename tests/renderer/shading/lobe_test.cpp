@@ -22,7 +22,7 @@ BrdfAngles angles_of(glm::vec3 n, glm::vec3 h, glm::vec3 l, glm::vec3 v) {
   return {glm::dot(n, l), glm::dot(n, v), glm::dot(n, h), glm::dot(v, h)};
 }
 
-/// D alone: seen and lit along the normal, shadowing is 1 / 4.
+/// D alone: seen and lit along the normal, the shadowing term is 1/4.
 float distribution(const PatchLobe& lobe, glm::vec3 n, glm::vec3 half) {
   BrdfAngles angles;
   angles.n_dot_l = angles.n_dot_v = 1.0f;
@@ -49,7 +49,8 @@ TEST(PatchLobe, MeetsTheMaterialsLobeAsTheSpreadVanishes) {
   const glm::vec3 h = glm::normalize(l + v);
   for (const float roughness : {0.05f, 0.3f, 0.8f}) {
     const float alpha = std::max(roughness, roughness_floor) * std::max(roughness, roughness_floor);
-    // Just above what is left out, a thousandth of alpha^2: no jump of more than some thousandths.
+    // Just above the limit of a thousandth of alpha^2 for ignored spreads: the jump is at most a
+    // few thousandths.
     const float d = std::sqrt(1.1e-3f * 12.0f) * alpha;
     const PatchLobe lobe({d * glm::normalize(glm::cross(n, l)), {}, 0.0f}, roughness, n);
     ASSERT_TRUE(lobe.wider());
@@ -59,7 +60,7 @@ TEST(PatchLobe, MeetsTheMaterialsLobeAsTheSpreadVanishes) {
 }
 
 TEST(PatchLobe, KeepsItsEnergy) {
-  // The projected area of all microfacets is 1, however wide the lobe (Walter et al. 2007, eq. 4).
+  // The projected area of all microfacets is 1 for any roughness (Walter et al. 2007, eq. 4).
   const glm::vec3 n(0, 0, 1);
   for (const NormalSpread& spread : {NormalSpread{{0.3f, 0, 0}, {0, 0.05f, 0}, 0.0f},
                                      NormalSpread{{0.2f, 0.2f, 0}, {0, 0.1f, 0}, 0.02f},
@@ -89,9 +90,9 @@ TEST(PatchLobe, KeepsItsEnergy) {
   }
 }
 
-// A patch whose normals turn by up to the lobe's width: the mean of the material's lobe over the
-// box of slopes, by quadrature, for half vectors from the middle to four widths away. The patch's
-// lobe comes nearer to it at its worst than the lobe in the middle alone does.
+// A patch whose normals vary by up to the lobe's width. The reference is the mean of the material's
+// lobe over the box of slopes, by quadrature, for half vectors from the centre to four widths away.
+// The patch's lobe has a smaller maximum error than the lobe at the centre.
 TEST(PatchLobe, IsNearerToTheMeanOverABoxOfNormalsThanTheMiddlesLobe) {
   const glm::vec3 n(0, 0, 1);
   const float roughness = 0.2f;
@@ -122,8 +123,8 @@ TEST(PatchLobe, IsNearerToTheMeanOverABoxOfNormalsThanTheMiddlesLobe) {
   }
 }
 
-// A flat patch under a near light, looked at from near by: its normals are spread about the half
-// vector as that turns from one end of the patch to the other.
+// A flat patch close to light and viewer: the half vector varies over the patch, and the lobe is
+// widened by that variation.
 TEST(PatchLobe, SeesTheHalfVectorTurnAcrossAFlatPatch) {
   const glm::dvec3 eye(0.3, -0.2, 1.1), light(-0.6, 0.5, 0.7);
   const auto half_at = [&](glm::dvec3 p) {
@@ -141,7 +142,7 @@ TEST(PatchLobe, SeesTheHalfVectorTurnAcrossAFlatPatch) {
   EXPECT_LT(glm::length(spread.right - (normals.right - turn(patch.right))), 1e-5f);
   EXPECT_LT(glm::length(spread.down - (normals.down - turn(patch.down))), 1e-5f);
   EXPECT_EQ(spread.variance, normals.variance);
-  // Nothing turns for who is far.
+  // From far away nothing varies.
   constexpr float far = std::numeric_limits<float>::infinity();
   EXPECT_TRUE(spread_about_half({}, patch, {sight.to_viewer, far, sight.to_light, far}).flat());
 }
@@ -170,7 +171,7 @@ TEST(SurfacePoint, FlatSurfacesHaveNoSpreadAndCurvedOnesTheirTurn) {
   EXPECT_EQ(on_flat.spread.down, glm::vec3(0.0f));
   EXPECT_EQ(on_flat.spread.variance, 0.0f);
 
-  // A unit normal turns by (length along the surface) / radius.
+  // A unit normal changes by (length along the surface) / radius.
   hit.triangle = 40;  // near the pole, where a ray from above is steep
   const SurfacePoint on_ball =
       surface_point(ball, lit(ball), hit, {0, 1, 0}, {&spacing, &none, 1.0f});

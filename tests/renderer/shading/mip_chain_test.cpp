@@ -24,7 +24,7 @@ Texel noise(int x, int y) {
           static_cast<std::uint8_t>(h >> 8), static_cast<std::uint8_t>(h >> 20)};
 }
 
-// Rounding to 16 bits errs by half a step a level.
+// Rounding to 16 bits has an error of half a step per level.
 float rounding(std::size_t levels) {
   return 0.5f / 65535.0f * static_cast<float>(levels) + 1e-6f;
 }
@@ -55,7 +55,7 @@ TEST(MipChain, EveryLevelKeepsTheMeanWhateverTheSize) {
 }
 
 TEST(MipChain, OddSizesWeighTexelsByTheirShare) {
-  // Five texels become two: boxes of 2.5 texels, of which the middle one has a half in each.
+  // Five texels become two: boxes of 2.5 texels, which share the middle one.
   const std::array<std::uint8_t, 5> row{0, 50, 100, 200, 250};
   const Image image = make_image(5, 1, [&](int x, int) {
     const std::uint8_t b = row[static_cast<std::size_t>(x)];
@@ -73,13 +73,13 @@ TEST(MipChain, ColoursAreAveragedAsLight) {
     return Texel{b, b, b, b};
   });
   const MipChain chain = make_mip_chain(image, TexelKind::color);
-  // Half the light, and not the 0.214 of the middle byte.
+  // Half the light, not 0.214 as of the mean byte.
   EXPECT_NEAR(chain[0].at(1, 1).r, 0.5f, rounding(1));
   EXPECT_NEAR(chain[0].at(1, 1).a, 0.5f, rounding(1));
 }
 
 TEST(MipChain, ColoursOfCutOutsCountByTheirAlpha) {
-  // The texels that are cut away are green, as painters leave it, and must not shine through.
+  // Transparent texels are green, as in painted images, and must not contribute.
   const Image image = make_image(4, 4, [](int x, int) {
     return x % 2 == 0 ? Texel{255, 0, 0, 255} : Texel{0, 255, 0, 0};
   });
@@ -90,9 +90,10 @@ TEST(MipChain, ColoursOfCutOutsCountByTheirAlpha) {
 }
 
 TEST(MipChain, NormalsKeepTheirMeanAndTheRestIsVariance) {
-  // Texels of unit normals tilted by 30 degrees to either side: between them tan of the angle goes
-  // evenly from -t to t, so that the mean upright part is asinh(t) / t, and what is missing of its
-  // square variance. Bytes err by 1/255, places of a texel by a 20th; borders are clamped.
+  // Texels of unit normals tilted by 30 degrees to either side. Between them the tangent of the
+  // angle varies linearly from -t to t, so the mean vertical component is asinh(t) / t, and the
+  // variance is 1 minus its square. Bytes have an error of 1/255, positions 1/20 texel; borders are
+  // clamped.
   const auto byte = [](float x) {
     return static_cast<std::uint8_t>(std::lround(127.5f * x + 127.5f));
   };

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-// What goes straight through surfaces that transmit, along rays to lights and to the viewer.
+// Straight transmission through surfaces, along rays to lights and to the viewer.
 
 namespace asos::test::passage_test {
 namespace {
@@ -25,7 +25,7 @@ Material glass(float thickness, glm::vec3 colour = glm::vec3(1.0f), float distan
   return m;
 }
 
-/// The part of a slab along x and z that lies between two heights, facing outwards.
+/// A slab parallel to x and z between two heights, facing outwards.
 void add_slab(World& world, float low, float high, const Material& m, float reach = 5.0f) {
   add_quad(world, {-reach, high, reach}, {2 * reach, 0, 0}, {0, 0, -2 * reach}, m);
   add_quad(world, {-reach, low, reach}, {0, 0, -2 * reach}, {2 * reach, 0, 0}, m);
@@ -35,7 +35,7 @@ RayScene rays_of(const World& world) {
   return RayScene::build(world, alpha_at, {}, {}, passage_at).value();
 }
 
-/// From a height upwards at an angle, `length` far.
+/// A ray upwards from a height at an angle, of this length.
 Ray up_from(float height, double angle, float length) {
   Ray ray;
   ray.origin = {0.1f, height, 0.2f};
@@ -71,7 +71,7 @@ TEST(Passage, ThroughAPlateIsFresnelsTwiceAndBeersLaw) {
       const double left = left_of_fresnel(angle);
       const glm::dvec3 expected =
           left * left * glm::dvec3(0.81, 0.64, 1.0) * attenuated(0.4 / std::cos(angle), 0.7);
-      // Directions need not be unit.
+      // Directions need not be normalised.
       for (const float stretch : {1.0f, 3.5f}) {
         Ray ray = up_from(0.0f, angle, 100.0f * scale);
         ray.origin *= scale;
@@ -96,7 +96,7 @@ TEST(Passage, ThatStartsOrEndsWithinIsAttenuatedThere) {
   expect_share(rays.transmittance(up_from(2.5f, 0.0, 10.0f)), attenuated(0.5, 0.7), 1e-5, 1);
   expect_share(rays.transmittance(up_from(0.0f, 0.0, 2.5f)), attenuated(1.5, 0.7), 1e-5, 2);
   expect_share(rays.transmittance(up_from(0.0f, 0.0, 10.0f)), attenuated(2.0, 0.7), 1e-5, 3);
-  // What enters an open surface and goes on for ever is not attenuated.
+  // A ray that enters an open surface and never leaves is not attenuated.
   World open;
   add_quad(open, {-5, 1, 5}, {0, 0, -10}, {10, 0, 0}, m);
   constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -126,7 +126,7 @@ TEST(Passage, ThroughThinWallsIsTintedAndLacksWhatTheyReflect) {
     expect_share(rays_of(world).transmittance(up_from(0.0f, angle, 50.0f)),
                  left * glm::dvec3(0.5, 0.25, 1.0), 4e-3, angle);
   }
-  // A film, a coat and what is metal take their share.
+  // A film, a coat and the metallic part reduce the transmission.
   world.materials[0].coat.factor = 1.0f;
   world.materials[0].metallic = 0.5f;
   const glm::vec3 coated = rays_of(world).transmittance(up_from(0.0f, 0.0, 50.0f));
@@ -143,7 +143,7 @@ TEST(Passage, OfCoverageHasNoColour) {
   EXPECT_EQ(rays_of(world).transmittance(up_from(0.0f, 0.3, 50.0f)), glm::vec3(0.75f));
 }
 
-/// What samples see of the sky by way of a lobe, all of which is white.
+/// Samples of the lobe under a uniform white sky.
 class WhiteSky final : public LightTransport {
  public:
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
@@ -155,8 +155,7 @@ class WhiteSky final : public LightTransport {
   }
 };
 
-// White furnace: a wall that transmits all that it does not reflect, or reflects diffusely, is
-// white under a white sky, and no wall is brighter.
+// White furnace: a wall without absorption is white under a white sky, and no wall is brighter.
 TEST(Passage, ThinWallsAddNoLight) {
   const Sky white(glm::vec3(1.0f));
   for (const float roughness : {0.0f, 0.4f, 1.0f}) {
@@ -187,7 +186,7 @@ TEST(Passage, ThinWallsAddNoLight) {
           const glm::vec3 seen = Shader(world, needs, rays, lighting, settings)
                                      .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
           EXPECT_LE(seen.x, 1.0f + 1e-5f) << kind << ' ' << angle << ' ' << roughness;
-          // Lobes lose what would be reflected twice; films have colours.
+          // Lobes lose multiple reflections; films have colours.
           if (kind == 0 && roughness < 0.5f) {
             EXPECT_NEAR(seen.x, 1.0, 1e-2) << angle;
           }

@@ -11,11 +11,11 @@
 namespace asos::test::patch_bend_test {
 namespace {
 
-// A ball around the origin, seen from above by parallel rays that lean.
+// A sphere around the origin, seen from above by oblique parallel rays.
 constexpr double radius = 2.0;
 const glm::dvec3 to_viewer = glm::normalize(glm::dvec3(0.3, -0.2, 1.0));
 
-/// Where the ray that meets the tangent plane at `on_plane` goes on to meet the ball.
+/// The point of the sphere on the ray through a point of the tangent plane.
 glm::dvec3 met(glm::dvec3 on_plane) {
   const double b = glm::dot(on_plane, to_viewer);
   const double c = glm::dot(on_plane, on_plane) - radius * radius;
@@ -32,10 +32,11 @@ std::vector<PatchBend::Point> points_of(const PatchBend& bend, const ViewedPoint
 }
 
 struct Found {
-  double place = 0.0, normal = 0.0;  ///< the largest distance from the ball's own
+  double place = 0.0, normal = 0.0;  ///< largest deviation from the true sphere
 };
 
-/// The points of a patch of so wide edges around the place with this normal.
+/// The largest errors of the points of a patch. Its edges are about `size` long; its centre is
+/// the point of the sphere that has this normal.
 Found errors(double size, glm::dvec3 normal) {
   SurfacePoint middle;
   middle.position = glm::vec3(radius * normal);
@@ -61,7 +62,7 @@ Found errors(double size, glm::dvec3 normal) {
   return found;
 }
 
-// The points are those that the viewer's rays meet, but for terms of third order.
+// The points are those on the viewer's rays, up to third order.
 TEST(PatchBend, FindsThePointsOfABall) {
   for (const glm::dvec3 n : {glm::dvec3(0, 0, 1), {0.3, 0.5, 1.0}, {-0.9, 0.2, 0.8}}) {
     const glm::dvec3 normal = glm::normalize(n);
@@ -73,7 +74,7 @@ TEST(PatchBend, FindsThePointsOfABall) {
   }
 }
 
-/// A level square, seen from above.
+/// A horizontal square, seen from above.
 struct FlatPatch {
   FlatPatch() {
     middle.geometric_normal = middle.shading_normal = {0, 0, 1};
@@ -83,9 +84,9 @@ struct FlatPatch {
   ViewedPoint view{middle, {0, 0, 1}, 1.0f};
 };
 
-// A flat patch under a light far away looks the same all over; one whose normals turn does not, the
-// more so the narrower its lobe is, and one that is wider than the highlight is left to the lobe.
-TEST(PatchBend, IsToldByTheLobe) {
+// A flat patch under a distant light is uniform. One with varying normals is not, the more so the
+// narrower its lobe; one wider than the highlight is left to the lobe.
+TEST(PatchBend, DependsOnTheLobe) {
   const FlatPatch flat;
   PreparedLight sun;
   sun.shape = PreparedLight::Shape::sun;
@@ -102,7 +103,7 @@ TEST(PatchBend, IsToldByTheLobe) {
     return found.error;
   };
   EXPECT_EQ(error(0.0f, 0.3f, 0.1f), 0.0f);
-  // turn^2 / (6 alpha^2), as the nearest of its normals has the half vector.
+  // turn^2 / (6 alpha^2), because the half vector equals the nearest of its normals.
   EXPECT_FLOAT_EQ(error(0.02f, 0.3f, 0.1f), 0.02f * 0.02f / (6.0f * 0.09f * 0.09f));
   EXPECT_GT(error(0.02f, 0.2f, 0.1f), 4.0f * error(0.02f, 0.3f, 0.1f));
   ASSERT_TRUE(parts);
@@ -110,17 +111,17 @@ TEST(PatchBend, IsToldByTheLobe) {
   EXPECT_EQ(error(0.3f, 0.3f, 0.1f), 1.0f);
   ASSERT_TRUE(parts);
   EXPECT_EQ(parts->right, 2);
-  EXPECT_EQ(parts->down, 1) << "it turns along one edge only";
+  EXPECT_EQ(parts->down, 1) << "the normals vary along one edge only";
   (void)error(0.3f, 0.3f, 0.4f);
-  EXPECT_EQ(parts->right, 1) << "the light is as wide";
+  EXPECT_EQ(parts->right, 1) << "the highlight is wider than the variation";
   (void)error(0.9f, 0.3f, 0.1f);
   EXPECT_FALSE(parts);
   const glm::vec3 low = glm::normalize(glm::vec3(1.0f, 0.0f, 0.01f));
-  EXPECT_EQ(error(0.02f, 1.0f, 0.1f, low), 1.0f) << "it sets within the patch";
+  EXPECT_EQ(error(0.02f, 1.0f, 0.1f, low), 1.0f) << "the light sets within the patch";
   EXPECT_LT(error(0.005f, 1.0f, 0.1f, low), 1e-4f);
 }
 
-// What turns about the normal takes the lobe with it.
+// A rotation about the normal rotates the lobe.
 TEST(PatchBend, TurnsTheStretch) {
   const FlatPatch flat;
   PatchBend bend;
@@ -136,8 +137,8 @@ TEST(PatchBend, TurnsTheStretch) {
   }
 }
 
-// Of three parts by two, each has its own two points along each edge, and all their mean.
-TEST(PatchBend, DividesWhatIsWide) {
+// With three by two parts, each has two points along each edge, with the same mean.
+TEST(PatchBend, DividesWidePatches) {
   const FlatPatch flat;
   const auto points = points_of(PatchBend{}, flat.view, {}, {3, 2});
   ASSERT_EQ(points.size(), 24u);
@@ -150,7 +151,8 @@ TEST(PatchBend, DividesWhatIsWide) {
   }
   EXPECT_NEAR(mean, 0.0, 1e-6);
   EXPECT_NEAR(square, 1.0 / 12.0, 1e-6) << "exact to the third degree";
-  EXPECT_NEAR(fourth, 1.0 / 80.0 - 1.0 / (180.0 * 81.0), 1e-6) << "that of a third of the width";
+  EXPECT_NEAR(fourth, 1.0 / 80.0 - 1.0 / (180.0 * 81.0), 1e-6)
+      << "the error of parts a third as wide";
 }
 
 }  // namespace

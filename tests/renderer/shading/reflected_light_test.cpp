@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-// What shading makes of a highlight in closed form.
+// Highlights in closed form.
 
 namespace asos::reflected_light_test {
 namespace {
@@ -25,7 +25,7 @@ PreparedLight rectangle(glm::vec3 color) {
   return prepare_light(light);
 }
 
-/// A point that is seen at 45 degrees, whose mirrored view meets the middle of the light.
+/// A point seen at 45 degrees, whose mirrored view direction hits the light's centre.
 struct Seen {
   Seen() {
     point.geometric_normal = point.shading_normal = {0, 0, 1};
@@ -49,10 +49,11 @@ TEST(MirroredLights, AreThoseThatHaveASurface) {
   line.type = Light::Type::linear;
   line.half_u = {1.0, 0.0, 0.0};
   PreparedLight tube = prepare_light(line);
-  EXPECT_FALSE(shows(MirroredLights::all, tube)) << "a line has none";
+  EXPECT_FALSE(shows(MirroredLights::all, tube)) << "a line has no surface to reflect";
   tube.own_part = 0;
-  EXPECT_TRUE(shows(MirroredLights::all, tube)) << "the tube that it stands for is mirrored";
-  EXPECT_FALSE(shows(MirroredLights::patterned, tube)) << "where the lobe shows it";
+  EXPECT_TRUE(shows(MirroredLights::all, tube)) << "the tube that the line replaces is reflected";
+  EXPECT_FALSE(shows(MirroredLights::patterned, tube))
+      << "the lobe shows the light, the mirror does not";
   tube.patterned = true;
   EXPECT_TRUE(shows(MirroredLights::patterned, tube)) << "the lobe would not show its texture";
   EXPECT_FALSE(shows(MirroredLights::none, tube));
@@ -63,7 +64,7 @@ TEST(ReflectedLights, SendOnDiffuseLightAndTheSpecularIntegral) {
   Seen seen;
   seen.material.f90 = glm::vec3(0.7f);
   seen.material.falloff = 0.6f;
-  // Also of a light that lacks a colour.
+  // Also for a light without one of the colours.
   const PreparedLight light = rectangle({1.0f, 0.25f, 0.0f});
   const Receiver receiver = receiver_at(seen.point);
   const ReflectedIntegral all =
@@ -88,7 +89,7 @@ TEST(ReflectedLights, AreFainterWhereNormalsTurn) {
   const glm::vec3 turned = seen.radiance(light);
   EXPECT_LT(turned.x, 0.9f * flat.x);
   EXPECT_GT(turned.x, 0.2f * flat.x);
-  // As a rougher surface that is flat.
+  // Like a rougher flat surface.
   const PatchLobe lobe(seen.point.spread, 0.3f, seen.point.shading_normal);
   ASSERT_TRUE(lobe.wider());
   seen.point.spread = {};

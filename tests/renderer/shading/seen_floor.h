@@ -14,13 +14,12 @@
 #include <utility>
 #include <vector>
 
-// What shading makes of a material, seen on a floor, beside the formulas of glTF and its
-// extensions.
+// Shading of a material on a floor, against the formulas of glTF and its extensions.
 
 namespace asos::test {
 
-/// Adds up what lights and the sky send by way of all layers, the sky by samples or, of an open
-/// one, at once.
+/// Sums the light from lights and sky through all layers; the sky by samples, or in closed form if
+/// nothing occludes it.
 class FloorTransport final : public LightTransport {
  public:
   explicit FloorTransport(std::uint32_t samples) : samples_(samples) {}
@@ -43,16 +42,16 @@ class FloorTransport final : public LightTransport {
   std::uint32_t samples_;
 };
 
-/// Of the sky, that tell its share within 1e-2.
+/// Number of sky samples for an error of about 1e-2.
 inline constexpr std::uint32_t sky_samples = 1 << 13;
 
-/// The floor's middle, seen at an angle from upright.
+/// The floor's centre, seen at an angle to the vertical.
 inline SeenPoint seen_at(double angle) {
   return {{0, 0, 0}, {0, 1, 0}, {std::sin(angle), std::cos(angle), 0}};
 }
 
-/// A floor of a material in y = 0, whose texture coordinate u grows along x and v against z, under
-/// one sky and maybe lights.
+/// A floor in y = 0 with texture coordinate u along x and v against z, under a sky and optional
+/// lights.
 struct SeenFloor {
   World world;
   Lighting lighting;
@@ -67,7 +66,8 @@ struct SeenFloor {
   }
   SeenFloor(const SeenFloor&) = delete;
 
-  /// What is seen of its middle from a unit direction; of an open sky without samples.
+  /// Radiance at the floor's centre towards a unit direction; for an unoccluded sky without
+  /// samples.
   [[nodiscard]] glm::vec3 look(glm::vec3 to_viewer, const Sky& sky,
                                std::uint32_t samples = 0) const {
     ShadingSettings settings;
@@ -99,7 +99,7 @@ inline Material material_of(const Reflector& r) {
   return m;
 }
 
-/// What is seen of suns in several places is the formula's.
+/// Expects the formula's radiance for suns in several places.
 inline void expect_formula_under_suns(const Reflector& reflector, std::span<const double> angles) {
   const Sky dark(glm::vec3(0.0f));
   for (const double angle : angles) {

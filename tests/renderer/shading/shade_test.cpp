@@ -21,7 +21,7 @@ using test::add_quad;
 using test::matte;
 using test::unlit;
 
-/// A world, what it needs and its rays, together.
+/// A world with its needs and rays.
 struct Lit {
   World world;
   Lighting lighting;
@@ -75,7 +75,7 @@ TEST(Shader, NothingIsTheBackground) {
 TEST(Shader, AmbientOfAMatteSurfaceIsItsAlbedo) {
   Lit lit{floor_world(matte({1, 0.5f, 0}))};
   const glm::vec3 c = lit.look(straight_down(0, 0));
-  // The diffuse part gives way to the mirrored one, which is white and a few hundredths.
+  // The diffuse part decreases by the specular reflection, which is white and a few hundredths.
   EXPECT_NEAR(c.r, ambient_radiance, 1e-6f);
   EXPECT_NEAR(c.g, 0.5f * ambient_radiance, 0.03f * ambient_radiance);
   EXPECT_LT(c.b, 0.05f * ambient_radiance);
@@ -84,13 +84,13 @@ TEST(Shader, AmbientOfAMatteSurfaceIsItsAlbedo) {
 
 TEST(Shader, DirectLightFollowsTheCosine) {
   Material rough = matte(glm::vec3(0.5f));
-  rough.ior = 1.0f;  // no mirror at all but at grazing angles: Lambert alone
+  rough.ior = 1.0f;  // reflects only at grazing angles: Lambert alone
   for (const double angle : {0.0, 0.5, 1.0}) {
     Lit lit{floor_world(rough), {sun({std::sin(angle), -std::cos(angle), 0}, 3.0f)}};
     Lit dark{floor_world(rough)};
     const float direct = lit.look(straight_down(1, 1)).r - dark.look(straight_down(1, 1)).r;
     const double expected = 0.5 * 3.0 / std::numbers::pi * std::cos(angle);
-    // Schlick's term at the half angle takes (1 - cos(angle / 2))^5, below a thousandth here.
+    // Schlick's term at the half angle removes (1 - cos(angle / 2))^5, less than a thousandth here.
     EXPECT_NEAR(direct, expected, 1e-3 * expected) << angle;
     EXPECT_EQ(lit.counts.shadow_rays, 1u);
   }
@@ -114,7 +114,7 @@ TEST(Shader, ShadowsAreHardAndBlendedSurfacesTintThem) {
 }
 
 TEST(Shader, LightFromBehindDoesNotLeakWhateverTheNormals) {
-  // Shading normals bent far over, towards a light that is behind the surface.
+  // Strongly tilted shading normals, towards a light behind the surface.
   World world = floor_world(matte(glm::vec3(1)));
   for (glm::vec3& n : world.normals) n = glm::normalize(glm::vec3(1, 0.2f, 0));
   Light below;
@@ -142,8 +142,8 @@ TEST(Shader, WindingDoesNotMatter) {
 }
 
 TEST(Shader, NoSurfaceShadowsItself) {
-  // Convex, lit from where it is seen: any loss would be a surface that shadows itself. At several
-  // scales and far from the origin.
+  // A convex shape, lit from the viewer: any loss would be self-shadowing. At several scales and
+  // far from the origin.
   for (const float radius : {1e-3f, 1.0f, 1e4f}) {
     for (const float away : {0.0f, 100.0f}) {
       World world;
@@ -179,7 +179,7 @@ TEST(Shader, BlendedLayersAreCompositedInDepthOrder) {
   EXPECT_EQ(lit.counts.eye_rays, 2u);  // those that went on
 }
 
-/// White layers of this opacity, one behind the other.
+/// White layers of this opacity, one behind another.
 Lit stack_of(int layers, float alpha) {
   World world;
   for (int i = 0; i < layers; ++i) {
@@ -257,7 +257,7 @@ TEST(Shader, NormalMapTiltsTowardsTheLight) {
     Material m = matte(glm::vec3(1));
     const int texture = test::add_texture(world, image, Wrap::repeat, Filter::linear);
     if (mapped) m.normal_texture.texture = texture;
-    // uv as in glTF: v runs down the image, so that the up side of the map is -v.
+    // uv as in glTF: v points down in the image, so the map's up side is -v.
     add_quad(world, {-1, 0, -1}, {2, 0, 0}, {0, 0, 2}, m);
     for (glm::vec3& n : world.normals) n = {0, 1, 0};
     Lit lit{std::move(world), {sun({-sun_x, -1, 0}, 1.0f)}};
@@ -284,12 +284,12 @@ TEST(Shader, NormalMapsGreenPointsAgainstV) {
   EXPECT_NEAR(p.shading_normal.x, 0.0f, 0.01f);
   EXPECT_GT(p.shading_normal.y, 0.6f);
 
-  // The same where other meshes bring tangents along and this one has none.
+  // The same if only other meshes have tangents.
   world.tangents.assign(world.positions.size(), glm::vec4(0.0f));
   EXPECT_EQ(surface_point(world, find_needs(world), hit, {0, 1, 0}).shading_normal,
             p.shading_normal);
 
-  // The map looked up at (v, -u): its upper edge lies where u grows.
+  // The map is looked up at (v, -u): its upper edge is where u grows.
   world.materials[0].normal_texture.uv_transform = {glm::vec3(0, -1, 0), glm::vec3(1, 0, 0),
                                                     glm::vec3(0, 0, 1)};
   const SurfacePoint turned = surface_point(world, find_needs(world), hit, {0, 1, 0});
@@ -351,9 +351,9 @@ TEST(SpawnOrigin, ClearsTheErrorOfThePointAndNoMore) {
   EXPECT_LT(spawn_origin(p, {0, -1, 0}).y, p.position.y);
 }
 
-// A shadow on a floor of a kilometre stays in its place: what a ray meets is what stands on the
-// line from the point, and not beside it by the floor's error bound.
-TEST(ShadowRay, ToASunBeginsOnItsOwnWay) {
+// The shadow on a floor of a kilometre must not be displaced: a ray finds occluders on the line
+// from the point itself, not shifted by the floor's error bound.
+TEST(ShadowRay, ToASunStartsOnItsOwnLine) {
   World world;
   add_quad(world, {1000, 0, -1000}, {2000, 0, 0}, {0, 0, 2000}, matte(glm::vec3(1)));
   Hit hit;

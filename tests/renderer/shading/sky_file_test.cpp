@@ -13,7 +13,7 @@ namespace {
 
 class SkyFile : public testing::Test {
  protected:
-  /// An EXR of one value but for one pixel.
+  /// An EXR of one value except for one pixel.
   [[nodiscard]] std::string exr_with(const std::string& name, glm::vec3 odd) const {
     Film film(8, 4);
     film.radiance.assign(32, glm::vec3(0.25f));
@@ -33,7 +33,7 @@ class SkyFile : public testing::Test {
 std::string radiance_picture(int width, int height) {
   std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) +
                       " +X " + std::to_string(width) + "\n";
-  // Mantissas 128, 64, 32 of 256 times 2^(e - 128): rows of 2, 4, 8, ...
+  // Mantissas 128, 64, 32 of 256, times 2^(e - 128): rows of 2, 4, 8, ...
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) bytes += {'\x80', '\x40', '\x20', static_cast<char>(130 + y)};
   return bytes;
@@ -42,7 +42,7 @@ std::string radiance_picture(int width, int height) {
 TEST_F(SkyFile, OfRadianceIsRead) {
   const auto sky = read_sky(write("a sky.hdr", radiance_picture(8, 4)));
   ASSERT_TRUE(sky) << sky.error().message();
-  // The middle of the second row.
+  // The centre of the second row.
   const float s = std::sin(1.17809725f), c = std::cos(1.17809725f);
   const glm::vec3 seen = (*sky)->radiance({0.0f, c, -s});
   EXPECT_NEAR(seen.r, 4.0f, 1e-4f);

@@ -14,7 +14,7 @@
 namespace asos::test::sky_light_test {
 namespace {
 
-/// A surface that faces up, seen at an angle from its normal.
+/// A surface that faces up, seen at an angle to its normal.
 struct Seen {
   explicit Seen(const SurfaceMaterial& material, double angle) {
     point.shading_normal = point.geometric_normal = {0, 1, 0};
@@ -78,10 +78,10 @@ TEST(SampleSky, OfAMatteSurfaceUnderAGradientItsMeanIsTheClosedForm) {
   const glm::dvec3 found = mean_of_samples(seen.under(&sky), 1 << 14);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], (*open)[i], 5e-4);
   EXPECT_FALSE(open_sky(Seen(material_of(1.0f, 0.5f), 0.5).under(&sky)))
-      << "no closed form is known of what shines under a gradient";
+      << "glossy surfaces under a gradient have no closed form";
 }
 
-// A normal tilted by a map receives as much of an even sky as the surface's own normal.
+// With a tilted shading normal a uniform sky gives the same irradiance as with the geometric one.
 TEST(SampleSky, NothingIsLostBelowTheSurfaceOfATiltedNormal) {
   const SobolPixel places(3, 5, 7);
   for (const double tilt : {0.2, 0.6}) {
@@ -114,14 +114,14 @@ Sky sunny() {
 TEST(SampleSky, FindsTheSunOfAPicture) {
   const Sky sky = sunny();
   const Seen seen(material_of(0.0f, 1.0f), 0.5);
-  // The sum over the picture, texel by texel, at the surface's own BRDF.
+  // The sum over the image, texel by texel, with the surface's BRDF.
   const glm::dvec3 many = mean_of_samples(seen.under(&sky), 1 << 16);
   const glm::dvec3 few = mean_of_samples(seen.under(&sky), 1 << 11);
   const double matte = static_cast<double>(sky.ambient({0, 1, 0}).x / sky_visibility) *
                        static_cast<double>(seen.seen.diffuse.x);
   EXPECT_GT(many.x, matte) << "its lobe adds some";
   EXPECT_LT(many.x, 1.15 * matte);
-  EXPECT_NEAR(few.x, many.x, 0.1 * many.x) << "a sun of 1e-4 of the sky takes no million samples";
+  EXPECT_NEAR(few.x, many.x, 0.1 * many.x) << "a sun of 1e-4 of the sky needs few samples";
 }
 
 TEST(SkyDistribution, TellsHowDenselyItsDirectionsAre) {
@@ -129,7 +129,7 @@ TEST(SkyDistribution, TellsHowDenselyItsDirectionsAre) {
   const SobolPixel places(1, 2, 3);
   constexpr std::uint32_t count = 1 << 14;
   double sphere = 0.0;
-  std::uint32_t beside = 0;  // of a texel's border, over which float rounds
+  std::uint32_t beside = 0;  // near a texel's border, where floats may round over it
   for (std::uint32_t i = 0; i < count; ++i) {
     const SkyDirection found = sky.bright_direction(places.lobe(i, 0));
     EXPECT_NEAR(glm::length(found.direction), 1.0, 1e-9);

@@ -42,7 +42,7 @@ struct Patch3 {
   glm::vec3 down;
 };
 
-/// A patch anywhere, every fourth across a pole, of sides from 1/4 to 1 of `size`.
+/// A random patch, every fourth across a pole, with sides from 1/4 to 1 of `size`.
 Patch3 random_patch(int index, double size) {
   const auto r = [&](int k) { return unit_pair(pixel_random(index, k, 7)); };
   const double v =
@@ -68,7 +68,7 @@ double mean_of(const Sky& sky, const Patch3& patch) {
   return static_cast<double>(sky.radiance(patch.direction, patch.right, patch.down).g);
 }
 
-/// Irradiance of a surface under the sky, over pi.
+/// Irradiance of a surface under the sky, divided by pi.
 double irradiance(const Radiance& radiance, glm::dvec3 normal) {
   constexpr int n = 400;
   double sum = 0.0;
@@ -100,7 +100,7 @@ TEST(Sky, OfOneColourIsThatEverywhere) {
   }
 }
 
-// Waves along both ways, as a Radiance picture has them.
+// Waves along both axes, in the format of a Radiance image.
 std::vector<Rgbe> waves(int height) {
   std::vector<Rgbe> texels;
   for (int y = 0; y < height; ++y) {
@@ -126,10 +126,10 @@ TEST(SkyMap, TexelsOfARadiancePictureAreItsRadiance) {
   }
 }
 
-// Of large pictures, rows of means are made where they are looked at.
+// Means of rows of large images are computed on demand.
 TEST(Sky, ARadiancePicturesExposureIsUndone) {
   const test::TemporaryFolder folder;
-  // Two pixels of radiance 1, 0.5 and 0.25, exposed four times, and red corrected twice.
+  // Two pixels of radiance 1, 0.5 and 0.25, with EXPOSURE 4, and COLORCORR 2 for red.
   const std::string pixel = "\x80\x40\x20\x81";
   const auto sky = read_sky(folder.write("sky.hdr",
                                          "#?RADIANCE\nEXPOSURE=4\nCOLORCORR=2 1 1\n"
@@ -151,7 +151,7 @@ TEST(SkyMap, ALargePictureTakesLittleMoreThanItsFile) {
   EXPECT_LT(static_cast<double>(large.memory_bytes()), 7.0 * texels);
   for (int i = 0; i < 512; ++i) {
     const Patch3 p = random_patch(i, 1.0);
-    // As wide as a texel or two of the large picture's, which the small one has as well.
+    // One or two texels of the large image wide, which the small one resolves, too.
     for (const double texel : {0.5, 1.0, 2.0, 4.0}) {
       const double side = texel * std::numbers::sqrt3 * std::numbers::pi / height;
       const glm::vec3 a = large.mean(p.direction, side), b = small.mean(p.direction, side);
@@ -179,7 +179,7 @@ TEST(Sky, APictureIsSoManyTimesAsBrightAllOver) {
   EXPECT_EQ(colour.brightened(8.0).radiance({0, 1, 0}), glm::vec3(0.5f)) << "no picture";
 }
 
-/// The radiance that an environment adds towards an azimuth.
+/// The radiance that an environment adds in a direction of the compass.
 double added(const SideLight::Amounts& sides, glm::dvec3 d) {
   const double azimuth = std::atan2(d.x, d.z), level = std::hypot(d.x, d.z);
   const auto rad = [](double deg) { return deg * std::numbers::pi / 180.0; };
@@ -187,13 +187,13 @@ double added(const SideLight::Amounts& sides, glm::dvec3 d) {
          sides.two * level * level * std::cos(2.0 * (azimuth - rad(sides.two_deg)));
 }
 
-// As by summing over all directions what they say of themselves: linear in the sine of the angle.
+// The formula of environments, summed over all directions: linear in the sine of the elevation.
 TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
   for (const EnvironmentRow& row : environments) {
     SCOPED_TRACE(row.name);
     const Sky sky(row.value);
     EXPECT_EQ(sky.name(), row.name);
-    if (sky.is_picture()) continue;  // which the row does not describe
+    if (sky.is_picture()) continue;  // the gradient does not describe it
     const Gradient::Colours& of = row.colours;
     EXPECT_EQ(sky.radiance({0, 1, 0}), of.zenith);
     for (int k = 0; k < 3; ++k)
@@ -216,7 +216,7 @@ TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
       const Patch3 p = random_patch(i, 0.4);
       EXPECT_NEAR(mean_of(sky, p), brute_force(radiance, p), 0.005);
     }
-    // Pixels, some at the horizon: by less than can be told.
+    // Pixels, some at the horizon: differences are invisible.
     for (int i = 0; i < 200; ++i) {
       Patch3 p = random_patch(i, 0.004);
       if (i % 2) p.direction = glm::normalize(p.direction * glm::vec3(1.0f, 0.1f, 1.0f));
@@ -235,8 +235,8 @@ TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
   }
 }
 
-// A polished cube shows bright and dark parts whichever way its sides face; matte surfaces get
-// about as much light as in the studio.
+// A polished cube shows bright and dark parts in any orientation; matte surfaces get about as much
+// light as in the studio.
 TEST(Sky, EnvironmentsWithPanelsShowInMirrorsAllAround) {
   for (const Environment environment : {Environment::softboxes, Environment::windows}) {
     const Sky sky(environment);
@@ -270,7 +270,7 @@ TEST(Sky, EnvironmentsAreTurnedAndBrightened) {
     EXPECT_EQ(placed.choice().brightness, 3.0);
     for (int i = 0; i < 40; ++i) {
       const Patch3 p = random_patch(i, 0.5);
-      // Counter-clockwise as seen from above: +Z goes to +X.
+      // Counter-clockwise seen from above: +Z goes to +X.
       const auto turned = [](glm::vec3 v) { return glm::vec3(v.z, v.y, -v.x); };
       const float before = sky.radiance(p.direction, p.right, p.down).g;
       const float after = placed.radiance(turned(p.direction), turned(p.right), turned(p.down)).g;
@@ -286,8 +286,8 @@ TEST(Sky, EnvironmentsAreTurnedAndBrightened) {
   }
 }
 
-// Whoever looks along -Z or nearly so sees a vertical mirror that faces them, by its brightness;
-// and nothing of the sky is black.
+// A vertical mirror that faces a viewer who looks roughly along -Z is visible by its brightness; no
+// part of the sky is black.
 TEST(Sky, AStudioShowsInVerticalMirrors) {
   const Sky sky(Environment::studio);
   const auto at = [](double azimuth_deg, double height) {
@@ -347,7 +347,7 @@ TEST(Sky, GradientsMeanIsThatOfItsPatch) {
   const Radiance radiance = [](glm::dvec3 d) { return std::max(0.0, d.y); };
   for (int i = 0; i < 200; ++i) {
     const Patch3 p = random_patch(i, i % 2 ? 0.1 : 1.0);
-    // The midpoint rule's error in parts of a quarter: at most that of a kink in one row of four.
+    // Error of the midpoint rule in quarters: at most that of a kink in one row of four.
     EXPECT_NEAR(mean_of(sky, p), brute_force(radiance, p), 0.004) << i;
   }
 }
@@ -380,7 +380,7 @@ TEST(Sky, LobesSeeTheMeanAroundADirection) {
 }
 
 TEST(Sky, MapsMeanAveragesWhatAPatchHolds) {
-  // A fine pattern of known mean everywhere: rows of 0 and 1 in turn.
+  // A fine pattern with a known mean: alternate rows of 0 and 1.
   int texel = 0;
   const Sky sky(map_of(256, [&](glm::dvec3) { return texel++ / 512 % 2; }), 0.0, "map");
   for (int i = 0; i < 200; ++i)
@@ -418,7 +418,7 @@ TEST(Sky, TurnsCounterClockwise) {
   const Sky turned(noise_map(32), 90.0, "map");
   for (int i = 0; i < 20; ++i) {
     const glm::vec3 d = random_patch(i, 1.0).direction;
-    // Seen from above, with -Z up in the plan and +X right: from ahead to the left.
+    // Seen from above, with -Z up in the plan and +X right: from straight ahead to the left.
     const glm::vec3 from(d.z, d.y, -d.x);
     EXPECT_NEAR(turned.radiance(from).r, straight.radiance(d).r, 1e-4f);
     EXPECT_NEAR(turned.ambient(from).r, straight.ambient(d).r, 1e-5f);
@@ -429,7 +429,7 @@ TEST(Sky, TurnsCounterClockwise) {
 }
 
 TEST(Sky, MapsPlacesAreThoseOfACameraAlongMinusZ) {
-  // Bright where it should be: ahead, right, above.
+  // Bright where expected: ahead, right, above.
   for (const glm::dvec3 towards :
        {glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
     const Sky sky(map_of(64, [&](glm::dvec3 d) { return glm::dot(d, towards) > 0.9 ? 1.0 : 0.0; }),

@@ -40,13 +40,13 @@ TEST(TextureFilter, ACheckerboardAveragesToItsLight) {
     std::mt19937 rng(3);
     std::uniform_real_distribution<float> u(0.0f, 1.0f);
     for (int i = 0; i < 200; ++i) {
-      // 8 to 40 texels wide, at any angle, up to 4 times longer.
+      // 8 to 40 texels wide, at any angle, and up to 4 times as long.
       const float angle = 6.28f * u(rng);
       const float width = (8.0f + 32.0f * u(rng)) / static_cast<float>(size);
       const glm::vec2 a = width * glm::vec2(std::cos(angle), std::sin(angle));
       const glm::vec2 b = (1.0f + 3.0f * u(rng)) * glm::vec2(-a.y, a.x);
-      // Boxes of an even number of texels are exact; a box of 60 / 8 = 7.5 texels, which levels of
-      // 60 and 62 have, is off by at most half a texel of 7.5 along each of two axes.
+      // Boxes of an even number of texels are exact. A box of 60 / 8 = 7.5 texels, as in the levels
+      // of 60 and 62, has an error of at most half a texel of 7.5 along each axis.
       const float bound = size == 64 ? 1e-3f : 0.5f * 0.25f / 7.5f;
       EXPECT_NEAR(t.look(TexelKind::color, {u(rng), u(rng)}, a, b).r, 0.5f, bound) << size;
     }
@@ -54,7 +54,7 @@ TEST(TextureFilter, ACheckerboardAveragesToItsLight) {
 }
 
 TEST(TextureFilter, ARampIsReproducedByAnyFootprintInsideIt) {
-  // Bytes 0 to 255 along u: level L's texel centres lie on the same line.
+  // Bytes 0 to 255 along u: the texel centres of all levels are on the same line.
   const Textured t(make_image(256, 64, [](int x, int) { return grey(x / 255.0); }),
                    Wrap::clamp_to_edge);
   std::mt19937 rng(4);
@@ -63,18 +63,18 @@ TEST(TextureFilter, ARampIsReproducedByAnyFootprintInsideIt) {
     const glm::vec2 a = 0.06f * glm::vec2(r(rng), r(rng));
     const glm::vec2 b = 0.06f * glm::vec2(r(rng), r(rng));
     const float u = 0.5f + 0.25f * r(rng);
-    // At an angle to the texels' rows, weights are those of texels whose extent is right but not
-    // their shape: up to a sixteenth of a texel off.
+    // At an angle to the texel rows the weights have the right extent but not the shape: an error
+    // of up to 1/16 texel.
     const float expected = (256.0f * u - 0.5f) / 255.0f;
     EXPECT_NEAR(t.look(TexelKind::data, {u, 0.5f}, a, b).g, expected, 0.0625f / 255.0f) << i;
-    // Along the rows levels err by 2^-17, and sums by rounding.
+    // Along the rows levels have an error of 2^-17, and sums that of rounding.
     EXPECT_NEAR(t.look(TexelKind::data, {u, 0.5f}, {a.x, 0.0f}, {0.0f, b.y}).g, expected, 5e-5f)
         << i;
   }
 }
 
 TEST(TextureFilter, StripesStaySharpAcrossAndAverageAlong) {
-  // Stripes of 8 texels. A footprint 16 times longer than its half texel.
+  // Stripes of 8 texels, and a footprint of half a texel by 8 texels.
   const Textured t(stripes(128, 8));
   const glm::vec2 thin(0.5f / 128.0f, 0.0f);
   const glm::vec2 tall(0.0f, 8.0f / 128.0f);
@@ -83,7 +83,7 @@ TEST(TextureFilter, StripesStaySharpAcrossAndAverageAlong) {
     EXPECT_NEAR(t.look(TexelKind::data, {u, 0.4f}, thin, tall).r, static_cast<float>(stripe % 2),
                 1e-5f);
   }
-  // Across two whole stripes it is their mean.
+  // Over two whole stripes the result is their mean.
   const glm::vec2 wide(16.0f / 128.0f, 0.0f);
   const glm::vec2 low(0.0f, 0.5f / 128.0f);
   for (float u = 0.2f; u < 0.8f; u += 0.013f)
@@ -91,7 +91,7 @@ TEST(TextureFilter, StripesStaySharpAcrossAndAverageAlong) {
 }
 
 TEST(TextureFilter, AFootprintIsTheMeanHoweverLongAndThin) {
-  // Columns from black to white: a lookup is far from their mean at most places.
+  // Columns from black to white: point lookups mostly differ from their mean.
   const Textured t(make_image(16, 16, [](int x, int) { return grey(x / 15.0); }));
   for (const float turn : {0.0f, 0.3f}) {
     const glm::vec2 along(std::cos(turn), std::sin(turn));
@@ -144,7 +144,7 @@ TEST(TextureFilter, AFootprintFarSmallerThanATexelIsTheLookupToTheBit) {
   }
 }
 
-/// Of n x n places all over a patch, one by one.
+/// Mean of lookups at n x n points of a patch.
 double mean_of_lookups(const Textured& t, glm::vec2 middle, glm::vec2 a, glm::vec2 b, int n) {
   double sum = 0.0;
   for (int k = 0; k < n * n; ++k) {
@@ -156,7 +156,7 @@ double mean_of_lookups(const Textured& t, glm::vec2 middle, glm::vec2 a, glm::ve
 }
 
 TEST(TextureFilter, TheMeanIsThatOfManyLookups) {
-  // Texels of no order, at which any fault of a filter shows most.
+  // Random texels, the hardest case for a filter.
   std::mt19937 rng(6);
   const Textured t(make_image(
       128, 128, [&](int, int) { return grey(static_cast<double>(rng() % 256) / 255.0); }));
@@ -175,15 +175,17 @@ TEST(TextureFilter, TheMeanIsThatOfManyLookups) {
     }
     return std::sqrt(squares / places);
   };
-  // Within the finest level and along its rows: exact but for the lookups' own sum.
+  // Within the finest level and along its rows the result is exact, except for the reference's own
+  // error.
   for (const float texels : {0.3f, 1.0f, 3.3f, 8.0f}) EXPECT_LT(rms(texels, 0.0f), 5e-4) << texels;
-  // Turned, texels stand for squares that are turned with it. Of coarser levels those at the rim
-  // count by what the whole texel shows. Their own spread is 0.29.
+  // In a rotated footprint, texels count as rotated squares. In coarser levels a texel at the
+  // border counts as a whole. Single texels have a standard deviation of 0.29.
   for (const float texels : {0.3f, 1.0f, 3.3f, 8.0f, 20.0f, 60.0f})
     EXPECT_LT(rms(texels, 6.28f), 0.012) << texels;
 }
 
-// Models of a few texels a face have them: all that is seen of them are their own edges.
+// Models with a few texels per face use nearest filtering: the visible features are the texels'
+// edges.
 TEST(TextureFilter, NearestTexelsCountByTheirAreas) {
   std::mt19937 rng(7);
   const Textured t(make_image(64, 64, [&](int, int) { return grey(rng() % 2 ? 1.0 : 0.0); }),
@@ -208,9 +210,9 @@ TEST(TextureFilter, NearestTexelsCountByTheirAreas) {
   }
 }
 
-// Patches of less than a texel that lie aslant along an edge which is aslant itself: the texels'
-// own steps show in them, as they do where triangles end at such an edge in a picture that shows
-// about a texel in each pixel.
+// Patches smaller than a texel along an oblique edge, which they cross obliquely: the steps between
+// texels are visible. In pictures this occurs where triangles end at such an edge, with about one
+// texel per pixel.
 TEST(TextureFilter, SmallPatchesSeeTexelsWhereTheyLie) {
   constexpr int size = 64;
   const Textured t(
@@ -251,8 +253,7 @@ TEST(TextureFilter, MeansCrossBordersAsTheSamplerWraps) {
   EXPECT_NEAR(at_border(Wrap::clamp_to_edge), 0.0f, 1e-4f);
 }
 
-// Columns of red that covers, green that covers by 0.4, and blue that does not, a whole period of
-// them.
+// Columns of opaque red, green with alpha 0.4 and transparent blue, over a whole period.
 TEST(TextureFilter, AnyFootprintIsSafe) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();

@@ -16,7 +16,7 @@ std::uint8_t byte(bool full) {
   return full ? 255 : 0;
 }
 
-/// Stripes, four texels wide, of 64.
+/// Four texels wide stripes, in 64 texels.
 bool striped(int x) {
   return x / 4 % 2 == 0;
 }
@@ -33,7 +33,7 @@ class Surface {
       return Texel{c, c, c, 255};
     }));
   }
-  /// In green how rough, of 1, the stripes are and what lies between, in blue the metal there.
+  /// Roughness of the stripes and of the gaps in green, metallic of both in blue.
   int gloss(std::uint8_t stripes, std::uint8_t between, bool metal_between, bool metal_stripes) {
     return add(make_image(64, 64, [=](int x, int) {
       return striped(x) ? Texel{0, stripes, byte(metal_stripes), 255}
@@ -56,9 +56,9 @@ class Surface {
   World world_;
 };
 
-// White between black metal, all of it rough: half of it white, the other half 0.04 of the sky that
-// is left; the means are half metals of a grey.
-TEST(TextureProducts, MetalWhereColoursAreNot) {
+// White dielectric stripes and black metal, all of it rough: half of the surface is white, the
+// other half 0.04 of the remaining sky. The means would be a grey half metal.
+TEST(TextureProducts, ErrorForMetalBetweenColouredStripes) {
   Surface s;
   s.material.metallic = s.material.roughness = 1.0f;
   s.material.base_color_texture.texture = s.colours();
@@ -68,8 +68,9 @@ TEST(TextureProducts, MetalWhereColoursAreNot) {
   EXPECT_NEAR(s.error(), 0.5f * (seen - of_means), 1e-3f);
 }
 
-// What is rougher than a mirror shows a share of the sky; the mean of both is one, or is none.
-TEST(TextureProducts, MirrorsBesideWhatIsTooRoughForThem) {
+// Metal too rough for a mirror shows a fraction of the sky. The mean roughness is that of a mirror
+// in one case, and not in the other.
+TEST(TextureProducts, ErrorForMirrorsBetweenRoughStripes) {
   const float mirror = 26.0f / 255.0f;
   for (const int rough_byte : {120, 255}) {
     Surface s;
@@ -84,8 +85,8 @@ TEST(TextureProducts, MirrorsBesideWhatIsTooRoughForThem) {
   }
 }
 
-// Of one texture the mean is what is seen, and so it is of two that vary in different places.
-TEST(TextureProducts, NothingIsLostOfASingleTexture) {
+// For a single texture the mean is correct, as for two textures that are independent.
+TEST(TextureProducts, NoErrorForASingleTexture) {
   Surface coloured;
   coloured.material.base_color_texture.texture = coloured.colours();
   EXPECT_FALSE(multiplies_textures(coloured.material, {}));
@@ -97,7 +98,7 @@ TEST(TextureProducts, NothingIsLostOfASingleTexture) {
   rough.material.metallic = 0.0f;
   rough.material.roughness = 1.0f;
   rough.material.metallic_roughness_texture.texture = rough.gloss(255, 26, true, true);
-  EXPECT_EQ(rough.error(), 0.0f) << "what is no metal mirrors too little";
+  EXPECT_EQ(rough.error(), 0.0f) << "a dielectric reflects too little";
 }
 
 }  // namespace

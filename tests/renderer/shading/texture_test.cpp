@@ -34,7 +34,7 @@ TEST(Texture, DecodesTheSrgbCurve) {
 
 TEST(Texture, MixesLinearLightNotBytes) {
   const World world = row_texture({0, 255}, Wrap::clamp_to_edge, Filter::linear);
-  // Halfway between black and white lies half the light, whose byte would be 188 and not 128.
+  // Halfway between black and white is half the light, whose byte would be 188 and not 128.
   EXPECT_FLOAT_EQ(lookup(world, 0.5f, Encoding::srgb), 0.5f);
   EXPECT_FLOAT_EQ(lookup(world, 0.375f, Encoding::srgb), 0.25f);
   const World grey = row_texture({128, 128}, Wrap::clamp_to_edge, Filter::linear);
@@ -80,7 +80,7 @@ TEST(Texture, WrapsAsItsSamplerSays) {
 }
 
 TEST(Texture, BilinearNeighboursWrapToo) {
-  // At u = 0 a repeated texture lies halfway between its last and its first texel.
+  // At u = 0 a repeated texture is halfway between its last and its first texel.
   EXPECT_FLOAT_EQ(lookup(row_texture({0, 255}, Wrap::repeat, Filter::linear), 0.0f), 0.5f);
   EXPECT_FLOAT_EQ(lookup(row_texture({0, 255}, Wrap::repeat, Filter::linear), 1.0f), 0.5f);
   EXPECT_FLOAT_EQ(lookup(row_texture({0, 255}, Wrap::mirrored_repeat, Filter::linear), 0.0f), 0.0f);
@@ -115,11 +115,11 @@ TEST(Texture, UseAppliesItsTransform) {
   test::add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Material{});
   TextureUse use;
   use.texture = 0;
-  // Half the size, moved by a quarter: u' = 0.5 u + 0.25.
+  // Half the size, shifted by a quarter: u' = 0.5 u + 0.25.
   use.uv_transform = glm::mat3(0.5f, 0, 0, 0, 1, 0, 0.25f, 0, 1);
   EXPECT_FLOAT_EQ(sample_texture(world, use, 0, 0.1f, 0.0f, Encoding::linear).r, 0.2f);
   EXPECT_FLOAT_EQ(sample_texture(world, use, 0, 0.9f, 0.0f, Encoding::linear).r, 0.4f);
-  use.texcoord = 1;  // a set that the world lacks
+  use.texcoord = 1;  // a set of coordinates that the world lacks
   EXPECT_FLOAT_EQ(sample_texture(world, use, 0, 0.9f, 0.0f, Encoding::linear).r, 0.2f);
 }
 

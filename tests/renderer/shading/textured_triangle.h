@@ -8,7 +8,7 @@
 
 namespace asos::test {
 
-/// One triangle whose (b1, b2) are its (u, v), and one texture on it.
+/// A triangle whose (b1, b2) are its (u, v), with one texture.
 struct Textured {
   World world;
   MipChains mips;

@@ -17,7 +17,7 @@ Material white() {
   return material;
 }
 
-/// A triangle in the plane z = 0 whose normals turn about the y axis by `turn` a unit of x.
+/// A triangle in the plane z = 0 whose normals rotate about the y axis by `turn` per unit of x.
 World bent(float turn) {
   World world;
   const auto normal = [&](float x) {
@@ -42,8 +42,8 @@ TEST(MidpointError, FlatShadingUnderDistantLightsHasNone) {
   EXPECT_EQ(midpoint_error(bent(0.0f), {}, from_above, middle, square(1.0f), far), 0.0f);
 }
 
-// The mean of a cosine over an angle is sin(turn / 2) / (turn / 2) of that in the middle. Where the
-// middle is at a right angle to the light, the half beyond it is dark.
+// The mean of a cosine over an angle is sin(turn / 2) / (turn / 2) of its value at the centre. If
+// the centre is at a right angle to the light, the half beyond it is dark.
 TEST(MidpointError, OfATurningNormalIsBetweenThoseOfALitAndAGrazedCosine) {
   const auto error = [](float turn) {
     return midpoint_error(bent(turn), {}, from_above, middle, square(1.0f), far);
@@ -51,7 +51,7 @@ TEST(MidpointError, OfATurningNormalIsBetweenThoseOfALitAndAGrazedCosine) {
   const auto grazed = [](float turn) { return (1.0f - std::cos(0.5f * turn)) / turn; };
   for (const float turn : {0.05f, 0.2f, 0.5f}) {
     const float lit = 1.0f - std::sin(0.5f * turn) / (0.5f * turn);
-    // The chord of the normals is shorter than their arc by turn^2 / 6 in the whole triangle.
+    // The chord between normals is shorter than their arc by turn^2 / 6 over the whole triangle.
     EXPECT_NEAR(error(turn), 8.0f * lit, 8.0f * lit * turn * turn) << turn;
     EXPECT_GT(8.0f * grazed(turn), error(turn)) << turn;
   }
@@ -65,9 +65,8 @@ TEST(MidpointError, FallsWithTheSquareOfTheSize) {
               midpoint_error(world, {}, from_above, middle, square(1.0f), far) / 4.0f, 1e-7f);
 }
 
-// Along the line to the light: 1 / (r - x)^2 over an edge of length h has the mean
-// 1 / (r^2 - h^2 / 4), so that the relative error is h^2 / 4 r^2 = 6 / 24 (h / r)^2 to second
-// order.
+// Along the line to the light, 1 / (r - x)^2 has the mean 1 / (r^2 - h^2 / 4) over an edge of
+// length h, so the relative error is h^2 / 4 r^2 = 6 / 24 (h / r)^2 to second order.
 TEST(MidpointError, NearALightIsThatOfTheInverseSquare) {
   const World world = bent(0.0f);
   Light light;
@@ -89,8 +88,8 @@ TEST(MidpointError, IsNoMoreThanWhatTheMaterialReflects) {
   EXPECT_EQ(midpoint_error(world, {}, from_above, middle, square(1.0f), far), 0.0f);
 }
 
-// A mirror-like cylinder under a light behind the viewer: the highlight lies where the normal
-// points at them; what reaches elsewhere is far below one step of a display.
+// A highly glossy cylinder under a light behind the viewer: the highlight is where the normal
+// points at them. Elsewhere its tail is far below one display step.
 TEST(MidpointError, KnowsWhereAHighlightMayLie) {
   World world = bent(0.1f);
   Material& material = world.materials.front();
@@ -111,7 +110,7 @@ TEST(MidpointError, KnowsWhereAHighlightMayLie) {
               1e-7f);
 }
 
-// A flat surface shows a near viewer, or one of a near light, another half vector at each end.
+// With a near viewer or a near light, the half vector varies over a flat surface.
 TEST(MidpointError, KnowsWhereAHighlightOnAFlatSurfaceIsNarrow) {
   World world = bent(0.0f);
   Material& material = world.materials.front();
@@ -127,12 +126,12 @@ TEST(MidpointError, KnowsWhereAHighlightOnAFlatSurfaceIsNarrow) {
   EXPECT_EQ(error(0.01f, far), 0.0f);
   const float near = error(0.01f, 1.0f);
   EXPECT_GT(near, 0.0f);
-  // The half vector turns by half of what the viewer's direction does.
+  // The half vector changes by half of the change of the view direction.
   EXPECT_NEAR(error(0.01f, 2.0f), near / 4.0f, 1e-3f * near);
   light.type = Light::Type::point;
   light.position = {0, 0, 2};
   light.intensity *= 4.0f;
-  const float falls_off = 2.0f * 0.01f * 0.01f / (4.0f * 4.0f);  // with the squared distance
+  const float falls_off = 2.0f * 0.01f * 0.01f / (4.0f * 4.0f);  // with the square of the distance
   EXPECT_NEAR(error(0.01f, far), near / 4.0f + falls_off, 1e-3f * near);
   EXPECT_GT(error(0.3f, 1.0f), 0.1f);
 }
@@ -162,14 +161,14 @@ TEST(GlintError, IsThatOfNormalsThatScatterAHighlight) {
   EXPECT_GT(error(0.2f, 0.01f), 0.5f);
   EXPECT_EQ(error(1.0f, 0.01f), 0.0f);
   EXPECT_LT(error(0.2f, 1e-6f), 0.01f);
-  // Far from where the highlight is.
+  // Far from the highlight.
   light.direction = glm::normalize(glm::vec3(-1, 0, -0.2f));
   EXPECT_LT(error(0.2f, 1e-4f), 0.01f);
   material.unlit = true;
   EXPECT_EQ(error(0.2f, 0.01f), 0.0f);
 }
 
-// A spot above the origin, whose circle of light on z = 0 has the radius 1.
+// A spot light above the origin, whose circle of light on z = 0 has radius 1.
 PreparedLight spot(double inner, double outer) {
   Light light;
   light.type = Light::Type::spot;
@@ -198,7 +197,7 @@ TEST(ConeError, IsFoundWhereTheRimIs) {
   EXPECT_EQ(cone_error(sharp, on_floor(0.0), square(0.1f)), 0.0f);
 }
 
-TEST(ConeError, OfASoftRimFallsWithTheSquareOfTheSize) {
+TEST(ConeError, FallsWithTheSquareOfTheSizeForSoftRims) {
   const PreparedLight soft = spot(0.2, 1.2);
   const float large = cone_error(soft, on_floor(0.7), square(0.04f));
   const float small = cone_error(soft, on_floor(0.7), square(0.01f));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// Shadows of what is cut out or shone through, whose texels bound nothing that is searched for.
+// Shadows of masked and blended surfaces, whose texels have no edges in the hit list.
 
 namespace asos::test::alpha_shadow_test {
 namespace {
@@ -33,7 +33,7 @@ Receiver facing_up(float x, float y) {
 
 constexpr int texels = 4;
 
-/// A quad at half height whose every second texel is opaque; returns the opaque ones.
+/// Adds a quad at half height with alternating opaque texels, and returns these.
 std::vector<Polygon3> add_checker(World& world) {
   Material material = matte({1, 1, 1});
   material.alpha_mode = AlphaMode::mask;
@@ -80,20 +80,20 @@ double mean_checker_error(int max_level, bool outlined) {
   return sum / count;
 }
 
-// Texels' sides are boundaries like others, along which the light is cut.
-TEST(AlphaShadow, OfAnOutlinedCutOutIsExact) {
+// With known outlines, the sides of texels are edges that cut the light.
+TEST(AlphaShadow, IsExactForOutlinedCutOuts) {
   for (int max_level = 2; max_level <= 6; ++max_level)
     EXPECT_LT(mean_checker_error(max_level, true), 1e-6) << max_level;
 }
 
-// The outline of a texel crosses some 4 * 2^MAX finest cells, each wrong by half its area at most
-// and either way: the mean of many is far below the bound, which shrinks with the cells' side.
-TEST(AlphaShadow, OfACutOutLeftToSamplesGetsExacterWithEveryLevel) {
+// A texel's outline crosses about 4 * 2^MAX finest cells, each with a random error of at most half
+// its area. The mean of many is far below this bound, which shrinks with the cells' side.
+TEST(AlphaShadow, ErrorOfSampledCutOutsFallsWithMax) {
   double last = 1.0, before_last = 1.0;
   for (int max_level = 1; max_level <= 6; ++max_level) {
     const double error = mean_checker_error(max_level, false);
     const double side = std::ldexp(1.0, -max_level);
-    // Up to five columns and rows of texels' edges across the light.
+    // Up to five columns and rows of texel edges across the light.
     EXPECT_LT(error, 0.5 * 2.0 * (texels + 1) * side) << max_level;
     RecordProperty("error_at_" + std::to_string(max_level), testing::PrintToString(error));
     if (max_level > 2) {
@@ -118,8 +118,8 @@ Light bulb() {
   return light;
 }
 
-// Half of the light is seen through one layer, a quarter through two.
-TEST(AlphaShadow, OfBlendedLayersIsTheProductOfWhatTheyLetThrough) {
+// Half of the light is visible through one layer, a quarter through two.
+TEST(AlphaShadow, MultipliesTheTransmittanceOfBlendedLayers) {
   for (const Light& light : {panel(), bulb()}) {
     for (const float second : {0.0f, 0.625f}) {
       World world;
@@ -132,9 +132,9 @@ TEST(AlphaShadow, OfBlendedLayersIsTheProductOfWhatTheyLetThrough) {
   }
 }
 
-// A blended pane with an edge across the light: exact in its middle part, for its edges are
+// A blended pane with an edge across the light: exact, because edges of blended surfaces are
 // searched.
-TEST(AlphaShadow, OfABlendedPanesEdgeIsExact) {
+TEST(AlphaShadow, IsExactAtTheEdgeOfABlendedPane) {
   World world;
   add_quad(world, {0.1f, -5, 1}, {10, 0, 0}, {0, 10, 0}, see_through(0.25f));
   ShadowFixture fixture(std::move(world), panel());
@@ -148,8 +148,8 @@ TEST(AlphaShadow, OfABlendedPanesEdgeIsExact) {
   }
 }
 
-// The lamp's own quad lies across the way to its light.
-TEST(AlphaShadow, OfALightsOwnPartIsNone) {
+// The lamp's own quad is between the receiver and its light.
+TEST(AlphaShadow, IgnoresTheLightsOwnPart) {
   for (Light light : {panel(), bulb()}) {
     for (const std::int32_t own : {-1, 0, 1}) {
       World world;

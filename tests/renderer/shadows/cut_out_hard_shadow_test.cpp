@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// What a cut-out or blended card leaves of a point, spot or directional light across a pixel that
-// shows the floor z = 0, against the shadows of its texels, projected and clipped.
+// Light of a point, spot or directional light behind a masked or blended card, on a pixel that
+// shows the floor z = 0, against the projected and clipped shadows of its texels.
 
 namespace asos::test::cut_out_hard_shadow_test {
 namespace {
@@ -37,7 +37,7 @@ struct Card {
   glm::dvec3 corner, a, b;
 };
 
-/// Adds a card of a pattern; returns its opaque texels.
+/// Adds a card with a pattern; returns its opaque texels.
 std::vector<Polygon3> add_card(World& world, const Card& card, const Pattern& pattern) {
   const int n = pattern.texels;
   Material material = matte({1, 1, 1});
@@ -95,7 +95,7 @@ Frame pixel_at(glm::dvec3 target) {
   return Frame::pyramid(eye, -back - 0.5 * (right + down), right, down);
 }
 
-/// The part of the pixel, in its frame, that a flat piece shades.
+/// The part of the pixel, in its frame, that a flat piece shadows.
 Polygon shadow_in(const Frame& pixel, const Polygon3& piece, const Light& light) {
   Polygon3 shadow;
   for (const glm::dvec3& p : piece) {
@@ -103,7 +103,7 @@ Polygon shadow_in(const Frame& pixel, const Polygon3& piece, const Light& light)
         light.type == Light::Type::directional ? light.direction : p - light.position;
     shadow.push_back(p - p.z / way.z * way);
   }
-  // To what the pixel shows, on the floor: what is behind the viewer has no place in its frame.
+  // Clips to the visible part of the floor: points behind the viewer have no place in the frame.
   constexpr glm::dvec2 corners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const auto on_floor = [&](glm::dvec2 at) { return *pixel.on_plane(at, {{0, 0, 1}, 0.0}); };
   const glm::dvec3 middle = on_floor({0.5, 0.5});
@@ -136,7 +136,7 @@ World floor_world() {
   return world;
 }
 
-/// Finest cells that outlines may pass through cover no more than this of the pixel.
+/// Total area of the finest cells that outlines may cross, as a fraction of the pixel.
 double marginal_area(const std::vector<Polygon>& shadows, double side) {
   double area = 0.0;
   for (const Polygon& shadow : shadows) {
@@ -150,12 +150,11 @@ double marginal_area(const std::vector<Polygon>& shadows, double side) {
 
 struct Errors {
   double mean = 0.0;
-  int partly = 0;  ///< pixels that are neither lit nor shaded as a whole
+  int partly = 0;  ///< pixels that are neither fully lit nor fully shadowed
 };
 
-/// Over pixels of one cut-out's shadow. Where its outlines are not known each pixel's error is
-/// bounded by the area of the finest cells that texels' outlines pass through, and of which one
-/// sample stands for each.
+/// Over pixels in one cut-out's shadow. Without known outlines, each pixel's error is limited by
+/// the area of the finest cells that outlines cross, which have one sample each.
 Errors errors_at(int max_level, const Light& light, const Pattern& pattern, bool outlined) {
   ShadowRules settings;
   settings.allowance.max_level = max_level;
@@ -185,8 +184,8 @@ Errors errors_at(int max_level, const Light& light, const Pattern& pattern, bool
   return errors;
 }
 
-// Texels' sides are boundaries like others, along which the shadow is cut.
-TEST(CutOutHardShadow, IsExactWhereItIsOutlined) {
+// With known outlines, the sides of texels are edges that cut the shadow.
+TEST(CutOutHardShadow, IsExactForOutlinedCutOuts) {
   for (const Light& light : {bulb(), spot(), distant()}) {
     for (const Pattern& pattern : patterns) {
       for (const int max_level : {2, 4}) {
@@ -198,8 +197,8 @@ TEST(CutOutHardShadow, IsExactWhereItIsOutlined) {
   }
 }
 
-// That other cut-outs, far away, are left to samples makes nothing of it.
-TEST(CutOutHardShadow, IsCutNoLessWhereOthersAreSampled) {
+// Another cut-out, far away, that is left to samples does not matter.
+TEST(CutOutHardShadow, IsExactNextToSampledCutOuts) {
   const Light light = bulb();
   const auto rays_of = [&](bool others) {
     World world = floor_world();
@@ -223,9 +222,9 @@ TEST(CutOutHardShadow, IsCutNoLessWhereOthersAreSampled) {
   EXPECT_LT(rays_of(true), 2 * rays_of(false));
 }
 
-// The samples of cells that outlines cross err either way, so that their sum falls like the cells'
-// side to the power of 3/2: to an eighth over two levels, of which half is asked for.
-TEST(CutOutHardShadow, LeftToSamplesGetsExacterWithEveryLevel) {
+// The samples of crossed cells have random errors, so their sum falls with the cells' side to the
+// power of 3/2: to an eighth over two levels. Requires half of that reduction.
+TEST(CutOutHardShadow, ErrorOfSampledCutOutsFallsWithMax) {
   for (const Light& light : {bulb(), spot(), distant()}) {
     for (const Pattern& pattern : patterns) {
       std::vector<double> means;
@@ -245,8 +244,8 @@ TEST(CutOutHardShadow, LeftToSamplesGetsExacterWithEveryLevel) {
   }
 }
 
-/// What is left of the light over a pixel behind sheets with these shadows, each of which lets
-/// `through` pass: by inclusion and exclusion over what overlaps.
+/// Mean light over a pixel behind sheets with these shadows, each with the transmittance `through`:
+/// by inclusion and exclusion over the overlaps.
 double left_behind(const Polygon& region, const std::vector<Polygon>& sheets,
                    const std::vector<double>& through, std::size_t first = 0) {
   if (region.size() < 3) return 0.0;
@@ -266,14 +265,15 @@ double left_behind(const Polygon& region, const std::vector<Polygon>& sheets,
         return sign * ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
       });
     }
-    // Product of (1 - a_i inside_i), expanded: -a_i times what the later ones leave of the overlap.
+    // Expands the product of (1 - a_i inside_i): each overlap subtracts a_i times the light that
+    // the later sheets leave there.
     left -= (1.0 - through[i]) * left_behind(overlap, sheets, through, i + 1);
   }
   return left;
 }
 
-// Three sheets whose edges cross in the pixels.
-TEST(BlendedHardShadow, IsTheProductOfWhatSheetsLetThrough) {
+// Three sheets whose edges cross within the pixels.
+TEST(BlendedHardShadow, MultipliesTheTransmittanceOfSheets) {
   const std::vector<double> through{0.75, 0.5, 0.125};
   for (const Light& light : {bulb(), spot(), distant()}) {
     World world = floor_world();

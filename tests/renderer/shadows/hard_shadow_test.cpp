@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-// Hard shadows of point, spot and directional lights across a pixel, or the part of one that a leaf
-// covers: the share of its area that is lit, as the viewer sees it.
+// Hard shadows of point, spot and directional lights on a pixel or a leaf's part of one: the lit
+// fraction of its area, as seen by the viewer.
 
 namespace asos::test::hard_shadow_test {
 namespace {
@@ -33,11 +33,11 @@ glm::dvec2 projected(const Frame& frame, glm::dvec3 p) {
   return {at.u, at.v};
 }
 
-/// A leaf of a random pixel: whole, or a quarter of a quarter, or cut by an outline. Nothing where
-/// some of it shows no floor.
+/// A leaf of a random pixel: a whole pixel, a 1/16 cell, or a part cut by an outline. Returns
+/// nothing if a part of it shows no floor.
 std::optional<Pixel> random_pixel(RandomSpace& random, int kind, Camera::Type eye_type) {
   const glm::dvec3 target(random.between(-2, 2), random.between(-2, 2), 0);
-  // From overhead down to less than a degree.
+  // From straight above down to less than a degree.
   const double elevation = kind % 3 ? random.between(0.2, 1.5) : random.between(0.01, 0.1);
   const double azimuth = random.between(0, 2 * std::numbers::pi);
   const glm::dvec3 back(std::cos(azimuth) * std::cos(elevation),
@@ -61,7 +61,7 @@ std::optional<Pixel> random_pixel(RandomSpace& random, int kind, Camera::Type ey
     for (glm::dvec2& p : region) p = glm::dvec2(glm::vec2(p));
   }
   const auto on_floor = [&](glm::dvec2 p) { return frame.on_plane(p, {{0, 0, 1}, 0}); };
-  // Where a corner of the square shows no floor one ray stands for all of the leaf.
+  // If a corner of the square shows no floor, a single ray decides for the whole leaf.
   for (const glm::dvec2& p : {glm::dvec2(u, v), {u + s, v}, {u, v + s}, {u + s, v + s}}) {
     const auto at = on_floor(p);
     if (!at || glm::length(*at) > floor_half) return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<Pixel> random_pixel(RandomSpace& random, int kind, Camera::Type ey
   return Pixel{frame, patch, region, square};
 }
 
-/// The part of a convex polygon that a convex flat occluder hides from parallel light.
+/// The part of a convex polygon that a convex flat occluder shadows from parallel light.
 Polygon3 hidden_along(Polygon3 polygon, const Polygon3& occluder, glm::dvec3 towards) {
   const glm::dvec3 face = glm::cross(occluder[1] - occluder[0], occluder[2] - occluder[0]);
   const double side = glm::dot(face, towards) > 0.0 ? 1.0 : -1.0;
@@ -83,8 +83,8 @@ Polygon3 hidden_along(Polygon3 polygon, const Polygon3& occluder, glm::dvec3 tow
   return polygon;
 }
 
-/// Whether the screen comes out of the floor within the patch: the viewer sees more than floor
-/// then.
+/// Whether the screen rises from the floor within the patch: then the viewer does not see only
+/// floor.
 bool stands_in(const Polygon3& screen, const Polygon3& patch) {
   const glm::dvec3 normal = glm::cross(screen[1] - screen[0], screen[2] - screen[0]);
   const auto straddles = [](const Polygon3& polygon, glm::dvec3 n, glm::dvec3 origin) {
@@ -119,14 +119,13 @@ double visibility(ShadowFixture& fixture, const Pixel& pixel, int kind, float tr
   return fixture.visibility(point, pixel.frame, leaf_of({pixel.square, sides}, 1.0f, 7));
 }
 
-/// How the floor is seen, and how large its triangles are: the larger, the farther above it shadow
-/// rays end.
+/// How the floor is seen, and the size of its triangles: shadow rays end farther above larger ones.
 struct Shown {
   Camera::Type eye = Camera::Type::perspective;
   float triangle_size = 0.1f;
 };
 
-/// For random pixels: a large screen whose edge's shadow runs through the pixel.
+/// For random pixels: a large screen with the edge of its shadow in the pixel.
 void expect_edges(std::uint64_t seed, Shown shown, Light (*make)(RandomSpace&)) {
   RandomSpace random(seed);
   double worst = 0.0;
@@ -210,15 +209,15 @@ TEST(HardShadow, OfADirectionalLightUnderAPerspectiveEyeIsExact) {
   expect_edges(5, {}, distant);
 }
 
-// Shadow rays end farther above large triangles, but on their way to the light all the same.
+// Shadow rays end farther above large triangles, but still on the line to the light.
 TEST(HardShadow, DoesNotMoveOnLargeTriangles) {
   expect_edges(6, {Camera::Type::perspective, 40.0f}, bulb);
   expect_edges(7, {Camera::Type::orthographic, 40.0f}, distant);
 }
 
-// More specks than the pyrays of MAX resolve, and than cuts are worth: they hide the light from
-// half of the pixel, which is sampled to EPS.
-TEST(HardShadow, OfManySpecksIsKnownToEps) {
+// So many specks that MAX cannot resolve them and cuts are too expensive: they shadow half of the
+// pixel, which is sampled to EPS.
+TEST(HardShadow, ManySpecksAreSampledToEps) {
   constexpr int count = 12;
   constexpr double space = 1.0 / count;
   const double size = std::sqrt(0.5) * space;

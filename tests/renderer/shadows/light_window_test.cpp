@@ -43,7 +43,7 @@ class Directions {
   std::normal_distribution<double> d_;
 };
 
-// The window's own sum over its whole square is the closed form of the whole light.
+// The window's sum over its whole square is the closed form of the whole light.
 TEST(LightWindow, TheWholeOfALightIsItsClosedForm) {
   Directions random;
   int seen = 0;
@@ -66,7 +66,7 @@ TEST(LightWindow, TheWholeOfALightIsItsClosedForm) {
   EXPECT_GT(seen, 500);
 }
 
-// Parts of the square add up, whatever they are: the rim's arcs belong to just one of them.
+// The forms of disjoint parts add up: each arc of the rim belongs to one part.
 TEST(LightWindow, TheFormIsAdditive) {
   Directions random;
   for (int i = 0; i < 500; ++i) {
@@ -86,15 +86,15 @@ TEST(LightWindow, TheFormIsAdditive) {
   }
 }
 
-// The light that a straight cut through a ball's middle leaves on either side, which is as much
-// wherever the cut's ends lie on the square: the rim touches the sides that bound one half.
+// A straight cut through a sphere's centre leaves the same light on either side, wherever the cut's
+// ends are on the square's border: the rim touches the sides that bound one half.
 TEST(LightWindow, EitherHalfOfABallIsHalfOfItsLight) {
   Receiver receiver;
   receiver.normal = receiver.geometric = {0, 0, 1};
   const auto window = LightWindow::of(ball({0, 0, 2}, 0.7), receiver);
   ASSERT_TRUE(window.has_value());
   const double half = 0.5 * window->form(whole);
-  // Around the square's border, with both places of the cut among its corners.
+  // Around the square's border, with both ends of the cut as corners.
   static constexpr glm::vec2 round[8] = {{0, 0}, {0.5f, 0}, {1, 0}, {1, 0.5f},
                                          {1, 1}, {0.5f, 1}, {0, 1}, {0, 0.5f}};
   for (std::size_t from = 0; from < 8; ++from) {
@@ -106,7 +106,7 @@ TEST(LightWindow, EitherHalfOfABallIsHalfOfItsLight) {
   }
 }
 
-// A ball whose rim a straight line through the middle of the window halves, seen head on.
+// A sphere seen frontally, halved by a straight line through the window's centre.
 TEST(LightWindow, HalfOfABallIsHalfOfItsLight) {
   Receiver receiver;
   receiver.normal = receiver.geometric = {0, 0, 1};

@@ -12,7 +12,7 @@
 #include <vector>
 
 // Penumbrae of flat and linear lights behind straight-edged occluders, against closed forms: the
-// light's polygon clipped by the planes through the receiver and the occluder's edges.
+// light's polygon clipped by planes through the receiver and the occluder's edges.
 
 namespace asos::test::penumbra_exact_test {
 namespace {
@@ -46,8 +46,8 @@ Receiver receiver_near_origin(RandomSpace& random, glm::dvec3 target, int kind) 
   return receiver;
 }
 
-/// A quad so large that only one of its edges, through `through`, can be seen from close by. Its
-/// plane may pass through the light.
+/// A quad so large that only its edge through `through` is visible from nearby. Its plane may
+/// intersect the light.
 Polygon3 add_half_plane(World& world, RandomSpace& random, glm::dvec3 through) {
   const glm::dvec3 edge = random.direction();
   const glm::dvec3 inwards = random.perpendicular(edge);
@@ -64,7 +64,7 @@ class Worst {
     worst_ = std::max(worst_, std::abs(found - exact));
     partly_ += exact > 0.01 && exact < 0.99;
   }
-  /// How many cases lay in the penumbra.
+  /// Number of cases in the penumbra.
   [[nodiscard]] int partly() const { return partly_; }
 
  private:
@@ -73,7 +73,7 @@ class Worst {
   int partly_ = 0;
 };
 
-// Shares of rectangles behind some half-planes.
+// Visible fractions of rectangles behind some half-planes.
 void expect_half_planes(int planes, int worlds, std::uint64_t seed) {
   RandomSpace random(seed);
   Worst worst(1e-4);
@@ -91,7 +91,7 @@ void expect_half_planes(int planes, int worlds, std::uint64_t seed) {
     for (int i = 0; i < 50; ++i) {
       const Receiver receiver = receiver_near_origin(random, middle, i);
       const double all = form_of(corners_of(light), receiver);
-      if (all < 1e-4) continue;  // as good as below the horizon
+      if (all < 1e-4) continue;  // practically below the horizon
       worst.expect(fixture.visibility(receiver),
                    seen_form(corners_of(light), occluders, receiver) / all, 1000 * w + i);
     }
@@ -146,7 +146,7 @@ TEST(Penumbra, ThroughAnApertureIsExact) {
   EXPECT_GT(worst.partly(), 200);
 }
 
-// A bar a hundredth as wide as the light, on its way between the light and the receiver.
+// A bar a hundredth as wide as the light, moving between light and receiver.
 TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
   for (int max_level = 1; max_level <= 4; ++max_level) {
     ShadowRules settings;
@@ -174,8 +174,8 @@ TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
   }
 }
 
-/// The parameters, -1 to 1, between which (if they are in this order) a convex occluder hides a
-/// line from `eye`.
+/// The range of parameters, within -1 to 1, that a convex occluder hides of a line seen from `eye`
+/// (empty if reversed).
 std::pair<double, double> hidden_interval(const Light& tube, const Polygon3& occluder,
                                           glm::dvec3 eye) {
   const glm::dvec3 face = glm::cross(occluder[1] - occluder[0], occluder[2] - occluder[0]);
@@ -193,7 +193,7 @@ std::pair<double, double> hidden_interval(const Light& tube, const Polygon3& occ
   return {t0, t1};
 }
 
-/// `horizons`: receivers of all kinds; else those whose horizons are clear of the light.
+/// `horizons`: receivers of all kinds; otherwise only those whose horizons do not cut the light.
 void expect_linear(std::uint64_t seed, bool horizons) {
   RandomSpace random(seed);
   Worst worst(1e-5);
@@ -207,7 +207,7 @@ void expect_linear(std::uint64_t seed, bool horizons) {
       const glm::dvec3 a = random.between(0.05, 0.5) * along;
       const glm::dvec3 through = random.between(0.3, 0.8) * middle + 0.4 * random.direction();
       const glm::dvec3 b = random.between(0.05, 0.5) * random.perpendicular(along);
-      // A surface that the light itself passes through ends its shadow where no edge is.
+      // A surface that intersects the light ends its shadow without an edge.
       const glm::dvec3 plane = glm::cross(a, b);
       const auto side = [&](double t) {
         return glm::dot(plane, middle + t * light.half_u - through) > 0.0;

@@ -12,19 +12,20 @@
 #include <vector>
 
 // Penumbrae of round lights and of polygons with holes behind a half-plane, against slow
-// quadrature: the plane through the receiver and the occluder's edge is one more horizon to it.
+// quadrature: the plane through the receiver and the occluder's edge acts as another horizon.
 
 namespace asos::test::penumbra_round_test {
 namespace {
 
-/// A half-plane across the way to a light, its edge's plane at some offset from the light's middle.
+/// A half-plane between receiver and light; the plane of its edge has an offset from the light's
+/// centre.
 struct Case {
   Receiver receiver;
-  Receiver behind;  ///< the same with the occluder's edge for a second horizon
+  Receiver behind;  ///< the same with the occluder's edge as its second horizon
 };
 
-/// Places a screen at `height` of the way from the receiver to `middle`, whose edge is seen at
-/// `offset` of the light's `radius` from its middle; adds it to `world`.
+/// Adds a screen to `world` at the fraction `height` of the way from the receiver to `middle`. Its
+/// edge appears at `offset` times the light's `radius` from the centre.
 Case add_screen(World& world, RandomSpace& random, const Receiver& receiver, glm::dvec3 middle,
                 double radius, double offset) {
   const glm::dvec3 way = middle - receiver.position;
@@ -44,7 +45,7 @@ Case add_screen(World& world, RandomSpace& random, const Receiver& receiver, glm
   return c;
 }
 
-/// Receivers at the origin: facing the light, turned away somewhat, and with it at the horizon.
+/// Receivers at the origin: facing the light, tilted away, and with the light at the horizon.
 Receiver receiver_of(RandomSpace& random, glm::dvec3 middle, int kind) {
   Receiver receiver = random.receiver({0, 0, 0}, middle, kind % 3);
   if (kind % 4 == 0) receiver.normal = glm::normalize(middle);
@@ -55,7 +56,7 @@ Receiver receiver_of(RandomSpace& random, glm::dvec3 middle, int kind) {
 
 using Form = double (*)(const Light& light, const Receiver& receiver);
 
-/// For 300 screens: the share that is seen is the ratio of the oracle's two forms.
+/// For 300 screens: the visible fraction is the ratio of the oracle's two forms.
 void expect_screens(std::uint64_t seed, Light (*make)(RandomSpace&), double reach, Form oracle) {
   RandomSpace random(seed);
   double worst = 0.0;

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <utility>
 
-// Whether a shadow's edge on a patch is found, however the patch, the blocker and the light lie.
+// Whether the edge of a shadow on a patch is found, for various patches, occluders and lights.
 
 namespace asos::test::penumbra_search_test {
 namespace {
 
-/// The verdict on a patch around the origin of a plane, below a rectangle light of 2 x 1.5 at the
-/// distance 2 and whatever stands in the world.
+/// The decision for a patch around the origin of a plane, below a rectangle light of 2 x 1.5 at
+/// distance 2, with the occluders in the world.
 class PenumbraSearch : public testing::Test {
  protected:
   [[nodiscard]] Penumbra look(World world, const Patch& patch, double weight = 1.0) {
@@ -56,8 +56,8 @@ class PenumbraSearch : public testing::Test {
   glm::vec3 position{0.0f};  ///< of the patch's middle
 };
 
-// Below a wall that hangs from a light, the share is 1 - |x| / 2 beside the wall: over a patch of
-// width w it is w / 8 less than in the middle.
+// Next to a wall that hangs from the light, the visible fraction is 1 - |x| / 2: over a patch of
+// width w its mean is w / 8 less than at the centre.
 TEST_F(PenumbraSearch, SplitsAPatchBelowAHangingWall) {
   tolerance = 1e-4f;
   for (const float width : {0.02f, 0.1f}) {
@@ -72,15 +72,15 @@ TEST_F(PenumbraSearch, SplitsAPatchBelowAHangingWall) {
   }
 }
 
-/// A pole of the width 0.02 close above the plane, along z: it hides the light from the patch's
-/// middle, and from a fifth of it.
+/// A pole of width 0.02 along z, close above the plane: it hides the light from the patch's centre,
+/// and from a fifth of the patch.
 World pole(double height, double length) {
   World world;
   add_occluder(world, {-0.01, height, -0.5 * length}, {0.02, 0, 0}, {0, 0, length});
   return world;
 }
 
-// The boundaries leave the window far on both sides: no end of a piece of them, and no middle, is
+// The edges extend far beyond the window on both sides: neither an end nor the centre of an edge is
 // near it.
 TEST_F(PenumbraSearch, FindsALongPoleAcrossANarrowPatch) {
   for (const double length : {1.0, 8.0, 64.0}) {
@@ -99,10 +99,10 @@ TEST_F(PenumbraSearch, LeavesAPatchAloneThatNoShadowReaches) {
   EXPECT_FALSE(found.saturated);
 }
 
-// A ledge a hundredth above the plane, and the light leans: the ledge's edge lies behind the
-// patch's middle on the way to the light, but its shadow falls on a part of the patch.
-TEST_F(PenumbraSearch, FindsWhatHangsOverTheFarSideOfAPatch) {
-  lean_of_light = 1.1f;  // at 27 degrees: a shadow twice as long as high
+// A ledge 0.01 above the plane, with an oblique light: the ledge's edge is behind the patch's
+// centre as seen from the light, but its shadow falls on a part of the patch.
+TEST_F(PenumbraSearch, FindsALedgeBehindThePatch) {
+  lean_of_light = 1.1f;  // at 27 degrees: a shadow twice as long as its height
   const Patch patch{{0.1f, 0, 0}, {0, 0, 0.1f}};
   const auto ledge_from = [](double x) {
     World world;
@@ -113,8 +113,9 @@ TEST_F(PenumbraSearch, FindsWhatHangsOverTheFarSideOfAPatch) {
   EXPECT_EQ(look(ledge_from(-0.08), patch).error, 0.0f);  // beyond it
 }
 
-// What a few rays tell well enough is not looked for: a light part of a pixel, or a dim light.
-TEST_F(PenumbraSearch, IsNotMadeForPartsThatDeserveFewRays) {
+// The search is skipped if a few rays are accurate enough: for a small part of a pixel, or a dim
+// light.
+TEST_F(PenumbraSearch, IsSkippedIfFewRaysSuffice) {
   const Patch patch{{0.1f, 0, 0}, {0, 0, 0.1f}};
   EXPECT_GT(look(pole(0.002, 8.0), patch, 1.0).error, 0.1f);
   EXPECT_EQ(look(pole(0.002, 8.0), patch, 1.0 / 1024.0).error, 0.0f);

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// What groups of points find out together about a light is what each of them finds out alone.
+// Groups of points get the same visibility as each point alone.
 
 namespace asos::test::shadow_groups_test {
 namespace {
@@ -25,7 +25,7 @@ struct Block {
   PixelRect rect;
 };
 
-/// The shares that the pixels of a block get of a light, with groups or one by one.
+/// Visibility of a light for the pixels of a block, with groups or one by one.
 std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, bool together,
                               RenderStatistics& counts) {
   const World& world = fixture.world();
@@ -73,7 +73,7 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
   return shares;
 }
 
-/// `allowed`: root mean square difference over all pixels.
+/// `allowed`: RMS difference over all pixels.
 void expect_same_shares(const std::string& name, const std::vector<Light>& lights, double allowed) {
   const Scene scene = load_scene("builtin:" + name).value();
   const World world = flatten(scene).value().world;
@@ -82,7 +82,7 @@ void expect_same_shares(const std::string& name, const std::vector<Light>& light
   double worst = 0.0;
   int all_shaded = 0;
   for (Light light : lights) {
-    // A few units above and beside the objects.
+    // A few units above the objects and to their side.
     light = scaled(light, 2.0);
     light.position += glm::dvec3(-1.0, 0.5, 1.5);
     for (auto& outline : light.outlines)
@@ -116,13 +116,13 @@ void expect_same_shares(const std::string& name, const std::vector<Light>& light
   testing::Test::RecordProperty("worst_error", testing::PrintToString(worst));
 }
 
-TEST(ShadowGroups, SayWhatEachPointSaysAlone) {
+TEST(ShadowGroups, MatchSinglePoints) {
   expect_same_shares("boxes", all_lights(), 1e-5);
 }
 
-// Outlines of fine meshes are cut along chains of what a list happens to hold: within a finest
-// cell.
-TEST(ShadowGroups, SayWhatEachPointSaysAloneOfFineMeshes) {
+// Outlines of fine meshes are cut along chains that depend on the list's contents: equal within a
+// finest cell.
+TEST(ShadowGroups, MatchSinglePointsForFineMeshes) {
   expect_same_shares("primitives", all_lights(), std::ldexp(1.0, -10));
   expect_same_shares("primitives-rectangle", all_lights(), std::ldexp(1.0, -10));
 }

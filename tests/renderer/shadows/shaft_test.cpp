@@ -13,7 +13,7 @@
 namespace asos::test::shaft_test {
 namespace {
 
-/// Boxes of all proportions: points, lines and flat ones among them.
+/// Boxes of all proportions, including points, lines and flat ones.
 Box random_box(RandomSpace& random, glm::vec3 around, double size) {
   Box box;
   const glm::vec3 corner = around + glm::vec3(size * random.direction());
@@ -58,8 +58,7 @@ TEST(Shaft, MissesNoEdgeThatCrossesAWayBetweenItsBoxes) {
     Shaft shaft(from, to);
     ASSERT_TRUE(shaft.meets(a, b)) << i;
     ASSERT_EQ(shaft.met_children(node_around(a, b)), 1u) << i;
-    // A half-space with the crossing in it, clear of its border by what the edge's ends are
-    // rounded.
+    // A half-space that contains the crossing, with a margin for the rounding of the edge's ends.
     const glm::dvec3 normal = random.direction();
     const double rounding = 1e-6 * (glm::length(x) + glm::length(along));
     shaft.keep_within({normal, glm::dot(normal, x) - rounding});
@@ -68,8 +67,9 @@ TEST(Shaft, MissesNoEdgeThatCrossesAWayBetweenItsBoxes) {
   }
 }
 
-// Conservative, but not by much: what is clear of the hull by a tenth of it is left out.
-TEST(Shaft, LeavesOutWhatLiesBesideIt) {
+// Conservative, but not too much: boxes farther from the hull than a tenth of its size are
+// excluded.
+TEST(Shaft, ExcludesBoxesNextToIt) {
   const auto box = [](glm::vec3 lo, glm::vec3 hi) {
     Box b;
     b.grow(lo);
@@ -78,13 +78,13 @@ TEST(Shaft, LeavesOutWhatLiesBesideIt) {
   };
   const Shaft shaft(box({0, 0, 0}, {1, 1, 1}), box({9, 9, 9}, {10, 10, 10}));
   EXPECT_TRUE(shaft.meets({5, 5, 5}, {5, 6, 5}));
-  EXPECT_FALSE(shaft.meets({2, 8, 5}, {3, 8, 5}));    // in the bounds, beyond the bevels
+  EXPECT_FALSE(shaft.meets({2, 8, 5}, {3, 8, 5}));    // within the bounds, but beyond the bevels
   EXPECT_FALSE(shaft.meets({-1, 0, 0}, {-1, 5, 0}));  // beyond the bounds
   EXPECT_TRUE(shaft.meets({2, 8, 5}, {8, 2, 5}));     // through the middle
   EXPECT_EQ(shaft.met_children(node_around({2, 8, 5}, {3, 8, 5})), 0u);
 }
 
-/// Numbers of the edges under a cut.
+/// Collects the edges below a cut.
 void collect(const FeatureSet& features, std::uint32_t node_index, unsigned children,
              std::set<std::uint32_t>& edges) {
   const FeatureNode& node = features.nodes()[node_index];
@@ -138,7 +138,7 @@ TEST(ShaftSearch, HoldsAllEdgesThatMeetTheShaftWhateverTheLimit) {
       }
       if (most == 100'000u) {
         ASSERT_TRUE(found.complete);
-        // Complete: nothing found proves that there is nothing, and the other way round.
+        // Complete: nothing was found if and only if there is nothing.
         ASSERT_EQ(found.cut.empty(), !some);
         (some ? whole : empty)++;
       }

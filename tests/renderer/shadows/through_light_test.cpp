@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-// Surfaces that pass through a flat light, against the light's polygon clipped by their planes.
+// Surfaces that intersect a flat light, against the light's polygon clipped by their planes.
 
 namespace asos::test::through_light_test {
 namespace {
 
-/// Level, two units above the origin, of about one unit's radius; shines on both sides.
+/// Horizontal, two units above the origin, with a radius of about one unit; two-sided.
 Light level_light(Light::Type type) {
   Light light;
   light.type = type;
@@ -35,7 +35,7 @@ Polygon3 shape_of(const Light& light) {
   if (light.type == Light::Type::rectangle) return corners_of(light);
   if (light.type == Light::Type::polygon) return light.outlines.front();
   Polygon3 circle;
-  constexpr int sides = 2048;  // a disk's area is off by 2e-6
+  constexpr int sides = 2048;  // the disk's area has an error of 2e-6
   for (int i = 0; i < sides; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / sides;
     circle.push_back(light.position + glm::dvec3(std::cos(angle), 0.0, std::sin(angle)));
@@ -43,7 +43,7 @@ Polygon3 shape_of(const Light& light) {
   return circle;
 }
 
-/// A place on a light, away from its outline's corners.
+/// A point of a light, not near its outline's corners.
 glm::dvec3 on_light(RandomSpace& random) {
   return {random.between(-0.6, 0.6), 2.0, random.between(-0.4, 0.4)};
 }
@@ -56,7 +56,7 @@ Receiver receiver_below(RandomSpace& random) {
   return receiver;
 }
 
-// The worst of some receivers; how many of them see a part is added up.
+// The largest error over some receivers; also counts those that see a part of the light.
 double worst_error(ShadowFixture& fixture, const std::vector<Polygon3>& walls, RandomSpace& random,
                    int& partly) {
   double worst = 0.0;

@@ -23,7 +23,7 @@ TEST(StabilityCase, HoldsUpToItsBound) {
   EXPECT_FALSE(holds(finding_of(0.1000001, 0.1)));
 }
 
-TEST(StabilityCase, IsBrokenByWhatIsNoFigure) {
+TEST(StabilityCase, FailsForNaN) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(holds(finding_of(nan, 1.0)));
   EXPECT_FALSE(holds(finding_of(0.0, nan)));
@@ -37,7 +37,7 @@ TEST(StabilityCase, IsBrokenByAPixelThatIsNotFinite) {
   finding.outcome.bad_pixels = 1;
   EXPECT_FALSE(holds(finding));
   finding.outcome.bad_pixels = 0;
-  finding.outcome.rejected_samples = 1;  // dropped and told is as it should be
+  finding.outcome.rejected_samples = 1;  // rejected and reported, as it should be
   EXPECT_TRUE(holds(finding));
 }
 

@@ -29,7 +29,7 @@ TEST(ClosedForms, ContourSumIsTheRectanglesConfigurationFactor) {
 }
 
 TEST(ClosedForms, ContourSumCutsAtTheHorizon) {
-  // A quarter of all directions, seen edge on: a wall without end on one side gives half of pi.
+  // A quarter of all directions, seen edge on: an infinite wall on one side gives half of pi.
   const double far = 1e9;
   EXPECT_NEAR(contour_illuminance({{1, -far, -far}, {1, far, -far}, {1, far, far}, {1, -far, far}}),
               0.5 * pi, 1e-6);
@@ -37,7 +37,7 @@ TEST(ClosedForms, ContourSumCutsAtTheHorizon) {
 }
 
 TEST(ClosedForms, CoverageOfAHalfPlaneIsItsShare) {
-  // Picture of 4 x 2 pixels of a unit each; the edge runs through x = -0.75.
+  // A picture of 4 x 2 pixels of one unit each; the edge is at x = -0.75.
   const PictureView view{parallel({0, 0, 1}, {0, 0, 0}, 2.0), 4, 2};
   const std::vector<glm::dvec3> half{{-0.75, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-0.75, 9, 0}};
   EXPECT_NEAR(coverage(view, half, 0, 0), 0.0, 1e-15);
@@ -50,7 +50,7 @@ TEST(ClosedForms, CoverageOfAGroundThatReachesBehindTheEyeEndsAtTheHorizon) {
   const double far = 1e6;
   const double seen =
       coverage(view, {{-far, 0, 5}, {far, 0, 5}, {far, 0, -far}, {-far, 0, -far}}, 0, 0);
-  // The far end lies 1e-6 below the horizon, which halves the pixel of height 2.
+  // The far end is 1e-6 below the horizon, which halves the pixel of height 2.
   EXPECT_NEAR(seen, 0.5 - 0.5e-6, 1e-12);
 }
 

@@ -7,7 +7,7 @@
 namespace asos::stability {
 namespace {
 
-constexpr double lux_of_unit_disk = std::numbers::pi / 2.0;  // of one nit and radius 1, 1 above
+constexpr double lux_of_unit_disk = std::numbers::pi / 2.0;  // 1 cd/m², at distance 1
 
 Finding measured(float nits, double expected) {
   Light disk;
@@ -24,14 +24,14 @@ Finding measured(float nits, double expected) {
   return finding;
 }
 
-// However faint the light is, the meter tells it from one that is a thousandth brighter.
+// For any light strength the meter distinguishes one that is a thousandth brighter.
 TEST(LightMeter, TellsLightsApartWhateverTheirStrength) {
   for (const float nits : {1e-20f, 1e-6f, 1.0f, 1e6f, 1e20f}) {
     const double lux = static_cast<double>(nits) * lux_of_unit_disk;
     EXPECT_TRUE(holds(measured(nits, lux))) << nits;
     EXPECT_FALSE(holds(measured(1.001f * nits, lux))) << nits;
   }
-  EXPECT_FALSE(holds(measured(1e-20f, 0.0))) << "nothing is nothing";
+  EXPECT_FALSE(holds(measured(1e-20f, 0.0))) << "no light gives 0";
 }
 
 }  // namespace

@@ -11,14 +11,14 @@
 
 namespace asos::stability {
 
-// The text that GoogleTest prints for a parameter.
+// Printed by GoogleTest as the parameter.
 static void PrintTo(const Case& item, std::ostream* stream) {
   *stream << item.group << ": " << item.name;
 }
 
 namespace {
 
-/// How much more light it takes until a case notices, where that is more than a hundredth.
+/// Cases that need more than a hundredth of additional light to fail, with that amount.
 const std::map<std::string, double>& coarse_cases() {
   static const std::map<std::string, double> cases{
       {"a card whose vertices themselves lie 1000 away", 0.015},
@@ -38,17 +38,17 @@ const std::map<std::string, double>& coarse_cases() {
   return cases;
 }
 
-/// The case with its first picture's lights brighter by this share.
+/// The case with the lights of its first picture brighter by this fraction.
 Finding brighter(const Case& item, double share) {
   const Disturbed first(Disturbance{1.0 + share, {}});
   return run_case(item);
 }
-/// And with everything in it a hundredth of a pixel aside.
+/// The case with everything shifted by a hundredth of a pixel.
 Finding aside(const Case& item) {
   const Disturbed first(Disturbance{1.0, {0.01, 0.007}});
   return run_case(item);
 }
-/// The finding with its figure larger by this share.
+/// The finding with its value increased by this fraction.
 Finding larger(Finding finding, double share) {
   Outcome& o = finding.outcome;
   o.got *= 1.0 + share;
@@ -56,14 +56,14 @@ Finding larger(Finding finding, double share) {
   return finding;
 }
 
-// A bound as wide as what it is the bound of would hold whatever was rendered.
+// A bound as large as the bounded value would hold for any picture.
 void expect_that_it_tells(const Case& item, const Finding& finding) {
   constexpr double usual = 0.01;
   const auto coarse = coarse_cases().find(item.name);
   const double share = coarse == coarse_cases().end() ? usual : coarse->second;
   const auto tells = [&](double more) {
     const Finding lit = brighter(item, more);
-    // Darkness, counts, and answers of yes and no have nothing that lights change.
+    // For darkness, counts and yes-no answers, brighter lights change nothing.
     return !holds(lit.outcome.got == finding.outcome.got ? larger(finding, more) : lit);
   };
   const bool tells_usual = tells(usual) || !holds(aside(item));
@@ -74,7 +74,7 @@ void expect_that_it_tells(const Case& item, const Finding& finding) {
   EXPECT_TRUE(tells_usual || tells(share))
       << finding.outcome.got << ", bound " << finding.outcome.bound;
   const bool excused = coarse != coarse_cases().end();
-  EXPECT_EQ(tells_usual, !excused) << "an exception that is none any more";
+  EXPECT_EQ(tells_usual, !excused) << "this exception is no longer needed";
 }
 
 class StabilityQuick : public testing::TestWithParam<Case> {};

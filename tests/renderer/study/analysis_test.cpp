@@ -20,7 +20,7 @@ StudyPoint point(const std::string& method, const std::string& setting, double s
 }
 
 // Sobol: error 0.1 / sqrt(t). ASOS: 0.01 in 2 s, where Sobol takes 100 s; 0.001 in 20 s, where
-// Sobol would take 10^4 s but was measured up to 400 s only.
+// Sobol would take 10^4 s but was measured only up to 400 s.
 SceneStudy power_laws() {
   SceneStudy study;
   study.scene = "made up";
@@ -50,7 +50,7 @@ TEST(Analyse, FindsTheSpeedupAtEqualError) {
 
 TEST(Analyse, ComparesAnyPointWithARival) {
   SceneStudy study = power_laws();
-  // Not ASOS itself, but a point like any other: sobol takes 16 s to an error of 0.025.
+  // Not ASOS itself, but treated like other methods: sobol takes 16 s to an error of 0.025.
   study.points.push_back(point("asos-published", "MAX 1", 4, 0.025));
   analyse(study);
   const auto row = at_equal_error(study, study.points.back(), "sobol");
@@ -59,7 +59,7 @@ TEST(Analyse, ComparesAnyPointWithARival) {
   EXPECT_FALSE(at_equal_error(study, study.points.back(), "uniform")) << "not measured";
   study.noise = 0.02;
   analyse(study);
-  EXPECT_FALSE(at_equal_error(study, study.points.back(), "sobol")) << "under the floor";
+  EXPECT_FALSE(at_equal_error(study, study.points.back(), "sobol")) << "below the noise floor";
 }
 
 TEST(Analyse, FindsTheErrorInEqualTime) {
@@ -91,7 +91,7 @@ TEST(Analyse, PointsUnderTheFloorAreNotQuoted) {
   EXPECT_EQ(study.slopes[0].curve, "sobol");
 }
 
-// What is left of ASOS's error however long it takes, without the reference's own.
+// The error of ASOS that remains at any run time, without the reference's noise.
 TEST(Analyse, FindsAsosOwnBias) {
   SceneStudy study;
   study.points = {point("asos", "MAX 1", 1, 0.05), point("asos", "MAX 2", 2, 0.01),
@@ -105,14 +105,15 @@ TEST(Analyse, FindsAsosOwnBias) {
   EXPECT_TRUE(study.bias->levels_off) << "four times the time took 2 % of it";
   study.points[3].measures.rmse = 0.0025;
   analyse(study);
-  EXPECT_FALSE(study.bias->levels_off) << "half of it goes";
+  EXPECT_FALSE(study.bias->levels_off) << "half of it is removed";
   study.noise = 0.002;
   analyse(study);
   EXPECT_FALSE(study.bias) << "the best is under the floor of 0.004";
 }
 
-// No sampling goes below one sample: a rival that is better at its quickest costs that and no less.
-TEST(Analyse, ComparesAsosWhileItRendersWithSobolAtItsEnds) {
+// No method takes less than one sample: a rival that is better at its quickest setting has the time
+// of that setting.
+TEST(Analyse, ComparesUnfinishedAsosWithFinishedSobol) {
   SceneStudy study = power_laws();
   EXPECT_TRUE(study.at_moments.empty()) << "no render was watched";
   for (StudyPoint& p : study.points)
@@ -121,7 +122,7 @@ TEST(Analyse, ComparesAsosWhileItRendersWithSobolAtItsEnds) {
                            {"asos", "MAX 2", true, {{2.0, 0.1}, {10.0, 0.04}, {50.0, 0.003}}}};
   analyse(study);
   // After 1 s there is no picture, after 4 s that of 2 s, after 64 s that of 50 s.
-  ASSERT_EQ(study.at_moments.size(), 2u) << "not of more than 64 samples";
+  ASSERT_EQ(study.at_moments.size(), 2u) << "only up to 64 samples";
   EXPECT_EQ(study.at_moments[0].setting, "4 spp");
   EXPECT_EQ(study.at_moments[0].seconds, 4.0);
   EXPECT_NEAR(study.at_moments[0].ratio, 0.1 / 0.05, 1e-12);
@@ -134,7 +135,7 @@ TEST(Analyse, ComparesAsosWhileItRendersWithSobolAtItsEnds) {
   EXPECT_TRUE(study.at_moments[1].under_floor);
 }
 
-TEST(Analyse, ALossIsALoss) {
+TEST(Analyse, ReportsLosses) {
   SceneStudy study;
   study.points = {point("asos", "MAX 1", 2, 0.2), point("sobol", "1 spp", 1, 0.1),
                   point("sobol", "4 spp", 4, 0.05)};
@@ -159,8 +160,8 @@ TEST(Analyse, ComparesARivalAtItsBest) {
   EXPECT_TRUE(study.points.front().best);
 }
 
-// A method whose errors stop falling: no time would be enough, and its longest is a lower bound.
-TEST(Analyse, WhatIsNeverReachedHasABoundAndNoWinner) {
+// A method whose errors stop falling: no time would suffice, and its longest time is a lower bound.
+TEST(Analyse, GivesALowerBoundForUnreachedErrors) {
   SceneStudy study;
   study.points = {point("asos", "MAX 2", 2, 0.001), point("average", "a", 1, 0.1),
                   point("average", "b", 3, 0.0999)};
@@ -168,7 +169,7 @@ TEST(Analyse, WhatIsNeverReachedHasABoundAndNoWinner) {
   ASSERT_EQ(study.equal_error.size(), 1u);
   EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);
   EXPECT_NEAR(study.equal_error[0].speedup, 1.5, 1e-12);
-  study.points.pop_back();  // and so has one with a single setting
+  study.points.pop_back();  // as has one with a single setting
   analyse(study);
   ASSERT_EQ(study.equal_error.size(), 1u);
   EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);
@@ -179,8 +180,8 @@ TEST(Analyse, WhatIsNeverReachedHasABoundAndNoWinner) {
   EXPECT_EQ(all[0].beyond(), 1);
 }
 
-// Only whose last doublings hardly gain is said to level off.
-TEST(Analyse, WhatLevelsOffIsToldFromWhatWasNotMeasuredLongEnough) {
+// Only a method whose last doublings hardly improve is reported as levelling off.
+TEST(Analyse, DistinguishesLevellingOffFromShortMeasurements) {
   SceneStudy study;
   study.points = {point("asos", "MAX 2", 2, 1e-4), point("average", "a", 1, 0.1),
                   point("average", "b", 2, 0.099), point("average", "c", 4, 0.098)};
@@ -188,20 +189,20 @@ TEST(Analyse, WhatLevelsOffIsToldFromWhatWasNotMeasuredLongEnough) {
   ASSERT_EQ(study.equal_error.size(), 1u);
   EXPECT_EQ(study.equal_error[0].reading, Reading::levelled);
   EXPECT_EQ(verdicts(study.equal_error)[0].levelled, 1);
-  // Random samples: a half of the error for four times the time.
+  // Random samples: half of the error for four times the time.
   study.points = {point("asos", "MAX 2", 2, 1e-4), point("random", "a", 1, 0.1),
                   point("random", "b", 2, 0.0707), point("random", "c", 4, 0.05)};
   analyse(study);
   EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);
   EXPECT_EQ(verdicts(study.equal_error)[0].unreached, 1);
-  // A measured error is no matter of levelling off.
+  // A measured error is not extrapolated, so levelling off does not matter.
   study.points = {point("asos", "MAX 1", 1, 0.0995), point("average", "a", 1, 0.1),
                   point("average", "b", 2, 0.099), point("average", "c", 4, 0.098)};
   analyse(study);
   EXPECT_EQ(study.equal_error[0].reading, Reading::measured);
 }
 
-TEST(Analyse, CountsWhatTheNoiseOfTheReferenceHides) {
+TEST(Analyse, CountsSettingsBelowTheNoiseFloor) {
   SceneStudy study;
   study.noise = 0.01;
   study.points = {point("asos", "a", 1, 0.1), point("asos", "b", 2, 0.03),

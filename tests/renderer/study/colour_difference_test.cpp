@@ -57,7 +57,7 @@ TEST(Ciede2000, GivesThePublishedDifferences) {
     EXPECT_NEAR(ciede2000(pairs[i].first, pairs[i].second), pairs[i].difference, 0.5e-4)
         << "pair " << i + 1;
     EXPECT_NEAR(ciede2000(pairs[i].second, pairs[i].first), pairs[i].difference, 0.5e-4)
-        << "pair " << i + 1 << ", turned round";
+        << "pair " << i + 1 << ", with the pair swapped";
     EXPECT_EQ(ciede2000(pairs[i].first, pairs[i].first), 0.0) << "pair " << i + 1;
   }
 }
@@ -68,7 +68,7 @@ TEST(LabOfLinearSrgb, KnowsThePrimaries) {
   EXPECT_NEAR(white.a, 0.0, 1e-9);
   EXPECT_NEAR(white.b, 0.0, 1e-9);
   EXPECT_NEAR(lab_of_linear_srgb({0, 0, 0}).l, 0.0, 1e-9);
-  // As published for the corners of sRGB, rounded (Lindbloom's calculator, D65).
+  // Published values for the corners of sRGB, rounded (Lindbloom's calculator, D65).
   const Lab red = lab_of_linear_srgb({1, 0, 0});
   EXPECT_NEAR(red.l, 53.2408, 1e-3);
   EXPECT_NEAR(red.a, 80.0925, 1e-2);

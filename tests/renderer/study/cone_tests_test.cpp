@@ -17,7 +17,7 @@ namespace {
 
 using Meets = std::function<bool(glm::dvec3 origin, glm::dvec3 direction)>;
 
-/// How many of the rays that fill a cone, its border densely, meet an object.
+/// How many of the rays in a cone, with a dense border, hit an object.
 struct Share {
   int met = 0;
   int all = 0;
@@ -95,7 +95,7 @@ TEST(ConeTests, SphereAsRaysSeeIt) {
       compare([](const PyrayCone& cone) { return meet_sphere(cone, glm::dvec3(0.0), 0.7); },
               meets_any(faces));
   EXPECT_GT(tally.covered, 200);
-  // The border's rays lie a thousandth inside.
+  // The border's rays are a thousandth inside.
   EXPECT_LT(tally.marginal_in_vain, 20);
 }
 

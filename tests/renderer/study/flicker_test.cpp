@@ -26,8 +26,8 @@ TEST(Flicker, AnErrorThatStaysDoesNotFlicker) {
   EXPECT_NEAR(meter.rmse(), 0.1, 1e-7);
 }
 
-// Errors a sin(2 pi k f / F) over whole periods have the mean 0 and the mean square a^2 / 2; from
-// frame to frame they change by 2 a sin(pi k / F) cos(...).
+// Errors a sin(2 pi k f / F) over whole periods have mean 0 and mean square a^2 / 2; between frames
+// they change by 2 a sin(pi k / F) cos(...).
 TEST(Flicker, OfASineIsItsAmplitudeOverTheRootOfTwo) {
   constexpr int frames = 64, waves = 3;
   constexpr double amplitude = 0.25;
@@ -73,14 +73,14 @@ TEST(Flicker, OfOnePixelInOneFrameIsFoundThere) {
     if (f == 2) film.radiance[5] = {0.5f, 0.9f, 0.5f};
     meter.add(film, grey_film(0.5f));
   }
-  // 0.4 in one of four: variance 0.4^2 (1/4) (3/4), in one of three channels.
+  // 0.4 in one of four frames: variance 0.4^2 (1/4) (3/4), in one of three channels.
   const std::vector<double> map = meter.map();
   for (std::size_t i = 0; i < map.size(); ++i)
     EXPECT_NEAR(map[i], i == 5 ? 0.4 * std::sqrt(0.25 * 0.75 / 3.0) : 0.0, 1e-7) << i;
   EXPECT_NEAR(meter.step(), 0.4 * std::sqrt(2.0 / (3.0 * 12.0 * 3.0)), 1e-7);
 }
 
-// A sine of which both halves of the reference hide the most in noise of their own.
+// A sine hidden in both halves of the reference by their own, larger noise.
 TEST(Flicker, IsFreeOfTheReferencesNoise) {
   std::mt19937 random(11);
   std::normal_distribution<float> noise(0.0f, 0.02f);
@@ -103,7 +103,7 @@ TEST(Flicker, IsFreeOfTheReferencesNoise) {
   }
   EXPECT_GT(one.flicker(), 0.02) << "with it";
   EXPECT_NEAR(meter.flicker(), amplitude / std::numbers::sqrt2, 1e-4);
-  // The noise is 0.02 everywhere: v is 4e-4, and the floor the root of 2 v / sqrt(3 F n).
+  // The noise is 0.02 everywhere: v is 4e-4, and the floor is the root of 2 v / sqrt(3 F n).
   const double floor = std::sqrt(2.0 * 4e-4 / std::sqrt(3.0 * frames * 4800.0));
   EXPECT_NEAR(flicker_floor(halves), floor, 0.03 * floor);
   EXPECT_LT(nothing.flicker(), 1.5 * floor);

@@ -27,7 +27,7 @@ TEST(GivenUp, OtherRepetitionsOfASettingAreNotTried) {
   GivenUp given_up;
   given_up.add(point("MAX 3", "EPS 0", 1));
   EXPECT_TRUE(given_up.holds(point("MAX 3", "EPS 0", 2)));
-  // A setting that ran to its end is repeated, though it lies on the same curve.
+  // A finished setting is repeated, although it is on the same curve.
   EXPECT_FALSE(given_up.holds(point("MAX 2", "EPS 0", 2)));
 }
 

@@ -25,7 +25,7 @@ TEST(Measures, EqualPicturesHaveNoError) {
     EXPECT_EQ(value, 0.0);
 }
 
-// Four pixels; one differs by (0.3, 0, 0.6), whose mean square is 0.15.
+// Four pixels; one differs by (0.3, 0, 0.6), with a mean square of 0.15.
 TEST(Measures, AreTheHandComputedOnes) {
   const Film reference = grey(2, 2, 0.25f);
   Film film = reference;
@@ -49,12 +49,12 @@ TEST(Measures, ClipWhatADisplayClips) {
 }
 
 TEST(Measures, TheDisplayTransformIsSrgb) {
-  // 0.0031308 lies at the straight piece's end, 0.5 shows as 0.7354.
+  // 0.0031308 is the end of the linear piece; 0.5 is displayed as 0.7354.
   const Measures m = measure(grey(1, 1, 0.5f), grey(1, 1, 0.002f));
   EXPECT_NEAR(m.rmse_display, 0.735357 - 12.92 * 0.002, 1e-5);
 }
 
-// Greys differ in lightness alone: black and white by 100 / S_L = 100 / 1, as their mean is 50.
+// Greys differ only in lightness: black and white by 100 / S_L = 100 / 1, because their mean is 50.
 TEST(Measures, ThePerceptualOneIsCiede2000) {
   EXPECT_NEAR(measure(grey(2, 1, 1.0f), grey(2, 1, 0.0f)).perceptual, 100.0, 1e-6);
 }
@@ -97,7 +97,7 @@ TEST(RegionErrors, AddUpToTheWhole) {
   EXPECT_EQ(errors[4].share, 0.0);
 }
 
-// Halves are weighted by samples, and of a difference d everywhere half is the noise.
+// Halves are weighted by samples; for a constant difference d between them, the noise is d / 2.
 TEST(Reference, IsTheMeanAndKnowsItsNoise) {
   Reference reference;
   reference.add(grey(2, 2, 0.2f), grey(2, 2, 0.4f), 64);
@@ -110,7 +110,7 @@ TEST(Reference, IsTheMeanAndKnowsItsNoise) {
   EXPECT_EQ(reference.passes(), 2);
 }
 
-// Independent noise of deviation s in each half leaves s / sqrt 2 in their mean.
+// Independent noise with standard deviation s in each half leaves s / sqrt 2 in their mean.
 TEST(Reference, ItsNoiseIsTheStandardErrorOfTheMean) {
   std::mt19937 random(11);
   std::normal_distribution<float> normal(0.0f, 0.05f);
@@ -122,7 +122,7 @@ TEST(Reference, ItsNoiseIsTheStandardErrorOfTheMean) {
   Reference reference;
   reference.add(first, second, 1);
   EXPECT_NEAR(reference.noise(), 0.05 / std::sqrt(2.0), 5e-4);
-  // And so it is: the truth is 0.5.
+  // This is the true error: the exact value is 0.5.
   EXPECT_NEAR(root_mean_square(reference.film(), grey(200, 200, 0.5f), true), reference.noise(),
               5e-4);
 }

@@ -46,7 +46,7 @@ TEST(Plan, RepetitionsFollowEachOtherAndMethodsTakeTurns) {
     if (job.kind != JobKind::point || job.scene != "builtin:boxes") continue;
     EXPECT_GE(job.repetition, last);
     last = job.repetition;
-    // The first step of every method comes before the second of any.
+    // The first step of every method comes before the second step of any.
     if (met.size() < default_methods().size()) {
       EXPECT_TRUE(met.insert(job.rung.method).second) << job.title();
     }
@@ -160,12 +160,12 @@ TEST(Plan, EveryPublishedCaseIsMeasuredOnATruePictureOfItsOwn) {
     }
   }
   const auto blurred = settings_of("builtin:house-mirror DFR 0.05,1,32", "stochastic", "16 spp");
-  ASSERT_TRUE(blurred && blurred->mirror.dfr) << "the rival mirrors as ASOS does";
+  ASSERT_TRUE(blurred && blurred->mirror.dfr) << "the rival reflects like ASOS";
   EXPECT_EQ(blurred->mirror.dfr->rgb[2], (DfrCurve{0.05, 1.0, 32.0}));
   EXPECT_EQ(settings_of("builtin:solids bounces 6", "stochastic", "64 spp")->mirror.bounces, 6);
   EXPECT_EQ(settings_of("builtin:house-textured", "asos", "MAX 2 EPS 0 TR 4")->texture.resolution,
             4);
-  EXPECT_EQ(scenes_of(plan).size(), 7u) << "as many true pictures, each with its own reference";
+  EXPECT_EQ(scenes_of(plan).size(), 7u) << "one true picture each, with its own reference";
   for (const Job& job : *jobs)
     if (job.kind == JobKind::reference && job.scene == "builtin:house-mirror DFR 0.05,1,64") {
       EXPECT_EQ(job.rung.settings.mirror.dfr->rgb[0].exponent, 64.0) << job.title();
@@ -244,7 +244,7 @@ class RenderedScene : public testing::Test {
     snapshot_.settings.threads = 2;
   }
 
-  /// How many pixels of a cause are in a region.
+  /// Number of pixels of a cause in a region.
   static std::size_t count(const RegionMap& map, SplitCause cause, Region region) {
     std::size_t n = 0;
     for (std::size_t i = 0; i < map.region.size(); ++i)
@@ -260,8 +260,8 @@ class RenderedBoxes : public RenderedScene {
   void SetUp() override { open("builtin:boxes"); }
 };
 
-// The house stands on a mirror: what its edges split there is the mirror's, and so is what shows no
-// edge; without bounces nothing mirrors.
+// The house stands on a mirror: pixels split there by reflected edges belong to the mirror, as do
+// those without an edge. Without bounces there is no mirror.
 TEST_F(RenderedScene, MirrorsAreARegionOfTheirOwn) {
   open("builtin:house-mirror");
   snapshot_.settings = region_settings(snapshot_.settings);

@@ -67,7 +67,7 @@ TEST_F(WatchedBoxes, OfARenderWithoutPassesAreTheFinishedOne) {
   EXPECT_GT(watched.pictures[0].seconds, 0.0);
 }
 
-// By a picture that no test waits for.
+// With a picture that takes so long that no test waits for it.
 TEST_F(WatchedBoxes, AStopKeepsThePicturesUntilThen) {
   snapshot.settings.method = Method::sobol;
   snapshot.settings.sampling.spp = 65536;

@@ -18,7 +18,7 @@
 namespace asos {
 namespace {
 
-/// What a picture of this shape shows of the scene, as shares of its width and height.
+/// The extent of the scene in a picture of this shape, as fractions of its width and height.
 struct Shown {
   glm::dvec2 lo{std::numeric_limits<double>::infinity()};
   glm::dvec2 hi{-std::numeric_limits<double>::infinity()};
@@ -48,7 +48,7 @@ World world_of(const std::string& source) {
   return std::move(flat->world);
 }
 
-/// The share of the tighter direction that is filled.
+/// The filled fraction of the tighter direction.
 double expect_framed(const World& world, const Camera& camera, glm::ivec2 size,
                      const std::string& name) {
   const double aspect = static_cast<double>(size.x) / size.y;
@@ -56,7 +56,7 @@ double expect_framed(const World& world, const Camera& camera, glm::ivec2 size,
   const Shown shown(world, framed.camera, size);
   EXPECT_GT(shown.tighter(), 0.88) << name << ", " << size.x << " x " << size.y;
   EXPECT_LT(shown.tighter(), 0.92) << name << ", " << size.x << " x " << size.y;
-  // In the middle of the tighter direction, and inside of the other.
+  // Centred in the tighter direction, and inside the picture in the other.
   const int tight = shown.hi.x - shown.lo.x > shown.hi.y - shown.lo.y ? 0 : 1;
   EXPECT_NEAR(0.5 * (shown.lo[tight] + shown.hi[tight]), 0.5, 1e-6) << name;
   EXPECT_GT(std::min(shown.lo.x, shown.lo.y), 0.0) << name;
@@ -79,7 +79,7 @@ TEST(Framing, BuiltInScenesFillThePicture) {
   }
 }
 
-// Where the shared scenes are there: each that has no camera of its own.
+// For each shared scene, if there are any, that has no camera of its own.
 TEST(Framing, SharedScenesFillThePicture) {
   const auto shared = test::shared_dir();
   if (!shared) GTEST_SKIP() << "no folder of shared scenes: see ASOS_SHARED";
@@ -89,7 +89,7 @@ TEST(Framing, SharedScenesFillThePicture) {
     const std::string ending = entry.path().extension().string();
     if (ending != ".gltf" && ending != ".glb") continue;
     const Result<Scene> scene = load_scene(entry.path().string());
-    if (!scene) continue;  // models of what is refused
+    if (!scene) continue;  // invalid files by design
     const Result<FlattenedScene> flat = flatten(*scene);
     if (!flat || flat->world.triangles.empty() || !flat->world.cameras.empty()) continue;
     ++framed;
@@ -103,7 +103,7 @@ TEST(Framing, SharedScenesFillThePicture) {
   EXPECT_GT(framed, 10);
 }
 
-// The eye keeps its direction, and nothing depends on units.
+// The viewing direction stays, and units do not matter.
 TEST(Framing, ScalesWithTheScene) {
   for (const double size : {1e-6, 1.0, 1e6}) {
     World world;
@@ -120,7 +120,7 @@ TEST(Framing, ScalesWithTheScene) {
   }
 }
 
-// All the way round the scene stays within the share that is framed, and comes up to it.
+// During a full turn the scene stays within the framed fraction, and reaches it.
 TEST(Framing, ATurnHasTheRoomThatItNeeds) {
   for (const char* source : {"builtin:boxes", "builtin:wheel"}) {
     const World world = world_of(source);
@@ -170,7 +170,7 @@ TEST(Framing, SceneWithoutExtentStaysFinite) {
   }
 }
 
-// A line that is seen end on has no width that would tell a distance.
+// A line seen end on has no width that would determine a distance.
 TEST(Framing, ALineSeenEndOnLiesAheadOfTheEye) {
   World world;
   world.positions = {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 0)};

@@ -39,7 +39,7 @@ Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_ra
   return light;
 }
 
-/// The needs of a plain world: those that cannot be told from it alone.
+/// The needs of a plain world: those that the world alone cannot exclude.
 SceneNeeds least_needs() {
   SceneNeeds needs;
   needs.unused_images = true;
@@ -55,7 +55,7 @@ std::set<std::string> beyond_least(const SceneNeeds& needs) {
   return names;
 }
 
-/// The needs of a plain world that has been changed, beyond those of a plain one.
+/// The needs that a change of a plain world adds.
 std::set<std::string> added_by(const std::function<void(World&)>& change) {
   World world = plain();
   change(world);

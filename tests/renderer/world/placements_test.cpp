@@ -20,7 +20,7 @@ World flat(const Scene& scene, std::uint64_t fewest_copied) {
   return std::move(flattened->world);
 }
 
-/// The triangle with the number that a part's triangle has, by the part's own numbers.
+/// The corners of a part's triangle, by the part's own numbering.
 glm::uvec3 corners(const World& world, const Part& part, std::uint32_t t) {
   return world.triangles[part.first_triangle + t];
 }
@@ -106,7 +106,7 @@ TEST(Placements, ShareNoMeshThatHasDataForEachTriangle) {
     return flat(scene, any_copies).placements != nullptr;
   };
   Scene scene = test::instanced_scene(2, 8);
-  EXPECT_FALSE(shares(scene)) << "of two meshes each is shown once";
+  EXPECT_FALSE(shares(scene)) << "two meshes with one instance each";
   scene = test::instanced_scene(4, 8);
   EXPECT_TRUE(shares(scene));
   scene.materials[0].alpha_mode = AlphaMode::mask;
@@ -118,7 +118,7 @@ TEST(Placements, ShareNoMeshThatHasDataForEachTriangle) {
   scene = test::instanced_scene(4, 8);
   for (Instance& instance : scene.instances)
     instance.world_from_mesh[1] *= instance.mesh < 2 ? 1000.0 : 1.0;
-  EXPECT_FALSE(shares(scene)) << "edges that fold little in one place may fold in another";
+  EXPECT_FALSE(shares(scene)) << "rounding may make flat edges creases";
 }
 
 TEST(Placements, TakeMemoryByTheirMeshes) {

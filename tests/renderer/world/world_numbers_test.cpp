@@ -48,7 +48,8 @@ TEST(WorldNumbers, ASmallPartBesideAHugeOneKeepsItsShape) {
 }
 
 TEST(WorldNumbers, TheOriginStaysWhereNoOtherIsMuchBetter) {
-  // Two small parts as far apart as the whole is large: one of them loses wherever the origin is.
+  // Two small parts with a large distance between them: one of them loses precision with any
+  // origin.
   const PlacedBox one{{0, 0, 0}, {1, 1, 1}};
   const PlacedBox other{{1e9, 0, 0}, {1e9 + 1, 1, 1}};
   const glm::dvec3 middle(5e8, 0.5, 0.5);

@@ -31,7 +31,7 @@ Scene scene_of(Mesh mesh, const glm::dmat4& placed = glm::dmat4(1.0)) {
 }
 
 TEST(Flatten, RecentresInDoublePrecision) {
-  // Around ten million units a float cannot resolve steps of half a unit.
+  // At ten million units, floats cannot resolve steps of half a unit.
   const glm::dvec3 far(1e7, -2e7, 3e7);
   Mesh mesh = triangle_mesh();
   mesh.positions[1] = {0.25f, 0, 0};
@@ -87,7 +87,7 @@ TEST(Flatten, MirrorsTurnTrianglesAndTangentsRound) {
   const glm::vec3 a = world->positions[t.x];
   EXPECT_GT(glm::cross(world->positions[t.y] - a, world->positions[t.z] - a).z, 0.0f);
   EXPECT_EQ(world->tangents[0], glm::vec4(-1, 0, 0, -1));
-  // The bitangent, +Y before, is still +Y.
+  // The bitangent was +Y and still is.
   const glm::vec3 bitangent =
       glm::cross(world->normals[0], glm::vec3(world->tangents[0])) * world->tangents[0].w;
   EXPECT_EQ(bitangent, glm::vec3(0, 1, 0));
@@ -108,7 +108,7 @@ TEST(Flatten, InventsNoTangentsForMeshesWithoutThem) {
   ASSERT_TRUE(world);
   ASSERT_EQ(world->tangents.size(), 6u);
   for (std::size_t v = 0; v < 3; ++v) {
-    EXPECT_EQ(world->tangents[v], glm::vec4(0.0f)) << "the texture's own direction is to be used";
+    EXPECT_EQ(world->tangents[v], glm::vec4(0.0f)) << "the texture's direction must be used";
     EXPECT_EQ(world->tangents[3 + v], glm::vec4(1, 0, 0, -1));
   }
 }
@@ -198,7 +198,7 @@ TEST(DefaultCamera, FramesScenesOfAnySizeAndShape) {
         }
         EXPECT_LT(widest, 1.0);
         if (shape != glm::dvec3(0)) {
-          EXPECT_GT(widest, 0.5) << "the scene is lost in the picture";
+          EXPECT_GT(widest, 0.5) << "the scene is too small in the picture";
         }
         EXPECT_GT(camera.world_from_camera[2].y, 0.0) << "seen from above";
       }

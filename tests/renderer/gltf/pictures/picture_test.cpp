@@ -24,12 +24,12 @@ namespace {
 
 using File = std::vector<std::uint8_t>;
 
-/// Something else in every texel, the same each time.
+/// Random texels, the same in every run.
 Image speckled(int width, int height) {
   std::mt19937 random(7);
   return test::make_image(width, height, [&](int, int) {
     const auto any = [&] { return static_cast<std::uint8_t>(random()); };
-    // Encoders of WebP change the colours of what is wholly transparent.
+    // Encoders of WebP change the colours of fully transparent texels.
     return test::Texel{any(), any(), any(), static_cast<std::uint8_t>(any() | 1)};
   });
 }
@@ -58,7 +58,7 @@ void expect_same(const Image& a, const Image& b, int tolerance = 0) {
     ASSERT_LE(std::abs(int{a.rgba[i]} - int{b.rgba[i]}), tolerance) << i;
 }
 
-/// Without its alpha, which JPEG and the PNGs of write_png have not.
+/// Without alpha, which JPEG and the PNGs of write_png lack.
 Image opaque(Image image) {
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba.own()[i] = 255;
   return image;
@@ -112,7 +112,7 @@ File jpeg_of(const Image& image, bool progressive) {
   return file;
 }
 
-/// Smooth, so that a JPEG of it is close to it.
+/// Smooth, so that JPEG reproduces it well.
 Image slope(int width, int height) {
   return test::make_image(width, height, [](int x, int y) {
     return test::Texel{static_cast<std::uint8_t>(2 * x), static_cast<std::uint8_t>(2 * y),
@@ -156,7 +156,7 @@ TEST(Pictures, ArriveAsTheyAreOrReduced) {
     for (const int shrink : {1, 2, 8, 16}) {
       const auto jpeg = read_picture(jpeg_of(smooth, progressive), shrink);
       ASSERT_TRUE(jpeg) << jpeg.error();
-      // The slope goes on beyond the border in the decoder's own means.
+      // The decoder's own averages extrapolate the slope beyond the border.
       expect_same(jpeg->image, reduced(smooth, shrink), shrink > 1 ? 2 * shrink : 4);
     }
   }
@@ -165,7 +165,7 @@ TEST(Pictures, ArriveAsTheyAreOrReduced) {
   expect_same(small->image, reduced(smooth, 4), 3);
 }
 
-/// A PNG of 16 bits a value; `values` are RGBA, or grey where there is one a pixel.
+/// A PNG with 16 bits per value; `values` are RGBA, or grey if there is one per pixel.
 File wide_png(int width, int height, const std::vector<std::uint16_t>& values, bool interlaced) {
   File file;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -224,7 +224,7 @@ TEST(Pictures, PngsOfSixteenBitsKeepThem) {
         EXPECT_NEAR(srgb[c], c == 3 ? right : decoded, 1e-7);
       }
     }
-    // Averaged as well as looked up.
+    // Both averages and single texels.
     const MipChain chain = make_mip_chain(picture->image, TexelKind::data);
     double sum = 0.0;
     for (std::size_t i = 0; i < values.size(); i += 4) sum += values[i] / 65535.0;
@@ -262,7 +262,7 @@ TEST(Pictures, OfDamagedDataAreRefusedOrRemarkedOn) {
     ASSERT_FALSE(cut);
     EXPECT_FALSE(cut.error().empty());
   }
-  // Wrong sums are no reason not to show it.
+  // Images with wrong checksums are still shown.
   File png = png_of(image);
   png[png.size() - 13] ^= 1;
   EXPECT_TRUE(read_picture(png));
