@@ -6,7 +6,7 @@
 namespace asos {
 namespace {
 
-// A boundary is known to be near, so four samples that agree are not yet believed.
+// A boundary is near, so four samples that agree are not trusted yet.
 constexpr int first_trusted_level = 2;
 
 struct Splitter {
