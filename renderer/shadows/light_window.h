@@ -74,8 +74,8 @@ class LightWindow {
 };
 
 /// Returns the fraction of the way along `towards`, from a point to a light's window, at which a
-/// ray reaches the light. That is the window's plane, or where the ray enters a ball, whose window
-/// is at its rim.
+/// ray reaches the light. A flat light is at the window's plane. A ball begins where the ray enters
+/// it; its window is at its rim.
 [[nodiscard]] float way_to_light(const PreparedLight& light, glm::dvec3 from, glm::dvec3 towards);
 
 }  // namespace asos
