@@ -20,9 +20,8 @@ enum class SurfaceProperty : std::uint8_t {
   metallic,    ///< 0 to 1
   occlusion,   ///< of the material's texture, 0 to 1; 1 where it has none
   emission,    ///< linear radiance
-  /// A checkerboard with eight squares in u and v, in a different colour for each 1 x 1.
+  /// A checkerboard with eight squares in u and v, in a different colour for each 1 x 1 tile.
   texture_coordinates,
-  ///< tile
 };
 inline constexpr int surface_properties = 7;
 
