@@ -43,7 +43,7 @@ struct RootSum {
   double weight = 0.0;
   bool shadow_cut = false;  ///< the edge of a hard shadow cut one of its leaves
   bool cut_out = false;     ///< samples found cut-outs, or several transparent layers
-  bool mirror_cut = false;  ///< a boundary split what one of its leaves reflects
+  bool mirror_cut = false;  ///< a boundary split the reflection of a leaf
   /// Curved mirrors that reflect each other may show a bright light at a wrong place.
   bool misplaced = false;
   bool defocused = false;     ///< it was sampled over the camera's lens

@@ -18,8 +18,8 @@ class SkyCourses {
   /// Leaves that may share a fit.
   struct Cell {
     std::vector<std::uint32_t> lits;
-    std::vector<std::uint32_t> nodes;  ///< of these
-    std::uint32_t node_rays = 0;       ///< of each
+    std::vector<std::uint32_t> nodes;  ///< subset of `lits` with densely sampled rays
+    std::uint32_t node_rays = 0;       ///< number of rays per node
   };
   /// Expected noise and cost of a leaf's rays.
   struct Expected {

@@ -40,7 +40,7 @@ struct SkyLit {
 
   std::uint32_t rays = 0;
   glm::dvec3 arrived{0.0};  ///< of all rays
-  glm::dvec3 sent{0.0};     ///< what they would carry without occlusion
+  glm::dvec3 sent{0.0};     ///< the same without occlusion
   double error = 0.0;       ///< sums of the rays' errors and squared errors
   double error2 = 0.0;
   std::optional<glm::dvec3> told{};  ///< mean radiance from the fit through other leaves

@@ -86,7 +86,7 @@ class SkyShares {
   BlockQueue queue_;
   std::vector<SkyLit> lit_;
   std::vector<BorderEdge> borders_;
-  std::vector<SkyCourses::Expected> expected_;  // of each
+  std::vector<SkyCourses::Expected> expected_;  // one per element of `lit_`
   Recycled<Packet> packet_ = Recycler<Packet>::make();
   // Whether occluders contribute bounced light.
   bool bounces_;

@@ -21,7 +21,7 @@ SplitCause cause_of(const PixelFindings& pixel) {
   if (pixel.mirror_cut) return SplitCause::reflection;
   if (outcome.uneven_shadow) return SplitCause::shadow;
   if (outcome.uneven_shading) return SplitCause::shading;
-  // Boundaries that looked visible and turned out to be hidden: groups of edges of several kinds.
+  // Only hidden boundaries are left: a group of edges of several kinds counted as visible.
   return SplitCause::outline;
 }
 

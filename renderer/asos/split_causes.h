@@ -10,7 +10,7 @@ struct PixelFindings {
   SubdivisionOutcome outcome;
   bool by_samples = false;  ///< the safety net split it
   bool shadow_cut = false;  ///< the edge of a hard shadow cut one of its leaves
-  bool mirror_cut = false;  ///< a boundary split what one of its leaves reflects
+  bool mirror_cut = false;  ///< a boundary split the reflection of a leaf
   bool defocused = false;   ///< it was sampled over the camera's lens
 };
 

@@ -66,7 +66,7 @@ class Accessors {
   Document& doc_;
   std::uint64_t zeros_ = 0;                          // bytes read from accessors without data
   std::unordered_map<int, FileBytes> decompressed_;  // by buffer view
-  std::uint64_t decompressed_bytes_ = 0;             // of all of these
+  std::uint64_t decompressed_bytes_ = 0;             // total size of `decompressed_`
 };
 
 template <typename Vector>

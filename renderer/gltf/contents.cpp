@@ -9,7 +9,7 @@ namespace {
 
 std::vector<SceneContents::Node> nodes_of(const Document& doc, const NodeGraph& graph,
                                           const std::vector<int>& shown) {
-  // By node of the file: its place among the visible ones.
+  // The position of each node of the file among the visible ones; -1: hidden.
   std::vector<int> place(graph.size(), -1);
   std::vector<SceneContents::Node> nodes;
   nodes.reserve(shown.size());

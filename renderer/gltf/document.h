@@ -43,7 +43,7 @@ struct Document {
   tinygltf::Model model;
   std::vector<ImageSource> images;
   std::vector<Buffer> buffers;
-  /// By buffer view: bytes between the starts of its elements; 0: they are packed. They are kept
+  /// Bytes between the starts of elements, indexed by buffer view; 0: packed. They are kept
   /// here, since tinygltf rejects files with strides that glTF does not allow, even if they are
   /// readable.
   std::vector<std::uint64_t> strides;

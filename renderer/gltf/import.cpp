@@ -114,7 +114,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     return {};
   }
 
-  std::mutex mutex_;  // of `pose`
+  std::mutex mutex_;  // serializes calls of `pose`
   std::string path_;
   Document doc_;
   LoadOptions options_;
@@ -124,7 +124,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
   StillMeshes still_;
   int default_scene_ = -1, shown_scene_ = -1;
   Scene base_;                        // the part that is not posed: materials and their pictures
-  std::optional<Textures> textures_;  // of `base_`
+  std::optional<Textures> textures_;  // the textures of `base_`
   bool values_moved_ = false;         // since the document was read
   Warnings said_at_load_;
 };

@@ -29,7 +29,7 @@ namespace asos::gltf {
 
 struct MovedValue {
   std::string pointer;          ///< of a movable property in an existing object
-  std::vector<double> numbers;  ///< as many as it has
+  std::vector<double> numbers;  ///< one per component of the property
 };
 
 /// Replaces the model's materials, cameras and punctual lights by those of `parts` with `values`.

@@ -40,7 +40,7 @@ class LightTable {
     far,        ///< 1 for distant lights, which shine from `towards` everywhere; else 0
     flat,       ///< 1 where it emits with the cosine to `towards`; else 0
     two_sided,  ///< 1 or 0
-    /// Of the sphere about the position that contains the light; distant lights: the tangent.
+    /// Radius of the bounding sphere about the position; for distant lights its tangent.
     radius,
     // Irradiance is proportional to 1 / (distance (distance + near_linear) + extent near_size). The
     // denominator is at least `least`.

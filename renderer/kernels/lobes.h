@@ -40,8 +40,8 @@ HWY_INLINE Lanes point_lobe(const SightLanes& at) {
                  hn::Mul(hn::Mul(d, d), shadowing));
 }
 
-/// Returns how a direction turns along an edge of a patch; its target is at distance 1 /
-/// `nearness`.
+/// Returns the derivative of a unit direction along an edge of a patch. The direction's target is
+/// at distance 1 / `nearness`.
 HWY_INLINE Vectors turned(const Vectors& edge, const Vectors& direction, Lanes nearness) {
   return scaled(nearness, scaled(dot(direction, edge), direction) - edge);
 }

@@ -36,7 +36,7 @@ class Subdivider {
   std::vector<glm::vec2> points_;
   BoundarySearch::List list_;
   BoundarySearch::List visible_;
-  std::vector<std::uint32_t> near_;  // objects
+  std::vector<std::uint32_t> near_;  // objects near the current cell
 };
 
 }  // namespace asos

@@ -80,7 +80,7 @@ class RegionSampler {
     std::size_t first_sum = 0;
     std::uint32_t taken = 0;  // samples so far, including those outside the region
     std::uint32_t in_region = 0;
-    std::uint32_t masked = 0;  // those outside the mask
+    std::uint32_t masked = 0;  // number of samples outside the mask
     bool rests = false;        // whether it waits until the stage ends
     bool done = false;
   };

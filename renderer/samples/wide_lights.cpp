@@ -24,7 +24,7 @@ bool most_shine(const LitBatch& points) {
   return 2 * shining > points.count;
 }
 
-// Returns whether the light is wider than the lobe of the batch's middle point.
+// Returns whether the light is wider than the lobe at the batch's central point.
 bool wider_than_lobe(const PreparedLight& light, const LitBatch& points) {
   if (!light.extended() || light.rule != LightRule::physical) return false;
   const std::size_t i = points.count / 2;

@@ -30,7 +30,8 @@ void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
 class WideLights {
  public:
   /// Selects the lights for this method among those with a non-zero entry in `asked`. These are the
-  /// lights wider than the lobe of the batch's middle point, if most points have strong highlights.
+  /// lights wider than the lobe at the batch's central point, if most points have strong
+  /// highlights.
   void find(const LitBatch& points, std::span<const LightConstants> lights,
             std::span<const std::uint8_t> asked, LightPlaces& places);
   [[nodiscard]] bool holds(std::size_t light) const { return !wide_.empty() && wide_[light] != 0; }

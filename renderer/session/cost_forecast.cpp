@@ -85,8 +85,8 @@ std::optional<double> CostForecast::seconds_left() const {
   // The prior ratio has the weight of so many blocks.
   constexpr double blocks_of_growth = 4.0;
   const PassCosts* before = nullptr;
-  double growth = 1.0;      // over it
-  double all_before = 0.0;  // of its work
+  double growth = 1.0;      // from the pass `before` to this one
+  double all_before = 0.0;  // all work of the pass `before`
   double left = 0.0;
   for (const PassCosts& pass : passes_) {
     growth *= pass.growth;

@@ -76,8 +76,8 @@ class FinalBlocks {
   std::condition_variable_any changed_;
   bool ordered_ = false;
   std::vector<double> seconds_;  // of the trial's blocks; negative: not known yet
-  double enough_ = 0.0;          // of it
-  std::size_t handed_out_ = 0;   // of it
+  double enough_ = 0.0;          // time limit of the trial, in seconds
+  std::size_t handed_out_ = 0;   // blocks of the trial given to threads
   std::size_t left_to_start_ = 0;
   std::vector<Started> started_;
   bool sorted_ = false;

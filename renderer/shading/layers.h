@@ -91,7 +91,7 @@ class SurfaceWalk {
   Ray ray_;
   Hit hit_;
   std::vector<Hit> place_;  ///< surfaces coplanar with the hit; empty: only the hit
-  std::size_t next_ = 0;    ///< of these
+  std::size_t next_ = 0;    ///< index of the next one in `place_`
 };
 
 }  // namespace asos

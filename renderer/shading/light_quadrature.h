@@ -70,7 +70,7 @@ class LightQuadrature {
   float n_dot_v_;
   float alpha2_;
   float viewer_root_;  // of Smith's term
-  float widest_;       // cells may span
+  float widest_;       // largest width of a cell
   float share_of_way_;
   float narrowest_;  // the lobe's width
   float sheen_;

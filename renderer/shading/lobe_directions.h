@@ -43,7 +43,7 @@ class LobeDirections {
 
   glm::vec3 f0_, f90_;
   glm::vec3 right_, up_, normal_;
-  glm::vec3 viewer_;  // in this frame
+  glm::vec3 viewer_;  // direction to the viewer, in this frame
   glm::vec2 alpha_;
 };
 

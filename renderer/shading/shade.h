@@ -151,7 +151,7 @@ class Shader {
     glm::vec3 share{1.0f};
     int number = 0;
     Hit hit;
-    VolumePath passage;  ///< of its reflections
+    VolumePath passage;  ///< the volumes at the start of its reflections
     const VolumeBoundary* boundary = nullptr;
   };
   /// Adds the emission and reflection of a material, layer by layer. A volume's boundary is one of

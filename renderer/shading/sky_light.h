@@ -56,7 +56,7 @@ class SkySampler {
   ViewedMaterial material_;
   glm::vec3 factor_;
   glm::vec3 right_, up_, normal_;  ///< axes of its own frame
-  glm::vec3 viewer_;               ///< in it
+  glm::vec3 viewer_;               ///< direction to the viewer, in this frame
   glm::vec3 horizon_{0, 0, 1};     ///< normal of the surface itself, in this frame
   glm::vec2 alpha_;
   bool reflects_ = false;

@@ -21,7 +21,7 @@ struct TexturePlace {
   Footprint footprint;
 };
 
-/// The meaning of texels where they are looked up.
+/// The meaning of texels in a lookup.
 struct TexelUse {
   TexelKind kind = TexelKind::color;
   /// For colours with a cut-off: the alpha from which on they are visible. Nothing: alpha blends

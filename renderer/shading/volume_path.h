@@ -29,12 +29,12 @@ struct VolumePath {
   static constexpr std::uint32_t nothing = NestedVolumes::nothing;
 
   std::uint32_t part = nothing;  ///< index into World::parts: the last boundary that the ray left
-  bool inside = false;           ///< on its inner side
+  bool inside = false;           ///< the ray is on the inner side of that boundary
   /// 0 to 2: the only colour of the ray, red, green or blue; -1: all.
   int colour = -1;
-  int refractions = 0;                ///< on its way, among ViewedRay's bounces
+  int refractions = 0;                ///< along the path, among ViewedRay's bounces
   bool straight = false;              ///< it entered without deflection, and leaves so
-  NestedVolumes around;               ///< what it is in
+  NestedVolumes around;               ///< the enclosing volumes
   glm::vec3 attenuation_color{1.0f};  ///< the medium's
   float attenuation_distance = std::numeric_limits<float>::infinity();
 

@@ -23,7 +23,7 @@ struct EvenPatch {
   SurfacePoint middle;
   Square square;                         ///< in the viewer's frame
   std::vector<Visibility> visibilities;  ///< of each light; negative: not computed yet
-  LightViews views{};                    ///< of its middle
+  LightViews views{};                    ///< from its centre
 };
 
 /// A leaf of an eye pyray or a reflected one, with the data that shadows and reflections need while
@@ -33,7 +33,7 @@ struct LeafContext {
   float root_side = 1.0f;             ///< side of the leaf's root in that frame
   double weight = 1.0;                ///< the leaf's fraction of the root's area
   glm::vec2 at{0.5f};                 ///< place of its sample, in that frame
-  std::uint64_t seed = 0;             ///< its own
+  std::uint64_t seed = 0;             ///< of the leaf's random numbers
   EvenPatch* even = nullptr;          ///< the evenly lit patch around it, if any
   const LightViews* views = nullptr;  ///< those of its sample that were computed
   ObservedLeaf observed;

@@ -96,7 +96,7 @@ struct RenderCurve {
 /// The picture of ASOS during rendering, at the time when a setting of `sobol` finishes.
 struct AtMoment {
   std::string setting;   ///< of `sobol`
-  double seconds = 0.0;  ///< its time
+  double seconds = 0.0;  ///< time that this setting takes
   double sobol_rmse = 0.0;
   double asos_rmse = 0.0;    ///< of the latest picture
   double ratio = 0.0;        ///< ASOS's error over that of `sobol`; below 1: ASOS is better

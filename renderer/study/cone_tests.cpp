@@ -188,7 +188,7 @@ ConeMeeting meet_cylinder(const PyrayCone& cone, const ShapeFace& side) {
 ConeMeeting meet_box(const PyrayCone& cone, glm::dvec3 lo, glm::dvec3 hi) {
   if (meet_sphere(cone, 0.5 * (lo + hi), 0.5 * glm::length(hi - lo)) == ConeMeeting::none)
     return ConeMeeting::none;
-  // Which faces look at the apex, by axis: the low one, the high one.
+  // Whether the apex is in front of each face, by axis: the low one, the high one.
   bool faces[3][2];
   for (int k = 0; k < 3; ++k) {
     faces[k][0] = cone.apex[k] < lo[k];

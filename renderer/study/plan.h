@@ -65,7 +65,7 @@ struct StudyScene {
 /// The comparisons of a study. A plan determines all its jobs: the same plan gives the same list.
 struct StudyPlan {
   std::vector<std::string> scenes;   ///< sources, measured with whole ladders
-  StudyLook look;                    ///< of those scenes
+  StudyLook look;                    ///< camera, moment, sky and mirrors for those scenes
   int texture_resolution = 1;        ///< TR of ASOS in them, 1 to 8
   std::vector<std::string> methods;  ///< empty: default_methods()
   int width = 320;

@@ -20,7 +20,7 @@ inline constexpr double ground_radii = 10.0;
 /// Returns the present ground.
 [[nodiscard]] Ground ground_of(const World& world);
 
-// The world without its ground, for descriptions of the scene.
+// The scene without its ground, for descriptions.
 
 /// Also without lines and points, whose surfaces follow the camera.
 [[nodiscard]] Box bounds_without_ground(const World& world);

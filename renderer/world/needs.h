@@ -63,8 +63,8 @@ struct SceneNeeds {
   return choice == NeedsChoice::all ? SceneNeeds::all() : SceneNeeds{};
 }
 
-/// Descriptions of one of SceneNeeds' features. The last four name what is saved with it; they are
-/// empty if there is nothing.
+/// Descriptions of one of SceneNeeds' features. The last four name the savings without it; they are
+/// empty if there are none.
 struct SceneFeature {
   bool SceneNeeds::*needed;
   const char* name;

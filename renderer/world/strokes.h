@@ -34,7 +34,7 @@ struct Strokes {
   std::vector<Stroke> points;
   /// One per segment and per point; empty if none has normals or texture coordinates.
   std::vector<StrokeLook> segment_looks, point_looks;
-  Box bounds;  ///< of all of them
+  Box bounds;  ///< of all segments and points
   std::uint32_t first_part = 0;
   // The following describe the drawn strokes.
   std::uint32_t first_triangle = 0;
