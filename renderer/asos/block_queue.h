@@ -17,7 +17,7 @@ struct Contribution {
   SampleId sample = no_sample;  ///< the leaf's
   double weight = 1.0;          ///< the leaf's
   glm::dvec3 radiance{0.0};     ///< linear, times the weight
-  double rays = 0.0;            ///< cast for it
+  double rays = 0.0;            ///< number of rays cast for it
   bool dropped = false;
 };
 

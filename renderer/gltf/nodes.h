@@ -16,7 +16,7 @@ struct NodePose {
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
   glm::dvec3 scale{1.0};
   std::optional<glm::dmat4> matrix;  ///< replaces the three
-  std::vector<double> weights;       ///< empty: the mesh's
+  std::vector<double> weights;       ///< of morph targets; empty: the mesh's weights
   bool visible = true;               ///< KHR_node_visibility: includes everything below it
 
   [[nodiscard]] glm::dmat4 parent_from_node() const;

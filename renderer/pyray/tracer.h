@@ -82,7 +82,7 @@ class Tracer {
   std::vector<glm::vec2> middles_;
   std::vector<Root> roots_;
   std::vector<Root> crossed_;                     // sharp ones with boundaries
-  std::vector<BoundarySearch::List> lens_lists_;  // theirs
+  std::vector<BoundarySearch::List> lens_lists_;  // by root; with depth of field
   std::vector<Trace> traces_;
   std::vector<Segment> segments_;
 };

@@ -93,7 +93,7 @@ class Shader {
   /// Returns the eye ray with the nearest hit `hit`, for a square of `side` pixels.
   [[nodiscard]] ViewedRay eye_ray(const Ray& ray, const Hit& hit, float side) const;
 
-  /// Returns a pixel's steps in the picture.
+  /// Returns the spacing of the picture's pixels.
   [[nodiscard]] const PixelSpacing& spacing() const { return settings_.spacing; }
   [[nodiscard]] int reflections() const { return settings_.reflections; }
   [[nodiscard]] const ShadingSettings& settings() const { return settings_; }

@@ -16,7 +16,7 @@ struct ViewedRay {
   Ray ray;            ///< unit direction
   Hit hit;            ///< its nearest hit; invalid: the background
   float side = 0.0f;  ///< side of the square around it, in pixels of `spacing`; 0: a point
-  const PixelSpacing* spacing = nullptr;  ///< of the picture; null: of the eye's
+  const PixelSpacing* spacing = nullptr;  ///< null: the spacing of eye rays
   /// Width of the pyray one unit ahead (2 tan(beta / 2)): that of a pixel, widened by the lobes of
   /// blurred reflections. A defocusing ratio multiplies it.
   float width = 0.0f;

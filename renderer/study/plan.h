@@ -100,9 +100,9 @@ struct Job {
   std::string scene;  ///< its subject's name
   StudyScene subject;
   Rung rung;           ///< the setting to render
-  int repetition = 0;  ///< point: from 1
-  int pass = 0;        ///< reference: from 0
-  int half = 0;        ///< reference: 0 or 1
+  int repetition = 0;  ///< number of the repetition of a point, from 1
+  int pass = 0;        ///< number of the pass of a reference, from 0
+  int half = 0;        ///< half of a reference, 0 or 1
 
   /// Returns a description of the job, the same for the same work.
   [[nodiscard]] std::string title() const;

@@ -17,7 +17,7 @@ namespace asos {
 namespace {
 
 constexpr std::size_t pyray_count = 20'000;
-constexpr double pyray_width = 0.002;  // one unit ahead
+constexpr double pyray_width = 0.002;  // at unit distance
 
 std::vector<PyrayCone> random_cones() {
   std::mt19937 random(5);
