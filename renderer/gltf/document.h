@@ -47,7 +47,7 @@ struct Document {
   /// here, since tinygltf rejects files with strides that glTF does not allow, even if they are
   /// readable.
   std::vector<std::uint64_t> strides;
-  std::set<std::size_t> broken_cameras;  ///< their numbers
+  std::set<std::size_t> broken_cameras;  ///< indices of the cameras with faults
   std::vector<std::string> unsupported_extensions;
   std::vector<std::string> variants;  ///< names by KHR_materials_variants
   /// `movable_parts` if an animation moves materials, lights or cameras; else null.

@@ -77,7 +77,7 @@ Rungs whitted_rungs(const std::string& method, const RenderSettings& base) {
   return rungs;
 }
 
-/// Two levels need more than four samples.
+/// More than four samples, since the first level takes four.
 Rungs two_level_rungs(const std::string& method, const RenderSettings& base) {
   Rungs rungs;
   for (const int spp : {8, 16, 32, 64, 256}) rungs.push_back(sampling_rung(method, base, spp));
