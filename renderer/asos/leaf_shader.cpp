@@ -137,7 +137,8 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
 }
 
 // A leaf that a boundary has cut is no parallelogram. Where its parallelogram reaches beyond the
-// boundary, the texture may differ, as it does at seams. So the colour is averaged over its parts.
+// boundary, the texture may differ, as it does at seams. The colour is therefore averaged over its
+// parts.
 std::span<const SharedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm::vec2 at) {
   parts_.clear();
   const LeafRegion& region = leaf.region;

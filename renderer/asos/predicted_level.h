@@ -15,7 +15,7 @@ class LevelPrediction {
  public:
   LevelPrediction(const RenderSettings& rendered, const RenderSettings& asked);
 
-  /// Returns the level; `cause` is the cause for which the pixel was split.
+  /// Returns the level. `cause` is the cause of the pixel's split.
   [[nodiscard]] int level_of(const SplitOutlook& pixel, SplitCause cause = SplitCause::none) const;
 
  private:

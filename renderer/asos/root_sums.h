@@ -48,7 +48,7 @@ struct RootSum {
   bool misplaced = false;
   bool defocused = false;     ///< it was sampled over the camera's lens
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
-  /// Those of parts whose samples differ visibly and need more than one round.
+  /// Samples of parts whose samples differ visibly and need more than one round.
   std::uint32_t varied = 0;
   float error = 0.0f;      ///< error bound of the root's centre, from the bounds of its leaves
   std::uint64_t rays = 0;  ///< rays of all kinds for its leaves, not counting eye rays

@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// The pixels of a fat pyray after its first stage. That stage finds boundaries, splits pixels and
+/// The pixels of a fat pyray after its first stage, which finds boundaries, splits pixels and
 /// shades their leaves. It holds enough to continue with the samples that some parts still need.
 struct StartedPyray {
   struct Pixel {

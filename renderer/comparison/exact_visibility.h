@@ -11,8 +11,8 @@
 #include <vector>
 
 // The exact visibility of a set of triangles through a square of a frame: beam tracing (CGF'98
-// section 2.6). It is slow, uses double precision, and shares no code with the ASOS engine, for
-// which it is the reference. Every surface counts as opaque.
+// section 2.6). This is the reference for the ASOS engine and shares no code with it. It is slow
+// and uses double precision. Every surface counts as opaque.
 
 namespace asos {
 
@@ -55,7 +55,7 @@ struct FrameRectangle {
   glm::dvec2 hi{1.0};
 };
 
-/// A part of a rectangle in which only one triangle, or the background, is visible.
+/// A part of a rectangle that shows a single triangle, or the background.
 struct VisiblePart {
   static constexpr std::uint32_t background = 0xffffffffu;
 

@@ -50,8 +50,8 @@ struct MethodRow {
   bool takes_filter_width = false;
   bool takes_lens = true;  ///< else its cameras are pinholes
   SampleCount samples = SampleCount::none;
-  /// Returns the sample placement of a method with the same number of samples in each pixel. Such a
-  /// method renders in rounds (PixelSamples). Null for others.
+  /// Returns the sample placement of a method with the same number of samples in each pixel. These
+  /// methods render in rounds (PixelSamples). Null for others.
   std::unique_ptr<SamplePlaces> (*places)(const RenderSettings& settings) = nullptr;
   bool takes_shapes = true;  ///< it renders analytic shapes, too
   /// The largest scene that it renders.

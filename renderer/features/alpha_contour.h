@@ -11,9 +11,9 @@
 
 namespace asos {
 
-/// A square of a texture's plane between four neighbouring texels' centres, some of which are cut
-/// out and some not. Coordinates are in texels, with centres at whole numbers. Beyond the edge of a
-/// clamped texture, a cell is as long as the requested interval.
+/// A square of a texture's plane between the centres of four neighbouring texels, where some texels
+/// are cut out and others are not. Coordinates are in texels, with centres at whole numbers. Beyond
+/// the edge of a clamped texture, a cell is as long as the requested interval.
 struct ContourCell {
   glm::dvec2 lo{0.0};
   glm::dvec2 hi{1.0};

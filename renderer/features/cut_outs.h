@@ -20,7 +20,7 @@ struct CutOutLine {
 };
 
 /// The budget for the outlines of a scene's cut-outs. A part that does not fit into the remaining
-/// budget has no outline and is left to samples. So the result depends only on the scene and the
+/// budget has no outline and is left to samples. The result depends only on the scene and the
 /// budget.
 struct CutOutBudget {
   std::size_t lines = std::size_t{1} << 21;  ///< some 130 MB with their hierarchy
@@ -37,7 +37,7 @@ struct CutOuts {
   /// alpha differs, where texture coordinates span no area or have endless contours, and where the
   /// budget does not suffice. Empty without masked surfaces.
   std::vector<std::uint8_t> outlined;
-  /// By triangle, bit k: the whole side from corner k to the next is cut out. As long as
+  /// One entry per triangle; bit k: the whole side from corner k to the next is cut out. As long as
   /// `outlined`.
   std::vector<std::uint8_t> hidden_sides;
 };

@@ -69,7 +69,7 @@ class Builder {
  private:
   using Nodes = std::vector<FeatureNode>;
   /// A large subtree in parts. Node numbers continue from part to part, and chain numbers start
-  /// anew. So nothing is copied while the hierarchy grows.
+  /// anew. This avoids copies while the hierarchy grows.
   using Subtrees = std::vector<Subtree>;
   struct Summary {
     Box box;

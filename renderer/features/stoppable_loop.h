@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// Thrown by a search for boundaries after a stop request. So no stage sees an incomplete result of
-/// another one.
+/// Thrown by a search for boundaries after a stop request, so that no stage sees an incomplete
+/// result of another one.
 struct SearchStopped {};
 
 inline void check_stop(const std::stop_token& stop) {

@@ -37,9 +37,8 @@ struct FinishedTile {
   bool coarse = false;  ///< better pixels follow
 };
 
-/// Copies the pixels that two tiles of one picture share. Their cost is only copied where `to`
-/// keeps it, as 0 where `from` does not tell it; so is their coverage, as 1, and what is unlit, as
-/// 0.
+/// Copies the pixels that two tiles of one picture share. Costs, coverage and the unlit part are
+/// only copied if `to` has them; values missing in `from` become 0, and coverage becomes 1.
 void copy_pixels(const FinishedTile& from, FinishedTile& to);
 
 /// A whole picture: linear radiance, the split map by level and by cause, and the cost of each

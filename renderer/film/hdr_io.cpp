@@ -26,7 +26,7 @@ constexpr std::size_t longest_header = std::size_t{1} << 16;
 constexpr std::int64_t longest_side = 1 << 20;
 // This number of pixels is accepted from files of any size, at any compression ratio.
 constexpr std::size_t free_pixels = std::size_t{1} << 25;
-// Row widths for which channels can be run-length encoded (Ward, "Real Pixels", and Radiance's
+// Range of row widths that support run-length encoded channels (Ward, "Real Pixels", and Radiance's
 // color.c).
 constexpr std::size_t narrowest_packed = 8, widest_packed = 0x7fff;
 

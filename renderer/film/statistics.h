@@ -26,8 +26,8 @@ struct RenderStatistics {
   std::uint64_t reflection_rays = 0;
   std::uint64_t sky_rays = 0;                      ///< from surfaces, for the visibility of the sky
   std::array<std::uint64_t, 9> pyrays_by_level{};  ///< cells examined, by level 0..8
-  /// By index into Lighting::lights; grows as needed, and lights beyond its end have no counts.
-  /// Adds up to `shadow_rays` and `shadow_pyrays`.
+  /// Indexed like Lighting::lights; grows as needed, and lights beyond its end have no counts. Adds
+  /// up to `shadow_rays` and `shadow_pyrays`.
   std::vector<LightStatistics> lights;
   std::uint64_t split_pixels = 0;   ///< pixels whose value is the sum of several parts
   std::uint64_t missed_splits = 0;  ///< pixels split by the safety net only (design section 3)

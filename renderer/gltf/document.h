@@ -25,8 +25,8 @@ struct ImageSource {
   int buffer_view = -1;
 };
 
-/// A buffer's bytes, or the reason why there are none. That becomes an error only if the buffer is
-/// used.
+/// A buffer's bytes, or the reason why there are none. The reason becomes an error only if the
+/// buffer is used.
 struct Buffer {
   std::shared_ptr<const FileBytes> held;  ///< buffers of one file share it
   Bytes bytes;

@@ -24,9 +24,8 @@ using MeshKey = std::tuple<int, int, std::vector<double>>;
 /// out.
 struct StillMeshes {
   bool wanted = false;
-  std::set<std::size_t> morphing_nodes;  ///< those whose weights an animation moves
-  /// Those that may need tangents at one time and not at another.
-  std::set<std::size_t> moving_materials;
+  std::set<std::size_t> morphing_nodes;    ///< those whose weights an animation moves
+  std::set<std::size_t> moving_materials;  ///< that need tangents only at some times
   std::map<MeshKey, std::optional<Mesh>> meshes;
 };
 

@@ -20,7 +20,7 @@ struct FlatOutlines {
   glm::dvec3 normal{0.0};  ///< unit; the outer outline runs counter-clockwise around it
 };
 
-/// Flattens closed outlines, of which the first encloses the others, to one plane. Errors, in words
+/// Flattens closed outlines to one plane. The first outline encloses the others. Errors, in words
 /// that follow a light's name: a number that is not finite, fewer than three corners, no area,
 /// corners farther from the plane than a thousandth of the extent, outlines that cross, holes that
 /// are not inside.

@@ -20,8 +20,8 @@ std::uint64_t texels_of(const PictureClaim& claim, int shrink) {
          static_cast<std::uint64_t>(shrunk(claim.height, shrink));
 }
 
-/// Returns the largest number of texels per picture for which all together fit `most`; smaller
-/// pictures keep their size.
+/// Returns a limit for the number of texels per picture, chosen so that all pictures together fit
+/// `most`. Smaller pictures keep their size.
 std::uint64_t fair_share(std::vector<std::uint64_t> texels, std::uint64_t most) {
   std::sort(texels.begin(), texels.end());
   std::uint64_t left = most, share = most;

@@ -106,7 +106,7 @@ class EntryTidier {
  public:
   EntryTidier(json& root, Warnings& warnings) : root_(root), warnings_(warnings) {}
 
-  /// Replaces the entries of `list` for which `fault_of` returns a fault.
+  /// Replaces each entry of `list` with a fault, as reported by `fault_of`.
   template <typename Fault>
   void replace(const char* list, const char* kind, const json& by, Fault fault_of) {
     each(root_, list, [&](json& entry, std::size_t i) {

@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// The directions for which a lobe is evaluated.
+/// The directions that a lobe depends on.
 struct SightLanes {
   Vectors normal, to_viewer, to_light;
   Vectors half;   ///< unit

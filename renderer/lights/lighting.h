@@ -21,7 +21,7 @@ struct Lighting {
   bool default_rig = false;
   SceneNeeds needs;  ///< the features of the lights alone
   LightsWithoutGeometry lights_without_geometry;
-  /// By index in World::parts: 1 if the surface emits as evenly as the lights that it shows.
+  /// One entry per World::parts; 1 if the surface emits as evenly as the lights that it shows.
   std::vector<std::uint8_t> shows_even_light;
   std::array<std::vector<PreparedLight>, 2> by_rule;  ///< see prepared
 

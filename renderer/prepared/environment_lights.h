@@ -13,7 +13,7 @@ namespace asos {
 /// a disk at infinity, or by nothing; or they follow its turn and brightness.
 [[nodiscard]] std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky);
 
-/// Returns whether these differ from the lights with which the scene was prepared.
+/// Returns whether these differ from the scene's lights when it was prepared.
 [[nodiscard]] bool changes_lights(const RenderScene& scene, const Sky* sky);
 
 /// Returns the scene with these lights; the same scene if they do not differ.

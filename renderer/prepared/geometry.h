@@ -26,7 +26,7 @@ struct Geometry {
   Geometry(const Geometry&) = delete;
   Geometry& operator=(const Geometry&) = delete;
 
-  World world;  ///< with the materials for which its boundaries were searched
+  World world;  ///< with the materials of its boundary search
   RayScene rays;
   MipChains mips;
   PlaneSections sections;  ///< of its surfaces

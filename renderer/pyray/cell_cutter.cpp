@@ -22,8 +22,8 @@ float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {
   return chain_tolerance * finest * std::min(1.0f, finest / cell.square.side);
 }
 
-// Returns the largest number of parts for which a cut pays. A few parts are worth it at any level:
-// one sample each, where MAX would allow one for all. More parts pay only if they replace several
+// Returns the number of parts up to which a cut pays. A few parts are worth it at any level: one
+// sample each, where MAX would allow one for all. More parts pay only if they replace several
 // levels of children: half as many as there are finest cells.
 std::size_t most_parts(const CellToCut& cell, const SubdivisionRules& rules) {
   const int below = rules.allowance.max_level - cell.level;

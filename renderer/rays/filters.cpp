@@ -40,7 +40,7 @@ struct Candidate {
   [[nodiscard]] float t() const { return RTCRayN_tfar(args.ray, args.N, i); }
 };
 
-/// Calls `keeps` for each candidate and drops those for which it returns false.
+/// Calls `keeps` for each candidate and drops the candidate if it returns false.
 template <typename Keeps>
 void filter(const RTCFilterFunctionNArguments& args, Keeps keeps) {
   const Group& group = *static_cast<const Group*>(args.geometryUserPtr);

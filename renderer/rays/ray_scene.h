@@ -77,9 +77,9 @@ struct Blocker {
 /// is never ignored. Shadow queries ignore lines and points.
 ///
 /// The same call gives the same bits on one machine. A query for one ray, and differently divided
-/// spans, may differ in a hit's last bits. So the contents of a span must not depend on the timing
-/// of threads. A ray that is not finite, or has no direction, hits nothing; so does every ray on a
-/// RayScene that was not built.
+/// spans, may differ in a hit's last bits. The contents of a span therefore must not depend on the
+/// timing of threads. A ray that is not finite, or has no direction, hits nothing; so does every
+/// ray on a RayScene that was not built.
 class RayScene {
  public:
   RayScene();

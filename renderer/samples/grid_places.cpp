@@ -38,8 +38,8 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t length, std::uint32_t seed
   return (i + seed) % length;
 }
 
-// Returns a step of about the golden section of the number of strata and coprime to it. Such steps
-// visit each stratum once, and successive strata are far apart.
+// Returns a step of about the golden section of the number of strata and coprime to it. Steps of
+// this length visit each stratum once, and successive strata are far apart.
 int step_of(int strata) {
   constexpr double golden_section = 0.61803398874989485;
   int step = std::max(1, static_cast<int>(std::lround(golden_section * strata)));

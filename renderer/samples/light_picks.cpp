@@ -18,8 +18,8 @@ void LightPicks::pick(const LightTable& lights, const LitBatch& points,
 }
 
 // Returns the worth that one ray represents. Lights above it have one ray each, and the remaining
-// rays are divided by the worth of the remaining lights. So if one light's highlight is
-// overestimated, the others do not get fewer rays.
+// rays are divided by the worth of the remaining lights. An overestimated highlight of one light
+// thus does not reduce the rays of the others.
 float LightPicks::share_of_ray(float all, float a_point) const {
   constexpr int rounds = 2;
   float share = all / a_point;

@@ -28,9 +28,8 @@ ViewedRay ReflectedSample::viewed(const Hit& hit) const {
 }
 
 // Replaces the direction of a smooth mirror by one sampled from the lobe. A lobe around a shading
-// normal may contain directions below the surface, where nothing is visible. Such a direction is
-// mirrored above the surface, so that no light is lost. Returns false if facets block the
-// direction.
+// normal may contain directions below the surface, where nothing is visible. These are mirrored
+// above the surface, so that no light is lost. Returns false if facets block the direction.
 bool SampledReflections::turn_by_lobe(const Reflection& reflection, glm::dvec2 place,
                                       glm::dvec3& direction, glm::vec3& weight) {
   const SurfacePoint& point = reflection.point;
@@ -75,8 +74,7 @@ void SampledReflections::add(const Reflection& reflection, const PointSample& sa
 }
 
 // Russian roulette (Arvo and Kirk 1990, "Particle transport and image synthesis"). Returns the
-// probability with which a ray of that weight continues, by which its weight has to be divided; 0:
-// it ends.
+// probability that a ray of that weight continues; its weight is divided by it. 0: it ends.
 float SampledReflections::chance(const Reflection& reflection, glm::vec3 weight) const {
   const float most = largest(weight);
   if (!(most < least_followed)) return 1.0f;

@@ -19,7 +19,7 @@ struct SamplingGoal {
   std::uint32_t least = 16;     ///< samples of the first round, at most `most`
   std::uint32_t most = 16;
   /// Whether the allowed error grows with the root of the number of samples, if `least` do not meet
-  /// it. Then one more sample reduces a picture's squared error equally, wherever it is taken
+  /// it. One more sample then reduces a picture's squared error by the same amount in every pixel
   /// (Neyman 1934).
   bool grows = true;
 

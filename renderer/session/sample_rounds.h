@@ -81,7 +81,7 @@ class SampleRounds {
   mutable std::mutex mutex_;
   std::condition_variable_any finished_;
   std::vector<Done> done_;          // of each round
-  std::size_t ordered_round_ = 0;   // the round for which order_ was last changed
+  std::size_t ordered_round_ = 0;   // round of the last change of order_
   std::vector<std::size_t> order_;  // of groups
 };
 

@@ -76,7 +76,7 @@ class TileCollector {
   std::size_t final_blocks_ = 0;
   std::vector<FinishedTile> finished_;
   RenderStatistics totals_;  // except for the unresolved area
-  // By block, since the rounding of its sum depends on the order.
+  // Separate for each block, since the rounding of the sum depends on the order.
   std::vector<double> unresolved_area_;
 };
 

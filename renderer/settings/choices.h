@@ -50,7 +50,8 @@ enum class ShadowQuality {
                       ///< light's projection covers (4.3.2)
   extended_divided,   ///< the same for each of n x n parts (4.3.3)
   extended_adaptive,  ///< splits the patch until each part lies inside the light's projection;
-                      ///< then a pyray around the part, of which only rays through it count (4.3.4)
+                      ///< then a pyray around the part; only its rays through the part count
+                      ///< (4.3.4)
 };
 
 /// The formula for the light received from the visible part of a light.
@@ -76,7 +77,7 @@ enum class TextureFilter { footprint, point };
 /// The ground under the scene: none, a plate that receives shadows, or one that also reflects.
 enum class Ground { off, on, mirror };
 
-/// The features for which a picture is rendered: those of the scene, or all of them. The picture is
+/// The features that a picture is rendered with: those of the scene, or all of them. The picture is
 /// the same.
 enum class NeedsChoice { scene, all };
 

@@ -85,9 +85,8 @@ struct Footprint {
   glm::vec2 right{0.0f};
   glm::vec2 down{0.0f};
   glm::vec2 offset{0.0f};  ///< from the hit to its centre
-  float side =
-      /// Of the square that shows it, in pixels; it determines how finely textures are averaged.
-      1.0f;
+  /// Side of the square that shows it, in pixels. It determines how finely textures are averaged.
+  float side = 1.0f;
   float colours = 1.0f;  ///< factor of the width over which colours are averaged
 
   [[nodiscard]] bool point() const { return right == glm::vec2(0.0f) && down == glm::vec2(0.0f); }

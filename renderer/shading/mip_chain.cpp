@@ -63,7 +63,7 @@ glm::vec4 first_level_texel(const Image& image, TexelKind kind, int x, int y) {
   return bytes;
 }
 
-/// Adds up texels by their fraction of a box and averages them by their kind.
+/// The weighted mean of texels, according to their kind; the weights are fractions of a box.
 class Mean {
  public:
   explicit Mean(TexelKind kind) : kind_(kind) {}

@@ -25,7 +25,7 @@ struct PatchBend {
   [[nodiscard]] static PatchBend at(const World& world, const Hit& hit, const ViewedPoint& view,
                                     const ViewedMaterial& material, float negligible);
 
-  /// Largest squared width of a part, in squared highlight widths, for which these points give a
+  /// Largest squared width of a part, in squared highlight widths. Up to it these points give a
   /// better mean than a widened lobe.
   static constexpr float most_bent = 3.0f;
 

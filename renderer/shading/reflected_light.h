@@ -37,9 +37,8 @@ namespace asos {
 /// or at one of its corners. It bounds the error of a partially occluded light's contribution.
 [[nodiscard]] float spread_over(const Illumination& lit);
 
-/// Returns the least value of MirroredLights for which a reflection contains the light. Returns
-/// nothing for a light without a surface, since lines and points are too thin, and for suns, which
-/// are too bright.
+/// Returns the least value of MirroredLights that includes the light. Returns nothing for a light
+/// without a surface, since lines and points are too thin, and for suns, which are too bright.
 [[nodiscard]] std::optional<MirroredLights> shown_from(const PreparedLight& light);
 [[nodiscard]] inline bool shows(MirroredLights mirrored, const PreparedLight& light) {
   const auto least = shown_from(light);

@@ -46,8 +46,8 @@ struct SkyRows {
 
 /// An equirectangular picture of all directions, and means of it over larger and larger patches.
 /// The number of texels of each row makes them square on the sphere, not in the picture ("reduced
-/// grids" of weather models). So one size fits all directions, and each texel is the exact mean of
-/// its solid angle.
+/// grids" of weather models). One size therefore fits all directions, and each texel is the exact
+/// mean of its solid angle.
 class SkyMap {
  public:
   /// `texels` are linear and finite radiance, row by row from the zenith down. `width` and `height`

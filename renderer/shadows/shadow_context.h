@@ -82,8 +82,8 @@ struct ShadowQuery {
 /// Returns the length of a hit list above which samples cost less than the search.
 [[nodiscard]] std::size_t most_entries_for_samples(int levels);
 
-/// Returns whether the surface of a lit point is known over the whole leaf. That is the nearest
-/// surface, or a flat one that is visible through others without deflection.
+/// Returns whether the surface of a lit point is known over the whole leaf. This is true for the
+/// nearest surface, and for a flat one that is visible through others without deflection.
 [[nodiscard]] bool has_patch(const ShadowContext& block, const Illumination& lit);
 
 /// Returns the patch on the point's plane that a square of the viewer's frame covers, with the

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-// Mirrors: extreme defocusing ratios, endless bounces, and angles and shapes for which a reflected
-// pyray has no width or apex.
+// Mirrors: extreme defocusing ratios, endless bounces, and angles and shapes that leave a reflected
+// pyray without width or apex.
 
 namespace asos::stability {
 namespace {

@@ -25,7 +25,7 @@ double median_of(const std::vector<Cost>& costs, Get get) {
   return values.empty() ? 0.0 : median(std::move(values));
 }
 
-/// Returns the quotable points among those for which `wanted` is true.
+/// Returns the quotable points that satisfy `wanted`.
 template <typename Wanted>
 std::vector<CurvePoint> quotable(const SceneStudy& study, Wanted wanted) {
   std::vector<CurvePoint> points;

@@ -25,9 +25,9 @@ struct Rung {
 [[nodiscard]] Result<std::vector<Rung>> ladder_of(const std::string& method,
                                                   const RenderSettings& base);
 
-/// Returns the step of a method's ladder for which a study records the progress. For ASOS, it has
-/// the program's default EPS and MAX. For others, it is the last step with at most 256 samples, or
-/// the last one if steps have no sample counts.
+/// Returns the step of a method's ladder whose progress a study records. For ASOS, it has the
+/// program's default EPS and MAX. For others, it is the last step with at most 256 samples, or the
+/// last one if steps have no sample counts.
 [[nodiscard]] Result<Rung> watched_rung(const std::string& method, const RenderSettings& base);
 
 /// Returns a step outside of the ladders, for a published comparison.

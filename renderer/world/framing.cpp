@@ -59,10 +59,9 @@ class Reach {
   }
   [[nodiscard]] bool any() const { return x_.lo <= x_.hi; }
 
-  /// Returns the nearest eye for which all points lie between the four planes, in the camera's axes
-  /// about the centre. Two opposite planes that touch a point each meet in a line, and the farther
-  /// one of the two lines decides. In the other direction, the planes are equally far from the
-  /// points.
+  /// Returns the nearest eye with all points between the four planes, in the camera's axes about
+  /// the centre. Two opposite planes that touch a point each meet in a line, and the farther one of
+  /// the two lines decides. In the other direction, the planes are equally far from the points.
   [[nodiscard]] glm::dvec3 perspective_eye(double least_gap) const {
     const double across = 0.5 * (right_plane_ + left_plane_) / tangent_.x;
     const double down = 0.5 * (upper_plane_ + lower_plane_) / tangent_.y;

@@ -5,8 +5,8 @@
 namespace asos {
 namespace {
 
-// Largest rounding error of a part's corners, relative to its size, for which the origin stays at
-// the centre.
+// Largest rounding error of a part's corners, relative to its size, that keeps the origin at the
+// centre.
 constexpr double let_pass = 1.0 / 1024.0;
 
 /// Returns the rounding error of a part's corners in single precision, relative to its size.

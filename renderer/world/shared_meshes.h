@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// Returns one flag per instance of a scene: 1 if its mesh is stored once. Empty: none is. Such
+/// Returns one flag per instance of a scene: 1 if its mesh is stored once. Empty: none is. Shared
 /// meshes are large: their copies would have `fewest_copied` triangles or more. They are opaque and
 /// do not emit, since lamps and cut-outs have their own data for each triangle. The instances'
 /// matrices distort little, so that all places of a mesh have the same boundary edges. Scenes with

@@ -54,7 +54,7 @@ struct Strokes {
   [[nodiscard]] bool drawn() const { return vertex_count > 0; }
 };
 
-/// The picture for which lines and points are drawn.
+/// The picture in which lines and points appear.
 struct StrokePicture {
   Camera camera;       ///< relative to World::origin
   int height = 1;      ///< pixels

@@ -9,7 +9,7 @@
 #include <string>
 
 // Reads texture pictures: PNG, JPEG and WebP. They are read row by row and reduced on the way if
-// necessary. So a few bytes that expand to many pixels do not take much memory.
+// necessary, so that a few bytes that expand to many pixels do not take much memory.
 
 namespace asos {
 

@@ -195,7 +195,7 @@ void add_front(Stage& stage) {
   stage.add("awning", std::move(awning), stage.paint("awning", 0x6e1f2c, 0.8f));
 }
 
-/// Adds the shop windows beside the door, their light box and the goods in them.
+/// Adds the shop windows on both sides of the door, their light box and the goods in them.
 void add_shop(Stage& stage) {
   Mesh frames, panes, bottles;
   for (const float x : {-4.0f, 4.0f}) {
