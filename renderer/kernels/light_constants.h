@@ -31,9 +31,8 @@ struct LightConstants {
   float highlight_radius = 0.0f;  ///< of the representative point in a highlight
   float thickness = 0.0f;         ///< polygon, disk
   bool two_sided = false;
-  float shown_from =
-      /// Smallest LitBatch::shows_lights of reflections that contain the light; infinite: none.
-      0.0f;
+  /// Smallest LitBatch::shows_lights of reflections that contain the light; infinite: none.
+  float shown_from = 0.0f;
   bool lambertian = true;  ///< segment
   /// The published rule: one point represents the whole light in highlights.
   bool representative = false;

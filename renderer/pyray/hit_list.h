@@ -131,8 +131,8 @@ class HitLists {
   };
   InView in_view_;
   bool stops_when_saturated_ = false;
-  float squares_a_unit_ =
-      1.0f;  // length in the square of a world unit across the view, at nearness 1
+  // Length in the square of a world unit across the view, at nearness 1.
+  float squares_a_unit_ = 1.0f;
   std::vector<HitEntry> entries_;
   std::vector<Segment> segments_;
   Flattener flattener_;

@@ -11,8 +11,8 @@ namespace asos {
 /// The plane of a flat mirror. Reflected rays leave it and never hit it again.
 struct MirrorPlane {
   HalfSpace above;  ///< the side to which they lead; unit normal
-  double hit_tolerance =
-      0.0;  ///< largest height above it at which rounding may give a hit with a surface in it
+  /// Largest height above it at which rounding may give a hit with a surface in it.
+  double hit_tolerance = 0.0;
 };
 
 /// Finds nearest hits of rays that left a mirror, skipping triangles in its plane. A triangle is in

@@ -278,8 +278,8 @@ struct Light {
   double outer_cone_rad = 0.7853981633974483;
   double radius = 0.0;                ///< disk; point and spot: of an emitting ball, 0: a point
   double angular_diameter_rad = 0.0;  ///< directional: of a sun's disk, 0: infinitely far point
-  glm::dvec3 half_u{
-      0.0};  ///< rectangle, linear: from the centre to the centre of a side, or to an end
+  /// Rectangle, linear: from the centre to the centre of a side, or to an end.
+  glm::dvec3 half_u{0.0};
   glm::dvec3 half_v{0.0};  ///< rectangle: perpendicular to half_u and direction
   /// Polygon: closed outlines in one plane, the last corner joined to the first. The outer one runs
   /// counter-clockwise and holes clockwise, as seen against `direction`.

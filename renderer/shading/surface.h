@@ -97,8 +97,8 @@ struct SurfaceMaterial {
   // Largest colour of the dielectric's reflectance; the diffuse part lies below it.
   float dielectric_f0 = 0.04f;
   float dielectric_f90 = 1.0f;
-  float occlusion =
-      1.0f;  ///< visible fraction of the sky, where no shadows of the sky are computed
+  /// Visible fraction of the sky, where no shadows of the sky are computed.
+  float occlusion = 1.0f;
   bool unlit = false;
   SurfaceCoat coat;
   SurfaceSheen sheen;
