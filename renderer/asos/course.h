@@ -37,7 +37,7 @@ class Course {
   using Terms = std::array<double, most_terms>;
   [[nodiscard]] Terms terms_at(glm::dvec2 place) const;
 
-  std::size_t count_ = 0;  // of its terms
+  std::size_t count_ = 0;  // number of its terms
   glm::dvec2 middle_{0.0};
   double scale_ = 1.0;
   std::array<glm::dvec3, most_terms> factors_{};

@@ -22,7 +22,7 @@ std::size_t bytes_of(const World& world) {
   return bytes;
 }
 
-// As data, so that differences are those on a display.
+// Returns the encoded texel values, so that differences are those on a display.
 glm::vec4 stored_texture(const World& world, const TextureUse& use, std::uint32_t triangle,
                          float b1, float b2) {
   return sample_texture(world, use, triangle, b1, b2, Encoding::linear);

@@ -18,7 +18,7 @@ namespace asos {
 /// The default lights of a scene.
 struct DefaultRig {
   std::vector<Light> lights;
-  bool inside = false;  ///< an interior's
+  bool inside = false;  ///< the lights are inside a room
 };
 
 /// Returns a studio around the first camera's view, or lights inside if walls block a studio. They

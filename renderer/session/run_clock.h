@@ -49,7 +49,7 @@ class RunClock {
   using Clock = std::chrono::steady_clock;
   struct Pace {
     Clock::time_point time;
-    double seconds;  // of processors
+    double seconds;  // processor time of all workers
   };
 
   [[nodiscard]] double seconds_left(Clock::time_point now) const;
