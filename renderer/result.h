@@ -8,19 +8,19 @@
 
 namespace asos {
 
-/// Why something that the user asked for could not be done. `subject` names the file (or option)
-/// and `reason` says what is wrong with it, both in words for a person.
+/// The reason why a request of the user failed. `subject` is the file or option, and `reason`
+/// describes the problem, both in words for the user.
 struct Error {
   std::string subject;
   std::string reason;
 
-  /// Both in one line that may be shown: names that come from outside are escaped.
+  /// Returns both in one printable line: names from files and from the user are escaped.
   [[nodiscard]] std::string message() const {
     return printable(subject) + ": " + printable(reason);
   }
 };
 
-/// A value, or the error in its place.
+/// A value, or the error that prevented it.
 template <typename T>
 using Result = tl::expected<T, Error>;
 

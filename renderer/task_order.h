@@ -5,12 +5,12 @@
 
 namespace asos {
 
-/// Tasks of TBB's, and of Embree's by it, begin after what sends them and end before it goes on.
-/// The libraries see to that; but they are not instrumented, and so the thread sanitizer does not
-/// know unless this tells it.
+/// Declares the order of TBB tasks (and Embree's, which use TBB) to the thread sanitizer. Tasks
+/// begin after the code that starts them, and end before it continues. The libraries guarantee
+/// that, but they are not instrumented, so the sanitizer cannot see it.
 class TaskOrder {
  public:
-  /// Lives while tasks are sent and waited for.
+  /// Exists while tasks are started and waited for.
   class Sending {
    public:
     Sending() { end_of_what_was_before(); }
@@ -18,7 +18,7 @@ class TaskOrder {
     Sending(const Sending&) = delete;
     Sending& operator=(const Sending&) = delete;
   };
-  /// Lives as long as what a task does.
+  /// Exists during a task.
   class Task {
    public:
     Task() { begin_after_it(); }

@@ -10,9 +10,9 @@
 
 namespace asos {
 
-/// Calls visit(begin, end) with ranges of the numbers below `count`, of `fewest` or more of them
-/// where there are as many, on all processors and in any order. All are done on return. What one
-/// throws comes out, once those that have begun are done.
+/// Calls visit(begin, end) for ranges of the numbers below `count`, on all processors and in any
+/// order. Each range has at least `fewest` numbers, if there are as many. Returns when all calls
+/// are done. If a call throws, the exception is rethrown after the running calls have ended.
 template <typename Visit>
 void in_task_ranges(std::size_t count, std::size_t fewest, const Visit& visit) {
   const TaskOrder::Sending sending;
@@ -23,7 +23,7 @@ void in_task_ranges(std::size_t count, std::size_t fewest, const Visit& visit) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, fewest), run);
 }
 
-/// Calls visit(i) with the numbers below `count`, in the same way.
+/// Calls visit(i) for the numbers below `count`, in the same way.
 template <typename Visit>
 void in_tasks(std::size_t count, const Visit& visit) {
   in_task_ranges(count, 1, [&visit](std::size_t begin, std::size_t end) {
@@ -31,7 +31,8 @@ void in_tasks(std::size_t count, const Visit& visit) {
   });
 }
 
-/// Sorts on all processors; under the thread sanitizer, which cannot see that, on one.
+/// Sorts on all processors. Under the thread sanitizer, which cannot see the synchronization, on
+/// one.
 template <typename Iterator, typename Less>
 void sort_in_tasks(Iterator begin, Iterator end, const Less& less) {
 #ifdef __SANITIZE_THREAD__

@@ -17,9 +17,9 @@
 namespace asos {
 namespace {
 
-// How many pixels of frame a block needs around it: what the filters of its outermost pixels, the
-// search for what a lens blurs (`blur`), and their cones reach beyond it; cones more the farther
-// from the picture's middle they are.
+// Returns the width, in pixels, of the frame that a block needs around it. It covers the filters of
+// the outermost pixels, the search for boundaries that a lens blurs (`blur`), and the pixels'
+// cones. Cones reach farther the farther they are from the picture's centre.
 int border_of(const View& view, PixelRect block, const RenderSettings& settings,
               const SubdivisionVariant* variant, double blur) {
   const int fat = settings.asos.fat;
@@ -52,7 +52,7 @@ FatPyray fat_pyray(const View& view, PixelRect block, PixelRect framed,
   return fat;
 }
 
-/// Memory of fat pyrays that is worth keeping from one to the next. Holds no result.
+/// Scratch memory that fat pyrays reuse. Holds no result.
 struct BlockWorkspace {
   Tracer tracer;
   EyeWorkspace eye;
@@ -89,7 +89,7 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   }
   const double reach = defocus ? defocus->reach() : 0.0;
 
-  // Frame the block, with what filters, lens and cones reach beyond it.
+  // Frame the block, including the reach of filters, lens and cones.
   const PublishedModes published(settings);
   const int border = border_of(job.view, job.block, settings, published.variant().pixels, reach);
   const int side = settings.asos.fat + 2 * border;
@@ -120,7 +120,7 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
       job.scene.features(), fat, SubdivisionRules::of(settings, published.variant().pixels), caster,
       eye.observed_root, watch ? &watch->observer.pixel : nullptr);
 
-  // Middles beyond the picture's border were traced with the others and do not count.
+  // Rays through pixel centres beyond the picture's border do not count.
   started.statistics.eye_rays -=
       static_cast<std::uint64_t>(fat.side * fat.side - fat.columns * fat.rows);
   started.open = caster.take_open();
@@ -138,7 +138,7 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
 void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* watch) {
   OpenRegions open = std::exchange(started.open, {});
   if (open.parts.empty()) return;
-  // Sample the open regions on.
+  // Continue to sample the open regions.
   const RenderSettings& settings = job.settings;
   const CameraEye camera(job, Allowance::of(settings));
   RegionSampler sampler(job.scene, camera.viewer, settings, started.framed, settings.seed, nullptr,

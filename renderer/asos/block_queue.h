@@ -11,27 +11,27 @@
 
 namespace asos {
 
-/// A part of a leaf's radiance, or all of it, that its block determines later.
+/// A leaf's radiance, or a part of it, that its block determines later.
 struct Contribution {
   std::uint32_t root = 0;
   SampleId sample = no_sample;  ///< the leaf's
   double weight = 1.0;          ///< the leaf's
   glm::dvec3 radiance{0.0};     ///< linear, times the weight
-  double rays = 0.0;            ///< cast for it
+  double rays = 0.0;            ///< number of rays cast for it
   bool dropped = false;
 };
 
-/// Contributions that wait until all cells of a block are examined: what is determined for many
-/// leaves together shares packets of rays (design section 13). Numbers are those of the order of
-/// their coming, from 0, until they are taken.
+/// Contributions that wait until all cells of a block are examined, so that many leaves share
+/// packets of rays (design section 13). They are numbered from 0 in the order in which they are
+/// added, until they are taken.
 class BlockQueue {
  public:
-  /// Adds one; its number.
+  /// Adds a contribution and returns its number.
   std::uint32_t add(std::uint32_t root, SampleId sample, double weight) {
     waiting_.push_back({root, sample, weight});
     return static_cast<std::uint32_t>(waiting_.size() - 1);
   }
-  /// Leaves one out, whose leaf is determined otherwise.
+  /// Drops a contribution, because its leaf is determined otherwise.
   void drop(std::uint32_t number) { waiting_[number].dropped = true; }
 
   [[nodiscard]] Contribution& operator[](std::uint32_t number) { return waiting_[number]; }
@@ -41,7 +41,8 @@ class BlockQueue {
   [[nodiscard]] std::size_t size() const { return waiting_.size(); }
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
 
-  /// Shares rays out among those that were not dropped, in proportion to `parts`, one of each.
+  /// Distributes rays over the contributions that were not dropped, in proportion to `parts`, which
+  /// has one entry for each.
   void share_rays(double rays, std::span<const double> parts) {
     double all = 0.0;
     for (const double part : parts) all += part;
@@ -49,7 +50,7 @@ class BlockQueue {
     for (std::size_t i = 0; i < waiting_.size(); ++i) waiting_[i].rays += rays * parts[i] / all;
   }
 
-  /// All of them; none waits then. Valid until the next call.
+  /// Takes all contributions and empties the queue. Valid until the next call.
   [[nodiscard]] std::span<const Contribution> take() {
     done_.swap(waiting_);
     waiting_.clear();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t no_part = std::numeric_limits<std::size_t>::max();
 
-// The most that a surface makes of a light, which shows it no brighter than it is; at most white.
+// Returns the largest contribution of a light to a pixel: its radiance if known, at most white.
 double brightest(const PreparedLight& light) {
   using LightShape = PreparedLight::Shape;
   const bool in_nits = light.shape == LightShape::polygon || light.shape == LightShape::disk ||
@@ -52,7 +52,7 @@ std::vector<double> CarriedLight::most() const {
   std::vector<double> most(brightest_.size());
   for (std::size_t i = 0; i < most.size(); ++i)
     most[i] = std::min(brightest_[i], static_cast<double>(most_[i]));
-  // Those of one part hide each other.
+  // Lights of one part of a mesh hide each other.
   constexpr double sides = 2.0;
   struct OnePart {
     double all = 0.0, most = 0.0;

@@ -11,24 +11,25 @@
 
 namespace asos {
 
-/// What each of many lights carries at most by way of some places, if nothing shades it: what tells
-/// how many rays they are worth. As exact as weigh_lights.
+/// The largest unshadowed contribution of each of many lights at some points of a block. It
+/// determines how many rays each light is worth. Its accuracy is that of weigh_lights.
 class CarriedLight {
  public:
   /// The lights have to outlive this.
   explicit CarriedLight(std::span<const PreparedLight> lights);
 
-  /// Forgets the places so far.
+  /// Forgets all points so far.
   void start();
   /// Another one.
   void add(const LitPoint& point);
-  /// In display units, by light. Those of one part hide each other: they count for as many as its
-  /// two sides show at once.
+  /// Returns the contributions in display units, by light. The lights of one part of a mesh hide
+  /// each other, so together they count for at most the light of the two sides that are visible at
+  /// a time.
   [[nodiscard]] std::vector<double> most() const;
 
  private:
   LightTable table_;
-  std::vector<double> brightest_;           // the most that a surface makes of each; at most white
+  std::vector<double> brightest_;           // largest contribution by each light; at most white
   std::vector<std::size_t> part_of_light_;  // its number, or none
   std::size_t parts_ = 0;
   Recycled<LitBatch> point_;

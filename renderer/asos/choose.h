@@ -9,17 +9,18 @@ namespace asos {
 /// A leaf whose estimator is to be chosen.
 struct LeafChoice {
   double weight = 1.0;  ///< fraction of the root's area
-  ErrorBound bound;     ///< of its centre: the sum of all error terms
-  double price = 1.0;   ///< of one leaf of its surface, in samples
+  ErrorBound bound;     ///< error bound of its centre: the sum of all error terms
+  double price = 1.0;   ///< cost of one leaf of its surface, in samples
   bool may_split = false;
 };
 
-/// Whether MAX, or EPS, leaves so little to find out of a part of this weight that sampling it
-/// costs no more than to shade one leaf exactly, whatever it shows.
+/// Returns whether MAX or EPS allows so few samples for a part of this weight that sampling it
+/// costs no more than shading one leaf exactly.
 [[nodiscard]] bool samples_cost_least(const Allowance& allowance, double weight);
 
-/// The cheapest estimator whose error is within the allowance: the leaf's centre, samples of it, or
-/// those of its four quarters. If none is, the one with the least error (design section 14).
+/// Returns the cheapest estimator with an error within the allowance: the leaf's centre, samples of
+/// the leaf, or its four quarters. If none qualifies, returns the one with the least error (design
+/// section 14).
 [[nodiscard]] Estimator choose(const Allowance& allowance, const LeafChoice& leaf);
 
 }  // namespace asos

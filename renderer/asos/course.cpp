@@ -11,11 +11,12 @@ namespace {
 
 constexpr std::size_t plane_terms = 3;
 
-/// Gauss's elimination of a symmetric system with its right side; false: it is singular.
+/// Solves a symmetric system by Gauss's elimination. Returns false if the matrix is singular.
 template <std::size_t size>
 bool solve(std::array<std::array<double, size>, size>& a, std::array<glm::dvec3, size>& b,
            std::size_t count) {
-  constexpr double least_pivot = 1e-6;  // of what each row began with
+  // Smallest pivot, relative to the row's diagonal element before elimination.
+  constexpr double least_pivot = 1e-6;
   std::array<double, size> began{};
   for (std::size_t i = 0; i < count; ++i) began[i] = a[i][i];
   for (std::size_t k = 0; k < count; ++k) {
@@ -44,7 +45,7 @@ std::optional<Course> Course::through(std::span<const KnownValue> values) {
   if (values.size() < fewest) return std::nullopt;
   Course course;
   course.count_ = values.size() < fewest_bent ? plane_terms : most_terms;
-  // Measure places from their middle, in their own size.
+  // Centre and scale the places, for numerical stability.
   for (const KnownValue& known : values)
     course.middle_ += known.at / static_cast<double>(values.size());
   double size = 0.0;

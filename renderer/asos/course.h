@@ -9,25 +9,27 @@
 
 namespace asos {
 
-/// What is known of one place.
+/// The value at one place, with its noise.
 struct KnownValue {
   glm::dvec2 at{0.0};
   glm::dvec3 value{0.0};
-  double variance = 1.0;  ///< of its noise, in each channel
+  double variance = 1.0;  ///< variance of the noise, in each channel
 };
 
-/// How values run over a surface of a block: a polynomial of the place, of degree 2 where there are
-/// values enough, else 1, by least squares of what noise leaves uncertain.
+/// A polynomial that fits values over a surface of a block, by least squares weighted by their
+/// noise. Its degree is 2 if there are enough values, else 1.
 class Course {
  public:
-  /// Values that tell a course: so many leave some over by which it is judged. None: they are too
-  /// few, or lie along a line.
+  /// The fewest values for a fit of degree 1 and of degree 2. There are more values than
+  /// coefficients, so that the fit can be checked. Returns nothing if the values are too few or lie
+  /// on a line.
   static constexpr std::size_t fewest = 5, fewest_bent = 9;
   [[nodiscard]] static std::optional<Course> through(std::span<const KnownValue> values);
 
   [[nodiscard]] glm::dvec3 at(glm::dvec2 place) const;
-  /// How far the values lie off it: the mean square by their noise, in the worst channel, for each
-  /// of those left over. 1 is expected where noise is all that they are off by.
+  /// Returns the reduced chi-squared of the fit, in the worst channel: squared residuals over the
+  /// variance of the noise, per degree of freedom. It is 1 on average where noise is the only
+  /// cause.
   [[nodiscard]] double misfit() const { return misfit_; }
 
  private:
@@ -35,7 +37,7 @@ class Course {
   using Terms = std::array<double, most_terms>;
   [[nodiscard]] Terms terms_at(glm::dvec2 place) const;
 
-  std::size_t count_ = 0;  // of its terms
+  std::size_t count_ = 0;  // number of its terms
   glm::dvec2 middle_{0.0};
   double scale_ = 1.0;
   std::array<glm::dvec3, most_terms> factors_{};

@@ -10,14 +10,14 @@
 namespace asos {
 namespace {
 
-// An edge along a pixel's border changes the pixel by 2 / (3 pi) of its contrast for each pixel of
-// the radius: by no more than EPS where the radius is this many times EPS, at full contrast.
+// An edge along a pixel's border changes the pixel by 2 / (3 pi) of its contrast per pixel of blur
+// radius. At full contrast that is EPS where the radius is this many times EPS.
 constexpr double sharp_radius = 4.5;
 
-// Wider blur is sampled: a search around a pixel would find all of a block's surroundings.
+// Wider blur is sampled, since a search around one pixel would find the whole block's surroundings.
 constexpr double most_reach = 12.0;
 
-// A mesh may bend away from the plane of one of its triangles.
+// Margin for meshes, which may bend away from the plane of one of their triangles.
 constexpr double bend_of_meshes = 1.25;
 
 Allowance refined(RenderSettings settings) {
@@ -59,7 +59,7 @@ Defocus::Defocus(const BlockJob& job, const Viewer& viewer, int side)
   may_meet_ = !all.empty() && meets_boundary(all);
 }
 
-// The circle of confusion is linear across the picture of a plane, as nearness is.
+// Over the picture of a plane, the circle of confusion is linear, as 1 / depth is.
 void Defocus::measure(const RenderScene& scene, const Ray& ray, const Hit& hit,
                       Pixel& pixel) const {
   double slope = 0.0;
@@ -71,11 +71,11 @@ void Defocus::measure(const RenderScene& scene, const Ray& ray, const Hit& hit,
     const double height = std::abs(glm::dot(normal, glm::dvec3(ray.at(hit.t)) - eye_));
     const double turn = std::abs(glm::dot(normal, glm::dvec3(spacing_.right))) +
                         std::abs(glm::dot(normal, glm::dvec3(spacing_.down)));
-    // Pixels of radius a pixel across the picture.
+    // Change of the radius per pixel across the picture.
     slope = view_->confusion_of_nearness(turn / height);
   }
   pixel.radius = view_->confusion(depth);
-  // A sharp pixel's surface is judged by the pixel alone.
+  // Whether a pixel's surface is sharp depends on that pixel alone.
   if (is_sharp(pixel.radius + 0.5 * width_ * slope)) {
     pixel.most = pixel.radius + 0.5 * width_ * slope;
     pixel.searched = true;
@@ -88,8 +88,8 @@ void Defocus::measure(const RenderScene& scene, const Ray& ray, const Hit& hit,
   pixel.searched = pixel.most <= most_reach;
 }
 
-// The cross-section of all rays of a pixel at the depth nearer than the focus plane that has the
-// pixel's largest circle of confusion.
+// Returns the cross-section of all rays of a pixel at one depth: nearer than the focus plane, where
+// the circle of confusion is the pixel's largest.
 Box Defocus::far_end(std::uint32_t root) const {
   const Pixel& pixel = pixels_[root];
   const double radius = std::max(pixel.most, sharpest_);

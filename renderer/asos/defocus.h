@@ -10,33 +10,33 @@
 
 namespace asos {
 
-/// How the camera's lens blurs the pixels of a block, by the depth of what their centres show.
+/// The blur of a block's pixels by the camera's lens, from the depth at each pixel's centre.
 /// Distances across the picture are in pixels.
 class Defocus {
  public:
   struct Pixel {
-    double radius = 0.0;    ///< of the circle of confusion at the centre's depth
-    double most = 0.0;      ///< the largest over the square that `reach` searches
+    double radius = 0.0;    ///< radius of the circle of confusion at the centre's depth
+    double most = 0.0;      ///< largest radius over the square that `reach` covers
     bool searched = false;  ///< `most` is within reach
   };
 
-  /// Casts a ray through the centre of each of side x side pixels from the job's block on.
-  /// `viewer`: the camera. The job and the viewer have to outlive this.
+  /// Casts a ray through the centre of each of side x side pixels, starting at the job's block.
+  /// `viewer` is the camera. The job and the viewer have to outlive this object.
   Defocus(const BlockJob& job, const Viewer& viewer, int side);
 
-  /// The widest that boundaries are searched for around a pixel.
+  /// Returns the widest search for boundaries around a pixel, in pixels.
   [[nodiscard]] double reach() const { return reach_; }
   [[nodiscard]] const Pixel& pixel(std::uint32_t root) const { return pixels_[root]; }
-  /// Whether a circle of confusion changes no pixel by more than EPS.
+  /// Returns whether a circle of confusion of this radius changes no pixel by more than EPS.
   [[nodiscard]] bool is_sharp(double radius) const { return radius <= sharpest_; }
   [[nodiscard]] bool is_sharp_at(double depth) const { return is_sharp(view_->confusion(depth)); }
-  /// Whether no boundary lies so near to the lens that its circle of confusion is larger than the
-  /// pixel's. Conservative.
+  /// Returns whether every boundary is so far from the lens that its circle of confusion is no
+  /// larger than the pixel's. Conservative.
   [[nodiscard]] bool nothing_nearer(std::uint32_t root) const;
-  /// The side of a square with the second moments of the pixel and its circle of confusion, or of
-  /// the largest that is searched.
+  /// Returns the side of a square with the second moments of the pixel convolved with its circle of
+  /// confusion. The circle is limited to the search radius.
   [[nodiscard]] double leaf_side(std::uint32_t root) const;
-  /// The allowance of a sampled pixel. It refines, even where the settings do not.
+  /// Returns the allowance of a sampled pixel. It refines, even where the settings do not.
   [[nodiscard]] const Allowance& allowance() const { return allowance_; }
 
  private:

@@ -2,14 +2,14 @@
 
 namespace asos {
 
-/// Bound on the error of a leaf's centre as the mean of the leaf, in display intensity, and what
-/// makes samples of the leaf differ (design section 14). Bounds of independent causes add up, in
-/// any order.
+/// Bound on the error of a leaf's centre as the mean of the leaf, in display intensity, and on the
+/// contrast of the leaf's samples (design section 14). Bounds of independent causes add up, in any
+/// order.
 struct ErrorBound {
   double error = 0.0;
-  /// Contrast of the leaf's samples that is not usual, such as that of highlights.
+  /// Contrast of the leaf's samples beyond the usual, such as that of highlights.
   double contrast = 0.0;
-  /// No bound is known: only samples determine the leaf.
+  /// The error has no bound: only samples determine the leaf.
   bool unbounded = false;
 
   [[nodiscard]] static ErrorBound of(double error) { return {error, 0.0, false}; }

@@ -24,8 +24,8 @@
 namespace asos {
 namespace {
 
-/// How many times narrower a pyray that a mesh mirrors has to be than one of an analytic shape: a
-/// triangle has its own curvature only.
+/// A pyray reflected by a mesh has to be this many times narrower than one reflected by an analytic
+/// shape, since a triangle gives only its own curvature.
 constexpr double strictness_of_meshes = 8.0;
 
 bool any_light(const EyeContext& eye, const auto& holds) {
@@ -33,7 +33,7 @@ bool any_light(const EyeContext& eye, const auto& holds) {
   return std::any_of(lights.begin(), lights.end(), holds);
 }
 
-/// Whether samples of its lobes show all that a surface reflects and transmits.
+/// Returns whether samples of its lobes contain all that a surface reflects and transmits.
 bool by_lobes_only(const EyeContext& eye, const Leaf& leaf) {
   const Material& material = *leaf.material;
   return !material.metallic_roughness_texture.used() && !material.coat.roughness_texture.used() &&
@@ -81,8 +81,8 @@ ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
   return sum;
 }
 
-// The mean of what textured layers transmit together is not the product of their means, and no
-// outlines bound what alpha blends. The surfaces behind the first layer have to be even, too.
+// The mean transmittance of several textured layers is not the product of their means, and alpha
+// blending has no outlines. The surfaces behind the first layer must have bounded errors, too.
 ErrorBound ErrorTerms::layers(const Leaf& leaf) const {
   if (samples_->cut_out(leaf.sample)) return ErrorBound::unknown();
   if (!eye_->scene->needs.alpha_blend || samples_->opaque(leaf.sample) ||
@@ -128,14 +128,14 @@ ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
       uneven_products(*eye_, leaf.hit, leaf.square, part_shape(leaf.region, leaf.at), leaf.weight));
 }
 
-// The centre's normal stands for none of the others. Where these face away from a light, a ray has
-// to show it, so that as many samples determine more of the leaf.
+// The normal at the centre does not represent the others. Where some of them face away from a
+// light, a ray to the light is sent, so that the samples determine more of the leaf.
 ErrorBound ErrorTerms::bumps(const Leaf& leaf) const {
   const RenderScene& scene = *eye_->scene;
   if (!leaf.is_lit()) return ErrorBound::none();
   if (glints(leaf)) return ErrorBound::unknown();
   if (eye_->mirrored() || scene.world().is_face(leaf.hit.triangle)) return ErrorBound::none();
-  // The mean of a turning texture is not that of its highlights.
+  // The mean of a texture of directions is not the mean of the highlights in these directions.
   if (scene.needs.textures && leaf.material->anisotropy.texture.used())
     return ErrorBound::unknown();
   if (!soft_shadows_) return ErrorBound::none();
@@ -153,7 +153,7 @@ bool ErrorTerms::glints(const Leaf& leaf) const {
   if (!scene.needs.normal_maps || !(leaf.weight > 0.0) || !material.normal_texture.used() ||
       scene.lights().empty())
     return false;
-  // Textures make roughness less only.
+  // Textures can only reduce roughness.
   if (!material.metallic_roughness_texture.used() && material.roughness >= least_broad_roughness)
     return false;
   const SampleExtent extent{&eye_->viewer.spacing, &scene.mips(), eye_->side_of(leaf.weight)};
@@ -173,7 +173,7 @@ ErrorBound ErrorTerms::bend(const Leaf& leaf) const {
                                        eye_->settings->shadow.light_rule));
 }
 
-// In a part of a pixel, as much less as its area is.
+// In a part of a pixel, the error is reduced in proportion to its area.
 ErrorBound ErrorTerms::normals(const Leaf& leaf) const {
   const glm::ivec2 pixel = pixel_of(leaf.region);
   const float error = normals_.error(pixel.x, pixel.y);
@@ -196,11 +196,11 @@ ErrorBound ErrorTerms::falloff(const Leaf& leaf) const {
   return ErrorBound::of(error);
 }
 
-// But for highlights of lights that a reflection shows.
+// Smooth surfaces have no highlights, since their reflections contain the lights.
 ErrorBound ErrorTerms::gloss(const Leaf& leaf) const {
   const RenderScene& scene = *eye_->scene;
   const Hit& hit = leaf.hit;
-  // Textures make roughness less only.
+  // Textures can only reduce roughness.
   const bool by_dfr = eye_->viewer.shader.settings().dfr || scene.dfr_of(hit.triangle);
   if (!leaf.is_lit() || !(by_dfr || may_be_glossy(*leaf.material))) return ErrorBound::none();
   const SurfacePoint& point = leaf.point;
@@ -230,7 +230,7 @@ ErrorBound ErrorTerms::gloss(const Leaf& leaf) const {
   return all;
 }
 
-// Of one of the surface's lobes.
+// Returns the error of the highlights of one lobe.
 HighlightError ErrorTerms::highlights_error(const GlossyPatch& glossy) const {
   const auto lights = eye_->viewer.shader.lights();
   const float tolerance = eye_->allowance.tolerance;
@@ -254,7 +254,8 @@ ErrorBound ErrorTerms::mirror(const Leaf& leaf) const {
   return ErrorBound::of(wide * wide * static_cast<double>(eye_->allowance.tolerance));
 }
 
-// How far a curved mirror spreads the region's corner rays, in units of the widest reflected pyray.
+// Returns how far a curved mirror spreads the corner rays of the region, in units of the widest
+// reflected pyray allowed.
 double ErrorTerms::mirrored_width(const Leaf& leaf) const {
   const MirrorSettings& settings = eye_->settings->mirror;
   const Viewer& viewer = eye_->viewer;
@@ -283,8 +284,9 @@ double ErrorTerms::mirrored_width(const Leaf& leaf) const {
   return std::max({strayed, mirrored, reflected_angle(pyray, refracting(surface, ratio)) / widest});
 }
 
-// How far neighbours' normals are from what the mirror's own triangle predicts, in units of what is
-// negligible: where triangles are smaller than the patch, one of them does not show its curvature.
+// Returns how far the neighbours' normals are from those that the mirror's own triangle predicts,
+// in units of a negligible deviation. One triangle does not represent the curvature where triangles
+// are smaller than the patch.
 double ErrorTerms::strayed_width(const Leaf& leaf, const MirrorSurface& mirror, float side) const {
   constexpr double negligible = 0.02;
   if (eye_->scene->world().is_face(leaf.hit.triangle)) return 0.0;
@@ -295,21 +297,21 @@ double ErrorTerms::strayed_width(const Leaf& leaf, const MirrorSurface& mirror, 
   return static_cast<double>(strays) * across / negligible;
 }
 
-// The root that a region's centre lies in, as NormalVariation counts them.
+// Returns the root that contains a region's centre, in the numbering of NormalVariation.
 glm::ivec2 ErrorTerms::pixel_of(const LeafRegion& region) const {
   const auto width = static_cast<float>(eye_->block.width);
   return glm::ivec2(width * glm::vec2(region.square.centre_u(), region.square.centre_v())) -
          border_;
 }
 
-// Whether it is a light of some size whose shadows are found by themselves.
+// Returns whether the light has an extent and its shadows are found one light at a time.
 bool ErrorTerms::casts_soft_shadow(std::uint32_t light) const {
   const PreparedLight& asked = eye_->viewer.shader.lights()[light];
   return asked.casts_shadows && asked.extended() && !weak_lights_->holds(light);
 }
 
-// Each bound is for an edge all along a patch, at the worst place: half of it is expected. Ends
-// once the sum exceeds the allowance.
+// Each bound is for an edge along the whole patch at the worst place. Half of it is expected. The
+// loop ends once the sum exceeds the allowance.
 ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
   constexpr double expected = 0.5;
   if (!leaf.is_lit() || !(leaf.albedo() > 0.0f)) return ErrorBound::none();
@@ -339,7 +341,7 @@ double ErrorTerms::price_of_shadows() const {
 }
 
 bool ErrorTerms::may_misplace_light(const Leaf& leaf) const {
-  constexpr double wider = 8.0;  // than the corner rays: the other mirror's pyray is elsewhere
+  constexpr double wider = 8.0;  // than the corner rays: the other mirror's pyray starts elsewhere
   const Viewer& viewer = eye_->viewer;
   if (!leaf.shows_surface() || viewer.shader.lights_without_geometry().empty()) return false;
   const double spread =

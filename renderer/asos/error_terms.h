@@ -16,49 +16,50 @@
 
 namespace asos {
 
-/// Bounds on the difference between a leaf's centre and its mean, one for each cause, in display
-/// intensity (design section 14; CGF'98 sections 3.2, 4.3 and 5.2). No term uses another one, and
-/// their order does not matter. A term that cannot bound its error says so: then only samples
-/// determine the leaf.
+/// Bounds on the difference between a leaf's centre and its mean, one per cause, in display
+/// intensity (design section 14; CGF'98 sections 3.2, 4.3 and 5.2). Terms are independent of each
+/// other and of their order. A term that cannot bound its error returns an unbounded one; then only
+/// samples determine the leaf.
 class ErrorTerms {
  public:
-  /// All have to outlive this.
+  /// All arguments have to outlive this.
   ErrorTerms(const EyeContext& eye, const EyeSamples& samples, const WeakLights& weak_lights,
              const ShadowContext& shadows);
 
-  /// Takes the normals' variation between pixels from the first samples, the centres of side x side
-  /// roots in rows.
+  /// Computes the variation of normals between pixels from the first samples: the centres of side x
+  /// side roots, row by row.
   void learn_normals(int side);
 
-  /// Surfaces that blend, one behind the other, and cut-outs without outlines.
+  /// Alpha-blended surfaces in front of each other, and cut-outs without known outlines.
   [[nodiscard]] ErrorBound layers(const Leaf& leaf) const;
   /// Textures and vertex colours that the footprint of one hit does not average.
   [[nodiscard]] ErrorBound textures(const Leaf& leaf) const;
   /// Normal maps, and triangles as small as the leaf, that scatter light.
   [[nodiscard]] ErrorBound bumps(const Leaf& leaf) const;
-  /// The turn of the shading normal, the inverse square law, and highlights of lights without size.
+  /// Curvature of the shading normal, the inverse square law, and highlights of point lights.
   [[nodiscard]] ErrorBound bend(const Leaf& leaf) const;
-  /// Normals that turn unevenly from one pixel to the next.
+  /// Curvature that changes from one pixel to the next.
   [[nodiscard]] ErrorBound normals(const Leaf& leaf) const;
-  /// Irradiance near lights of some size, and at the rims of spots.
+  /// Irradiance near lights with an extent, and at the rims of spotlights.
   [[nodiscard]] ErrorBound falloff(const Leaf& leaf) const;
-  /// Fresnel reflectance at grazing angles, and highlights of lights of some size.
+  /// Fresnel reflectance at grazing angles, and highlights of lights with an extent.
   [[nodiscard]] ErrorBound gloss(const Leaf& leaf) const;
   /// The widening of a pyray by a curved mirror or refractor (CGF'98 sections 5.2.1 to 5.2.4).
   [[nodiscard]] ErrorBound mirror(const Leaf& leaf) const;
-  /// Edges of soft shadows (CGF'98 section 4.3). Adds the lights' views that it finds to `views`.
+  /// Edges of soft shadows (CGF'98 section 4.3). Adds the views of lights that it computes to
+  /// `views`.
   [[nodiscard]] ErrorBound penumbra(const Leaf& leaf, LightViews& views) const;
 
-  /// The sum of all but layers and penumbrae; ends early where there is no bound.
+  /// Returns the sum of all terms but layers and penumbrae. Ends early once a term is unbounded.
   [[nodiscard]] ErrorBound shading(const Leaf& leaf) const;
 
-  /// Whether some light of some size casts shadows.
+  /// Returns whether a light with an extent casts shadows.
   [[nodiscard]] bool soft_shadows() const { return soft_shadows_; }
-  /// Of one leaf's soft shadows, in samples.
+  /// Returns the cost of one leaf's soft shadows, in samples.
   [[nodiscard]] double price_of_shadows() const;
 
-  /// Whether a leaf that is sampled in a mirror may show a light without geometry that is brighter
-  /// than white: its own mirrored pyray places that worse than samples do.
+  /// Returns whether a sampled mirror leaf may show a light without geometry that is brighter than
+  /// white. Its own reflected pyray places such a light less exactly than samples do.
   [[nodiscard]] bool may_misplace_light(const Leaf& leaf) const;
 
  private:

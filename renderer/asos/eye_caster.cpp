@@ -10,12 +10,12 @@
 namespace asos {
 namespace {
 
-// Samples of a root of which a sliver may be so much brighter than white that few would miss it, or
-// take it for more than it is.
+// Number of samples of a root that may contain a sliver much brighter than white. With fewer, all
+// samples may miss it, or its weight is overestimated.
 constexpr double samples_of_glare = 1024.0;
 constexpr float glaring = 4.0f;
 
-// Whether a part of a perspective frame may show a surface that glares.
+// Returns whether a part of a perspective frame may show a surface that glares.
 bool may_glare(const EyeContext& eye, const Square& square) {
   if (eye.frame->parallel()) return false;
   const auto towards = [&](double u, double v) {

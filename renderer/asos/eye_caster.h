@@ -20,8 +20,8 @@
 
 namespace asos {
 
-/// The engine's Caster for eye pyrays, and for those that were mirrored: the joint of the block's
-/// samples, of what one sample cannot tell, and of the leaves' shading. A root is a pixel.
+/// The engine's Caster for eye pyrays and reflected pyrays. It joins the block's samples, the data
+/// beyond single samples (covers, normals) and the shading of leaves. A root is a pixel.
 class EyeCaster final : public Caster {
  public:
   EyeCaster(const EyeContext& eye, std::size_t roots);
@@ -30,9 +30,10 @@ class EyeCaster final : public Caster {
 
   SampleId probe(std::span<const glm::vec2> points) override { return samples_.probe(points); }
   [[nodiscard]] LensCaster* lens() override { return lens_ ? &*lens_ : nullptr; }
-  /// Shadow pyrays share what lies between each of the surfaces in the middles and the lights.
+  /// Finds the occluders between each surface at a pixel centre and the lights, for shadow pyrays
+  /// to share.
   void middles_known(int side) override;
-  /// For who sends one ray only, instead.
+  /// Replaces `middles_known` for a caller that sends one ray only.
   void sends_one_ray() { weak_lights_.take_all(); }
   [[nodiscard]] Cover cover(SampleId sample) const override { return samples_.cover(sample); }
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override {
@@ -47,7 +48,7 @@ class EyeCaster final : public Caster {
     return chooser_.decide(sample, weight, region, may_split);
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
-    constexpr double contrast = 0.5;  // of a part that shows many surfaces
+    constexpr double contrast = 0.5;  // of a part with many surfaces
     return shades_parts_ &&
            eye_.allowance.samples_suffice(weight, contrast,
                                           chooser_.part_price() * static_cast<double>(parts));
@@ -64,17 +65,17 @@ class EyeCaster final : public Caster {
     return samples_.hit(sample).triangle;
   }
 
-  /// A root's colour: the mean of its leaves. Samples that were not finite were left out and
-  /// counted.
+  /// Returns the colour of a root: the mean of its leaves. Samples that are not finite are left out
+  /// and counted.
   [[nodiscard]] glm::vec3 colour(std::uint32_t root) const;
   [[nodiscard]] const RootSum& sum(std::uint32_t root) const { return sums_[root]; }
-  /// A camera's parts that are still to be sampled: they are in no sum. None is left then.
+  /// Returns the camera's parts that still need samples, and leaves none. They are in no sum yet.
   [[nodiscard]] OpenRegions take_open() { return leaf_shader_.take_open(); }
 
  private:
   EyeContext eye_;
-  bool casts_shadows_;  // some light does
-  bool shades_parts_;   // so that parts cost more than samples: where anything is lit at all
+  bool casts_shadows_;  // whether any light does
+  bool shades_parts_;   // parts cost more than samples: true where anything is lit at all
   EyeSamples samples_;
   ShadowScene shadow_scene_;
   ShadowGroups groups_;

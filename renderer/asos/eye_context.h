@@ -17,8 +17,8 @@ namespace asos {
 class Defocus;
 struct EyeWorkspace;
 
-/// A viewer's block while it is rendered: who looks where, at which cost. A camera's block of
-/// pixels, or what one mirrored pyray shows, whose viewer's picture has a single pixel. Pointers
+/// The viewer, settings and allowance of a block while it is rendered. A block is the camera's
+/// block of pixels, or the picture of one reflected pyray, which has a single pixel. Pointers
 /// outlive the block's caster.
 struct EyeContext {
   const RenderScene* scene = nullptr;
@@ -28,9 +28,9 @@ struct EyeContext {
   PixelRect block;               ///< square
   Allowance allowance{};         ///< of a root
   EngineVariant variant{};
-  int seed = 0;                        ///< of sampled parts
-  const MirroredMask* mask = nullptr;  ///< how much the parts of the square count; null: their area
-  const Defocus* defocus = nullptr;    ///< of the camera's lens; null: a pinhole
+  int seed = 0;                        ///< seed of sampled parts
+  const MirroredMask* mask = nullptr;  ///< weights of the parts of the square; null: their areas
+  const Defocus* defocus = nullptr;    ///< blur of the camera's lens; null: a pinhole
   EyeWorkspace* work = nullptr;
   std::stop_token stop{};
   RenderStatistics* counts = nullptr;
@@ -39,13 +39,14 @@ struct EyeContext {
   std::uint32_t observed_root = 0;
   Square observed_square{0.0f, 0.0f, 1.0f};  ///< of that root, in the frame
 
-  /// Whether it is what one mirrored pyray shows.
+  /// Returns whether the block is the picture of a reflected pyray.
   [[nodiscard]] bool mirrored() const { return mask != nullptr; }
-  /// The side, in pixels, of the square that a part of this weight stands for, whatever its shape.
+  /// Returns the side, in pixels, of the square whose area is the weight of a part, whatever its
+  /// shape.
   [[nodiscard]] float side_of(double weight) const {
     return viewer.pixel * static_cast<float>(std::sqrt(weight));
   }
-  /// The side of a root, in the frame.
+  /// Returns the side of a root, in the frame.
   [[nodiscard]] float root_side() const { return viewer.pixel / static_cast<float>(block.width); }
 };
 

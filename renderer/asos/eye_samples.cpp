@@ -18,7 +18,7 @@ SampleId EyeSamples::probe(std::span<const glm::vec2> points) {
   for (const glm::vec2& p : points) rays_.push_back(ray_through(p));
   hits_.resize(rays_.size());
   const RenderScene& scene = *eye_->scene;
-  // In runs of which each takes well under a millisecond, so that cancelling is quick.
+  // Each run takes well under a millisecond, so that cancelling is quick.
   constexpr std::size_t run = 1024;
   for (std::size_t i = first; i < rays_.size() && !eye_->stop.stop_requested(); i += run) {
     const std::size_t count = std::min(run, rays_.size() - i);
@@ -50,8 +50,8 @@ SampleId EyeSamples::add_unseen(glm::vec2 point) {
   return static_cast<SampleId>(rays_.size() - 1);
 }
 
-// A hash of the sample's place to a 2^16th of the block: the last bits of a place are rounding,
-// which the scene's scale decides.
+// Hashes the sample's place, rounded to 2^-16 of the block. Finer bits are rounding errors that
+// depend on the scene's scale.
 std::uint64_t EyeSamples::seed(SampleId sample) const {
   const auto bits = [](float x) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::lround(x * 65536.0f)));
@@ -65,7 +65,7 @@ std::uint64_t EyeSamples::seed(SampleId sample) const {
 }
 
 Cover EyeSamples::cover(SampleId sample) const {
-  // Boundaries that are seen through a surface are not hidden by it.
+  // A transparent surface does not hide the boundaries behind it.
   const Hit& hit = hits_[sample];
   if (!hit.valid() || !opaque(sample)) return Cover::none();
   return cover_of(*eye_->frame, eye_->scene->world(), eye_->scene->features(), hit);
@@ -82,8 +82,8 @@ bool EyeSamples::opaque(SampleId sample) const {
   const Material& material = eye_->scene->world().material_of(hit.triangle);
   if (material.alpha_mode != AlphaMode::opaque && !eye_->scene->features().outlined(hit.triangle))
     return false;
-  // What lies behind the boundary of a volume is seen elsewhere, and so is what frosted glass
-  // blurs.
+  // Refraction at a volume's boundary displaces the surfaces behind it, and frosted glass blurs
+  // them.
   const Viewer& viewer = eye_->viewer;
   const bool frosted = is_frosted(material) && !material.metallic_roughness_texture.used();
   if (material.transmission > 0.0f && viewer.passage.in_medium()) {

@@ -13,36 +13,37 @@
 
 namespace asos {
 
-/// The rays that were cast through a block's points, and what they met.
+/// The rays cast through a block's points, and their hits.
 class EyeSamples final : public PatchView {
  public:
   explicit EyeSamples(const EyeContext& eye);
 
-  /// Casts a ray through each point, in packets; the number of the first.
+  /// Casts a ray through each point, in packets. Returns the number of the first.
   SampleId probe(std::span<const glm::vec2> points);
-  /// A number for samples taken elsewhere; it met nothing.
+  /// Adds a sample that was taken elsewhere, with no hit. Returns its number.
   SampleId add_unseen(glm::vec2 point);
 
   [[nodiscard]] glm::vec2 at(SampleId sample) const { return points_[sample]; }
   [[nodiscard]] const Ray& ray(SampleId sample) const { return rays_[sample]; }
   [[nodiscard]] const Hit& hit(SampleId sample) const { return hits_[sample]; }
   [[nodiscard]] Ray ray_through(glm::vec2 p) const;
-  /// A function of a sample's place alone.
+  /// Returns a seed that depends on the sample's place alone.
   [[nodiscard]] std::uint64_t seed(SampleId sample) const;
 
   [[nodiscard]] Cover cover(SampleId sample) const;
-  /// The background is a surface, too.
+  /// Returns the number of the surface at a sample. The background has one, too.
   [[nodiscard]] std::uint32_t surface(SampleId sample) const;
-  /// Whether it met the background, or a surface through which nothing shines, and whose holes, if
-  /// any, have known outlines.
+  /// Returns whether the ray met the background or an opaque surface, whose holes, if any, have
+  /// known outlines.
   [[nodiscard]] bool opaque(SampleId sample) const;
-  /// Whether it met a surface that is cut out by its texture, hole or not, in a way that nothing
-  /// but samples can tell (FeatureSet::cut_outs_unbounded).
+  /// Returns whether the ray met a surface with an alpha cut-out, hole or not, that only samples
+  /// can resolve (FeatureSet::cut_outs_unbounded).
   [[nodiscard]] bool cut_out(SampleId sample) const {
     return !cut_out_.empty() && cut_out_[sample];
   }
   [[nodiscard]] SurfacePoint point(SampleId sample) const;
-  /// The patch of the surface around the hit that a part of the root's weight `share` shows.
+  /// Returns the patch of surface around the hit that a part of the root with the weight `share`
+  /// covers.
   [[nodiscard]] Patch patch(SampleId sample, double share) const;
 
   void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,

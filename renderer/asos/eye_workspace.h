@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// Memory of the pyrays that leaves send on that is worth keeping: to lights, and by way of
-/// mirrors, by how many bounces lie before them. Holds no result.
+/// Scratch memory for the shadow pyrays and the reflected pyrays of leaves, by number of bounces.
+/// Holds no result.
 struct EyeWorkspace {
   ShadowWorkspace shadows;
 

@@ -9,7 +9,7 @@
 namespace asos {
 namespace {
 
-/// Whether a ray reaches what lies nearest to a direction of the light.
+/// Returns whether a ray reaches the point of the light nearest to a direction.
 bool reaches(const EyeContext& eye, std::uint32_t light, const SurfacePoint& point,
              glm::vec3 mirrored) {
   const PreparedLight& prepared = eye.viewer.shader.lights()[light];
@@ -32,8 +32,8 @@ bool shows_highlight(const EyeContext& eye, std::uint32_t light, const SurfacePo
   return reaches(eye, light, point, glm::reflect(-to_viewer, point.shading_normal));
 }
 
-// Of GGX's facets half lie within alpha of the normal, a fifth within half of that and four fifths
-// within twice; they turn what they mirror by twice as much.
+// Half of GGX's facets lie within alpha of the normal, a fifth within half of alpha and four fifths
+// within twice alpha. Reflected directions turn by twice the facet's angle.
 HighlightRays rays_to_highlight(const EyeContext& eye, std::uint32_t light,
                                 const SurfacePoint& point, glm::vec3 to_viewer, float roughness) {
   const glm::vec3 mirrored = glm::reflect(-to_viewer, point.shading_normal);

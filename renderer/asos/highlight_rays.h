@@ -9,14 +9,14 @@
 
 namespace asos {
 
-/// Whether nothing lies before the place of a light that a highlight at the point shows most of: by
-/// a ray, which is counted for the light. `to_viewer` is unit.
+/// Returns whether the point of a light at the peak of its highlight is visible. Sends one ray,
+/// which is counted for the light. `to_viewer` is unit.
 [[nodiscard]] bool shows_highlight(const EyeContext& eye, std::uint32_t light,
                                    const SurfacePoint& point, glm::vec3 to_viewer);
 
-/// How many of thirteen rays reach the light: to that place, and to four on each of three circles
-/// around it, within which a fifth, a half and four fifths lie of the lobe of a surface of that
-/// roughness.
+/// Counts how many of thirteen rays reach the light. One goes to the highlight's peak, and four to
+/// each of three circles around it. The circles contain a fifth, a half and four fifths of the lobe
+/// of a surface of that roughness.
 struct HighlightRays {
   int sent = 0;
   int arrived = 0;

@@ -20,8 +20,8 @@ Leaf Leaf::of(const EyeContext& eye, const EyeSamples& samples, SampleId sample,
   leaf.material = &eye.scene->world().material_of(leaf.hit.triangle);
   leaf.point = samples.point(sample);
   leaf.distance = eye.viewer.spacing.distance(leaf.hit.t);
-  // The patches of a square with the leaf's area, and of one that reaches its farthest corner: the
-  // edge of a shadow may lie at the far end of a long and thin leaf.
+  // Compute the patch of a square with the leaf's area, and the patch of a square that reaches the
+  // leaf's farthest corner. A shadow's edge may lie at the far end of a long, thin leaf.
   const Patch pixel = samples.patch(sample, 1.0);
   const auto side = static_cast<float>(std::sqrt(weight));
   leaf.square = {side * pixel.right, side * pixel.down};

@@ -10,19 +10,20 @@
 
 namespace asos {
 
-/// A part of a root, and the surface that its sample shows: made once, when the engine asks how to
-/// determine it. Valid as long as its region's border.
+/// A part of a root and the surface at its sample. Made once, when the engine chooses an estimator
+/// for it. Valid as long as its region's border.
 struct Leaf {
   SampleId sample = no_sample;
   double weight = 1.0;  ///< fraction of the root's area
   LeafRegion region;    ///< in the frame
-  glm::vec2 at{0.0f};   ///< its sample, in the frame
+  glm::vec2 at{0.0f};   ///< place of its sample, in the frame
   Ray ray;
   Hit hit;
   const Material* material = nullptr;  ///< null: the background
   SurfacePoint point;                  ///< without a footprint
-  Patch square;                        ///< of the surface, that a square with the leaf's area shows
-  Patch around;           ///< the same of the square around the sample that holds all of the leaf
+  /// Patch of the surface that a square with the leaf's area covers.
+  Patch square;
+  Patch around;           ///< patch of the square around the sample that contains the whole leaf
   float distance = 0.0f;  ///< from the viewer, in world units
 
   [[nodiscard]] static Leaf of(const EyeContext& eye, const EyeSamples& samples, SampleId sample,
@@ -31,7 +32,8 @@ struct Leaf {
   [[nodiscard]] bool shows_surface() const { return material != nullptr; }
   [[nodiscard]] bool is_lit() const { return material && !material->unlit; }
   [[nodiscard]] glm::vec3 to_viewer() const { return -ray.direction; }
-  /// Radiance that the surface makes of irradiance pi at most, by its base colour and sheen.
+  /// Returns the largest radiance of the surface for an irradiance of pi, from base colour and
+  /// sheen.
   [[nodiscard]] float albedo() const;
 };
 

@@ -22,12 +22,12 @@ LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegio
   if (!allowance.refines_leaves() || !samples_->hit(sample).valid() ||
       (eye_->mask && !eye_->mask->holds(samples_->at(sample))))
     return {};
-  // The parts of an even patch are right as a whole only: none of them alone is sampled.
+  // The parts of an evenly lit patch are right only as a whole, so none of them is sampled alone.
   const bool shared = terms_.soft_shadows() && even_around(sample, region);
   if (!eye_->mirrored() && !shared && samples_cost_least(allowance, weight) && is_lit(sample))
     return {Estimator::samples};
 
-  // Add up the error terms, those of soft shadows only where the others leave anything to choose.
+  // Add up the error terms. Soft shadows matter only where the others leave a choice.
   const Leaf leaf = Leaf::of(*eye_, *samples_, sample, weight, region);
   if (terms_.layers(leaf).unbounded) return {Estimator::samples, Unevenness::layers};
   LeafChoice choice{weight, terms_.shading(leaf), Prices::leaf, may_split};
@@ -52,7 +52,7 @@ LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegio
     if (decision.estimator != Estimator::centre)
       decision.cause = even ? Unevenness::shading : Unevenness::shadow;
   }
-  // Parts of a leaf that is split for its shading need not have their shadows found again.
+  // If a leaf is split for its shading only, its parts reuse its shadows.
   if (even && decision.splits() && region.border.empty() && samples_->opaque(sample) &&
       nearly_flat(leaf))
     even_.push_back(even_patch(sample, region, views));
@@ -67,8 +67,8 @@ bool LeafChooser::is_lit(SampleId sample) const {
   return !eye_->scene->world().material_of(samples_->hit(sample).triangle).unlit;
 }
 
-// Whether the surface deviates from its plane by little, compared with the patch: what lies closer
-// to a bent surface than that is left out of the search for penumbrae (find_penumbra).
+// Returns whether the surface deviates little from its plane, compared with the patch. The search
+// for penumbrae ignores occluders closer to a curved surface than its deviation (find_penumbra).
 bool LeafChooser::nearly_flat(const Leaf& leaf) const {
   const float size = std::min(glm::length(leaf.square.right), glm::length(leaf.square.down));
   const glm::dvec3 at(leaf.ray.at(leaf.hit.t));
@@ -82,7 +82,7 @@ EvenPatch LeafChooser::even_patch(SampleId sample, const LeafRegion& region,
           std::vector<Visibility>(eye_->viewer.shader.lights().size(), Visibility(-1.0)), views};
 }
 
-// A part of it, and not only overlapping it as pixels with a wide filter do.
+// The region has to be a part of the patch. Pixels with a wide filter only overlap it.
 EvenPatch* LeafChooser::even_around(SampleId sample, const LeafRegion& region) {
   const Square& s = region.square;
   const float rounding = 1e-3f * s.side;

@@ -14,32 +14,33 @@
 
 namespace asos {
 
-/// Chooses the estimator of each leaf of a block, and keeps what was found on the way.
+/// Chooses the estimator of each leaf of a block and stores the evenly lit patches and the views of
+/// the lights that it finds.
 class LeafChooser {
  public:
-  /// All have to outlive this.
+  /// All arguments have to outlive this.
   LeafChooser(const EyeContext& eye, const EyeSamples& samples, const WeakLights& weak_lights,
               const ShadowContext& shadows);
 
   /// See ErrorTerms.
   void learn_normals(int side) { terms_.learn_normals(side); }
 
-  /// The estimator of a leaf of this weight, from the sum of its error terms. The decision's record
-  /// is the number of the leaf's view of the lights.
+  /// Returns the estimator of a leaf of this weight, from the sum of its error terms. The
+  /// decision's record is the number of the leaf's view of the lights.
   [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
                                     bool may_split);
-  /// A leaf's view of the lights, as far as it was found.
+  /// Returns a leaf's views of the lights that were computed so far.
   [[nodiscard]] const LightViews& views(const LeafDecision& decision) const {
     return views_[decision.record];
   }
 
-  /// The even patch of the sample's surface that a region is a part of, if any.
+  /// Returns the evenly lit patch of the sample's surface that contains the region, if any.
   [[nodiscard]] EvenPatch* even_around(SampleId sample, const LeafRegion& region);
-  /// A patch that one look at each light does for.
+  /// Returns a patch whose lights are evaluated once for all of it, if it is evenly lit.
   [[nodiscard]] EvenPatch even_patch(SampleId sample, const LeafRegion& region,
                                      const LightViews& views) const;
 
-  /// Price of each of many parts of a cell, in samples.
+  /// Returns the cost of each of many parts of a cell, in samples.
   [[nodiscard]] double part_price() const { return part_price_; }
   /// See ErrorTerms.
   [[nodiscard]] bool may_misplace_light(SampleId sample, double weight,
@@ -53,7 +54,7 @@ class LeafChooser {
   const EyeSamples* samples_;
   ErrorTerms terms_;
   double shadows_price_, part_price_;
-  std::vector<LightViews> views_{1};  // by record; the first knows nothing
+  std::vector<LightViews> views_{1};  // by record; the first is empty
   std::vector<EvenPatch> even_;
 };
 

@@ -16,22 +16,23 @@
 namespace asos {
 namespace {
 
-// Cut leaves have their colours averaged over so many parts along each side, but for small ones.
+// The colour of a cut leaf is averaged over this many parts along each side. Leaves of less weight
+// than `least_in_parts` are not divided.
 constexpr int parts_along = 3;
 constexpr double least_in_parts = 1.0 / 64.0;
 
-// Samples of a root whose mirrors may show a bright light elsewhere than pyrays do: of few none may
-// meet it, and agree.
+// Samples of a root whose mirrors may show a bright light at another place than pyrays do. With few
+// samples, all may miss the light, so that their variance is wrongly zero.
 constexpr double samples_of_light = 256.0;
 
-// Samples of a pixel that is blurred, at least: of few all may miss what is bright and blurred over
-// many pixels, and agree.
+// Fewest samples of a defocused pixel. With fewer, all may miss a bright object that is blurred
+// over many pixels, so that their variance is wrongly zero.
 constexpr std::uint32_t samples_of_blur = 16;
-// MAX leaves so many times more samples to pixel and lens together than to a pixel: the lens has as
-// many parts.
+// MAX allows this many times more samples for pixel and lens together than for a pixel, since the
+// lens has that many parts.
 constexpr std::uint32_t parts_of_lens = 16;
 
-// A block's first stage samples regions until they are within so many times their allowed error.
+// A block's first stage samples regions until their error is within this factor of the allowed one.
 constexpr double first_stage_error = 4.0;
 
 }  // namespace
@@ -68,13 +69,13 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   if (worth_one_sample(leaf)) return single_.add(leaf);
   if (leaf.decision.sampled() && add_samples(leaf)) return;
 
-  // Textured surfaces are divided into TR x TR samples of a pixel; all else is one leaf.
+  // Divide textured surfaces into TR x TR samples per pixel. Everything else is one leaf.
   if (add_texture_samples(leaf)) return;
   const glm::vec3 radiance = add_leaf(leaf, chooser_->even_around(leaf.sample, leaf.region));
   note_result(leaf.root, leaf.sample, radiance);
 }
 
-// What is mirrored is shaded at once.
+// Reflected leaves are shaded immediately.
 bool LeafShader::worth_one_sample(const PyrayLeaf& leaf) const {
   const Allowance& allowance = eye_->allowance;
   return !eye_->mirrored() && allowance.refines() &&
@@ -135,8 +136,9 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   return radiance;
 }
 
-// What a boundary has cut is no parallelogram: where that would reach beyond it a texture may show
-// something else, as textures do along their seams. So colours are averaged over its parts.
+// A leaf that a boundary has cut is no parallelogram. Where its parallelogram reaches beyond the
+// boundary, the texture may differ, as it does at seams. The colour is therefore averaged over its
+// parts.
 std::span<const SharedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm::vec2 at) {
   parts_.clear();
   const LeafRegion& region = leaf.region;
@@ -152,22 +154,23 @@ std::span<const SharedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm
   return parts_;
 }
 
-// Whether highlights of lights that are seen in part may be off by more than a leaf may. At most
-// they are by what unsure_highlights says: all of the highlight may lie in what is hidden.
+// Returns whether the highlights of partially occluded lights may have a larger error than a leaf
+// may. The error is at most unsure_highlights(), since the whole highlight may be occluded.
 bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const {
   const Allowance& allowance = eye_->allowance;
   return !eye_->mirrored() && allowance.refines_leaves() && !leaf.region.marginal &&
          !leaf.decision.sampled() && transport.unsure_highlights() > allowance.tolerance;
 }
 
-// Whether an edge lies in a leaf that is as wide as a lens blurs it, which weighs its parts
-// otherwise than the leaf does.
+// Returns whether an edge crosses a defocused leaf. The lens kernel weights the parts of such a
+// leaf unequally.
 bool LeafShader::blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transport) const {
   return leaf.defocused && (transport.met_shadow_edge() || transport.met_mirror_edge());
 }
 
-// How many samples tell such a highlight: of few samples none may see what is left of the light,
-// and agree. Half of those that are likely to be needed.
+// Returns the number of samples that resolve such a highlight. With few samples, all may miss the
+// visible part of the light, so that their variance is wrongly zero. It is half of the likely
+// number.
 std::uint32_t LeafShader::enough_for(const PyrayLeaf& leaf, float highlights) const {
   constexpr double most = 256.0;
   const double likely = eye_->allowance.samples(
@@ -175,7 +178,8 @@ std::uint32_t LeafShader::enough_for(const PyrayLeaf& leaf, float highlights) co
   return std::bit_floor(static_cast<std::uint32_t>(std::clamp(0.5 * likely, 1.0, most)));
 }
 
-// Whether what the leaf mirrors has to be sampled, for a bright light would be shown elsewhere.
+// Returns whether the reflection has to be sampled, because the pyray would show a bright light at
+// a wrong place.
 bool LeafShader::light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const {
   return !eye_->mirrored() && eye_->allowance.refines_leaves() && !leaf.region.marginal &&
          !leaf.decision.sampled() && transport.misplaces_light();
@@ -199,8 +203,9 @@ LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const
   return context;
 }
 
-// Divides a leaf of a textured surface that no boundary passes through into TR x TR samples of a
-// pixel, each with its own share of the area (CGF'98 section 3.2). False: it is not to be divided.
+// Divides a leaf of a textured surface without boundaries into TR x TR samples per pixel, each with
+// its own fraction of the area (CGF'98 section 3.2). Returns false if the leaf is not to be
+// divided.
 bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   // Decide whether to divide the leaf.
   const TextureSettings& settings = eye_->settings->texture;
@@ -209,7 +214,7 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   const int n =
       texture_divisions(settings.resolution, side / static_cast<double>(eye_->viewer.pixel));
   const Hit& hit = samples_->hit(leaf.sample);
-  // What a boundary has cut is marginal, too: parts of its square would not count by their areas.
+  // Exclude leaves that a boundary has cut: the parts of their square would have wrong areas.
   if (n == 1 || region.marginal || !region.border.empty() || !hit.valid() ||
       !is_textured(eye_->scene->world().material_of(hit.triangle), eye_->scene->needs))
     return false;
@@ -221,7 +226,7 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   for (const TexturePart& part : parts) places.push_back(part.at);
   const SampleId first = samples_->probe(places);
 
-  // One look at the lights does for all of them.
+  // Evaluate the lights once for all of the parts.
   EvenPatch whole = chooser_->even_patch(leaf.sample, region, chooser_->views(leaf.decision));
   const bool even = samples_->opaque(leaf.sample);
   const RootSum before = sums_[leaf.root];
@@ -230,7 +235,7 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
     const PyrayLeaf part{leaf.root, first + i, share, {parts[i].square, {}}};
     (void)add_leaf(part, even ? &whole : chooser_->even_around(part.sample, part.region));
   }
-  // Note their mean as the leaf's.
+  // Record their mean as the leaf's radiance.
   const double added = sums_[leaf.root].weight - before.weight;
   const glm::dvec3 radiance = sums_[leaf.root].radiance - before.radiance;
   note_result(leaf.root, leaf.sample, added > 0.0 ? glm::vec3(radiance / added) : glm::vec3(0.0f));
@@ -270,14 +275,14 @@ bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
     deferred_.back().region.border = {};
     return true;
   }
-  // With blur, as its kernel is distributed there. The first sample is that of the root's middle.
+  // Include the blur, since the samples follow its kernel. Sample 0 is that of the root's centre.
   std::optional<BlurKernel> kernel;
   if (eye_->mask->blur) kernel = eye_->mask->blur->at(static_cast<double>(samples_->hit(0).t));
   return add_estimate(
       leaf, sampler().sample(leaf.region, goal, *eye_->counts, kernel ? &*kernel : nullptr));
 }
 
-// Adds the mean of a part to its root, for the share of it that the mask holds.
+// Adds the mean of a part to its root, with the weight of the part in the mask.
 bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found) {
   if (found.cost == 0.0) return false;
   const bool blurred = eye_->mask && eye_->mask->blur;
@@ -289,14 +294,16 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
   return true;
 }
 
-// Leaves out what a leaf gets of the weak lights and the sky, which mirrored leaves have already.
+// Drops a leaf's contributions from the sampled lights and the sky. Reflected leaves have them
+// already.
 void LeafShader::drop(std::uint32_t weak_share, std::uint32_t sky_share) {
   if (eye_->mirrored()) return;
   weak_lights_->drop(weak_share);
   sky_.drop(sky_share);
 }
 
-// Adds what was determined for many leaves together: all of a leaf, or a part of its radiance.
+// Adds contributions that were determined for many leaves together: a leaf's whole radiance, or a
+// part of it.
 void LeafShader::add(std::span<const Contribution> contributions, bool whole_leaves) {
   for (const Contribution& found : contributions) {
     RootSum& sum = sums_[found.root];

@@ -24,31 +24,31 @@
 
 namespace asos {
 
-/// Leaves in, radiance out: shades a block's leaves, as they are, divided for their textures, or by
-/// samples, and adds them to their roots. The leaf under way is handed on by argument (LeafContext)
-/// to shadows and reflections.
+/// Computes the radiance of a block's leaves and adds it to their roots. Leaves are shaded whole,
+/// divided for their textures, or sampled. Shadows and reflections get the current leaf as an
+/// argument (LeafContext).
 class LeafShader {
  public:
-  /// All have to outlive this.
+  /// All arguments have to outlive this.
   LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
              WeakLights& weak_lights, const ShadowContext& shadows, std::span<RootSum> sums,
              BlurredSum& blurred);
 
   void shade(std::span<const PyrayLeaf> leaves);
 
-  /// Samples a part of a root as a whole, evenly over it and over each light together: at least
-  /// `fewest` samples, for which `sample` stands. False: none hit what counts. A camera's parts are
-  /// put off until `finish`, to share packets of rays.
+  /// Samples a part of a root, with samples spread evenly over the part and each light: at least
+  /// `fewest` samples, represented by `sample`. Returns false if no sample hit the region. A
+  /// camera's parts are deferred until `finish`, to share packets of rays.
   bool add_samples(const PyrayLeaf& leaf, std::uint32_t fewest = 1);
-  /// Samples a root over the camera's lens, likewise, by at least `fewest` samples; `sample` is
-  /// that of its middle.
+  /// Samples a root over the camera's lens likewise, with at least `fewest` samples. `sample` is
+  /// that of its centre.
   void sample_defocused(std::uint32_t root, SampleId sample, std::uint32_t fewest = 1);
-  /// Determines what was put off. Sums are complete after it but for open regions.
+  /// Determines the deferred parts. After it all sums are complete except those of open regions.
   void finish();
   /// Takes the regions that `finish` left open.
   [[nodiscard]] OpenRegions take_open() { return std::exchange(open_, {}); }
 
-  /// The radiance of a leaf of the observed root.
+  /// Returns the radiance of a leaf of the observed root.
   [[nodiscard]] glm::vec3 result(SampleId sample) const;
 
  private:

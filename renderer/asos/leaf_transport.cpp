@@ -13,7 +13,7 @@ namespace asos {
 
 TakenLights LeafTransport::gather(const LitPoint& point) {
   if (weak_->lights().empty()) return {};
-  // What a mirror shows of a surface is added up as it comes.
+  // Inside a mirror, contributions are added immediately.
   if (eye_->mirrored()) {
     at_once_ += weak_->at_once(point, *leaf_);
   } else {
@@ -37,11 +37,12 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
 }
 
-// How much of a highlight may be seen or hidden beside what is seen of the light: the lesser of the
-// two where what it shows is seen or hidden as the greater is, or else the greater.
+// Returns the bound on a highlight's visibility error when it is approximated by the light's
+// visibility. That is the smaller of the visible and hidden fractions if the highlight's rays agree
+// with the larger one, else the larger fraction.
 float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const {
   const float lesser = largest(glm::min(seen, 1.0f - seen));
-  // What a broad lobe shows of what is seen is found with its shadow (area_shadow).
+  // The visibility of a broad lobe is computed with its shadow (area_shadow).
   if (is_broad(lit)) return 0.0f;
   const float tolerance = eye_->allowance.tolerance;
   const bool may_matter = lesser > 0.0f && (1.0f - lesser) * lit.highlight > tolerance;

@@ -8,10 +8,10 @@
 
 namespace asos {
 
-/// The lights and reflections of one leaf: what the shader asks while it shades the leaf's point.
+/// Computes the lights and reflections of one leaf while the shader shades the leaf's point.
 class LeafTransport final : public LightTransport {
  public:
-  /// `weak_share` and `sky_share`: the leaf's.
+  /// `weak_share` and `sky_share` are the numbers of the leaf's contributions.
   LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const LeafContext& leaf,
                 WeakLights& weak, std::uint32_t weak_share, SkyShares& sky, std::uint32_t sky_share)
       : eye_(&eye),
@@ -28,21 +28,23 @@ class LeafTransport final : public LightTransport {
   bool reflect(const Reflection& reflection, glm::vec3& radiance,
                RenderStatistics& counts) override;
 
-  /// Of mirrored leaves: what the weak lights add to the radiance.
+  /// Returns the sampled lights' radiance in a reflected leaf.
   [[nodiscard]] glm::vec3 at_once() const { return at_once_; }
-  /// Whether a light without a size took more than one ray and was seen in part.
+  /// Returns whether a point light took more than one ray and was partially occluded.
   [[nodiscard]] bool met_shadow_edge() const { return met_shadow_edge_; }
-  /// Whether a boundary divided what the leaf mirrors.
+  /// Returns whether a boundary divided the leaf's reflection.
   [[nodiscard]] bool met_mirror_edge() const { return met_mirror_edge_; }
-  /// Whether bent mirrors, one in the other, may show a bright light elsewhere.
+  /// Returns whether curved mirrors that reflect each other may show a bright light at a wrong
+  /// place.
   [[nodiscard]] bool misplaces_light() const { return misplaces_light_; }
 
-  /// The most that a lobe returns of what it mirrors, which is for samples to find out; 0: none
-  /// mirrors.
+  /// Returns the largest reflectance of the lobes whose reflection has to be sampled; 0 if there
+  /// are none.
   [[nodiscard]] glm::vec3 lobes() const { return lobes_; }
 
-  /// By how much highlights may be off, in radiance: of a light that is seen in part they show as
-  /// much as the irradiance does, whichever part it is.
+  /// Returns the bound on the error of highlights, in radiance. The highlight of a partially
+  /// occluded light is scaled by the visible fraction of the irradiance, whichever part of the
+  /// light is visible.
   [[nodiscard]] float unsure_highlights() const { return unsure_highlights_; }
 
  private:

@@ -11,8 +11,8 @@
 namespace asos {
 namespace {
 
-// Samples of a root over which a light may be blurred that is so much brighter than white that few
-// would miss it, or take it for more than it is.
+// Number of samples of a root over which a light much brighter than white may be blurred. With
+// fewer, all samples may miss it, or its weight is overestimated.
 constexpr std::uint32_t samples_of_blurred_glare = 256;
 constexpr float glare = 4.0f;
 
@@ -35,7 +35,7 @@ LensWay LensRoots::way(std::uint32_t root, bool bounded, bool missed) {
     return LensWay::sampled;
   if (defocus.is_sharp(pixel.most)) return LensWay::sharp;
   if (bounded) return LensWay::sampled;
-  // A texture's mean over a square is not that over the blur.
+  // The lens kernel is no square, so a texture's mean over a square would be wrong.
   const Hit& hit = samples_->hit(root);
   const RenderScene& scene = *eye_->scene;
   const bool textured =
@@ -62,7 +62,7 @@ bool LensRoots::shade_smooth(std::uint32_t root) {
   return true;
 }
 
-// Whether the surface reflects or transmits other depths than its own.
+// Returns whether the surface reflects or transmits surfaces at other depths than its own.
 bool LensRoots::shows_other_depths(SampleId sample) const {
   const Hit& hit = samples_->hit(sample);
   if (!hit.valid()) return false;
@@ -79,7 +79,8 @@ void LensRoots::sample_root(std::uint32_t root) {
   shader_->sample_defocused(root, root, may_show_glare(root) ? samples_of_blurred_glare : 1);
 }
 
-// Whether a glaring light lies in the pixel's cone, widened by the blur at the light's depth.
+// Returns whether a glaring light lies in the pixel's cone, widened by the blur at the light's
+// depth.
 bool LensRoots::may_show_glare(std::uint32_t root) const {
   const View& view = eye_->viewer.view;
   const PixelSpacing& spacing = eye_->viewer.spacing;

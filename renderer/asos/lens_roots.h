@@ -13,11 +13,11 @@
 
 namespace asos {
 
-/// The pixels of a camera with a lens, as the engine's LensCaster: each is exact as through a
-/// pinhole, one wide leaf, or samples over pixel and lens.
+/// The engine's LensCaster for a camera with a lens. Each pixel is rendered as through a pinhole,
+/// as one wide leaf, or by samples over pixel and lens.
 class LensRoots final : public LensCaster {
  public:
-  /// All have to outlive this. `eye` has a Defocus.
+  /// All arguments have to outlive this. `eye` has a Defocus.
   LensRoots(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser, LeafShader& shader,
             std::size_t roots);
   LensRoots(const LensRoots&) = delete;

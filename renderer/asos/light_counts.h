@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// While it lives, all shadow rays and pyrays that are counted are those of one light.
+/// While it lives, all shadow rays and pyrays count for one light.
 class CountForLight {
  public:
   CountForLight(RenderStatistics& counts, std::uint32_t light);

@@ -19,8 +19,8 @@ RegionSampler& LobeShares::sampler() {
   return *sampler_;
 }
 
-// As many as of noise, but at first no more than what the lobes return of white is worth. MAX 0
-// asks for one sample.
+// As many samples as for noise, but the first round is limited by the lobes' reflectance of white.
+// MAX 0 requires one sample.
 RegionSampler::Goal LobeShares::goal_of(double weight, glm::vec3 reflected) const {
   RegionSampler::Goal goal = sample_goal(*eye_, weight);
   const double share = std::min(1.0, static_cast<double>(largest(reflected)));

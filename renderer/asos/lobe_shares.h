@@ -14,21 +14,21 @@
 
 namespace asos {
 
-/// What the lobes of rough mirrors show to the leaves of a block: by samples of the leaf, each with
-/// a direction of its own, of which nothing else is asked. A lobe sees all of the half-space, where
-/// boundaries mostly do not matter; lights with a size are its highlights, and no part of it. The
-/// rays of all leaves share packets.
+/// Computes the contribution of rough reflection lobes to the leaves of a block, by samples of the
+/// leaf with one direction each. The lobe covers the whole half-space, where boundaries rarely
+/// matter. Lights with an extent are highlights and not part of it. The rays of all leaves share
+/// packets.
 class LobeShares {
  public:
   /// `eye` has to outlive this.
   explicit LobeShares(const EyeContext& eye) : eye_(&eye) {}
 
-  /// Defers a leaf until `run`. `reflected`: the largest reflectance of its lobes, by colour.
+  /// Defers a leaf until `run`. `reflected` is the largest reflectance of its lobes, by colour.
   void add(const PyrayLeaf& leaf, glm::vec3 reflected);
-  /// What the lobes of a leaf show at once; it does not wait.
+  /// Returns the lobe contribution of a leaf immediately.
   [[nodiscard]] glm::vec3 at_once(const PyrayLeaf& leaf, glm::vec3 reflected);
 
-  /// Samples the deferred leaves. Valid until the next leaf; none waits then.
+  /// Samples the deferred leaves and empties the queue. The result is valid until the next leaf.
   std::span<const Contribution> run();
 
  private:

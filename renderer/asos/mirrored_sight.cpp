@@ -9,15 +9,15 @@
 namespace asos {
 namespace {
 
-// Where the axis of a part of the frame starts.
+// Returns where the axis of a part of the frame starts.
 glm::dvec3 start_of(const Frame& frame, const Bounds2& part) {
   if (!frame.parallel()) return frame.apex();
   const glm::vec2 middle = 0.5f * (part.lo + part.hi);
   return frame.world({static_cast<double>(middle.x), static_cast<double>(middle.y), 0.0});
 }
 
-// The part of the parent's frame, in double precision: the reflection hangs on it. Its distance is
-// that of the plane through the sample's hit.
+// The pyray of the part of the parent's frame, in double precision because the reflection depends
+// on it. Its distance is that of the plane through the sample's hit.
 IncidentPyray incident_pyray(const Frame& frame, const Reflection& reflection,
                              const Bounds2& part) {
   const glm::dvec2 size(part.hi - part.lo);
@@ -35,7 +35,7 @@ IncidentPyray incident_pyray(const Frame& frame, const Reflection& reflection,
   return pyray;
 }
 
-// A pyramid, as CGF'98 section 5 has it.
+// Returns the sight as a pyramid (CGF'98 section 5).
 std::optional<MirroredSight> pyramid_sight(const EyeContext& eye, const Reflection& reflection,
                                            const Bounds2& part, float width) {
   IncidentPyray pyray = incident_pyray(*eye.frame, reflection, part);
@@ -44,14 +44,14 @@ std::optional<MirroredSight> pyramid_sight(const EyeContext& eye, const Reflecti
   surface = mirror_surface(eye.scene->world(), reflection.hit, reflection.point, pyray,
                            eye.settings->mirror.curved == CurvedMirror::approximate);
   if (reflection.ratio > 0.0f) surface = refracting(surface, static_cast<double>(reflection.ratio));
-  // From the middle of the part, on the mirror's plane.
+  // Start at the centre of the part, with the distance to the mirror's plane.
   const glm::dvec3 start = start_of(*eye.frame, part);
   pyray.distance = glm::dot(surface.geometric, surface.position - start) /
                    glm::dot(surface.geometric, pyray.axis);
   if (pyray.distance > 0.0 && std::isfinite(pyray.distance)) {
     surface.position = start + pyray.distance * pyray.axis;
   } else {
-    // Seen along its very plane: from where the sample met it.
+    // For an axis within the mirror's plane, use the sample's hit.
     pyray.distance = static_cast<double>(reflection.hit.t) / glm::length(pyray.axis);
   }
   const MirrorLobe lobe = lobe_around(surface, mirrored_direction(surface, pyray.axis), pyray.right,
@@ -64,7 +64,8 @@ std::optional<MirroredSight> pyramid_sight(const EyeContext& eye, const Reflecti
   return sight;
 }
 
-// How far the ray in the middle of a bundle leads; the whole scene's size where it meets nothing.
+// Returns the length of the ray in the centre of a bundle, or the size of the whole scene if it
+// meets nothing.
 double depth_of(const EyeContext& eye, const RayBundle& bundle, const MirrorSurface& surface,
                 const VolumePath& passage, RenderStatistics& counts) {
   const RenderScene& scene = *eye.scene;
@@ -79,7 +80,7 @@ double depth_of(const EyeContext& eye, const RayBundle& bundle, const MirrorSurf
   return 4.0 * radius_around_origin(scene.world().bounds);
 }
 
-// The rays of a part of the viewer's frame that meet the surface.
+// Returns the bundle of rays of a part of the viewer's frame.
 RayBundle incident_bundle(const EyeContext& eye, const Reflection& reflection, const Bounds2& part,
                           bool whole) {
   const std::optional<RayBundle>& own = eye.viewer.bundle;
@@ -94,14 +95,14 @@ std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflectio
                                           const Bounds2& part, bool whole, float width,
                                           RenderStatistics& counts) {
   RayBundle bundle = incident_bundle(eye, reflection, part, whole);
-  // Where the ray in its middle meets the surface's plane.
+  // Intersect the central ray with the surface's plane.
   const glm::dvec3 normal(reflection.point.geometric_normal);
   const auto meet = [&](glm::dvec3 n, glm::dvec3 position) {
     return glm::dot(n, position - bundle.origin) / glm::dot(n, bundle.direction);
   };
   double t = meet(normal, glm::dvec3(reflection.point.position));
   if (!(t > 0.0) || !std::isfinite(t)) {
-    // Seen along its very plane: from where the sample met it.
+    // For a ray within the plane, use the sample's hit.
     const glm::dvec3 off = glm::dvec3(reflection.point.position) - bundle.origin;
     t = glm::dot(off, bundle.direction);
     bundle.origin += off - t * bundle.direction;

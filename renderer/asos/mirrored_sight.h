@@ -14,15 +14,15 @@ namespace asos {
 struct MirroredSight {
   MirroredPyray pyray;
   MirrorSurface surface;
-  /// That the pyray stands for, once anything has refracted or blurred it.
+  /// Replaces the pyray after any refraction or blur.
   std::optional<RayBundle> bundle;
-  bool exact = true;  ///< the pyray is what the surface makes of the viewer's, to first order
+  bool exact = true;  ///< the pyray is the exact reflection, to first order
 };
 
-/// What a part of a viewer's frame, all of it or not, becomes at the surface that it meets, where a
-/// lobe of `width` is around it. Where anything refracts, or the frame was blurred already, it is
-/// the pyramid around a bundle, for which one ray finds out how far it leads. Nothing where it has
-/// no extent or its numbers are not finite.
+/// Returns the reflected or refracted pyray of a part of a viewer's frame at the surface that it
+/// meets. `whole` says that the part is the whole frame; `width` is that of the lobe around it.
+/// After a refraction or blur, the pyray is the pyramid around a bundle, and one ray determines its
+/// depth. Returns nothing if the part has no extent or its numbers are not finite.
 [[nodiscard]] std::optional<MirroredSight> mirrored_sight(const EyeContext& eye,
                                                           const Reflection& reflection,
                                                           const Bounds2& part, bool whole,

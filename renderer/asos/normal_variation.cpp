@@ -12,9 +12,9 @@ void NormalVariation::find(int side, std::span<const glm::vec3> normals,
   surfaces_.assign(surfaces.begin(), surfaces.end());
   errors_.assign(normals.size(), 0.0f);
   if (side < 3) return;
-  // `along` is the pixel's place on the axis on which neighbours are `step` apart.
+  // `along` is the pixel's coordinate on the axis on which neighbours are `step` apart.
   const auto second_difference = [&](int pixel, int along, int step) {
-    // At the block's border, that of the next pixel.
+    // At the block's border, use the difference at the next pixel inside.
     const int middle = pixel + step * (std::clamp(along, 1, side - 2) - along);
     const auto at = [&](int i) { return static_cast<std::size_t>(i); };
     const std::uint32_t surface = surfaces[at(pixel)];

@@ -9,24 +9,25 @@
 
 namespace asos {
 
-/// How much the shading normals of a block of pixels vary, from pixel to pixel. One triangle's
-/// corners tell how far the normal turns across it, which is all there is where triangles are
-/// large; where many fit into a pixel, the neighbours tell how that turn changes.
+/// The variation of shading normals between the pixels of a block. Where triangles are large, the
+/// corners of one triangle give the whole variation across it. Where many triangles fit into a
+/// pixel, differences between pixels give how the variation changes.
 class NormalVariation {
  public:
-  /// `normals`, `surfaces`: of the middles of `side` x `side` pixels, in rows; normals are unit,
-  /// surfaces by equal numbers for one smooth piece; `background` for what is none.
+  /// `normals` and `surfaces` belong to the centres of `side` x `side` pixels, row by row. Normals
+  /// are unit. Equal numbers in `surfaces` are one smooth surface, and `background` is none.
   void find(int side, std::span<const glm::vec3> normals, std::span<const std::uint32_t> surfaces,
             std::uint32_t background);
 
-  /// The midpoint rule's error, over pixel (x, y) of the block, of the normal's cosine to anything:
-  /// a twenty-fourth of its second differences along both axes. 0 outside of the block, and where
-  /// neighbours show other surfaces.
+  /// Returns the error of the midpoint rule over pixel (x, y) of the block, for the cosine of the
+  /// normal to any direction: 1/24 of the second differences along both axes. Returns 0 outside of
+  /// the block, and where neighbours belong to other surfaces.
   [[nodiscard]] float error(int x, int y) const;
 
-  /// How far, in radians, the neighbours' normals are from where a turn of pixel (x, y)'s by
-  /// `right` and `down` from one pixel to the next would lead: what one triangle says of a surface
-  /// whose triangles are smaller than that. 0 outside of the block, and beside other surfaces.
+  /// Returns the angle, in radians, between the neighbours' normals and those extrapolated from
+  /// pixel (x, y) with the turn `right` and `down` per pixel. It measures how well one triangle
+  /// represents a surface with smaller triangles. Returns 0 outside of the block, and next to other
+  /// surfaces.
   [[nodiscard]] float strays(int x, int y, glm::vec3 right, glm::vec3 down) const;
 
  private:

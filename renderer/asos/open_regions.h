@@ -9,13 +9,13 @@
 
 namespace asos {
 
-/// Parts of pixels whose samples are not within the allowance after a block's first stage.
+/// Parts of pixels with an error above the allowance after a block's first stage.
 struct OpenRegions {
   struct Part {
     std::uint32_t root = 0;
-    SampleId sample = no_sample;  ///< that stands for it
+    SampleId sample = no_sample;  ///< sample that represents it
     double weight = 1.0;          ///< fraction of the root's area
-    bool layers = false;          ///< it is sampled for what textures cut out
+    bool layers = false;          ///< it is sampled because of texture cut-outs
     RegionSampler::Estimate so_far;
   };
   std::vector<Part> parts;

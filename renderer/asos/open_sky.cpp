@@ -10,18 +10,19 @@
 namespace asos {
 namespace {
 
-// Fewer samples than enough end too early where they miss what is bright: with 16 the mean of a
-// picture is 2.5e-4 too dark. What may be off by more than that is coarse.
+// With too few samples, sampling ends early where they miss a bright spot: with 16, the mean of a
+// picture is 2.5e-4 too dark. An allowed error above `coarse` needs only `few` samples.
 constexpr std::uint32_t few = 16, enough = 128, most = 1024;
 constexpr double coarse = 1.0 / 64.0;
-constexpr std::uint32_t other_places = 0x100;  // a number that no light has, or few
+// The number of a light in the sequence that is hardly ever used.
+constexpr std::uint32_t other_places = 0x100;
 
 }  // namespace
 
 glm::vec3 open_sky_within(const SkyLitPoint& point, const SobolPixel& leaf, double error) {
   if (const auto known = open_sky(point)) return *known;
   const SkySampler sampler(point);
-  // What is matte has a closed form under more skies, and samples tell the rest.
+  // Matte reflection has a closed form under more skies. Samples determine the rest.
   const std::optional<glm::vec3> matte = open_sky_of_matte(point);
   const SamplingGoal goal{error, error > coarse ? few : enough, most, false};
   SequentialMean mean;

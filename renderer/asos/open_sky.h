@@ -7,9 +7,10 @@
 
 namespace asos {
 
-/// All of the sky's light that a surface sends to its viewer, if nothing hides any of it, to within
-/// `error` of radiance: in closed form where one is known (open_sky), else by what rays would carry
-/// that need not be sent. `leaf`: a sequence of which other places are taken than rays take.
+/// Returns the sky's radiance that a surface reflects to its viewer if nothing occludes the sky, to
+/// within `error`. It uses the closed form where there is one (open_sky), and samples without rays
+/// elsewhere. `leaf` is the leaf's Sobol sequence; the samples use other dimensions of it than rays
+/// do.
 [[nodiscard]] glm::vec3 open_sky_within(const SkyLitPoint& point, const SobolPixel& leaf,
                                         double error);
 

@@ -9,7 +9,7 @@
 namespace asos {
 namespace {
 
-// Area and moments of what a border goes around, relative to a point, so that nothing cancels. By
+// Computes the area and moments inside a border, relative to a point, so that nothing cancels. Uses
 // Green's theorem.
 struct Moments {
   double area = 0.0;
@@ -24,7 +24,7 @@ struct Moments {
     mixed += cross / 24.0 * (p.x * q.y + 2.0 * p.x * p.y + 2.0 * q.x * q.y + q.x * p.y);
   }
 
-  // In units of a side.
+  // Returns the shape in units of a square's side.
   [[nodiscard]] std::optional<PartShape> shape(double side) const {
     const glm::dvec2 mean = first / area;
     const glm::dvec2 variance = square / area - mean * mean;
@@ -40,9 +40,10 @@ struct Moments {
   }
 };
 
-// A side as it is drawn in to a rectangle: what is beyond runs along it, there and back.
+// Adds a side clipped to a rectangle. The parts outside run along the rectangle's border, there and
+// back.
 void add_drawn_in(glm::dvec2 p, glm::dvec2 q, glm::dvec2 lo, glm::dvec2 hi, Moments& sum) {
-  // Where it is all beyond one side of the rectangle, or all within.
+  // Handle sides entirely beyond one side of the rectangle, or entirely inside.
   const glm::dvec2 low = glm::min(p, q), high = glm::max(p, q);
   const bool beyond = low.x >= hi.x || low.y >= hi.y || high.x <= lo.x || high.y <= lo.y;
   if (beyond || (glm::clamp(low, lo, hi) == low && glm::clamp(high, lo, hi) == high)) {
@@ -50,7 +51,7 @@ void add_drawn_in(glm::dvec2 p, glm::dvec2 q, glm::dvec2 lo, glm::dvec2 hi, Mome
     return;
   }
   const glm::dvec2 d = q - p;
-  // Where it crosses the rectangle's four lines; else at one of its ends.
+  // Find where the side crosses the rectangle's four lines.
   std::array<double, 4> at{};
   for (int k = 0; k < 2; ++k) {
     const auto first = static_cast<std::size_t>(2 * k);

@@ -8,7 +8,7 @@
 namespace asos {
 namespace {
 
-// The part of a line near the frame's square. Floats would lose the place of ends far away.
+// Returns the part of a line near the frame's square. Floats are too coarse for ends far away.
 std::optional<BorderEdge> near_square(glm::dvec2 from, glm::dvec2 to) {
   constexpr double lo = -1.0, hi = 2.0;
   EdgeRange range;

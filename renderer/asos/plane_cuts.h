@@ -8,8 +8,8 @@
 
 namespace asos {
 
-/// What the near and far planes of a view, or its image plane, do to the boundaries in a frame of
-/// it: boundaries count between the planes, and surfaces end where a plane cuts them.
+/// Cuts a frame's boundaries at the near and far planes of a view, or at its image plane.
+/// Boundaries count only between the planes, and the cut through a surface is a boundary, too.
 struct PlaneCuts {
   PlaneCuts(const Geometry& geometry, const View& view, const Frame& frame);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr Square whole_square{0.0f, 0.0f, 1.0f};
 
-// Blur beside which a leaf's own outline does not matter, in leaves.
+// Blur width, in leaf widths, above which the leaf's own outline does not matter.
 constexpr double outline_matters = 0.25;
 
 std::optional<Segment> projected(const Frame& frame, glm::dvec3 a, glm::dvec3 b) {
@@ -35,7 +35,7 @@ std::optional<Segment> projected(const Frame& frame, glm::dvec3 a, glm::dvec3 b)
   return s;
 }
 
-// The part of a line within the square.
+// Adds the part of a line within the square.
 void add_line(std::vector<BorderEdge>& outline, const Segment& s) {
   const Clip c = clip(s, {0.0f, 0.0f, 1.0f});
   if (c.empty()) return;
@@ -43,7 +43,7 @@ void add_line(std::vector<BorderEdge>& outline, const Segment& s) {
   outline.push_back({p + c.t0 * d, p + c.t1 * d});
 }
 
-// Lights that are seen in mirrors only have no edges among the scene's.
+// Adds the outlines of lights that are visible in mirrors only. They have no edges in the scene.
 void add_lights(std::vector<BorderEdge>& outline, const Frame& frame, const Viewer& viewer) {
   if (!viewer.sees_bare_lights()) return;
   for (const std::uint32_t i : viewer.shader.lights_without_geometry()) {
@@ -81,7 +81,7 @@ glm::vec2 random_place(std::uint64_t seed) {
   return glm::vec2(p);
 }
 
-// The radiance that a pyray may show: a picture's white, or a light's.
+// Returns the largest radiance that a pyray may contain: a picture's white, or a light's radiance.
 double brightest_in(const PyrayPicture& picture, const Reflection& reflection,
                     const Shader& shader) {
   double brightest = 1.0;
@@ -98,8 +98,8 @@ double brightest_in(const PyrayPicture& picture, const Reflection& reflection,
   return brightest;
 }
 
-// The levels that this share of the root deserves, one for a camera's unless it is far too small,
-// and EPS of what is reflected.
+// Returns the number of levels for the weight of this part of the root, and the EPS of the
+// reflection. A camera's part gets at least one level unless it is far too small.
 Allowance reflected_allowance(const EyeContext& eye, const Reflection& reflection,
                               const LeafContext& leaf, double brightest) {
   const glm::vec3 c = reflection.reflected;
@@ -112,8 +112,9 @@ Allowance reflected_allowance(const EyeContext& eye, const Reflection& reflectio
   return eye.allowance.of_part(leaf.weight).nested(levels, reflected, may_be_one_ray ? 0 : 1);
 }
 
-// What of the parent's square is mirrored: around the leaf, and, where that square is blurred
-// itself, so wide as the kernel is there. Two blurs' variances add up, and not their widths.
+// Returns the part of the parent's square that is reflected: the leaf's bounding box. If the square
+// itself is blurred, it is as wide as the kernel there, since the variances of two blurs add up and
+// their widths do not.
 Bounds2 incident_part(const EyeContext& eye, const Reflection& reflection,
                       const LeafRegion& region) {
   const Bounds2 part = bounds_of(region);
@@ -121,14 +122,15 @@ Bounds2 incident_part(const EyeContext& eye, const Reflection& reflection,
   return eye.mask->blur->at(static_cast<double>(reflection.hit.t)).uniform_like(part);
 }
 
-// Whether a leaf's outline is told in what it mirrors, and not blurred beyond recognition.
+// Returns whether the leaf's outline is still recognizable in the reflection, despite its blur.
 bool shows_outline(const MirroredSight& sight) {
   const double sharp = std::min(sight.pyray.sharp_share.x, sight.pyray.sharp_share.y);
   return 1.0 - sharp < outline_matters * sharp;
 }
 
-// A rectangle of a leaf's size about its sample: what stands for the leaf where its outline is not
-// told. Of the one around it a good part may lie beyond a corner, behind what the leaf mirrors.
+// Returns a rectangle around the sample with the leaf's area, which represents a leaf whose outline
+// is blurred away. A large part of the leaf's bounding box may lie beyond a corner, behind the
+// reflected surface.
 Bounds2 part_about_sample(const LeafRegion& region, glm::vec2 at) {
   const Bounds2 around = bounds_of(region);
   const float share = std::clamp(filled_share(region, around), 0.01f, 1.0f);
@@ -141,8 +143,8 @@ bool is_whole(const LeafRegion& region) {
   return region.border.empty() && region.square.side == 1.0f;
 }
 
-// How much the parts of the mirrored square count: by the blur, and within the leaf's own outline
-// where that is not blurred beyond recognition.
+// Returns the weights of the parts of the reflected square: the blur kernel, and the leaf's own
+// outline where it is not blurred away.
 MirroredMask mask_of(const MirroredSight& sight, const LeafRegion& region, const Bounds2& part,
                      double start) {
   MirroredMask mask;
@@ -154,8 +156,8 @@ MirroredMask mask_of(const MirroredSight& sight, const LeafRegion& region, const
   return mask;
 }
 
-// Boundaries that are no edges of the scene: the leaf's own, the horizon, and lights without
-// geometry.
+// Returns the boundaries that are not edges of the scene: the leaf's outline, the horizon, and
+// lights without geometry.
 std::vector<BorderEdge> outlines_in(const MirroredMask& mask, const Frame& frame,
                                     const Viewer& viewer) {
   std::vector<BorderEdge> outline;
@@ -168,7 +170,7 @@ std::vector<BorderEdge> outlines_in(const MirroredMask& mask, const Frame& frame
   return outline;
 }
 
-// Traces the mirrored pyray; whether it was split. Tells observers.
+// Traces the reflected pyray and reports it to observers. Returns whether it was split.
 bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafContext& leaf,
                     EyeCaster& caster, int bounce) {
   const std::vector<BorderEdge> outline = outlines_in(*eye.mask, *eye.frame, eye.viewer);
@@ -195,7 +197,7 @@ bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafConte
 
 Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const LeafContext& leaf,
                      float width, RenderStatistics& counts) {
-  // Mirror the leaf's pyray.
+  // Reflect the leaf's pyray.
   Bounds2 part = incident_part(eye, reflection, leaf.region);
   auto sight = mirrored_sight(eye, reflection, part, is_whole(leaf.region), width, counts);
   const bool blurred_before = eye.mask && eye.mask->blur;
@@ -208,7 +210,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   const Frame frame = view.frame(0, 0, 1, 1);
   const MirroredMask mask = mask_of(*sight, leaf.region, part, view.start());
 
-  // Look along it, as its own viewer.
+  // Make a viewer along it.
   const Viewer viewer{view,
                       eye.viewer.shader,
                       PixelSpacing::of(view),
@@ -234,11 +236,11 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
     mirrored_eye.observed = {leaf.observed.observer,
                              leaf.observed.begin(TracedPyray::Kind::mirror)};
   }
-  // Trace it, or one ray where it is worth no more.
+  // Trace it, or one ray where its weight allows no more.
   EyeCaster caster(mirrored_eye, 1);
   bool split = false;
   if (one_ray) {
-    // Through the leaf's own sample, or anywhere in the lobe.
+    // Send that ray through the leaf's own sample, or in any direction of the lobe.
     glm::vec2 at = glm::clamp((leaf.at - part.lo) / (part.hi - part.lo), 0.0f, 1.0f);
     if (mask.blur)
       at = BlurKernel(mask.blur->far_share)
@@ -249,7 +251,7 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
   } else {
     split = trace_mirrored(mirrored_eye, *sight, leaf, caster, eye.viewer.bounces);
   }
-  // Its eye rays are reflection rays of the picture.
+  // Count its eye rays as reflection rays of the picture.
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
   const bool misplaces = !sight->exact && caster.sum(0).misplaced;

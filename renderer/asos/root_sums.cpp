@@ -24,7 +24,7 @@ glm::vec3 BlurredSum::mean(const BlurByDepth& blur) const {
 }
 
 void RootSum::add_samples(const RegionSampler::Estimate& found, double leaf_weight, bool layers) {
-  // The standard deviation of one sample.
+  // Standard deviation of one sample from which a difference is visible.
   constexpr double visible = 0.25 * Allowance::usual_contrast;
   const double held = 1.0 - found.masked_share;
   add(found.value, held * leaf_weight);

@@ -14,14 +14,14 @@
 
 namespace asos {
 
-/// The leaves of a blurred reflection, which count by a kernel that all of them tell together.
+/// The weighted mean of a blurred reflection's leaves. Their depths together determine the kernel.
 class BlurredSum {
  public:
-  /// `share`: the part of the region that counts. `distance`: that of the surface that it shows.
+  /// `share`: fraction of the region that counts. `distance`: distance of the visible surface.
   void add(const LeafRegion& region, double share, glm::dvec3 radiance, float distance);
 
-  /// Their mean. The boundaries between the leaves are mostly the nearest surface's: its depth says
-  /// how they are blurred.
+  /// Returns the mean. Most boundaries between leaves belong to the nearest surface, so its depth
+  /// determines the blur.
   [[nodiscard]] glm::vec3 mean(const BlurByDepth& blur) const;
 
  private:
@@ -37,28 +37,30 @@ class BlurredSum {
   float nearest_ = std::numeric_limits<float>::infinity();
 };
 
-/// The leaves of each root, added up, with what is told about its pixel.
+/// Sum of the leaves of each root, and statistics of its pixel.
 struct RootSum {
   glm::dvec3 radiance{0.0};
   double weight = 0.0;
-  bool shadow_cut = false;    ///< the edge of a hard shadow cut one of its leaves
-  bool cut_out = false;       ///< samples found what textures cut out, or let through together
-  bool mirror_cut = false;    ///< a boundary split what one of its leaves mirrors
-  bool misplaced = false;     ///< bent mirrors, one in the other, may show a bright light elsewhere
+  bool shadow_cut = false;  ///< the edge of a hard shadow cut one of its leaves
+  bool cut_out = false;     ///< samples found cut-outs, or several transparent layers
+  bool mirror_cut = false;  ///< a boundary split the reflection of a leaf
+  /// Curved mirrors that reflect each other may show a bright light at a wrong place.
+  bool misplaced = false;
   bool defocused = false;     ///< it was sampled over the camera's lens
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
-  std::uint32_t varied = 0;   ///< of those parts whose samples differ visibly, beyond one round
-  float error = 0.0f;         ///< of the root's centre, as the bounds of its leaves tell
-  std::uint64_t rays = 0;     ///< of all kinds that were cast for its leaves, beside their own
+  /// Samples of parts whose samples differ visibly and need more than one round.
+  std::uint32_t varied = 0;
+  float error = 0.0f;      ///< error bound of the root's centre, from the bounds of its leaves
+  std::uint64_t rays = 0;  ///< rays of all kinds for its leaves, not counting eye rays
 
-  /// Adds the estimate of a part of this weight by samples. `layers`: it was sampled for what
-  /// textures cut out.
+  /// Adds the estimate of a part of this weight by samples. `layers` says that it was sampled
+  /// because of texture cut-outs.
   void add_samples(const RegionSampler::Estimate& found, double leaf_weight, bool layers);
   void add(glm::dvec3 leaf, double leaf_weight) {
     radiance += leaf_weight * leaf;
     weight += leaf_weight;
   }
-  /// A leaf's bound is a quarter of that of what it is a quarter of.
+  /// Records a leaf's error. A quarter of a leaf has a quarter of the leaf's error bound.
   void note_error(float leaf, double leaf_weight) {
     error = std::max(error, leaf / static_cast<float>(leaf_weight));
   }

@@ -9,8 +9,8 @@ namespace asos {
 SingleSamples::SingleSamples(const EyeContext& eye, const EyeSamples& samples)
     : eye_(&eye), samples_(&samples), places_(eye.seed) {}
 
-// A leaf takes the next of its pixel's places on the lights, so that they are well distributed over
-// the leaves of a pixel together.
+// Each leaf takes the next of its pixel's samples on the lights, so that the samples of a pixel's
+// leaves together are well distributed.
 std::span<const Contribution> SingleSamples::run() {
   if (queue_.empty()) return {};
   if (!sums_)

@@ -14,8 +14,8 @@
 
 namespace asos {
 
-/// Leaves that are worth one sample: at MAX 0, and where cells stay marginal at MAX. Their rays
-/// were cast when the cell was examined; they are shaded in batches, with one shadow ray to each
+/// Leaves that are worth one sample: at MAX 0, and cells that are still marginal at MAX. Their rays
+/// were cast when the cell was examined. They are shaded in batches, with one shadow ray to each
 /// light.
 class SingleSamples {
  public:
@@ -26,8 +26,8 @@ class SingleSamples {
 
   /// Defers a leaf until `run`.
   void add(const PyrayLeaf& leaf) { queue_.add(leaf.root, leaf.sample, leaf.weight); }
-  /// Shades the deferred leaves; none waits then. Those that are not finite are dropped. Valid
-  /// until the next `run`.
+  /// Shades the deferred leaves and empties the queue. Results that are not finite are dropped.
+  /// Valid until the next `run`.
   [[nodiscard]] std::span<const Contribution> run();
 
  private:

@@ -13,18 +13,19 @@
 namespace asos {
 namespace {
 
-// Fewer take rays of their own.
+// Smaller groups of leaves are sampled themselves.
 constexpr std::size_t fewest_lits = 14;
-// Courses through nodes save so many times what they cost, at least.
+// Fits have to save at least this factor over the cost of their nodes.
 constexpr double least_gain = 1.3;
 constexpr int nodes_along = 3;
-// What nodes are off by, all are off by together, so that it has to be less than what a pixel may
-// be off by itself.
+// The nodes' error is common to all leaves of a cell, so it has to be smaller than the allowed
+// error of one pixel, by this factor.
 constexpr double share_of_error = 0.5;
-// How far nodes may lie off their course: so far that one of twenty courses that noise alone bends
-// is given up.
+// Largest misfit of a cell's nodes. It rejects one of twenty fits whose nodes deviate by noise
+// alone.
 constexpr double most_misfit = 2.5;
-// How many standard errors a leaf's few rays, and all of them together, may lie off it.
+// Largest deviation from the fit, in standard errors, of a leaf's few rays and of all leaves
+// together.
 constexpr double most_off = 4.0, most_off_together = 3.0;
 
 double sum(glm::dvec3 v) {
@@ -42,8 +43,8 @@ Bounds2 box_of(std::span<const SkyLit> lits, const SkyCourses::Cell& cell) {
 
 }  // namespace
 
-// One connected surface, bent by 25 degrees at most, whose places lie next to each other: no step
-// up or down lies between.
+// Returns whether both belong to one connected surface, bent by 25 degrees at most, and whether the
+// line between them is not too steep, as at a step.
 bool SkyCourses::alike(const SkyLit& a, const SkyLit& b) const {
   constexpr float least_cosine = 0.9f, steepest = 0.5f;
   if (a.sheet != b.sheet || a.mirrors != b.mirrors) return false;
@@ -57,7 +58,7 @@ std::vector<SkyCourses::Cell> SkyCourses::cells() const {
   std::vector<Cell> cells;
   for (std::uint32_t i = 0; i < lits_.size(); ++i) {
     const SkyLit& lit = lits_[i];
-    // What only shines shows a part of the sky of its own.
+    // A surface without diffuse reflection shows its own part of the sky, so it cannot share.
     if (lit.rays == 0 || lit.material.diffuse == glm::vec3(0.0f)) continue;
     if (!(std::min({lit.unit.x, lit.unit.y, lit.unit.z}) > 0.0f)) continue;
     const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
@@ -73,7 +74,8 @@ std::vector<SkyCourses::Cell> SkyCourses::cells() const {
   return cells;
 }
 
-// So many that a pixel's part of the surface is known as well as its weight deserves.
+// Returns the number of rays per node that brings the fit's error within the allowance of the
+// surface's part of a pixel.
 std::uint32_t SkyCourses::rays_of_nodes(const Cell& cell) const {
   double weight = 0.0, variance = 0.0, unit = 0.0;
   std::uint32_t roots = 0, last = ~0u;
@@ -109,7 +111,7 @@ bool SkyCourses::choose_nodes(Cell& cell) const {
       cell.nodes.push_back(nearest);
   }
   if (cell.nodes.size() < Course::fewest) return false;
-  // Compare what all would take with what the nodes take.
+  // Compare the rays that all leaves need with those that the nodes need.
   cell.node_rays = rays_of_nodes(cell);
   const auto missing = [&](std::uint32_t i, std::uint32_t wanted) {
     return wanted > lits_[i].rays ? wanted - lits_[i].rays : 0u;
@@ -120,7 +122,8 @@ bool SkyCourses::choose_nodes(Cell& cell) const {
   return alone > least_gain * shared;
 }
 
-// Of what a leaf's rays tell, and of a bend that nobody sees.
+// Returns the variance of a node's mean, from its own rays and from an invisible deviation of the
+// fit.
 double SkyCourses::variance(std::uint32_t lit) const {
   const double unseen = 0.25 * standard_error_ / sum(glm::dvec3(lits_[lit].unit)) * 3.0;
   return SkyLit::variance_of_mean(expected_[lit].variance, lits_[lit].rays) + unseen * unseen;
@@ -134,7 +137,7 @@ bool SkyCourses::tell(const Cell& cell) const {
   }
   const auto course = Course::through(std::span(known).first(cell.nodes.size()));
   if (!course || course->misfit() > most_misfit) return false;
-  // Ask the others.
+  // Compare the other leaves with the fit.
   double off = 0.0, certainty = 0.0;
   std::vector<std::uint32_t> agreeing;
   for (const std::uint32_t i : cell.lits) {

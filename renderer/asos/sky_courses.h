@@ -8,35 +8,36 @@
 
 namespace asos {
 
-/// How a block's leaves of one surface learn from some of them what all get of the sky: nodes,
-/// spread over the surface, take rays enough to be known well. Where a course through them (Course)
-/// lies within what their noise explains, and the few rays of the others do not contradict it, all
-/// take what it tells; where not, the surface is divided, and what is left of it in the end takes
-/// rays of its own. So a leaf is off by what its nodes are, and a bend that noise hides.
+/// Shares the sky's contribution between a block's leaves on one surface. Nodes spread over the
+/// surface are sampled densely. A fit through the nodes (Course) is accepted if its misfit is
+/// within the noise of the nodes and does not contradict the few rays of the other leaves. Then all
+/// leaves use the fit. Otherwise the surface is divided, and leaves without a fit are sampled
+/// themselves. A leaf's error is thus that of its nodes, plus a curvature below the noise.
 class SkyCourses {
  public:
-  /// Leaves that may share a course.
+  /// Leaves that may share a fit.
   struct Cell {
     std::vector<std::uint32_t> lits;
-    std::vector<std::uint32_t> nodes;  ///< of these
-    std::uint32_t node_rays = 0;       ///< of each
+    std::vector<std::uint32_t> nodes;  ///< subset of `lits` with densely sampled rays
+    std::uint32_t node_rays = 0;       ///< number of rays per node
   };
-  /// What is expected of a leaf's rays.
+  /// Expected noise and cost of a leaf's rays.
   struct Expected {
-    double variance = 0.0;   ///< of one, over the leaf's unit
-    std::uint32_t rays = 0;  ///< it would take by itself
+    double variance = 0.0;   ///< variance of one ray, divided by the leaf's unit
+    std::uint32_t rays = 0;  ///< rays that the leaf would need by itself
   };
 
-  /// `standard_error`: what a whole pixel may be off by, in display units. The spans stay as long.
+  /// `standard_error`: allowed error of a whole pixel, in display units. The spans have to outlive
+  /// this.
   SkyCourses(std::span<SkyLit> lits, std::span<const Expected> expected, double standard_error)
       : lits_(lits), expected_(expected), standard_error_(standard_error) {}
 
-  /// By surfaces, of those leaves that may share at all.
+  /// Groups the leaves that may share, by surface.
   [[nodiscard]] std::vector<Cell> cells() const;
-  /// Chooses nodes. False: it does not pay.
+  /// Chooses nodes. Returns false if sharing does not pay.
   [[nodiscard]] bool choose_nodes(Cell& cell) const;
-  /// Tells all leaves that nothing contradicts it for, once the nodes have their rays. False: the
-  /// nodes lie on no course, or too many contradict.
+  /// Assigns the fit to all leaves that do not contradict it, after the nodes were sampled. Returns
+  /// false if the nodes do not fit, or too many leaves contradict the fit.
   [[nodiscard]] bool tell(const Cell& cell) const;
   /// Adds a cell's quarters.
   void divide(const Cell& cell, std::vector<Cell>& quarters) const;

@@ -14,16 +14,17 @@
 namespace asos {
 namespace {
 
-// A whole pixel's at first; parts of one get their share of them, but a few.
+// First rays of a whole pixel. Parts of a pixel get a proportional number, but at least
+// `fewest_rays`.
 constexpr double first_rays = 8.0;
 constexpr std::uint32_t fewest_rays = 2;
 constexpr std::uint32_t most_rays = 8192;
-// What the pixels around it see is worth so many rays of a leaf's own, and what all of a block see
-// so many of theirs.
+// Weights of the prior variances: the neighbouring pixels' variance counts as much as this many
+// rays of the leaf, and the whole block's as much as this many rays of the neighbours.
 constexpr double rays_of_neighbours = 8.0;
 constexpr double rays_of_block = 8.0;
 
-/// Sums over rays of their errors and the squares of these.
+/// Sums of the rays' errors and squared errors.
 struct ErrorSums {
   double rays = 0.0, error = 0.0, error2 = 0.0;
 
@@ -54,7 +55,7 @@ std::uint32_t SkyShares::start(std::uint32_t root, SampleId sample, double weigh
   return queue_.add(root, sample, weight);
 }
 
-// A sequence of the leaf's own.
+// Returns the leaf's own Sobol sequence.
 SobolPixel SkyShares::leaf_places(const SkyLit& lit) const {
   return {static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
           static_cast<std::uint32_t>(eye_->seed)};
@@ -93,8 +94,8 @@ glm::vec3 SkyShares::at_once(const SkyLitPoint& point, const LeafContext& leaf) 
   return glm::vec3(run().front().radiance / leaf.weight);
 }
 
-// Where the next ray of a plane leaf starts, from its sample on: anywhere in its region, the
-// rectangle around which is `box`.
+// Returns where the next ray of a plane leaf starts, relative to its sample: at any place in its
+// region, whose bounding rectangle is `box`.
 glm::vec3 SkyShares::beside(const SkyLit& lit, const Bounds2& box, const SobolPixel& leaf) const {
   constexpr std::uint32_t tries = 8;
   if (!lit.flat) return glm::vec3(0.0f);
@@ -116,7 +117,7 @@ void SkyShares::send(std::size_t index, std::uint32_t end) {
   if (lit.rays >= end) return;
   const ViewedPoint view{lit.point, lit.to_viewer, lit.n_dot_v};
   const SkySampler sampler(lit.lit_point(view));
-  // Directions take the sequence's first two dimensions, and places the others.
+  // Directions take the sequence's first two dimensions, and places the next ones.
   const SobolPixel leaf = leaf_places(lit);
   SobolPixelPlaces places;
   const Bounds2 box = bounds_of(region(lit));
@@ -147,7 +148,7 @@ void SkyShares::trace() {
         glm::dvec3(packet.passed[i]) * glm::dvec3(packet.sent[i].carried), packet.sent[i].carried);
 }
 
-// What a ray brings takes the place of the sky's share; its sum is of its own, for their spread.
+// A ray's bounced radiance replaces the sky's. Each ray is summed by itself, for the variance.
 void SkyShares::trace_bounces() {
   const std::size_t count = std::exchange(packet_->count, 0);
   sky_rays_.clear();
@@ -165,8 +166,8 @@ void SkyShares::trace_bounces() {
     lit_[packet_->sent[i].lit].arrive(brought_[i], packet_->sent[i].carried);
 }
 
-// What a leaf's own rays and those of its neighbours tell. Its rays are so many that their mean
-// errs by no more than its weight allows.
+// Returns the expected variance, from the leaf's own rays and its neighbours', and the number of
+// rays that brings the mean's error within the allowance of its weight.
 SkyCourses::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours) const {
   if (lit.rays == 0 || (!bounces_ && !(largest(lit.sent) > 0.0))) return {};
   const double variance =
@@ -178,8 +179,8 @@ SkyCourses::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours
   return {variance, std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, most)))};
 }
 
-// The pixels around one see about as much as it does, and all of the block a little: as one ray
-// more would have it that is half hidden.
+// Neighbouring pixels see almost the same part of the sky, and the whole block a similar one. The
+// block starts with one half-occluded ray as its prior.
 void SkyShares::expect() {
   const int side = std::max(1, static_cast<int>(std::lround(1.0f / eye_->root_side())));
   const auto place = [&](const SkyLit& lit) {

@@ -26,12 +26,13 @@
 
 namespace asos {
 
-/// What the leaves of a block get of the sky: by rays in directions that are well distributed over
-/// each leaf's hemisphere, first a few, then as many as its share of the sky makes worth while,
-/// unless others of its surface tell what it gets (SkyCourses). Those of plane leaves start all
-/// over them: what stands on the plane may shade a sliver alone. Where all of the sky's light is
-/// known in closed form, rays find out what is hidden of it. With bounces, they bring what hides it
-/// instead (BouncedLight). The rays of all leaves share packets.
+/// Computes the sky's contribution to the leaves of a block by rays. Their directions are well
+/// distributed over each leaf's hemisphere. Each leaf takes a few rays, then as many as the sky's
+/// contribution is worth, unless a fit through other leaves of its surface gives it (SkyCourses).
+/// Rays of a plane leaf start all over the leaf, since an object on the plane may shade only a
+/// sliver of it. If the unoccluded contribution has a closed form, the rays estimate the occluded
+/// part. With bounces, each ray also returns the radiance of the occluder (BouncedLight). The rays
+/// of all leaves share packets.
 class SkyShares {
  public:
   /// `eye` has to outlive this.
@@ -39,17 +40,17 @@ class SkyShares {
   SkyShares(const SkyShares&) = delete;
   SkyShares& operator=(const SkyShares&) = delete;
 
-  /// Begins the contribution of the sky to a leaf; its number.
+  /// Begins the sky's contribution to a leaf and returns its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
   /// Adds a surface of the leaf to its contribution.
   void add(std::uint32_t number, const SkyLitPoint& point, const LeafContext& leaf);
-  /// Leaves a contribution out.
+  /// Drops a contribution.
   void drop(std::uint32_t number) { queue_.drop(number); }
 
-  /// What a surface gets at once, as part of a leaf of this weight; none waits.
+  /// Returns the sky's contribution immediately, for a surface in a leaf of this weight.
   [[nodiscard]] glm::vec3 at_once(const SkyLitPoint& point, const LeafContext& leaf);
 
-  /// Traces all that was added. Valid until the next leaf; none waits then.
+  /// Traces all deferred rays and empties the queue. The result is valid until the next leaf.
   std::span<const Contribution> run();
 
  private:
@@ -57,9 +58,9 @@ class SkyShares {
     std::size_t lit = 0;
     glm::vec3 carried{0.0f};
     glm::vec3 weight{0.0f};
-    std::uint32_t number = 0;  // of the surface's rays
+    std::uint32_t number = 0;  // number of the ray among the surface's rays
   };
-  /// Rays on their way, a packet after the other: so few that they stay in the cache.
+  /// A packet of rays, small enough to stay in the cache.
   struct Packet {
     static constexpr std::size_t size = 1024;
     std::size_t count = 0;
@@ -85,9 +86,9 @@ class SkyShares {
   BlockQueue queue_;
   std::vector<SkyLit> lit_;
   std::vector<BorderEdge> borders_;
-  std::vector<SkyCourses::Expected> expected_;  // of each
+  std::vector<SkyCourses::Expected> expected_;  // one per element of `lit_`
   Recycled<Packet> packet_ = Recycler<Packet>::make();
-  // With bounces, what they bring.
+  // Whether occluders contribute bounced light.
   bool bounces_;
   SobolPlaces places_;
   SampledLights lights_;

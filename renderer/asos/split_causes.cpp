@@ -21,7 +21,7 @@ SplitCause cause_of(const PixelFindings& pixel) {
   if (pixel.mirror_cut) return SplitCause::reflection;
   if (outcome.uneven_shadow) return SplitCause::shadow;
   if (outcome.uneven_shading) return SplitCause::shading;
-  // Boundaries that looked visible and turned out hidden: groups of edges, of no one kind.
+  // Only hidden boundaries are left: a group of edges of several kinds counted as visible.
   return SplitCause::outline;
 }
 

@@ -9,8 +9,8 @@
 namespace asos {
 namespace {
 
-// The block's rays that belong to no pixel, such as those that test whether a patch is evenly lit,
-// are shared by its pixels.
+// Rays of the block that belong to no pixel are distributed over its pixels. An example are rays
+// that test whether a patch is evenly lit.
 void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
   std::uint64_t told = 0;
   for (const std::uint64_t of_pixel : rays) {
@@ -23,12 +23,12 @@ void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
   for (float& of_pixel : result.tile.rays) of_pixel += shared;
 }
 
-// The level whose cells would be as many.
+// Returns the lowest level that has at least as many cells as there are samples.
 int level_of(std::uint32_t samples) {
   return samples > 1 ? (std::bit_width(samples - 1) + 1) / 2 : 0;
 }
 
-// The deepest level that cells were examined at: cutting one adds none.
+// Returns the deepest level at which cells were examined. Cutting a cell adds no level.
 int deepest_cell(const SubdivisionOutcome& outcome) {
   int deepest = 0;
   for (std::size_t k = 0; k < outcome.pyrays_by_level.size(); ++k)
@@ -36,8 +36,8 @@ int deepest_cell(const SubdivisionOutcome& outcome) {
   return deepest;
 }
 
-// Samples that make a pixel's level. At an EPS at which samples cost least, every lit pixel takes
-// the pilot's: those split none.
+// Returns the number of samples that determines a pixel's level. Where EPS makes samples the
+// cheapest choice, every lit pixel takes the pilot's samples, and those do not count as a split.
 std::uint32_t samples_of_level(const SubdivisionOutcome& outcome, const RootSum& sum) {
   const bool for_cause =
       outcome.uneven_shading || outcome.uneven_shadow || outcome.saturated || sum.cut_out;
@@ -62,7 +62,7 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   const auto& cells = outcome.pyrays_by_level;
   for (std::size_t k = 0; k < cells.size(); ++k) statistics.pyrays_by_level[k] += cells[k];
   int level = deepest_cell(outcome);
-  // What samples tell apart is as good as split to the end.
+  // Samples that resolve cut-outs count as a split to the deepest level.
   if (sum.cut_out) level = std::max(level, max_level);
   const std::uint32_t samples = samples_of_level(outcome, sum);
   if (sum.varied > 0 && !outcome.uneven_shadow) outcome.uneven_shading = true;

@@ -11,8 +11,8 @@
 
 namespace asos {
 
-/// The pixels of a fat pyray after its first stage, which found boundaries, split pixels and shaded
-/// their leaves: all but what some of their parts still need of samples. Enough to go on from.
+/// The pixels of a fat pyray after its first stage, which finds boundaries, splits pixels and
+/// shades their leaves. It holds enough to continue with the samples that some parts still need.
 struct StartedPyray {
   struct Pixel {
     Trace trace;
@@ -26,10 +26,10 @@ struct StartedPyray {
   OpenRegions open;
   RenderStatistics statistics;
 
-  /// The current estimate of the pixels. Open regions use their samples so far.
+  /// Returns the current estimate of the pixels, from the open regions' samples so far.
   [[nodiscard]] BlockResult result(int max_level) const;
-  /// Squared errors of display intensity that open regions are likely to have, summed over pixels,
-  /// and the samples that they have.
+  /// Expected squared errors of the open regions in display intensity, summed over pixels, and
+  /// their number of samples.
   struct Expected {
     double squared_error = 0.0;
     double samples = 0.0;

@@ -8,8 +8,8 @@
 namespace asos {
 namespace {
 
-/// A hash of a place of the picture, to a 2^16th of a pixel: the same by whatever frame it was
-/// reached.
+/// Hashes a place of the picture, rounded to 2^-16 of a pixel. The hash does not depend on the
+/// frame.
 std::uint64_t bits_of(glm::dvec2 pixels, int seed) {
   const auto x = static_cast<std::int64_t>(std::llround(pixels.x * 65536.0));
   const auto y = static_cast<std::int64_t>(std::llround(pixels.y * 65536.0));

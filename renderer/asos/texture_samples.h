@@ -13,28 +13,28 @@
 
 namespace asos {
 
-/// Whether shading looks anything up in a texture of the material.
+/// Returns whether shading reads any texture of the material.
 [[nodiscard]] bool is_textured(const Material& material, const SceneNeeds& needs);
 
-/// Into how many parts along its side a leaf is divided that is `side` pixels wide: so many that
-/// none is larger than the TR x TR parts of a pixel.
+/// Returns the number of parts along the side of a leaf that is `side` pixels wide. No part is
+/// larger than those of a pixel divided into TR x TR parts.
 [[nodiscard]] int texture_divisions(int texture_resolution, double side);
 
 /// A part of a divided leaf.
 struct TexturePart {
   Square square;
-  glm::vec2 at{0.0f};  ///< a place in it
+  glm::vec2 at{0.0f};  ///< place of its sample
 };
 
-/// Where a leaf lies in the picture: its frame's (0, 0) and size in pixels.
+/// The position of a leaf in the picture: the place of its frame's (0, 0) and its size, in pixels.
 struct LeafPlace {
   glm::ivec2 origin{0};
   int width = 1;
 };
 
-/// The n x n parts of a leaf's square, each with a random place, which is a function of the pixel,
-/// the part's place in it and the seed, not of the frame; or without `jitter` with its middle,
-/// around which textures are averaged over a part (TextureFilter::footprint).
+/// Returns the n x n parts of a leaf's square. With `jitter`, each has a random place that depends
+/// on the pixel, the part's place in it and the seed, not on the frame. Without, the place is the
+/// part's centre, and textures are averaged over the part (TextureFilter::footprint).
 [[nodiscard]] std::vector<TexturePart> texture_parts(const Square& leaf, int n,
                                                      const LeafPlace& place, int seed, bool jitter);
 

@@ -17,7 +17,7 @@ namespace asos {
 
 namespace {
 
-/// The texture that shows most of a material; null: none.
+/// Returns the texture with the most influence on a material's look; null: none.
 const TextureUse* main_texture(const Material& material) {
   for (const TextureUse* use : {&material.base_color_texture, &material.emissive_texture,
                                 &material.metallic_roughness_texture})
@@ -25,7 +25,7 @@ const TextureUse* main_texture(const Material& material) {
   return nullptr;
 }
 
-/// Whether a footprint goes on beyond its triangle.
+/// Returns whether a footprint extends beyond its triangle.
 bool crosses_edge(const Hit& hit, const Footprint& seen) {
   const auto reach = [](float right, float down) {
     return 0.5f * (std::abs(right) + std::abs(down));
@@ -35,8 +35,8 @@ bool crosses_edge(const Hit& hit, const Footprint& seen) {
          1.0f - b1 - b2 < reach(seen.right.x + seen.right.y, seen.down.x + seen.down.y);
 }
 
-/// A triangle's texture coordinates, in texels, going on all over its plane. Without a texture it
-/// has none, and nothing is away from them.
+/// A triangle's texture coordinates, in texels, extrapolated over its plane. Without a texture all
+/// distances are 0.
 class TexturePlane {
  public:
   TexturePlane(const World& world, std::uint32_t triangle, const TextureUse* use)
@@ -51,13 +51,13 @@ class TexturePlane {
     period_ = {period_of(texture.wrap_u), period_of(texture.wrap_v)};
   }
 
-  /// The longer edge of a footprint.
+  /// Returns the longer edge of a footprint, in texels.
   [[nodiscard]] float extent(const Footprint& seen) const {
     const Steps steps(seen, uv_.at_0, uv_.at_1, uv_.at_2);
     return std::max(glm::length(texels_ * (texture_of_uv_ * steps.right)),
                     glm::length(texels_ * (texture_of_uv_ * steps.down)));
   }
-  /// From what is shown at (b1, b2) to what a hit shows.
+  /// Returns the distance, in texels, from the coordinates at (b1, b2) to those of a hit.
   [[nodiscard]] float distance(glm::vec2 b, const Hit& met) const {
     if (!use_) return 0.0f;
     const glm::vec2 uv = texcoord_at(*world_, use_->texcoord, met.triangle, met.b1, met.b2);
@@ -69,7 +69,7 @@ class TexturePlane {
   }
 
  private:
-  /// After which a texture shows the same again; 0: it does not.
+  /// Returns the period in texture coordinates; 0: the texture does not repeat.
   [[nodiscard]] static float period_of(Wrap wrap) {
     return wrap == Wrap::repeat ? 1.0f : wrap == Wrap::mirrored_repeat ? 2.0f : 0.0f;
   }
@@ -81,21 +81,22 @@ class TexturePlane {
   glm::vec2 texels_{1.0f}, period_{0.0f};
 };
 
-/// Whether a triangle's corners have colours of their own.
+/// Returns whether a triangle's corners have different colours.
 bool is_tinted(const World& world, std::uint32_t triangle) {
   if (world.colors.empty() || world.is_face(triangle)) return false;
   const glm::uvec3 v = world.triangles[triangle];
   return world.colors[v.x] != world.colors[v.y] || world.colors[v.x] != world.colors[v.z];
 }
 
-/// How far the colour of a hit is from that of a triangle, going on as far as (b1, b2).
+/// Returns the difference between the colour of a hit and the triangle's colour, extrapolated to
+/// (b1, b2).
 float colour_difference(const World& world, std::uint32_t triangle, glm::vec2 b, const Hit& met) {
   const glm::vec4 of_met = vertex_color(world, met.triangle, met.b1, met.b2);
   const glm::vec4 apart = glm::abs(of_met - vertex_color(world, triangle, b.x, b.y));
   return std::max({apart.x, apart.y, apart.z, apart.w});
 }
 
-/// Whether an edge is a piece of a square's sides.
+/// Returns whether an edge is part of a square's sides.
 bool lies_along(const Square& square, const BorderEdge& edge) {
   for (int axis = 0; axis < 2; ++axis) {
     const float lo = axis == 0 ? square.u : square.v;
@@ -105,20 +106,20 @@ bool lies_along(const Square& square, const BorderEdge& edge) {
   return false;
 }
 
-/// Where to look for what a leaf shows beyond its triangle.
+/// Places that represent the part of a leaf beyond its triangle.
 struct Places {
   static constexpr std::size_t most = 8;
   std::array<glm::vec2, most> from_sample;  ///< in sides of a square with the leaf's area
   std::size_t count = 0;
 };
 
-/// The corners of the parallelogram that stands for a leaf whose sample is `at`, and the middles of
-/// the longest edges that cut it, a little within: strips as narrow as a tenth of a pixel lie along
-/// them, as bevels do.
+/// Returns the corners of the parallelogram of a leaf whose sample is `at`, and points just inside
+/// the centres of the longest edges that cut it. Along these edges may lie strips as narrow as a
+/// tenth of a pixel, such as bevels.
 Places places_near_border(const LeafRegion& region, const PartShape& part, glm::vec2 at,
                           float side) {
   constexpr float apart = 0.45f;   // of the leaf's sides
-  constexpr float within = 0.05f;  // of the way to the leaf's middle
+  constexpr float within = 0.05f;  // of the way to the leaf's centre
   Places places;
   for (const glm::vec2 c : {glm::vec2(-apart), {apart, -apart}, {-apart, apart}, glm::vec2(apart)})
     places.from_sample[places.count++] = part.offset + c.x * part.right + c.y * part.down;
@@ -157,8 +158,8 @@ bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& pat
 
 bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const Leaf& leaf) {
   constexpr float negligible = 0.5f, slightly = 0.1f;  // texels; of the leaf's extent
-  // Between a plane over the leaf and one that is bent at an edge, the mean is off by that much of
-  // what a corner is.
+  // The mean's error is this fraction of the error at a corner, if the surface bends at an edge
+  // within the leaf.
   constexpr float share_of_corner = 0.25f;
   const RenderScene& scene = *eye.scene;
   const World& world = scene.world();
@@ -174,7 +175,7 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
   const Footprint square = footprint_on(world, hit, leaf.square);
   const Footprint seen = shaped(square, part);
   if (!crosses_edge(hit, seen)) return false;
-  // Look at the leaf's corners, and along what bounds it.
+  // Cast rays at the leaf's corners and along its border.
   const float side = eye.root_side() * static_cast<float>(std::sqrt(leaf.weight));
   const Places places = places_near_border(leaf.region, part, leaf.at, side);
   std::array<Ray, Places::most> rays;
@@ -184,7 +185,7 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
   scene.rays().closest(std::span(rays).first(places.count), std::span(hits).first(places.count),
                        culling_of(*eye.settings));
   eye.counts->eye_rays += places.count;
-  // Compare what is there to the footprint, but for other surfaces, which are other leaves.
+  // Compare these hits with the footprint. Other surfaces belong to other leaves.
   const TexturePlane plane(world, hit.triangle, use);
   const float allowed = std::max(negligible, slightly * plane.extent(seen));
   for (std::size_t i = 0; i < places.count; ++i) {

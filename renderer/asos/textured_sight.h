@@ -5,31 +5,32 @@
 #include "renderer/asos/leaf.h"
 #include "renderer/shading/footprint.h"
 
-// What a patch shows of textures that neither its hit nor a footprint of it tells.
+// Textures of a patch that neither its hit nor the footprint of that hit represents.
 
 namespace asos {
 
-/// Whether a patch reaches far beyond the triangle that was hit, which tells of its own bend only.
+/// Returns whether a patch extends far beyond the triangle of its hit, so that this triangle does
+/// not represent the patch.
 [[nodiscard]] bool reaches_beyond_triangle(const World& world, const Hit& hit, const Patch& patch);
 
-/// Whether it does on a bent mesh with textures, which need not go on there as they do on the
-/// triangle.
+/// Returns whether it does so on a curved, textured mesh, whose textures need not continue as on
+/// the triangle.
 [[nodiscard]] bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& patch);
 
-/// Whether a leaf reaches beyond its triangle on any mesh with textures or colours of its corners,
-/// and what rays through it meet there lies elsewhere in the texture, or has another colour, than
-/// the triangle, going on, would have it.
+/// Returns whether a leaf extends beyond its triangle and the colours there differ from the
+/// triangle's extrapolated ones. It casts rays there and compares texture coordinates and vertex
+/// colours.
 [[nodiscard]] bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples,
                                        const Leaf& leaf);
 
-/// Whether a patch with textures or colours of its corners recedes so much that what it shows of
-/// them is not spread evenly over it: its far end is seen shorter than its near one.
+/// Returns whether a textured patch is so oblique that perspective shortens its far end. Then its
+/// texture is not spread evenly over the leaf. Vertex colours count, too.
 [[nodiscard]] bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit,
                            const Patch& patch);
 
-/// Whether what a patch shows of several textures together is not what it shows of their means, as
-/// of metal that is rough here and rust there. The patch is that of a square with the area of a
-/// leaf of weight `share`, `part` what the leaf is of it.
+/// Returns whether the mean shading of a patch with several textures differs from the shading of
+/// their means, such as rough metal next to rust. `square` is the patch of a square with the area
+/// of a leaf of weight `share`, and `part` is the leaf's shape in it.
 [[nodiscard]] bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
                                    const PartShape& part, double share);
 

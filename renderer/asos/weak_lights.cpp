@@ -12,11 +12,11 @@
 namespace asos {
 namespace {
 
-// Shadow rays of a point: weighing a hundred lights takes as long.
+// Shadow rays per point. Weighing a hundred lights takes about as long.
 constexpr float rays_a_point = 8.0f;
 constexpr std::uint32_t most_points = 128;
 
-/// Gathers what lights shine on, and asks none.
+/// Collects the points that lights illuminate, and evaluates no light.
 class LitPoints final : public LightTransport {
  public:
   explicit LitPoints(CarriedLight& carried) : carried_(&carried) {}
@@ -36,8 +36,8 @@ class LitPoints final : public LightTransport {
   CarriedLight* carried_;
 };
 
-// The rays that a point sends to lights that carry so much: none to any twice, so that few of these
-// get fewer.
+// Returns the number of rays per point for lights with these contributions. No light gets two rays,
+// so a few bright lights get fewer in total.
 double rays_of_point(std::span<const double> carried) {
   const double all = std::accumulate(carried.begin(), carried.end(), 0.0);
   double rays = 0.0;
@@ -51,7 +51,7 @@ double rays_of_point(std::span<const double> carried) {
 WeakLights::WeakLights(const EyeContext& eye, EyeSamples& samples)
     : eye_(&eye), samples_(&samples), places_(eye.seed), lights_(eye.scene->rays(), places_) {}
 
-// Whether some may be weak: where lights are many, and shadows as exact as EPS asks.
+// Returns whether light selection may pay off: with many lights, and shadows refined to EPS.
 bool WeakLights::sought() const {
   return eye_->viewer.shader.lights().size() > LightPicks::few_lights &&
          eye_->allowance.refines() && eye_->settings->shadow.cast &&
@@ -69,7 +69,7 @@ void WeakLights::take_all() {
 void WeakLights::find(int side) {
   if (!sought()) return;
   const std::span<const PreparedLight> lights = eye_->viewer.shader.lights();
-  // Look at what the lights shine on.
+  // Collect the points that the lights illuminate.
   carried_.emplace(lights);
   LitPoints transport(*carried_);
   RenderStatistics uncounted;
@@ -80,13 +80,13 @@ void WeakLights::find(int side) {
         uncounted);
   }
   const std::vector<double> carried = carried_->most();
-  // Those that cast shadows, brightest first.
+  // Sort the lights that cast shadows, brightest first.
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < lights.size(); ++i)
     if (lights[i].casts_shadows) order.push_back(i);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return carried[a] > carried[b]; });
-  // Ask as many of these one by one as pays.
+  // Sample as many lights one by one as pays.
   double rest = 0.0;
   for (const std::uint32_t i : order) rest += carried[i];
   double asked = 0.0;
@@ -117,7 +117,7 @@ WeakLights::Expected WeakLights::expected(std::span<const double> carried) const
   return {std::clamp(all, 0.0, 1.0), rays_of_point(of_weak)};
 }
 
-// Where a leaf is they may be far brighter than where any pixel's middle is.
+// Sampled lights may be far brighter at a leaf than at any pixel's centre.
 WeakLights::Expected WeakLights::expected_at(const LitPoint& point) {
   if (expected_.intensity >= 1.0) return expected_;
   carried_->start();
@@ -132,8 +132,8 @@ std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weig
   return queue_.add(root, sample, weight);
 }
 
-// So many that their rays tell what the leaf deserves to know. Rays to lights that are picked by
-// estimates differ by more than those to one light.
+// Returns the number of points whose rays reach the accuracy that the leaf's weight needs. Rays to
+// selected lights have a higher variance than rays to one light.
 std::uint32_t WeakLights::points_of(double weight, const Expected& expected) const {
   constexpr double of_picks = 2.0;
   const double rays = eye_->allowance.samples(weight, of_picks * expected.intensity);
@@ -141,7 +141,7 @@ std::uint32_t WeakLights::points_of(double weight, const Expected& expected) con
       std::clamp(std::ceil(rays / expected.rays_of_point), 1.0, static_cast<double>(most_points))));
 }
 
-// Finds the places of the leaf's points and what is there.
+// Finds the leaf's points and the surfaces there.
 void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_t count) {
   const SurfacePoint& point = lit.view.point;
   at_.clear();
@@ -157,7 +157,7 @@ void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_
       at_.push_back(at);
       number_.push_back(i);
     }
-    // On the plane that the leaf shows, or wherever its surface bends to.
+    // Points lie on the plane of the leaf, or on its surface where that is curved.
     const FeatureSet& features = eye_->scene->features();
     if (features.deviation(point.triangle) <= 0.0f) {
       const HalfSpace plane =

@@ -18,46 +18,47 @@
 
 namespace asos {
 
-/// The lights of a scene with many of them that are too dim in a block to be asked one by one: what
-/// leaves get of all of these together is the mean of points that are well distributed over each
-/// leaf, whose few shadow rays go to lights that are picked by what they carry (LightPicks). Points
-/// of all leaves of a block are shaded in batches; in mirrors, each leaf's at once.
+/// Lights of a scene that are too dim in a block to be sampled one by one. A leaf's contribution
+/// from all of these is the mean over points that are well distributed over the leaf. Each point
+/// sends a few shadow rays to lights that are selected by their unshadowed contribution
+/// (LightPicks). Points of all leaves of a block are shaded in batches; in mirrors, those of each
+/// leaf immediately.
 class WeakLights {
  public:
-  /// Both have to outlive this.
+  /// Both arguments have to outlive this.
   WeakLights(const EyeContext& eye, EyeSamples& samples);
   WeakLights(const WeakLights&) = delete;
   WeakLights& operator=(const WeakLights&) = delete;
 
-  /// Learns from the first samples, the middles of side x side roots, which lights are weak: so
-  /// that asking the others one by one, and for the weak ones as many rays as they are worth
-  /// together, costs least.
+  /// Divides the lights from the first samples, the centres of side x side roots. The division has
+  /// the least total cost: one ray series for each strong light, plus the selected rays for the
+  /// weak ones.
   void find(int side);
-  /// Takes all that cast shadows for weak: one ray of a mirror is worth no more, nor is to judge
-  /// them by it.
+  /// Treats all lights that cast shadows as weak. One reflected ray is worth no more, and judging
+  /// the lights would cost more than it.
   void take_all();
 
-  /// One a light: whether it is weak. Empty: none is.
+  /// Returns for each light whether it is weak. Empty: none is.
   [[nodiscard]] std::span<const std::uint8_t> lights() const { return weak_; }
   [[nodiscard]] bool holds(std::size_t light) const { return !weak_.empty() && weak_[light] != 0; }
 
-  /// Begins the contribution of these lights to a leaf; its number.
+  /// Begins the contribution of these lights to a leaf and returns its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
   /// Adds a surface of the leaf to its contribution, to be shaded later.
   void add(std::uint32_t number, const LitPoint& point, const LeafContext& leaf);
-  /// What a surface of a leaf gets of them, now.
+  /// Returns their contribution to a surface of a leaf, immediately.
   [[nodiscard]] glm::vec3 at_once(const LitPoint& point, const LeafContext& leaf);
-  /// Leaves a contribution out.
+  /// Drops a contribution.
   void drop(std::uint32_t number) { queue_.drop(number); }
 
-  /// Shades all that was added. Valid until the next leaf; none waits then.
+  /// Shades all deferred points and empties the queue. The result is valid until the next leaf.
   std::span<const Contribution> run();
 
  private:
-  /// What the weak lights are worth.
+  /// The expected worth of the weak lights.
   struct Expected {
     double intensity = 0.0;      ///< of all together, where they are brightest
-    double rays_of_point = 1.0;  ///< that they get, about, where they are brightest
+    double rays_of_point = 1.0;  ///< average rays per point, where they are brightest
   };
   [[nodiscard]] bool sought() const;
   [[nodiscard]] Expected expected(std::span<const double> carried) const;
@@ -69,11 +70,11 @@ class WeakLights {
   EyeSamples* samples_;
   std::vector<std::uint8_t> weak_;
   std::optional<CarriedLight> carried_;
-  Expected expected_;  // where the pixels' middles see most of them
+  Expected expected_;  // where the pixels' centres receive most of them
   SobolPlaces places_;
   SampledLights lights_;
   BlockQueue queue_;
-  std::vector<glm::dvec3> sums_;  // of each that waits
+  std::vector<glm::dvec3> sums_;  // sums of the deferred leaves
   // Scratch: places in the frame with their numbers, and the surface there.
   std::vector<glm::vec2> at_;
   std::vector<std::uint32_t> number_;

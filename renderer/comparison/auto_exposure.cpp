@@ -13,13 +13,13 @@ namespace {
 
 constexpr int metered_pixels = 64 * 36;
 constexpr int metering_samples = 1;
-constexpr float shown_white = 0.97f;  // of what a screen shows
+constexpr float shown_white = 0.97f;  // display value above which a pixel counts as white
 constexpr double bright_quantile = 0.95;
-constexpr double bright_radiance = 0.8;  // of that quantile, exposed
+constexpr double bright_radiance = 0.8;  // radiance of that quantile after exposure
 constexpr double most_stops = 32.0;
 constexpr double steps_a_stop = 10.0;
 
-/// The small picture: of the shape of the whole.
+/// Returns the settings of the small picture, with the aspect ratio of the whole picture.
 RenderSettings metering_settings(const RenderSettings& settings) {
   RenderSettings small = settings;
   const double shape = static_cast<double>(settings.width) / settings.height;
@@ -34,7 +34,7 @@ RenderSettings metering_settings(const RenderSettings& settings) {
   small.seed = 0;
   small.filter_width = 1.0;
   small.background.content = PixelContent::light;
-  // Transparent pixels are not shown white.
+  // Transparent pixels never count as white.
   if (small.background.kind == BackgroundKind::transparent)
     small.background.kind = BackgroundKind::environment;
   return small;

@@ -8,28 +8,29 @@
 
 namespace asos {
 
-/// How bright a picture is, by a small picture of the same view.
+/// The brightness of a picture, measured on a small picture of the same view.
 struct Metering {
-  double whitened = 0.0;  ///< share of the pixels that are shown white at an exposure of 0
-  float stops = 0.0f;     ///< exposure at which few are: the brightest twentieth is near white
+  double whitened = 0.0;  ///< fraction of the pixels that are white at an exposure of 0
+  /// Exposure at which few pixels are white: the brightest twentieth is close to white.
+  float stops = 0.0f;
 };
 
-/// The share of a picture that a file's lights may whiten before the exposure follows them.
+/// The largest fraction of white pixels in a picture that needs no automatic exposure.
 inline constexpr double most_whitened = 0.1;
 
-/// Meters the view with the same samples whatever the picture's size, the method and the number of
-/// threads. Unlit surfaces do not count: no exposure changes them.
+/// Meters the view with the same samples for every picture size, method and number of threads.
+/// Unlit surfaces are ignored, since exposure does not affect them.
 [[nodiscard]] Metering meter(const RenderScene& scene, const Camera& camera,
                              const RenderSettings& settings, ToneCurve tone,
                              const std::stop_token& stop = {});
 
-/// The exposure of a picture for which nobody chose one: the metered one where lights of the file
-/// whiten more than most_whitened of it; else 0. Built-in scenes and scenes without lights of their
-/// own keep 0.
+/// Returns the default exposure of a picture: the metered one if the lights of the file make more
+/// than most_whitened of it white; else 0. Built-in scenes, and scenes without lights of their own,
+/// keep 0.
 [[nodiscard]] Metering usual_exposure(const RenderScene& scene, const Camera& camera,
                                       const RenderSettings& settings, ToneCurve tone,
                                       const std::stop_token& stop = {});
-/// Whether it may be another than 0.
+/// Returns whether the default exposure may differ from 0.
 [[nodiscard]] bool exposure_may_follow(const RenderScene& scene);
 
 }  // namespace asos

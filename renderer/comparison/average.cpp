@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<double, 3> weights{0.25, 0.5, 0.25};
 
-/// The samples of a block's pixels and of the pixels around it, which may lie beyond the picture.
+/// The samples of a block's pixels and of the pixels around it, which may lie outside the picture.
 class Neighbourhood {
  public:
   explicit Neighbourhood(PixelRect block)
@@ -28,7 +28,7 @@ class Neighbourhood {
     sums.trace();
   }
 
-  /// The weighted mean of the 3 x 3 samples around a pixel of the block, of those that are finite.
+  /// Returns the weighted mean of the finite samples among the 3 x 3 around a pixel of the block.
   [[nodiscard]] glm::vec3 mean(const SampleSums& sums, int x, int y) const {
     glm::dvec3 sum(0.0);
     double weight = 0.0;
@@ -56,9 +56,9 @@ class Neighbourhood {
 
 }  // namespace
 
-/// One sample through each pixel's centre, then the mean of 3 x 3 neighbours with the weights 1 2 1
-/// each way (CGF'98 section 2.1), beyond the picture's border, too. The section's other way, rays
-/// through pixels' corners and their mean, is `whitted` at depth 0.
+/// Averages 3 x 3 samples, one through each pixel's centre, with the weights 1 2 1 in each
+/// direction (CGF'98 section 2.1). Pixels at the border use samples outside the picture. The other
+/// variant of that section, the mean of rays through the pixel's corners, is `whitted` at depth 0.
 BlockResult render_block_average(const BlockJob& job) {
   const PixelRect& block = job.block;
   SobolPlaces places(job.settings.seed);

@@ -4,9 +4,9 @@
 
 namespace asos {
 
-/// Beam tracing (CGF'98 section 2.6), eye beams only: a pixel is the sum over its exactly visible
-/// polygons of area times radiance at the centroid. MAX, EPS and the number of samples do not
-/// matter. The areas are exact for opaque surfaces only: triangles of a cut-out or see-through
+/// Beam tracing (CGF'98 section 2.6), for eye beams only: a pixel is the sum over its exactly
+/// visible polygons of area times radiance at the centroid. MAX, EPS and the number of samples have
+/// no effect. The areas are exact for opaque surfaces only: triangles of a cut-out or transparent
 /// surface hide everything behind them, except for layers that the shader finds along the
 /// centroid's ray. For small scenes: see check_method.
 BlockResult render_block_beam(const BlockJob& job) {

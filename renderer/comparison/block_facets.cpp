@@ -16,7 +16,8 @@ std::array<glm::dvec3, 3> corners_of_triangle(const World& world, std::uint32_t 
           glm::dvec3(world.positions[t.z])};
 }
 
-/// The lights of one visible part, each at as many points as the settings have samples.
+/// The lights of one visible part. Each light is sampled with as many points as the settings have
+/// samples.
 class PartLights final : public LightTransport {
  public:
   PartLights(SampledLights& lights, SamplePlaces& places, int samples)
@@ -104,7 +105,7 @@ glm::vec3 BlockFacets::radiance(const Facet* facet, glm::dvec2 at, double side) 
   return glm::vec3(0.0f);
 }
 
-// The hit from the exact point, for no ray was cast.
+// Derives the hit from the exact point, since no ray was cast.
 Hit BlockFacets::hit_of(const Facet& facet, glm::dvec2 at, const Ray& ray) const {
   Hit hit;
   const auto corners = corners_of_triangle(job_.scene.world(), facet.triangle);

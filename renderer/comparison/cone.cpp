@@ -10,20 +10,20 @@ namespace asos {
 
 namespace {
 
-// An object that a cone meets.
+// An object that intersects a cone.
 struct ConeLayer {
-  double nearness = 0.0;  // of its largest part
-  double share = 0.0;     // of the cone that it covers
+  double nearness = 0.0;  // of its largest visible part
+  double share = 0.0;     // fraction of the cone that it covers
   glm::dvec3 radiance{0.0};
 };
 
 }  // namespace
 
-/// Cone tracing (Amanatides 1984; CGF'98 section 2.7), eye cones only: the cone's circle has a
-/// pixel's area. Each object covers a fraction of it, and the cone goes on behind it, weakened by
-/// that fraction. The fractions are exact here; which part of the cone is covered is not known, so
-/// that two objects that each cover half cover three quarters, whether they lie behind each other
-/// or side by side. Lights are sampled; mirrors show highlights and the sky.
+/// Cone tracing (Amanatides 1984; CGF'98 section 2.7), for eye cones only: the cone's circle has
+/// the area of a pixel. Each object covers a fraction of it, and the cone continues behind it,
+/// reduced by that fraction. The fractions are exact here. The covered part of the cone is not
+/// recorded, so two objects that each cover half cover three quarters, whether they lie behind each
+/// other or side by side. Lights are sampled; mirrors show highlights and the sky.
 BlockResult render_block_cone(const BlockJob& job) {
   BlockFacets seen(job, 1);
   ExactVisibility visibility;

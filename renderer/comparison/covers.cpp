@@ -9,7 +9,8 @@ namespace asos {
 
 namespace {
 
-// The point of a convex polygon that is nearest to `p`, which lies outside of it or on its rim.
+// Returns the point of a convex polygon that is nearest to `p`, which lies outside or on the
+// boundary.
 glm::dvec2 nearest_on_rim(const ConvexPolygon& polygon, glm::dvec2 p) {
   glm::dvec2 nearest = polygon.front();
   double least = std::numeric_limits<double>::infinity();
@@ -36,15 +37,15 @@ bool contains(const ConvexPolygon& polygon, glm::dvec2 p) {
   return !(left && right);
 }
 
-// An object whose cover a ray meets.
+// An object whose cover contains a ray.
 struct CoverLayer {
   const Facet* facet = nullptr;
-  glm::dvec2 at{0.0};   // where it is shaded
+  glm::dvec2 at{0.0};   // the shading point
   double weight = 0.0;  // of the object, 0 to 1
 };
 
-// The object's weight by the distance of the ray from its nearest edge: 1 where that lies half a
-// pixel or more inside the object, 0 where it lies as far outside.
+// Returns the object's weight by the distance of the ray from its nearest edge: 1 at half a pixel
+// or more inside the object, 0 at half a pixel or more outside.
 CoverLayer layer_of(std::span<const Facet> object, std::span<const VisiblePart> parts,
                     glm::dvec2 centre, double pixel) {
   CoverLayer layer;
@@ -72,11 +73,11 @@ CoverLayer layer_of(std::span<const Facet> object, std::span<const VisiblePart> 
 
 }  // namespace
 
-/// Covers (Thomas, Netravali and Fox 1989; CGF'98 section 2.8), eye rays only: objects have an
-/// inner and an outer cover, half a pixel from their edges. A ray that meets a cover is split: its
-/// weight on the object follows from the distance of the nearest edge alone, and the rest goes on
-/// behind. Objects thinner than a pixel get too much weight, and like cones covers do not know
-/// which part of a pixel an object covers. Lights are sampled; mirrors show highlights and the sky.
+/// Covers (Thomas, Netravali and Fox 1989; CGF'98 section 2.8), for eye rays only. Objects have an
+/// inner and an outer cover, half a pixel from their edges. A ray inside a cover is split: its
+/// weight on the object depends on the distance of the nearest edge alone, and the rest continues
+/// behind. Objects thinner than a pixel get too much weight. As with cones, the covered part of a
+/// pixel is not recorded. Lights are sampled; mirrors show highlights and the sky.
 BlockResult render_block_covers(const BlockJob& job) {
   BlockFacets seen(job);
   ExactVisibility visibility;

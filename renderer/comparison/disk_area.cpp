@@ -12,17 +12,17 @@ double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-// The signed area of the disk around the origin within the angle from a to b.
+// Returns the signed area of the sector of the disk around the origin from a to b.
 double sector(glm::dvec2 a, glm::dvec2 b, double radius) {
   return 0.5 * radius * radius * std::atan2(cross(a, b), glm::dot(a, b));
 }
 
-// The signed area that the disk shares with the triangle of the origin, p and q: the sum over the
-// pieces of p q inside and outside of the circle.
+// Returns the signed area of the intersection of the disk with the triangle of the origin, p and q:
+// the sum over the pieces of p q inside and outside of the circle.
 double with_triangle(glm::dvec2 p, glm::dvec2 q, double radius) {
   const glm::dvec2 d = q - p;
   const double a = glm::dot(d, d), b = glm::dot(p, d), c = glm::dot(p, p) - radius * radius;
-  std::array<double, 4> at{0.0, 0.0, 1.0, 1.0};  // where pieces begin and end
+  std::array<double, 4> at{0.0, 0.0, 1.0, 1.0};  // the ends of the pieces
   const double root2 = b * b - a * c;
   if (a > 0.0 && root2 > 0.0) {
     const double root = std::sqrt(root2);

@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// The area that a convex polygon and a disk share: exact.
+/// Returns the exact area of the intersection of a convex polygon and a disk.
 [[nodiscard]] double area_in_disk(const ConvexPolygon& polygon, glm::dvec2 centre, double radius);
 
 }  // namespace asos

@@ -9,18 +9,19 @@
 namespace asos {
 namespace {
 
-// Points this near to a line, in sides of the frame's square, lie on it: a hundred times the
-// rounding error of a distance, so that cutting along a shared edge leaves no crumbs.
+// Distance from a line, in sides of the frame's square, below which points count as on the line: a
+// hundred times the rounding error of a distance, so that cutting along a shared edge leaves no
+// tiny remainders.
 constexpr double on_line = 1e-14;
 
-// Planes whose nearness agrees to this share of its size are one plane. Corners are floats, so
-// planes that differ at all differ by some 1e-8.
+// Relative difference of nearness below which two planes count as equal. Corners are floats, so
+// different planes differ by about 1e-8.
 constexpr double same_plane = 1e-12;
 
-// The angle between a plane and the line of sight, in radians, below which it is seen edge-on.
+// The angle between a plane and the line of sight, in radians, below which the plane is edge-on.
 constexpr double edge_on = 1e-14;
 
-// Cells with no more fragments are resolved pair by pair; cells of the deepest level are anyway.
+// Cells with at most this many fragments, or at the deepest level, are resolved pair by pair.
 constexpr std::size_t few_fragments = 48;
 constexpr int deepest_cell = 8;
 
@@ -49,8 +50,8 @@ WhichSide side_of(const ConvexPolygon& polygon, const HalfPlane& h) {
   return in ? WhichSide::inside : WhichSide::outside;
 }
 
-/// The parts of a polygon on either side of a line that crosses it; both have the same corners on
-/// the line, so nothing is lost or counted twice.
+/// The parts of a polygon on either side of a line that crosses it. Both have the same corners on
+/// the line, so no area is lost or counted twice.
 struct Halves {
   ConvexPolygon inside;
   ConvexPolygon outside;
@@ -98,8 +99,8 @@ bool clip_to(ConvexPolygon& polygon, const Facet& facet) {
                      [&](const HalfPlane& h) { return keep_inside(polygon, h); });
 }
 
-/// Where `first` lies in front of `second`: everywhere, nowhere, or in a half-plane. Swapping the
-/// two gives the exact complement.
+/// The region in which `first` lies in front of `second`: everywhere, nowhere, or a half-plane.
+/// Swapping the two gives the exact complement.
 struct Precedence {
   WhichSide side = WhichSide::both;
   HalfPlane where;
@@ -112,7 +113,7 @@ Precedence precedence(const Facet& first, const Facet& second) {
   return {WhichSide::both, scaled(d)};
 }
 
-/// Whether a facet lies in front of another in all of a polygon.
+/// Returns whether a facet lies in front of another in the whole of a polygon.
 bool hides(const Facet& nearer, const Facet& farther, const ConvexPolygon& polygon) {
   const Precedence order = precedence(nearer, farther);
   const WhichSide side = order.side == WhichSide::both ? side_of(polygon, order.where) : order.side;
@@ -122,7 +123,7 @@ bool hides(const Facet& nearer, const Facet& farther, const ConvexPolygon& polyg
 }  // namespace
 
 double area_of(const ConvexPolygon& polygon) {
-  // From the first corner, so that a small polygon far from the origin keeps its digits.
+  // Relative to the first corner, so that a small polygon far from the origin keeps its precision.
   double twice = 0.0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const glm::dvec2 p = polygon[i] - polygon[0];
@@ -132,16 +133,16 @@ double area_of(const ConvexPolygon& polygon) {
   return 0.5 * std::abs(twice);
 }
 
-// A ray (u, v, 1) meets the triangle h0 h1 h2 in front of the apex where its three volumes with
-// pairs of corners have the sign of the corners' own volume: no division, and no special case for
-// corners behind the apex (Olano and Greer 1997, "Triangle scan conversion using 2D homogeneous
+// A ray (u, v, 1) hits the triangle h0 h1 h2 in front of the apex if its three volumes with pairs
+// of corners have the sign of the corners' own volume: no division, and no special case for corners
+// behind the apex (Olano and Greer 1997, "Triangle scan conversion using 2D homogeneous
 // coordinates").
 std::optional<Facet> make_facet(const Frame& frame, std::uint32_t triangle,
                                 const std::array<glm::dvec3, 3>& corners) {
   std::array<glm::dvec3, 3> h;
   for (std::size_t i = 0; i < 3; ++i) h[i] = frame.homogeneous(corners[i]);
 
-  // Most triangles lie beyond one of the square's sides.
+  // Most triangles lie outside one of the square's sides.
   const auto weight = [&](glm::dvec3 p) { return frame.parallel() ? 1.0 : p.z; };
   const auto beyond = [&](auto&& margin) {
     return margin(h[0]) < 0 && margin(h[1]) < 0 && margin(h[2]) < 0;
@@ -200,7 +201,8 @@ std::span<const VisiblePart> ExactVisibility::find(std::span<const Facet> facets
   return parts_;
 }
 
-// Quarters the cell until few facets are left in each (Warnock 1969), which bounds the pairs.
+// Quarters the cell until each part has few facets (Warnock 1969), which bounds the number of
+// pairs.
 void ExactVisibility::divide(const std::vector<std::uint32_t>& candidates,
                              const FrameRectangle& cell, int depth) {
   gather(candidates, cell);
@@ -219,7 +221,7 @@ void ExactVisibility::divide(const std::vector<std::uint32_t>& candidates,
   divide(left, {middle, cell.hi}, depth + 1);
 }
 
-// The parts of the candidates that lie in the cell.
+// Collects the parts of the candidates that lie in the cell.
 void ExactVisibility::gather(const std::vector<std::uint32_t>& candidates,
                              const FrameRectangle& cell) {
   fragments_.clear();
@@ -229,7 +231,7 @@ void ExactVisibility::gather(const std::vector<std::uint32_t>& candidates,
   }
 }
 
-// Drops what lies behind the nearest facet, by the cell's middle, that covers all of the cell.
+// Drops the fragments behind the nearest facet, at the cell's centre, that covers the whole cell.
 void ExactVisibility::drop_hidden(const FrameRectangle& cell) {
   const ConvexPolygon corners = corners_of(cell);
   const glm::dvec2 middle = 0.5 * (cell.lo + cell.hi);
@@ -247,8 +249,8 @@ void ExactVisibility::drop_hidden(const FrameRectangle& cell) {
   });
 }
 
-// Finds the rest of each fragment when every other one is taken away where it is nearer, and the
-// rest of the cell when all of them are.
+// Subtracts from each fragment all others where they are nearer, and from the cell all fragments.
+// The rest are the visible parts.
 void ExactVisibility::resolve(const FrameRectangle& cell, const std::vector<Fragment>& fragments) {
   for (const Fragment& f : fragments) {
     pieces_.assign(1, f.polygon);
@@ -265,7 +267,7 @@ void ExactVisibility::resolve(const FrameRectangle& cell, const std::vector<Frag
   emit(VisiblePart::background);
 }
 
-// Takes the part of a facet within the half-plane `where` (null: all of it) from the pieces.
+// Subtracts the part of a facet within the half-plane `where` (null: all of it) from the pieces.
 void ExactVisibility::subtract(const Facet& nearer, const HalfPlane* where) {
   std::array<HalfPlane, 6> lines;
   std::copy(nearer.inside.begin(), nearer.inside.end(), lines.begin());
@@ -280,8 +282,8 @@ void ExactVisibility::subtract(const Facet& nearer, const HalfPlane* where) {
   std::swap(pieces_, rest_);
 }
 
-// Adds to the rest what lies outside one of the lines; false where that is all of the piece, which
-// then stays whole.
+// Adds the part outside any of the lines to the rest. Returns false if that is the whole piece,
+// which then stays uncut.
 bool ExactVisibility::cut_away(const ConvexPolygon& piece, std::span<const HalfPlane> lines) {
   const std::size_t before = rest_.size();
   ConvexPolygon inner = piece;
@@ -305,7 +307,8 @@ void ExactVisibility::emit(std::uint32_t facet) {
     part.facet = facet;
     part.area = area_of(piece);
     if (!(part.area > 0.0)) continue;
-    // Each triangle of the fan from the first corner by its area; all turn the same way.
+    // The triangles of the fan from the first corner, weighted by area; all have the same
+    // orientation.
     for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
       const glm::dvec2 p = piece[i] - piece[0];
       const glm::dvec2 q = piece[i + 1] - piece[0];

@@ -20,7 +20,7 @@ glm::dvec2 mask_point(const FrameRectangle& square, int bit) {
   return square.lo + share / double{mask_side} * (square.hi - square.lo);
 }
 
-// The points of the pixel that a facet covers.
+// Returns the points of the pixel that a facet covers.
 CoverageMask mask_of(const Facet& facet, const FrameRectangle& square) {
   CoverageMask mask = 0;
   for (int bit = 0; bit < mask_side * mask_side; ++bit) {
@@ -57,10 +57,11 @@ struct MaskFragment {
 }  // namespace
 
 /// Coverage masks (Carpenter's A-buffer, 1984; Fiume 1991, CGF'98 section 2.12): each triangle
-/// covers some of 8 x 8 fixed points of a pixel. From front to back a fragment shows the points
-/// that none before it covers, and is shaded once, at their centroid. Orientations are right to
-/// 1/64 of the pixel; finer objects slip between the points, and fragments that pass through each
-/// other are ordered by one depth each. Lights are sampled; mirrors show highlights and the sky.
+/// covers some of 8 x 8 fixed points of a pixel. Fragments are processed from front to back. Each
+/// contributes the points that none before it covers, and is shaded once, at their centroid. The
+/// areas of straight edges are right to 1/64 of the pixel. Objects finer than the points are
+/// missed, and intersecting fragments are ordered by one depth each. Lights are sampled; mirrors
+/// show highlights and the sky.
 BlockResult render_block_mask(const BlockJob& job) {
   BlockFacets seen(job);
   std::vector<MaskFragment> fragments;

@@ -12,7 +12,7 @@
 
 namespace asos {
 
-// One function a method, each in the file of its name.
+// One function per method, each in the file of its name.
 BlockResult render_block_sobol_adaptive(const BlockJob& job);
 BlockResult render_block_whitted(const BlockJob& job);
 BlockResult render_block_mitchell(const BlockJob& job);
@@ -30,7 +30,7 @@ BlockResult render_block_as_published(const BlockJob& job) {
   return render_block_asos({job.scene, job.view, published, job.block, job.stop});
 }
 
-/// As many samples in every pixel, where the method's row places them.
+/// Renders the same number of samples in every pixel, placed as the method's row says.
 BlockResult render_block_sampled(const BlockJob& job) {
   const std::unique_ptr<SamplePlaces> places = row_of(job.settings.method).places(job.settings);
   return sample_block(job, *places, samples_a_pixel(job.settings));
@@ -50,15 +50,15 @@ int usual_side(const RenderSettings& /*settings*/) {
   return block_size;
 }
 
-// Whole fat pyrays.
+// The block consists of whole fat pyrays.
 int fat_side(const RenderSettings& settings) {
   return std::max(block_size, settings.asos.fat);
 }
 
-// For methods whose pixels share samples with their neighbours: each block takes those along its
-// border for itself, the fewer a pixel the larger it is. For those that ask their neighbours
-// whether to go on: pixels along its border have fewer to ask. For those that go on in rounds, so
-// that one sample a pixel fills packets of rays.
+// Larger blocks, for three kinds of methods:
+// - pixels share samples with their neighbours: each block takes those along its border again.
+// - pixels are continued if a neighbour is: pixels along the border lack some neighbours.
+// - all pixels are sampled in rounds: one sample per pixel has to fill packets of rays.
 int large_side(const RenderSettings& /*settings*/) {
   return 32;
 }
@@ -240,10 +240,10 @@ void set_coverage(const BlockResult& covered, BlockResult& result) {
 }
 
 void fill_in(BlockResult& result) {
-  // Methods that split nothing have no causes to tell.
+  // Methods that do not split pixels have no causes.
   const std::size_t pixels = result.tile.split_level.size();
   result.tile.cause.resize(pixels, SplitCause::none);
-  // Those that do not tell pixels' rays apart have about as many for each.
+  // Methods that do not count rays by pixel get the mean for each.
   if (result.tile.rays.size() != pixels && pixels > 0) {
     const auto mean = static_cast<double>(result.statistics.rays()) / static_cast<double>(pixels);
     result.tile.rays.assign(pixels, static_cast<float>(mean));

@@ -16,55 +16,55 @@
 
 namespace asos {
 
-/// How a method reads SamplingSettings::spp.
+/// How a method uses SamplingSettings::spp.
 enum class SampleCount {
   none,     ///< not at all
   squares,  ///< rounded up to n * n
   any,
 };
 
-/// A method of rendering: all that the program knows of it but for controls of its own.
+/// A rendering method: all its properties except for its own controls.
 struct MethodRow {
   static constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
   Method value = Method::asos;
   const char* name = "";   ///< on the command line, in statistics and in pictures' texts
-  const char* hint = "";   ///< a few words behind the name, or none
+  const char* hint = "";   ///< a few words after the name, or none
   const char* title = "";  ///< in the window
-  const char* about = "";  ///< in whole sentences
-  /// The final pixels of the job's block, as render_block promises them; causes and rays may be
-  /// left out.
+  const char* about = "";  ///< a description in whole sentences
+  /// Renders the final pixels of the job's block (see render_block); may leave out causes and rays.
   BlockResult (*render)(const BlockJob& job) = nullptr;
-  /// The same in two stages, for who looks on; null: it has one. Not with coverage.
+  /// Renders the same in two stages, for interactive display; null: it has one stage. Not with
+  /// coverage.
   StartedBlock (*start)(const BlockJob& job) = nullptr;
   /// See the function of that name.
   int (*block_side)(const RenderSettings& settings) = nullptr;
-  /// It splits pixels' pyrays: MAX, EPS and TR are for it, and it tells causes.
+  /// Splits pixels' pyrays: it uses MAX, EPS and TR, and records causes.
   bool in_object_space = false;
-  /// It asks where boundaries are (RenderScene::features), and not only what rays meet.
+  /// Uses the positions of boundaries (RenderScene::features), and not only ray hits.
   bool needs_boundaries = false;
-  /// It goes on where differences show, by RenderSettings::judged_tone.
+  /// Refines where display differences are visible, by RenderSettings::judged_tone.
   bool judges_display = false;
-  /// Without splitting pyrays it takes samples by MAX and EPS: more until EPS is met.
+  /// Uses MAX and EPS without splitting pyrays: takes samples until EPS is reached.
   bool samples_by_eps = false;
   bool takes_filter_width = false;
   bool takes_lens = true;  ///< else its cameras are pinholes
   SampleCount samples = SampleCount::none;
-  /// Where it places the samples of each pixel, all of which have as many: such a method renders in
-  /// rounds (PixelSamples). Null for others.
+  /// Returns the sample placement of a method with the same number of samples in each pixel. These
+  /// methods render in rounds (PixelSamples). Null for others.
   std::unique_ptr<SamplePlaces> (*places)(const RenderSettings& settings) = nullptr;
   bool takes_shapes = true;  ///< it renders analytic shapes, too
   /// The largest scene that it renders.
   std::size_t most_triangles = any_number;
 
-  /// Whether there are scenes that it does not take.
+  /// Returns whether there are scenes that it does not support.
   [[nodiscard]] bool limited() const { return !takes_shapes || most_triangles != any_number; }
 };
 
-/// All methods, each at the place of its enumerator. Another one is another row of it, and the file
-/// of the row's function.
+/// Returns the table of all methods, indexed by enumerator. A new method needs a new row, and a
+/// file for the row's function.
 [[nodiscard]] std::span<const MethodRow> method_table();
-/// The method's row there.
+/// Returns the method's row of method_table.
 [[nodiscard]] const MethodRow& row_of(Method method);
 [[nodiscard]] inline bool in_object_space(Method method) {
   return row_of(method).in_object_space;
@@ -74,34 +74,33 @@ struct MethodRow {
   return row_of(method).needs_boundaries;
 }
 
-/// The samples of each pixel of a method that has `places`.
+/// Returns the number of samples per pixel of a method that has `places`.
 [[nodiscard]] int samples_a_pixel(const RenderSettings& settings);
 
-/// Whether a picture tells how much of its pixels surfaces cover: where its background is
-/// transparent.
+/// Returns whether a picture has coverage: its background is transparent.
 [[nodiscard]] bool shows_coverage(const RenderSettings& settings);
-/// The settings that render this coverage: the same boundaries and samples, without light.
+/// Returns the settings that render the coverage: the same boundaries and samples, without light.
 [[nodiscard]] RenderSettings coverage_of(RenderSettings settings);
-/// Adds the coverage of a block's pixels that was rendered by these settings.
+/// Adds a block's coverage, rendered by these settings, to its pixels.
 void set_coverage(const BlockResult& covered, BlockResult& result);
-/// The settings of two passes that find what unlit surfaces show of pixels (FinishedTile::unlit):
-/// the same boundaries and samples, without light.
+/// The settings of two passes that find the contribution of unlit surfaces to pixels
+/// (FinishedTile::unlit): the same boundaries and samples, without light.
 struct UnlitPasses {
   explicit UnlitPasses(const RenderSettings& settings);
 
   RenderSettings share;
   RenderSettings colour;
 };
-/// Whether a surface that a picture may show has an unlit material.
+/// Returns whether a surface that a picture may show has an unlit material.
 [[nodiscard]] bool has_unlit(const World& world);
-/// Adds the share of a block's pixels that the first pass found. No colour is needed where it is 0
-/// or 1 for all of them.
+/// Adds the unlit fractions of a block's pixels from the first pass. No colour pass is needed if
+/// they are all 0 or 1.
 void add_unlit_share(const BlockResult& share, BlockResult& result);
 [[nodiscard]] bool needs_unlit_colour(const FinishedTile& tile);
-/// Adds the colour that the second pass found.
+/// Adds the unlit colours from the second pass.
 void add_unlit_colour(const BlockResult& colour, BlockResult& result);
-/// Renders these passes, and adds both, to what `render_block` rendered. Nothing is added where the
-/// block shows no unlit surface. Statistics stay those of the pass with light.
+/// Renders both passes and adds them to the result of `render_block`. Adds nothing if the block
+/// shows no unlit surface. Statistics stay those of the pass with light.
 void add_unlit(const BlockJob& job, BlockResult& result);
 /// Adds again what `add_unlit` found of a block, to better pixels of it: the colour of a pixel that
 /// shows nothing else is the pixel's own.
@@ -109,28 +108,29 @@ void renew_unlit(std::vector<glm::vec4> unlit, BlockResult& result);
 /// Fills in causes and rays that a method left out.
 void fill_in(BlockResult& result);
 
-/// `render_block` (renderer/render_block.h) by one of these methods.
+/// Renders a block (see renderer/render_block.h) by one of these methods.
 [[nodiscard]] BlockResult render_block(const BlockJob& job,
                                        std::span<const MethodRow> methods = method_table());
 
-/// The settings for a picture that is going to be shown by that curve: where the method judges what
-/// shows it judges by the curve, and else the picture is the same by whichever it is shown. Studies
-/// do not use it: their errors are those of radiance, clipped at white.
+/// Returns the settings for a picture that is displayed by this curve: a method that judges display
+/// differences uses the curve, and others are not affected. Studies do not use it: their errors are
+/// those of radiance, clipped at white.
 [[nodiscard]] RenderSettings judged_by(RenderSettings settings, ToneCurve curve);
 
-/// The camera as the settings' method sees through it: its lens in focus, or a pinhole where the
-/// method takes no lens.
+/// Returns the camera that the settings' method uses: with its lens focused, or a pinhole if the
+/// method does not support lenses.
 [[nodiscard]] Camera viewed_camera(const RenderScene& scene, const Camera& camera,
                                    const RenderSettings& settings);
 
-/// Side of the aligned blocks of pixels that are rendered as one piece of work.
+/// Returns the side of the aligned blocks of pixels that are the unit of work.
 [[nodiscard]] int block_side(const RenderSettings& settings);
 
-/// The largest scene that beam tracing takes. Each block looks at every triangle, which is nearly
-/// all its time: at this size some 0.6 ms a pixel, or ten minutes of one core for 1280x720.
+/// The largest scene for beam tracing, in triangles. Each block tests every triangle, which takes
+/// nearly all its time: at this size some 0.6 ms per pixel, or ten minutes of one core for
+/// 1280x720.
 inline constexpr std::size_t most_beam_triangles = 300'000;
 
-/// Whether the method can render the scene, or why not: beam tracing refuses large ones.
+/// Returns an error if the method cannot render the scene: beam tracing refuses large scenes.
 [[nodiscard]] Result<void> check_method(const RenderScene& scene, const RenderSettings& settings);
 
 }  // namespace asos

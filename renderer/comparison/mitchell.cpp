@@ -16,7 +16,7 @@ namespace asos {
 namespace {
 
 constexpr int most_base_samples = 4;
-/// Mitchell's, of red, green and blue.
+/// Mitchell's contrast thresholds of red, green and blue.
 constexpr glm::dvec3 thresholds{0.4, 0.3, 0.6};
 
 class TwoLevels {
@@ -32,7 +32,8 @@ class TwoLevels {
         places_(job.settings.seed),
         sums_(job.scene, job.view, job.settings, places_) {}
 
-  // Sum 0 to pixels_ - 1: what the high density adds to a pixel. Then each base sample by itself.
+  // Sums 0 to pixels_ - 1 hold the additional samples of each pixel. The base samples follow, one
+  // sum each.
   BlockResult run() {
     sums_.resize(pixels_ * static_cast<std::size_t>(1 + base_));
     if (take_base() && high_ > base_) take_more();
@@ -84,7 +85,8 @@ class TwoLevels {
     return sums_.add({{x + p.x, y + p.y}, side, x, y, index, target});
   }
 
-  // Whether (max - min) / (max + min) of the base samples reaches the threshold of some channel.
+  // Returns whether (max - min) / (max + min) of the base samples reaches the threshold of some
+  // channel.
   [[nodiscard]] bool contrasts(std::size_t pixel) const {
     if (scale_ == 0.0) return true;
     glm::dvec3 lo(0.0), hi(0.0);
@@ -129,13 +131,13 @@ class TwoLevels {
 
 }  // namespace
 
-/// Two-level sampling (Mitchell 1987): the first four of `settings.sampling.spp` Sobol points; and
-/// the rest, too, where (max - min) / (max + min) of those four reaches
-/// `settings.sampling.contrast_scale` times 0.4, 0.3 or 0.6 in linear red, green or blue, as they
-/// are (Mitchell's rule) or as a curve displays them, where `settings.judged_tone` is one. Each
-/// pixel decides by its own samples and not by its neighbours', all its samples weigh the same, and
-/// the filter is the pixel's box; Mitchell's cells hold eight or nine samples and his filter is
-/// wider. With up to four samples it is `sobol`.
+/// Two-level sampling (Mitchell 1987) with `settings.sampling.spp` Sobol points. Takes the first
+/// four points, and the others only if (max - min) / (max + min) of those four reaches
+/// `settings.sampling.contrast_scale` times 0.4, 0.3 or 0.6 in red, green or blue. The colours are
+/// linear (Mitchell's rule), or displayed by the curve `settings.judged_tone`, if it is set.
+/// Differences from Mitchell: each pixel decides by its own samples and not by its neighbours'; all
+/// its samples have equal weights; the filter is the pixel's box, while his cells hold eight or
+/// nine samples and his filter is wider. With up to four samples it is equal to `sobol`.
 BlockResult render_block_mitchell(const BlockJob& job) {
   return TwoLevels(job).run();
 }

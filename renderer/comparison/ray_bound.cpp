@@ -43,8 +43,8 @@ class BoundedBlock {
   }
 
  private:
-  // The stratum whose sample is the centre's: one in the middle, which has the centre as its own
-  // middle or as its corner.
+  // Returns the stratum whose sample is replaced by the centre's: a central one, which has the
+  // pixel's centre as its own centre or as its corner.
   [[nodiscard]] int middle() const { return n_ / 2 * n_ + n_ / 2; }
 
   [[nodiscard]] int x_of(std::size_t pixel) const {

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-// Adaptive sampling by the standard error of each pixel, as production renderers do it.
+// Adaptive sampling by the standard error of each pixel, as in production renderers.
 
 namespace asos {
 namespace {
@@ -20,22 +20,22 @@ namespace {
 constexpr int quarter_count = 4;
 constexpr int first_samples = 16;
 
-// 4^MAX * 4, and never fewer than the first round takes.
+// Returns 4^MAX * 4, but at least the number of the first round.
 int most_samples(int max_level) {
   return std::max(first_samples, 4 << (2 * max_level));
 }
 
-// MAX with which this number of samples is the most; 0 for the first round's.
+// Returns the smallest MAX that allows this many samples; 0 for those of the first round.
 std::uint8_t level_of(int samples) {
   if (samples <= first_samples) return 0;
   const int doublings = std::bit_width(static_cast<unsigned>(samples) / 4) - 1;
   return static_cast<std::uint8_t>((doublings + 1) / 2);
 }
 
-/// A pixel's samples by quarters, each of which is as well distributed as its size allows.
+/// A pixel's samples in four groups, each as well distributed as its size allows.
 struct Quarters {
   std::array<SampleSums::Sum, quarter_count> sums;
-  int samples = 0;  ///< taken, those that were not finite too
+  int samples = 0;  ///< including those that were not finite
 
   void halve() {
     for (std::size_t q = 0; q < 2; ++q) {
@@ -51,7 +51,7 @@ struct Quarters {
     }
     return all.mean();
   }
-  /// Of the mean as it is displayed, in the channel that is off most.
+  /// Returns the standard error of the displayed mean, in the channel with the largest error.
   [[nodiscard]] double standard_error(ToneCurve judged) const {
     const glm::dvec3 shown = displayed_intensity(mean(), judged);
     glm::dvec3 squares(0.0);
@@ -81,7 +81,7 @@ class SamplesUntilEps {
     for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) active_.push_back(pixel);
   }
 
-  // Round by round: the samples of all pixels that go on fill packets together.
+  // Works round by round, so that the samples of all active pixels fill packets together.
   BlockResult run() {
     int first = 0;
     for (int end = first_samples; end <= most_ && !active_.empty(); end *= 2) {
@@ -101,8 +101,8 @@ class SamplesUntilEps {
   }
 
  private:
-  // Leaves the pixels that are off by more than EPS, and those of their neighbours that are still
-  // there: a wire or an edge that the samples of one pixel miss shows in the next one.
+  // Keeps the pixels with an error above EPS, and their active neighbours: a wire or an edge that
+  // the samples of one pixel miss often appears in the next one.
   void keep_unsure() {
     std::vector<std::uint8_t> wanted(pixels_.size(), 0);
     for (const std::size_t pixel : active_) {
@@ -116,8 +116,9 @@ class SamplesUntilEps {
     std::erase_if(active_, [&](std::size_t pixel) { return !wanted[pixel]; });
   }
 
-  // Samples `first` to `end` - 1 of the pixels that go on: all four quarters in the first round,
-  // and the last two of twice as many in each other. False once it is to stop.
+  // Takes samples `first` to `end` - 1 of the active pixels: all four quarters in the first round,
+  // and in each later round the last two of quarters twice as large. Returns false if it was
+  // stopped.
   [[nodiscard]] bool take(int first, int end) {
     const int size = end / quarter_count;
     const auto parts = static_cast<std::size_t>((end - first) / size);
@@ -161,20 +162,21 @@ class SamplesUntilEps {
   double width_;
   std::vector<Quarters> pixels_;
   std::vector<float> rays_;
-  std::vector<std::size_t> active_;  // pixels that go on, in their order
+  std::vector<std::size_t> active_;  // pixels still being sampled, in order
   SobolPlaces places_;
   SampleSums sums_;  // of this round
 };
 
 }  // namespace
 
-/// Sobol points, pixel by pixel until its standard error and its neighbours' in the block are EPS
-/// at most: the first 16, then twice as many each round, 4^MAX * 4 at most. The error is told by
-/// the four quarters of the samples, as the pixel is displayed by `settings.judged_tone`.
-/// Without the neighbours it takes 1.5 to 2.5 times as long to the same error (boxes and fence,
-/// RMSE 0.002), for what the first samples of a pixel miss is never found. All samples count, those
-/// that the decision was made by too, which biases a pixel by less than what it may be off (Kirk
-/// and Arvo 1991, "Unbiased sampling techniques for image synthesis").
+/// Adaptive Sobol sampling: samples each pixel until its standard error and that of its neighbours
+/// in the block are at most EPS. It takes 16 samples first, doubles them each round, and stops at
+/// 4^MAX * 4. The standard error is estimated from four groups of the samples, after display by
+/// `settings.judged_tone`.
+/// Without the neighbours it takes 1.5 to 2.5 times as long for the same error (boxes and fence,
+/// RMSE 0.002), since features that the first samples of a pixel miss would never be found. All
+/// samples count, including those used for the decision. This biases a pixel by less than its
+/// allowed error (Kirk and Arvo 1991, "Unbiased sampling techniques for image synthesis").
 BlockResult render_block_sobol_adaptive(const BlockJob& job) {
   return SamplesUntilEps(job).run();
 }

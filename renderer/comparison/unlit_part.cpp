@@ -9,7 +9,7 @@
 namespace asos {
 namespace {
 
-// Weights add up to 1 but for rounding.
+// Tolerance for the rounding of weights, which add up to 1.
 constexpr float rounding = 1e-5f;
 
 RenderSettings unlit_pass(RenderSettings settings, PixelContent content) {
@@ -40,7 +40,7 @@ void add_unlit_share(const BlockResult& share, BlockResult& result) {
   if (found.size() != tile.radiance.size() || std::all_of(found.begin(), found.end(), none)) return;
   tile.unlit.reserve(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    // Colours differ behind tinted glass.
+    // The channels differ behind tinted glass.
     const float mean = (found[i].x + found[i].y + found[i].z) / 3.0f;
     const float rounded = mean > 1.0f - rounding ? 1.0f : std::max(mean, 0.0f);
     tile.unlit.emplace_back(rounded > 0.0f ? tile.radiance[i] : glm::vec3(0.0f), rounded);

@@ -15,12 +15,12 @@
 #include <vector>
 
 // Adaptive supersampling in image space (Whitted 1980; CGF'98 section 2.3): rays through the
-// corners of pixels, and through those of quarters where the corners differ.
+// corners of pixels, and through those of quarters if the corners differ.
 
 namespace asos {
 namespace {
 
-/// A corner of squares, in units of 2^-depth pixels from the block's top left corner.
+/// A corner of a square, in units of 2^-depth pixels from the block's top left corner.
 struct Corner {
   int x = 0;
   int y = 0;
@@ -53,7 +53,7 @@ class AdaptiveBlock {
 
   BlockResult run() {
     take_pixels_corners();
-    // Samples between them are kept for a few pixels at a time, so that memory stays bounded.
+    // Samples between them are kept for a few pixels at a time, which bounds the memory.
     const int side = std::max(1, most_cells_across >> depth_);
     for (int y = 0; y < job_.block.height; y += side) {
       for (int x = 0; x < job_.block.width; x += side) {
@@ -139,7 +139,7 @@ class AdaptiveBlock {
     area_[square.pixel] += area;
   }
 
-  // Its quarters, and rays through the corners that they have and it has not.
+  // Splits a square into quarters, and samples their new corners.
   void split(const CornerSquare& square, int level, std::vector<CornerSquare>& quarters) {
     std::uint8_t& deepest = result_.tile.split_level[square.pixel];
     deepest = std::max(deepest, static_cast<std::uint8_t>(level + 1));
@@ -157,7 +157,7 @@ class AdaptiveBlock {
     quarters.push_back({at(1, 1), {e, f, h, i}, square.pixel});
   }
 
-  // The sample of a corner that a level brings, taken when it is first asked for.
+  // Returns the sample of a corner that is new at a level; takes it on the first request.
   [[nodiscard]] std::size_t between(Corner corner, int level) {
     const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(corner.y)} << 32 |
                               static_cast<std::uint32_t>(corner.x);
@@ -169,7 +169,7 @@ class AdaptiveBlock {
     return found->second;
   }
 
-  // Whether a square's corners look different enough, or one of their rays may have missed a small
+  // Returns whether a square's corners differ enough, or one of their rays may have missed a small
   // object.
   [[nodiscard]] bool differ(const CornerSquare& square, int level) const {
     glm::vec3 lo(1.0f), hi(0.0f);
@@ -191,8 +191,9 @@ class AdaptiveBlock {
     return false;
   }
 
-  // A corner's sample depends on its place in the picture alone: it stands for a square of the
-  // coarsest level that has it, and looks at the lights as that level's first ones do.
+  // Takes a corner's sample, which depends on its position in the picture alone. Its footprint is a
+  // square of the coarsest level that contains it, and its light samples are the first ones of that
+  // level.
   void take(Corner corner, int level, std::size_t target) {
     const int last = 1 << depth_;
     const glm::dvec2 p = place(corner);
@@ -204,7 +205,7 @@ class AdaptiveBlock {
     if (!stopped_ && sums_.add(sample)) stopped_ = job_.stop.stop_requested();
   }
 
-  // The rank of a place in a pixel: coarser levels first, so that what a level adds continues a
+  // Returns the rank of a position in a pixel, coarser levels first, so that each level continues a
   // Sobol sequence over the lights.
   [[nodiscard]] int rank(int x, int y) const {
     int number = 0;
@@ -248,12 +249,12 @@ class AdaptiveBlock {
 }  // namespace
 
 /// Adaptive supersampling in image space (Whitted 1980; CGF'98 section 2.3). Samples lie at the
-/// pixels' corners; a square of which they differ by more than `settings.sampling.contrast` in
-/// display intensity (by `settings.judged_tone`), in any channel, is split into four, down to
-/// `settings.sampling.depth`. A pixel is the mean of its squares' corners, by area. A corner is
-/// shared by all squares around it, and looks at one point of each light, which its place and the
-/// seed tell. With `settings.sampling.spheres` squares are also split where a corner's ray goes
-/// through the EnlargedSpheres of an object that it misses.
+/// pixels' corners. A square is split into four if its corners differ by more than
+/// `settings.sampling.contrast` in display intensity (by `settings.judged_tone`), in any channel,
+/// down to `settings.sampling.depth`. A pixel is the mean of its squares' corners, by area. A
+/// corner is shared by all squares around it. It samples one point of each light, which depends on
+/// its position and the seed. With `settings.sampling.spheres` squares are also split if a corner's
+/// ray passes through the EnlargedSpheres of an object that it misses.
 BlockResult render_block_whitted(const BlockJob& job) {
   return AdaptiveBlock(job).run();
 }

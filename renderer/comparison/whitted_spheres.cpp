@@ -21,7 +21,7 @@ EnlargedSpheres::EnlargedSpheres(std::span<const ObjectSphere> spheres, const Vi
   const glm::dvec3 forward(spacing.forward), right(spacing.right), down(spacing.down);
   const Frame frame = view.frame(block.x, block.y, block.width, block.height);
   const glm::dvec3 ahead = frame.direction();
-  // Rays may start ahead of the apex, each at a place of its own.
+  // Rays may start in front of the apex, each at a different point.
   const glm::dvec3 eye =
       frame.parallel()
           ? glm::dvec3(view.ray(block.x + 0.5 * block.width, block.y + 0.5 * block.height).origin)
@@ -35,12 +35,13 @@ EnlargedSpheres::EnlargedSpheres(std::span<const ObjectSphere> spheres, const Vi
   const double whole = half_diagonal(block.width, block.height);
   for (const ObjectSphere& sphere : spheres) {
     const double depth = glm::dot(sphere.centre - eye, forward);
-    // Lengths in the picture are those one unit ahead of the eye.
+    // Distances in the picture are at unit distance from the eye.
     const double farthest = spacing.perspective ? depth + sphere.radius : 1.0;
     const Near near{sphere, pixel * farthest};
-    // A plane across the view at the farthest point is no wider between samples anywhere before.
+    // The spacing of samples is largest in the plane across the view at the farthest point.
     if (!(farthest > 0.0) || sphere.thickness > 2.0 * near.half_diagonal) continue;
-    // No point of the pyramid around the block is farther from its middle ray, at the same depth.
+    // At any depth, all points of the pyramid around the block are within this distance of its
+    // central ray.
     const glm::dvec3 on_middle = eye + depth * per_cosine * ahead;
     const double enlarged = sphere.radius + near.half_diagonal;
     const double reach = enlarged * (1.0 + per_cosine) + whole * (farthest + near.half_diagonal);

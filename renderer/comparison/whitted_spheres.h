@@ -18,26 +18,25 @@ namespace asos {
 /// sphere sufficiently large so that if the object projection intersects a pixel, then at least one
 /// of the 4 rays will intersect the sphere").
 ///
-/// Small is what may slip between samples a pixel apart: objects that stray from their longest line
-/// by no more than the diagonal of a pixel there. Plates that are seen edge-on do not count, nor do
-/// the parts of an object, nor shadows, gaps and holes. Each sphere grows by half the diagonal of
-/// the square between samples, so that no place of the object is farther from the nearest corner of
-/// its square.
+/// An object is small if it can fall between samples one pixel apart: its distance from its longest
+/// line is at most the diagonal of a pixel there. Edge-on plates, parts of objects, shadows, gaps
+/// and holes are not handled. Each sphere is enlarged by half the diagonal of the square between
+/// samples, so that every point of the object is within reach of the nearest corner of its square.
 class EnlargedSpheres {
  public:
-  /// Those of `spheres` that rays of `block` can meet.
+  /// Keeps those of `spheres` that rays of `block` can hit.
   EnlargedSpheres(std::span<const ObjectSphere> spheres, const View& view, PixelRect block);
 
   [[nodiscard]] bool empty() const { return near_.empty(); }
 
-  /// Whether a ray of the block goes through the sphere of an object that it misses, before or at
-  /// its hit. Samples are 2^-level pixels apart.
+  /// Returns whether a ray of the block passes through the sphere of an object that it misses, at
+  /// or before its hit. Samples are 2^-level pixels apart.
   [[nodiscard]] bool missed(const Ray& ray, const Hit& hit, const World& world, int level) const;
 
  private:
   struct Near {
     ObjectSphere sphere;
-    double half_diagonal = 0.0;  // of a pixel, in the world, where that is largest in the sphere
+    double half_diagonal = 0.0;  // of a pixel, in world units, at the sphere's most distant point
   };
   std::vector<Near> near_;
 };

@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-// Each halving of an arc leaves a quarter of what it strays.
+// Each halving of an arc leaves a quarter of its deviation.
 constexpr int most_halvings = 12;
 // A texture with more cells on its curve is noise.
 constexpr std::size_t endless_cells = std::size_t{1} << 22;
@@ -16,7 +16,7 @@ std::int64_t floor_division(std::int64_t a, std::int64_t b) {
   return a / b - (a % b < 0 ? 1 : 0);
 }
 
-/// The curve v00 + b x + c y + d x y = 0 in a unit cell: with X = c + d x and Y = b + d y a
+/// The curve v00 + b x + c y + d x y = 0 in a unit cell. With X = c + d x and Y = b + d y it is the
 /// hyperbola X Y = b c - d v00. On a branch neither X nor Y changes its sign.
 struct Hyperbola {
   double b, c, d;
@@ -24,19 +24,19 @@ struct Hyperbola {
   explicit Hyperbola(const std::array<double, 4>& v)
       : b(v[1] - v[0]), c(v[2] - v[0]), d(v[0] - v[1] - v[2] + v[3]) {}
 
-  /// Bytes differ by more than this, where they differ.
+  /// If byte values differ, they differ by more than this.
   [[nodiscard]] bool straight() const {
     return std::abs(d) <= 1e-6 * (std::abs(b) + std::abs(c) + std::abs(d));
   }
-  /// The point of the branch between two of its points that is farthest from their chord: where the
-  /// branch runs along it, which is at both coordinates' geometric mean.
+  /// Returns the point of the branch between p and q that is farthest from their chord. There the
+  /// branch is parallel to the chord; X and Y are their geometric means.
   [[nodiscard]] glm::dvec2 farthest(glm::dvec2 p, glm::dvec2 q) const {
     const auto mean = [](double from, double to) {
       return std::copysign(std::sqrt(std::max(0.0, from * to)), from + to);
     };
     const glm::dvec2 between((mean(c + d * p.x, c + d * q.x) - c) / d,
                              (mean(b + d * p.y, b + d * q.y) - b) / d);
-    // Rounding may place it beside the branch, but not beyond its ends.
+    // Rounding may place it next to the branch, but not beyond its ends.
     return glm::clamp(between, glm::min(p, q), glm::max(p, q));
   }
 };
@@ -47,13 +47,13 @@ double distance_from_chord(glm::dvec2 p, glm::dvec2 q, glm::dvec2 at) {
   return length > 0.0 ? std::abs(chord.x * off.y - chord.y * off.x) / length : glm::length(off);
 }
 
-/// Collects the pieces of one cell; points come in units of the cell.
+/// Collects the pieces of one cell; points are in units of the cell.
 struct PieceList {
   const ContourCell& cell;
   std::vector<ContourPiece>& pieces;
   double tolerance;
 
-  // Ends of cells are whole numbers, to which 0 and 1 lead exactly.
+  // A cell's ends are whole numbers, so 0 and 1 map to them exactly.
   [[nodiscard]] glm::dvec2 placed(glm::dvec2 p) const {
     return {p.x == 1.0 ? cell.hi.x : cell.lo.x + p.x * (cell.hi.x - cell.lo.x),
             p.y == 1.0 ? cell.hi.y : cell.lo.y + p.y * (cell.hi.y - cell.lo.y)};
@@ -108,7 +108,7 @@ std::int64_t AlphaContour::Axis::texel(std::int64_t i) const {
   return within < size ? within : 2 * size - 1 - within;
 }
 
-// Beyond the edge all is as at the edge, however far.
+// Beyond the edge of a clamped texture, everything is as at the edge.
 glm::dvec2 AlphaContour::Axis::extent(std::int64_t cell, double x0, double x1) const {
   glm::dvec2 range(static_cast<double>(cell), static_cast<double>(cell + 1));
   if (wrap != Wrap::clamp_to_edge) return range;
@@ -126,7 +126,8 @@ AlphaContour::AlphaContour(const Image& image, const Texture& sampler, float fac
     const float alpha = factor * static_cast<float>(static_cast<double>(byte) / 255.0);
     value_of_[byte] = static_cast<double>(alpha) - static_cast<double>(cutoff);
   }
-  // Alpha lies between 0 and 1: below, nothing is cut out, and above, all is.
+  // Alpha lies between 0 and 1. With a lower cut-off nothing is cut out, and with a higher one
+  // everything is.
   if (cutoff > 0.0f && cutoff <= 1.0f) find_mixed_cells();
 }
 
@@ -150,7 +151,7 @@ void AlphaContour::find_mixed_cells() {
   const std::int64_t top = down_.wrap == Wrap::clamp_to_edge ? -1 : 0;
   std::array<std::uint8_t, 256> keeps{};
   for (std::size_t byte = 0; byte < keeps.size(); ++byte) keeps[byte] = value_of_[byte] >= 0.0;
-  // Where in a row of the image the alphas of a period are.
+  // Places, in a row of the image, of the alphas of a period.
   std::vector<std::size_t> places;
   for (std::int64_t x = first; x <= first + across_.period(); ++x)
     places.push_back(4 * static_cast<std::size_t>(across_.texel(x)) + 3);
@@ -219,7 +220,7 @@ void AlphaContour::find_pieces(const ContourCell& cell, double tolerance,
                                std::vector<ContourPiece>& pieces) const {
   const auto& v = cell.value;
   const auto inside = [&](int i) { return v[static_cast<std::size_t>(i)] >= 0.0; };
-  // Where the curve crosses the side between two corners.
+  // Returns where the curve crosses the side between two corners.
   const auto crossing = [&](std::size_t i, std::size_t k) {
     return nearest_ ? 0.5 : v[i] / (v[i] - v[k]);
   };
@@ -232,7 +233,7 @@ void AlphaContour::find_pieces(const ContourCell& cell, double tolerance,
   const Hyperbola curve(v);
   const auto add = [&](glm::dvec2 p, glm::dvec2 q) {
     if (nearest_ && p.x != q.x && p.y != q.y) {
-      // Around a texel's corner.
+      // Pass around a texel's corner.
       list.add(p, glm::dvec2(0.5));
       list.add(glm::dvec2(0.5), q);
     } else if (nearest_ || curve.straight()) {
@@ -260,7 +261,8 @@ void AlphaContour::find_pieces(const ContourCell& cell, double tolerance,
     default:
       return;
   }
-  // Corners across are alike: two arcs, which cut off those that the saddle between is not like.
+  // Diagonal corners are alike, so there are two arcs. Each cuts off a corner that differs from the
+  // saddle in between.
   const double saddle = (v[0] * v[3] - v[1] * v[2]) / (v[0] - v[1] - v[2] + v[3]);
   if ((saddle >= 0.0) == inside(0)) {
     add(top(), right());

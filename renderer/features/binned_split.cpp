@@ -12,7 +12,7 @@ namespace {
 
 constexpr int bin_count = 16;
 
-// Four at a time, in the vectors that GCC and Clang offer and all processors have; the fourth is
+// Four floats at a time, in the vectors that GCC and Clang offer on all processors. The fourth is
 // not used.
 using Floats = float __attribute__((vector_size(4 * sizeof(float))));
 
@@ -29,7 +29,8 @@ struct FastBox {
 
 FastBox fast_box(const EdgeItem& item) {
   static_assert(offsetof(Box, hi) == 3 * sizeof(float));
-  // The three before the edge's number and, from one place earlier on, the three after `lo`.
+  // Load four numbers each: `lo` and the next number, and `hi` with the number before it. Both
+  // loads stay within the box.
   FastBox fast;
   std::memcpy(&fast.lo, &item.box.lo.x, sizeof fast.lo);
   std::memcpy(&fast.hi, &item.box.lo.z, sizeof fast.hi);

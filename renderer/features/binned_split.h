@@ -8,15 +8,16 @@
 
 namespace asos {
 
-/// An edge as the hierarchy sorts it: its number and its box.
+/// An edge in the hierarchy's sort: its number and its box.
 struct EdgeItem {
   Box box;
   std::uint32_t edge = 0;
 };
 using EdgeItems = std::span<EdgeItem>;
 
-/// Sorts the items into two halves by the cheapest of the planes between bins, by the sum of the
-/// boxes' extents, or by count where all centres agree. Neither is empty where there are two.
+/// Splits the items into two halves by the cheapest plane between bins. The cost is the sum of the
+/// boxes' extents. If all centres are equal, splits by count. Neither half is empty if there are
+/// two items.
 [[nodiscard]] std::pair<EdgeItems, EdgeItems> binned_split(EdgeItems items);
 
 }  // namespace asos

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-// Vectors are handed to functions that are inlined only: no calling convention is concerned.
+// Vectors are passed to inlined functions only, so no calling convention matters.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace asos {
@@ -22,7 +22,7 @@ struct Keyed {
   std::uint32_t triangle;
 };
 
-// Two zeros between all bits.
+// Inserts two zeros between all bits.
 std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 32) & 0x1f00000000ffffULL;
   x = (x | x << 16) & 0x1f0000ff0000ffULL;
@@ -86,7 +86,7 @@ BoxTree::BoxTree(const World& world, std::vector<std::uint32_t> triangles,
   if (triangles_.empty()) return;
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr OneBox nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  // Level by level, each the union of the one before, up to a root.
+  // Add levels up to the root, where each node is the union of its children.
   const auto add_level = [&](std::size_t children, const auto& box_of_child) {
     std::vector<Boxes> level(nodes_for(children));
     in_parallel(level.size(), stop, [&](std::uint32_t node) {
@@ -123,7 +123,7 @@ void BoxTree::put(Boxes& boxes, std::size_t i, const OneBox& box) {
 }
 
 BoxTree::Lanes BoxTree::overlapping(const Boxes& boxes, const OneBox& box) {
-  // Four at a time, in the vectors that GCC and Clang offer and all processors have.
+  // Four at a time, in the vectors that GCC and Clang offer on all processors.
   constexpr std::size_t few = 4;
   using Floats = float __attribute__((vector_size(sizeof(float) * few)));
   using Masks = std::int32_t __attribute__((vector_size(sizeof(float) * few)));

@@ -11,17 +11,16 @@
 
 namespace asos {
 
-/// The boxes of a world's first triangles, in a tree of eight children
-/// a node whose leaves follow a Morton curve (Karras 2012 orders triangles so; here the tree is the
-/// implicit complete one). Finds the pairs of triangles whose boxes overlap. Immutable: any number
-/// of threads.
+/// A tree over the boxes of a world's first triangles, with eight children per node and leaves
+/// along a Morton curve (Karras 2012 orders triangles so; here the tree is the implicit complete
+/// one). Finds the pairs of triangles with overlapping boxes. Immutable: any number of threads.
 class BoxTree {
  public:
   static constexpr std::size_t width = 8;
 
   /// Throws SearchStopped once `stop` is requested.
   BoxTree(const World& world, std::size_t triangles, const std::stop_token& stop = {});
-  /// Of some triangles.
+  /// Builds the tree of some triangles.
   BoxTree(const World& world, std::vector<std::uint32_t> triangles,
           const std::stop_token& stop = {});
   explicit BoxTree(const World& world, const std::stop_token& stop = {})
@@ -29,13 +28,13 @@ class BoxTree {
 
   [[nodiscard]] std::size_t leaf_count() const { return levels_.empty() ? 0 : levels_[0].size(); }
 
-  /// Visits the pairs of triangles with overlapping boxes, touching ones included, of which one is
-  /// in `leaf` and the other there or in a later leaf: over all leaves, each pair once. `visit`
-  /// gets the two triangles, the lower one first, and says whether to go on.
+  /// Visits the pairs of triangles with overlapping boxes, including touching ones. One triangle is
+  /// in `leaf`, and the other there or in a later leaf, so all leaves together give each pair once.
+  /// `visit` gets the two triangles, the lower one first, and returns whether to continue.
   template <typename Visit>
   void visit_pairs(std::size_t leaf, Visit&& visit) const {
     const OneBox all = box_of_leaf(leaf);
-    // Nodes whose boxes are to be looked at: at most `width` are added for each level.
+    // Nodes to visit: at most `width` are added for each level.
     struct Place {
       std::size_t level, node;
     };
@@ -57,7 +56,7 @@ class BoxTree {
   }
 
  private:
-  // Eight boxes, corner by corner; where there are fewer, the rest is empty and overlaps nothing.
+  // Eight boxes by coordinate. Unused ones are empty and overlap nothing.
   struct Boxes {
     float lo[3][width];
     float hi[3][width];
@@ -66,8 +65,8 @@ class BoxTree {
     float lo[3];
     float hi[3];
   };
-  using Lanes = std::uint32_t;                    // a bit for each of eight boxes
-  static constexpr std::size_t most_levels = 12;  // of 2^32 triangles, and one to spare
+  using Lanes = std::uint32_t;                    // one bit for each of eight boxes
+  static constexpr std::size_t most_levels = 12;  // enough for 2^32 triangles, plus one
 
   [[nodiscard]] static OneBox union_of(const Boxes& boxes);
   [[nodiscard]] static OneBox at(const Boxes& boxes, std::size_t i) {
@@ -79,7 +78,7 @@ class BoxTree {
     return at(levels_[1][leaf / width], leaf % width);
   }
   static void put(Boxes& boxes, std::size_t i, const OneBox& box);
-  /// Which of eight boxes a box overlaps.
+  /// Returns which of eight boxes overlap a box.
   [[nodiscard]] static Lanes overlapping(const Boxes& boxes, const OneBox& box);
   [[nodiscard]] static std::size_t first(Lanes lanes) {
     return static_cast<std::size_t>(std::countr_zero(lanes));
@@ -101,8 +100,9 @@ class BoxTree {
     return true;
   }
 
-  std::vector<std::uint32_t> triangles_;    // along the curve, `width` a leaf
-  std::vector<std::vector<Boxes>> levels_;  // [0]: triangles, by leaf; then of the level before
+  std::vector<std::uint32_t> triangles_;  // along the curve, `width` per leaf
+  // [0]: triangles, by leaf; the others: nodes of the level before.
+  std::vector<std::vector<Boxes>> levels_;
 };
 
 }  // namespace asos

@@ -10,9 +10,10 @@
 namespace asos {
 namespace {
 
-// Texture coordinates come as floats: with less area beside their extent they are on a line.
+// Texture coordinates are floats. A triangle with less area than this, relative to its extent, is
+// on a line.
 constexpr double least_area = 1e-7;
-// Beyond this a texel's number says nothing any more.
+// Beyond this, floats cannot resolve single texels.
 constexpr double farthest_texel = 1e9;
 
 struct Range {
@@ -29,7 +30,7 @@ Range heights_of(const TexturedTriangle& triangle) {
   return range;
 }
 
-// How far the triangle reaches sideways between two heights.
+// Returns the triangle's horizontal range between two heights.
 Range width_between(const TexturedTriangle& triangle, double y0, double y1) {
   Range range;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -49,7 +50,7 @@ bool TexturedTriangle::flat_in_texture() const {
   return !(std::abs(cross(a, b)) > least_area * longest);
 }
 
-// Negative to the left of the side, as y is drawn downwards.
+// Returns the signed distance to the side; negative on its left, since y points downwards.
 double ContourPlacer::Side::height(glm::dvec2 p) const {
   return cross(along, p - lo);
 }
@@ -59,8 +60,8 @@ glm::vec3 ContourPlacer::Side::placed(glm::dvec2 p) const {
   return glm::vec3(lo_position + t * along_position);
 }
 
-// Visits the cells near the triangle, row by row, as long as `visit` wants more. False where it
-// does not, or `looks` did not suffice.
+// Visits the cells near the triangle, row by row, while `visit` returns true. Returns false if it
+// does not, or if `looks` did not suffice.
 template <typename VisitCell>
 bool ContourPlacer::visit_cells(const TexturedTriangle& triangle, const AlphaContour& contour,
                                 std::size_t& looks, VisitCell visit) {
@@ -70,7 +71,7 @@ bool ContourPlacer::visit_cells(const TexturedTriangle& triangle, const AlphaCon
   const Range high = heights_of(triangle);
   const AlphaContour::Rows rows = contour.rows(high.lo, high.hi);
   for (std::int64_t row = rows.first; row < rows.end; ++row) {
-    // The first and the last row of a clamped texture go on beyond it.
+    // The first and the last row of a clamped texture extend beyond it.
     const double y0 = row == rows.first ? high.lo : static_cast<double>(row);
     const double y1 = row + 1 == rows.end ? high.hi : static_cast<double>(row + 1);
     const Range wide = width_between(triangle, y0, y1);
@@ -96,7 +97,7 @@ bool ContourPlacer::hides(glm::dvec2 p, glm::dvec2 q, const AlphaContour& contou
   TexturedTriangle line;
   line.texels = {p, q, q};
   const double length = glm::length(q - p);
-  // Touching counts as crossing; a curve is no farther from its chord than the chord is long.
+  // Touching counts as crossing. A curve is no farther from its chord than the chord is long.
   const auto passes_by = [&](const ContourPiece& piece) {
     const double h0 = cross(q - p, piece.from - p), h1 = cross(q - p, piece.to - p);
     return (h0 < 0.0) == (h1 < 0.0) &&
@@ -110,8 +111,8 @@ bool ContourPlacer::hides(glm::dvec2 p, glm::dvec2 q, const AlphaContour& contou
   return untouched && !contour.keeps(0.5 * (p + q));
 }
 
-// Two triangles at a side with the same texture coordinates agree to the bit on which parts of a
-// piece are whose, and on where it crosses the side.
+// Two triangles that share a side with the same texture coordinates agree bit for bit on two
+// things: which parts of a piece belong to whom, and where the piece crosses the side.
 void ContourPlacer::set_sides(const TexturedTriangle& triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
     std::size_t i = k, j = (k + 1) % 3;

@@ -19,20 +19,22 @@
 namespace asos {
 namespace {
 
-/// How far a piece may lie from its curve, in texels, as long as a part's lines are no more than a
-/// share of all: a thousandth of a pixel where eight pixels show a texel. What has many lines has
-/// many texels, and is seldom seen from so near; where a pixel shows one, it is a 256th of that.
+/// Largest distance of a piece from its curve, in texels, for a part with at most 1/`share` of all
+/// lines. The first is a thousandth of a pixel if a texel is eight pixels wide. Parts with many
+/// lines have many texels and are rarely seen from so near; if a texel is one pixel wide, the
+/// second is 1/256 of a pixel.
 struct Fineness {
   double tolerance;
   std::size_t share;
 };
 constexpr std::array finenesses{Fineness{1.0 / 8192.0, 64}, Fineness{1.0 / 256.0, 8},
                                 Fineness{1.0 / 128.0, 1}};
-// Vertices' alphas for which a material's texture is looked at. More are as good as one a triangle.
+// Largest number of different vertex alphas per material that get a contour of their own. With
+// more, nearly every triangle would need one.
 constexpr std::size_t most_factors = 16;
 constexpr std::size_t looks_between_checks = 1024;
-// A part is given up for too many lines before all of them are there, where so many of its
-// triangles, spread over it, have that many times what theirs may be.
+// A part is given up early if a survey of this many triangles, spread over it, finds `survey_slack`
+// times more lines than these may have.
 constexpr std::uint32_t surveyed = 64;
 constexpr std::size_t survey_slack = 2;
 
@@ -40,7 +42,7 @@ bool is_masked(const Material& m) {
   return surface_kind(m) == SurfaceKind::masked;
 }
 
-/// Equal places get one number.
+/// Gives equal places the same number.
 class PlaceNumbers {
  public:
   explicit PlaceNumbers(std::vector<glm::vec3>& positions) : positions_(positions) {}
@@ -82,7 +84,7 @@ class CutOutFinder {
     found_.hidden_sides.assign(world_.surface_count(), 0);
     for (const Part& part : world_.parts)
       if (is_masked(world_.materials[part.material])) outline(part);
-    // A shape without a texture is there or not.
+    // A shape without a texture is completely visible or completely cut out.
     for (std::uint32_t s = 0; s < world_.surface_count(); ++s) {
       const Material& m = world_.material_of(s);
       if (world_.is_face(s)) found_.outlined[s] = is_masked(m) && !m.base_color_texture.used();
@@ -107,7 +109,7 @@ class CutOutFinder {
 
   bool outline(const Part& part, double tolerance) {
     numbers_.forget();
-    // What one part wastes is not all that the others could have had.
+    // Limit each part, so that one cannot use up the looks of the others.
     const std::size_t others = budget_.looks - budget_.looks / 4;
     looks_ = budget_.looks / 4;
     const bool outlined = outline_triangles(part, tolerance);
@@ -115,8 +117,8 @@ class CutOutFinder {
     return outlined;
   }
 
-  // Whether a few of the part's triangles tell that all of them have too many lines: a survey may
-  // err, but must not refuse what fits.
+  // Returns whether a few of the part's triangles show that all of them have too many lines. The
+  // survey has a margin, so that it does not refuse parts that fit.
   bool hopeless(const Part& part, double tolerance) {
     if (part.triangle_count < 8 * surveyed) return false;
     const std::size_t looks = looks_;
@@ -149,7 +151,8 @@ class CutOutFinder {
     return true;
   }
 
-  // Whether the triangle's lines are all that cuts it out; nothing: the budget does not suffice.
+  // Returns whether the triangle's lines are all of its cut-outs; nothing if the budget does not
+  // suffice.
   std::optional<bool> outline(std::uint32_t triangle, double tolerance) {
     const Material& material = world_.material_of(triangle);
     const glm::uvec3 corners = world_.triangles[triangle];
@@ -170,7 +173,7 @@ class CutOutFinder {
     for (int k = 0; k < 3; ++k) {
       const auto at = static_cast<std::size_t>(k);
       shown.positions[at] = glm::dvec3(world_.positions[corners[k]]);
-      // Of one point of the texture's plane, both the rays' numbers.
+      // Use the same numbers as rays, so that equal points of the texture's plane stay equal.
       const glm::dvec3 uv(glm::dvec2(coordinates[corners[k]]), 1.0);
       shown.texels[at] = texel_place(*image, glm::dvec2(glm::dmat3(use.uv_transform) * uv));
     }
@@ -179,7 +182,7 @@ class CutOutFinder {
         found_.hidden_sides[triangle] |= static_cast<std::uint8_t>(1u << k);
     }
     if (contour->empty()) return true;
-    // Rays miss what has no area.
+    // Rays miss triangles without area.
     const glm::dvec3 area = glm::cross(shown.positions[1] - shown.positions[0],
                                        shown.positions[2] - shown.positions[0]);
     if (area == glm::dvec3(0.0)) return true;
@@ -189,7 +192,7 @@ class CutOutFinder {
     return true;
   }
 
-  // Null: it is endless, or there are too many.
+  // Returns null if the contour is endless, or if there are too many.
   const AlphaContour* contour_of(const Image& image, int texture_index, float factor,
                                  float cutoff) {
     const Texture& texture = world_.textures[static_cast<std::size_t>(texture_index)];
@@ -206,9 +209,9 @@ class CutOutFinder {
   using Key = std::tuple<const Image*, Wrap, Wrap, Filter, float, float>;
 
   const World& world_;
-  CutOutBudget budget_;         // what is left of the looks
-  std::size_t most_lines_ = 0;  // with those of a part
-  std::size_t looks_ = 0;       // what a part may take of them
+  CutOutBudget budget_;         // with the remaining looks
+  std::size_t most_lines_ = 0;  // including those of a part
+  std::size_t looks_ = 0;       // the looks that a part may use
   std::stop_token stop_;
   CutOuts found_;
   PlaceNumbers numbers_;

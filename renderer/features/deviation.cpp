@@ -11,7 +11,7 @@ namespace {
 
 using FacetBoxes = std::unordered_map<std::uint32_t, Box>;
 
-// The boxes of the facets with more than one triangle.
+// Returns the boxes of the facets with more than one triangle.
 FacetBoxes boxes_of(const World& world, DisjointSets& facets) {
   FacetBoxes boxes;
   const auto n = static_cast<std::uint32_t>(world.triangles.size());
@@ -45,7 +45,7 @@ struct Plane {
   }
 };
 
-// The largest of all, whichever thread comes first.
+// Raises a shared maximum, in any order of threads.
 void raise(float& most, float to) {
   std::atomic_ref shared(most);
   float there = shared.load(std::memory_order_relaxed);
@@ -64,7 +64,7 @@ std::vector<float> deviations(const World& world, DisjointSets& facets,
     const auto box = boxes.find(facets.find(to));
     const double d = box == boxes.end() ? plane.distance(glm::dvec3(world.positions[third]))
                                         : plane.distance(box->second);
-    // From where a flat facet's surface goes on, it goes on from all of the facet.
+    // The surface that continues from a flat facet continues from all its triangles.
     raise(deviation[facets.find(from)], static_cast<float>(d));
   };
   in_parallel(edges.size(), stop, [&](std::uint32_t i) {
@@ -73,7 +73,7 @@ std::vector<float> deviations(const World& world, DisjointSets& facets,
     depart(edge.left_sheet, edge.right_sheet, edge.right);
     depart(edge.right_sheet, edge.left_sheet, edge.left);
   });
-  // Each facet's is with its lowest triangle, which is before all others.
+  // Each facet's value is stored with its lowest triangle, which comes before all others.
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t)
     deviation[t] = deviation[facets.find(t)];
   return deviation;

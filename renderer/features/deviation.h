@@ -8,9 +8,9 @@
 
 namespace asos {
 
-/// How far the smooth surface leaves each triangle's plane within the neighbouring flat facets, in
-/// world units: see FeatureSet::deviation. `facets` joins triangles that lie in one plane. `edges`
-/// still name their triangles where later the sheets are.
+/// Returns how far the smooth surface deviates from each triangle's plane within the neighbouring
+/// flat facets, in world units: see FeatureSet::deviation. `facets` joins triangles in one plane.
+/// At this stage, `edges` have triangles in place of the surface numbers.
 [[nodiscard]] std::vector<float> deviations(const World& world, DisjointSets& facets,
                                             std::span<const FeatureEdge> edges,
                                             const std::stop_token& stop = {});

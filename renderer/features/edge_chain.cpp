@@ -35,7 +35,7 @@ std::optional<EdgeChain> join(std::span<const glm::vec3> positions,
     left.erase(next);
   }
   if (whole.from == whole.to) return std::nullopt;
-  // A chain between two joints is no farther from the line than the joints are, plus its own
+  // A chain between two joints is at most as far from the line as the joints are, plus its own
   // deviation.
   const glm::vec3 a = positions[whole.from], b = positions[whole.to];
   whole.deviation = 0.0f;

@@ -8,14 +8,14 @@
 
 namespace asos {
 
-/// Edges joined end to end, by the vertices where they begin and end.
+/// A chain of connected edges, by the vertices where it begins and ends.
 struct EdgeChain {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
-  float deviation = 0.0f;  ///< the farthest that they stray from the line between
+  float deviation = 0.0f;  ///< largest distance from the line between them
 };
 
-/// The one open chain that the parts form, if each is a chain and they form just one.
+/// Joins parts to one open chain, if each part is a chain and they form just one.
 [[nodiscard]] std::optional<EdgeChain> join(std::span<const glm::vec3> positions,
                                             std::span<const std::optional<EdgeChain>> parts);
 

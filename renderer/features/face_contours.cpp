@@ -12,11 +12,11 @@ constexpr int around = 256;
 constexpr int steps_along = 128;
 constexpr int bisections = 40;
 
-// How far from the other face, in the space of its unit surface, a point of a face still is on it.
-// Where two faces coincide the sign is mere rounding: every cell would be cut, and what is found
-// would be a boundary all over.
+// Returns the distance from the other face, in the space of its unit surface, within which a point
+// counts as on it. Where two faces coincide the sign is rounding noise: every cell would be cut,
+// and boundaries would cover the whole face.
 double touching(const ShapeFace& face, const ShapeFace& other) {
-  constexpr double least = 1e-9;  // of single precision, that all is given in, a hundredth
+  constexpr double least = 1e-9;  // 1/100 of the single precision of all input
   constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
   const FaceBounds box = bounds_of(face);
   const glm::dvec3 farthest = glm::max(glm::abs(box.lo), glm::abs(box.hi)) + glm::abs(other.origin);
@@ -46,10 +46,10 @@ class Contours {
   };
 
   [[nodiscard]] glm::dvec3 point(double u, double v) const {
-    // The seam is one line, whichever side it is met from.
+    // The seam must be the same line from both sides.
     return face_point(face_, u == around ? 0.0 : u / around, v / steps_along).position;
   }
-  // Its equation, above 0 outside.
+  // The other face's equation, above 0 outside.
   [[nodiscard]] double outside(glm::dvec3 p) const {
     const glm::dvec3 q = other_.unit(p);
     switch (other_.kind) {
@@ -62,7 +62,7 @@ class Contours {
     }
     return std::hypot(q.x, q.z) - other_.radius_at(q.y) - touching_;
   }
-  // Above 0 where the other face ends, and its equation's surface goes on.
+  // Above 0 where the other face ends and the surface of its equation continues.
   [[nodiscard]] double beyond(glm::dvec3 p) const {
     const glm::dvec3 q = other_.unit(p);
     if (other_.kind == ShapeFace::Kind::sphere) return -1.0;
@@ -76,7 +76,7 @@ class Contours {
     return values;
   }
 
-  // Where the sign changes between two neighbours of the grid, the lower one first.
+  // Returns where the sign changes between two neighbours of the grid, the lower one first.
   [[nodiscard]] glm::dvec3 crossing(Place a, Place b) const {
     double t0 = 0.0, t1 = 1.0;
     const auto at = [&](double t) { return point(a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)); };
@@ -88,7 +88,7 @@ class Contours {
     return at(0.5 * (t0 + t1));
   }
 
-  // A cell's contour: one piece, or two where opposite corners agree and neighbours do not.
+  // Finds a cell's contour: one piece, or two where diagonal corners agree and neighbours do not.
   void cut(Place c, const std::vector<double>& low, const std::vector<double>& high) {
     const auto u = static_cast<std::size_t>(c.u);
     const bool corner[4] = {low[u] > 0.0, low[u + 1] > 0.0, high[u + 1] > 0.0, high[u] > 0.0};
@@ -104,7 +104,7 @@ class Contours {
     for (int i = 0; i + 1 < count; i += 2) add(*ends[i], *ends[i + 1]);
   }
 
-  // The part of a piece on the other face itself.
+  // Adds the part of a piece that lies on the other face itself.
   void add(glm::dvec3 a, glm::dvec3 b) {
     const double at_a = beyond(a), at_b = beyond(b);
     if (at_a > 0.0 && at_b > 0.0) return;

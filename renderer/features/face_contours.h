@@ -13,10 +13,10 @@ struct FaceCrossing {
   glm::vec3 a, b;
 };
 
-/// The contour of `other` on `face`, which is curved: the cells of a grid over its coordinates,
-/// each cut where the other's equation changes sign. Ends are on both faces to single precision and
-/// neighbours share them; pieces are a 256th of the way around long. A part of the contour that is
-/// smaller than a cell may be missed. Where both coincide there is none.
+/// Returns the contour of `other` on `face`, which is curved. Each cell of a grid over its
+/// coordinates is cut where the other's equation changes sign. Ends are on both faces to single
+/// precision, and neighbours share them. The length of pieces is 1/256 of the way around. A part of
+/// the contour smaller than a cell may be missed. If both faces coincide there is no contour.
 [[nodiscard]] std::vector<FaceCrossing> face_contours(const ShapeFace& face,
                                                       const ShapeFace& other);
 

@@ -8,7 +8,7 @@
 namespace asos {
 namespace {
 
-// The ellipse along which lines through the unit sphere's outside touch it.
+// Returns the ellipse along which lines from outside touch the unit sphere.
 FaceOutline sphere_outline(const ShapeFace& face, const Frame& frame) {
   FaceOutline outline;
   glm::dvec3 axis(0.0);
@@ -16,7 +16,7 @@ FaceOutline sphere_outline(const ShapeFace& face, const Frame& frame) {
   if (frame.parallel()) {
     axis = glm::normalize(face.unit_from_world * frame.direction());
   } else {
-    // The polar of the apex a: the plane a . x = 1.
+    // The polar of the apex a is the plane a . x = 1.
     const glm::dvec3 a = face.unit(frame.apex());
     const double distance = glm::length(a);
     if (!(distance > 1.0)) return outline;
@@ -32,8 +32,9 @@ FaceOutline sphere_outline(const ShapeFace& face, const Frame& frame) {
   return outline;
 }
 
-// The normal (cos t, -widens, sin t) of the line at the angle t is square to the way to the apex:
-// distance * cos(t - middle) = radius that the side has, or would have, at the apex's height.
+// The normal (cos t, -widens, sin t) of the line at the angle t is perpendicular to the direction
+// to the apex. Hence distance * cos(t - middle) = radius, where the radius is that of the side, or
+// of its continuation, at the apex's height.
 FaceOutline side_outline(const ShapeFace& face, const Frame& frame) {
   FaceOutline outline;
   glm::dvec3 a;
@@ -84,7 +85,7 @@ class ShapeFeatureFinder {
   void add(std::uint32_t f) {
     const ShapeFace& face = world_.faces[f];
     if (face.kind == ShapeFace::Kind::disk) {
-      // A cap's rim is that of the side before it.
+      // A cap has the same rim as the side before it.
       const bool cap = f > 0 && world_.faces[f - 1].part == face.part;
       if (!cap)
         add_rim(FeatureKind::open, ring(face, 0.0), FeatureCurve::none, f, FeatureEdge::none);
@@ -127,7 +128,7 @@ class ShapeFeatureFinder {
   ShapeFeatures found_;
 };
 
-// The most that a unit vector grows, from above: what is left out of rows does not count.
+// Returns an upper bound on the growth of a unit vector; without `all_rows`, row 1 is left out.
 double largest_growth(const glm::dmat3& m, bool all_rows) {
   double square = 0.0;
   for (int c = 0; c < 3; ++c) {
@@ -162,8 +163,9 @@ ShapeFeatures shape_features(const World& world) {
   return ShapeFeatureFinder(world).run();
 }
 
-// In the unit space a chord of length c leaves the sphere's plane by c^2 / 2, and a cone's by as
-// much over its radius there. Heights above the plane shrink by the length of the normal's image.
+// In unit space, a chord of length c deviates from a sphere's plane by c^2 / 2, and from a cone's
+// by that over its radius there. Heights above the plane shrink by the length of the normal's
+// image.
 double face_deviation(const ShapeFace& face, glm::dvec3 position, double reach) {
   if (face.kind == ShapeFace::Kind::disk) return 0.0;
   const glm::dvec3 p = face.unit(position);

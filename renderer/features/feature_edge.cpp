@@ -18,9 +18,9 @@ namespace asos {
 namespace {
 
 // Faces whose dihedral angle differs from 180 degrees by less than this (radians, as the sine) are
-// coplanar: a silhouette there would shift the picture by that share of the face's size only.
+// coplanar. A silhouette there would change the picture only by that fraction of the face's size.
 constexpr double coplanar_sine = 1e-5;
-// At most so many triangles on the same three corners that look different are distinguished.
+// Largest number of different-looking triangles with the same three corners that are compared.
 constexpr std::size_t most_alternatives = 4;
 
 // There are three for each triangle, so every byte counts.
@@ -29,7 +29,7 @@ struct HalfEdge {
   HalfEdge(std::uint32_t to, std::uint32_t corner, std::uint32_t of, bool up)
       : high(to), third(corner), triangle(of & 0x7fffffffu), ascends(up) {}
 
-  std::uint32_t high = 0;  // the end with the higher index; the lower one is the bucket
+  std::uint32_t high = 0;  // the end with the higher index; the bucket is the lower one
   std::uint32_t third = 0;
   std::uint32_t triangle : 31 = 0;
   std::uint32_t ascends : 1 = 0;  // the triangle's corners run from the lower end to this one
@@ -54,7 +54,7 @@ class Extractor {
   ExtractedFeatures run() {
     bucket_half_edges();
     ExtractedFeatures out;
-    // Of a closed mesh's edges each has two halves. What is reserved and not used takes no memory.
+    // In a closed mesh each edge has two halves. Reserved and unused capacity takes no memory.
     out.edges.reserve(half_edges_.size() / 2 + half_edges_.size() / 16);
     for (std::size_t first = 0; first < world_.positions.size();
          first += groups_at_once * group_size)
@@ -76,8 +76,9 @@ class Extractor {
   static constexpr std::size_t group_size = 4096;  // vertices
   static constexpr std::size_t groups_at_once = 64;
 
-  // Some groups of vertices from `first` on, in parallel; what is found comes in their order,
-  // whoever found it. All groups at once would hold all edges twice.
+  // Classifies some groups of vertices from `first` on, in parallel. The results are stored in the
+  // order of the groups, whichever thread found them. All groups together would store all edges
+  // twice.
   void classify_groups(std::size_t first, ExtractedFeatures& out) {
     std::array<Found, groups_at_once> found;
     in_tasks(groups_at_once, [&](std::size_t i) {
@@ -116,8 +117,8 @@ class Extractor {
     return glm::length(glm::cross(e1, e2)) <= 0.0;
   }
 
-  // Counting sort of all half-edges by their lower welded vertex. The order of those of a vertex
-  // depends on the threads; they are sorted later on.
+  // Sorts all half-edges by their lower welded vertex (counting sort). The order within a vertex
+  // depends on the threads; they are sorted later.
   void bucket_half_edges() {
     const std::size_t n = world_.positions.size();
     std::vector<std::uint8_t> bounds_nothing(world_.triangles.size());
@@ -145,9 +146,9 @@ class Extractor {
     each([&](std::uint32_t low, const HalfEdge& h) { half_edges_[next(cursor[low])] = h; });
   }
 
-  // The faces at an edge but for those that repeat another one's three corners and its look, as
-  // walls do that were modelled twice. The repeats join the sheet of what they repeat. The order of
-  // a run makes all three edges of a triangle decide alike.
+  // Returns the faces at an edge without those that repeat another one's corners and look, as in
+  // walls that were modelled twice. A repeated face joins the smooth surface of the original. The
+  // order of a run is such that all three edges of a triangle decide alike.
   Run without_repeats(std::uint32_t low, Run faces) {
     std::size_t kept = 0;
     for (const HalfEdge& face : faces) {
@@ -168,8 +169,8 @@ class Extractor {
   void repeat(const HalfEdge& original, const HalfEdge& copy) {
     sheets_.join(original.triangle, copy.triangle);
     facets_.join(original.triangle, copy.triangle);
-    // Two single-sided ones, back to back.
-    // All edges of the original meet the copy, and each finds out before it asks.
+    // Two single-sided faces back to back are visible from both sides. Every edge of the original
+    // meets the copy, so it sets this flag before it reads it.
     if (original.ascends != copy.ascends || two_sided(copy.triangle))
       std::atomic_ref(two_sided_[original.triangle]).store(1, std::memory_order_relaxed);
   }
@@ -178,21 +179,21 @@ class Extractor {
     return std::atomic_ref(two_sided_[triangle]).load(std::memory_order_relaxed) != 0;
   }
 
-  // Whether the edge's two faces show from the same sides, as long as it is no silhouette. The only
-  // thing that winding decides, because culling goes by it.
+  // Returns whether the edge's two faces are visible from the same sides, where it is no
+  // silhouette. Only this depends on winding, since culling does.
   [[nodiscard]] bool same_sides(const HalfEdge& x, const HalfEdge& y) {
     const bool both = two_sided(x.triangle);
     return both == two_sided(y.triangle) && (both || x.ascends != y.ascends);
   }
 
-  // All the faces at one edge of the welded mesh.
+  // Classifies the faces at one edge of the welded mesh.
   void classify(std::uint32_t low, Run faces, Found& found) {
     const bool hidden = cut_out(low, faces);
     FeatureEdge edge;
     edge.a = low;
     edge.b = faces[0].high;
     edge.left = faces[0].third;
-    // Triangles until finish() knows their sheets.
+    // These are triangles until finish() knows their smooth surfaces.
     edge.left_sheet = faces[0].triangle;
     if (faces.size() > 1) edge.right_sheet = faces[1].triangle;
     if (faces.size() != 2) {
@@ -227,7 +228,7 @@ class Extractor {
     found.edges.push_back(edge);
   }
 
-  // Whether textures cut all of an edge's faces out along all of it.
+  // Returns whether textures cut all of an edge's faces out along the whole edge.
   [[nodiscard]] bool cut_out(std::uint32_t low, Run faces) const {
     if (hidden_sides_.empty()) return false;
     return std::all_of(faces.begin(), faces.end(), [&](const HalfEdge& face) {
@@ -237,8 +238,8 @@ class Extractor {
     });
   }
 
-  // Both faces in one plane, on different sides of the edge (a face folded back onto the other is
-  // an outline from everywhere, and is not meant).
+  // Returns whether both faces are in one plane, on different sides of the edge. A face folded back
+  // onto the other is excluded, since its edge is an outline from everywhere.
   [[nodiscard]] bool coplanar(const FeatureEdge& edge) const {
     const glm::dvec3 a(world_.positions[edge.a]);
     const glm::dvec3 along = glm::normalize(glm::dvec3(world_.positions[edge.b]) - a);
@@ -249,7 +250,7 @@ class Extractor {
     return glm::dot(l, r) < 0.0 && glm::length(glm::cross(l, r)) < coplanar_sine;
   }
 
-  // The corner of a triangle at the welded vertex `v`.
+  // Returns the corner of a triangle at the welded vertex `v`.
   [[nodiscard]] int corner(std::uint32_t triangle, std::uint32_t v) const {
     const glm::uvec3 t = world_.triangles[triangle];
     return welded_[t.x] == v ? 0 : welded_[t.y] == v ? 1 : 2;
@@ -275,8 +276,8 @@ class Extractor {
   SurfaceLook look_;
   std::span<const std::uint32_t> welded_;  // see welded_vertices
   DisjointSets sheets_;
-  DisjointSets facets_;                  // triangles in one plane, joined smoothly
-  std::vector<std::uint8_t> two_sided_;  // 1: triangles that show from behind, too
+  DisjointSets facets_;                  // coplanar triangles, joined smoothly
+  std::vector<std::uint8_t> two_sided_;  // 1: triangles whose back is visible, too
   std::vector<std::uint32_t> bucket_;    // first half-edge of each vertex
   std::vector<HalfEdge> half_edges_;
 };

@@ -13,8 +13,8 @@
 
 namespace asos {
 
-// One stage after the other, for each keeps all processors busy and needs memory that the next one
-// can have.
+// The stages run one after the other. Each keeps all processors busy, and its memory is free for
+// the next one.
 FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop_token& stop) {
   if (world.placements) {
     find_placed(world, texture_at, stop);
@@ -25,7 +25,7 @@ FeatureSet::FeatureSet(const World& world, TextureAt texture_at, const std::stop
       FeatureHierarchy::build(positions_, edges_, curves_, FeatureHierarchy::few_edges, stop);
 }
 
-// All boundaries of a world without placed meshes, but not their hierarchy.
+// Finds all boundaries of a world without placed meshes, but not their hierarchy.
 void FeatureSet::find(const World& world, TextureAt texture_at, const std::stop_token& stop) {
   positions_ = world.positions.own();
   CutOuts cut_outs = find_cut_outs(world, {}, stop);
@@ -82,7 +82,7 @@ float FeatureSet::placed_deviation(std::uint32_t triangle) const {
   return placed_->deviation(triangle);
 }
 
-// Each face is a sheet of its own.
+// Each face is a smooth surface of its own.
 void FeatureSet::add_shapes(const World& world) {
   faces_ = world.faces;
   for (const ShapeFace& face : faces_) {
@@ -145,7 +145,7 @@ void FeatureSet::add(const World& world, CutOuts found) {
   positions_.insert(positions_.end(), found.positions.begin(), found.positions.end());
   counts_.cut_out += found.lines.size();
   outlined_ = std::move(found.outlined);
-  // Tell what is left to samples.
+  // Record the features that are left to samples.
   const auto kind_of = [&](const Part& part) {
     return surface_kind(world.materials[part.material]);
   };

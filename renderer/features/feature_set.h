@@ -17,7 +17,7 @@ namespace asos {
 
 struct PlacedFeatures;
 
-/// All boundaries that a world can show, ready to be searched by a pyray. Immutable once built,
+/// All boundaries of a world, in a hierarchy for pyrays to search. Immutable once built,
 /// thread-safe.
 class FeatureSet {
  public:
@@ -28,13 +28,13 @@ class FeatureSet {
 
   [[nodiscard]] const FeatureCounts& counts() const { return counts_; }
   [[nodiscard]] bool empty() const { return hierarchy_.nodes.empty(); }
-  /// Those of placed meshes come after all others and are made where they are read: a node, or a
-  /// node's chains, in `room`.
+  /// Returns a node. Nodes of placed meshes come after all others and are made on access, in
+  /// `room`; so are chains.
   [[nodiscard]] const FeatureNode& node(std::uint32_t number, FeatureNode& room) const {
     if (number < hierarchy_.nodes.size()) return hierarchy_.nodes[number];
     return placed_node(number, room);
   }
-  /// FeatureNode::chains counts in these.
+  /// Returns chains by the index in FeatureNode::chains.
   [[nodiscard]] const NodeChains& chains(std::uint32_t number, NodeChains& room) const {
     if (number < hierarchy_.chains.size()) return hierarchy_.chains[number];
     return placed_chains(number, room);
@@ -45,7 +45,7 @@ class FeatureSet {
   [[nodiscard]] glm::dvec3 position(std::uint32_t number) const {
     return number < positions_.size() ? glm::dvec3(positions_[number]) : placed_position(number);
   }
-  // Without those of placed meshes:
+  // The following exclude placed meshes.
   [[nodiscard]] std::span<const FeatureNode> nodes() const { return hierarchy_.nodes; }
   [[nodiscard]] std::span<const NodeChains> chains() const { return hierarchy_.chains; }
   [[nodiscard]] std::span<const FeatureEdge> edges() const { return edges_; }
@@ -53,43 +53,42 @@ class FeatureSet {
   [[nodiscard]] std::span<const FeatureCurve> curves() const { return curves_; }
   [[nodiscard]] const ShapeFace& face(std::uint32_t index) const { return faces_[index]; }
 
-  /// The smooth, connected piece of surface that a triangle belongs to. Along a path in a picture
-  /// the visible sheet changes only across a boundary.
+  /// Returns the number of a triangle's smooth, connected surface. Along a path in a picture, the
+  /// visible surface changes only at a boundary.
   [[nodiscard]] std::uint32_t sheet(std::uint32_t triangle) const {
     return triangle < sheet_of_triangle_.size() ? sheet_of_triangle_[triangle]
                                                 : placed_sheet(triangle);
   }
 
-  /// How far, in world units, the smooth surface around a triangle leaves the triangle's plane
-  /// within the next triangles. A boundary that lies less far behind the plane may be the surface's
-  /// own outline, where it bends away: the plane does not hide it.
+  /// Returns how far, in world units, the smooth surface around a triangle deviates from the
+  /// triangle's plane within the next triangles. A boundary at less than this behind the plane may
+  /// be the surface's own outline, where it curves away: the plane does not hide it.
   [[nodiscard]] float deviation(std::uint32_t triangle) const {
     return triangle < deviation_of_triangle_.size() ? deviation_of_triangle_[triangle]
                                                     : placed_deviation(triangle);
   }
 
-  /// The same within `reach` of a point of the surface: less for analytic shapes, which are bent
-  /// everywhere alike.
+  /// Returns the same within `reach` of a point of the surface. It is less for analytic shapes,
+  /// whose curvature is uniform.
   [[nodiscard]] double deviation(std::uint32_t surface, glm::dvec3 position, double reach) const {
     const std::size_t triangles = deviation_of_triangle_.size() - faces_.size();
     if (surface < triangles || placed_) return deviation(surface);
     return face_deviation(faces_[surface - triangles], position, reach);
   }
 
-  /// False where surfaces pass through each other so often that the lines were left out; the safety
-  /// net then has to find them.
+  /// Returns false if surfaces pass through each other so often that the lines were left out; then
+  /// the safety net has to find them.
   [[nodiscard]] bool intersections_complete() const { return intersections_complete_; }
 
-  /// By surface, whether all that is cut out of it is bounded by edges (CutOuts::outlined); empty
+  /// Returns, by surface, whether all its cut-outs are bounded by edges (CutOuts::outlined); empty
   /// without masked surfaces.
   [[nodiscard]] std::span<const std::uint8_t> outlined() const { return outlined_; }
   [[nodiscard]] bool outlined(std::uint32_t surface) const {
     return surface < outlined_.size() && outlined_[surface] != 0;
   }
-  /// Whether there are masked surfaces whose cut-outs are not, so that only samples tell them.
+  /// Returns whether there are masked surfaces whose cut-outs only samples can resolve.
   [[nodiscard]] bool cut_outs_unbounded() const { return cut_outs_unbounded_; }
-  /// Whether some surface's opacity differs from place to place otherwise than by outlined
-  /// cut-outs.
+  /// Returns whether the opacity of a surface varies, other than by cut-outs with outlines.
   [[nodiscard]] bool opacity_unbounded() const { return opacity_unbounded_; }
 
   [[nodiscard]] std::size_t memory_bytes() const;

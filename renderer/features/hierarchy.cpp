@@ -18,14 +18,13 @@ namespace {
 
 constexpr std::size_t leaf_size = 4;
 
-// The nodes of a subtree, of which the first is its root, with their chains, as `chains` of these
-// nodes counts.
+// The nodes of a subtree, the root first, with the chains that these nodes index.
 struct Subtree {
   std::vector<FeatureNode> nodes{1};
   std::vector<NodeChains> chains;
 };
 
-// The consecutive edges of a child, as the hierarchy orders them.
+// The consecutive edges of a child, in the hierarchy's order.
 struct Run {
   std::uint32_t first = 0;
   std::size_t count = 0;
@@ -55,7 +54,8 @@ class Builder {
     for (const EdgeItems part : {all.first(split), all.subspan(split)})
       if (!part.empty()) roots.push_back(part);
     Subtrees parts;
-    // So that the edges' boxes need not all be there when the last nodes come.
+    // Build large hierarchies in parts, so that each part's boxes can be freed before the next
+    // part.
     if (items.size() < in_turn * fewest_in_parallel_) {
       build_subtree(parts, std::move(roots), 0);
       release(items);
@@ -68,8 +68,8 @@ class Builder {
 
  private:
   using Nodes = std::vector<FeatureNode>;
-  /// A large subtree in parts, one after the other: numbers of nodes count through all of them,
-  /// those of chains through each. So nothing is copied while the hierarchy grows.
+  /// A large subtree in parts. Node numbers continue from part to part, and chain numbers start
+  /// anew. This avoids copies while the hierarchy grows.
   using Subtrees = std::vector<Subtree>;
   struct Summary {
     Box box;
@@ -77,8 +77,8 @@ class Builder {
     bool always = false;
     std::optional<EdgeChain> chain;
   };
-  /// The parts of a hierarchy of so many times the fewest edges keep all processors busy one by
-  /// one; by default it has eight million.
+  /// From this many times `fewest_in_parallel_` edges on (by default eight million), each part
+  /// alone keeps all processors busy.
   static constexpr std::size_t in_turn = 4096;
 
   std::vector<EdgeItem> all_items(std::span<const FeatureCurve> curves) const {
@@ -95,7 +95,7 @@ class Builder {
     return items;
   }
 
-  // The hierarchy of these parts of all items, each built by itself and then let go.
+  // Builds the hierarchy of these parts one by one, and frees each part's items afterwards.
   void build_in_turn(Subtrees& out, std::vector<EdgeItem>&& all,
                      const std::vector<EdgeItems>& parts) {
     std::vector<std::vector<EdgeItem>> items;
@@ -121,8 +121,8 @@ class Builder {
     return summarise(items, first);
   }
 
-  // The subtree of all parts' edges, with a root of its own. The parts follow each other in memory,
-  // and come from place `first` on in the order of edges.
+  // Builds the subtree of all parts' edges, with its own root. The parts are consecutive in memory
+  // and start at place `first` in the order of edges.
   Summary build_subtree(Subtrees& out, std::vector<EdgeItems> parts, std::uint32_t first) {
     std::size_t count = 0;
     for (const EdgeItems part : parts) count += part.size();
@@ -145,7 +145,7 @@ class Builder {
     return runs;
   }
 
-  // Puts a root before the subtrees of its children.
+  // Inserts a root before the subtrees of its children.
   Summary assemble(Subtrees& out, std::span<const Run> runs, std::span<const Summary> below,
                    std::vector<Subtrees>& built) const {
     Subtree& root = out.emplace_back();
@@ -191,7 +191,8 @@ class Builder {
     return all;
   }
 
-  // A node filled alone has its chains after those below it, the root of subtrees before them.
+  // In a subtree built by one thread, a node's chains come after those below it; elsewhere they
+  // come before. This puts them in the order of nodes.
   static std::vector<NodeChains> in_order_of_nodes(FeatureHierarchy& all) {
     std::vector<NodeChains> ordered;
     ordered.reserve(all.chains.size());
@@ -203,7 +204,7 @@ class Builder {
     return ordered;
   }
 
-  // Up to eight parts, made by splitting the largest again and again.
+  // Splits the largest part again and again, into up to eight parts.
   std::vector<EdgeItems> in_eight(std::vector<EdgeItems> parts) const {
     check_stop(stop_);
     while (parts.size() < FeatureNode::width) {
@@ -217,8 +218,7 @@ class Builder {
     return parts;
   }
 
-  // Fills node `index`. The nodes below it follow at the end, a part's after those of the part
-  // before.
+  // Fills node `index`. The nodes below it are appended, part by part.
   Summary fill(Subtree& tree, std::uint32_t index, std::vector<EdgeItems> parts,
                std::uint32_t first) {
     parts = in_eight(std::move(parts));
@@ -281,7 +281,7 @@ class Builder {
     chains.deviation[i] = below.chain->deviation;
   }
 
-  // Of a leaf, whose edges come from place `first` on in the order.
+  // Summarizes a leaf, whose edges start at place `first` in the order.
   [[nodiscard]] Summary summarise(EdgeItems items, std::uint32_t first) {
     Summary s;
     std::array<std::optional<EdgeChain>, leaf_size> chains;
@@ -299,19 +299,20 @@ class Builder {
     return s;
   }
 
-  // The normals of an edge's two faces, oriented by how each face runs along the edge.
+  // Returns the cone of an edge's two normals, oriented by the direction in which each face runs
+  // along the edge.
   [[nodiscard]] NormalCone cone_of(const FeatureEdge& edge) const {
     if (edge.right == FeatureEdge::none) return NormalCone::everything();
     const glm::dvec3 a(positions_[edge.a]);
     const glm::dvec3 along = glm::dvec3(positions_[edge.b]) - a;
     const glm::dvec3 l = glm::normalize(glm::cross(along, glm::dvec3(positions_[edge.left]) - a));
     const glm::dvec3 r = glm::normalize(glm::cross(glm::dvec3(positions_[edge.right]) - a, along));
-    // merge() would turn one of the two over, which is another pair of faces.
+    // merge() could flip one of the two, which would be another pair of faces.
     return asos::cone_of(l, r);
   }
 
-  // In place, cycle by cycle: a copy of the edges would be the most memory that all of loading
-  // takes.
+  // Reorders in place, cycle by cycle. A copy of the edges would be the peak of memory during
+  // loading.
   void reorder() {
     for (std::uint32_t start = 0; start < order_.size(); ++start) {
       if (order_[start] == start) continue;
@@ -329,7 +330,7 @@ class Builder {
 
   std::span<const glm::vec3> positions_;
   std::vector<FeatureEdge>& edges_;
-  std::vector<std::uint32_t> order_;  // of the edges, leaf by leaf: each by its place before
+  std::vector<std::uint32_t> order_;  // previous place of each edge, leaf by leaf
   std::size_t fewest_in_parallel_;
   std::stop_token stop_;
 };

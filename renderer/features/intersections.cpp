@@ -27,7 +27,7 @@ TriangleCorners in_double(const Corners& c) {
   return {glm::dvec3(c[0]), glm::dvec3(c[1]), glm::dvec3(c[2])};
 }
 
-// The corners of two triangles that lie at one place: how many, and the last such pair.
+// Equal corners of two triangles: their number, and the last such pair.
 struct Meeting {
   int count = 0;
   int a = 0;
@@ -43,10 +43,10 @@ Meeting meeting(const Places& a, const Places& b) {
   return m;
 }
 
-// Whether a plane through the corner that they share has `a` on one side and the rest of `b` on the
-// other, by more than single precision can err: the plane of `a`, as of most neighbours at a
-// corner, or one through a side of `a` across it, as of triangles around a hub. These are most
-// pairs.
+// Returns whether a plane through the shared corner separates `a` from the rest of `b` by more than
+// the error of single precision. It tests the plane of `a`, as for most neighbours at a corner. It
+// also tests a plane through a side of `a` across it, as for triangles around a hub. This applies
+// to most pairs.
 bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
   const glm::vec3 v = a[corner_a];
   const glm::vec3 p = a[(corner_a + 1) % 3] - v, q = a[(corner_a + 2) % 3] - v;
@@ -66,8 +66,8 @@ bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
 
 class Collider {
  public:
-  /// Pairs of surfaces; of a surface with a line or point; or of a placed mesh with another mesh or
-  /// another place.
+  /// The pairs to compare: surfaces; a surface with a line or point; or a placed mesh with another
+  /// mesh or place.
   enum class Of { surfaces, strokes, placed };
 
   Collider(const World& world, std::span<const std::uint32_t> welded, Of of,
@@ -108,11 +108,11 @@ class Collider {
  private:
   struct Local {
     std::vector<IntersectionLine> lines;
-    std::size_t pairs = 0;  // not yet in pairs_
+    std::size_t pairs = 0;  // not yet added to pairs_
   };
 
-  // A look at a pair costs far more than counting it. So count those of a few leaves first, chosen
-  // by a fixed rule.
+  // Testing a pair costs far more than counting it. Count those of a few leaves first, chosen by
+  // a fixed rule.
   [[nodiscard]] bool hopeless() const {
     const std::size_t n = count_;
     const std::size_t leaves = boxes_.leaf_count();
@@ -125,7 +125,7 @@ class Collider {
         return true;
       });
     });
-    // A large floor may meet everything, but floors are few.
+    // Drop the largest counts: a large floor may meet everything, but floors are few.
     std::sort(pairs.begin(), pairs.end());
     pairs.resize(pairs.size() - pairs.size() / 32);
     const double mean =
@@ -138,7 +138,7 @@ class Collider {
     if (of_ == Of::strokes && world_.strokes.has_triangle(s) == world_.strokes.has_triangle(t))
       return;
     if (of_ == Of::placed && !of_two_meshes(s, t)) return;
-    // Neighbours along an edge meet there and nowhere else, unless they lie in one plane.
+    // Neighbours along an edge meet only there, unless they are coplanar.
     const Meeting m = of_ == Of::placed ? meeting(corners_of(world_, s), corners_of(world_, t))
                                         : meeting(places_of(s), places_of(t));
     if (m.count > 1) return;
@@ -148,7 +148,7 @@ class Collider {
     if (line) local.lines.push_back({glm::vec3(line->p), glm::vec3(line->q), s, t});
   }
 
-  /// Returns whether the pair is found neither within one mesh nor among the world's own surfaces.
+  /// Returns whether the pair belongs neither to one mesh nor to the world's own surfaces.
   [[nodiscard]] bool of_two_meshes(std::uint32_t s, std::uint32_t t) const {
     const std::uint32_t later = std::max(s, t);
     if (!world_.is_placed(later)) return false;
@@ -161,8 +161,8 @@ class Collider {
     return {welded_[t.x], welded_[t.y], welded_[t.z]};
   }
 
-  // Over the budget or not is the same whatever the threads do: every pair is counted once, and
-  // counting stops early only where it is over. True: go on.
+  // Returns whether to continue. The decision about the budget does not depend on threads: every
+  // pair is counted once, and counting stops early only beyond the budget.
   [[nodiscard]] bool spend(Local& local) {
     pairs_ += std::exchange(local.pairs, 0);
     if (local.lines.size() > budget_.lines || pairs_ > budget_.pairs) over_budget_ = true;
@@ -185,14 +185,14 @@ class Collider {
     return out;
   }
 
-  // The survey may err by its chance; it must not refuse what fits.
+  // Margin of the survey, so that it does not refuse scenes that fit.
   static constexpr std::size_t survey_slack = 2;
   static constexpr std::size_t batch = 1024;
 
   const World& world_;
   std::span<const std::uint32_t> welded_;
   Of of_;
-  std::size_t count_;  // of the triangles that are looked at
+  std::size_t count_;  // number of triangles to compare
   IntersectionBudget budget_;
   std::stop_token stop_;
   BoxTree boxes_;
@@ -214,7 +214,7 @@ Intersections find_intersections(const World& world, std::span<const std::uint32
   if (world.solid_triangles() > 1)
     found = Collider(world, welded, Collider::Of::surfaces, budget, stop).run();
   if (world.solid_triangles() == 0 || !world.strokes.drawn()) return found;
-  // Surfaces do not lose theirs where lines are too many.
+  // Surfaces keep their lines even if there are too many of strokes.
   const std::size_t n = world.strokes.triangle_count;
   const IntersectionBudget more{budget.lines + 4 * n, budget.pairs + 256 * n};
   const Intersections of_strokes = Collider(world, welded, Collider::Of::strokes, more, stop).run();

@@ -11,7 +11,7 @@
 namespace asos {
 namespace {
 
-/// The ranges of numbers of all places. Each has `count` of its mesh.
+/// The ranges of numbers of all places. `count` returns the size of a mesh's range.
 template <typename Count>
 RangeIndex ranges_of(const Placements& all, Count count) {
   std::vector<std::uint32_t> first;
@@ -34,9 +34,9 @@ float rounded_up(double x) {
   return -rounded_down(-x);
 }
 
-/// Widens a cone so that it holds the images of its directions under a matrix. Lengths across the
-/// axis grow by `anisotropy` times more than lengths along it at most. Shear takes as much from the
-/// length along the axis.
+/// Widens a cone so that it contains the images of its directions under a matrix. Lengths across
+/// the axis grow by at most `anisotropy` times more than lengths along it. Shear reduces the length
+/// along the axis by as much.
 void widen(float& sine, float& cosine, double anisotropy) {
   if (anisotropy <= 1.0 || !(cosine > 0.0f)) return;
   const double tangent = anisotropy * static_cast<double>(sine) / static_cast<double>(cosine);
@@ -50,9 +50,9 @@ void widen(float& sine, float& cosine, double anisotropy) {
   cosine = static_cast<float>(1.0 / length);
 }
 
-/// A mesh whose positions are rounded to the precision that its size has. Vertices that rounding
-/// has moved apart around the mesh's origin, such as those along the seam of a ball, are one then,
-/// as they are once a place is added to them.
+/// Returns a mesh with positions rounded to the precision of its size. Rounding may have separated
+/// vertices around the mesh's origin, such as those along the seam of a ball. These become equal,
+/// as they do when a place is added to them.
 World snapped(const World& mesh) {
   World rounded = mesh;
   const glm::vec3 size = mesh.bounds.hi - mesh.bounds.lo;

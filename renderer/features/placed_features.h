@@ -10,8 +10,8 @@
 #include <stop_token>
 #include <vector>
 
-// The boundaries of meshes that a world keeps once: found once, in the mesh's own space, and placed
-// where they are read.
+// The boundaries of meshes that a world stores once. They are found once, in the mesh's own space,
+// and transformed on access.
 
 namespace asos {
 
@@ -19,18 +19,18 @@ struct PlacedFeatures {
   /// Finds those of the meshes of a world.
   PlacedFeatures(const World& world, TextureAt texture_at, const std::stop_token& stop);
 
-  /// The hierarchy of all boundaries: nodes over the places and over `own`, then those of `own`.
-  /// Places' numbers begin behind these nodes, behind so many edges and behind so many positions.
+  /// Returns the hierarchy of all boundaries: nodes over the places and over `own`, followed by
+  /// those of `own`. The numbers of places start after these nodes, `edges` and `positions`.
   [[nodiscard]] FeatureHierarchy behind(FeatureHierarchy own, std::size_t edges,
                                         std::size_t positions);
 
-  // Numbers are those of FeatureSet. Nodes are conservative: their boxes and cones hold all edges
-  // below them.
+  // Numbers are those of FeatureSet. Nodes are conservative: their boxes and cones contain all
+  // edges below them.
   [[nodiscard]] FeatureNode node(std::uint32_t number) const;
   [[nodiscard]] NodeChains chains(std::uint32_t number) const;
   [[nodiscard]] FeatureEdge edge(std::uint32_t number) const;
   [[nodiscard]] glm::dvec3 position(std::uint32_t number) const;
-  /// Of a triangle of the world.
+  /// For a triangle of the world.
   [[nodiscard]] std::uint32_t sheet(std::uint32_t triangle) const;
   [[nodiscard]] float deviation(std::uint32_t triangle) const;
   [[nodiscard]] std::size_t memory_bytes() const;
@@ -42,7 +42,7 @@ struct PlacedFeatures {
   [[nodiscard]] FeatureNode placed(const FeatureNode& node, std::size_t place) const;
   [[nodiscard]] Box box_of(std::size_t place) const;
 
-  // By place; each has one number at least.
+  // By place; each has at least one number.
   RangeIndex by_node_, by_chains_, by_edge_, by_position_;
   std::uint32_t first_node_ = 0, first_chains_ = 0, first_edge_ = 0, first_position_ = 0;
 };

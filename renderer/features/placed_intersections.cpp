@@ -12,9 +12,9 @@
 namespace asos {
 namespace {
 
-// Boxes of parts that are compared, for each part, before the search is given up.
+// Number of box pairs per part after which the search is given up.
 constexpr std::size_t most_box_pairs = 1024;
-// More boxes around a part are joined.
+// If there are more boxes around a part, they are merged.
 constexpr std::size_t most_boxes_around = 32;
 
 bool boxes_meet(const Box& a, const Box& b) {
@@ -27,8 +27,8 @@ Box common_box(const Box& a, const Box& b) {
   return box;
 }
 
-/// By part, what its box has in common with those of others, one of the two being a placed mesh.
-/// False: too many pairs of boxes are to be compared.
+/// For each part, the common boxes with other parts, where one of the two is a placed mesh. `find`
+/// returns false if too many pairs of boxes have to be compared.
 class CommonBoxes {
  public:
   explicit CommonBoxes(const World& world) : world_(world), common_(world.parts.size()) {}
@@ -75,7 +75,7 @@ class CommonBoxes {
   std::vector<std::vector<Box>> common_;
 };
 
-/// The positions of a part, as World::positions has them.
+/// Returns the positions of a part, as in World::positions.
 std::vector<glm::vec3> positions_of(const World& world, const Part& part) {
   std::vector<glm::vec3> positions(part.vertex_count);
   if (!world.is_placed(part.first_triangle)) {
@@ -110,7 +110,7 @@ Intersections find_placed_intersections(const World& world, const IntersectionBu
   if (!world.placements) return {};
   CommonBoxes common(world);
   if (!common.find()) return {{}, false};
-  // Some parts at a time, in parallel, so that the search ends soon where it is given up.
+  // Process some parts at a time, in parallel, so that the search ends soon if it is given up.
   constexpr std::size_t parts_at_once = 1024;
   std::vector<std::uint32_t> candidates;
   for (std::size_t first = 0; first < world.parts.size(); first += parts_at_once) {

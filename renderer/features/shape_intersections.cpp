@@ -17,17 +17,17 @@ namespace {
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr std::uint64_t most_pairs = 200'000'000;
 constexpr std::size_t most_face_pairs = 256;
-// The distance, in the space of the unit surface, within which a plane touches it or meets a rim.
+// The distance, in the space of the unit surface, at which a plane touches it or meets a rim.
 constexpr double touch = 1e-6;
 constexpr double parallel = 1e-9;
-// Straight pieces all around a cone.
+// Number of straight pieces around a cone.
 constexpr int pieces = 720;
 
 bool overlap(const Box& a, const Box& b) {
   return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
 }
 
-/// A plane n . p = k of the space of a unit surface.
+/// A plane n . p = k in the space of a unit surface.
 struct UnitPlane {
   glm::dvec3 n;
   double k;
@@ -67,7 +67,7 @@ class FaceCutter {
   }
 
  private:
-  /// The triangle's three sides, and the two ends of a side.
+  /// Sets the bounds: the triangle's three sides, and the two ends of a side.
   void set_bounds(const HitPlane& plane, glm::dvec3 n) {
     const glm::dvec3 corner[3] = {plane.corner, plane.corner + plane.edge1,
                                   plane.corner + plane.edge2};
@@ -121,13 +121,13 @@ class FaceCutter {
       add_line({std::cos(t), 0, std::sin(t)}, {std::cos(t), 1, std::sin(t)});
   }
 
-  // Along the line at each angle of a cone's side the plane is met once, or nowhere.
+  // The line at each angle of a cone's side meets the plane once, or nowhere.
   void cut_cone(const UnitPlane& plane) {
     const auto at = [&](int i) -> std::optional<glm::dvec3> {
       const double t = two_pi * i / pieces, c = std::cos(t), s = std::sin(t);
       const double g = plane.n.x * c + plane.n.z * s;
       const double y = (plane.k - face_.bottom * g) / (plane.n.y + (face_.top - face_.bottom) * g);
-      // A little beyond the ends, where the lines are cut off.
+      // Continue slightly beyond the ends, where the lines are cut off.
       if (!(y > -1.0 && y < 2.0) || face_.radius_at(y) < 0.0) return std::nullopt;
       const double r = face_.radius_at(y);
       return glm::dvec3(r * c, y, r * s);
@@ -140,7 +140,7 @@ class FaceCutter {
     }
   }
 
-  // Adds an arc of unit space by its parts inside the bounds.
+  // Adds the parts of an arc of unit space inside the bounds.
   void add_arc(glm::dvec3 centre, glm::dvec3 cosine, glm::dvec3 sine) {
     EllipseArc arc{face_.world(centre), face_.world_from_unit * cosine,
                    face_.world_from_unit * sine};

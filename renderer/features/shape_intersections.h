@@ -16,14 +16,14 @@ struct IntersectionArc {
   std::uint32_t face = 0;  ///< its number as a surface (World::is_face)
 };
 
-/// Where triangles of a world pass through faces of its analytic shapes: ellipses as they are,
-/// straight lines, and the other sections of cones in short straight pieces; and where two faces
-/// pass through each other, unless both are disks (face_contours). Planes that only touch
-/// a face or meet it in its rim have none.
+/// The intersections of a world's triangles with faces of its analytic shapes: ellipses, straight
+/// lines, and other sections of cones in short straight pieces. Also the intersections of two
+/// faces, unless both are disks (face_contours). Planes that only touch a face, or meet it in its
+/// rim, have none.
 struct ShapeIntersections {
   std::vector<IntersectionArc> arcs;
   std::vector<IntersectionLine> lines;
-  bool complete = true;  ///< false: more pairs than are looked at; some are missing
+  bool complete = true;  ///< false: more pairs than the limit; some are missing
 };
 [[nodiscard]] ShapeIntersections find_shape_intersections(const World& world);
 

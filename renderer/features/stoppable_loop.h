@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// Thrown by a search for boundaries that was asked to stop. No stage then ever sees what another
-/// one has left unfinished.
+/// Thrown by a search for boundaries after a stop request, so that no stage sees an incomplete
+/// result of another one.
 struct SearchStopped {};
 
 inline void check_stop(const std::stop_token& stop) {
@@ -18,7 +18,7 @@ inline void check_stop(const std::stop_token& stop) {
 }
 
 /// Calls `visit` with the numbers below `count`, on all processors and in any order. Throws
-/// SearchStopped some thousand calls after a stop is requested.
+/// SearchStopped some thousand calls after a stop request.
 template <typename Visit>
 void in_parallel(std::size_t count, const std::stop_token& stop, const Visit& visit) {
   constexpr std::size_t calls_between_checks = 4096;

@@ -8,11 +8,11 @@
 namespace asos {
 namespace {
 
-// Shading normals further apart than this (0.2 degrees) change a display intensity visibly.
+// Shading normals farther apart than this (0.2 degrees) change a display intensity visibly.
 constexpr float crease_cosine = 0.999994f;
 constexpr float colour_step = 1.0f / 512.0f;
 constexpr float texcoord_step = 1e-4f;
-// Points at which an edge's two sides are compared: about one a texel.
+// Points at which an edge's two sides are compared: about one per texel.
 constexpr float fewest_points = 3.0f;
 constexpr float most_points = 64.0f;
 
@@ -34,7 +34,7 @@ glm::vec2 weights_of(int corner) {
   return {corner == 1 ? 1.0f : 0.0f, corner == 2 ? 1.0f : 0.0f};
 }
 
-// Whether `differs` holds for the two triangles' own vertices at one of the shared corners.
+// Returns whether `differs` holds for the two triangles' own vertices at one of the shared corners.
 template <typename Differs>
 bool any_corner(const World& world, std::uint32_t x, std::uint32_t y,
                 std::span<const SharedCorner> corners, Differs&& differs) {
@@ -85,8 +85,8 @@ bool SurfaceLook::crease(std::uint32_t x, std::uint32_t y,
                          std::span<const SharedCorner> ends) const {
   if (!world_.material_of(x).unlit &&
       any_corner(world_, x, y, ends, [&](std::uint32_t a, std::uint32_t b) {
-        // Neighbours wound in opposite senses may carry opposite normals; shading turns both
-        // towards the viewer, so the sign says nothing.
+        // Neighbours with opposite winding may have opposite normals. Shading turns both towards
+        // the viewer, so the sign does not matter.
         return !(std::abs(glm::dot(world_.normals[a], world_.normals[b])) > crease_cosine);
       }))
     return true;
@@ -103,7 +103,7 @@ bool SurfaceLook::same(std::uint32_t x, std::uint32_t y,
   const Material& b = world_.material_of(y);
   if (&a != &b && !same_look(world_, a, b)) return false;
   if (texcoords_differ(x, y, corners) || crease(x, y, corners)) return false;
-  // A normal map, or a lobe, is turned by the tangents, and by the normals' sign.
+  // The tangents, and the normals' sign, orient a normal map or a lobe.
   if (!needs_tangents(a)) return true;
   return !any_corner(world_, x, y, corners, [&](std::uint32_t i, std::uint32_t k) {
     return glm::dot(world_.normals[i], world_.normals[k]) < 0.0f ||
@@ -128,7 +128,7 @@ bool SurfaceLook::texcoords_differ(std::uint32_t x, std::uint32_t y,
 
 bool SurfaceLook::textures_differ(std::uint32_t x, std::uint32_t y,
                                   std::span<const SharedCorner> ends) const {
-  // How a normal map is turned depends on how the coordinates run beside the edge.
+  // The orientation of a normal map depends on the direction of the coordinates near the edge.
   const Material& material = world_.material_of(x);
   if (texture_at_ == nullptr || has_normal_map(material)) return true;
   const auto uses = texture_uses(material);
@@ -156,7 +156,7 @@ bool SurfaceLook::texture_differs(const TextureUse& use, std::uint32_t x, std::u
   return false;
 }
 
-// How many texels the stretch between two vertices crosses, along its longer direction.
+// Returns the number of texels between two vertices, along the longer direction.
 float SurfaceLook::texels_along(const TextureUse& use, std::uint32_t a, std::uint32_t b) const {
   const auto texture = static_cast<std::size_t>(use.texture);
   const auto& uv = world_.texcoords[use.texcoord];

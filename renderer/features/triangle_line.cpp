@@ -7,23 +7,23 @@
 namespace asos {
 namespace {
 
-// Distances below this share of the coordinates are rounding.
+// Distances below this fraction of the coordinates are rounding errors.
 constexpr double on_plane = 4e-7;
-// Lines shorter than this share of the smaller triangle's size are contacts at a corner.
+// Lines shorter than this fraction of the smaller triangle's size are contacts at a corner.
 constexpr double shortest_line = 1e-6;
-// Both triangles' stretches lie on one line, unless rounding turned one of them; the sine.
+// Both triangles' segments are on one line unless rounding turned one of them; as the sine.
 constexpr double askew = 1e-3;
 
-// How far rounding may have moved a corner. Each axis by itself: a floor of kilometres is exactly
-// level, and a small thing that stands in it must not count as lying in its plane.
+// Largest rounding error of a corner, by axis: a floor of kilometres is exactly level, and a small
+// object that stands in it must not count as coplanar with it.
 struct Rounding {
   glm::dvec3 of_coordinates;
 
-  // The rounding of a distance along n, in units of n's length.
+  // Returns the rounding error of a distance along n, in units of n's length.
   [[nodiscard]] double along(glm::dvec3 n) const { return glm::dot(glm::abs(n), of_coordinates); }
 };
 
-// The largest extent of a triangle's box along an axis.
+// Returns the largest extent of a triangle's box along an axis.
 double size_of(const TriangleCorners& t) {
   const glm::dvec3 d = glm::max(t[0], glm::max(t[1], t[2])) - glm::min(t[0], glm::min(t[1], t[2]));
   return std::max({d.x, d.y, d.z});
@@ -36,8 +36,8 @@ Rounding rounding_of(const TriangleCorners& s, const TriangleCorners& t, glm::dv
   return {on_plane * (largest + glm::abs(origin) + size)};
 }
 
-// The triangle's normal, of any length, turned so that it does not depend on the winding: its
-// largest coordinate is positive.
+// Returns the triangle's normal, of any length, independent of the winding: its largest coordinate
+// is positive.
 glm::dvec3 unwound_normal(const TriangleCorners& t) {
   const glm::dvec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
   const glm::dvec3 size = glm::abs(n);
@@ -45,8 +45,8 @@ glm::dvec3 unwound_normal(const TriangleCorners& t) {
   return n[largest] < 0.0 ? -n : n;
 }
 
-// The stretch of `t` on the plane of `other`. A corner on the plane counts as being on its positive
-// side, so that two triangles which meet on the plane cross it once together.
+// Returns the segment of `t` on the plane of `other`. A corner on the plane counts as being on its
+// positive side, so that two triangles that meet on the plane cross it once together.
 std::optional<Stretch> crossing(const TriangleCorners& t, const TriangleCorners& other,
                                 const Rounding& rounding) {
   const glm::dvec3 n = unwound_normal(other);
@@ -79,7 +79,7 @@ std::optional<Stretch> common_line(const TriangleCorners& s, const TriangleCorne
   if (!x) return std::nullopt;
   const std::optional<Stretch> y = crossing(t, s, rounding);
   if (!y) return std::nullopt;
-  // The common part of the two stretches is the intersection.
+  // The common part of the two segments is the intersection.
   const glm::dvec3 d = x->q - x->p;
   const double square = glm::dot(d, d);
   if (!(square > 0.0)) return std::nullopt;

@@ -14,9 +14,9 @@ struct Stretch {
   glm::dvec3 p, q;
 };
 
-/// The stretch along which two triangles pass through each other. None where they only touch or
-/// lie in one plane, up to the rounding of coordinates that were written as floats of `origin` plus
-/// the corners. Does not depend on how either is wound.
+/// Returns the segment along which two triangles pass through each other. There is none where they
+/// only touch or are coplanar, up to the rounding of coordinates that were floats relative to
+/// `origin`. Does not depend on winding.
 [[nodiscard]] std::optional<Stretch> common_line(const TriangleCorners& s, const TriangleCorners& t,
                                                  glm::dvec3 origin);
 

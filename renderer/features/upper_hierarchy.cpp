@@ -13,7 +13,7 @@ glm::vec3 centre_of(const UpperItem& item) {
   return 0.5f * item.box.lo + 0.5f * item.box.hi;
 }
 
-/// Two halves along the longest side of the box of all centres.
+/// Splits items into two halves along the longest side of the box of all centres.
 std::pair<Items, Items> halves_of(Items items) {
   Box centres;
   for (const UpperItem& item : items) centres.grow(centre_of(item));

@@ -18,18 +18,18 @@ struct UpperItem {
   std::uint32_t place = own;  ///< `own`: the world's own boundaries
 };
 
-/// All that a node's children hold.
+/// Returns the box of everything below a node.
 [[nodiscard]] Box box_below(const FeatureNode& node);
 
-/// The nodes above the places' hierarchies and, unless it is empty, the one of `own`; the first is
-/// the root. Children that are the roots of hierarchies are numbered by finish_upper_nodes.
+/// Returns the nodes above the places' hierarchies and above `own`, unless that is empty; the first
+/// is the root. finish_upper_nodes numbers the children that are roots of hierarchies.
 [[nodiscard]] std::vector<FeatureNode> upper_nodes(std::vector<UpperItem> items,
                                                    const std::vector<FeatureNode>& own);
 
 /// Marks such children; never in a finished node.
 inline constexpr std::uint8_t root_below = 255;
 
-/// Numbers the roots below upper nodes: that of the own hierarchy is `own_root`.
+/// Numbers the roots below upper nodes; that of the own hierarchy is `own_root`.
 template <typename RootOf>
 void finish_upper_nodes(std::vector<FeatureNode>& nodes, std::uint32_t own_root,
                         RootOf root_of_place) {

@@ -20,9 +20,9 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 33);
 }
 
-/// Places and the first vertex at each. Open addressing, keyed by the coordinates' bits; adding
-/// zero makes -0 equal 0. Any number of threads may add at once: which slot a place gets depends on
-/// them, the vertex in it does not.
+/// A hash table of places, with the first vertex at each. Open addressing, keyed by the
+/// coordinates' bits; adding zero makes -0 equal 0. Any number of threads may add concurrently: the
+/// slot of a place depends on them, but its vertex does not.
 class PlaceTable {
  public:
   explicit PlaceTable(const std::vector<glm::vec3>& positions)
@@ -43,7 +43,7 @@ class PlaceTable {
       return;
     }
   }
-  /// Once all are there.
+  /// Returns the first vertex at a vertex' place, after all were added.
   [[nodiscard]] std::uint32_t first_at_place_of(std::uint32_t vertex) const {
     std::size_t at = first_slot(vertex);
     while (positions_[slots_[at]] != positions_[vertex]) at = (at + 1) & (slots_.size() - 1);

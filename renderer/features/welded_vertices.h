@@ -8,8 +8,8 @@
 
 namespace asos {
 
-/// For each vertex the first one at the same place, itself where there is none before. 0 and -0 are
-/// the same place. In parallel; throws SearchStopped once `stop` is requested.
+/// Returns, for each vertex, the first one at the same place, which may be itself. 0 and -0 are
+/// equal. Parallel; throws SearchStopped once `stop` is requested.
 [[nodiscard]] std::vector<std::uint32_t> welded_vertices(const std::vector<glm::vec3>& positions,
                                                          const std::stop_token& stop = {});
 

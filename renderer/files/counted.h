@@ -8,7 +8,7 @@
 
 namespace asos {
 
-/// "1 edge", "2 edges". `many`: the plural where an s does not make it.
+/// Returns "1 edge", "2 edges" and so on. `many` is the plural if it does not just end in s.
 [[nodiscard]] inline std::string counted(std::uint64_t count, std::string_view one,
                                          std::string_view many = {}) {
   if (count == 1) return fmt::format("1 {}", one);

@@ -12,7 +12,7 @@ std::filesystem::path followed_links(const std::filesystem::path& path) {
     if (!std::filesystem::is_symlink(std::filesystem::symlink_status(at, error))) return at;
     const std::filesystem::path target = std::filesystem::read_symlink(at, error);
     if (error) return at;
-    at = at.parent_path() / target;  // an absolute target replaces all
+    at = at.parent_path() / target;  // an absolute target replaces everything
   }
   return path;
 }

@@ -4,9 +4,9 @@
 
 namespace asos {
 
-/// The file that writing to `path` makes or replaces: symbolic links are followed, those to files
-/// that do not exist included, so that a link stays a link. `path` itself where it is none, or
-/// where links lead in a circle.
+/// Returns the file that a write to `path` creates or replaces. Follows symbolic links, even to
+/// files that do not exist, so that a link stays a link. Returns `path` itself if it is no link, or
+/// if links form a circle.
 [[nodiscard]] std::filesystem::path followed_links(const std::filesystem::path& path);
 
 }  // namespace asos

@@ -29,7 +29,7 @@ void remove_leftovers(const fs::path& folder, std::string_view prefix) {
   const fs::path where = folder.empty() ? fs::path(".") : folder;
   for (fs::directory_iterator at(where, error), end; !error && at != end; at.increment(error))
     if (is_of_dead_process(at->path().filename().string(), prefix)) found.push_back(at->path());
-  // One that cannot be removed is in nobody's way.
+  // A file that cannot be removed does no harm.
   for (const fs::path& path : found) fs::remove(path, error);
 }
 

@@ -5,8 +5,8 @@
 
 namespace asos {
 
-/// Removes what runs that were killed have left of a file on its way: the files of `folder` whose
-/// names are `prefix`, the number of a process that is no more, and whatever follows.
+/// Removes temporary files of killed runs: the files in `folder` whose names are `prefix`, the
+/// number of a process that no longer exists, and any suffix.
 void remove_leftovers(const std::filesystem::path& folder, std::string_view prefix);
 
 }  // namespace asos

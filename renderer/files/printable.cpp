@@ -13,8 +13,9 @@ struct Range {
   std::uint32_t first, last;
 };
 
-// What a terminal obeys, what breaks a line, and what makes text read as another: controls, soft
-// hyphen, marks of direction (Unicode's Bidi_Control), separators, other invisible marks and tags.
+// Characters that control a terminal, break a line, or make text look like another text: controls,
+// soft hyphen, direction marks (Unicode's Bidi_Control), separators, other invisible marks and
+// tags.
 constexpr std::array<Range, 12> not_shown{{{0x00, 0x1f},
                                            {0x7f, 0x9f},
                                            {0xad, 0xad},
@@ -38,7 +39,7 @@ std::uint32_t byte_at(std::string_view text, std::size_t i) {
   return static_cast<std::uint8_t>(text[i]);
 }
 
-/// The character of `length` bytes that `text` begins with.
+/// Returns the first character of `text`, which has `length` bytes.
 std::uint32_t character_of(std::string_view text, std::size_t length) {
   if (length == 1) return byte_at(text, 0);
   std::uint32_t character = byte_at(text, 0) & (0x7fu >> length);
@@ -64,7 +65,7 @@ std::size_t utf8_length(std::string_view text) {
   if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
   for (std::size_t i = 1; i < length; ++i)
     if ((byte_at(text, i) & 0xc0) != 0x80) return 0;
-  // Not in more bytes than it takes, no half of a pair of UTF-16, none beyond the last.
+  // Reject overlong encodings, halves of UTF-16 pairs, and values beyond the last character.
   constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
   const std::uint32_t character = character_of(text, length);
   const bool is_half = character >= 0xd800 && character <= 0xdfff;

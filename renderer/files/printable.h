@@ -6,16 +6,17 @@
 
 namespace asos {
 
-/// Text that comes from outside (names, paths, whatever a file says) as it may be shown: one line
-/// of valid UTF-8 that a terminal only prints. Control characters, line separators, marks that turn
-/// the direction of text and bytes that are no UTF-8 become escapes such as \n, \x1b and \u{202e};
-/// all else stays, and so does what has been escaped before.
+/// Returns text from outside (names, paths, file contents) in a form that is safe to display: one
+/// line of valid UTF-8 that a terminal only prints. Control characters, line separators, direction
+/// marks and invalid bytes become escapes such as
+/// , \x1b and \u{202e}. Everything else stays the same, including existing escapes.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The length in bytes of the UTF-8 character that `text` begins with, 0 where it begins with none.
+/// Returns the length in bytes of the UTF-8 character at the start of `text`, or 0 if there is
+/// none.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
-/// Whether all of it is UTF-8.
+/// Returns whether all of it is UTF-8.
 [[nodiscard]] bool is_utf8(std::string_view text);
 
 }  // namespace asos

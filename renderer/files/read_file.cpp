@@ -15,21 +15,21 @@ namespace {
 
 using tl::unexpected;
 
-/// Closes a file descriptor when it goes.
+/// Closes a file descriptor on destruction.
 struct OpenFile {
   int descriptor = -1;
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
   explicit OpenFile(const std::filesystem::path& path)
-      // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+      // Without O_NONBLOCK, opening a pipe without a writer would wait forever.
       : descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) {}
   ~OpenFile() {
     if (descriptor >= 0) ::close(descriptor);
   }
 };
 
-/// Adds what follows in the file until there are `size` bytes; fewer where it ends before, as where
-/// it becomes shorter meanwhile.
+/// Reads from the file until there are `size` bytes. There are fewer if the file ends earlier, for
+/// example because it became shorter.
 tl::expected<void, std::string> read_up_to(std::size_t size, int descriptor, FileBytes& bytes) {
   std::size_t got = bytes.size();
   bytes.resize(size);

@@ -15,7 +15,7 @@ namespace asos {
 
 using FileBytes = std::vector<std::uint8_t>;
 
-/// The beginning of a file, at most `length` bytes of it, and how much there is of it in all.
+/// The first bytes of a file, at most `length`, and the file's total size.
 struct FileHead {
   static constexpr std::size_t length = 64;
 
@@ -23,20 +23,22 @@ struct FileHead {
   std::uint64_t file_size = 0;
 };
 
-/// What a file has to be to be read.
+/// The requirements for a file to be read.
 struct FileRules {
   std::uint64_t most_bytes = 0;
-  /// Why the file cannot be what is wanted, told from its beginning before the rest is read, so
-  /// that gigabytes of something else cost nothing; empty: it may be. Without one, all may be.
+  /// Returns why the file is not a wanted one, from its first bytes, before the rest is read. Large
+  /// files of another kind are thus rejected at once. Empty: it may be read. Without a function,
+  /// all files may be read.
   std::function<std::string(const FileHead& head)> fault{};
 };
 
-/// A regular file's contents; the one way by which the program reads what it is given. Directories,
-/// pipes, devices and what breaks the rules are refused without waiting; the reason is the error.
+/// Reads a regular file's contents; the program reads all its input files with it. Directories,
+/// pipes, devices, and files that violate the rules are refused immediately, with the reason as the
+/// error.
 [[nodiscard]] tl::expected<FileBytes, std::string> read_file(const std::filesystem::path& path,
                                                              const FileRules& rules);
 
-/// Whether `bytes` begin with `magic`.
+/// Returns whether `bytes` begin with `magic`.
 [[nodiscard]] bool begins_with(std::span<const std::uint8_t> bytes, std::string_view magic);
 
 }  // namespace asos

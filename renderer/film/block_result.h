@@ -5,7 +5,7 @@
 
 namespace asos {
 
-/// The final pixels of one block of a picture, and what they cost.
+/// The final pixels of one block of a picture, and the statistics of their work.
 struct BlockResult {
   FinishedTile tile;
   RenderStatistics statistics;

@@ -8,7 +8,7 @@
 namespace asos {
 namespace {
 
-/// Takes text up to its final zero off `rest`; false where there is none.
+/// Removes text up to its final zero from `rest`; false if there is none.
 bool take_text(std::span<const std::uint8_t>& rest, std::size_t& length) {
   const auto end = std::find(rest.begin(), rest.end(), std::uint8_t{0});
   if (end == rest.end()) return false;
@@ -25,7 +25,8 @@ std::string fault_of_exr_claims(std::span<const std::uint8_t> file) {
   if (file.size() < magic_and_version) return "it ends too early";
   const bool has_parts = (file[5] & multipart) != 0;
   auto rest = file.subspan(magic_and_version);
-  // An empty name ends a part's attributes; where there may be several, an empty part ends them.
+  // An empty name ends a part's attributes. In multi-part files an empty part ends the list of
+  // parts.
   for (bool empty_part = true;;) {
     std::size_t name = 0, type = 0;
     if (!take_text(rest, name)) return "it ends too early";

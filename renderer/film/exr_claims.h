@@ -6,10 +6,10 @@
 
 namespace asos {
 
-/// Why an EXR's header claims more than its file holds; empty where it does not. OpenEXR allocates
-/// what an attribute claims before it finds out that the bytes are not there, so that the claims
-/// are read first (OpenEXR's "File Layout", "Attribute Layout"). Whatever else is wrong is for
-/// OpenEXR to find. Any bytes.
+/// Returns an error text if an EXR's header declares more bytes than the file has; else empty.
+/// OpenEXR allocates the declared size of an attribute before it notices missing bytes, so the
+/// sizes are checked first (OpenEXR's "File Layout", "Attribute Layout"). All other errors are left
+/// to OpenEXR. Any bytes.
 [[nodiscard]] std::string fault_of_exr_claims(std::span<const std::uint8_t> file);
 
 }  // namespace asos

@@ -73,7 +73,7 @@ class BytesStream : public Imf::IStream {
   std::size_t at_ = 0;
 };
 
-/// The slices of red, green and blue of rows that begin at `first_row`.
+/// Returns the slices of red, green and blue for rows from `first` on.
 Imf::FrameBuffer slices(const glm::vec3* radiance, const Imath::V2i& first, std::int64_t width,
                         std::int64_t rows) {
   Imf::FrameBuffer buffer;
@@ -131,7 +131,7 @@ class ExrWriter : public PictureWriter {
     return {};
   }
   [[nodiscard]] Result<void> finish() override {
-    output_.reset();  // writes where its rows are
+    output_.reset();  // writes its table of rows
     return file_.commit();
   }
 
@@ -156,7 +156,7 @@ tl::unexpected<Error> unreadable(const std::string& path, std::string_view reaso
   return unexpected(Error{path, fmt::format("is no EXR that can be read: {}", reason)});
 }
 
-// Without OpenEXR's own mention of a file.
+// Without the file name in OpenEXR's message.
 tl::unexpected<Error> unreadable(const std::string& path, const std::exception& e) {
   const std::string_view what = e.what();
   const std::size_t head = what.find("\". ");
@@ -208,10 +208,10 @@ Result<ImageText> exr_text(const std::string& path, const FileBytes& file) {
 
 namespace {
 
-/// A file that is open to be read.
+/// An EXR file that is open for reading.
 class ExrInput {
  public:
-  /// Errors: it cannot be read, or is no EXR.
+  /// Reads the file. Errors: it cannot be read, or is no EXR.
   [[nodiscard]] static Result<FileBytes> bytes_of(const std::string& path) {
     const FileRules rules{most_exr_bytes, [](const FileHead& head) {
                             return is_exr(head.bytes) ? "" : "is no EXR that can be read";
@@ -223,7 +223,7 @@ class ExrInput {
     return *std::move(file);
   }
 
-  /// Throws what OpenEXR does.
+  /// Throws OpenEXR's exceptions.
   explicit ExrInput(const FileBytes& file) : bytes_(file), input_(bytes_, 0) {}
 
   [[nodiscard]] const Imf::Header& header() const { return input_.header(); }
@@ -238,7 +238,7 @@ class ExrInput {
   }
   [[nodiscard]] bool has_alpha() const { return header().channels().findChannel("A") != nullptr; }
 
-  /// Rows of the picture; `coverage` where it has an alpha. Throws.
+  /// Reads rows of the picture; `coverage` if it has alpha. Throws.
   void read(glm::vec3* radiance, float* coverage, std::int64_t y, std::int64_t rows) {
     const Imath::V2i at(first().x, first().y + static_cast<int>(y));
     Imf::FrameBuffer buffer = slices(radiance, at, width(), rows);
@@ -260,7 +260,7 @@ ExrReduction reduction_of(const ExrInput& input, std::uint64_t bytes, const Most
   return reduction;
 }
 
-/// The mean of what there is of a square of the strip of rows that holds it.
+/// Returns the mean of a square of pixels, as far as it lies inside the strip of rows.
 template <typename Sum, typename Value>
 Sum mean_of(const std::vector<Value>& strip, std::int64_t width, std::int64_t rows,
             std::int64_t left, int side) {
@@ -271,7 +271,7 @@ Sum mean_of(const std::vector<Value>& strip, std::int64_t width, std::int64_t ro
   return sum / static_cast<double>(rows * columns);
 }
 
-/// Fills the film, a strip of the file's rows at a time where it is smaller than the file. Throws.
+/// Fills the film; if it is smaller than the file, one strip of the file's rows at a time. Throws.
 void read_film(ExrInput& input, const ExrReduction& reduction, Film& film) {
   film = Film(static_cast<int>(reduction.smaller(reduction.width)),
               static_cast<int>(reduction.smaller(reduction.height)));
@@ -327,7 +327,8 @@ Result<ExrImage> read_reduced_exr(const std::string& path, const SizeCheck& chec
       if (std::string unwanted = check(width, height); !unwanted.empty())
         return unexpected(Error{path, std::move(unwanted)});
     }
-    // No compression makes more of less, and rows are made before they are read.
+    // No compression packs more pixels into a byte. This is checked first, since memory for rows is
+    // allocated before they are read.
     if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) >
         most_pixels_per_byte * file->size())
       return unreadable(path, "it ends too early");

@@ -30,7 +30,7 @@ void PartFile::Drop::operator()(std::FILE* file) const {
 }
 
 Result<PartFile> PartFile::create(const std::string& path) {
-  // The name beside it is this process's and this call's own.
+  // The temporary name is unique to this process and call.
   static std::atomic<unsigned> serial{0};
   PartFile part;
   const fs::path place = followed_links(path);

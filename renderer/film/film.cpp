@@ -11,14 +11,15 @@ namespace asos {
 namespace {
 
 float srgb_encode(float linear) {
-  // The comparison is also false for NaN, which has no display intensity and shows as black.
+  // The comparison is also false for NaN, which has no display intensity and is displayed as black.
   if (!(linear > 0.0f)) return 0.0f;
   if (linear >= 1.0f) return 1.0f;
   return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
-/// The rounded bytes of the sRGB curve without its power function: for each byte the smallest
-/// linear value that rounds to it, and for 4096 steps of the linear scale the byte to start from.
+/// A table of the sRGB curve rounded to bytes, which avoids its power function: for each byte the
+/// smallest linear value that rounds to it, and for 4096 steps of the linear scale the first byte
+/// to try.
 struct ByteCurve {
   static constexpr int steps = 4096;
   std::array<float, 257> threshold{};
@@ -55,8 +56,7 @@ std::size_t pixels_of(const PixelRect& rect) {
   return static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
 }
 
-/// Calls `f` with where each row that two rectangles share begins in the one and in the other, and
-/// with its length.
+/// Calls `f` for each row that two rectangles share, with its start in both and its length.
 template <typename F>
 void each_shared_row(const PixelRect& a, const PixelRect& b, const F& f) {
   const PixelRect shared = intersection(a, b);
@@ -76,7 +76,7 @@ void copy_shared(const std::vector<T>& from, const PixelRect& from_rect, std::ve
   });
 }
 
-// What is not told is `otherwise`.
+// Missing values become `otherwise`.
 template <typename T>
 void copy_told(const std::vector<T>& from, const PixelRect& from_rect, std::vector<T>& to,
                const PixelRect& to_rect, const T& otherwise) {
@@ -114,7 +114,7 @@ Film::Film(int w, int h)
       seconds(radiance.size(), 0.0f) {}
 
 void Film::put(const FinishedTile& tile) {
-  // Pixels outside the picture are left out; a tile whose arrays are too short is not a tile.
+  // Skips pixels outside the picture, and tiles whose arrays are too short.
   if (tile.rect.empty()) return;
   const std::size_t pixels = pixels_of(tile.rect);
   if (tile.radiance.size() < pixels || tile.split_level.size() < pixels ||
@@ -146,8 +146,8 @@ glm::u8vec3 display_bytes(glm::vec3 radiance, float exposure_ev) {
 
 glm::u8vec3 split_colour(int level, SplitCause cause) {
   if (level <= 0) return cause == SplitCause::none ? glm::u8vec3(0) : exact_colour;
-  // Viridis without its darkest quarter, which is hard to tell from black: perceptually ordered,
-  // and readable for the colour-blind.
+  // Viridis without its darkest quarter, which is hard to distinguish from black: perceptually
+  // ordered, and readable for colour-blind people.
   constexpr std::array<glm::vec3, 4> scale{glm::vec3(59, 82, 139), glm::vec3(33, 145, 140),
                                            glm::vec3(94, 201, 98), glm::vec3(253, 231, 37)};
   const float t = 3.0f * static_cast<float>(std::min(level, split_colour_levels) - 1) /

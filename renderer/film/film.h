@@ -16,34 +16,33 @@ namespace asos {
 struct FinishedTile {
   PixelRect rect;
   std::vector<glm::vec3> radiance;  ///< linear
-  /// Deepest level n: the pixel's finest cells, or as many samples, are 1/2^n pixels wide. Cutting
-  /// a cell along an edge adds none, nor do levels of mirrored or shadow pyrays.
+  /// Deepest level n: the pixel's finest cells, or the squares of its samples, are 1/2^n pixels
+  /// wide. Cuts of a cell along an edge add no level, nor do levels of reflected or shadow pyrays.
   std::vector<std::uint8_t> split_level;
-  std::vector<SplitCause> cause;  ///< why it is split; methods other than ASOS tell none
-  /// The cost of each pixel: the rays of all kinds that were cast for it, and the seconds of its
-  /// worker's processor. A cost that pixels share, in the smallest piece that is measured, is
-  /// spread over them evenly. Empty: not known, as of coarse passes.
+  std::vector<SplitCause> cause;  ///< why it is split; only by ASOS
+  /// The cost of each pixel: the rays of all kinds cast for it, and the processor time of its
+  /// worker in seconds. If only the cost of several pixels together was measured, it is divided
+  /// evenly. Empty: unknown, as in coarse passes.
   std::vector<float> rays;
   std::vector<float> seconds;
-  /// The share of each pixel that surfaces cover, 0 to 1: where the background is transparent, and
-  /// `radiance` is theirs alone. Empty: all is covered.
+  /// The fraction of each pixel that surfaces cover, 0 to 1, if the background is transparent;
+  /// `radiance` is then that of the surfaces alone. Empty: all is covered.
   std::vector<float> coverage;
-  /// Predicts the level of each pixel under another EPS and MAX. ASOS only; empty: not known.
+  /// Predicts the level of each pixel for another EPS and MAX. ASOS only; empty: unknown.
   std::vector<SplitOutlook> outlook;
-  /// What unlit surfaces that the eye sees add to each pixel, in xyz, which `radiance` contains;
-  /// and the share of the pixel that they cover, 0 to 1, in w. They are shown as they are: see
-  /// `tone_mapped`. Empty: no surface is unlit.
+  /// xyz: the contribution of directly visible unlit surfaces to each pixel, included in
+  /// `radiance`; w: the fraction of the pixel that they cover, 0 to 1. They are displayed without
+  /// exposure and tone curve: see `tone_mapped`. Empty: no surface is unlit.
   std::vector<glm::vec4> unlit;
   bool coarse = false;  ///< better pixels follow
 };
 
-/// Copies the pixels that two tiles of one picture share. Their cost is only copied where `to`
-/// keeps it, as 0 where `from` does not tell it; so is their coverage, as 1, and what is unlit, as
-/// 0.
+/// Copies the pixels that two tiles of one picture share. Costs, coverage and the unlit part are
+/// only copied if `to` has them; values missing in `from` become 0, and coverage becomes 1.
 void copy_pixels(const FinishedTile& from, FinishedTile& to);
 
-/// A whole picture: linear radiance, the split map by level and by cause, and what each pixel cost,
-/// 0 where that is not told; row-major from the top left.
+/// A whole picture: linear radiance, the split map by level and by cause, and the cost of each
+/// pixel, 0 if unknown; row-major from the top left.
 struct Film {
   int width = 0;
   int height = 0;
@@ -52,15 +51,15 @@ struct Film {
   std::vector<SplitCause> cause;
   std::vector<float> rays;
   std::vector<float> seconds;
-  std::vector<float> coverage;        ///< as a tile's; empty until a tile tells any
-  std::vector<SplitOutlook> outlook;  ///< as a tile's; empty until a tile tells any
+  std::vector<float> coverage;        ///< as a tile's; empty until a tile has it
+  std::vector<SplitOutlook> outlook;  ///< as a tile's; empty until a tile has it
   std::vector<glm::vec4> unlit;       ///< the same
-  /// 1 where no final pixel has come yet, while the window renders. Empty: all are final.
+  /// 1 for pixels that are not final yet, while the window renders. Empty: all are final.
   std::vector<std::uint8_t> unfinished;
 
   Film() = default;
   Film(int w, int h);
-  /// Copies a tile in; what lies outside the picture is left out.
+  /// Copies a tile into the picture, without the part outside of it.
   void put(const FinishedTile& tile);
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -68,18 +67,17 @@ struct Film {
   }
 };
 
-/// Display intensity, 0 to 1: exposure in stops, clip at white, sRGB curve. By a tone curve, and
-/// what stopping rules judge: tone.h.
+/// Returns the display intensity, 0 to 1: exposure in stops, clip at white, sRGB curve. See tone.h
+/// for tone curves, and for the intensity that stopping rules use.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev);
-/// The same as bytes, rounded; fast enough for whole pictures. A value that is not a number shows
-/// as black.
+/// Returns the same as rounded bytes; fast enough for whole pictures. NaN becomes black.
 [[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, float exposure_ev);
 
-/// The split map's colour of a pixel: sRGB bytes, brighter for deeper levels, the same at any MAX.
-/// Level 0 is black where the pixel is not split, and `exact_colour` where it has a cause: it was
-/// cut along an edge without being divided into quarters.
+/// Returns the split map's colour of a pixel: sRGB bytes, brighter for deeper levels, the same for
+/// any MAX. Level 0 is black if the pixel is not split, and `exact_colour` if it has a cause: it
+/// was cut along an edge without being divided into quarters.
 [[nodiscard]] glm::u8vec3 split_colour(int level, SplitCause cause = SplitCause::none);
 inline constexpr glm::u8vec3 exact_colour{150, 110, 160};
-/// The deepest level that has a colour of its own.
+/// The deepest level with a colour of its own.
 inline constexpr int split_colour_levels = 8;
 }  // namespace asos

@@ -20,13 +20,14 @@ namespace asos {
 namespace hdr {
 namespace {
 
-// Of 2^26 pixels and a little for what does not pack.
+// Enough for 2^26 pixels, and a little more for rows that do not compress.
 constexpr std::uint64_t most_bytes = std::uint64_t{300} << 20;
 constexpr std::size_t longest_header = std::size_t{1} << 16;
 constexpr std::int64_t longest_side = 1 << 20;
-// As many are read from files of any size, however well they pack.
+// This number of pixels is accepted from files of any size, at any compression ratio.
 constexpr std::size_t free_pixels = std::size_t{1} << 25;
-// Widths whose rows may be packed channel by channel (Ward, "Real Pixels", and Radiance's color.c).
+// Range of row widths that support run-length encoded channels (Ward, "Real Pixels", and Radiance's
+// color.c).
 constexpr std::size_t narrowest_packed = 8, widest_packed = 0x7fff;
 
 using Bytes = std::span<const std::uint8_t>;
@@ -42,7 +43,7 @@ std::string fault_of_head(const FileHead& head) {
   return known ? "" : "is not a Radiance picture";
 }
 
-/// The next line of the header, which is taken off `rest`.
+/// Removes the next line of the header from `rest` and returns it.
 std::optional<std::string_view> take_line(std::string_view& rest) {
   const std::size_t end = rest.substr(0, longest_header).find('\n');
   if (end == std::string_view::npos) return std::nullopt;
@@ -65,7 +66,7 @@ bool take(std::string_view& text, std::string_view word) {
   return true;
 }
 
-/// A finite number above 0, with blanks before it.
+/// Reads a finite number above 0, with blanks before it.
 std::optional<double> take_factor(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t+"), text.size()));
   double value = 0.0;
@@ -75,8 +76,8 @@ std::optional<double> take_factor(std::string_view& text) {
   return value;
 }
 
-/// What a line says that pixels were multiplied by, which counts as often as it is said; 1 where it
-/// speaks of something else, nothing where its numbers are none (Radiance's filefmts.pdf).
+/// Returns the factors that an EXPOSURE or COLORCORR line declares for the pixels (several lines
+/// multiply); 1 for other lines, none if its numbers are invalid (Radiance's filefmts.pdf).
 std::optional<glm::dvec3> factors_of(std::string_view line) {
   const bool of_all = take(line, "EXPOSURE=");
   if (!of_all && !take(line, "COLORCORR=")) return glm::dvec3(1.0);
@@ -129,12 +130,12 @@ Checked<Header> read_header(Bytes file) {
   return Header{*width, *height, scale, file.last(rest.size())};
 }
 
-/// Unpacks rows one after the other. Every step takes bytes, so that it ends.
+/// Unpacks rows one after the other. Every step consumes bytes, so it terminates.
 class Rows {
  public:
   explicit Rows(Bytes bytes) : bytes_(bytes) {}
 
-  /// Fills one row; false where its bytes do not.
+  /// Fills one row; false if there are too few bytes.
   [[nodiscard]] bool next(std::span<Rgbe> row) {
     if (row.size() < narrowest_packed || row.size() > widest_packed || !is_packed(row.size()))
       return flat(row);
@@ -165,7 +166,8 @@ class Rows {
     return true;
   }
 
-  /// Whole pixels; 1, 1, 1, n repeats the one before n times, the next such 256 n times.
+  /// Reads uncompressed pixels, with the old run-length code: 1, 1, 1, n repeats the previous pixel
+  /// n times, and the next such code 256 n times.
   [[nodiscard]] bool flat(std::span<Rgbe> row) {
     std::size_t at = 0;
     unsigned shift = 0;
@@ -197,7 +199,7 @@ Checked<HdrImage> read(Bytes file, const SizeCheck& check) {
     if (std::string unwanted = check(header->width, header->height); !unwanted.empty())
       return fault(std::move(unwanted));
   }
-  // A run of two bytes stands for 127 at most, and a flat pixel of 4 for any number.
+  // A run of two bytes covers at most 127 values, and an old code of 4 bytes any number of pixels.
   constexpr std::int64_t least_bytes_a_row = 4;
   if (header->height > static_cast<std::int64_t>(header->pixels.size()) / least_bytes_a_row)
     return fault("its picture cannot be read: it ends too early");

@@ -13,7 +13,7 @@
 
 namespace asos {
 
-/// Keys and values that travel inside a picture's file, in order.
+/// Keys and values stored in a picture's file, in order.
 using ImageText = std::vector<std::pair<std::string, std::string>>;
 
 /// 8-bit RGB, rows from top to bottom, 3 * width * height bytes.
@@ -24,18 +24,19 @@ struct RgbImage {
   ImageText text;
 };
 
-// The writers put the file beside its place and rename it there when it is whole: a reader never
-// sees half a picture, and a failure leaves what was there. Errors name the file and the reason.
+// The writers create a temporary file in the same folder and rename it when it is complete: a
+// reader never sees half a picture, and a failure keeps the old file. Errors name the file and the
+// reason.
 
-/// A PNG with `text` as tEXt chunks (iTXt where a value is not plain ASCII). Keys have 1 to 79
+/// Writes a PNG with `text` as tEXt chunks (iTXt if a value is not plain ASCII). Keys have 1 to 79
 /// printable ASCII characters and no spaces at their ends.
 [[nodiscard]] Result<void> write_png(const std::string& path, const RgbImage& image);
 
-/// The picture as `display` shows it, with an alpha channel where the film has coverage.
+/// Writes the picture as displayed by `display`, with an alpha channel if the film has coverage.
 [[nodiscard]] Result<void> write_png(const std::string& path, const Film& film,
                                      const DisplayTransform& display, const ImageText& text);
 
-/// The split map in the colours of `key`.
+/// Writes the split map in the colours of `key`.
 [[nodiscard]] Result<void> write_split_map_png(const std::string& path, const Film& film,
                                                SplitMapKey key, const ImageText& text = {});
 
@@ -50,14 +51,15 @@ struct ExrImage {
   Film film;  ///< without split levels; with coverage where the file has an A channel
   ImageText attributes;
 };
-/// `check` is asked before anything of the picture's size is made.
+/// Reads an EXR. Calls `check` before it allocates the picture.
 [[nodiscard]] Result<ExrImage> read_exr(const std::string& path, const SizeCheck& check = {});
 
-/// The text of a PNG's text chunks or an EXR's string attributes; the file's first bytes tell which
-/// of both it is. Errors: cannot be read, is neither, its text is damaged.
+/// Returns the text of a PNG's text chunks or an EXR's string attributes; the file's first bytes
+/// determine its format. Errors: it cannot be read, has neither format, or its text is damaged.
 [[nodiscard]] Result<ImageText> read_image_text(const std::string& path);
 
-/// Writes `bytes` to `path` by way of a file beside it. For every file that the program makes.
+/// Writes `bytes` to `path` through a temporary file. All files of the program are written in this
+/// way.
 [[nodiscard]] Result<void> write_file_atomically(const std::string& path,
                                                  const std::vector<std::uint8_t>& bytes);
 

@@ -17,7 +17,7 @@ std::uint32_t big_endian(const std::uint8_t* p) {
          std::uint32_t{p[3]};
 }
 
-/// At most `most` bytes of text; none where it is longer or damaged.
+/// Returns the decompressed text of at most `most` bytes; none if it is longer or damaged.
 std::optional<std::string> inflated(std::string_view packed, std::size_t most) {
   std::string text(std::min(std::max(8 * packed.size(), std::size_t{1} << 12), most), '\0');
   for (;;) {
@@ -33,7 +33,7 @@ std::optional<std::string> inflated(std::string_view packed, std::size_t most) {
   }
 }
 
-// The part of `rest` up to its next zero byte, which is taken off.
+// Removes the part up to the next zero byte from `rest` and returns it.
 std::optional<std::string_view> take_word(std::string_view& rest) {
   const std::size_t end = rest.find('\0');
   if (end == std::string_view::npos) return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<std::string_view> take_word(std::string_view& rest) {
   return word;
 }
 
-/// Key and value of the body of a chunk (PNG specification, section 11.3.4), of at most `most`
+/// Returns key and value of a chunk's body (PNG specification, section 11.3.4), of at most `most`
 /// bytes.
 std::optional<std::pair<std::string, std::string>> read_chunk(std::string_view type,
                                                               std::string_view body,
@@ -56,7 +56,7 @@ std::optional<std::pair<std::string, std::string>> read_chunk(std::string_view t
     if (!packed) packed = body[0] != 0;
     body.remove_prefix(flags);
   }
-  // iTXt: a language and a key translated into it.
+  // iTXt: a language and a translated key.
   if (type == "iTXt" && (!take_word(body) || !take_word(body))) return std::nullopt;
   if (!packed) return std::pair(std::string(*key), std::string(body));
   auto text = inflated(body, most);
@@ -96,7 +96,7 @@ Result<ImageText> png_text(const std::string& path, std::span<const std::uint8_t
       const bool whole =
           crc32(0, start, static_cast<uInt>(size + 4)) == big_endian(start + 4 + size);
       auto entry = read_chunk(type, {reinterpret_cast<const char*>(start) + 4, size}, left);
-      // An entry takes room even where it is empty.
+      // An empty entry takes memory, too.
       constexpr std::size_t room = sizeof(ImageText::value_type);
       const std::size_t taken = entry ? entry->first.size() + entry->second.size() + room : 0;
       if (!whole || !entry || taken > left) return unexpected(too_much_text(path));

@@ -10,21 +10,21 @@
 
 namespace asos {
 
-/// The most text that a picture may hold, all of it together and decompressed: 16 MB.
+/// The largest total size of the decompressed text in a picture: 16 MB.
 inline constexpr std::size_t most_image_text = std::size_t{16} << 20;
 
-/// Whether a file begins as a PNG does, or as an EXR.
+/// Returns whether a file begins as a PNG, or as an EXR.
 [[nodiscard]] bool is_png(std::span<const std::uint8_t> file);
 [[nodiscard]] bool is_exr(std::span<const std::uint8_t> file);
 
-/// What files have to be to be read as a PNG.
+/// Returns the conditions on files that are read as PNGs.
 [[nodiscard]] FileRules png_rules();
 
-/// The text chunks of a PNG (tEXt, zTXt, iTXt), decompressed. Errors name `path`: text that is
-/// damaged, or too much of it.
+/// Returns the text chunks of a PNG (tEXt, zTXt, iTXt), decompressed. Errors name `path`: damaged
+/// text, or too much of it.
 [[nodiscard]] Result<ImageText> png_text(const std::string& path,
                                          std::span<const std::uint8_t> file);
-/// The string attributes of an EXR.
+/// Returns the string attributes of an EXR.
 [[nodiscard]] Result<ImageText> exr_text(const std::string& path, const FileBytes& file);
 
 }  // namespace asos

@@ -8,31 +8,31 @@
 
 namespace asos {
 
-/// A file on its way: written beside its place under a name of its own, and renamed when it is
-/// whole. Symbolic links are followed. One that is dropped before leaves nothing, and what a killed
-/// process left of the same file goes. A pipe or a device is written to when all is there. Errors
-/// name the place and the system's reason.
+/// A file being written: it has a temporary name in the target folder, and is renamed when it is
+/// complete. Symbolic links are followed. Dropping an incomplete one removes it; leftovers of
+/// killed processes for the same target are removed, too. A pipe or a device gets the data at the
+/// end. Errors name the target and the system's reason.
 class PartFile {
  public:
   [[nodiscard]] static Result<PartFile> create(const std::string& path);
 
-  /// To be written to; the descriptor stays this object's.
+  /// The stream to write to; this object keeps the ownership.
   [[nodiscard]] std::FILE* stream() const { return file_.get(); }
-  /// Puts it in its place. Fails, too, where an earlier write did.
+  /// Renames it to its target. Also fails if an earlier write failed.
   [[nodiscard]] Result<void> commit();
-  /// The error of a write that has just failed.
+  /// Returns the error of a write that has just failed.
   [[nodiscard]] Error write_error() const;
 
  private:
   [[nodiscard]] Result<void> copy_through();
 
-  // Closes the stream, and removes the file unless it has been renamed or has no name.
+  // Closes the stream, and removes the file unless it was renamed or has no name.
   struct Drop {
     std::string name;
     void operator()(std::FILE* file) const;
   };
   std::string path_;
-  std::string beside_;  // empty: the place is no regular file
+  std::string beside_;  // empty: the target is no regular file
   std::unique_ptr<std::FILE, Drop> file_;
 };
 

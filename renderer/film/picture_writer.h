@@ -12,18 +12,19 @@
 
 namespace asos {
 
-/// Writes a picture from top to bottom as its rows come, so that it need not fit into memory. The
-/// file takes its place at `finish`; a writer that is dropped before leaves nothing. Errors name
-/// the file and the reason. One thread.
+/// Writes a picture row by row from top to bottom, so that it need not fit into memory. `finish`
+/// puts the file in its place; a writer that is dropped before leaves no file. Errors name the file
+/// and the reason. One thread.
 class PictureWriter {
  public:
   virtual ~PictureWriter() = default;
-  /// The next rows: linear radiance, row-major, whole rows. `coverage`, where the picture has an
-  /// alpha channel: one a pixel, or none where all is covered. `unlit`: FinishedTile's, or none.
+  /// Adds the next rows: linear radiance, row-major, whole rows. `coverage`, if the picture has an
+  /// alpha channel: one value per pixel, or empty if all is covered. `unlit`: as in FinishedTile,
+  /// or empty.
   [[nodiscard]] virtual Result<void> add_rows(std::span<const glm::vec3> radiance,
                                               std::span<const float> coverage = {},
                                               std::span<const glm::vec4> unlit = {}) = 0;
-  /// After the last row.
+  /// Call after the last row.
   [[nodiscard]] virtual Result<void> finish() = 0;
 };
 
@@ -32,20 +33,21 @@ struct PictureSizePx {
   int height = 0;
 };
 
-/// Whether a picture's file tells how much of its pixels is covered.
+/// Whether a picture's file has an alpha channel.
 enum class Alpha { none, coverage };
 
 [[nodiscard]] inline Alpha alpha_of(const Film& film) {
   return film.coverage.empty() ? Alpha::none : Alpha::coverage;
 }
 
-/// A PNG of what `display` shows, unlit surfaces as they are; with alpha, of the covered part of
-/// each pixel (straight alpha).
+/// Makes a writer of a PNG displayed by `display`, with unlit surfaces unchanged. With alpha,
+/// colours are those of the covered part of each pixel (straight alpha).
 [[nodiscard]] Result<std::unique_ptr<PictureWriter>> make_png_writer(
     const std::string& path, PictureSizePx size, const DisplayTransform& display,
     const ImageText& text, Alpha alpha = Alpha::none);
-/// An EXR of 32-bit floats, the radiance of lit and unlit surfaces alike; with alpha, radiance is
-/// that of the covered part times its share of the pixel (premultiplied, as EXR has it).
+/// Makes a writer of an EXR of 32-bit floats: the radiance of lit and unlit surfaces alike. With
+/// alpha, radiance is that of the covered part times its coverage (premultiplied, as usual for
+/// EXR).
 [[nodiscard]] Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path,
                                                                      PictureSizePx size,
                                                                      const ImageText& attributes,

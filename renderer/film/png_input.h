@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// libpng's reader of a file that is in memory. It comes back by a jump where it fails, which
-/// `guarded` catches; nothing is printed.
+/// libpng's reader of a file in memory. On errors it jumps back, which `guarded` catches; it prints
+/// nothing.
 class PngInput {
  public:
   explicit PngInput(std::span<const std::uint8_t> file) : rest_(file) {
@@ -24,8 +24,8 @@ class PngInput {
   PngInput(const PngInput&) = delete;
   PngInput& operator=(const PngInput&) = delete;
 
-  /// Runs what calls libpng: `f` must hold nothing that has to be destroyed. False where it failed,
-  /// or where there is no memory for the reader.
+  /// Runs a function that calls libpng. `f` must hold no objects with destructors, since errors
+  /// jump out of it. Returns false if it failed, or if there is no memory for the reader.
   template <typename F>
   [[nodiscard]] bool guarded(const F& f) {
     if (!info_ || setjmp(png_jmpbuf(png_)) != 0) return false;
@@ -33,7 +33,7 @@ class PngInput {
     return true;
   }
 
-  /// Why `guarded` failed.
+  /// Returns the reason why `guarded` failed.
   [[nodiscard]] const std::string& message() const { return message_; }
 
  private:

@@ -10,7 +10,7 @@
 namespace asos {
 namespace {
 
-// Where nothing is told, as of a sample that was not finite, nothing is covered.
+// NaN coverage, of a sample that was not finite, counts as not covered.
 std::uint8_t alpha_byte(float covered) {
   if (!(covered > 0.0f)) return 0;
   return static_cast<std::uint8_t>(std::min(covered, 1.0f) * 255.0f + 0.5f);

@@ -20,7 +20,7 @@ constexpr std::int64_t longest_side = 1 << 20;
 // Deflate expands at most 1032 times, and a byte may be eight pixels.
 constexpr std::int64_t most_pixels_per_byte = 8 * 1032;
 
-/// Empty where it went well, else why not.
+/// Reads the pixels. Returns an empty string, or the reason of a failure.
 std::string read_pixels(std::span<const std::uint8_t> file, RgbImage& image) {
   PngInput input(file);
   const auto reason = [&] { return fmt::format("cannot be decoded ({})", input.message()); };
@@ -28,7 +28,7 @@ std::string read_pixels(std::span<const std::uint8_t> file, RgbImage& image) {
   std::size_t row = 0;
   const bool begun = input.guarded([&](png_structp png, png_infop info) {
     png_set_user_limits(png, longest_side, longest_side);
-    // Text is read by png_text, which counts it; nothing else beside the pixels matters.
+    // Skips all other chunks; png_text reads the text, with a size limit.
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(png, info);
     png_set_expand(png);

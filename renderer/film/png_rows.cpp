@@ -20,7 +20,7 @@ bool is_valid_key(const std::string& key) {
          key.find('\n') == std::string::npos && key.front() != ' ' && key.back() != ' ';
 }
 
-/// libpng's view of the text, which stays the caller's.
+/// Returns libpng's structures for the text; they point into `text`.
 Result<std::vector<png_text_struct>> as_chunks(const std::string& path, const ImageText& text) {
   std::vector<png_text_struct> chunks;
   for (const auto& [key, value] : text) {
@@ -45,8 +45,8 @@ void keep_message(png_structp png, png_const_charp message) {
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-/// Calls what calls libpng, which comes back by a jump where it fails: `f` must hold nothing that
-/// has to be destroyed. False where it failed.
+/// Runs a function that calls libpng, whose errors jump out of it: `f` must hold no objects with
+/// destructors. Returns false if it failed.
 template <typename F>
 bool guarded(png_structp png, const F& f) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;

@@ -12,10 +12,10 @@
 
 namespace asos {
 
-/// A PNG of 8-bit RGB or RGBA that is written row by row; what PictureWriter says holds here too.
+/// A PNG of 8-bit RGB or RGBA that is written row by row. The rules of PictureWriter apply.
 class PngRows {
  public:
-  /// `text` as tEXt chunks, iTXt where a value is not plain ASCII.
+  /// Writes `text` as tEXt chunks, or iTXt if a value is not plain ASCII.
   [[nodiscard]] static Result<std::unique_ptr<PngRows>> create(const std::string& path, int width,
                                                                int height, const ImageText& text,
                                                                int channels = 3);
@@ -23,7 +23,7 @@ class PngRows {
   PngRows(const PngRows&) = delete;
   PngRows& operator=(const PngRows&) = delete;
 
-  /// Whole rows, channels * width bytes each.
+  /// Adds whole rows of channels * width bytes each.
   [[nodiscard]] Result<void> add_rows(std::span<const std::uint8_t> pixels);
   [[nodiscard]] Result<void> finish();
 

@@ -9,27 +9,28 @@
 
 namespace asos {
 
-/// How many pixels a picture may have whose file has so many bytes.
+/// Returns the largest number of pixels for a picture whose file has this many bytes.
 using MostPixels = std::function<std::int64_t(std::uint64_t file_bytes)>;
 
-/// An EXR that is made smaller while it is read where it has more pixels than `most` allows: by
-/// halves, each pixel the mean of those that it stands for. `check` is asked before anything of the
-/// picture's size is made. Errors: those of read_exr.
+/// Reads an EXR. If it has more pixels than `most` allows, it is halved while it is read until it
+/// fits; each pixel is then the mean of a square of pixels. Calls `check` before it allocates the
+/// picture. Errors: those of read_exr.
 [[nodiscard]] Result<ExrImage> read_reduced_exr(const std::string& path, const SizeCheck& check,
                                                 const MostPixels& most);
 
-/// The number of the file's pixels that become one, along either side.
+/// The reduction of a file: each pixel of the result is a square of `shrink` x `shrink` pixels.
 struct ExrReduction {
   std::int64_t width = 0;  ///< of the file, pixels
   std::int64_t height = 0;
   int shrink = 1;
 
-  /// A side of a picture of which `shrink` pixels become one.
+  /// Returns the length of a side after the reduction.
   [[nodiscard]] std::int64_t smaller(std::int64_t side) const {
     return (side + shrink - 1) / shrink;
   }
 };
-/// What read_reduced_exr does with a file, told from its head. Errors: those of read_exr.
+/// Returns the reduction that read_reduced_exr would apply to a file, from its header. Errors:
+/// those of read_exr.
 [[nodiscard]] Result<ExrReduction> exr_reduction(const std::string& path, const MostPixels& most);
 
 }  // namespace asos

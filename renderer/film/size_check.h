@@ -6,8 +6,8 @@
 
 namespace asos {
 
-/// Why a picture of that many pixels is not wanted, empty: it is. Without one, all are. Readers ask
-/// before they make room for the picture.
+/// Returns the reason why a picture of this size is refused; empty: it is accepted. Readers call it
+/// before they allocate the picture. Without a check, all sizes are accepted.
 using SizeCheck = std::function<std::string(std::int64_t width, std::int64_t height)>;
 
 }  // namespace asos

@@ -8,20 +8,19 @@
 
 namespace asos {
 
-/// Why a pixel is split: why its value is the sum of several parts, be they quarters, pieces along
-/// an edge, or samples. A pixel has one cause: cause_of (renderer/asos/split_causes.h) says
-/// which of several counts.
+/// The cause of a pixel's split into several parts: quarters, pieces along an edge, or samples. A
+/// pixel has one cause; cause_of (renderer/asos/split_causes.h) selects it if there are several.
 enum class SplitCause : std::uint8_t {
   none,
-  outline,       ///< where a surface ends: an open edge or a silhouette
+  outline,       ///< the end of a surface: an open edge or a silhouette
   crease,        ///< a kink, or a seam of materials or textures
-  intersection,  ///< a line in which surfaces pass through each other
+  intersection,  ///< a line in which surfaces intersect
   shadow,        ///< a shadow's edge
-  reflection,    ///< an edge that a mirror shows
-  shading,       ///< nothing but uneven shading
-  cut_out,       ///< no boundary: split by what its samples show, as at a texture's holes
-  saturation,    ///< so many boundaries that samples cost less than the parts between
-  depth_limit,   ///< boundaries still passed through cells when MAX was reached
+  reflection,    ///< an edge in a reflection
+  shading,       ///< only varying shading
+  cut_out,       ///< no boundary: split by its samples, as at a texture's holes
+  saturation,    ///< so many boundaries that samples cost less than the parts between them
+  depth_limit,   ///< boundaries still crossed cells when MAX was reached
   lens,          ///< depth of field: sampled over pixel and lens
 };
 inline constexpr std::size_t split_cause_count = 11;
@@ -44,9 +43,9 @@ inline constexpr std::array<const char*, split_cause_count> split_cause_titles{
   return split_cause_names[static_cast<std::size_t>(cause)];
 }
 
-/// The split map's colour of a cause: sRGB bytes, black for none and for no other. The palette of
-/// Okabe and Ito (Color Universal Design, 2008), with white, brown and a blue added, so that the
-/// colour-blind can tell them apart, too.
+/// Returns the split map's colour of a cause: sRGB bytes, black for `none` only. The palette is
+/// that of Okabe and Ito (Color Universal Design, 2008) with white, brown and another blue, for
+/// colour-blind people.
 [[nodiscard]] constexpr glm::u8vec3 split_cause_colour(SplitCause cause) {
   constexpr std::array<std::array<std::uint8_t, 3>, split_cause_count> colours{{{0, 0, 0},
                                                                                 {240, 228, 66},

@@ -71,7 +71,7 @@ glm::u8vec3 SplitMapKey::colour(std::uint8_t value) const {
   if (colours == SplitMapColours::cause) return split_cause_colour(static_cast<SplitCause>(value));
   if (colours == SplitMapColours::level)
     return value == 1 ? exact_colour : split_colour(value == 0 ? 0 : value - 1);
-  // The cheapest is dark, but not the black of what is not told.
+  // The lowest cost is dark, but not black, which means unknown.
   constexpr float darkest = 0.12f;
   if (value == 0) return {0, 0, 0};
   return heat_colour(darkest + (1.0f - darkest) * static_cast<float>(value - 1) / 254.0f);

@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// The work done to find out how much of one light is seen.
+/// The work to find the visible part of one light.
 struct LightStatistics {
   std::uint64_t shadow_rays = 0;
   std::uint64_t shadow_pyrays = 0;  ///< that were subdivided
@@ -17,38 +17,40 @@ struct LightStatistics {
   bool operator==(const LightStatistics&) const = default;
 };
 
-/// Work done and what it met, summed over tiles. Integers and sums that do not depend on order but
-/// for `unresolved_area`, which is summed in tile order by RenderSession.
+/// The work and events of a rendering, summed over tiles. All sums are independent of the order,
+/// except for `unresolved_area`, which RenderSession sums in tile order.
 struct RenderStatistics {
   std::uint64_t eye_rays = 0;
   std::uint64_t shadow_rays = 0;
   std::uint64_t shadow_pyrays = 0;  ///< that were subdivided
   std::uint64_t reflection_rays = 0;
-  std::uint64_t sky_rays = 0;  ///< from surfaces, to find out whether they see it
+  std::uint64_t sky_rays = 0;                      ///< from surfaces, for the visibility of the sky
   std::array<std::uint64_t, 9> pyrays_by_level{};  ///< cells examined, by level 0..8
-  /// By Lighting::lights; lights beyond its end, which grows as needed, were asked for nothing.
-  /// Adds up to `shadow_rays` and `shadow_pyrays`.
+  /// Indexed like Lighting::lights; grows as needed, and lights beyond its end have no counts. Adds
+  /// up to `shadow_rays` and `shadow_pyrays`.
   std::vector<LightStatistics> lights;
-  std::uint64_t split_pixels = 0;      ///< pixels whose value is the sum of several parts
-  std::uint64_t missed_splits = 0;     ///< pixels split by the safety net only (design section 3)
-  std::uint64_t uneven_pixels = 0;     ///< pixels of which parts were split for their shading alone
-  std::uint64_t saturated_pixels = 0;  ///< pixels sampled at the finest level at once (section 5)
+  std::uint64_t split_pixels = 0;   ///< pixels whose value is the sum of several parts
+  std::uint64_t missed_splits = 0;  ///< pixels split by the safety net only (design section 3)
+  /// Pixels with parts that were split for their shading alone.
+  std::uint64_t uneven_pixels = 0;
+  /// Pixels sampled at the finest level without subdivision (section 5).
+  std::uint64_t saturated_pixels = 0;
   double unresolved_area = 0.0;        ///< in pixels: area of the leaves that stayed marginal
   std::uint64_t rejected_samples = 0;  ///< samples that were not finite, dropped
-  std::uint64_t cut_stacks = 0;        ///< rays through so many surfaces that the rest was dropped
+  std::uint64_t cut_stacks = 0;        ///< rays that stopped at the limit of surfaces per ray
 
-  /// ASOS: pixels by their cause; those with none are not counted.
+  /// ASOS: number of pixels by cause, without unsplit pixels.
   std::array<std::uint64_t, split_cause_count> pixels_by_cause{};
 
-  /// Rays of all kinds.
+  /// Returns the number of rays of all kinds.
   [[nodiscard]] std::uint64_t rays() const {
     return eye_rays + shadow_rays + reflection_rays + sky_rays;
   }
-  /// Counts shadow rays to a light, here and with that light.
+  /// Counts shadow rays to a light, in the total and for that light.
   void count_shadow_ray(std::uint32_t light, std::uint64_t rays = 1);
-  /// The same for pyrays that were subdivided; their rays are counted separately.
+  /// Does the same for pyrays that were subdivided; their rays are counted separately.
   void count_shadow_pyray(std::uint32_t light, std::uint64_t pyrays = 1);
-  /// The statistics of one light, all zero where it was asked for nothing.
+  /// Returns the statistics of one light; all zero if there are none.
   [[nodiscard]] LightStatistics of_light(std::size_t light) const {
     return light < lights.size() ? lights[light] : LightStatistics{};
   }

@@ -9,7 +9,7 @@ namespace asos {
 
 namespace {
 
-constexpr float most_radiance = 1e30f;  // so that nothing overflows on the way
+constexpr float most_radiance = 1e30f;  // prevents overflow in the tone curves
 
 glm::vec3 made_finite(glm::vec3 radiance) {
   for (int k = 0; k < 3; ++k)
@@ -17,12 +17,12 @@ glm::vec3 made_finite(glm::vec3 radiance) {
   return radiance;
 }
 
-// A smaller lit share than this shows in no display.
+// A smaller lit fraction of a pixel is invisible on any display.
 constexpr float least_lit_share = 1e-5f;
 
 // Khronos PBR Neutral Tone Mapper, specification 1.0.
 glm::vec3 pbr_neutral(glm::vec3 colour) {
-  constexpr float reflected = 0.04f;  // by a dielectric, which the curve takes off again
+  constexpr float reflected = 0.04f;  // reflectance of a dielectric, which the curve subtracts
   constexpr float start = 0.8f - reflected, desaturation = 0.15f;
   const float least = std::min({colour.x, colour.y, colour.z});
   colour -= least < 2.0f * reflected ? least - least * least / (4.0f * reflected) : reflected;
@@ -35,7 +35,7 @@ glm::vec3 pbr_neutral(glm::vec3 colour) {
   return glm::mix(colour, glm::vec3(compressed), faded);
 }
 
-// Sobotka's contrast curve by a polynomial of degree 6 (Wrensch 2023).
+// Sobotka's contrast curve, approximated by a polynomial of degree 6 (Wrensch 2023).
 float agx_contrast(float x) {
   const float x2 = x * x, x4 = x2 * x2;
   return 15.5f * x4 * x2 - 40.14f * x4 * x + 31.96f * x4 - 6.868f * x2 * x + 0.4298f * x2 +
@@ -56,7 +56,7 @@ glm::vec3 agx(glm::vec3 colour) {
     shown[k] = agx_contrast((ev - darkest_ev) / (brightest_ev - darkest_ev));
   }
   shown = glm::clamp(outset * shown, 0.0f, 1.0f);
-  constexpr float screen_gamma = 2.2f;  // that the fit was made for
+  constexpr float screen_gamma = 2.2f;  // for which the approximation was made
   return glm::pow(shown, glm::vec3(screen_gamma));
 }
 

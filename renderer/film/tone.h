@@ -10,13 +10,14 @@ namespace asos {
 
 struct Film;
 
-/// How radiance becomes what a screen can show. `none` clips at white. `neutral` is Khronos PBR
-/// Neutral (2024): base colours come out as they are told, and what is brighter is compressed
-/// without a change of hue. `agx` is Sobotka's AgX, after Wrensch's fit: film-like, with colours
-/// that fade towards white.
+/// The tone curve from radiance to display values. `none` clips at white. `neutral` is Khronos PBR
+/// Neutral (2024): it keeps base colours, and compresses brighter values without a change of hue.
+/// `agx` is Sobotka's AgX with Wrensch's approximation: a film-like curve, in which bright colours
+/// fade towards white.
 enum class ToneCurve : std::uint8_t { none, neutral, agx };
 
-/// How a picture is shown: what its bytes follow from. An exposure alone is one, too.
+/// The display settings of a picture: exposure and tone curve. An exposure converts to it
+/// implicitly.
 struct DisplayTransform {
   float exposure_ev;  ///< stops
   ToneCurve tone;
@@ -35,32 +36,32 @@ inline constexpr std::array tone_names{NamedTone{ToneCurve::none, "none"},
                                        NamedTone{ToneCurve::neutral, "neutral"},
                                        NamedTone{ToneCurve::agx, "agx"}};
 
-/// The linear colour, 0 to 1, that a screen shows for `radiance`. Its luminance never falls as all
-/// channels rise together (agx: but for less than a tenth of an 8-bit step near white, which is the
-/// fit's). With `none` it is the exposed radiance as it is. What is no number shows as black.
+/// Returns the displayed linear colour, 0 to 1, for `radiance`. Its luminance never falls if all
+/// channels rise together (agx: except for less than a tenth of an 8-bit step near white, an error
+/// of the approximation). `none` returns the exposed radiance unclipped. NaN becomes black.
 [[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, const DisplayTransform& display);
 
-/// The same for a pixel with the unlit part `unlit` (FinishedTile::unlit). Exposure and curve leave
-/// that part as it is. They map the mean radiance of the lit part, weighted by its share of the
-/// pixel.
+/// Returns the same for a pixel with the unlit part `unlit` (FinishedTile::unlit), which exposure
+/// and curve do not change. They are applied to the mean radiance of the lit part, which is
+/// weighted by its fraction of the pixel.
 [[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, glm::vec4 unlit,
                                     const DisplayTransform& display);
 
-/// The same without an exposure, and clipped at white whatever the curve: the intensity that EPS
-/// and contrasts are differences of.
+/// Returns the same without an exposure, and clipped at white for any curve: the intensity in which
+/// EPS and contrasts are measured.
 [[nodiscard]] glm::dvec3 displayed_intensity(glm::dvec3 radiance, ToneCurve curve);
 
-/// By how much a curve makes a difference of radiance larger at most, where it is small and the
-/// channels rise together: what is only known to be off by so much radiance may show as so much
-/// more. Neutral takes as much from each where the least channel alone rises: 2 there.
+/// Returns the maximal slope of a curve for small differences of radiance, if the channels rise
+/// together: a factor from errors in radiance to displayed errors. For `neutral` the slope is 2 if
+/// only the smallest channel rises, since the curve subtracts the same amount from each channel.
 [[nodiscard]] constexpr double steepness(ToneCurve curve) {
   return curve == ToneCurve::agx ? 1.7 : 1.0;
 }
 
-/// As `display_rgb` and `display_bytes` (film.h), by any curve.
+/// Return display_rgb and display_bytes (film.h) for any curve.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, const DisplayTransform& display);
 [[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, const DisplayTransform& display);
-/// The same of a pixel that may show unlit surfaces.
+/// Return the same for a pixel that may show unlit surfaces.
 [[nodiscard]] glm::vec3 display_rgb(const Film& film, std::size_t pixel,
                                     const DisplayTransform& display);
 [[nodiscard]] glm::u8vec3 display_bytes(const Film& film, std::size_t pixel,

@@ -4,7 +4,7 @@
 
 namespace asos {
 
-/// An upright rectangle of a plane.
+/// An axis-aligned rectangle in a plane.
 struct Bounds2 {
   glm::vec2 lo{0.0f};
   glm::vec2 hi{0.0f};

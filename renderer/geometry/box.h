@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// An upright box; empty until it grows.
+/// An axis-aligned box; empty until it grows.
 struct Box {
   glm::vec3 lo{std::numeric_limits<float>::infinity()};
   glm::vec3 hi{-std::numeric_limits<float>::infinity()};

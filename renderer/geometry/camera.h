@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// A camera placed in the world; it looks along -Z of `world_from_camera`, +Y is up, the columns of
-/// its upper 3x3 are orthonormal.
+/// A camera in the world. It looks along -Z of `world_from_camera`, with +Y up; the columns of the
+/// upper 3x3 are orthonormal.
 struct Camera {
   enum class Type { perspective, orthographic };
 
@@ -19,13 +19,13 @@ struct Camera {
   glm::dmat4 world_from_camera{1.0};
   double fov_y_rad = 0.8726646259971648;  ///< perspective: full vertical angle, in (0, pi)
   double height = 1.0;                    ///< orthographic: full height in world units
-  std::optional<double> aspect_ratio;     ///< width over height, where the file asks for one
-  /// The picture shows nothing nearer or farther: depths ahead of the eye, along the view's axis
-  /// (glTF's znear and zfar). Shadows and reflections show it all the same.
+  std::optional<double> aspect_ratio;     ///< width over height, if the file has one
+  /// The picture shows nothing nearer or farther than these depths along the view's axis (glTF's
+  /// znear and zfar). Shadows and reflections still include it.
   std::optional<double> near_depth, far_depth;
   Lens lens;  ///< perspective: depth of field
 
-  /// The same camera, which shows all that it sees.
+  /// Returns the same camera without these planes.
   [[nodiscard]] Camera without_planes() const {
     Camera camera = *this;
     camera.near_depth = camera.far_depth = std::nullopt;

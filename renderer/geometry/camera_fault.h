@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// The first property that a View relies on and a camera lacks, in the words of saved pictures;
+/// Returns the first property of a camera that View cannot use, with its name in saved pictures;
 /// empty: none.
 [[nodiscard]] std::string camera_fault(const Camera& camera);
 

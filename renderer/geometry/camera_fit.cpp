@@ -9,7 +9,8 @@ namespace asos {
 
 namespace {
 
-// Pictures have whole pixels, and files ratios like 1.7778: half a pixel in a thousand is no crop.
+// Tolerance of aspect ratios, since pictures have whole pixels, and files have ratios such as
+// 1.7778: half a pixel in a thousand.
 constexpr double same_ratio = 5e-4;
 
 }  // namespace

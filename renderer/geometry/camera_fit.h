@@ -4,17 +4,17 @@
 
 namespace asos {
 
-/// How a camera that asks for an aspect ratio is shown in a picture of another one (glTF 2.0,
-/// section 3.10.3).
+/// How a camera with an aspect ratio is fitted to a picture with another one (glTF 2.0, section
+/// 3.10.3).
 enum class CameraFit {
   crop,  ///< by height: a wider camera loses its sides
   fit,   ///< the whole frame of the camera, with margins above and below or at the sides
   fill,  ///< the frame covers the picture: it loses its sides, or its top and bottom
 };
 
-/// The camera for a picture of `aspect_ratio` (width over height): only the vertical angle, or the
-/// height, differs. The same where it asks for no aspect ratio, where the ratios differ by less
-/// than half a pixel in a thousand, or where no camera is that wide (camera_fault).
+/// Returns the camera for a picture of `aspect_ratio` (width over height): only the vertical angle,
+/// or the height, changes. It stays the same if the camera has no aspect ratio, if the ratios
+/// differ by less than half a pixel in a thousand, or if no camera is that wide (camera_fault).
 [[nodiscard]] Camera fitted_camera(const Camera& camera, double aspect_ratio, CameraFit fit);
 
 }  // namespace asos

@@ -6,18 +6,18 @@
 
 namespace asos {
 
-/// The farthest from the origin, along an axis, that a camera or a light may stand, and the most
-/// that a scene may be across. Rays that start outside, up to View's 1024 radii away, then have
-/// squares of lengths that fit a float, and stay within what Embree takes (largest_traceable).
+/// Largest distance of a camera or a light from the origin, along an axis, and largest extent of a
+/// scene. Rays that start outside, up to View's 1024 radii away, then have squared lengths that fit
+/// a float, and stay within Embree's limit (largest_traceable).
 inline constexpr double largest_coordinate = 1e15;
 
-/// Whether a place is within it; one that is not finite is not.
+/// Returns whether a place is within it; one that is not finite is not.
 [[nodiscard]] inline bool within_reach(glm::dvec3 p) {
   const auto near = [](double x) { return std::abs(x) <= largest_coordinate; };
   return near(p.x) && near(p.y) && near(p.z);
 }
 
-/// The place nearest to `p` that is within it, for what is moved by hand.
+/// Returns the nearest place within it, for objects that the user moves.
 [[nodiscard]] inline glm::dvec3 brought_within_reach(glm::dvec3 p) {
   return glm::clamp(p, glm::dvec3(-largest_coordinate), glm::dvec3(largest_coordinate));
 }

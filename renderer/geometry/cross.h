@@ -4,8 +4,8 @@
 
 namespace asos {
 
-/// Twice the area of the triangle 0, a, b: above 0 where b lies counter-clockwise of a, as x and y
-/// are drawn to the right and up.
+/// Returns twice the area of the triangle 0, a, b; above 0 if b is counter-clockwise of a, with x
+/// to the right and y up.
 [[nodiscard]] inline double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }

@@ -4,8 +4,8 @@
 
 namespace asos {
 
-/// Which part of a straight edge satisfies linear conditions, as parameters along it: empty unless
-/// t0 < t1 (or t0 <= t1 where a point counts).
+/// The part of a straight edge that satisfies linear conditions, as parameters along it. Empty
+/// unless t0 < t1 (or t0 <= t1 if a single point counts).
 struct EdgeRange {
   double t0 = 0.0;
   double t1 = 1.0;

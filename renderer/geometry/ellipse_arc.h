@@ -18,14 +18,15 @@ struct EllipseArc {
   double from = 0.0;
   double to = 2.0 * std::numbers::pi;
 
-  /// The same bits for the same angle, wherever it is asked for.
+  /// Returns the point at an angle, always with the same bits for the same angle.
   [[nodiscard]] glm::dvec3 at(double angle) const {
     return centre + std::cos(angle) * cosine + std::sin(angle) * sine;
   }
   [[nodiscard]] bool closed() const { return to - from >= 2.0 * std::numbers::pi; }
 };
 
-/// Appends the angles t where c0 + ca cos(t) + cb sin(t) = 0: where an arc crosses a plane.
+/// Appends the angles t where c0 + ca cos(t) + cb sin(t) = 0, which is where an arc crosses a
+/// plane.
 inline void add_crossings(double c0, double ca, double cb, std::vector<double>& angles) {
   const double size = std::hypot(ca, cb);
   if (!(size > std::abs(c0))) return;
@@ -35,8 +36,8 @@ inline void add_crossings(double c0, double ca, double cb, std::vector<double>& 
   angles.push_back(middle + half);
 }
 
-/// The circle around a face's axis at the height y of the unit surface; its angle is that of the
-/// unit surface's point (cos, y, sin).
+/// Returns the circle around a face's axis at the height y of the unit surface. Its angle is that
+/// of the unit surface's point (cos, y, sin).
 [[nodiscard]] inline EllipseArc ring(const ShapeFace& face, double y) {
   const double r = face.kind == ShapeFace::Kind::side ? face.radius_at(y) : 1.0;
   return {face.world({0.0, y, 0.0}), r * face.world_from_unit[0], r * face.world_from_unit[2]};

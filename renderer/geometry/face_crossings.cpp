@@ -6,8 +6,8 @@
 namespace asos {
 namespace {
 
-/// A line through the space of the unit surface, with its origin moved along it to where it passes
-/// nearest to the axis (or the middle): what is subtracted from `t` there.
+/// A line in the space of the unit surface. Its origin is moved to the point nearest to the axis
+/// (or the centre); `t` is reduced by that distance.
 struct UnitLine {
   glm::dvec3 origin;
   glm::dvec3 direction;
@@ -81,7 +81,7 @@ FaceCrossings cross_side(const ShapeFace& face, const UnitLine& line) {
 FaceCrossings cross(const ShapeFace& face, glm::dvec3 origin, glm::dvec3 direction) {
   UnitLine line{face.unit(origin), face.unit_from_world * direction};
   if (face.kind == ShapeFace::Kind::disk) return cross_disk(line);
-  // To the point nearest to the middle of the sphere or of the axis.
+  // Moves the origin to the point nearest to the centre of the sphere or the axis.
   const glm::dvec3 middle =
       face.kind == ShapeFace::Kind::sphere ? glm::dvec3(0) : glm::dvec3(0, 0.5, 0);
   line.moved =

@@ -6,8 +6,7 @@
 
 namespace asos {
 
-/// Whether no component is infinite or not a number: of points, vectors and colours, and of
-/// matrices.
+/// Returns whether all components are finite numbers.
 template <glm::length_t L, typename T, glm::qualifier Q>
 [[nodiscard]] bool finite(const glm::vec<L, T, Q>& v) {
   for (glm::length_t i = 0; i < L; ++i)

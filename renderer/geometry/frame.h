@@ -33,30 +33,31 @@ class Frame {
   [[nodiscard]] bool parallel() const { return parallel_; }
   /// The apex, or for a prism a point of its base.
   [[nodiscard]] glm::dvec3 apex() const { return apex_; }
-  /// Unit, the way a prism's rays go; for a pyramid the direction through its middle.
+  /// Returns the unit direction of a prism's rays; for a pyramid, the direction through its centre.
   [[nodiscard]] glm::dvec3 direction() const { return direction_; }
 
-  /// (U, V, W) of a world point.
+  /// Returns (U, V, W) of a world point.
   [[nodiscard]] glm::dvec3 homogeneous(glm::dvec3 p) const {
     const glm::dvec3 d = p - apex_;
     return {glm::dot(row_u_, d), glm::dot(row_v_, d), glm::dot(row_w_, d)};
   }
-  /// A homogeneous point with W > 0 on the square.
+  /// Projects a homogeneous point with W > 0 to the square.
   [[nodiscard]] FramePoint project(glm::dvec3 h) const {
     if (parallel_) return {h.x, h.y, -h.z};
     const double q = 1.0 / h.z;
     return {h.x * q, h.y * q, q};
   }
-  /// The world point at (u, v) of this nearness.
+  /// Returns the world point at (u, v) with this nearness.
   [[nodiscard]] glm::dvec3 world(FramePoint p) const;
 
-  /// Where the line through (u, v) meets a plane: not behind the apex. Nothing where it does not.
+  /// Returns where the line through (u, v) meets a plane, not behind the apex; nothing if it does
+  /// not.
   [[nodiscard]] std::optional<glm::dvec3> on_plane(glm::dvec2 uv, const HalfSpace& plane) const;
 
   [[nodiscard]] glm::dvec3 row_u() const { return row_u_; }
   [[nodiscard]] glm::dvec3 row_v() const { return row_v_; }
   [[nodiscard]] glm::dvec3 row_w() const { return row_w_; }
-  /// Edges of the base: the pyray at W = 1 is |a| wide and |b| high.
+  /// Returns an edge of the base: the pyray at W = 1 has the size |a| x |b|.
   [[nodiscard]] glm::dvec3 base_u() const { return a_; }
   [[nodiscard]] glm::dvec3 base_v() const { return b_; }
   [[nodiscard]] glm::dvec3 base_corner() const { return c_; }
@@ -72,7 +73,7 @@ class Frame {
   glm::dvec3 row_u_, row_v_, row_w_;  // rows of the inverse of [a b c]
 };
 
-/// Where the lines through the points of a frame's square meet a plane, for who asks for many.
+/// Computes where the lines through the points of a frame's square meet a plane, for many points.
 class PlaneCrossings {
  public:
   PlaneCrossings(const Frame& frame, const HalfSpace& plane)
@@ -86,7 +87,7 @@ class PlaneCrossings {
         rise_u_(glm::dot(plane.normal, a_)),
         rise_v_(glm::dot(plane.normal, b_)) {}
 
-  /// Where the line through (u, v) meets it: not behind the apex. Nothing where it does not.
+  /// Returns where the line through (u, v) meets it, not behind the apex; nothing if it does not.
   [[nodiscard]] std::optional<glm::dvec3> at(glm::dvec2 uv) const {
     const glm::dvec3 across = uv.x * a_ + uv.y * b_;
     const double rise = uv.x * rise_u_ + uv.y * rise_v_;
@@ -99,7 +100,7 @@ class PlaneCrossings {
   bool parallel_;
   glm::dvec3 apex_, along_, a_, b_;
   double height_;                  // of the apex above the plane
-  double rise_, rise_u_, rise_v_;  // towards it, along c and the edges
+  double rise_, rise_u_, rise_v_;  // along the normal, by c and by the edges
 };
 
 }  // namespace asos

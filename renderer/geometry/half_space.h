@@ -9,12 +9,12 @@ struct HalfSpace {
   glm::dvec3 normal{0, 0, 1};
   double offset = 0.0;
 
-  /// Whose border goes through a point.
+  /// Returns the half-space whose border goes through a point.
   [[nodiscard]] static HalfSpace through(glm::dvec3 point, glm::dvec3 normal) {
     return {normal, glm::dot(normal, point)};
   }
 
-  /// Above zero inside; a distance where the normal is unit.
+  /// Returns the height: above zero inside; a distance if the normal is unit.
   [[nodiscard]] double height(glm::dvec3 p) const { return glm::dot(normal, p) - offset; }
 };
 

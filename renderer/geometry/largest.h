@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// The largest of three components, as of a colour.
+/// Returns the largest of three components, as of a colour.
 [[nodiscard]] inline float largest(glm::vec3 v) {
   return std::max({v.x, v.y, v.z});
 }

@@ -15,7 +15,7 @@ struct PixelRect {
   bool operator==(const PixelRect&) const = default;
 };
 
-/// The pixels that two rectangles share; empty where they share none.
+/// Returns the common pixels of two rectangles; empty if there are none.
 [[nodiscard]] constexpr PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   const int x0 = std::max(a.x, b.x);
   const int y0 = std::max(a.y, b.y);

@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// Points origin + t * direction with t_near <= t <= t_far. The members lie so that both vectors
-/// start at 16 bytes: a processor that copies a ray by 16 bytes hands either on without waiting.
+/// Points origin + t * direction with t_near <= t <= t_far. In this order of members, both vectors
+/// are 16-byte aligned, so that a copy by 16 bytes causes no stall.
 struct Ray {
   glm::vec3 origin{0.0f};
   float t_near = 0.0f;
@@ -18,7 +18,7 @@ struct Ray {
   [[nodiscard]] glm::vec3 at(float t) const { return origin + t * direction; }
 };
 
-/// Where a ray meets a triangle: the point is (1-b1-b2) p0 + b1 p1 + b2 p2.
+/// The hit of a ray with a triangle: the point is (1-b1-b2) p0 + b1 p1 + b2 p2.
 struct Hit {
   static constexpr std::uint32_t none = 0xffffffffu;
 

@@ -6,9 +6,10 @@
 
 namespace asos {
 
-/// An analytic shape in its own space, as KHR_implicit_shapes has them (gltf/SHAPES.md): its
-/// middle at the origin, round ones around +Y. A cylinder of two radii is a truncated cone, one of
-/// which a radius is 0 a cone. A disk lies in the plane y = 0 and faces +Y; the others are closed.
+/// An analytic shape in its own space, as in KHR_implicit_shapes (gltf/SHAPES.md). Its centre is
+/// the origin, and round shapes have the axis +Y. A cylinder with two different radii is a
+/// truncated cone, or a cone if one of them is 0. A disk lies in the plane y = 0 and faces +Y; the
+/// others are closed.
 struct Shape {
   enum class Type { sphere, disk, box, cylinder };
 
@@ -22,8 +23,8 @@ struct Shape {
   bool operator==(const Shape&) const = default;
 };
 
-/// Why a shape is none; empty if it is one. Sizes must be finite and above 0; one radius of a
-/// cylinder may be 0.
+/// Returns why a shape is invalid; empty if it is valid. Sizes must be finite and above 0; one
+/// radius of a cylinder may be 0.
 [[nodiscard]] std::string shape_fault(const Shape& shape);
 
 }  // namespace asos

@@ -8,10 +8,10 @@ namespace asos {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-// At a pole or an apex a step around has no length: this share of one stands for its direction.
+// At a pole or an apex, a step around has length 0; this fraction of one gives its direction.
 constexpr double least_ring = 1e-7;
 
-/// Where around +Y a coordinate u is, and the way that goes on from there.
+/// The point around +Y at a coordinate u, and its derivatives.
 struct Around {
   double x, z;    // on the unit circle
   double xu, zu;  // derivatives by u
@@ -20,7 +20,7 @@ struct Around {
       : x(-std::cos(two_pi * u)), z(std::sin(two_pi * u)), xu(two_pi * z), zu(-two_pi * x) {}
 };
 
-/// The point of the unit surface at (u, v), its derivatives and normal.
+/// Returns the point of the unit surface at (u, v), its derivatives and normal.
 FacePoint unit_point(const ShapeFace& face, double u, double v) {
   FacePoint p;
   switch (face.kind) {
@@ -63,7 +63,7 @@ double turns(double x, double z) {
   return u < 0.0 ? u + 1.0 : u;
 }
 
-/// The map of a unit surface to the shape's own space.
+/// The map from a unit surface to the shape's own space.
 struct UnitFace {
   ShapeFace::Kind kind;
   double bottom, top;
@@ -102,7 +102,8 @@ std::vector<UnitFace> unit_faces(const Shape& shape) {
   return faces;
 }
 
-/// The inverse by rows scaled to length 1, so that neither tiny nor huge shapes overflow.
+/// Computes the inverse with rows scaled to length 1, so that neither tiny nor huge shapes
+/// overflow.
 bool invert(const glm::dmat3& m, glm::dmat3& inverse) {
   constexpr double least_volume = 1e-12;
   glm::dmat3 unit(0.0);

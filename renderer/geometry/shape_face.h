@@ -9,12 +9,13 @@
 
 namespace asos {
 
-/// One smooth face of an analytic shape, placed in the world by an affine map of a unit surface:
-/// the sphere of radius 1, the disk of radius 1 in y = 0, or the side of a cone around +Y between
-/// y = 0 and y = 1, whose larger radius is 1. So a stretched shape is as exact as any other.
+/// One smooth face of an analytic shape, placed in the world by an affine map of a unit surface.
+/// The unit surface is the sphere of radius 1, the disk of radius 1 in y = 0, or the side of a cone
+/// around +Y between y = 0 and y = 1, whose larger radius is 1. Stretched shapes are therefore as
+/// exact as others.
 ///
-/// Its points have coordinates (u, v) from 0 to 1, which are its texture coordinates too: around
-/// +Y and from the top down; of a disk along x and z.
+/// Its points have coordinates (u, v) from 0 to 1, which are also its texture coordinates: around
+/// +Y and from the top down, or along x and z for a disk.
 struct ShapeFace {
   enum class Kind : std::uint8_t { sphere, disk, side };
 
@@ -32,15 +33,15 @@ struct ShapeFace {
   [[nodiscard]] glm::dvec3 unit(glm::dvec3 world) const {
     return unit_from_world * (world - origin);
   }
-  /// A unit surface's normal in the world, outwards as before; any length.
+  /// Returns a unit surface's normal in the world; outward normals stay outward. Any length.
   [[nodiscard]] glm::dvec3 world_normal(glm::dvec3 n) const {
     return glm::transpose(unit_from_world) * n;
   }
 };
 
 /// A point of a face with its derivatives by u and v, in world units. `normal` points outwards and
-/// is unit; `normal_u` and `normal_v` are the derivatives of a vector that is the normal there.
-/// `along_u` does not vanish at a pole or an apex, where it is the limit's direction.
+/// is unit. `normal_u` and `normal_v` are the derivatives of a vector that equals the normal there.
+/// At a pole or an apex, `along_u` is not 0 but has the direction of its limit.
 struct FacePoint {
   glm::dvec3 position{0.0};
   glm::dvec3 along_u{0.0}, along_v{0.0};
@@ -49,21 +50,21 @@ struct FacePoint {
 };
 [[nodiscard]] FacePoint face_point(const ShapeFace& face, double u, double v);
 
-/// (u, v) of a point of the unit surface.
+/// Returns (u, v) of a point of the unit surface.
 [[nodiscard]] glm::dvec2 face_coordinates(const ShapeFace& face, glm::dvec3 unit);
 
-/// The faces of a shape of any type but box, in an order that depends on its type only: a
-/// cylinder's side, then its bottom and top where they have a radius. Empty where
-/// `world_from_shape` has no inverse that double precision can hold.
+/// Returns the faces of a shape of any type but box, in an order that depends on its type only: a
+/// cylinder's side, then its bottom and top if they have a radius. Empty if `world_from_shape` has
+/// no inverse in double precision.
 [[nodiscard]] std::vector<ShapeFace> place_shape(const Shape& shape,
                                                  const glm::dmat4& world_from_shape);
 
-/// The half extents, by coordinate, of the box around the ellipse origin + cos a + sin b.
+/// Returns the half extents, by coordinate, of the box around the ellipse origin + cos a + sin b.
 [[nodiscard]] inline glm::dvec3 ellipse_reach(glm::dvec3 a, glm::dvec3 b) {
   return glm::sqrt(a * a + b * b);
 }
 
-/// Corners of the smallest upright box around a face.
+/// The corners of the smallest axis-aligned box around a face.
 struct FaceBounds {
   glm::dvec3 lo, hi;
 };

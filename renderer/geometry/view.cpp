@@ -33,7 +33,7 @@ View::View(const Camera& camera, int width, int height, double scene_radius)
   confusion_ = lens_.radius / pixel;
 }
 
-// Planes that nothing of the scene lies beyond are left out: rays to everything are cheaper.
+// Planes with nothing of the scene beyond them are left out, since rays without ends are cheaper.
 void View::set_planes(const Camera& camera, double scene_radius) {
   const double middle = -glm::dot(eye_, forward_);
   if (camera.near_depth && *camera.near_depth > std::max(0.0, middle - scene_radius))
@@ -57,7 +57,7 @@ View::View(const PyrayPicture& picture)
       width_(1),
       height_(1),
       beyond_(picture.beyond) {
-  // Half of the way to where the first ray enters: floats lose less from there.
+  // Start at half of the way to where the first ray enters, since floats lose less from there.
   double nearest = std::numeric_limits<double>::infinity();
   for (const glm::dvec2 p : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
     const glm::dvec3 target = corner_ + p.x * pixel_right_ + p.y * pixel_down_;
@@ -90,7 +90,7 @@ Ray View::ray(double x, double y) const {
   return ray;
 }
 
-// The focus plane is seen at the same place from all over the lens.
+// A point of the focus plane is at the same place of the picture for all points of the lens.
 Ray View::ray(double x, double y, const ExposurePoint& exposure) const {
   const glm::dvec3 from = exposure.lens.x * lens_right_ + exposure.lens.y * lens_up_;
   const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
@@ -107,7 +107,7 @@ void View::rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const {
     for (std::size_t i = 0; i < points.size(); ++i) rays[i] = ray(points[i].x, points[i].y);
     return;
   }
-  // The same bits as one by one, in loops that compilers make vectors of.
+  // The same bits as one by one, in loops that compilers vectorize.
   constexpr std::size_t some = 16;
   double x[some], y[some], z[some], nearness[some];
   for (std::size_t first = 0; first < points.size(); first += some) {

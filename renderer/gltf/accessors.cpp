@@ -11,7 +11,7 @@ namespace asos::gltf {
 
 namespace {
 
-/// Bytes of a component, 0 for those that glTF does not have.
+/// Returns the bytes of a component, or 0 for types that glTF does not have.
 std::size_t component_size(int type) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
@@ -48,10 +48,10 @@ int component_count(int type) {
   }
 }
 
-// Bytes of zeros that a file of any size may declare.
+// Zero bytes that a file of any size may declare.
 constexpr std::uint64_t free_zeros = std::uint64_t{1} << 20;
 
-// What meshopt's codecs expand to at most. Views that share their bytes would come to more.
+// Largest expansion by meshopt's codecs. Views that share their bytes would exceed it.
 constexpr std::uint64_t most_decompressed_per_byte = 80;
 
 template <typename T>
@@ -102,7 +102,7 @@ struct ToInteger {
 
 }  // namespace
 
-/// Where an accessor's elements lie; `bytes` is empty where they are all zero.
+/// The location of an accessor's elements; `bytes` is empty if they are all zero.
 struct Accessors::Elements {
   const tinygltf::Accessor* accessor = nullptr;
   Bytes bytes;
@@ -291,9 +291,9 @@ Checked<std::vector<Out>> Accessors::read(int index, int components, const Selec
   if (selection && !selection->empty() && selection->back() >= accessor.count) {
     return fault(fmt::format("accessor {} has only {} elements", index, accessor.count));
   }
-  // Sparse data replaces elements anywhere, so all of them are read first.
+  // Sparse data may replace any element, so all of them are read first.
   const bool all = !selection || accessor.sparse.isSparse;
-  // A sparse one's data, and the vertices that it changes, are in the file.
+  // A sparse accessor's data and vertices are in the file.
   if (elements->bytes.empty() && !accessor.sparse.isSparse) {
     zeros_ += (all ? accessor.count : selection->size()) * n * sizeof(Out);
     if (zeros_ > doc_.honest_bytes + free_zeros)

@@ -12,43 +12,43 @@
 
 namespace asos::gltf {
 
-/// Which elements of an attribute are wanted, ascending; nullopt: all of them.
+/// The selected elements of an attribute, ascending; nullopt: all of them.
 using Selection = std::optional<std::vector<std::uint32_t>>;
 
-/// Reads typed data out of a document's buffers. Everything is range-checked with 64 bits before
-/// it is read or allocated, whatever the file declares. One thread.
+/// Reads typed data from a document's buffers. Everything is range-checked with 64 bits before it
+/// is read or allocated, whatever the file declares. One thread.
 class Accessors {
  public:
   explicit Accessors(Document& document) : doc_(document) {}
 
-  /// How many elements the accessor declares and is backed by. Faults: it reaches outside its
-  /// buffer, or declares more zeros than the file is large.
+  /// Returns the number of elements that the accessor declares and that exist. Faults: it reaches
+  /// outside its buffer, or declares more zeros than the file is large.
   [[nodiscard]] Checked<std::size_t> count(int accessor);
 
-  /// The elements as floats, `components` each: normalised integers become [0, 1] or [-1, 1],
-  /// other integers their value.
+  /// Returns the elements as floats, `components` each. Normalised integers become [0, 1] or [-1,
+  /// 1]; other integers keep their value.
   [[nodiscard]] Checked<std::vector<float>> floats(int accessor, int components,
                                                    const Selection& selection = std::nullopt);
-  /// How many components an element has.
+  /// Returns the number of components of an element.
   [[nodiscard]] Checked<int> components(int accessor) const;
 
   [[nodiscard]] bool normalized(int accessor) const;
-  /// The count that the accessor declares, whether data stands behind it or not.
+  /// Returns the count that the accessor declares, even if there is no data.
   [[nodiscard]] Checked<std::uint64_t> declared_count(int accessor) const;
   [[nodiscard]] bool has_data(int accessor) const;
-  /// The largest value of the accessor's (unsigned) type.
+  /// Returns the largest value of the accessor's (unsigned) type.
   [[nodiscard]] std::uint32_t largest_integer(int accessor) const;
 
-  /// Unsigned integers (indices: 1 component, joints: 4).
+  /// Returns unsigned integers (indices: 1 component, joints: 4).
   [[nodiscard]] Checked<std::vector<std::uint32_t>> integers(
       int accessor, int components, const Selection& selection = std::nullopt);
 
-  /// Data that the file does not have counts from here again, as for another reading of the whole.
+  /// Restarts the count of zeros without data, for example to read the whole file again.
   void forget_zeros() { zeros_ = 0; }
 
-  /// A buffer view's bytes, decompressed where EXT_meshopt_compression says so.
+  /// Returns a buffer view's bytes, decompressed if it has EXT_meshopt_compression.
   [[nodiscard]] Checked<Bytes> view(int buffer_view);
-  /// Bytes of a buffer. Faults: out of range, or the buffer is missing.
+  /// Returns bytes of a buffer. Faults: out of range, or the buffer is missing.
   [[nodiscard]] Checked<Bytes> slice(std::int64_t buffer, std::uint64_t offset,
                                      std::uint64_t length) const;
 
@@ -64,9 +64,9 @@ class Accessors {
                              std::vector<Out>& values, Convert convert);
 
   Document& doc_;
-  std::uint64_t zeros_ = 0;  // bytes that were read from accessors without data
+  std::uint64_t zeros_ = 0;                          // bytes read from accessors without data
   std::unordered_map<int, FileBytes> decompressed_;  // by buffer view
-  std::uint64_t decompressed_bytes_ = 0;             // of all of these
+  std::uint64_t decompressed_bytes_ = 0;             // total size of `decompressed_`
 };
 
 template <typename Vector>

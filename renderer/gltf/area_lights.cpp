@@ -15,7 +15,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// The sizes of a shape by either of the two proposals, brought to one form: metres in the node.
+/// The sizes of a shape in either of the two proposals, converted to one form: metres in the node's
+/// space.
 struct FlatShape {
   double width = 1.0, height = 1.0, radius = 1.0;
 };
@@ -49,7 +50,7 @@ Checked<FlatShape> read_khr_sizes(const tinygltf::Value& source) {
   return shape;
 }
 
-/// Why the light is none, or empty.
+/// Returns why the light is invalid, or an empty string.
 std::string shape_light(const std::string& kind, const FlatShape& shape, bool spheres,
                         const glm::dmat4& world_from_node, Light& light) {
   const double scale = largest_scale(world_from_node);
@@ -57,7 +58,7 @@ std::string shape_light(const std::string& kind, const FlatShape& shape, bool sp
   if (kind == "sphere" && spheres) {
     light.type = Light::Type::point;
     light.radius = shape.radius * scale;
-    // A ball's radiance is its candela over the area of its outline.
+    // A ball's radiance is its intensity in candela over the area of its outline.
     light.intensity *= static_cast<float>(pi * light.radius * light.radius);
     return {};
   }
@@ -76,10 +77,10 @@ std::string shape_light(const std::string& kind, const FlatShape& shape, bool sp
   return {};
 }
 
-/// Why the light is none, or empty.
+/// Returns why the light is invalid, or an empty string.
 std::string read_area_light(const tinygltf::Value& source, bool ext,
                             const glm::dmat4& world_from_node, Light& light) {
-  // The proposal's text says `type`, its schema `shape`.
+  // The proposal's text uses `type`, and its schema `shape`.
   const std::string kind = text(source, "type", text(source, "shape"));
   const Checked<FlatShape> shape = ext ? read_ext_sizes(source) : read_khr_sizes(source);
   if (!shape) return shape.error();
@@ -102,7 +103,8 @@ bool nearly(double a, double b) {
   return std::abs(a - b) <= 1e-5 * std::max(std::abs(a), std::abs(b));
 }
 
-/// Whether two descriptions on one node mean the same light but for what only one of them can say.
+/// Returns whether two descriptions on one node mean the same light, ignoring properties that only
+/// one of them can express.
 bool agree(const Light& a, const Light& b) {
   const glm::dvec3 p = glm::dvec3(a.color) * static_cast<double>(a.intensity);
   const glm::dvec3 q = glm::dvec3(b.color) * static_cast<double>(b.intensity);
@@ -152,7 +154,7 @@ void add_area_light(Document& document, const tinygltf::Node& node,
     exact->name = light->name;
     light = std::move(exact);
   } else if (light && exact) {
-    // Whoever knows the extension may have edited it and left the extras as they were.
+    // A program that knows the extension may have edited it and left the extras unchanged.
     document.warnings.add(fmt::format(
         "light '{}' is another one in its node's extras than by its extension, which holds",
         light->name));

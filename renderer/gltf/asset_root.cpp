@@ -19,7 +19,7 @@ bool is_below_or_same(const fs::path& path, const fs::path& folder) {
   return !step.empty() && *step.begin() != "..";
 }
 
-/// The device that holds a folder; nullopt where it cannot be read.
+/// Returns the device of a folder; nullopt if it is not readable.
 std::optional<dev_t> device_of(const fs::path& folder) {
   struct stat status {};
   if (::stat(folder.c_str(), &status) != 0) return std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* key_of_lens = "asos_lens";
 
-/// A finite number, or none where there is no such property.
+/// Returns a finite number, or none if there is no such property.
 Checked<std::optional<double>> lens_number(const tinygltf::Value& object, const char* name) {
   if (!object.Has(name)) return std::nullopt;
   const std::optional<double> value = number(object, name);

@@ -6,8 +6,8 @@
 
 namespace asos::gltf {
 
-/// The lens that a perspective camera has in its extras (docs/manual/lens.md); a pinhole where
-/// there is none. Errors: what is wrong with it.
+/// Returns the lens in a perspective camera's extras (docs/manual/lens.md); a pinhole if there is
+/// none. Errors describe the fault.
 [[nodiscard]] Checked<Lens> read_lens(const tinygltf::Value& extras, double fov_y_rad);
 
 }  // namespace asos::gltf

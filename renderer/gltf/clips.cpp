@@ -32,8 +32,8 @@ std::size_t morph_target_count(const Document& doc, const tinygltf::Node& node) 
   return mesh && !mesh->primitives.empty() ? mesh->primitives.front().targets.size() : 0;
 }
 
-/// Where the targets of an animation's channels are, as pointers: of those that lie within each
-/// other one moves what the other does.
+/// The targets of an animation's channels as pointers. A channel conflicts with another one if its
+/// target is inside the other's.
 class Targets {
  public:
   [[nodiscard]] bool add(const std::string& target) {
@@ -49,7 +49,7 @@ class Targets {
 
 constexpr const char* moved_twice = "another channel moves the same target";
 
-/// The pointer of a channel that glTF's own paths have no words for.
+/// Returns the pointer of a channel that is not one of glTF's own paths.
 std::string pointer_of(const tinygltf::AnimationChannel& source) {
   const auto* e = extension(source.target_extensions, "KHR_animation_pointer");
   return e && source.target_path == "pointer" ? text(*e, "pointer") : std::string();
@@ -154,7 +154,7 @@ std::vector<Clip> read_clips(Document& doc, Accessors& accessors) {
     ChannelReader channels(animation, doc, reader);
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const tinygltf::AnimationChannel& source = animation.channels[i];
-      if (source.target_node < 0 && pointer_of(source).empty()) continue;  // glTF: to be ignored
+      if (source.target_node < 0 && pointer_of(source).empty()) continue;  // glTF: ignore it
       Checked<Channel> channel = channels.read(source);
       if (channel) {
         clip.seconds = std::max(clip.seconds, static_cast<double>(channel->keys.seconds->back()));

@@ -10,40 +10,41 @@
 
 namespace asos::gltf {
 
-/// One number or vector that an animation moves: of a node, or of what moved_values.h knows.
+/// One number or vector that an animation moves: a property of a node, or one that moved_values.h
+/// supports.
 struct Channel {
   enum class Path { translation, rotation, scale, weights, one_weight, visible, value };
 
   std::size_t node = 0;
   Path path = Path::translation;
-  std::size_t weight = 0;               ///< one_weight: which of
+  std::size_t weight = 0;               ///< one_weight: its index
   std::vector<double> weights_at_rest;  ///< these
-  std::string pointer;                  ///< value: what it aims at
+  std::string pointer;                  ///< value: pointer to its target
   Keys keys;
 };
 
-/// An animation, as far as it can be read.
+/// The readable part of an animation.
 struct Clip {
   std::string name;
-  double seconds = 0.0;  ///< its last key's time
+  double seconds = 0.0;  ///< time of its last key
   std::size_t declared_channels = 0;
-  std::vector<Channel> channels;  ///< each of another target
+  std::vector<Channel> channels;  ///< each with another target
 };
 
-/// All animations of a file. Channels that are not valid, or move what is not read, are left out
-/// with a warning.
+/// Reads all animations of a file. Channels that are invalid, or have unsupported targets, are left
+/// out with a warning.
 [[nodiscard]] std::vector<Clip> read_clips(Document& document, Accessors& accessors);
 
-/// Moves the nodes that `clip` moves to where it has them at `seconds`.
+/// Sets the poses of the nodes that `clip` moves to those at `seconds`.
 void apply_clip(const Clip& clip, double seconds, std::vector<NodePose>& poses);
 
-/// What else it moves, as it is at `seconds`.
+/// Returns the other values that it moves, at `seconds`.
 [[nodiscard]] std::vector<MovedValue> moved_values(const Clip& clip, double seconds);
 
-/// The materials that any of the clips moves.
+/// Returns the materials that any of the clips moves.
 [[nodiscard]] std::set<std::size_t> moving_materials(const std::vector<Clip>& clips);
 
-/// The nodes whose morph weights any of the clips moves.
+/// Returns the nodes whose morph weights any of the clips moves.
 [[nodiscard]] std::set<std::size_t> morphing_nodes(const std::vector<Clip>& clips);
 
 }  // namespace asos::gltf

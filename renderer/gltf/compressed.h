@@ -17,19 +17,19 @@ namespace asos::gltf {
 
 class Accessors;
 
-/// The EXT_meshopt_compression (or KHR_) object of a buffer view, or null.
+/// Returns the EXT_meshopt_compression (or KHR_) object of a buffer view, or null.
 [[nodiscard]] const tinygltf::Value* meshopt_extension(const tinygltf::BufferView& view);
 
 /// Decodes a buffer view. Faults: data that does not decode, and sizes that the compressed bytes
-/// cannot stand for, before anything of that size is allocated.
+/// cannot have, before anything of that size is allocated.
 [[nodiscard]] Checked<FileBytes> decode_meshopt(const tinygltf::Value& extension,
                                                 const Accessors& accessors);
 
 /// A primitive decoded from KHR_draco_mesh_compression.
 class DracoPrimitive {
  public:
-  /// `extension` is the primitive's; `index_count` is what its indices' accessor declares. Faults:
-  /// data that does not decode, or that claims more than was declared.
+  /// Decodes a primitive. `extension` is the primitive's. The accessor of its indices declares
+  /// `index_count`. Faults: data that does not decode, or that claims more than was declared.
   [[nodiscard]] static Checked<DracoPrimitive> decode(const tinygltf::Value& extension,
                                                       Accessors& accessors,
                                                       std::uint64_t index_count);
@@ -38,7 +38,7 @@ class DracoPrimitive {
   [[nodiscard]] std::size_t vertex_count() const;
   [[nodiscard]] std::vector<std::uint32_t> indices() const;
   [[nodiscard]] int components(const std::string& attribute) const;
-  /// One value a vertex; `normalized` is what the attribute's accessor says.
+  /// Returns one value per vertex; `normalized` is that of the attribute's accessor.
   [[nodiscard]] Checked<std::vector<float>> floats(const std::string& attribute, int components,
                                                    bool normalized) const;
   [[nodiscard]] Checked<std::vector<std::uint32_t>> integers(const std::string& attribute,

@@ -26,7 +26,7 @@ struct Chunk {
   Bytes bytes;
 };
 
-/// The chunk at `at`, which moves on behind it.
+/// Returns the chunk at `at`, and moves `at` behind it.
 Checked<Chunk> next_chunk(Bytes glb, std::size_t& at) {
   if (glb.size() - at < 8) return fault(fmt::format("the GLB file ends inside a chunk header"));
   const std::uint64_t length = little_endian(glb, at);
@@ -40,7 +40,7 @@ Checked<Chunk> next_chunk(Bytes glb, std::size_t& at) {
   return chunk;
 }
 
-/// Why a file of `file_size` bytes that begins so is no GLB; empty: it may be one.
+/// Returns why a file of `file_size` bytes that begins with `head` is no GLB; empty: it may be one.
 std::string header_fault(Bytes head, std::uint64_t file_size) {
   if (head.size() < 12) return "the GLB header is cut off";
   const std::uint32_t version = little_endian(head, 4);
@@ -107,7 +107,7 @@ constexpr ForeignKind foreign_kinds[] = {
     {"<", "an XML or HTML text"},
 };
 
-/// Why a file that begins so is no scene, by its first bytes; empty: it may be JSON.
+/// Returns why a file that begins with `head` is no scene; empty: it may be JSON.
 std::string foreign_fault(Bytes head) {
   for (const ForeignKind& kind : foreign_kinds)
     if (begins_with(head, kind.magic)) return fmt::format("is {}, not a glTF scene", kind.name);
@@ -119,7 +119,7 @@ std::string foreign_fault(Bytes head) {
   if (head.size() >= 20 && little_endian(head, 16) == json_chunk)
     return fmt::format("is a GLB file with the magic '{}{}{}{}' instead of 'glTF'", shown(0),
                        shown(1), shown(2), shown(3));
-  // No control character but a tab, a line feed or a carriage return begins a text.
+  // Text cannot begin with a control character, except a tab, a line feed or a carriage return.
   if (!head.empty() && (head[0] < 9 || (head[0] > 13 && head[0] < 32)))
     return fmt::format("is neither GLB nor JSON: it begins with the byte {:#04x}", head[0]);
   return "";

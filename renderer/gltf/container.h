@@ -4,7 +4,7 @@
 
 namespace asos::gltf {
 
-/// What a scene's file has to be to be read: lengths and version of a .glb that can be true, a
+/// Returns the requirements for a scene's file: a .glb with plausible lengths and version, or a
 /// .gltf of at most 1 GiB.
 [[nodiscard]] FileRules scene_file_rules();
 
@@ -13,13 +13,13 @@ struct Container {
   Bytes json;
   Bytes bin;
   bool is_binary = false;  ///< a .glb file
-  bool has_bin = false;    ///< it has a BIN chunk, which may be empty
+  bool has_bin = false;    ///< there is a BIN chunk, which may be empty
 };
 
-/// Tells .glb from .gltf by its first bytes and checks the chunks' lengths.
+/// Distinguishes .glb from .gltf by the first bytes, and checks the chunks' lengths.
 [[nodiscard]] Checked<Container> open_container(Bytes file, Warnings& warnings);
 
-/// How deep objects and arrays nest in a JSON text, found without parsing it.
+/// Returns the nesting depth of objects and arrays in a JSON text, without parsing it.
 [[nodiscard]] std::size_t nesting_depth(Bytes json);
 
 }  // namespace asos::gltf

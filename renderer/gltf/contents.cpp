@@ -9,7 +9,8 @@ namespace {
 
 std::vector<SceneContents::Node> nodes_of(const Document& doc, const NodeGraph& graph,
                                           const std::vector<int>& shown) {
-  std::vector<int> place(graph.size(), -1);  // of each of the file's nodes among the shown ones
+  // The position of each node of the file among the visible ones; -1: hidden.
+  std::vector<int> place(graph.size(), -1);
   std::vector<SceneContents::Node> nodes;
   nodes.reserve(shown.size());
   for (const int index : shown) {

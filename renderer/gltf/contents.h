@@ -9,8 +9,8 @@
 
 namespace asos::gltf {
 
-/// Lists the animations, scenes, variants and nodes of the document that `scene` was imported from.
-/// `graph` and `shown_scene` are the ones of that import.
+/// Lists the animations, scenes, variants and nodes of the document from which `scene` was
+/// imported. `graph` and `shown_scene` are those of that import.
 [[nodiscard]] SceneContents contents_of(const Document& document, const std::vector<Clip>& clips,
                                         const NodeGraph& graph, int shown_scene,
                                         const Scene& scene);

@@ -7,7 +7,7 @@
 namespace asos::gltf {
 
 /// Decodes an embedded `data:` URI. White space in base64 is skipped, with a remark. Faults: no
-/// data, characters that are not base64, a length that no bytes have.
+/// data, characters that are not base64, an impossible length.
 [[nodiscard]] Checked<UriBytes> read_data_uri(std::string_view uri);
 
 }  // namespace asos::gltf

@@ -23,7 +23,7 @@ constexpr std::uint64_t largest_json = std::uint64_t{1} << 30;
 // tinygltf and its JSON library walk a document recursively.
 constexpr std::size_t deepest_nesting = 200;
 
-/// The reason in an exception's or tinygltf's text, on one line and of bounded length.
+/// Returns the reason in an exception's or tinygltf's text, on one line and of bounded length.
 std::string one_line(std::string text) {
   if (text.starts_with("[json.exception.")) text.erase(0, text.find("] ") + 2);
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
@@ -54,7 +54,7 @@ std::string text_of(const json& object, const char* name) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The names that KHR_materials_variants gives to the file's variants.
+/// Returns the names of the file's variants by KHR_materials_variants.
 std::vector<std::string> variants_of(const json& root) {
   std::vector<std::string> names;
   const auto list = root.find("extensions");
@@ -78,10 +78,10 @@ Buffer holding(FileBytes bytes) {
   return buffer;
 }
 
-/// Files by their place, each read once however often it is named.
+/// Files by their place; each is read once, even if it is named several times.
 using FilesRead = std::map<std::filesystem::path, Buffer>;
 
-/// `place` names the buffer in remarks.
+/// Reads a named file; `place` is the buffer's name in remarks.
 Buffer read_named(Document& doc, const std::string& place, const std::string& uri,
                   FilesRead& files) {
   const Checked<UriFile> file = doc.files.find(uri);
@@ -95,7 +95,7 @@ Buffer read_named(Document& doc, const std::string& place, const std::string& ur
   return buffer;
 }
 
-/// Reads one buffer; `bin` is the GLB's binary chunk where this is its buffer.
+/// Reads one buffer; `bin` is the GLB's binary chunk if this is its buffer.
 Buffer read_buffer(const json& declared, Document& doc, const std::string& place, const Bytes* bin,
                    FilesRead& files) {
   if (!declared.is_object()) return missing("is not an object");
@@ -106,7 +106,7 @@ Buffer read_buffer(const json& declared, Document& doc, const std::string& place
   return bin ? holding(FileBytes(bin->begin(), bin->end())) : missing("has no data");
 }
 
-/// Takes the buffers out of the JSON and reads them.
+/// Removes the buffers from the JSON and reads them.
 Checked<void> take_buffers(json& root, const Container& container, Document& doc) {
   const auto found = root.find("buffers");
   if (found == root.end()) return {};
@@ -133,7 +133,7 @@ Checked<void> take_buffers(json& root, const Container& container, Document& doc
     } else {
       buffer.bytes = buffer.bytes.first(static_cast<std::size_t>(length));
     }
-    // A file that is named again brings nothing more along.
+    // A file counts once, even if it is named several times.
     if (buffer.held && counted.insert(buffer.held.get()).second)
       doc.honest_bytes += buffer.held->size();
     doc.buffers.push_back(std::move(buffer));
@@ -142,7 +142,7 @@ Checked<void> take_buffers(json& root, const Container& container, Document& doc
   return {};
 }
 
-/// Takes the images out of the JSON, so that tinygltf neither reads nor decodes them.
+/// Removes the images from the JSON, so that tinygltf neither reads nor decodes them.
 Checked<void> take_images(json& root, Document& doc) {
   const auto found = root.find("images");
   if (found == root.end()) return {};
@@ -167,7 +167,7 @@ Checked<void> take_images(json& root, Document& doc) {
   return {};
 }
 
-/// Takes the strides of buffer views out of the JSON.
+/// Removes the strides of buffer views from the JSON.
 void take_strides(json& root, Document& doc) {
   const auto found = root.find("bufferViews");
   if (found == root.end() || !found->is_array()) return;
@@ -184,7 +184,7 @@ void take_strides(json& root, Document& doc) {
   }
 }
 
-/// tinygltf's remarks, a line each, but for those about properties that glTF lets a file omit.
+/// Adds tinygltf's remarks, one per line, without those about properties that glTF allows to omit.
 void add_remarks(const std::string& text, Warnings& warnings) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -195,7 +195,7 @@ void add_remarks(const std::string& text, Warnings& warnings) {
   }
 }
 
-/// Takes the JSON, of which tinygltf makes another of the same size.
+/// Reads the model and frees the JSON, since tinygltf makes a copy of the same size.
 Checked<void> read_model(json root, Document& doc) {
   const std::string text = root.dump();
   root = nullptr;

@@ -21,20 +21,21 @@ using Bytes = std::span<const std::uint8_t>;
 /// An image as the file declares it; nothing is decoded yet.
 struct ImageSource {
   std::string name;
-  std::string uri;  ///< empty where the image lies in a buffer view
+  std::string uri;  ///< empty if the image is in a buffer view
   int buffer_view = -1;
 };
 
-/// A buffer's bytes, or why there are none. Only a use of the buffer makes that an error.
+/// A buffer's bytes, or the reason why there are none. The reason becomes an error only if the
+/// buffer is used.
 struct Buffer {
   std::shared_ptr<const FileBytes> held;  ///< buffers of one file share it
   Bytes bytes;
-  std::string missing_because;  ///< empty where the bytes are there
+  std::string missing_because;  ///< empty if the bytes are there
 };
 
-/// A glTF file taken apart. `model` is tinygltf's reading of the JSON alone: it has no buffers and
-/// no images, and a primitive's indices are the attribute `indices_attribute`. Nothing in it is
-/// known to be in range.
+/// The parts of a glTF file. `model` is tinygltf's reading of the JSON alone: it has no buffers and
+/// no images, and a primitive's indices are the attribute `indices_attribute`. Nothing in it has
+/// been range-checked.
 struct Document {
   static constexpr const char* indices_attribute = "/indices";
 
@@ -42,15 +43,17 @@ struct Document {
   tinygltf::Model model;
   std::vector<ImageSource> images;
   std::vector<Buffer> buffers;
-  /// By buffer view: bytes between the beginnings of its elements; 0: they are packed. tinygltf
-  /// refuses files for what glTF does not allow, however readable.
+  /// Bytes between the starts of elements, indexed by buffer view; 0: packed. They are kept
+  /// here, since tinygltf rejects files with strides that glTF does not allow, even if they are
+  /// readable.
   std::vector<std::uint64_t> strides;
-  std::set<std::size_t> broken_cameras;  ///< their numbers
+  std::set<std::size_t> broken_cameras;  ///< indices of the cameras with faults
   std::vector<std::string> unsupported_extensions;
   std::vector<std::string> variants;  ///< names by KHR_materials_variants
-  /// `movable_parts` where an animation moves materials, lights or cameras; null: none does.
+  /// `movable_parts` if an animation moves materials, lights or cameras; else null.
   std::shared_ptr<const nlohmann::json> movable;
-  /// Bytes of the file and of all that it brought along: bounds what an import may allocate.
+  /// Bytes of the file and of all files that it names; it limits the memory that an import may
+  /// allocate.
   std::uint64_t honest_bytes = 0;
   Warnings warnings;
 };

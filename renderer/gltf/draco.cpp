@@ -13,7 +13,7 @@ namespace asos::gltf {
 
 namespace {
 
-// Regular meshes compress to less than a bit a face, but not without end.
+// Regular meshes compress to less than one bit per face, but not without limit.
 constexpr std::uint64_t most_faces_per_byte = 1024;
 constexpr std::uint64_t free_faces = 1024;
 
@@ -112,7 +112,7 @@ Checked<std::vector<float>> DracoPrimitive::floats(const std::string& name, int 
   const draco::PointAttribute& attribute = *attributes_.at(name);
   Checked<std::vector<float>> values = values_of<float>(attribute, vertex_count(), components);
   if (!values || !normalized || attribute.normalized()) return values;
-  // Draco divides by itself only where its own stream says so.
+  // Draco normalizes only if its own stream requires it.
   const float scale = 1.0f / largest_value(attribute.data_type());
   for (float& value : *values) value *= scale;
   return values;

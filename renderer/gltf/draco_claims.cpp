@@ -9,7 +9,7 @@ namespace asos::gltf {
 
 namespace {
 
-/// Reads on through a stream; past its end every read fails.
+/// Reads a stream sequentially; past its end every read fails.
 class Reader {
  public:
   explicit Reader(Bytes bytes) : bytes_(bytes) {}
@@ -18,7 +18,7 @@ class Reader {
     if (at_ >= bytes_.size()) return std::nullopt;
     return bytes_[at_++];
   }
-  /// Seven bits a byte, the lowest first.
+  /// Reads a number with seven bits per byte, the lowest first.
   std::optional<std::uint64_t> varint() {
     std::uint64_t value = 0;
     for (int shift = 0; shift < 63; shift += 7) {
@@ -45,7 +45,7 @@ bool skip_name(Reader& reader) {
   return length && reader.skip(*length);
 }
 
-/// A metadata element: entries of name and value, then named elements of the same kind.
+/// Skips a metadata element: entries of name and value, then named elements of the same kind.
 bool skip_metadata(Reader& reader) {
   std::vector<std::uint64_t> left{1};  // elements still to read at each level
   while (!left.empty()) {
@@ -92,10 +92,10 @@ Checked<std::uint64_t> claimed_draco_faces(Bytes stream) {
   Reader reader(stream.subspan(11));
   if (has_metadata && !skip_all_metadata(reader)) return fault("has broken Draco metadata");
   if (edgebreaker) {
-    reader.byte();  // the kind of traversal
+    reader.byte();  // kind of traversal
     // Before version 2.2 the number of new vertices came first.
     if (stream[6] < 2) reader.varint();
-    reader.varint();  // encoded vertices
+    reader.varint();  // number of encoded vertices
   }
   const auto faces = reader.varint();
   if (!faces) return fault("is a Draco stream that is cut off");

@@ -21,7 +21,7 @@ glm::dvec3 placed(const glm::dmat4& world_from_node, glm::dvec3 p) {
   return glm::dvec3(world_from_node * glm::dvec4(p, 1.0));
 }
 
-// Each of the readers says why the light is none, or nothing.
+// Each of the readers returns why the light is invalid, or an empty string.
 
 std::string read_linear(const tinygltf::Value& source, const glm::dmat4& world_from_node,
                         Light& light) {
@@ -30,7 +30,7 @@ std::string read_linear(const tinygltf::Value& source, const glm::dmat4& world_f
   if (!from || !to || from->size() != 3 || to->size() != 3) {
     return "has no ends `from` and `to` of three numbers each";
   }
-  // Differences first: far from the origin, they are more exact than differences of sums.
+  // Subtract first: far from the origin, this is more exact than a difference of sums.
   const glm::dvec3 a = vector_at(*from, 0), b = vector_at(*to, 0);
   light.half_u = glm::dmat3(world_from_node) * (0.5 * (b - a));
   light.position = placed(world_from_node, 0.5 * (a + b));
@@ -68,7 +68,7 @@ std::string read_polygon(const tinygltf::Value& source, const glm::dmat4& world_
   light.type = Light::Type::polygon;
   Checked<Outlines> outlines = read_outlines(source);
   if (!outlines) return outlines.error();
-  // Turned and scaled about the node first, so that the checks do not depend on where it stands.
+  // Rotate and scale about the node first, so that the checks do not depend on the node's position.
   const glm::dmat3 linear(world_from_node);
   for (std::vector<glm::dvec3>& outline : *outlines) {
     for (glm::dvec3& p : outline) p = linear * p;
@@ -82,7 +82,7 @@ std::string read_polygon(const tinygltf::Value& source, const glm::dmat4& world_
   for (std::vector<glm::dvec3>& outline : light.outlines) {
     for (glm::dvec3& p : outline) p += origin;
   }
-  // A mirror turns the winding round, and as with triangles the front stays in front.
+  // Mirroring reverses the winding; as with triangles, the front stays in front.
   if (glm::determinant(linear) < 0.0) {
     light.direction = -light.direction;
     for (auto& outline : light.outlines) std::reverse(outline.begin(), outline.end());

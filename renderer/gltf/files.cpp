@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t largest_outside_file = std::uint64_t{8} << 30;
-// Entries of folders that are read for names in other case, and names that are followed at once.
+// Largest number of folder entries to read for a search that ignores case, and of names to follow
+// at the same time.
 constexpr std::size_t most_entries_listed = 1'000'000;
 constexpr std::size_t most_names_followed = 64;
 
@@ -31,13 +32,13 @@ bool has_scheme(std::string_view uri) {
   return colon != std::string_view::npos && colon < uri.find_first_of("/\\?#");
 }
 
-/// A name that a URI may stand for.
+/// A possible file name for a URI.
 struct Spelling {
   std::string relative;
-  std::string remark;  ///< empty: the URI means it by its standard
+  std::string remark;  ///< empty: the standard meaning of the URI
 };
 
-/// The most likely first.
+/// Returns the possible names, the most likely first.
 std::vector<Spelling> spellings_of(std::string_view uri) {
   std::vector<Spelling> all{{percent_decoded(uri), {}}};
   if (uri.find('%') != std::string_view::npos) all.push_back({std::string(uri), {}});
@@ -60,7 +61,7 @@ std::vector<Spelling> spellings_of(std::string_view uri) {
 
 }  // namespace
 
-/// A folder without links, which is asked for once.
+/// Returns a folder with links resolved; each is resolved once.
 const fs::path& ModelFiles::canonical_folder(const fs::path& relative) {
   const auto [known, is_new] = folders_known_.try_emplace(relative);
   std::error_code error;
@@ -68,8 +69,8 @@ const fs::path& ModelFiles::canonical_folder(const fs::path& relative) {
   return known->second;
 }
 
-/// Faults: `relative` leads out of the asset folders. Dot segments are removed first, as RFC 3986
-/// (5.2.4) asks, so that "sub/../t.png" needs no folder "sub".
+/// Returns the place of a relative path. Faults: it leads out of the asset folders. Dot segments
+/// are removed first, as in RFC 3986 (5.2.4), so that "sub/../t.png" needs no folder "sub".
 Checked<ModelFiles::Place> ModelFiles::inside(const std::string& relative) {
   if (relative.empty()) return fault("it is empty");
   if (relative.find('\0') != std::string::npos) return fault("it contains a zero byte");
@@ -96,7 +97,7 @@ Checked<ModelFiles::Place> ModelFiles::inside(const std::string& relative) {
                   named ? "a symbolic link" : "it", folders_.root.string()));
 }
 
-/// The names in a folder; none beyond a bound.
+/// Returns the names in a folder; empty beyond a limit.
 const ModelFiles::FoldedNames& ModelFiles::names_in(const fs::path& folder) {
   const auto [known, is_new] = listed_.try_emplace(folder);
   if (!is_new) return known->second;
@@ -110,8 +111,8 @@ const ModelFiles::FoldedNames& ModelFiles::names_in(const fs::path& folder) {
   return known->second;
 }
 
-/// The one file whose name is `relative` but for the case of ASCII letters; nullopt: there is none.
-/// Faults: there are several.
+/// Returns the only file whose name equals `relative` up to the case of ASCII letters; nullopt:
+/// there is none. Faults: there are several.
 Checked<std::optional<UriFile>> ModelFiles::other_case(const std::string& relative) {
   std::vector<fs::path> found{fs::path()};
   for (const fs::path& step : fs::path(relative).lexically_normal()) {

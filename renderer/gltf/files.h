@@ -14,32 +14,35 @@
 
 namespace asos::gltf {
 
-/// The file that a URI names.
+/// The file that a URI refers to.
 struct UriFile {
-  std::filesystem::path path;      ///< canonical where it exists
-  std::filesystem::path relative;  ///< to the model's folder, links not followed
-  std::string remark;              ///< how it differs from the URI as written; empty: it does not
+  std::filesystem::path path;      ///< canonical if it exists
+  std::filesystem::path relative;  ///< relative to the model's folder, links not followed
+  std::string remark;              ///< the difference from the URI as written; empty: none
 };
 
 /// The contents that a URI refers to.
 struct UriBytes {
   FileBytes bytes;
-  std::string remark;  ///< on a URI that breaks the rules of glTF; else empty
+  std::string remark;  ///< about a URI that violates the rules of glTF; else empty
 };
 
-/// Finds and reads the contents that a model's URIs refer to: embedded `data:` URIs, and files in
-/// its asset folders. Other schemes, absolute paths and paths that lead out of the folders (also
-/// through symbolic links) are refused, so that a downloaded model cannot read elsewhere. Where
-/// no file has the name that a URI stands for, these are tried: the URI as written
-/// ("red%20wall.png"), without a query or fragment, with slashes for backslashes, and the one
-/// file whose name differs in case alone. One thread.
+/// Finds and reads the contents to which a model's URIs refer: embedded `data:` URIs, and files in
+/// its asset folders. Other schemes, absolute paths, and paths that lead out of the folders (also
+/// through symbolic links) are rejected, so that a downloaded model cannot read other files. If no
+/// file has the URI's name, these are tried:
+/// - the URI as written ("red%20wall.png")
+/// - without a query or fragment
+/// - with slashes for backslashes
+/// - the only file whose name differs in case alone
+/// One thread.
 class ModelFiles {
  public:
-  /// Nothing can be read.
+  /// Without folders, nothing can be read.
   ModelFiles() = default;
   explicit ModelFiles(AssetFolders folders) : folders_(std::move(folders)) {}
 
-  /// Finds a file, which need not exist. Faults: it is refused, or the URI names no file.
+  /// Finds a file, which need not exist. Faults: it is rejected, or the URI refers to no file.
   [[nodiscard]] Checked<UriFile> find(std::string_view uri);
   [[nodiscard]] Checked<UriBytes> read(std::string_view uri);
 
@@ -62,16 +65,16 @@ class ModelFiles {
   std::size_t entries_listed_ = 0;
 };
 
-/// ASCII letters in lower case; other bytes stay.
+/// Returns the text with ASCII letters in lower case; other bytes stay the same.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// Whether a URI embeds its data.
+/// Returns whether a URI embeds its data.
 [[nodiscard]] bool is_data_uri(std::string_view uri);
 
-/// Takes %41 back to A. Incomplete escapes stay as they are.
+/// Decodes escapes such as %41. Incomplete escapes stay the same.
 [[nodiscard]] std::string percent_decoded(std::string_view text);
 
-/// A uri as a message may show it: data URIs and very long names are shortened.
+/// Returns a URI for messages: data URIs and very long names are shortened.
 [[nodiscard]] std::string shown_uri(std::string_view uri);
 
 }  // namespace asos::gltf

@@ -19,7 +19,7 @@ constexpr const char* extension_name = "EXT_lights_image_based";
 constexpr int coefficients = 9;
 constexpr int most_pixels_a_side = 4096;
 
-/// A list of so many entries; nothing where it is none or has another number.
+/// Returns a list with exactly `count` entries; null if there is none.
 const tinygltf::Value* list_of(const tinygltf::Value& object, const char* name, std::size_t count) {
   if (!object.Has(name)) return nullptr;
   const tinygltf::Value& list = object.Get(name);
@@ -49,7 +49,8 @@ Checked<float> intensity_of(const tinygltf::Value& light) {
   return static_cast<float>(*value);
 }
 
-/// They are not used: surfaces take the pictures' own irradiance. A light needs them all the same.
+/// Checks the coefficients. They are not used, since surfaces use the pictures' own irradiance, but
+/// a light must have them.
 Checked<void> check_coefficients(const tinygltf::Value& light) {
   const auto* list = list_of(light, "irradianceCoefficients", coefficients);
   for (int i = 0; list && i < coefficients; ++i) {
@@ -63,8 +64,8 @@ Checked<void> check_coefficients(const tinygltf::Value& light) {
   return {};
 }
 
-/// The bytes of a PNG that has an alpha channel, after its signature and the head of its first
-/// chunk: width, height, bits, type.
+/// Returns whether a PNG has an alpha channel, from its signature and the head of its first chunk:
+/// width, height, bits, type.
 bool has_alpha(Bytes bytes) {
   constexpr std::size_t type_at = 25;
   constexpr std::uint8_t colours_and_alpha = 6;

@@ -7,9 +7,9 @@
 
 namespace asos::gltf {
 
-/// The light from all around that a scene of the document names (EXT_lights_image_based), by the
-/// largest pictures of its cube; null for none. What is broken is left out as a whole, with a
-/// warning that names the light and what is wrong.
+/// Returns the environment light of a scene of the document (EXT_lights_image_based), from the
+/// largest pictures of its cube; null for none. A broken light is left out completely, with a
+/// warning that has its name and the reason.
 [[nodiscard]] std::shared_ptr<const Surroundings> image_based_light(Document& document,
                                                                     Accessors& accessors,
                                                                     int scene);

@@ -84,7 +84,7 @@ int Textures::load(int index) {
 }
 
 int Textures::image_of(const tinygltf::Texture& source, int index) {
-  // EXT_texture_webp's image comes first; `source` is for programs that do not know it.
+  // The image of EXT_texture_webp comes first; `source` is for programs without the extension.
   if (const auto* e = extension(source.extensions, "EXT_texture_webp")) {
     if (const auto webp = whole(*e, "source"); webp && *webp >= 0) {
       const int image = use_image(*webp);
@@ -122,7 +122,7 @@ std::string Textures::name_of(int index) const {
                      source.name.empty() ? shown_uri(source.uri) : source.name);
 }
 
-/// Empty where the bytes are nobody else's.
+/// Returns the place of an image's bytes; empty if no other image can have the same.
 Textures::ImagePlace Textures::place_of(const ImageSource& source) {
   if (source.buffer_view >= 0) {
     const Checked<Bytes> bytes = accessors_.view(source.buffer_view);
@@ -132,10 +132,9 @@ Textures::ImagePlace Textures::place_of(const ImageSource& source) {
   return file ? ImagePlace{nullptr, 0, file->path.string()} : ImagePlace{};
 }
 
-/// Looks at the heads of all images, so that what is too much is taken off where it is least
-/// missed.
+/// Reads the heads of all images, and decides which ones to reduce so that they fit the budget.
 void Textures::plan() {
-  // Of files in bytes as they are stored, which are read a second time beyond that.
+  // Encoded bytes of files to keep; files beyond it are read a second time.
   constexpr std::size_t most_kept = std::size_t{1} << 28;
   std::size_t kept = 0;
   std::set<ImagePlace> seen;
@@ -145,7 +144,7 @@ void Textures::plan() {
     const ImagePlace place = place_of(doc_.images[i]);
     if (place != ImagePlace{} && !seen.insert(place).second) continue;
     Checked<ImageBytes> bytes = image_bytes(doc_, accessors_, index);
-    if (!bytes) continue;  // told where it is used
+    if (!bytes) continue;  // the warning comes where it is used
     const PictureResult<PictureHead> head = picture_head(bytes->bytes);
     if (!head) continue;
     claims[i] = {head->width, head->height, bytes->bytes.size()};
@@ -217,7 +216,7 @@ int Textures::roughness_of(int texture, float factor) {
     }
     Image image = scene_.images[static_cast<std::size_t>(rough.image)];
     copied_texels_ += texels;
-    image.low = {};  // 8 bits of glossiness are enough to see
+    image.low = {};  // 8 bits are enough for glossiness
     SharedBytes::Bytes& rgba = image.rgba.own();
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
       const float glossiness = factor * static_cast<float>(rgba[i + 3]);

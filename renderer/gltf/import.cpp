@@ -21,13 +21,13 @@ namespace asos {
 namespace gltf {
 namespace {
 
-/// A file, and what an import learns of it once, whatever the time.
+/// A file, and the data of an import that do not depend on time.
 class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile> {
  public:
   OpenFile(std::string path, Document document, const LoadOptions& options)
       : path_(std::move(path)), doc_(std::move(document)), options_(options), accessors_(doc_) {}
 
-  /// All but meshes, cameras and lights.
+  /// Imports everything except meshes, cameras and lights.
   Checked<void> open() {
     rest_ = poses_at_rest(doc_);
     clips_ = read_clips(doc_, accessors_);
@@ -57,7 +57,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     if (auto moved = move_values(time); !moved) return fault(moved.error());
     const NodeGraph graph(doc_, std::move(poses));
     accessors_.forget_zeros();
-    // Where the file is not kept, neither are its pictures.
+    // If the file is not kept, its pictures are not kept, either.
     Importer importer(doc_, accessors_, graph, still_, options_);
     Checked<Scene> scene =
         importer.run(shown_scene_, keeps_rig() ? base_ : std::exchange(base_, Scene{}));
@@ -76,7 +76,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     return scene;
   }
 
-  /// What is said of the file from now on is said of single poses.
+  /// Ends loading: later warnings concern single poses.
   void end_of_loading() { said_at_load_ = doc_.warnings; }
 
   Result<Scene> pose(const std::optional<ClipTime>& time) override {
@@ -101,7 +101,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
   }
 
  private:
-  /// What moves beside nodes: the document has it as it is at that time, whatever it was before.
+  /// Sets the values besides nodes that move. The document has them as they are at that time.
   Checked<void> move_values(const std::optional<ClipTime>& time) {
     if (!doc_.movable) return {};
     std::vector<MovedValue> values;
@@ -114,7 +114,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     return {};
   }
 
-  std::mutex mutex_;  // of `pose`
+  std::mutex mutex_;  // serializes calls of `pose`
   std::string path_;
   Document doc_;
   LoadOptions options_;
@@ -123,8 +123,8 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
   std::vector<Clip> clips_;
   StillMeshes still_;
   int default_scene_ = -1, shown_scene_ = -1;
-  Scene base_;                        // with what is not posed: materials and their pictures
-  std::optional<Textures> textures_;  // of `base_`
+  Scene base_;                        // the part that is not posed: materials and their pictures
+  std::optional<Textures> textures_;  // the textures of `base_`
   bool values_moved_ = false;         // since the document was read
   Warnings said_at_load_;
 };
@@ -149,7 +149,7 @@ Checked<Scene> import_at_rest(const std::string& path, const LoadOptions& option
 }  // namespace gltf
 
 Result<Scene> import_gltf(const std::string& path, const LoadOptions& options) {
-  // The libraries underneath report lack of memory and some broken data by exceptions.
+  // The underlying libraries report lack of memory and some broken data by exceptions.
   try {
     gltf::Checked<Scene> scene = gltf::import_at_rest(path, options);
     if (!scene) return unexpected(Error{path, scene.error()});

@@ -35,7 +35,8 @@ Checked<Scene> Importer::run(int scene, Scene base) {
   return std::move(scene_);
 }
 
-/// Fails only where the whole scene is too large; what is broken is left out with a warning.
+/// Adds a node's mesh. Fails only if the whole scene is too large; broken parts are left out with a
+/// warning.
 Checked<void> Importer::add_mesh(int index, const tinygltf::Node& node) {
   if (const std::optional<Shape> shape = node_shape(doc_, node))
     return add_shape(index, node, *shape);
@@ -69,7 +70,8 @@ Checked<void> Importer::add_mesh(int index, const tinygltf::Node& node) {
   return {};
 }
 
-/// The node's mesh stands for the shape, and is not drawn; one is made where there is none.
+/// Adds a shape. The node's mesh represents the shape and is not drawn; without a mesh, one is
+/// made.
 Checked<void> Importer::add_shape(int index, const tinygltf::Node& node, const Shape& shape) {
   const glm::dmat4 world_from_shape = graph_.world_from_node(index);
   int mesh = -1;
@@ -113,7 +115,7 @@ Checked<void> Importer::add_primitive(int index, int p, const SkinPose* skin,
   }
   const std::uint64_t count = drawn_count(primitive.mode, *elements);
   if (!is_drawn(primitive.mode, place)) return {};
-  // Before anything of this size is allocated.
+  // Check before anything of this size is allocated.
   triangles_ += count * copies.size();
   if (triangles_ > options_.max_triangles) {
     return fault(fmt::format("has more than {} triangles, lines and points, which is the limit",
@@ -131,7 +133,7 @@ Checked<void> Importer::add_primitive(int index, int p, const SkinPose* skin,
   if (skinned) world_from_mesh = glm::dmat4(1.0);
   const int loaded = load(index, p, skinned ? skin : nullptr, place, world_from_mesh);
   const bool shows_light = on_or_off(node.extras, "asos_light_fallback").value_or(false);
-  // A growing list would be held twice.
+  // Reserve, since a growing list would be in memory twice.
   if (loaded >= 0 && copies.size() > scene_.instances.capacity() / 2)
     scene_.instances.reserve(scene_.instances.size() + copies.size());
   for (const glm::dmat4& copy : copies) {
@@ -147,7 +149,7 @@ bool Importer::is_drawn(int mode, const std::string& place) {
   return false;
 }
 
-/// The scene's mesh for a primitive, or -1 where it is left out. Adds a skin's offset to
+/// Returns the scene's mesh for a primitive, or -1 if it is left out. Adds a skin's offset to
 /// `world_from_mesh`.
 int Importer::load(int index, int p, const SkinPose* skin, const std::string& place,
                    glm::dmat4& world_from_mesh) {
@@ -162,7 +164,7 @@ int Importer::load(int index, int p, const SkinPose* skin, const std::string& pl
     if (all.size() > targets)
       doc_.warnings.add(
           fmt::format("{}: {} weights for {} morph targets", place, all.size(), targets));
-    // No more than are needed: every primitive is known by its own.
+    // Keep only as many weights as are needed, since they are part of the primitive's key.
     const auto used = static_cast<std::ptrdiff_t>(std::min(all.size(), targets));
     request.weights.assign(all.begin(), all.begin() + used);
   }
@@ -211,7 +213,7 @@ int Importer::material_of(const tinygltf::Primitive& primitive, const std::strin
   return -1;
 }
 
-/// Meshes that no node shows are not loaded, but what is wrong with them is worth a word.
+/// Checks meshes that no node uses. They are not loaded, but their faults are reported.
 void Importer::check_unshown() {
   for (std::size_t m = 0; m < doc_.model.meshes.size(); ++m) {
     const std::vector<tinygltf::Primitive>& primitives = doc_.model.meshes[m].primitives;

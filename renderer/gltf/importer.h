@@ -17,21 +17,20 @@
 
 namespace asos::gltf {
 
-/// A document's mesh and primitive, and the weights that it is morphed by.
+/// A document's mesh and primitive, and its morph weights.
 using MeshKey = std::tuple<int, int, std::vector<double>>;
 
-/// Meshes that are as they are at any time, for the next import of the same document; nullopt: left
+/// Meshes that do not change with time, for the next import of the same document; nullopt: left
 /// out.
 struct StillMeshes {
   bool wanted = false;
-  std::set<std::size_t> morphing_nodes;  ///< whose weights an animation moves
-  /// Which may need tangents at one time and not at another.
-  std::set<std::size_t> moving_materials;
+  std::set<std::size_t> morphing_nodes;    ///< those whose weights an animation moves
+  std::set<std::size_t> moving_materials;  ///< that need tangents only at some times
   std::map<MeshKey, std::optional<Mesh>> meshes;
 };
 
-/// Turns a document into a scene, node by node, for one moment. What is broken is left out, with a
-/// warning to the document.
+/// Converts a document to a scene, node by node, for one moment. Broken parts are left out, with a
+/// warning in the document.
 class Importer {
  public:
   Importer(Document& document, Accessors& accessors, const NodeGraph& graph, StillMeshes& still,
@@ -39,7 +38,7 @@ class Importer {
       : doc_(document), accessors_(accessors), graph_(graph), still_(still), options_(options) {}
 
   /// Adds the document's scene `scene`, or all nodes for -1, to `base`, which has the materials.
-  /// Faults: it is too large, or nothing of it can be drawn because of what is broken.
+  /// Faults: it is too large, or nothing of it can be drawn because everything is broken.
   [[nodiscard]] Checked<Scene> run(int scene, Scene base);
 
  private:
@@ -66,8 +65,8 @@ class Importer {
   std::set<std::size_t> shown_;    // the document's meshes
   std::map<int, Checked<SkinPose>> skins_;
   std::uint64_t triangles_ = 0;
-  int nodes_ = 0;  // those that were added
-  int node_ = -1;  // the one under way, among the shown ones
+  int nodes_ = 0;  // number of added nodes
+  int node_ = -1;  // the current one, among the visible ones
 };
 
 }  // namespace asos::gltf

@@ -12,7 +12,7 @@ namespace asos::gltf {
 
 namespace {
 
-/// The copies' values of one attribute; empty where the extension has none.
+/// Returns the copies' values of one attribute; empty if the extension has none.
 Checked<std::vector<float>> values_of(const tinygltf::Value& attributes, const char* name,
                                       int components, Accessors& accessors) {
   const std::optional<int> accessor = whole(attributes, name);

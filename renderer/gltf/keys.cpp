@@ -10,12 +10,12 @@ namespace asos::gltf {
 
 namespace {
 
-// Bytes of keys that a file of any size may hold, and those for each of its bytes: a byte becomes
-// a float.
+// Bytes of keys that a file of any size may have, and additional ones for each of its bytes: a byte
+// becomes a float.
 constexpr std::uint64_t free_key_bytes = std::uint64_t{16} << 20;
 constexpr std::uint64_t key_bytes_per_byte = 8;
 
-// Shorter quaternions give no direction.
+// Shorter quaternions have no direction.
 constexpr double shortest_rotation = 1e-12;
 
 glm::dquat quaternion(const std::vector<double>& v) {
@@ -66,13 +66,13 @@ std::vector<double> Keys::value(std::size_t key) const {
 std::vector<double> Keys::between(std::size_t key, double share) const {
   std::vector<double> a = value(key);
   const std::vector<double> b = value(key + 1);
-  // The arc that glm takes is the shorter one of the two.
+  // glm uses the shorter of the two arcs.
   if (rotation) return numbers_of(glm::slerp(quaternion(a), quaternion(b), share));
   for (std::size_t i = 0; i < width; ++i) a[i] = (1.0 - share) * a[i] + share * b[i];
   return a;
 }
 
-// Appendix C.5: Hermite's polynomial, with tangents that are for a second.
+// Hermite's polynomial (appendix C.5), with tangents per second.
 std::vector<double> Keys::spline(std::size_t key, double t) const {
   const double span =
       static_cast<double>((*seconds)[key + 1]) - static_cast<double>((*seconds)[key]);
@@ -85,7 +85,7 @@ std::vector<double> Keys::spline(std::size_t key, double t) const {
            span * (t3 - t2) * number(key + 1, 0, i);
   }
   if (!rotation) return v;
-  // A spline may pass through 0, where it turns to nowhere.
+  // A spline may pass through 0, where it has no direction.
   return glm::length(quaternion(v)) > shortest_rotation ? numbers_of(quaternion(v)) : value(key);
 }
 

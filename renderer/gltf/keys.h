@@ -15,16 +15,16 @@ namespace asos::gltf {
 enum class Interpolation { step, linear, cubic_spline };
 
 /// The keys of an animation's sampler (glTF 2.0, section 3.11 and appendix C): `width` numbers at
-/// each time; those of a cubic spline are its in-tangents, its values and its out-tangents.
+/// each time. For a cubic spline these are its in-tangents, values and out-tangents.
 struct Keys {
   Interpolation interpolation = Interpolation::linear;
-  bool rotation = false;  ///< quaternions x, y, z, w, whose shortest arcs are followed
+  bool rotation = false;  ///< quaternions x, y, z, w, interpolated along the shortest arc
   std::size_t width = 0;
-  std::shared_ptr<const std::vector<float>> seconds;  ///< not empty; at least 0, never falling
+  std::shared_ptr<const std::vector<float>> seconds;  ///< not empty; at least 0, not decreasing
   std::shared_ptr<const std::vector<float>> values;   ///< finite
 
-  /// The `width` numbers at a time: of the first key before it, of the last one after it. Rotations
-  /// come out as unit quaternions.
+  /// Returns the `width` numbers at a time. Before the first key they are those of the first, and
+  /// after the last those of the last. Rotations are unit quaternions.
   [[nodiscard]] std::vector<double> at(double time) const;
 
  private:
@@ -34,16 +34,16 @@ struct Keys {
   [[nodiscard]] std::vector<double> spline(std::size_t key, double share) const;
 };
 
-/// Reads samplers. Data that several of them share is read once; what all of them hold together is
-/// bounded by the size of the file.
+/// Reads samplers. Data that several of them share is read once. Their total size is limited by the
+/// size of the file.
 class KeyReader {
  public:
   KeyReader(const Document& document, Accessors& accessors);
 
-  /// `components`: of one of an output's elements, `groups` of which are a key's value; four of a
-  /// `rotation` are a quaternion.
-  /// Faults: no such data, times that fall or are below 0, numbers that are not finite, not one
-  /// value for each time, a rotation of no length, an unknown interpolation.
+  /// Reads a sampler. `components` is that of an output's elements; `groups` of them are a key's
+  /// value, and four of a `rotation` are a quaternion. Faults: no such data, times that decrease or
+  /// are below 0, numbers that are not finite, not one value for each time, a rotation of length 0,
+  /// an unknown interpolation.
   [[nodiscard]] Checked<Keys> read(const tinygltf::AnimationSampler& sampler, int components,
                                    std::size_t groups, bool rotation);
 

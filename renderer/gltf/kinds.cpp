@@ -32,14 +32,15 @@ enum class Kind {
   four_numbers
 };
 
-/// A property of the objects at `within`: the end of their place without the numbers of entries.
+/// A rule for properties of the objects at `within`: the end of their place without the numbers of
+/// entries.
 struct Rule {
   std::string_view within;
   Kind kind;
   std::vector<std::string_view> names;
 };
 
-// The core format's own properties, which extensions and animations use for other things.
+// The core format's own properties, whose names extensions and animations use for other purposes.
 constexpr std::string_view core = "";
 
 const std::vector<Rule>& rules() {
@@ -150,7 +151,7 @@ bool concerns(const Rule& rule, std::string_view place, const std::string& shape
   return shape.ends_with(rule.within);
 }
 
-/// `count`: how many; 0: any number, but for none at all.
+/// `count`: the number of entries; 0: any except none.
 bool are_numbers(const json& value, std::size_t count) {
   return value.is_array() && !value.empty() && (count == 0 || value.size() == count) &&
          std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_number(); });
@@ -161,7 +162,7 @@ bool are_objects(const json& value) {
          std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_object(); });
 }
 
-/// What `value` is not; empty: it is of its kind.
+/// Returns a description of the kind if `value` is not of it; else an empty string.
 std::string_view unlike(Kind kind, const json& value) {
   switch (kind) {
     case Kind::object:

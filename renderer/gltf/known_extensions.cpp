@@ -8,8 +8,8 @@ namespace asos::gltf {
 
 namespace {
 
-/// One of the objects that an extension may extend: its place without the numbers of entries. Of
-/// `textures` it is any reference to a texture that a material makes, however deep.
+/// The kinds of objects that an extension may extend: the place without the numbers of entries.
+/// `textures` is any reference to a texture in a material, at any depth.
 enum class Place {
   root,
   scenes,
@@ -71,7 +71,7 @@ const Known* find(std::string_view name) {
   return found == known.end() ? nullptr : found;
 }
 
-/// `shape` as by without_numbers.
+/// `shape` is from without_numbers.
 bool is_at(std::string_view shape, Place place) {
   switch (place) {
     case Place::root:

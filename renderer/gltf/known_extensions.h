@@ -5,14 +5,14 @@
 
 namespace asos::gltf {
 
-/// True for the extensions that the importer honours.
+/// Returns true for the extensions that the importer supports.
 [[nodiscard]] bool supports_extension(std::string_view name);
 
-/// Whether an extension that the importer honours does something in the `extensions` of the object
-/// at `place` ("/nodes/3"), as its specification says; where it does nothing, that is a loss.
+/// Returns whether a supported extension has an effect in the `extensions` of the object at `place`
+/// ("/nodes/3"), by its specification. If it has none, that is a loss.
 [[nodiscard]] bool belongs_at(std::string_view extension, std::string_view place);
 
-/// "/nodes/3/extensions" as "/nodes/extensions"; the document itself is "/".
+/// Converts "/nodes/3/extensions" to "/nodes/extensions"; the document itself is "/".
 [[nodiscard]] std::string without_numbers(std::string_view place);
 
 }  // namespace asos::gltf

@@ -10,7 +10,8 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-/// glTF 2.0's own, section 5, by place; "name", "extensions" and "extras" may stand anywhere.
+/// Returns the properties of glTF 2.0, section 5, by place; "name", "extensions" and "extras" may
+/// be anywhere.
 const std::unordered_map<std::string_view, Names>& names_by_shape() {
   static const Names texture{"index", "texCoord"};
   static const std::unordered_map<std::string_view, Names> all{

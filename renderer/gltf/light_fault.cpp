@@ -16,14 +16,15 @@ namespace {
 
 constexpr double huge = std::numeric_limits<float>::max();
 using std::numbers::pi;
-// How far from square the axes of a light may be: what single precision leaves of right angles.
+// Largest deviation of a light's axes from a right angle, as a cosine: rounding in single
+// precision.
 constexpr double square_tolerance = 1e-4;
 
 bool within(double value, double lo, double hi) {
   return value >= lo && value <= hi;  // false for NaN
 }
 
-/// Whether two vectors with a length are at right angles.
+/// Returns whether two vectors with a length are perpendicular.
 bool square(glm::dvec3 a, glm::dvec3 b) {
   return std::abs(glm::dot(a, b)) <= square_tolerance * glm::length(a) * glm::length(b);
 }
@@ -51,7 +52,7 @@ std::string polygon_fault(const Light& light) {
   return agrees ? "" : "has an outline that does not run counter-clockwise about its direction";
 }
 
-/// The fault of the place, the direction and the size that the light's type needs; empty if none.
+/// Returns the fault of a light's place, direction or size for its type; empty if none.
 std::string shape_fault(const Light& light) {
   const bool directed = light.type != Light::Type::point && light.type != Light::Type::linear;
   if (directed && !within(glm::length(light.direction), 0.999, 1.001)) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// Functions that the encodings of lights (LIGHTS.md) have in common.
+// Common functions for the encodings of lights (LIGHTS.md).
 
 namespace asos::gltf {
 
@@ -18,32 +18,33 @@ inline bool positive(double value) {
   return std::isfinite(value) && value > 0.0;
 }
 
-/// A bool, or the 0 or 1 that some programs make of one when they save extras.
+/// Returns a bool, also from 0 or 1, to which some programs convert it when they save extras.
 [[nodiscard]] std::optional<bool> on_or_off(const tinygltf::Value& object, const std::string& name);
 
-/// The property `name`: `otherwise` where there is none, an error where it is anything else than a
-/// positive number.
+/// Returns the property `name`, or `otherwise` if there is none. An error if it is no positive
+/// number.
 [[nodiscard]] Checked<double> positive_or(const tinygltf::Value& object, const std::string& name,
                                           double otherwise);
 
-/// The finite numbers of a list; nullopt where it is missing or holds anything else.
+/// Returns the finite numbers of a list; nullopt if it is missing or has other entries.
 [[nodiscard]] std::optional<std::vector<double>> numbers(const tinygltf::Value& object,
                                                          const std::string& name);
 
-/// Sets intensity and colour; says why they are not those of a light, or nothing.
+/// Sets intensity and colour. Returns why they are invalid, or an empty string.
 [[nodiscard]] std::string set_brightness(double intensity, const std::vector<double>& color,
                                          Light& light);
 
-/// The same from `object`'s properties "intensity" and "color", which is white by default.
-/// `default_intensity` nullopt: it has to be there.
+/// Sets them from `object`'s properties "intensity" and "color", which is white by default. With
+/// `default_intensity` nullopt, the intensity is required.
 [[nodiscard]] std::string read_brightness(const tinygltf::Value& object,
                                           std::optional<double> default_intensity, Light& light);
 
-/// The largest component of the scale in `world_from_node`, which lights' sizes are multiplied by.
+/// Returns the largest component of the scale in `world_from_node`, by which lights' sizes are
+/// multiplied.
 [[nodiscard]] double largest_scale(const glm::dmat4& world_from_node);
 
-/// The unit axes of a node, at right angles whatever shear its parents make: the way it shines
-/// (-Z), then across (X), then up (Y). Nullopt where the matrix squeezes it flat.
+/// The unit axes of a node, perpendicular even if its parents shear: the emitting direction (-Z),
+/// across (X), and up (Y). Nullopt if the matrix is singular.
 struct LightAxes {
   glm::dvec3 x, y, direction;
 };

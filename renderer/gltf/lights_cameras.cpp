@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rotation and position of `m` without its scale; nullopt where it has lost a direction.
+/// Returns the rotation and position of `m` without its scale; nullopt if a direction is lost.
 std::optional<glm::dmat4> rigid(const glm::dmat4& m) {
   const glm::dvec3 back(m[2]), up(m[1]);
   if (!positive(glm::length(back)) || !positive(glm::length(up))) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<glm::dmat4> rigid(const glm::dmat4& m) {
                     m[3]);
 }
 
-/// Why the camera is none, or empty.
+/// Returns why the camera is invalid, or an empty string.
 std::string read_projection(const tinygltf::Camera& source, Camera& camera) {
   if (source.type == "perspective") {
     const tinygltf::PerspectiveCamera& p = source.perspective;
@@ -57,7 +57,7 @@ std::string read_projection(const tinygltf::Camera& source, Camera& camera) {
   return fmt::format("the unknown type '{}'", source.type);
 }
 
-/// Why the light is none, or empty.
+/// Returns why the light is invalid, or an empty string.
 std::string read_light(const tinygltf::Light& source, const std::string& place, Light& light,
                        Warnings& warnings) {
   if (source.type == "point") {
@@ -75,7 +75,7 @@ std::string read_light(const tinygltf::Light& source, const std::string& place, 
     color.assign(3, 1.0);
   }
   if (std::string why = set_brightness(source.intensity, color, light); !why.empty()) return why;
-  if (positive(source.range)) light.range = source.range;  // tinygltf's 0: without end
+  if (positive(source.range)) light.range = source.range;  // tinygltf's 0: infinite
   light.casts_shadows = on_or_off(source.extras, "casts_shadows").value_or(true);
   if (light.type != Light::Type::spot) return {};
 
@@ -94,8 +94,8 @@ std::string read_light(const tinygltf::Light& source, const std::string& place, 
   return {};
 }
 
-/// A size from the node's extras or else the light's: 0 where neither has it, or where it is not
-/// in [0, end), with a warning.
+/// Returns a size from the node's extras or else the light's: 0 if neither has it, or, with a
+/// warning, if it is not in [0, end).
 double read_size(const tinygltf::Node& node, const tinygltf::Light& source, const std::string& name,
                  double end, const std::string& place, Warnings& warnings) {
   const tinygltf::Value& extras =
@@ -108,7 +108,7 @@ double read_size(const tinygltf::Node& node, const tinygltf::Light& source, cons
   return 0.0;
 }
 
-/// How large a punctual light is: glTF has no word for it, so it is in extras (LIGHTS.md).
+/// Reads the size of a punctual light from extras, since glTF has no property for it (LIGHTS.md).
 void read_sizes(const tinygltf::Node& node, const tinygltf::Light& source,
                 const glm::dmat4& world_from_node, const std::string& place, Light& light,
                 Warnings& warnings) {
@@ -160,7 +160,7 @@ void add_punctual_light(Document& document, const tinygltf::Node& node,
   scene.lights.push_back(std::move(light));
 }
 
-/// Orthographic cameras have no lens, and bad ones are left out, with a warning.
+/// Reads a lens. Orthographic cameras have none, and invalid ones are left out, with a warning.
 void add_lens(const tinygltf::Camera& source, const std::string& place, Camera& camera,
               Warnings& warnings) {
   const Checked<Lens> lens = read_lens(source.extras, camera.fov_y_rad);

@@ -7,14 +7,14 @@
 
 namespace asos::gltf {
 
-/// Adds the camera that a node refers to; what is not a valid camera is left out with a warning.
-/// The node's scale is taken out: glTF cameras are not scaled.
+/// Adds the camera that a node refers to; an invalid camera is left out with a warning. The node's
+/// scale is removed: glTF cameras are not scaled.
 void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
                 Scene& scene);
 
 /// Adds the node's lights: the one of KHR_lights_punctual, which may have a size in extras, and the
-/// area, linear or polygon light. An invalid light is left out with a warning. LIGHTS.md has the
-/// encodings.
+/// area, linear or polygon light. An invalid light is left out with a warning. LIGHTS.md describes
+/// the encodings.
 void add_light(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
                Scene& scene);
 

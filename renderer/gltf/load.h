@@ -8,24 +8,26 @@
 namespace asos {
 
 struct LoadOptions {
-  /// Refused above this, before anything of that size is allocated.
+  /// More are rejected, before anything of that size is allocated.
   std::uint64_t max_triangles = 60'000'000;
-  bool keep_rig = false;     ///< Scene::rig is set where there are animations
-  std::string variant = {};  ///< of the file's materials (KHR_materials_variants); empty: none
-  std::string scene = {};  ///< of the file's, by its number from 0 or its name; empty: its default
-  /// Folder that buffers and images may come from, however far below; empty: at most three levels
-  /// above the file (see gltf::asset_folders).
+  bool keep_rig = false;  ///< set Scene::rig if there are animations
+  /// One of the file's material variants (KHR_materials_variants); empty: none.
+  std::string variant = {};
+  /// One of the file's scenes, by number from 0 or name; empty: its default.
+  std::string scene = {};
+  /// Folder from which buffers and images may come, at any depth; empty: at most three levels above
+  /// the file (see gltf::asset_folders).
   std::string asset_root = {};
 };
 
-/// Opens "builtin:NAME" or the path of a .gltf or .glb file. The error names the file and the
+/// Opens "builtin:NAME" or the path of a .gltf or .glb file. The error has the file's name and the
 /// reason. Any thread.
 [[nodiscard]] Result<Scene> load_scene(const std::string& source, const LoadOptions& options = {});
 
-/// glTF 2.0 through tinygltf, validated after it; see renderer/gltf/.
+/// Imports glTF 2.0 through tinygltf, with its own validation; see renderer/gltf/.
 [[nodiscard]] Result<Scene> import_gltf(const std::string& path, const LoadOptions& options = {});
 
-/// Writes `scene` as a self-contained .glb (or .gltf with embedded buffers, by the ending).
+/// Writes `scene` as a self-contained .glb (or .gltf with embedded buffers, by the suffix).
 [[nodiscard]] Result<void> export_gltf(const Scene& scene, const std::string& path);
 
 }  // namespace asos

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double any_size = std::numeric_limits<double>::max();
 
-/// The property `name`, one number for all colours or one for each, 0 to `most`.
+/// Reads the property `name`: one number for all colours or one for each, 0 to `most`.
 Checked<std::array<double, 3>> rgb(const tinygltf::Value& object, const char* name,
                                    double otherwise, double most) {
   std::vector<double> values(1, otherwise);

@@ -8,8 +8,8 @@
 
 namespace asos::gltf {
 
-/// How a material's extras say that its reflections are blurred (MATERIALS.md): nothing where they
-/// do not, an error in words where they say anything that is not a Dfr.
+/// Returns the defocusing ratios in a material's extras (MATERIALS.md): nothing if there are none,
+/// an error with a description if they are no valid Dfr.
 [[nodiscard]] Checked<std::optional<Dfr>> read_dfr(const tinygltf::Value& extras);
 
 }  // namespace asos::gltf

@@ -30,8 +30,7 @@ class MaterialReader {
     read_emission(m);
     read_alpha(m);
     read_extensions(m);
-    // KHR_materials_pbrSpecularGlossiness stands for all of the reflection; unlit materials have
-    // none.
+    // KHR_materials_pbrSpecularGlossiness replaces the whole reflection; unlit materials have none.
     const auto* glossy = extension(source_.extensions, "KHR_materials_pbrSpecularGlossiness");
     if (m.unlit) {
       glossy = nullptr;
@@ -54,7 +53,7 @@ class MaterialReader {
     read_anisotropy(m);
     read_volume(m);
     read_diffuse_transmission(m);
-    // Textures last: an unlit material needs none but its base colour's.
+    // Textures last: an unlit material needs only its base colour's.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = glossy ? use_in(*glossy, "diffuseTexture", "diffuse")
                                   : use(pbr.baseColorTexture, "base colour");
@@ -85,7 +84,7 @@ class MaterialReader {
   }
 
  private:
-  /// Says which extensions an unlit material has that shade: KHR_materials_unlit holds.
+  /// Reports an unlit material's shading extensions, which KHR_materials_unlit overrides.
   void tell_ignored() {
     constexpr std::array<const char*, 9> shading = {"KHR_materials_transmission",
                                                     "KHR_materials_diffuse_transmission",
@@ -105,10 +104,11 @@ class MaterialReader {
                                 place_, ignored));
   }
 
-  /// Whether something is to be read of which a factor says whether it shows.
+  /// Returns whether to read a property whose factor makes it visible now. For moving materials,
+  /// returns true.
   [[nodiscard]] bool shows(bool now) const { return now || moves_; }
 
-  /// `value` as a float, or `otherwise` where a float cannot hold it.
+  /// Returns `value` as a float, or `otherwise` if it does not fit.
   float finite(double value, double otherwise, const char* what) {
     const auto single = static_cast<float>(value);
     if (std::isfinite(single)) return single;
@@ -149,7 +149,7 @@ class MaterialReader {
     }
     for (int c = 0; c < 3; ++c) {
       const double value = source_.emissiveFactor[static_cast<std::size_t>(c)];
-      // Exporters write more than 1 for bright lamps; that is what they mean.
+      // Exporters write more than 1 for bright lamps, so the value is kept.
       if (value > 1.0) warnings_.add(place_ + ": its emissive factor is above 1; used as it is");
       m.emissive[c] = within(value, 0.0, 1e30, 0.0, "emissive factor");
     }
@@ -175,7 +175,7 @@ class MaterialReader {
     }
     if (const auto* e = extension(source_.extensions, "KHR_materials_ior")) {
       const double ior = number(*e, "ior").value_or(1.5);
-      // 0 stands for an infinite index: everything is reflected.
+      // 0 means an infinite index: everything is reflected.
       m.ior = ior == 0.0 ? 0.0f : within(ior, 1.0, 1e6, 1.5, "index of refraction");
     }
     if (const auto* e = extension(source_.extensions, "KHR_materials_transmission")) {
@@ -327,8 +327,9 @@ class MaterialReader {
     m.coat.normal_texture.scale = finite(scale, 1.0, "clearcoat normal scale");
   }
 
-  /// A dielectric of infinite index, whose reflection at normal incidence is its specular colour:
-  /// the diffuse part is weighed by one minus the largest of its channels, as the extension asks.
+  /// Reads a dielectric of infinite index, whose reflection at normal incidence is its specular
+  /// colour. The diffuse part has the weight of one minus its largest channel, as the extension
+  /// requires.
   void read_specular_glossiness(const tinygltf::Value& e, Material& m) {
     for (int c = 0; c < 4; ++c) {
       m.base_color[c] =
@@ -347,8 +348,8 @@ class MaterialReader {
     return within(number(e, "glossinessFactor").value_or(1.0), 0.0, 1.0, 1.0, "glossiness factor");
   }
 
-  /// Its colour is the specular one; its alpha is glossiness, of which a texture of roughness is
-  /// made.
+  /// Uses a texture with the specular colour. Its alpha is glossiness, which becomes a texture of
+  /// roughness.
   void use_specular_glossiness(const tinygltf::Value& e, Material& m) {
     m.specular_color_texture = use_in(e, "specularGlossinessTexture", "specular-glossiness");
     if (!m.specular_color_texture.used()) return;
@@ -380,7 +381,7 @@ class MaterialReader {
     return use;
   }
 
-  /// The same, of a texture that an extension names.
+  /// Returns the use of an extension's texture.
   TextureUse use_in(const tinygltf::Value& parent, const char* name, const char* what) {
     if (!parent.Has(name)) return {};
     const tinygltf::Value& value = parent.Get(name);
@@ -402,8 +403,8 @@ class MaterialReader {
     const float sx = at("scale", 0, 1.0), sy = at("scale", 1, 1.0);
     const float angle = finite(number(e, "rotation").value_or(0.0), 0.0, "texture transform");
     const float c = std::cos(angle), s = std::sin(angle);
-    // Translation * rotation * scale; the rotation is counter-clockwise as the picture is seen,
-    // whose v runs downwards. Columns.
+    // Translation * rotation * scale, in columns. The rotation is counter-clockwise in the picture,
+    // whose v points down.
     return {glm::vec3(c * sx, -s * sx, 0.0f), glm::vec3(s * sy, c * sy, 0.0f),
             glm::vec3(x, y, 1.0f)};
   }

@@ -8,9 +8,9 @@
 
 namespace asos::gltf {
 
-/// Takes over all of a document's materials, in the document's order. A value out of range is
-/// brought into it with a warning. `moving`: those whose values change with time, which have all of
-/// their textures whether these show or not.
+/// Imports all of a document's materials, in the document's order. A value out of range is clamped
+/// with a warning. `moving` are those whose values change with time; all of their textures are
+/// imported, even if they are not visible now.
 [[nodiscard]] std::vector<Material> import_materials(Document& document, Textures& textures,
                                                      const std::set<std::size_t>& moving = {});
 

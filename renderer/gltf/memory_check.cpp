@@ -12,7 +12,7 @@ std::uint64_t memory_of_machine() {
 }
 
 Checked<void> check_memory(std::uint64_t triangles, std::uint64_t objects, std::uint64_t most) {
-  // What stays when all is built (docs/performance.md); building it takes half as much again.
+  // Memory of a finished scene (docs/performance.md); building it takes half as much again.
   constexpr std::uint64_t bytes_a_triangle = 220, bytes_an_object = 300;
   const std::uint64_t needed = bytes_a_triangle * triangles + bytes_an_object * objects;
   if (needed <= most) return {};

@@ -6,11 +6,11 @@
 
 namespace asos::gltf {
 
-/// Bytes of memory that this machine has.
+/// Returns the bytes of memory of this machine.
 [[nodiscard]] std::uint64_t memory_of_machine();
 
-/// Why so many triangles in so many objects cannot be shown with `most` bytes of memory, where the
-/// system would end the program. What they take is estimated from below.
+/// Returns an error if so many triangles in so many objects do not fit `most` bytes of memory, in
+/// which case the system would end the program. Their memory is estimated from below.
 [[nodiscard]] Checked<void> check_memory(std::uint64_t triangles, std::uint64_t objects,
                                          std::uint64_t most);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view lights_place = "/extensions/KHR_lights_punctual/lights/";
 
-/// Properties of the objects at `within`, which is what follows the number of a material and so on.
+/// Properties of the objects at `within`, which follows the number of a material and so on.
 struct Movable {
   std::string_view root, within;
   int numbers;
@@ -58,7 +58,7 @@ const std::vector<Movable>& movables() {
   return all;
 }
 
-/// A pointer taken apart: "/materials/", 3, "/pbrMetallicRoughness", "roughnessFactor".
+/// The parts of a pointer: "/materials/", 3, "/pbrMetallicRoughness", "roughnessFactor".
 struct PointedAt {
   std::string_view root;
   std::size_t number = 0;
@@ -89,7 +89,7 @@ std::optional<PointedAt> place_of(std::string_view pointer) {
   return std::nullopt;
 }
 
-/// KHR_texture_transform is the same of all of a material's textures.
+/// KHR_texture_transform is the same for all of a material's textures.
 std::optional<int> transform_numbers(const PointedAt& place) {
   if (place.root != "/materials/" || !place.within.ends_with("Texture/KHR_texture_transform"))
     return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<int> transform_numbers(const PointedAt& place) {
   return std::nullopt;
 }
 
-/// The object in which a property stands; null: it is not there.
+/// Returns the object that contains a property; null: it does not exist.
 template <typename Json>
 Json* object_of(Json& root, std::string_view pointer) {
   Json* at = &root;

@@ -10,26 +10,26 @@
 #include <string_view>
 #include <vector>
 
-// What KHR_animation_pointer moves beside nodes: numbers of materials, cameras and punctual lights,
-// as glTF's object model lists them.
+// Values besides nodes that KHR_animation_pointer moves: numbers of materials, cameras and punctual
+// lights, as in glTF's object model.
 
 namespace asos::gltf {
 
-/// How many numbers the property has that a pointer aims at; nullopt: not one of these.
+/// Returns how many numbers the property at a pointer has; nullopt: not one of these.
 [[nodiscard]] std::optional<int> movable_numbers(std::string_view pointer);
 
-/// Whether the object in which that property stands is there.
+/// Returns whether the object that contains the property exists.
 [[nodiscard]] bool has_object_of(const nlohmann::json& root, std::string_view pointer);
 
-/// The number of the material that a pointer aims into.
+/// Returns the number of the material that a pointer points into.
 [[nodiscard]] std::optional<std::size_t> material_of(std::string_view pointer);
 
-/// The parts of a document that these pointers aim into.
+/// Returns the parts of a document that these pointers point into.
 [[nodiscard]] nlohmann::json movable_parts(const nlohmann::json& root);
 
 struct MovedValue {
-  std::string pointer;          ///< of a movable property, whose object is there
-  std::vector<double> numbers;  ///< as many as it has
+  std::string pointer;          ///< of a movable property in an existing object
+  std::vector<double> numbers;  ///< one per component of the property
 };
 
 /// Replaces the model's materials, cameras and punctual lights by those of `parts` with `values`.

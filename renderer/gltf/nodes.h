@@ -10,26 +10,26 @@
 
 namespace asos::gltf {
 
-/// A node's own transformation and morph weights at the time that is shown.
+/// A node's own transformation and morph weights at one time.
 struct NodePose {
   glm::dvec3 translation{0.0};
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
   glm::dvec3 scale{1.0};
-  std::optional<glm::dmat4> matrix;  ///< in place of the three
-  std::vector<double> weights;       ///< empty: the mesh's
-  bool visible = true;               ///< KHR_node_visibility: with all below it
+  std::optional<glm::dmat4> matrix;  ///< replaces the three
+  std::vector<double> weights;       ///< of morph targets; empty: the mesh's weights
+  bool visible = true;               ///< KHR_node_visibility: includes everything below it
 
   [[nodiscard]] glm::dmat4 parent_from_node() const;
 };
 
-/// The pose of every node where the file itself puts it.
+/// Returns the pose of every node as the file defines it.
 [[nodiscard]] std::vector<NodePose> poses_at_rest(Document& document);
 
-/// Rotates and scales as the numbers say, or repairs them with a warning.
+/// Returns a unit quaternion. Repairs an invalid one, with a warning.
 [[nodiscard]] glm::dquat unit_rotation(glm::dquat q, const std::string& place, Warnings& warnings);
 
-/// A file's node hierarchy, made a forest: references to nodes that do not exist, second parents
-/// and cycles are cut with a warning. Nothing here recurses.
+/// A file's node hierarchy as a forest: references to missing nodes, second parents and cycles are
+/// cut with a warning. Nothing here recurses.
 class NodeGraph {
  public:
   NodeGraph(Document& document, std::vector<NodePose> poses);
@@ -44,7 +44,7 @@ class NodeGraph {
   /// -1: none.
   [[nodiscard]] int parent(int node) const { return parent_[static_cast<std::size_t>(node)]; }
 
-  /// The nodes that the scene shows, parents first, each once. Leaves out invisible subtrees
+  /// Returns the visible nodes of a scene, parents first, each once. Leaves out invisible subtrees
   /// (KHR_node_visibility), coarser levels of detail (MSFT_lod) and nodes whose place is not
   /// finite. `scene` -1: all.
   [[nodiscard]] std::vector<int> shown(int scene) const;

@@ -9,15 +9,16 @@ namespace asos::gltf {
 
 namespace {
 
-// Share of the extent that corners may lie off their plane: what is left of single precision after
-// a turn or two, with room to spare.
+// Largest distance of corners from their plane, relative to the extent: the rounding error of
+// single precision after a rotation or two, with a margin.
 constexpr double planar_tolerance = 1e-3;
-// Share of the extent's square that an area must exceed.
+// Smallest area, relative to the squared extent.
 constexpr double least_area = 1e-9;
 
 using Outline2 = std::vector<glm::dvec2>;
 
-/// Twice the area that `outline` encloses, along its normal (Newell's method), seen from `middle`.
+/// Returns twice the enclosed area of `outline`, along its normal (Newell's method), relative to
+/// `middle`.
 glm::dvec3 twice_area(const std::vector<glm::dvec3>& outline, glm::dvec3 middle) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -31,7 +32,7 @@ double side_of(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) {
   return u.x * v.y - u.y * v.x;
 }
 
-/// Whether two sides cross in their interiors; sides that only touch do not.
+/// Returns whether two sides cross in their interiors; sides that only touch do not.
 bool cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
   return side_of(a, b, c) * side_of(a, b, d) < 0.0 && side_of(c, d, a) * side_of(c, d, b) < 0.0;
 }
@@ -79,7 +80,7 @@ std::string count_fault(const Outlines& outlines) {
   return fmt::format("has {} corners; the limit is {}", corners, most_outline_corners);
 }
 
-/// The fault of flat outlines that meet or nest wrongly; empty if none.
+/// Returns the fault of flat outlines that meet or nest wrongly; empty if none.
 std::string crossing_fault(const FlatOutlines& flat) {
   const glm::dvec3 n = flat.normal;
   const glm::dvec3 axis = std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -92,8 +93,8 @@ std::string crossing_fault(const FlatOutlines& flat) {
     }
   }
   if (any_crossing(drawn)) return "has outlines that cross";
-  // As no sides cross, one point of a hole speaks for all of it; the middle of a side is safer than
-  // a corner, which may touch.
+  // Since no sides cross, one point of a hole represents all of it. The centre of a side is safer
+  // than a corner, which may touch.
   for (std::size_t hole = 1; hole < drawn.size(); ++hole) {
     const glm::dvec2 p = 0.5 * (drawn[hole][0] + drawn[hole][1]);
     if (!inside(drawn[0], p)) return "has a hole outside of its outer outline";

@@ -16,7 +16,7 @@ bool all_finite(const std::vector<double>& values) {
   return true;
 }
 
-/// `values` if it has `count` finite entries; an absent property is not worth a warning.
+/// Returns whether `values` has `count` finite entries; an absent property gives no warning.
 bool usable(const std::vector<double>& values, std::size_t count, const std::string& place,
             const char* what, Warnings& warnings) {
   if (values.empty()) return false;

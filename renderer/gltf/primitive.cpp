@@ -31,15 +31,15 @@ std::optional<int> attribute(const tinygltf::Primitive& primitive, const char* n
   return found->second;
 }
 
-/// Decodes the primitive's Draco stream, if it has one. A file may carry the plain data too; then
-/// a stream that does not decode costs a warning only.
+/// Decodes the primitive's Draco stream, if it has one. If the file also has the plain data, a
+/// stream that does not decode only gives a warning.
 Checked<std::optional<DracoPrimitive>> decode_draco(const PrimitiveRequest& request,
                                                     Accessors& accessors, Warnings& warnings) {
   const tinygltf::Value* ext = draco_extension(request.primitive);
   if (!ext) return std::optional<DracoPrimitive>();
   const Checked<std::uint64_t> elements = element_count(request.primitive, accessors);
   if (!elements) return fault(elements.error());
-  // Without indices the faces of a strip are declared by nothing; one a vertex is the most.
+  // Without indices, the number of faces of a strip is not declared; it is at most one per vertex.
   Checked<DracoPrimitive> decoded =
       DracoPrimitive::decode(*ext, accessors, drawn_count(request.primitive.mode, *elements) * 3);
   if (decoded) return std::optional<DracoPrimitive>(std::move(*decoded));
@@ -50,13 +50,13 @@ Checked<std::optional<DracoPrimitive>> decode_draco(const PrimitiveRequest& requ
   return std::optional<DracoPrimitive>();
 }
 
-/// What a mode is made of, in words.
+/// Returns the name of a mode's elements.
 const char* pieces_of(int mode) {
   if (mode == TINYGLTF_MODE_POINTS) return "points";
   return is_stroke(mode) ? "line segments" : "triangles";
 }
 
-/// Segments and points as `triangles_of` hands them over.
+/// Returns triangles; segments and points are encoded as in `triangles_of`.
 Checked<std::vector<glm::uvec3>> read_triangles(const PrimitiveRequest& request,
                                                 const std::optional<DracoPrimitive>& draco,
                                                 Accessors& accessors, std::size_t vertices,
@@ -85,8 +85,8 @@ Checked<std::vector<glm::uvec3>> read_triangles(const PrimitiveRequest& request,
   return triangles_of(request.primitive.mode, indices);
 }
 
-/// Makes the normals of lines and points unit vectors, or 0 where there is no direction: these
-/// have no surface to make them from.
+/// Normalizes the normals of lines and points, or sets them to 0 if they have no direction, since
+/// there is no surface to compute them from.
 void unify_normals(VertexData& data, const std::string& place, Warnings& warnings) {
   std::size_t broken = 0;
   for (glm::vec3& n : data.normals) {
@@ -98,7 +98,7 @@ void unify_normals(VertexData& data, const std::string& place, Warnings& warning
         fmt::format("{}: {} normals are zero or not finite; they face the viewer", place, broken));
 }
 
-/// A mesh of lines or points, which have no tangents.
+/// Returns a mesh of lines or points, which have no tangents.
 Mesh stroke_mesh(int mode, VertexData&& data, const std::vector<glm::uvec3>& strokes) {
   Mesh mesh;
   mesh.positions = std::move(data.positions);
@@ -115,7 +115,7 @@ Mesh stroke_mesh(int mode, VertexData&& data, const std::vector<glm::uvec3>& str
   return mesh;
 }
 
-/// The vertices that triangles use, where that is well below all of them: files often share one
+/// Selects the vertices that triangles use, if these are far fewer than all: files often share one
 /// large buffer among thousands of primitives.
 Selection select_used(std::vector<glm::uvec3>& triangles, std::size_t vertices) {
   if (triangles.size() >= vertices / 6) return std::nullopt;
@@ -134,7 +134,8 @@ Selection select_used(std::vector<glm::uvec3>& triangles, std::size_t vertices) 
 void check_texcoords(const PrimitiveRequest& request, const VertexData& data, Warnings& warnings) {
   if (!request.material) return;
   for (const TextureUse* use : texture_uses(*request.material)) {
-    // Without coordinates a normal map has no directions either; tangents say so.
+    // Without coordinates a normal map has no directions, either; the check of tangents reports
+    // that.
     if (use == &request.material->normal_texture || use == &request.material->coat.normal_texture ||
         use == &request.material->anisotropy.texture)
       continue;
@@ -150,7 +151,7 @@ Checked<std::uint64_t> element_count(const tinygltf::Primitive& primitive, Acces
   std::optional<int> accessor = attribute(primitive, Document::indices_attribute);
   if (!accessor) accessor = attribute(primitive, "POSITION");
   if (!accessor) return fault("it has no positions");
-  // A Draco stream stands in for the accessor's data, so only the declared number counts.
+  // A Draco stream replaces the accessor's data, so only the declared number counts.
   if (draco_extension(primitive)) return accessors.declared_count(*accessor);
   return accessors.count(*accessor);
 }
@@ -190,7 +191,7 @@ Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& a
   if (!vertices) return fault(vertices.error());
   if (*vertices > most_vertices) return fault("it has more vertices than 32 bits count");
 
-  // Triangles first: they say which vertices are wanted.
+  // Triangles come first, since they select the vertices.
   auto triangles = read_triangles(request, *draco, accessors, *vertices, warnings);
   if (!triangles) return fault(triangles.error());
   const std::size_t declared = triangles->size();

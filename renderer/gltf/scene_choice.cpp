@@ -48,7 +48,7 @@ int default_scene(Document& document) {
 
 Checked<int> find_scene(const Document& document, const std::string& wanted) {
   const std::vector<tinygltf::Scene>& scenes = document.model.scenes;
-  // Whatever their names, each can be named by its number.
+  // Every scene can also be selected with its number, even if it has a name.
   if (const auto number = whole_number(wanted); number && *number < scenes.size())
     return static_cast<int>(*number);
   const auto found = std::find_if(scenes.begin(), scenes.end(),

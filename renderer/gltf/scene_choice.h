@@ -6,12 +6,12 @@
 
 namespace asos::gltf {
 
-/// The scene that a file names as its own, or else its first; -1 where it has none. What is odd
-/// about that is said in the document's warnings.
+/// Returns the scene that a file selects, or else its first; -1 if it has none. Irregularities
+/// become warnings of the document.
 [[nodiscard]] int default_scene(Document& document);
 
-/// The scene of this number, from 0, or else the first of this name. The fault lists those that
-/// there are.
+/// Returns the scene with this number, from 0, or else the first with this name. The fault lists
+/// the existing scenes.
 [[nodiscard]] Checked<int> find_scene(const Document& document, const std::string& wanted);
 
 }  // namespace asos::gltf

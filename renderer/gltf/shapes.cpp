@@ -13,7 +13,7 @@ namespace {
 constexpr const char* node_extension = "ASOS_implicit_shape";
 constexpr const char* root_extension = "KHR_implicit_shapes";
 
-/// `otherwise` where the property is missing; anything but a number there is an error.
+/// Returns a number, or `otherwise` if the property is missing; anything else is an error.
 Checked<double> size_or(const tinygltf::Value& source, const char* name, double otherwise) {
   if (!source.Has(name)) return otherwise;
   if (const auto value = number(source, name)) return *value;
@@ -32,7 +32,7 @@ Checked<void> read_box(const tinygltf::Value& source, Shape& shape) {
   return {};
 }
 
-/// Reads `names` into the doubles beside them, which hold what they are by default.
+/// Reads `names` into the doubles paired with them, which contain the defaults.
 template <std::size_t count>
 Checked<void> read_sizes(const tinygltf::Value& source,
                          const std::array<std::pair<const char*, double*>, count>& names) {
@@ -44,7 +44,7 @@ Checked<void> read_sizes(const tinygltf::Value& source,
   return {};
 }
 
-/// A shape of KHR_implicit_shapes (defaults included) from the object that has its sizes.
+/// Reads a shape of KHR_implicit_shapes (defaults included) from the object with its sizes.
 Checked<Shape> read_sizes_of(const std::string& type, const tinygltf::Value& source) {
   Shape shape;
   Checked<void> done;
@@ -106,7 +106,7 @@ std::optional<Shape> node_shape(Document& document, const tinygltf::Node& node) 
     shape = read("of its extension", read_extension(document, *reference));
   if (node.extras.IsObject() && node.extras.Has("asos_shape"))
     repeated = read("in its extras", read_extras(node.extras.Get("asos_shape")));
-  // Whoever knows the extension may have edited it and left the extras as they were.
+  // A program that knows the extension may have edited it and left the extras unchanged.
   if (shape && repeated && *shape != *repeated)
     warn("in its extras", "is another one than that of its extension, which holds");
   return shape ? shape : repeated;

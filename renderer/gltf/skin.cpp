@@ -20,14 +20,15 @@ glm::dmat4 matrix_at(const std::vector<float>& values, std::size_t index) {
   return m;
 }
 
-/// Inverse transpose times the determinant's size: for normals, also of mirrored parts.
+/// Returns the inverse transpose times the absolute value of the determinant: for normals, also of
+/// mirrored parts.
 glm::dmat3 normal_matrix(const glm::dmat4& m, double determinant) {
   const glm::dvec3 a(m[0]), b(m[1]), c(m[2]);
   const double sign = determinant < 0.0 ? -1.0 : 1.0;
   return {sign * glm::cross(b, c), sign * glm::cross(c, a), sign * glm::cross(a, b)};
 }
 
-/// The weighted sum of the joints' matrices, or the node's where a vertex has no weight.
+/// The weighted sum of the joints' matrices, or the node's matrix for a vertex without weights.
 class Blend {
  public:
   Blend(const VertexData& data, const PrimitiveRequest& request) : data_(data), request_(request) {}

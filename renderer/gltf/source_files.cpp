@@ -13,7 +13,7 @@ namespace asos {
 
 namespace {
 
-/// The JSON of a glTF file; discarded where it cannot be read.
+/// Returns the JSON of a glTF file; discarded if it is not readable.
 nlohmann::json document_of(const std::string& source) {
   const nlohmann::json none(nlohmann::json::value_t::discarded);
   const auto bytes = read_file(source, gltf::scene_file_rules());
@@ -24,7 +24,7 @@ nlohmann::json document_of(const std::string& source) {
   return nlohmann::json::parse(container->json.begin(), container->json.end(), nullptr, false);
 }
 
-/// The files that a glTF document names besides itself.
+/// Returns the files that a glTF document refers to.
 std::vector<gltf::UriFile> named_files(const nlohmann::json& document,
                                        gltf::ModelFiles known_files) {
   std::vector<gltf::UriFile> files;
@@ -34,7 +34,7 @@ std::vector<gltf::UriFile> named_files(const nlohmann::json& document,
     for (const nlohmann::json& entry : *found) {
       if (!entry.is_object() || !entry.contains("uri") || !entry["uri"].is_string()) continue;
       const std::string uri = entry["uri"].get<std::string>();
-      // Faults: data URIs, other schemes, and what import refuses.
+      // Faults: data URIs, other schemes, and files that import rejects.
       auto file = known_files.find(uri);
       if (file) files.push_back(*std::move(file));
     }
@@ -42,7 +42,7 @@ std::vector<gltf::UriFile> named_files(const nlohmann::json& document,
   return files;
 }
 
-/// The lowest folder that holds two others.
+/// Returns the lowest folder that contains two others.
 std::filesystem::path common_folder(const std::filesystem::path& a,
                                     const std::filesystem::path& b) {
   std::filesystem::path common;

@@ -43,8 +43,8 @@ void make_flat(VertexData& data, std::vector<glm::uvec3>& triangles) {
   }
 }
 
-/// Derivatives of the position along the texture's u and against its v (glTF's bitangent points
-/// up in the picture, while v runs down).
+/// Derivatives of the position along the texture's u and against its v (glTF's bitangent points up
+/// in the picture, while v points down).
 struct UvFrame {
   glm::dvec3 along_u{0.0}, against_v{0.0};
 };
@@ -56,13 +56,14 @@ UvFrame uv_frame(const VertexData& data, const std::vector<glm::vec2>& uv, const
   const glm::dvec3 e1 = glm::dvec3(data.positions[t.y]) - p0;
   const glm::dvec3 e2 = glm::dvec3(data.positions[t.z]) - p0;
   const glm::dvec2 d1 = map(t.y) - map(t.x), d2 = map(t.z) - map(t.x);
-  // The inverse of [d1 d2] without its determinant's size, so that each triangle weighs by area.
+  // The inverse of [d1 d2] without the determinant's absolute value, so that each triangle is
+  // weighted by area.
   const double sign = d1.x * d2.y - d1.y * d2.x < 0.0 ? -1.0 : 1.0;
   if (d1.x * d2.y - d1.y * d2.x == 0.0) return {};
   return {sign * (d2.y * e1 - d1.y * e2), -sign * (d1.x * e2 - d2.x * e1)};
 }
 
-/// The texture use whose u gives a material's tangents.
+/// Returns the texture use whose u defines a material's tangents.
 const TextureUse& tangents_use(const Material& material) {
   if (material.normal_texture.used()) return material.normal_texture;
   if (material.coat.normal_texture.used()) return material.coat.normal_texture;

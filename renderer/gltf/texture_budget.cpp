@@ -9,8 +9,8 @@ namespace asos::gltf {
 
 namespace {
 
-// A texel takes 4 bytes and its means 3 to 8, so that a file of a few bytes takes up to 200 MB.
-// JPEG and WebP need about a bit for a pixel of what has details.
+// A texel takes 4 bytes and its mip levels 3 to 8, so a file of a few bytes takes up to 200 MB.
+// JPEG and WebP need about one bit per pixel for detailed pictures.
 constexpr std::uint64_t free_texels = std::uint64_t{1} << 24;
 constexpr std::uint64_t texels_per_byte = 8;
 constexpr int most_shrink = 4096;
@@ -20,8 +20,8 @@ std::uint64_t texels_of(const PictureClaim& claim, int shrink) {
          static_cast<std::uint64_t>(shrunk(claim.height, shrink));
 }
 
-/// The most texels that a picture may have so that all do fit `most`, where smaller ones keep
-/// theirs.
+/// Returns a limit for the number of texels per picture, chosen so that all pictures together fit
+/// `most`. Smaller pictures keep their size.
 std::uint64_t fair_share(std::vector<std::uint64_t> texels, std::uint64_t most) {
   std::sort(texels.begin(), texels.end());
   std::uint64_t left = most, share = most;

@@ -6,19 +6,19 @@
 
 namespace asos::gltf {
 
-/// A picture of a file as its head describes it.
+/// A picture of a file, as its head describes it.
 struct PictureClaim {
   int width = 0;  ///< pixels; 0: it is no picture
   int height = 0;
   std::uint64_t bytes = 0;  ///< as it is stored
 };
 
-/// How many pixels the pictures of a file may have together that take so many bytes in it: what
-/// textures of that size show, and few enough that those of a small file take little memory.
+/// Returns the largest number of pixels for all pictures of a file that together have so many
+/// bytes. It is enough for real textures, and limits the memory for small files.
 [[nodiscard]] std::uint64_t most_texels(std::uint64_t picture_bytes);
 
-/// By how much to reduce each as it is read (read_picture), a power of two; 1: not at all. All
-/// together have most_texels at most, and those that are larger than others are reduced first.
+/// Returns the reduction of each picture while it is read (read_picture), a power of two; 1: none.
+/// The total is at most most_texels, and the largest pictures are reduced first.
 [[nodiscard]] std::vector<int> shrinks_of(std::span<const PictureClaim> claims);
 
 }  // namespace asos::gltf

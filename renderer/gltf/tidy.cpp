@@ -31,12 +31,12 @@ constexpr std::array<std::string_view, 5> size_names = {"byteOffset", "byteLengt
                                                         "count", "componentType"};
 constexpr std::array<std::string_view, 4> list_names = {"children", "nodes", "joints", "ids"};
 
-// Whole numbers beside these.
+// Other properties with whole numbers.
 constexpr std::array<std::string_view, 11> whole_names = {
     "mode",   "wrapS",   "wrapT",       "magFilter", "minFilter", "POSITION",
     "NORMAL", "TANGENT", "TRANSLATION", "ROTATION",  "SCALE"};
 
-/// Writes 3.0 as 3, which tinygltf would not take for an index.
+/// Writes 3.0 as 3, since tinygltf does not accept 3.0 as an index.
 void make_whole(json& value) {
   if (!value.is_number_float()) return;
   const double number = value.get<double>();
@@ -100,13 +100,13 @@ class Tidier {
   }
 
  private:
-  /// Counts what tinygltf and the importer will make of a list's or an object's own entries.
+  /// Counts the memory that tinygltf and the importer need for an object's or a list's own entries.
   Checked<void> take_memory(const json& value, const std::string& place) {
     std::uint64_t taken = value.is_object() ? bytes_of_object : 0;
     if (place.starts_with("/materials/") && std::count(place.begin(), place.end(), '/') == 2)
       taken = bytes_of_material;
     if (place.ends_with("/joints")) taken = bytes_of_joint * value.size();
-    // Those of extensions become generic values.
+    // Entries of extensions become generic values.
     if (place.find("/extensions/") != std::string::npos) taken += bytes_of_value * value.size();
     if (taken > memory_left_)
       return fault("its JSON has more entries than files of its size have use for");
@@ -141,8 +141,8 @@ class Tidier {
     }
   }
 
-  /// A name that is misspelt is a property that is missed. Each is said once, however often it
-  /// stands.
+  /// Reports unknown names, since a misspelt property is otherwise lost silently. Each is reported
+  /// once, even if it occurs several times.
   void check_properties(const json& object, const std::string& place) {
     const std::string shape = without_numbers(place);
     for (const auto& [name, value] : object.items()) {
@@ -152,7 +152,7 @@ class Tidier {
     }
   }
 
-  /// Sets a property whose value is of the wrong kind to null, which takes it out.
+  /// Sets a property of the wrong kind to null, which removes it.
   void tidy_kind(const std::string& name, json& value, const std::string& place) {
     if (is_one_of(name, whole_names)) make_whole(value);
     const std::string_view kind = wrong_kind(name, value, place);
@@ -161,7 +161,7 @@ class Tidier {
     value = nullptr;
   }
 
-  /// Sets a reference that is none to null, which takes it out.
+  /// Sets an invalid reference to null, which removes it.
   Checked<void> tidy_number(const std::string& name, json& value, const std::string& place) {
     const bool size = is_one_of(name, size_names);
     if (!size && !is_one_of(name, reference_names)) return {};
@@ -191,7 +191,7 @@ class Tidier {
     value = std::move(kept);
   }
 
-  // What is measured of lists of a million small entries, and what the densest of real files take.
+  // Measured for lists of a million small entries, and for the densest of real files.
   static constexpr std::uint64_t bytes_of_object = 1000, bytes_of_material = 4500;
   static constexpr std::uint64_t bytes_of_value = 200, bytes_of_joint = 150;
   static constexpr std::uint64_t free_memory = std::uint64_t{200} << 20, memory_per_byte = 40;

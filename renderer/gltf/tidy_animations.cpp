@@ -31,7 +31,7 @@ struct PointedNode {
   bool core = false;  ///< a path that channels without the extension have, too
 };
 
-/// "/nodes/3/rotation" as what it says, if it is of a node's own pose, or of whether it is visible.
+/// Parses "/nodes/3/rotation" and the like, if it is a part of a node's own pose or its visibility.
 std::optional<PointedNode> node_pose(std::string_view pointer) {
   constexpr std::string_view prefix = "/nodes/";
   if (!pointer.starts_with(prefix)) return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<PointedNode> node_pose(std::string_view pointer) {
   return std::nullopt;
 }
 
-/// The pointer of a channel's target; empty where it has none.
+/// Returns the pointer of a channel's target; empty if it has none.
 std::string pointer_of(const json& target) {
   const auto extensions = target.find("extensions");
   if (extensions == target.end() || !extensions->is_object()) return {};
@@ -64,7 +64,7 @@ bool is_pointer(const json& target) {
   return target.is_object() && target.contains("path") && target["path"] == "pointer";
 }
 
-/// Leaves those that glTF's own paths have no words for as they are, for `read_clips`.
+/// Resolves pointers to glTF's own paths. Other supported pointers stay the same, for `read_clips`.
 void resolve_pointer(const json& root, json& target, const std::string& place, Warnings& warnings) {
   const std::string pointer = pointer_of(target);
   if (target.contains("node")) {

@@ -6,15 +6,14 @@
 
 namespace asos::gltf {
 
-/// Writes the channels that KHR_animation_pointer aims at a node's translation, rotation, scale or
-/// weights as ordinary ones. Those that it aims at a node's visibility or a single weight get that
-/// node, and those at what moved_values.h knows and the document has stay as they are; of all
-/// others a warning says that they are left, and their pointers are taken out. Gives channels
-/// without a node the node -1, so that tinygltf keeps them and their numbers are the file's. After
-/// the rest of the document was tidied.
+/// Converts channels by KHR_animation_pointer. Pointers to a node's translation, rotation, scale or
+/// weights become ordinary channels. Pointers to a node's visibility or a single weight get that
+/// node. Pointers to existing values of moved_values.h stay the same. All others are removed with a
+/// warning. Channels without a node get the node -1, so that tinygltf keeps them and their numbers
+/// are the file's. Must be called after the rest of the document was tidied.
 void tidy_animations(nlohmann::json& root, Warnings& warnings);
 
-/// Whether a tidied document has channels that aim at values.
+/// Returns whether a tidied document has channels that move values.
 [[nodiscard]] bool moves_values(const nlohmann::json& root);
 
 }  // namespace asos::gltf

@@ -38,7 +38,7 @@ bool has_text(const json& object, const char* name) {
   return found != object.end() && found->is_string();
 }
 
-/// The first of the sizes that the object has and that is not a whole number; empty: none.
+/// Returns the first of the object's sizes that is not a whole number; empty: none.
 std::string bad_size(const json& object) {
   for (const char* name : {"byteOffset", "byteLength", "byteStride", "count", "componentType"}) {
     const auto found = object.find(name);
@@ -49,13 +49,13 @@ std::string bad_size(const json& object) {
   return {};
 }
 
-/// The object at `name`; null where there is none.
+/// Returns the object at `name`; null if there is none.
 const json* object_in(const json& object, const char* name) {
   const auto found = object.find(name);
   return found != object.end() && found->is_object() ? &*found : nullptr;
 }
 
-// Each returns the fault of an entry, or an empty text.
+// Each returns the fault of an entry, or an empty string.
 
 std::string accessor_fault(const json& accessor) {
   if (!accessor.is_object()) return "is not an object";
@@ -106,7 +106,7 @@ class EntryTidier {
  public:
   EntryTidier(json& root, Warnings& warnings) : root_(root), warnings_(warnings) {}
 
-  /// Replaces the entries of `list` that `fault_of` finds something wrong with.
+  /// Replaces each entry of `list` with a fault, as reported by `fault_of`.
   template <typename Fault>
   void replace(const char* list, const char* kind, const json& by, Fault fault_of) {
     each(root_, list, [&](json& entry, std::size_t i) {
@@ -167,7 +167,7 @@ class EntryTidier {
     if (!root_.contains(place)) return;
     each(root_[place], "lights", [&](json& light, std::size_t i) {
       if (!light.is_object()) light = json::object();
-      // Its name is said, and that it is left out, where a node has it.
+      // A node that uses it reports its name and that it is left out.
       if (!has_text(light, "type")) light["type"] = "";
       if (light["type"] != "spot" || object_in(light, "spot")) return;
       warnings_.add(fmt::format("light {} is a spot without angles; glTF's defaults are used", i));

@@ -9,15 +9,15 @@
 
 namespace asos::gltf {
 
-/// Replaces entries of a document's lists that tinygltf would refuse the whole file for by ones
-/// that stand for nothing, so that the numbers of the others stay: accessors without elements,
-/// views of no buffer, lights of no type. Each is a warning, and a loss where it can hold
-/// something to draw. Returns the numbers of the cameras that are left out. Before the rest of the
-/// document is tidied.
+/// Replaces entries of a document's lists for which tinygltf would reject the whole file by neutral
+/// ones, so that the others keep their numbers: accessors without elements, views of no buffer,
+/// lights of no type. Each is a warning, and a loss if it may contain something to draw. Returns
+/// the numbers of the cameras that are left out. Must be called before the rest of the document is
+/// tidied.
 [[nodiscard]] std::set<std::size_t> tidy_entries(nlohmann::json& root, Warnings& warnings);
 
-/// Gives cameras the planes that tinygltf asks for and that they lack: ones that are not valid, and
-/// so cut nothing off. After the rest of the document is tidied.
+/// Adds the planes that tinygltf requires to cameras without them. They have invalid values, so
+/// they do not clip. Must be called after the rest of the document is tidied.
 void complete_planes(nlohmann::json& root, Warnings& warnings);
 
 }  // namespace asos::gltf

@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-// The extras that lights and their nodes may have (LIGHTS.md).
+// The extras of lights and their nodes (LIGHTS.md).
 constexpr std::array<std::string_view, 4> light_extras = {"casts_shadows", "two_sided", "radius",
                                                           "angular_diameter"};
 constexpr std::array<std::string_view, 5> node_extras = {
@@ -21,14 +21,15 @@ constexpr std::array<std::string_view, 1> camera_extras = {"asos_lens"};   // le
 constexpr std::array<std::string_view, 3> light_extensions = {"KHR_lights_punctual",
                                                               "EXT_lights_area", "KHR_lights_area"};
 
-/// Writes whole numbers as real ones, at any depth: tinygltf cuts them off at 32 bits.
+/// Writes whole numbers as real ones, at any depth, since tinygltf truncates whole numbers to 32
+/// bits.
 void make_real(json& value) {
   if (value.is_number_integer()) value = value.get<double>();
   if (!value.is_structured()) return;
   for (json& member : value) make_real(member);
 }
 
-/// Whether `place` is that of an element of `list`, and not of something within one.
+/// Returns whether `place` is that of an element of `list`, and not of something inside one.
 bool is_entry(std::string_view place, std::string_view list) {
   return place.starts_with(list) && place.find('/', list.size()) == std::string_view::npos;
 }

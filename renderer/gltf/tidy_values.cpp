@@ -20,7 +20,7 @@ constexpr auto mag_filters = std::to_array<int>({9728, 9729});
 constexpr auto min_filters = std::to_array<int>({9728, 9729, 9984, 9985, 9986, 9987});
 constexpr auto wraps = std::to_array<int>({33071, 33648, 10497});
 
-/// The objects of a list, each with its place; what is none is told elsewhere.
+/// Visits the objects of a list, each with its place; other entries are reported elsewhere.
 template <typename Act>
 void for_objects(json& owner, const char* name, const std::string& place, Act act) {
   const auto list = owner.find(name);
@@ -35,7 +35,7 @@ std::optional<double> number(const json& object, const char* name) {
   return found->get<double>();
 }
 
-// The planes clip nothing here, so that a wrong one changes no picture.
+// These planes do not clip, so a wrong one does not change the picture.
 void check_planes(const json& camera, const std::string& place, Warnings& warnings) {
   for (const char* type : {"perspective", "orthographic"}) {
     const auto found = camera.find(type);
@@ -60,7 +60,7 @@ void tidy_choice(json& sampler, const char* name, std::span<const int> known,
   sampler.erase(name);
 }
 
-/// The entry of a list that is an object; null where there is none.
+/// Returns the entry of a list that is an object; null if there is none.
 const json* entry_of(const json& list, const json& index) {
   if (!list.is_array() || !index.is_number_unsigned()) return nullptr;
   const auto at = index.get<std::uint64_t>();
@@ -71,8 +71,8 @@ bool is_morphed(std::string_view name) {
   return name == "POSITION" || name == "NORMAL" || name == "TANGENT";
 }
 
-// Those of targets that have a weight are told by what reads them, too; the others would be missed
-// when an animation first gives them one.
+// Checks morph targets. The readers also report those with a weight; the others would become broken
+// only when an animation gives them a weight.
 void check_targets(json& primitive, const std::string& place, const json& accessors,
                    Warnings& warnings) {
   const auto attributes = primitive.find("attributes");
@@ -104,7 +104,7 @@ void check_targets(json& primitive, const std::string& place, const json& access
   });
 }
 
-/// What has no data is all zeros, which is seldom meant of where vertices are.
+/// Warns about positions without data. They are all zeros, which is rarely intended.
 void check_positions(const json& primitive, const json& accessors, Warnings& warnings) {
   const auto attributes = primitive.find("attributes");
   const auto extensions = primitive.find("extensions");

@@ -6,9 +6,9 @@
 
 namespace asos::gltf {
 
-/// Says which values of cameras, samplers and morph targets are none that glTF has, whether or not
-/// anything uses them. `root`: after wrong kinds have been taken out. Filters and ways to wrap that
-/// are none are taken out, too, so that glTF's defaults stand for them.
+/// Warns about invalid values of cameras, samplers and morph targets, whether or not they are used.
+/// `root`: after properties of wrong kinds were removed. Invalid filters and wrap modes are
+/// removed, so that glTF's defaults apply.
 void tidy_values(nlohmann::json& root, Warnings& warnings);
 
 }  // namespace asos::gltf

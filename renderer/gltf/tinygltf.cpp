@@ -1,4 +1,4 @@
-// The one source file that tinygltf is compiled in. Pictures and outside files are read by the
-// importer's own checked code, so stb_image and the file system stay out.
+// The only source file that compiles tinygltf. The importer's own checked code reads pictures and
+// outside files, so stb_image and the file system stay out.
 #define TINYGLTF_IMPLEMENTATION
 #include "renderer/gltf/tinygltf.h"

@@ -1,6 +1,7 @@
 #pragma once
 
-// tinygltf as the importer uses it: it reads the JSON; see preflight.h for what it is not given.
+// tinygltf with the importer's options: it only reads the JSON. preflight.h lists the parts that
+// are withheld from it.
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE

@@ -37,7 +37,7 @@ std::vector<glm::uvec3> triangles_of(int mode, const std::vector<std::uint32_t>&
       triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
     }
   } else if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
-    // Every second triangle of a strip is turned round.
+    // Every second triangle of a strip has the opposite winding.
     for (std::size_t i = 0; i + 2 < n; ++i) {
       triangles.emplace_back(indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]);
     }

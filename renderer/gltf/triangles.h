@@ -7,15 +7,15 @@
 
 namespace asos::gltf {
 
-/// Whether a primitive's mode is of points or lines.
+/// Returns whether a primitive's mode is points or lines.
 [[nodiscard]] constexpr bool is_stroke(int mode) {
   return mode >= 0 && mode <= 3;
 }
 
-/// The triangles of glTF's modes 4 to 6 (triangles, strip, fan) over `indices`, all turned the way
-/// that the specification says. Left-over vertices are ignored. Of modes 0 to 3 (points, lines,
-/// loop, strip) a segment comes as a triangle whose last two corners are one, and a point as one
-/// whose three are.
+/// Returns the triangles of glTF's modes 4 to 6 (triangles, strip, fan) over `indices`, all with
+/// the winding of the specification. Extra vertices are ignored. In modes 0 to 3 (points, lines,
+/// loop, strip), a segment is a triangle whose last two corners are equal, and a point is one whose
+/// three corners are equal.
 [[nodiscard]] std::vector<glm::uvec3> triangles_of(int mode,
                                                    const std::vector<std::uint32_t>& indices);
 

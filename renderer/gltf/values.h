@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-// Looking into the `extensions` and `extras` that tinygltf keeps as generic values; a value of
-// another type than asked for counts as missing.
+// Access to the `extensions` and `extras` that tinygltf stores as generic values. A value of
+// another type than the requested one counts as missing.
 
 namespace asos::gltf {
 
@@ -17,7 +17,7 @@ inline const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions
   return found != extensions.end() && found->second.IsObject() ? &found->second : nullptr;
 }
 
-/// The same of an object within an extension.
+/// Returns an extension of an object within an extension.
 inline const tinygltf::Value* extension(const tinygltf::Value& object, const std::string& name) {
   if (!object.Has("extensions") || !object.Get("extensions").Has(name)) return nullptr;
   const tinygltf::Value& found = object.Get("extensions").Get(name);
@@ -47,7 +47,7 @@ inline std::string text(const tinygltf::Value& object, const std::string& name,
   return object.Get(name).Get<std::string>();
 }
 
-/// Element `i` of the list `name`, if it is a number.
+/// Returns element `i` of the list `name`, if it is a number.
 inline std::optional<double> number_at(const tinygltf::Value& object, const std::string& name,
                                        int i) {
   if (!object.Has(name) || !object.Get(name).IsArray()) return std::nullopt;

@@ -24,7 +24,7 @@ std::vector<std::string> names_of(const tinygltf::Model& model) {
   return names;
 }
 
-/// Whether a mapping's list of variants holds this one.
+/// Returns whether a mapping's list of variants contains this one.
 bool holds(const tinygltf::Value& mapping, int variant) {
   if (!mapping.Has("variants") || !mapping.Get("variants").IsArray()) return false;
   const tinygltf::Value& list = mapping.Get("variants");
@@ -33,7 +33,7 @@ bool holds(const tinygltf::Value& mapping, int variant) {
   return false;
 }
 
-/// The material of the first mapping that holds the variant.
+/// Returns the material of the first mapping that contains the variant.
 std::optional<int> mapped_material(const tinygltf::Primitive& primitive, int variant) {
   const tinygltf::Value* e = extension(primitive.extensions, variants_extension);
   if (!e || !e->Has("mappings") || !e->Get("mappings").IsArray()) return std::nullopt;

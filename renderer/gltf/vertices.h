@@ -16,7 +16,7 @@ struct Influences {
   std::vector<glm::vec4> weights;
 };
 
-/// A primitive's attributes; empty where it has none, else as long as `positions`.
+/// A primitive's attributes; each is empty if it has none, else as long as `positions`.
 struct VertexData {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
@@ -26,17 +26,17 @@ struct VertexData {
   std::vector<Influences> influences;
 };
 
-/// Where a primitive's attributes come from: accessors, or a Draco stream.
+/// The source of a primitive's attributes: accessors, or a Draco stream.
 class AttributeSource {
  public:
   AttributeSource(const PrimitiveRequest& request, const DracoPrimitive* draco,
                   Accessors& accessors, Warnings& warnings)
       : request_(request), draco_(draco), accessors_(accessors), warnings_(warnings) {}
 
-  /// Vertices that POSITION declares.
+  /// Returns the number of vertices that POSITION declares.
   [[nodiscard]] Checked<std::size_t> vertex_count() const;
-  /// The selected vertices, morphed. Only positions are indispensable: another attribute that is
-  /// broken is left out with a warning.
+  /// Reads the selected vertices, morphed. Only positions are required: another broken attribute is
+  /// left out with a warning.
   [[nodiscard]] Checked<VertexData> read(const Selection& selection);
 
  private:
@@ -44,7 +44,7 @@ class AttributeSource {
   [[nodiscard]] Checked<std::vector<float>> floats(const std::string& name, int components,
                                                    const Selection& selection) const;
   [[nodiscard]] Checked<int> components(const std::string& name) const;
-  /// `floats` of an attribute that may be missing; broken ones are warned of.
+  /// Returns `floats` of an optional attribute; broken ones give a warning.
   [[nodiscard]] std::vector<float> optional(const std::string& name, int components,
                                             const Selection& selection);
   void read_colors(VertexData& data, const Selection& selection);

@@ -18,7 +18,7 @@ constexpr std::size_t longest_remark = 500;
 std::string shortened(const std::string& text) {
   constexpr std::string_view gap = "...";
   if (text.size() <= longest_remark) return text;
-  // No character is cut in two.
+  // Do not cut a character in two.
   const auto goes_on = [&](std::size_t at) {
     return (static_cast<std::uint8_t>(text[at]) & 0xc0) == 0x80;
   };
@@ -30,7 +30,7 @@ std::string shortened(const std::string& text) {
 }
 
 void Warnings::add(const std::string& from_file) {
-  // What is said of each of a million entries.
+  // Skip the same text for each of a million entries.
   if (!from_file.empty() && from_file == last_) return;
   last_ = from_file;
   std::string text = printable(shortened(from_file));

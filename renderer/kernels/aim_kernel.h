@@ -4,15 +4,14 @@
 
 namespace asos {
 
-/// What rays that tell how much of a light is seen are weighed by: where it falls, and what its
-/// surface makes of it.
+/// The weight of visibility rays: irradiance at the point, or the radiance that the surface
+/// reflects.
 enum class AimedBy { irradiance, radiance };
 
-/// Shadow rays from points to places of a light with a size, by a measure of the area of flat ones,
-/// which costs less than that of solid angles by which samples of light are as good as can be; of a
-/// light without one, to it. `carried`: the first channel is each ray's weight, the mean of the
-/// colours, and the others are not set. Rays without weight are left out. The same bits whatever
-/// instructions the processor has.
+/// Computes shadow rays from points to places on a light. Places on flat lights are chosen by area,
+/// which costs less than choosing by solid angle as light samples do. The first channel of
+/// `carried` is each ray's weight, the mean over the colours; the others are not set. Rays without
+/// weight are left out. The bits do not depend on the instruction set.
 void aim_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
                AimedBy by, ShadowRayBatch& rays);
 

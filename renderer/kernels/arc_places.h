@@ -1,5 +1,5 @@
-// What sampling by angles needs of arc functions, in double precision: solid angles and angles of
-// lights that look small are differences of large ones. Once for each instruction set.
+// Arc functions for sampling by angles, in double precision: solid angles and angles of distant
+// lights are differences of large ones. Included once for each instruction set.
 #if defined(ASOS_KERNELS_ARC_PLACES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_ARC_PLACES_H
 #undef ASOS_KERNELS_ARC_PLACES_H
@@ -19,12 +19,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// Up to four numbers a point, by the light's shape.
+/// Up to four numbers per point; their meaning depends on the light's shape.
 struct ArcPlaces {
   LitBatch::Floats first, second, third, fourth;
 };
 
-/// 0 to 1, exact.
+/// Converts 32-bit binary fractions to 0 to 1, exactly.
 HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
   const DoubleTag d;
   const hn::Rebind<std::int32_t, DoubleTag> di;
@@ -37,21 +37,21 @@ HWY_INLINE Vec3<DoubleLanes> to_middle(const LitBatch& points, std::size_t i, gl
   return broadcast(DoubleTag(), middle) - doubles(points.position, i);
 }
 
-/// The sine of an angle whose cosine is c.
+/// Returns the sine of the angle in 0 to pi whose cosine is c.
 HWY_INLINE DoubleLanes other_side(DoubleLanes c) {
   const DoubleTag d;
   const auto one = hn::Set(d, 1.0);
   return hn::Sqrt(hn::Max(hn::Zero(d), hn::Mul(hn::Sub(one, c), hn::Add(one, c))));
 }
 
-/// The sum of two angles.
+/// Returns sine and cosine of the sum of two angles.
 HWY_INLINE SinCos<DoubleLanes> sum(const SinCos<DoubleLanes>& a, const SinCos<DoubleLanes>& b) {
   return {hn::Add(hn::Mul(a.sin, b.cos), hn::Mul(a.cos, b.sin)),
           hn::Sub(hn::Mul(a.cos, b.cos), hn::Mul(a.sin, b.sin))};
 }
 
-/// Of the interval from `low` to `high`, what may have a positive slope t + rest, unless that is
-/// nothing.
+/// Clips the interval from `low` to `high` to where the line slope t + rest is positive, unless
+/// nothing would be left.
 HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& low,
                               DoubleLanes& high) {
   const auto zero = hn::Zero(DoubleTag());
@@ -62,10 +62,10 @@ HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& 
   high = hn::IfThenElse(hn::AndNot(rises, within), end, high);
 }
 
-/// SphericalRectangle's, whose formulas these are with sums of angles as products of unit complex
-/// numbers. First: its solid angle, 0 where the light is sampled by area. Second: the place along
-/// half_u as 1 / (x / z)^2, with the sign of x. Third and fourth: the ends along half_v of what of
-/// it may be above the point's horizons, from the foot of its perpendicular.
+/// The formulas of SphericalRectangle, with sums of angles as products of unit complex numbers.
+/// First: its solid angle, 0 where the light is sampled by area. Second: the place along half_u as
+/// 1 / (x / z)^2, with the sign of x. Third and fourth: the ends, along half_v, of the part that
+/// may be above the point's horizons, from the foot of its perpendicular.
 inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
                              const LightPlaceBatch& places, ArcPlaces& found) {
   const DoubleTag d;
@@ -95,8 +95,8 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
     store_floats(y0, &found.third[i]);
     store_floats(y1, &found.fourth[i]);
 
-    // The z of the unit normals of the planes through the point and a side, and the angles between
-    // neighbouring planes.
+    // Compute the z of the unit normals of the planes through the point and a side, and the angles
+    // between neighbouring planes.
     const auto z2 = hn::Mul(z, z);
     const auto n0 = hn::Neg(hn::Div(y0, hn::Sqrt(hn::Add(z2, hn::Mul(y0, y0)))));
     const auto n1 = hn::Div(x1, hn::Sqrt(hn::Add(z2, hn::Mul(x1, x1))));
@@ -106,12 +106,12 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
     const auto c2 = hn::Neg(hn::Mul(n2, n3)), c3 = hn::Neg(hn::Mul(n3, n0));
     const auto first = sum({other_side(c0), c0}, {other_side(c1), c1});
     const auto second = sum({other_side(c2), c2}, {other_side(c3), c3});
-    const auto all = sum(first, second);  // the solid angle, and a whole turn
+    const auto all = sum(first, second);  // the solid angle plus 2 pi
     auto solid_angle = arc_tangent(d, all.sin, all.cos);
     const auto beyond_half = hn::Lt(solid_angle, hn::Set(d, -1e-12));
     solid_angle = hn::IfThenElse(
         beyond_half, hn::Add(solid_angle, hn::Set(d, 2.0 * std::numbers::pi)), solid_angle);
-    // A smaller one has too few digits, and from afar the area does as well.
+    // Smaller solid angles have too few digits, and sampling by area is as good at that distance.
     const auto by_angle = hn::And(seen, hn::Gt(solid_angle, hn::Set(d, 1e-5)));
     solid_angle = hn::IfThenElseZero(by_angle, solid_angle);
     store_floats(solid_angle, &found.first[i]);
@@ -121,7 +121,7 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
     const auto turn = sin_cos(d, hn::Mul(u, solid_angle));
     const auto angle = sum(turn, {hn::Neg(second.sin), second.cos});
     const auto quotient = hn::Div(hn::Sub(hn::Mul(angle.cos, n0), n2), angle.sin);
-    // The end of a rectangle that fills half of all directions would be 0 over 0.
+    // At the end of a rectangle that fills half of all directions, the quotient would be 0 / 0.
     const auto at_end = hn::IfThenElse(hn::Lt(u, hn::Set(d, 0.5)), hn::Set(d, -0.0), zero);
     const auto f = hn::IfThenElse(hn::Eq(angle.sin, zero), at_end, quotient);
     const auto slope2 = hn::Sub(hn::Mul(f, f), hn::Mul(hn::Sub(one, n0), hn::Add(one, n0)));
@@ -129,8 +129,8 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
   }
 }
 
-/// By the angle at the point (Kulla and Fajardo 2012, "equi-angular"). First: the place along the
-/// segment from the foot of the point's perpendicular. Second: its measure. Third: the
+/// Samples by the angle at the point (Kulla and Fajardo 2012, "equi-angular"). First: the place
+/// along the segment from the foot of the point's perpendicular. Second: its measure. Third: the
 /// perpendicular's length.
 inline void segment_places(const LitBatch& points, const PreparedLight& light,
                            const LightPlaceBatch& places, ArcPlaces& found) {
@@ -149,13 +149,13 @@ inline void segment_places(const LitBatch& points, const PreparedLight& light,
     const auto angle = arc_tangent(d, hn::Mul(height, length), hn::Add(height2, hn::Mul(s0, s1)));
     const auto u = fractions(&places.u[i]);
     const auto turn = sin_cos(d, hn::Mul(u, angle));
-    // tan(atan(s0 / height) + u angle) height.
+    // The place is tan(atan(s0 / height) + u angle) height.
     const auto up = hn::Add(hn::Mul(s0, turn.cos), hn::Mul(height, turn.sin));
     const auto over = hn::Sub(hn::Mul(height, turn.cos), hn::Mul(s0, turn.sin));
     const auto turned = clamped(hn::Mul(height, hn::Div(up, over)), s0, s1);
     const auto wide = hn::Gt(angle, hn::Set(d, 1e-4));
     const auto s = hn::IfThenElse(wide, turned, hn::Add(s0, hn::Mul(length, u)));
-    // A point between the ends gets nothing of the line that it lies on.
+    // A line contributes nothing to a point on it.
     const auto apart = hn::Gt(height, hn::Zero(d));
     const auto by_angle =
         hn::IfThenElseZero(apart, hn::Mul(hn::Div(angle, height), hn::Add(height2, hn::Mul(s, s))));
@@ -165,7 +165,7 @@ inline void segment_places(const LitBatch& points, const PreparedLight& light,
   }
 }
 
-/// First and second: the place on a polygon that is no rectangle, from its middle.
+/// First and second: the place on a polygon that is no rectangle, relative to its centre.
 inline void polygon_places(const LitBatch& points, const PreparedLight& light,
                            const LightPlaceBatch& places, ArcPlaces& found) {
   constexpr double scale = 1.0 / 4294967296.0;

@@ -1,5 +1,5 @@
-// What light carries from a point to its viewer, and the rays that ask whether it arrives, a point
-// a lane. Once for each instruction set.
+// Unshadowed contribution of a light at a point, and the shadow rays that test its visibility, with
+// one point per lane. Included once for each instruction set.
 #if defined(ASOS_KERNELS_CARRIED_LIGHT_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_CARRIED_LIGHT_H
 #undef ASOS_KERNELS_CARRIED_LIGHT_H
@@ -17,18 +17,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// The lobe that the light's highlight is, and Schlick's (1 - v.h)^5.
+/// The value of the lobe in the direction of the highlight, and Schlick's (1 - v.h)^5.
 struct SpecularLanes {
   Lanes lobe;
   Lanes fresnel;
 };
 
-/// Where a highlight lies: at the sample itself, or at what stands for the whole light by the
-/// published rule.
+/// Where a highlight lies: at the sample itself, or, by the published rule, at the light's
+/// representative point.
 struct ShineLanes {
   Vectors direction;
   Lanes nearness;  ///< 1 / distance
-  Lanes ratio;     ///< of what the lobe's peak is to what it would be
+  Lanes ratio;     ///< the lobe's peak relative to that of a point light's lobe
 };
 HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& light,
                                   const Vectors& normal, const ShineLanes& shown, std::size_t i) {
@@ -36,7 +36,7 @@ HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& 
   const Vectors to_viewer = loaded(points.to_viewer, i);
   const auto n_dot_l = dot(normal, shown.direction);
   auto mirrors = hn::Gt(n_dot_l, zero);
-  // Reflections show the lights that have an area: those are their highlights.
+  // Lights with an area that a reflection contains have no highlight besides it.
   mirrors = hn::And(mirrors, hn::Lt(loaded(points.shows_lights, i), all_lanes(light.shown_from)));
 
   SightLanes at;
@@ -60,7 +60,7 @@ HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& 
   return {hn::IfThenElseZero(mirrors, value), fresnel};
 }
 
-/// shadow_ray's origin and end.
+/// Origin and end of a shadow ray, as shadow_ray computes them.
 struct RayLanes {
   Vectors origin;
   Lanes t_far;
@@ -92,7 +92,7 @@ HWY_INLINE RayLanes ray_to(const LitBatch& points, const ReceiverLanes& receiver
   return {origin, hn::IfThenElse(infinite, sample.distance, end)};
 }
 
-/// What reaches points i and on of a light and goes on to the viewer, and of which of them.
+/// The unshadowed contributions of a light to points from i on, and which of them are not zero.
 struct CarriedLanes {
   Vectors carried;
   LaneMask kept;
@@ -125,26 +125,26 @@ HWY_INLINE void append(const CarriedLanes& found, std::size_t first, ShadowRayBa
                                   hn::RebindMask(du, kept), du, &rays.point[at]);
 }
 
-/// The irradiance by the light's form, at most what a float holds.
+/// Returns the irradiance from a light's form factor, limited to the largest float.
 HWY_INLINE Lanes irradiance_by(Lanes form, float power) {
   const auto most = all_lanes(std::numeric_limits<float>::max());
   return hn::Min(hn::Mul(all_lanes(power), hn::Min(form, most)), most);
 }
 
-/// The forms of the light that the diffuse part of a point sees, its highlight, and what the
-/// diffuse part loses.
+/// Form factors of the light for a point's diffuse part and its highlight, and the diffuse part's
+/// loss.
 struct FormLanes {
   Lanes diffuse;
   Lanes specular;
   Lanes lost;
 };
 
-/// A channel of what a point makes of irradiance: LitBatch's.
+/// One channel of the reflectance coefficients in LitBatch.
 struct ReflectanceLanes {
   Lanes diffuse, falloff, f0, f90_less_f0;
 };
 
-/// What a channel of the light carries.
+/// Returns the light's contribution in one channel.
 HWY_INLINE Lanes carried_by(const FormLanes& form, float power, const ReflectanceLanes& by,
                             const SpecularLanes& shine) {
   const auto fresnel = hn::Add(by.f0, hn::Mul(by.f90_less_f0, shine.fresnel));

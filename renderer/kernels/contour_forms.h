@@ -1,5 +1,5 @@
-// Projected solid angles of rectangles by Lambert's contour sum, a lane a point. Once for each
-// instruction set.
+// Projected solid angles of rectangles by Lambert's contour sum, with one point per lane. Included
+// once for each instruction set.
 #if defined(ASOS_KERNELS_CONTOUR_FORMS_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_CONTOUR_FORMS_H
 #undef ASOS_KERNELS_CONTOUR_FORMS_H
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// One directed side of Lambert's contour sum: contour_side.
+/// One directed side of Lambert's contour sum, as contour_side.
 HWY_INLINE DoubleLanes contour_side(const Vec3<DoubleLanes>& a, const Vec3<DoubleLanes>& b,
                                     const Vec3<DoubleLanes>& normal) {
   const DoubleTag d;
@@ -28,14 +28,14 @@ HWY_INLINE DoubleLanes contour_side(const Vec3<DoubleLanes>& a, const Vec3<Doubl
   return hn::IfThenElseZero(some, side);
 }
 
-/// A directed segment, in those lanes where there is anything of it.
+/// A directed segment; lanes without one are marked.
 struct SegmentLanes {
   Vec3<DoubleLanes> begin, end;
   hn::Mask<DoubleTag> some;
 };
 
-/// What is left of a convex outline's sides above a plane; `closing` becomes the segment in the
-/// plane that joins them again, from where the outline leaves the space above to where it enters.
+/// Clips one side of a convex outline to the space above a plane. The outline leaves that space at
+/// one point and enters it at another; `closing` becomes the segment in the plane that joins them.
 HWY_INLINE SegmentLanes clipped(const SegmentLanes& side, const Vec3<DoubleLanes>& up,
                                 SegmentLanes& closing) {
   const DoubleTag d;
@@ -53,7 +53,8 @@ HWY_INLINE SegmentLanes clipped(const SegmentLanes& side, const Vec3<DoubleLanes
           hn::And(side.some, hn::Or(begin_above, end_above))};
 }
 
-/// The contour sum of points i and on of a rectangle that horizons may cut: polygon_form's.
+/// Returns, for points from i on, the contour sum of a rectangle that horizons may cut, as
+/// polygon_form.
 inline DoubleLanes cut_form(const LitBatch& points, const std::vector<glm::dvec3>& outline,
                             const Vec3<DoubleLanes>& normal, const Vec3<DoubleLanes>& geometric,
                             std::size_t i) {
@@ -78,7 +79,7 @@ inline DoubleLanes cut_form(const LitBatch& points, const std::vector<glm::dvec3
   return hn::Add(form, hn::IfThenElseZero(closing.some, side));
 }
 
-/// First: the projected solid angle, as polygon_form's.
+/// First: the projected solid angle, as polygon_form.
 inline void rectangle_forms(const LitBatch& points, const PreparedLight& light, ArcPlaces& found) {
   const DoubleTag d;
   const auto zero = hn::Zero(d);

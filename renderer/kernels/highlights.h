@@ -1,5 +1,5 @@
-// What stands for a whole light in a highlight, a lane a point, as highlight_of says. Once for each
-// instruction set.
+// The representative point of a light for its highlight, as highlight_of, with one point per lane.
+// Included once for each instruction set.
 #if defined(ASOS_KERNELS_HIGHLIGHTS_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_HIGHLIGHTS_H
 #undef ASOS_KERNELS_HIGHLIGHTS_H
@@ -17,19 +17,19 @@ struct HighlightLanes {
   Lanes half_angle_tangent;
 };
 
-/// Towards an offset, or along the ray where there is none.
+/// Returns the highlight in the direction of an offset, or along the ray if the offset is zero.
 HWY_INLINE HighlightLanes towards_offset(const Vectors& offset, float radius, const Vectors& ray) {
   const Offset at = towards_point(offset);
   HighlightLanes highlight{select(at.apart, at.sample.direction, ray), hn::Zero(FloatTag())};
   if (radius > 0.0f) {
-    // As at the surface of a ball of that radius for whoever is nearer.
+    // Points inside of the ball are treated as on its surface.
     const auto r = all_lanes(radius);
     highlight.half_angle_tangent = hn::Div(r, hn::Max(at.sample.distance, r));
   }
   return highlight;
 }
 
-/// From `middle` at most a radius towards the ray.
+/// Returns the point of a ball around `middle` that is nearest to the ray.
 HWY_INLINE Vectors nearest_of_ball(const Vectors& middle, Lanes radius, const Vectors& ray) {
   const auto along = hn::Max(hn::Zero(FloatTag()), dot(middle, ray));
   const Vectors to_ray = scaled(along, ray) - middle;
@@ -68,7 +68,8 @@ HWY_INLINE HighlightLanes segment_highlight(const LightConstants& light, const V
   return towards_offset(middle + scaled(t, half), light.highlight_radius, ray);
 }
 
-/// The point of the light's plane that the ray hits, relative to `middle`; see highlight_of.
+/// Returns the point of the light's plane that the ray hits, relative to `middle`; see
+/// highlight_of.
 HWY_INLINE Vectors plane_hit(const LightConstants& light, const Vectors& middle,
                              const Vectors& ray) {
   const auto far =
@@ -103,7 +104,7 @@ HWY_INLINE HighlightLanes flat_highlight(const LightConstants& light, const Vect
   return towards_offset(middle + nearest, light.highlight_radius, ray);
 }
 
-/// `ray`: the mirrored view.
+/// `ray` is the reflected view direction.
 template <LightConstants::Shape shape>
 HWY_INLINE HighlightLanes highlight(const LightConstants& light, const Vectors& middle,
                                     const Vectors& ray) {

@@ -3,7 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/kernels/instruction_set.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
-// After it, for what it defines.
+// Include after foreach_target.h, whose definitions these use.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();

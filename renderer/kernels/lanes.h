@@ -1,5 +1,4 @@
-// Lanes of numbers and of vectors, and how they come from and go to arrays. Once for each
-// instruction set.
+// Lanes of numbers and of vectors, with loads and stores. Included once for each instruction set.
 #if defined(ASOS_KERNELS_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_LANES_H
 #undef ASOS_KERNELS_LANES_H

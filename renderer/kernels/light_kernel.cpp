@@ -3,7 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/kernels/light_kernel.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
-// After it, for what it defines.
+// Include after foreach_target.h, whose definitions these use.
 #include "renderer/kernels/carried_light.h"
 #include "renderer/kernels/contour_forms.h"
 #include "renderer/kernels/lobe_samples.h"
@@ -23,7 +23,7 @@ HWY_INLINE ShineLanes shine_of(const LitBatch& points, const LightConstants& lig
   if (!light.representative) {
     ShineLanes shown{sample.direction, hn::Div(one, sample.distance), one};
     if constexpr (has_area(shape)) {
-      // The balance heuristic: the lobe's own samples give the rest.
+      // Balance heuristic: samples of the lobe contribute the rest.
       const auto cosine = hn::Max(dot(normal, sample.direction), hn::Zero(FloatTag()));
       const auto some = hn::Gt(sample.form, hn::Zero(FloatTag()));
       const auto density = hn::Div(cosine, hn::IfThenElse(some, sample.form, one));
@@ -71,7 +71,7 @@ void shade_shape(const LitBatch& points, const LightConstants& light, const ArcP
   }
 }
 
-/// What samples of the lobe carry of what they meet.
+/// Computes the unshadowed contribution of samples of the lobe that hit the light.
 template <LightConstants::Shape shape>
 void shade_lobe_of(const LitBatch& points, const LightConstants& light, const LobeBatch& lobes,
                    const ArcPlaces& arc, ShadowRayBatch& rays) {
@@ -111,8 +111,8 @@ void shade_lobe_of(const LitBatch& points, const LightConstants& light, const Lo
   }
 }
 
-/// Whether any direction meets a rectangle: what its solid angle is, which takes longer, matters
-/// only then.
+/// Returns whether any direction hits a rectangle. Only then is its solid angle needed, which costs
+/// more.
 bool any_meets_rectangle(const LitBatch& points, const LightConstants& light,
                          const LobeBatch& lobes) {
   const FloatTag d;

@@ -1,4 +1,5 @@
-// One point of a light a lane, as sample_light chooses it. Once for each instruction set.
+// Samples on a light, as sample_light, with one point per lane. Included once for each instruction
+// set.
 #if defined(ASOS_KERNELS_LIGHT_SAMPLES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_LIGHT_SAMPLES_H
 #undef ASOS_KERNELS_LIGHT_SAMPLES_H
@@ -15,14 +16,14 @@ struct ReceiverLanes {
   Vectors position, geometric, normal;
 };
 
-/// LightSample's. The light's power times `form` is the irradiance.
+/// As LightSample. The light's power times `form` is the irradiance.
 struct SampleLanes {
   Vectors direction;
   Lanes distance;
   Lanes form;
 };
 
-/// -1 to 1 for 0 to 1, rounded once.
+/// Maps 0 to 1 onto -1 to 1, with one rounding.
 HWY_INLINE Lanes centred(const std::uint32_t* from) {
   const hn::RebindToSigned<FloatTag> di;
   const auto bits = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(from));
@@ -33,7 +34,7 @@ HWY_INLINE Lanes centred(const std::uint32_t* from) {
 struct DiskPlaces {
   Lanes x, y;
 };
-/// The square from -1 to 1 onto the unit disk, areas kept and neighbours with them (Shirley and
+/// Maps the square from -1 to 1 onto the unit disk. Preserves areas and neighbourhoods (Shirley and
 /// Chiu 1997).
 HWY_INLINE DiskPlaces concentric(Lanes a, Lanes b) {
   const FloatTag d;
@@ -48,7 +49,7 @@ HWY_INLINE DiskPlaces concentric(Lanes a, Lanes b) {
   return {hn::IfThenElse(wide, near, far), hn::IfThenElse(wide, far, near)};
 }
 
-/// A unit vector at right angles to a unit one, by the coordinate that any_perpendicular chooses.
+/// Returns a unit vector perpendicular to a unit one, as any_perpendicular.
 HWY_INLINE Vectors any_perpendicular(const Vectors& axis) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
@@ -65,8 +66,8 @@ HWY_INLINE Lanes cosine_above(const Vectors& direction, const ReceiverLanes& rec
   return hn::IfThenElseZero(above, hn::Max(dot(direction, receiver.normal), zero));
 }
 
-/// A point of the light at `offset` from the receiver; its form is still to be set. A receiver at
-/// the very point has no direction to it.
+/// A point of the light at `offset` from the receiver; its form factor is set later. At the
+/// receiver itself it has no direction.
 struct Offset {
   SampleLanes sample;
   Lanes nearness;  ///< 1 / distance
@@ -80,7 +81,7 @@ HWY_INLINE Offset towards_point(const Vectors& offset) {
   return {{scaled(nearness, offset), distance, zero}, nearness, apart};
 }
 
-/// A point of a flat light, for a measure of area.
+/// Returns a sample of a flat light that was chosen by area.
 HWY_INLINE SampleLanes area_sample(const LightConstants& light, const ReceiverLanes& receiver,
                                    const Vectors& offset) {
   Offset at = towards_point(offset);
@@ -95,7 +96,7 @@ HWY_INLINE SampleLanes area_sample(const LightConstants& light, const ReceiverLa
   return at.sample;
 }
 
-/// PreparedLight's attenuation.
+/// Returns the light's attenuation, as PreparedLight.
 HWY_INLINE Lanes attenuation(const LightConstants& light, const Vectors& middle, Lanes distance,
                              Lanes nearness) {
   const auto one = all_lanes(1.0f);
@@ -121,7 +122,7 @@ HWY_INLINE SampleLanes point_sample(const LightConstants& light, const ReceiverL
   return at.sample;
 }
 
-/// A direction within the cone about `axis`, by solid angle.
+/// Samples a direction within the cone about `axis`, uniformly by solid angle.
 HWY_INLINE SampleLanes cone_sample(const ReceiverLanes& receiver, const Vectors& axis,
                                    Lanes one_less_cosine, const DiskPlaces& p) {
   const auto one = all_lanes(1.0f);
@@ -137,7 +138,8 @@ HWY_INLINE SampleLanes cone_sample(const ReceiverLanes& receiver, const Vectors&
   return {direction, hn::Inf(FloatTag()), form};
 }
 
-/// Inside of the ball light comes from everywhere: by the cosine to the receiver's normal.
+/// Samples a ball from the inside, where light arrives from all directions, by the cosine to the
+/// receiver's normal.
 HWY_INLINE SampleLanes inside_sample(const LightConstants& light, const ReceiverLanes& receiver,
                                      const Vectors& middle, const DiskPlaces& p) {
   const auto zero = hn::Zero(FloatTag());
@@ -163,7 +165,7 @@ HWY_INLINE SampleLanes ball_sample(const LightConstants& light, const ReceiverLa
   const auto cosine = hn::Sqrt(hn::Mul(hn::Sub(one, sine), hn::Add(one, sine)));
   SampleLanes sample = cone_sample(receiver, at.sample.direction,
                                    hn::Div(hn::Mul(sine, sine), hn::Add(one, cosine)), p);
-  // To the near side of the ball; at its rim the root rounds to either side of 0.
+  // Choose the near side of the ball. At its rim the root rounds to either side of 0.
   const auto along = dot(sample.direction, middle);
   const Vectors beside = middle - scaled(along, sample.direction);
   const auto depth2 = hn::Sub(hn::Mul(radius, radius), dot(beside, beside));
@@ -181,7 +183,7 @@ HWY_INLINE SampleLanes ball_sample(const LightConstants& light, const ReceiverLa
   return sample;
 }
 
-/// `arc`: segment_places.
+/// `arc`: from segment_places.
 HWY_INLINE SampleLanes segment_sample(const LightConstants& light, const ReceiverLanes& receiver,
                                       const Vectors& middle, const ArcPlaces& arc, std::size_t i) {
   const Vectors along = all_lanes(light.u_axis);
@@ -193,7 +195,7 @@ HWY_INLINE SampleLanes segment_sample(const LightConstants& light, const Receive
   return at.sample;
 }
 
-/// `arc`: rectangle_places.
+/// `arc`: from rectangle_places.
 HWY_INLINE SampleLanes rectangle_sample(const LightConstants& light, const ReceiverLanes& receiver,
                                         const Vectors& middle, const ArcPlaces& arc,
                                         const LightPlaceBatch& places, std::size_t i) {

@@ -9,7 +9,7 @@ namespace {
 
 using LightShape = LightConstants::Shape;
 
-// The radius of a sphere about its middle that holds all of the light.
+// Returns the radius of a sphere about the light's centre that contains the light.
 float radius_of(const LightConstants& light) {
   switch (light.shape) {
     case LightShape::ball:

@@ -9,23 +9,23 @@
 
 namespace asos {
 
-/// Many lights as arrays, to be weighed at a point.
+/// The constants of many lights as arrays, to weigh all of them at a point.
 class LightTable {
  public:
-  /// Weights are written for a multiple of so many lights.
+  /// Weights are written for a multiple of this number of lights.
   static constexpr std::size_t step = 16;
 
   void clear();
-  /// Another light, which is the number `light` of who asks.
+  /// Adds a light; `number` is the caller's number for it.
   void add(const LightConstants& light, std::uint32_t number);
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
   [[nodiscard]] std::size_t padded_size() const { return fields_[0].size(); }
   [[nodiscard]] std::uint32_t number(std::size_t i) const { return numbers_[i]; }
 
-  /// Whether any has a range or a cone.
+  /// Returns whether any light has a range or a cone.
   [[nodiscard]] bool attenuates() const { return attenuates_; }
 
-  /// One array a quantity, padded to a multiple of `step` by lights that give nothing.
+  /// One array per quantity, padded to a multiple of `step` by lights without power.
   enum Field : std::size_t {
     position_x,
     position_y,
@@ -36,22 +36,22 @@ class LightTable {
     power_x,
     power_y,
     power_z,
-    extent,     ///< times the power makes its intensity; of far ones, irradiance
-    far,        ///< 1 where it comes from `towards`, whatever the position; else 0
-    flat,       ///< 1 where it shines by the cosine to `towards`; else 0
+    extent,     ///< power times this is the intensity; for distant lights, the irradiance
+    far,        ///< 1 for distant lights, which shine from `towards` everywhere; else 0
+    flat,       ///< 1 where it emits with the cosine to `towards`; else 0
     two_sided,  ///< 1 or 0
-    radius,     ///< of the sphere about the position that holds the light; far: the tangent
-    // Irradiance falls off by distance (distance + near_linear) + extent near_size, at least
-    // `least`.
+    /// Radius of the bounding sphere about the position; for distant lights its tangent.
+    radius,
+    // Irradiance is proportional to 1 / (distance (distance + near_linear) + extent near_size). The
+    // denominator is at least `least`.
     near_linear,
     near_size,
     least,
-    // Of the extent, what is within a distance of a place: part_linear distance +
-    // part_square distance^2.
+    // The extent within a distance of a place is part_linear distance + part_square distance^2.
     part_linear,
     part_square,
-    // Edges, halved, and 1 / their squared lengths; 0 where there are none. Of balls and suns
-    // `round`, the radius, alone.
+    // Half edges, and 1 / their squared lengths; 0 where there are none. Balls and suns have only
+    // `round`, their radius.
     half_u_x,
     half_u_y,
     half_u_z,

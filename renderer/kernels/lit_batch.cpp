@@ -6,10 +6,11 @@
 namespace asos {
 namespace {
 
-/// Which of a point's quantities.
+/// Groups of a point's fields, in ascending order.
 enum class Told { place, material, turning_lobe };
 
-/// Calls `work` for each field of a number a point and for each of a vector: up to those.
+/// Calls one function for each scalar field of a point and one for each vector field, up to group
+/// `last`.
 template <typename Work>
 void for_each_field(Told last, Work work) {
   work(&LitBatch::position), work(&LitBatch::geometric), work(&LitBatch::normal);

@@ -11,10 +11,10 @@
 
 namespace asos {
 
-/// Points that a light shines on, as many as kernels take at a time, as arrays: what LitPoint tells
-/// of each. Lanes beyond `count` hold numbers of no meaning.
+/// Shading points as arrays, as many as a kernel processes at a time. Holds the data of LitPoint.
+/// Lanes beyond `count` are undefined.
 struct LitBatch {
-  static constexpr std::size_t size = 256;  ///< a multiple of all lanes that processors have
+  static constexpr std::size_t size = 256;  ///< a multiple of the lanes of all processors
 
   struct alignas(64) Floats : std::array<float, size> {};
   struct Vectors {
@@ -24,22 +24,22 @@ struct LitBatch {
   };
 
   std::size_t count = 0;
-  Vectors position;   ///< where lights reach it
+  Vectors position;   ///< where light arrives
   Vectors geometric;  ///< normal of its horizon
   Vectors normal;     ///< shading normal
   Vectors to_viewer;
   Floats clear_height{};
   Floats to_edge{};
   Floats n_dot_v{};
-  // The surface's radiance per irradiance is, with s = (1 - v.h)^5, diffuse (1 - falloff s) +
-  // (f0 + (f90 - f0) s) lobe; all but falloff are multiplied by the point's weight in its sum.
+  // With s = (1 - v.h)^5, radiance per irradiance is diffuse (1 - falloff s) + (f0 + (f90 - f0) s)
+  // lobe. All but falloff are multiplied by the point's weight in its sum.
   Vectors diffuse;
   Floats falloff{};
   Vectors f0;
   Vectors f90_less_f0;
   Floats alpha{};            ///< squared roughness, floored
   Floats shows_lights{};     ///< MirroredLights as a number
-  Floats turns{};            ///< 0 where what follows is 0; else 1
+  Floats turns{};            ///< 0 where the following fields are 0; else 1
   Floats sheen{};            ///< ViewedMaterial's
   Vectors stretch;           ///< LobeStretch's `along`, only where it turns
   Floats viewer_nearness{};  ///< 1 / distance
@@ -48,13 +48,13 @@ struct LitBatch {
   Floats spread_variance{};
 
   [[nodiscard]] bool full() const { return count == size; }
-  /// A point that counts by `weight` in its sum. The batch must not be full.
+  /// Adds a point with this weight in its sum. The batch must not be full.
   void add(const LitPoint& point, glm::vec3 weight);
-  /// A point without a material, that nobody views: nothing that tells of those is set.
+  /// Adds a point without material or viewer; their fields are not set.
   void add(const SurfacePoint& point);
-  /// Becomes so many times its first point, `times` up to `size`.
+  /// Fills the batch with `times` copies of its first point, at most `size`.
   void repeat_first(std::size_t times, bool with_material);
-  /// Becomes the points of another batch that have these indices, fewer than `size`.
+  /// Copies the points of another batch with these indices, fewer than `size`.
   void gather(const LitBatch& from, std::span<const std::uint32_t> indices);
   void set_mirrored(std::size_t i, MirroredLights shown) {
     shows_lights[i] = static_cast<float>(shown);

@@ -1,6 +1,7 @@
-// Directions of a point's GGX lobe, a lane a point, and where they meet lights: the other half of
-// the samples of lights with an area (Veach and Guibas 1995, "Optimally Combining Sampling
-// Techniques for Monte Carlo Rendering"). Once for each instruction set.
+// Directions sampled from the GGX lobe, with one point per lane, and where they hit lights. They
+// are the other half of the samples of lights with an area (Veach and Guibas 1995, "Optimally
+// Combining Sampling Techniques for Monte Carlo Rendering"). Included once for each instruction
+// set.
 #if defined(ASOS_KERNELS_LOBE_SAMPLES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_LOBE_SAMPLES_H
 #undef ASOS_KERNELS_LOBE_SAMPLES_H
@@ -18,14 +19,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// Whether samples of the lobe may meet a light of that shape.
+/// Returns whether samples of the lobe may hit a light of that shape.
 constexpr bool has_area(LightConstants::Shape shape) {
   using Shape = LightConstants::Shape;
   return shape != Shape::point && shape != Shape::distant && shape != Shape::segment;
 }
 
-/// Points whose lobe is narrow enough for samples of its own, of a light of which they show a
-/// highlight.
+/// Selects the points whose lobe is narrow enough to be sampled and reflects a highlight of the
+/// light.
 HWY_INLINE LaneMask samples_lobe(const LitBatch& points, const LightConstants& light,
                                  const Vectors& normal, std::size_t i) {
   constexpr float broad = least_broad_roughness * least_broad_roughness;
@@ -36,7 +37,8 @@ HWY_INLINE LaneMask samples_lobe(const LitBatch& points, const LightConstants& l
   return samples;
 }
 
-/// By solid angle, that of visible normals' reflections (Heitz 2018) towards a unit direction.
+/// Returns the density, by solid angle, of reflections at visible normals (Heitz 2018) in a unit
+/// direction.
 HWY_INLINE Lanes lobe_density(const LitBatch& points, const Vectors& normal,
                               const Vectors& direction, std::size_t i) {
   const auto one = all_lanes(1.0f);
@@ -55,7 +57,7 @@ HWY_INLINE Lanes lobe_density(const LitBatch& points, const Vectors& normal,
   return hn::Div(distribution, hn::Mul(all_lanes(2.0f), hn::Add(nv, root)));
 }
 
-/// The mirrored view at a normal that is seen, by the point's own roughness.
+/// Reflects the view direction at a sampled visible normal, with the point's own roughness.
 HWY_INLINE Vectors lobe_direction(const LitBatch& points, const LightPlaceBatch& places,
                                   std::size_t i) {
   const FloatTag d;
@@ -64,7 +66,7 @@ HWY_INLINE Vectors lobe_direction(const LitBatch& points, const LightPlaceBatch&
   const Vectors x = any_perpendicular(z), y = cross(z, x);
   const Vectors view = loaded(points.to_viewer, i);
   const auto alpha = loaded(points.alpha, i);
-  // The view of a surface that is stretched to roughness 1.
+  // Stretch the view direction to roughness 1.
   const Vectors stretched{hn::Mul(alpha, dot(view, x)), hn::Mul(alpha, dot(view, y)), dot(view, z)};
   const Vectors v = scaled(
       hn::Div(one, hn::Sqrt(hn::Max(dot(stretched, stretched), all_lanes(1e-30f)))), stretched);
@@ -74,14 +76,14 @@ HWY_INLINE Vectors lobe_direction(const LitBatch& points, const LightPlaceBatch&
   const Vectors t1{hn::IfThenElse(steep, one, hn::Neg(hn::Mul(v.y, per_level))),
                    hn::IfThenElse(steep, zero, hn::Mul(v.x, per_level)), zero};
   const Vectors t2 = cross(v, t1);
-  // A point of the disk that the view sees of the hemisphere.
+  // Sample the projection of the hemisphere's visible part.
   const DiskPlaces p = concentric(centred(&places.u[i]), centred(&places.v[i]));
   const auto beside = hn::Max(zero, hn::Sub(one, hn::Mul(p.x, p.x)));
   const auto s = hn::Mul(all_lanes(0.5f), hn::Add(one, v.z));
   const auto q = hn::Add(hn::Mul(hn::Sub(one, s), hn::Sqrt(beside)), hn::Mul(s, p.y));
   const auto up = hn::Sqrt(hn::Max(zero, hn::Sub(beside, hn::Mul(q, q))));
   const Vectors n = scaled(p.x, t1) + scaled(q, t2) + scaled(up, v);
-  // Back to the surface.
+  // Unstretch the normal.
   const Vectors normal = scaled(hn::Mul(alpha, n.x), x) + scaled(hn::Mul(alpha, n.y), y) +
                          scaled(hn::Max(n.z, all_lanes(1e-6f)), z);
   const Vectors h = scaled(hn::Div(one, hn::Sqrt(dot(normal, normal))), normal);
@@ -89,7 +91,7 @@ HWY_INLINE Vectors lobe_direction(const LitBatch& points, const LightPlaceBatch&
   return scaled(hn::Add(along, along), h) - view;
 }
 
-/// Where directions meet a light, and how densely its samples lie there, by solid angle.
+/// Where a direction hits a light, and the density of the light's samples there, by solid angle.
 struct MetLight {
   Lanes distance;
   Lanes density;
@@ -103,7 +105,7 @@ HWY_INLINE MetLight none_met() {
 
 HWY_INLINE MetLight meet_cone(const Vectors& axis, Lanes one_less_cosine,
                               const Vectors& direction) {
-  // By the chord: near to the axis cosines have no digits left.
+  // Compare chords, since cosines near the axis have no digits left.
   const Vectors chord = direction - axis;
   const auto met = hn::Le(hn::Mul(all_lanes(0.5f), dot(chord, chord)), one_less_cosine);
   const auto density = hn::Div(all_lanes(0.5f * std::numbers::inv_pi_v<float>), one_less_cosine);
@@ -130,7 +132,7 @@ HWY_INLINE MetLight meet_ball(const LightConstants& light, const ReceiverLanes& 
           hn::IfThenElse(inside, even, cone.density), hn::Or(inside, cone.met)};
 }
 
-/// `solid_angle`: of a light that is sampled by it; else 0.
+/// `solid_angle`: of a light that is sampled by solid angle; else 0.
 template <LightConstants::Shape shape>
 HWY_INLINE MetLight meet_flat(const LightConstants& light, const Vectors& middle,
                               const Vectors& direction, Lanes solid_angle) {
@@ -162,7 +164,8 @@ HWY_INLINE MetLight meet_flat(const LightConstants& light, const Vectors& middle
       met};
 }
 
-/// Of those that meet the rectangle around a polygon, the ones that meet it.
+/// Selects, among the directions that hit a polygon's bounding rectangle, those that hit the
+/// polygon.
 HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLanes& receiver,
                                  const Vectors& direction, const LaneMask& met) {
   const FloatTag d;

@@ -1,5 +1,5 @@
-// The GGX lobe of a point or of a patch, a lane a point, as reflected_share evaluates it. Once for
-// each instruction set.
+// The GGX lobe of a point or of a patch, as reflected_share, with one point per lane. Included once
+// for each instruction set.
 #if defined(ASOS_KERNELS_LOBES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_LOBES_H
 #undef ASOS_KERNELS_LOBES_H
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// What a lobe is seen by.
+/// The directions that a lobe depends on.
 struct SightLanes {
   Vectors normal, to_viewer, to_light;
   Vectors half;   ///< unit
@@ -40,12 +40,13 @@ HWY_INLINE Lanes point_lobe(const SightLanes& at) {
                  hn::Mul(hn::Mul(d, d), shadowing));
 }
 
-/// How a direction turns along an edge of a patch, whose end is `nearness` away.
+/// Returns the derivative of a unit direction along an edge of a patch. The direction's target is
+/// at distance 1 / `nearness`.
 HWY_INLINE Vectors turned(const Vectors& edge, const Vectors& direction, Lanes nearness) {
   return scaled(nearness, scaled(dot(direction, edge), direction) - edge);
 }
 
-/// spread_about_half's: how the patch's normals turn about the half vector along an edge.
+/// Returns how the patch's normals turn about the half vector along an edge, as spread_about_half.
 HWY_INLINE Vectors turn_about_half(const SightLanes& at, Lanes viewer_nearness,
                                    const Vectors& spread, const Vectors& edge) {
   const Vectors d = scaled(at.per_sum, turned(edge, at.to_viewer, viewer_nearness) +
@@ -53,7 +54,7 @@ HWY_INLINE Vectors turn_about_half(const SightLanes& at, Lanes viewer_nearness,
   return spread - (d - scaled(dot(at.half, d), at.half));
 }
 
-/// PatchLobe's matrix: alpha^2 by direction of the tangent plane.
+/// The matrix of PatchLobe: alpha^2 by direction in the tangent plane.
 struct SlopeLanes {
   Vectors tangent, bitangent;
   Lanes xx, yy, xy;
@@ -109,7 +110,7 @@ HWY_INLINE Lanes patch_lobe(const SightLanes& at, const SlopeLanes& lobe) {
                  hn::Mul(hn::Mul(hn::Sqrt(det), hn::Mul(d, d)), shadowing));
 }
 
-/// sheen_lobe's where there is sheen, a lane at a time: it is rare, and takes powers.
+/// Adds sheen_lobe where there is sheen, lane by lane, since it is rare and uses powers.
 HWY_INLINE Lanes with_sheen(const LitBatch& points, const SightLanes& at, Lanes others,
                             std::size_t i) {
   const FloatTag d;
@@ -127,7 +128,8 @@ HWY_INLINE Lanes with_sheen(const LitBatch& points, const SightLanes& at, Lanes 
   return hn::Load(d, value.data());
 }
 
-/// The lobe of points i and on: a patch's where its normals differ enough to show.
+/// Returns the lobe of points from i on. It is a patch's lobe where its normals differ enough to
+/// matter.
 HWY_INLINE Lanes lobe(const LitBatch& points, const SightLanes& at, std::size_t i) {
   const FloatTag d;
   Lanes of_point = point_lobe(at);

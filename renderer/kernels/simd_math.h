@@ -1,6 +1,6 @@
-// Arc tangent, sine and cosine for lanes, and vectors of lanes. Included once for each instruction
-// set, so that it has no `#pragma once` but Highway's guard. Nothing here fuses a product with a
-// sum or takes an approximate root or quotient: all instruction sets give the same bits.
+// Arc tangent, sine and cosine of lanes, and vectors of lanes. Included once for each instruction
+// set, so it has Highway's include guard instead of `#pragma once`. It uses neither fused
+// multiply-add nor approximate roots or quotients, so that all instruction sets give the same bits.
 #if defined(ASOS_KERNELS_SIMD_MATH_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_KERNELS_SIMD_MATH_H
 #undef ASOS_KERNELS_SIMD_MATH_H
@@ -19,7 +19,7 @@ namespace asos::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A vector in space a lane.
+/// A vector of three coordinates in each lane.
 template <class V>
 struct Vec3 {
   V x, y, z;
@@ -52,7 +52,7 @@ HWY_INLINE Vec3<V> select(const M& mask, const Vec3<V>& yes, const Vec3<V>& no) 
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
           hn::IfThenElse(mask, yes.z, no.z)};
 }
-/// The same in all lanes.
+/// Copies a value to all lanes.
 template <class D, class T>
 HWY_INLINE Vec3<hn::Vec<D>> broadcast(D d, const T& v) {
   using Lane = hn::TFromD<D>;
@@ -77,7 +77,8 @@ struct SinCos {
   V sin, cos;
 };
 
-/// Of -pi/4 to pi/4, by Taylor's series to x^9 and x^10: the error is below 1.2e-7 of the result.
+/// Sine and cosine for -pi/4 to pi/4, by Taylor's series to x^9 and x^10. The error is below 1.2e-7
+/// of the result.
 template <class D>
 HWY_INLINE SinCos<hn::Vec<D>> sin_cos_of_eighth(D d, hn::Vec<D> x) {
   static constexpr float sin_terms[] = {1.0f, -1.0f / 6, 1.0f / 120, -1.0f / 5040, 1.0f / 362880};
@@ -87,7 +88,7 @@ HWY_INLINE SinCos<hn::Vec<D>> sin_cos_of_eighth(D d, hn::Vec<D> x) {
   return {hn::Mul(x, polynomial(d, z, sin_terms)), polynomial(d, z, cos_terms)};
 }
 
-/// Of 0 to 2 pi in double precision: the error is below 5e-16.
+/// Sine and cosine for 0 to 2 pi, in double precision. The error is below 5e-16.
 template <class D>
 HWY_INLINE SinCos<hn::Vec<D>> sin_cos(D d, hn::Vec<D> x) {
   static constexpr double sin_terms[] = {
@@ -121,10 +122,11 @@ HWY_INLINE SinCos<hn::Vec<D>> sin_cos(D d, hn::Vec<D> x) {
           hn::IfThenElse(cos_negative, hn::Neg(cos), cos)};
 }
 
-/// In double precision, -pi to pi; 0 for (0, 0). The error is below 1e-15 of the result.
+/// Arc tangent in -pi to pi, in double precision; 0 for (0, 0). The error is below 1e-15 of the
+/// result.
 template <class D>
 HWY_INLINE hn::Vec<D> arc_tangent(D d, hn::Vec<D> y, hn::Vec<D> x) {
-  // Interpolated in Chebyshev's nodes of 0 <= z <= tan^2(pi / 8), relative error 1.1e-15.
+  // Interpolated at Chebyshev nodes for 0 <= z <= tan^2(pi / 8), relative error 1.1e-15.
   static constexpr double terms[] = {
       0.999999999999999,    -0.33333333333221343, 0.1999999997837687,  -0.14285712660659053,
       0.11111048820585145,  -0.09089529357362555, 0.07673529098467827, -0.06505944155503311,

@@ -3,7 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/kernels/sobol_kernel.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
-// After it, for what it defines.
+// Include after foreach_target.h, whose definitions these use.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -82,7 +82,7 @@ void SobolBatch::add(const SobolPixel& pixel, std::uint32_t index) {
 
 void SobolBatch::on_light(std::uint32_t light, LightPlaceBatch& places) const {
   for (std::size_t r = 0; r < runs_.size(); ++r) {
-    // What a run writes beyond its end the next one overwrites.
+    // Each run may write beyond its end; the next run overwrites that.
     const std::size_t first = runs_[r].first;
     const std::size_t length = (r + 1 < runs_.size() ? runs_[r + 1].first : count_) - first;
     const SobolPixel::Seeds seeds = runs_[r].pixel.light_seeds(light);

@@ -11,16 +11,16 @@
 
 namespace asos {
 
-/// The samples of a batch by their pixels and indices, for the places of all of them on a light:
-/// bit for bit those of SobolPixel::light.
+/// Computes the places of a batch's samples on a light. Samples are identified by pixel and index.
+/// The places equal those of SobolPixel::light, bit for bit.
 class SobolBatch {
  public:
   void clear();
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// The next sample of the batch, of which there are at most LitBatch::size. Those of a pixel that
-  /// follow each other share its seeds.
+  /// Adds a sample; a batch has at most LitBatch::size. Successive samples of a pixel share its
+  /// seeds.
   void add(const SobolPixel& pixel, std::uint32_t index);
-  /// The next sample, of the pixel of the last one.
+  /// Adds a sample of the same pixel as the last one.
   void add(std::uint32_t index) {
     u_[count_] = mirrored_sobol_bits(2, index);
     v_[count_] = mirrored_sobol_bits(3, index);
@@ -36,13 +36,13 @@ class SobolBatch {
   };
   std::size_t count_ = 0;
   std::vector<Run> runs_;
-  LightPlaceBatch::Fractions u_{}, v_{};  ///< before they are scrambled, digits mirrored
+  LightPlaceBatch::Fractions u_{}, v_{};  ///< before scrambling, with mirrored digits
 };
 
-/// SobolPixel::pixel, several samples at a time.
+/// SobolPixel::pixel for several samples at a time.
 class SobolPixelPlaces {
  public:
-  /// Before another pixel is asked for.
+  /// Must be called before the pixel changes.
   void forget() { turn_ = none; }
   [[nodiscard]] glm::dvec2 at(const SobolPixel& pixel, std::uint32_t index) {
     if (index / per_turn != turn_) take_turn(pixel, index / per_turn);
@@ -59,7 +59,7 @@ class SobolPixelPlaces {
   std::array<std::uint32_t, per_turn> u_{}, v_{};
 };
 
-/// owen_scramble of fractions whose digits are mirrored. `scrambled` has room for a multiple of 16.
+/// owen_scramble for fractions with mirrored digits. `scrambled` has room for a multiple of 16.
 void scramble_mirrored(std::span<const std::uint32_t> mirrored, std::uint64_t seed,
                        std::uint32_t* scrambled);
 

@@ -9,21 +9,20 @@
 
 namespace asos {
 
-/// What the rays of a batch met on triangles, as arrays. Lanes beyond `count` hold numbers of no
-/// meaning.
+/// The triangle hits of a batch of rays, as arrays. Lanes beyond `count` are undefined.
 struct TriangleBatch {
   using Floats = LitBatch::Floats;
   using Vectors = LitBatch::Vectors;
 
   std::size_t count = 0;
   Vectors corner_0, corner_1, corner_2;
-  Vectors normal_0, normal_1, normal_2;  ///< the interpolated ones
+  Vectors normal_0, normal_1, normal_2;  ///< the interpolated normals at the corners
   Floats b1{}, b2{};                     ///< of Hit
   Floats distance{};
   Vectors direction;  ///< of the ray; unit
-  Floats side{};      ///< of the square that it stands for, in pixels
-  Floats textured{};  ///< 1 where the patch matters whatever the normals; else 0
-  Floats shiny{};     ///< 1 where it does if they turn; else 0
+  Floats side{};      ///< side of the square that the ray represents, in pixels
+  Floats textured{};  ///< 1 where the patch always matters; else 0
+  Floats shiny{};     ///< 1 where the patch matters if the normals turn; else 0
 
   void set_hit(std::size_t i, const Hit& hit, const Ray& ray, float of_side) {
     b1[i] = hit.b1, b2[i] = hit.b2;
@@ -33,24 +32,24 @@ struct TriangleBatch {
   }
 };
 
-/// What is known of a SurfacePoint beside what its LitBatch holds.
+/// Fields of SurfacePoint that LitBatch lacks.
 struct SurfaceRest {
   LitBatch::Vectors position, geometric;  ///< of the triangle
   LitBatch::Vectors lift, smooth_normal;
   LitBatch::Vectors error;
   LitBatch::Floats extent{};
-  LitBatch::Floats normal_side{};  ///< -1 where the interpolated normal was turned round; else 1
+  LitBatch::Floats normal_side{};  ///< -1 where the interpolated normal was negated; else 1
   LitBatch::Floats right_b1{}, right_b2{}, down_b1{}, down_b2{};  ///< of the Footprint
 };
 
-/// SurfaceMaterial's, of opaque surfaces that light shines on.
+/// Fields of SurfaceMaterial, for lit opaque surfaces.
 struct MaterialBatch {
   LitBatch::Vectors base_color;
   LitBatch::Vectors f0;
   LitBatch::Floats f90{}, roughness{}, metallic{};
   LitBatch::Floats dielectric_f0{}, dielectric_f90{};
   LitBatch::Floats occlusion{};
-  LitBatch::Vectors specular, ambient;  ///< ViewedMaterial's, which are found
+  LitBatch::Vectors specular, ambient;  ///< outputs, as in ViewedMaterial
 
   void set(std::size_t i, const SurfaceMaterial& material) {
     base_color.set(i, material.base_color);
@@ -64,7 +63,7 @@ struct MaterialBatch {
   }
 };
 
-/// Lane i as what it stands for.
+/// Returns lane i as a Footprint.
 [[nodiscard]] inline Footprint footprint_at(const TriangleBatch& hits, const SurfaceRest& rest,
                                             std::size_t i) {
   Footprint footprint;

@@ -3,7 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/kernels/surface_kernel.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
-// After it, for what it defines.
+// Include after foreach_target.h, whose definitions these use.
 #include "renderer/kernels/lanes.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/lobe_norms.h"
@@ -30,7 +30,7 @@ HWY_INLINE Vectors absolute(const Vectors& v) {
 HWY_INLINE Vectors divided(const Vectors& v, Lanes by) {
   return {hn::Div(v.x, by), hn::Div(v.y, by), hn::Div(v.z, by)};
 }
-/// Turned round where `mask` is.
+/// Negates the vectors where `mask` is set.
 HWY_INLINE Vectors turned_if(const LaneMask& mask, const Vectors& v) {
   return select(mask, {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}, v);
 }
@@ -41,8 +41,8 @@ HWY_INLINE LaneMask finite(Lanes value) {
   return hn::Lt(hn::Abs(value), hn::Inf(FloatTag()));
 }
 
-/// The geometric normals, not yet turned to the viewer. In double precision: slivers cancel badly,
-/// and shadows hang on them.
+/// Computes the geometric normals, not yet turned to the viewer. Uses double precision, because the
+/// cross product of a sliver cancels badly and shadows depend on the normal.
 void find_geometric_normals(const TriangleBatch& hits, LitBatch& points) {
   const DoubleTag d;
   for (std::size_t i = 0; i < hits.count; i += hn::Lanes(d)) {
@@ -54,7 +54,7 @@ void find_geometric_normals(const TriangleBatch& hits, LitBatch& points) {
     store_floats(hn::IfThenElseZero(some, hn::Div(across.x, divisor)), &points.geometric.x[i]);
     store_floats(hn::IfThenElseZero(some, hn::Div(across.y, divisor)), &points.geometric.y[i]);
     store_floats(hn::IfThenElseZero(some, hn::Div(across.z, divisor)), &points.geometric.z[i]);
-    store_floats(length, &points.to_edge[i]);  // times the area yet
+    store_floats(length, &points.to_edge[i]);  // still multiplied by the area
   }
 }
 
@@ -72,7 +72,7 @@ struct PatchLanes {
   Vectors right, down;
 };
 
-/// patch_on_plane's.
+/// As patch_on_plane.
 HWY_INLINE PatchLanes patch_on_plane(const TriangleBatch& hits, const PixelSpacing& spacing,
                                      const Vectors& direction, const Vectors& normal,
                                      std::size_t i) {
@@ -91,12 +91,12 @@ HWY_INLINE PatchLanes patch_on_plane(const TriangleBatch& hits, const PixelSpaci
   return {moved(spacing.right), moved(spacing.down)};
 }
 
-/// In the triangle's own coordinates.
+/// A footprint in the triangle's own coordinates.
 struct FootprintLanes {
   Lanes right_b1, right_b2, down_b1, down_b2;
 };
 
-/// footprint_between's.
+/// As footprint_between.
 HWY_INLINE FootprintLanes footprint_between(const Vectors& e1, const Vectors& e2,
                                             const PatchLanes& patch) {
   const auto g11 = dot(e1, e1), g12 = dot(e1, e2), g22 = dot(e2, e2);
@@ -120,16 +120,16 @@ HWY_INLINE FootprintLanes footprint_between(const Vectors& e1, const Vectors& e2
           hn::IfThenElseZero(sound, f.down_b1), hn::IfThenElseZero(sound, f.down_b2)};
 }
 
-/// How an interpolated normal of this length, before it became the unit `normal`, turns along a
-/// footprint's edge.
+/// Returns how an interpolated normal turns along a footprint's edge. `length` is the interpolated
+/// normal's length before it became the unit `normal`.
 HWY_INLINE Vectors turn_along(const Lanes& b1, const Lanes& b2, const Vectors& by_1,
                               const Vectors& by_2, const Vectors& normal, Lanes length) {
   const Vectors step = scaled(b1, by_1) + scaled(b2, by_2);
   return divided(step - scaled(dot(step, normal), normal), length);
 }
 
-/// Points i and on: position, its error, the height above the surface that clears it, and at least
-/// how far it goes on, after find_geometric_normals.
+/// Computes, for points from i on, the position, its error, the height that clears the surface, and
+/// the least distance to which the surface extends. Needs find_geometric_normals first.
 HWY_INLINE void place_points(const TriangleBatch& hits, const Weights& w, const Vectors& geometric,
                              SurfaceRest& rest, LitBatch& points, std::size_t i) {
   const Vectors p0 = loaded(hits.corner_0, i), p1 = loaded(hits.corner_1, i),
@@ -153,9 +153,9 @@ HWY_INLINE void place_points(const TriangleBatch& hits, const Weights& w, const 
   store(hn::Div(hn::Mul(least, loaded(points.to_edge, i)), longest), points.to_edge, i);
 }
 
-/// The interpolated normal of points i and on.
+/// The interpolated normals of points from i on.
 struct SmoothLanes {
-  Vectors normal;  ///< unit; the geometric one where there is none
+  Vectors normal;  ///< unit; the geometric normal where there is none
   Lanes length;    ///< before it became unit
 };
 HWY_INLINE SmoothLanes smooth_normal(const TriangleBatch& hits, const Weights& w,
@@ -169,7 +169,7 @@ HWY_INLINE SmoothLanes smooth_normal(const TriangleBatch& hits, const Weights& w
   return {select(sound, divided(mixed, divisor), geometric), length};
 }
 
-/// height_of_smooth's: how far the smooth surface lies above the triangles of points i and on.
+/// As height_of_smooth: the height of the smooth surface above the triangles of points from i on.
 HWY_INLINE Vectors height_of_smooth(const TriangleBatch& hits, const Weights& w,
                                     const Vectors& geometric, Lanes side, Lanes extent,
                                     std::size_t i) {
@@ -198,8 +198,8 @@ HWY_INLINE Vectors height_of_smooth(const TriangleBatch& hits, const Weights& w,
   return select(smooth, lift, {zero, zero, zero});
 }
 
-/// Moves points i and on to the smooth surface, after place_points; of the triangle's normal
-/// becomes the horizon's.
+/// Moves points from i on to the smooth surface, after place_points. The triangle's normal is
+/// replaced by that of the horizon.
 HWY_INLINE void lift_points(const TriangleBatch& hits, const Weights& w, const Vectors& geometric,
                             const Vectors& normal, Lanes side, SurfaceRest& rest, LitBatch& points,
                             std::size_t i) {
@@ -216,7 +216,7 @@ HWY_INLINE void lift_points(const TriangleBatch& hits, const Weights& w, const V
   store(select(lifted, normal, geometric), points.geometric, i);
 }
 
-/// The patches of points i and on, where they matter.
+/// Computes the patches of points from i on, where they matter.
 HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spacing,
                               const Vectors& geometric, const SmoothLanes& smooth,
                               SurfaceRest& rest, LitBatch& points, std::size_t i) {
@@ -247,7 +247,7 @@ HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spa
                    hn::IfThenElseZero(shows, footprint.right_b2),
                    hn::IfThenElseZero(shows, footprint.down_b1),
                    hn::IfThenElseZero(shows, footprint.down_b2)};
-      // Opposite normals may leave nothing that turns.
+      // Opposite normals may cancel to length 0.
       const auto some = hn::Gt(smooth.length, zero);
       const auto length = hn::IfThenElse(some, smooth.length, hn::Inf(FloatTag()));
       const Vectors by_1 = n1 - n0, by_2 = n2 - n0;
@@ -295,7 +295,7 @@ void place(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& 
   }
 }
 
-/// lobe_norms'.
+/// As lobe_norms.
 struct NormLanes {
   Lanes lobe, fresnel;
 };
@@ -307,7 +307,7 @@ HWY_INLINE NormLanes lobe_norms(const LobeNormTable& table, Lanes n_dot_v, Lanes
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   const auto c = hn::Mul(hn::Sqrt(clamped(n_dot_v, zero, one)), all_lanes(last_c));
   const auto r = hn::Mul(clamped(roughness, zero, one), all_lanes(last_r));
-  // What is no number must not become a place in memory.
+  // A NaN must not become an array index.
   const auto place = [&](Lanes x, float last) HWY_ATTR {
     return hn::IfThenElseZero(hn::Ge(x, zero), hn::Min(hn::Floor(x), all_lanes(last - 1.0f)));
   };
@@ -334,7 +334,7 @@ HWY_INLINE Lanes environment_specular(const NormLanes& norms, Lanes f0, Lanes f9
   return clamped(all, hn::Zero(FloatTag()), all_lanes(1.0f));
 }
 
-/// What LitBatch knows of materials but the diffuse part.
+/// Stores the material of LitBatch except its diffuse part.
 HWY_INLINE void store_lobe(const Vectors& f0, Lanes f90, Lanes roughness, LitBatch& points,
                            std::size_t i) {
   const auto zero = hn::Zero(FloatTag());
@@ -363,7 +363,7 @@ HWY_INLINE Lanes sum_of(const Vectors& v) {
   return hn::Add(hn::Add(v.x, v.y), v.z);
 }
 
-/// mirroring_cosine's.
+/// As mirroring_cosine.
 HWY_INLINE Lanes mirroring_cosine(const Vectors& normal, const Vectors& geometric,
                                   const Vectors& to_viewer, Lanes n_dot_v) {
   const auto one = all_lanes(1.0f), two = all_lanes(2.0f), half = all_lanes(0.5f);

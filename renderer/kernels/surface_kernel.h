@@ -6,19 +6,17 @@
 
 namespace asos {
 
-/// Shading's two steps for a batch of points of triangles; between them textures are looked up. The
-/// bits of a point depend on the point alone, not on its place in the batch nor on the instructions
-/// that the processor has.
+/// The two steps of shading for a batch of triangle points; textures are sampled between them. The
+/// bits of a point depend on the point alone, not on its place in the batch or the instruction set.
 
-/// The geometry of the points, bit for bit as surface_point makes it of one without a map of
-/// normals. `spacing`: of the picture; null: all samples are points. Fills what LitBatch knows of
-/// geometry.
+/// Computes the geometry of the points, with the bits of surface_point for a point without a normal
+/// map. `spacing` is that of the picture; null: all samples are points. Fills the geometry of
+/// LitBatch.
 void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
                     LitBatch& points);
 
-/// What the viewer sees of their materials, as `viewed` makes it of one, and LitBatch::add: the
-/// rest of LitBatch. Reflections show no lights. False where anything is not finite, or where a
-/// position is not.
+/// Computes the materials as `viewed` and LitBatch::add do for one point, and fills the rest of
+/// LitBatch. No lights are visible in reflections. Returns false if any value is not finite.
 [[nodiscard]] bool view_materials(const SurfaceRest& rest, MaterialBatch& materials,
                                   LitBatch& points);
 

@@ -3,7 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/kernels/weigh_lights.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
-// After it, for what it defines.
+// Include after foreach_target.h, whose definitions these use.
 #include "renderer/kernels/lanes.h"
 #include "renderer/shading/lobe.h"
 #include "renderer/shading/viewed_point.h"
@@ -32,7 +32,7 @@ HWY_INLINE Lanes square(Lanes x) {
   return hn::Mul(x, x);
 }
 
-/// A lane a light, of one point.
+/// One point, the same in all lanes, for a light in each lane.
 struct PointLanes {
   Vectors position, geometric, normal, to_viewer;
   Vectors tangent, bitangent;  ///< about the normal
@@ -40,26 +40,27 @@ struct PointLanes {
   Lanes falloff, n_dot_v, alpha2, shows_lights;
 };
 
-/// The cosine to the middle of what reaches so far along the normal at a distance of 1, or to what
-/// of it is above the horizon: above 0 unless all of it is below.
+/// Returns the cosine to the centre of a light, or to the centre of its part above the horizon.
+/// `reach` is the light's extent along the normal at a distance of 1. The result is above 0 unless
+/// the whole light is below the horizon.
 HWY_INLINE Lanes cosine_above(Lanes cosine, Lanes reach) {
   const auto cut = hn::Mul(all_lanes(0.5f), hn::Add(cosine, reach));
   return hn::Max(hn::Zero(FloatTag()), hn::Max(cosine, cut));
 }
 
-/// How far a light reaches from its middle along a direction.
+/// Returns how far a light extends from its centre along a direction.
 HWY_INLINE Lanes reach_along(const LightTable& lights, const Vectors& direction, std::size_t k) {
   using enum LightTable::Field;
   const auto u = dot(direction, fields(lights, half_u_x, k));
   const auto v = dot(direction, fields(lights, half_v_x, k));
   return hn::Add(field(lights, round, k), hn::Add(hn::Abs(u), hn::Abs(v)));
 }
-/// The same along a point's normals.
+/// Extents of a light along a point's normals.
 struct ReachLanes {
   Lanes normal, geometric;
 };
 
-/// How the half vector turns, in the tangent plane, from the light's middle to the end of one of
+/// How the half vector turns, in the tangent plane, from the light's centre to the end of one of
 /// its half edges.
 struct TurnLanes {
   Lanes x, y;
@@ -70,16 +71,17 @@ HWY_INLINE TurnLanes turn_to_end(const PointLanes& at, const Vectors& direction,
   return {hn::Mul(per_sum, dot(at.tangent, across)), hn::Mul(per_sum, dot(at.bitangent, across))};
 }
 
-/// What a light, or the part of it about its nearest point, looks like from a point.
+/// Direction and irradiance of a light at a point, or of the part of the light around its nearest
+/// point.
 struct SeenLanes {
-  Vectors direction;  ///< to its middle
+  Vectors direction;  ///< to its centre
   Lanes nearness;
   Lanes n_dot_l;
   Lanes form;  ///< irradiance for a power of 1
 };
 
-/// A light of that size (its power times the size is its intensity) and reach about a place.
-/// `by_distance`: as LightTable::near_linear.
+/// Returns direction and irradiance of a light at a place, with this extent and reach. The power
+/// times `size` is its intensity. `by_distance`: as LightTable::near_linear.
 HWY_INLINE SeenLanes seen(const LightTable& lights, const PointLanes& at, const Vectors& offset,
                           Lanes size, const ReachLanes& reach, Lanes by_distance, std::size_t k) {
   using enum LightTable::Field;
@@ -92,7 +94,7 @@ HWY_INLINE SeenLanes seen(const LightTable& lights, const PointLanes& at, const 
   SeenLanes at_light;
   at_light.nearness = hn::IfThenElse(is_far, one, nearness);
   at_light.direction = select(is_far, towards, scaled(nearness, offset));
-  // Beyond twice the distance it is all the same.
+  // An extent beyond twice the distance has no further effect.
   const auto seen_reach = [&](Lanes along) {
     return hn::Min(all_lanes(2.0f), hn::Mul(along, at_light.nearness));
   };
@@ -119,12 +121,12 @@ HWY_INLINE SeenLanes seen(const LightTable& lights, const PointLanes& at, const 
   const auto by_place = hn::IfThenElse(is_far, one, hn::Div(left, fall));
   const auto form = hn::Mul(hn::Mul(size, by_place), hn::Mul(at_light.n_dot_l, by_face));
   at_light.form = hn::IfThenElseZero(above, form);
-  // Towards what of it is above.
+  // Bend the direction towards the part above the horizon.
   at_light.direction = at_light.direction + scaled(hn::Sub(at_light.n_dot_l, cosine), at.normal);
   return at_light;
 }
 
-/// From the point to the nearest point of a light with edges.
+/// Returns the vector from the point to the nearest point of a light with edges.
 HWY_INLINE Vectors to_nearest(const LightTable& lights, const Vectors& offset, std::size_t k) {
   using enum LightTable::Field;
   const auto one = all_lanes(1.0f);
@@ -136,8 +138,8 @@ HWY_INLINE Vectors to_nearest(const LightTable& lights, const Vectors& offset, s
   return offset + (scaled(along(u, per_u2), u) + scaled(along(v, per_v2), v));
 }
 
-/// The highlight: the lobe at the direction of the light's middle, as much wider as the light
-/// spreads the half vectors.
+/// The highlight: the lobe in the direction of the light's centre, widened by the light's spread of
+/// half vectors.
 struct ShineLanes {
   Lanes lobe, fresnel;
 };
@@ -154,7 +156,7 @@ HWY_INLINE ShineLanes shine(const LightTable& lights, const PointLanes& at, cons
   const auto v = turn_to_end(at, seen.direction, spread, fields(lights, half_v_x, k));
   const auto by_edges_x = hn::Add(square(u.x), square(v.x));
   const auto by_edges_y = hn::Add(square(u.y), square(v.y));
-  // No lobe is broader than all.
+  // No lobe is broader than a uniform one.
   const auto added = hn::Add(hn::Add(round2, round2), hn::Add(by_edges_x, by_edges_y));
   const auto part = hn::Div(one, hn::Max(one, added));
   const auto xx = hn::Add(at.alpha2, hn::Mul(part, hn::Add(round2, by_edges_x)));
@@ -191,7 +193,8 @@ HWY_INLINE Lanes weight(const LightTable& lights, const PointLanes& at, std::siz
   const ReachLanes reach{reach_along(lights, at.normal, k), reach_along(lights, at.geometric, k)};
   const SeenLanes middle = seen(lights, at, offset, all, reach, field(lights, near_linear, k), k);
   auto form = middle.form;
-  // Of a light that is large beside its distance, what is near may be worth more than the rest.
+  // The nearest part of a light with a large angular extent may contribute more than the light's
+  // centre.
   const auto has_edges = hn::Gt(field(lights, per_u2, k), zero);
   const auto large = hn::Gt(hn::Mul(across, middle.nearness), all_lanes(0.25f));
   if (const auto near = hn::And(has_edges, large); !hn::AllFalse(FloatTag(), near)) {
@@ -223,7 +226,7 @@ HWY_INLINE Lanes weight(const LightTable& lights, const PointLanes& at, std::siz
                channel(power.z, at.diffuse.z, at.f0.z, at.f90_less_f0.z)};
   }
   const auto most = hn::Mul(form, hn::Max(hn::Max(carried.x, carried.y), carried.z));
-  // What is no number is not above 0.
+  // The comparison is false for NaN.
   return hn::IfThenElseZero(hn::Gt(most, zero), hn::Min(most, all_lanes(1e30f)));
 }
 
@@ -233,7 +236,7 @@ void weigh_all(const LightTable& lights, const PointLanes& at, float* weights) {
     hn::StoreU(weight<shiny>(lights, at, k), FloatTag(), weights + k);
 }
 
-/// The lobe of the point, or of its patch about as wide.
+/// Returns alpha^2 of the point's lobe, or of an isotropic lobe about as wide as its patch's.
 float alpha2_of(const LitBatch& points, std::size_t i) {
   const float alpha = points.alpha[i];
   if (points.turns[i] == 0.0f) return alpha * alpha;
@@ -284,7 +287,7 @@ HWY_EXPORT(weigh);
 float weigh_lights(const LightTable& lights, const LitBatch& points, std::size_t i,
                    std::span<float> weights) {
   HWY_DYNAMIC_DISPATCH(weigh)(lights, points, i, weights.data());
-  // Sixteen sums, whatever the lanes.
+  // Add up sixteen partial sums, independent of the number of lanes.
   std::array<float, LightTable::step> sums{};
   for (std::size_t k = 0; k < lights.padded_size(); k += sums.size())
     for (std::size_t j = 0; j < sums.size(); ++j) sums[j] += weights[k + j];

@@ -8,13 +8,13 @@
 
 namespace asos {
 
-/// About what each of the lights carries by way of point i of the batch into its sum in the
-/// brightest channel, if nothing shades it: never 0 where any place of the light carries something.
-/// It is irradiance from the light's middle, or where the light is larger than a quarter of its
-/// distance from what is near, if that is worth more; times the BRDF there, the lobe as much wider
-/// as the light spreads half vectors. Of lights that are small beside their distances exact to 3 %;
-/// less than a tenth of what samples carry (root mean square) nowhere. `weights` has room for
-/// padded_size(). Returns their sum. The same bits whatever instructions the processor has.
+/// Estimates the unshadowed contribution of each light to point i's sum, in the brightest channel.
+/// It is never 0 where any part of the light contributes. It is irradiance times BRDF, from the
+/// light's centre. A light larger than a quarter of its distance uses its nearest part if that
+/// contributes more. The lobe is widened by the light's spread of half vectors. For lights that are
+/// small compared with their distance the error is 3 %. Nowhere is the estimate less than a tenth
+/// of the samples' contribution (root mean square). `weights` has room for padded_size(). Returns
+/// the sum. The bits do not depend on the instruction set.
 float weigh_lights(const LightTable& lights, const LitBatch& points, std::size_t i,
                    std::span<float> weights);
 

@@ -5,17 +5,17 @@
 #include <cmath>
 #include <numbers>
 
-// Disks and balls. Along a circle the contour integral (Lambert 1760) has a closed form, so that a
-// disk is an arc or two of its rim and straight sides along the horizons that cut it.
+// Disks and balls. The contour integral along a circle (Lambert 1760) has a closed form. So a disk
+// is one or two arcs of its rim, and straight sides along the horizons that cut it.
 
 namespace asos {
 namespace {
 
 using std::numbers::pi;
 
-/// The circle centre + radius (cos(angle) u + sin(angle) v) relative to a receiver on the side that
-/// `facing` = u x v points to. The centre is aside u - height facing, aside >= 0, height > 0; the
-/// square of the distance to the circle is mean + swing cos(angle).
+/// The circle centre + radius (cos(angle) u + sin(angle) v) relative to a receiver on the side to
+/// which `facing` = u x v points. The centre is aside u - height facing, with aside >= 0 and height
+/// > 0. The squared distance to the circle is mean + swing cos(angle).
 struct Circle {
   glm::dvec3 centre, facing, u, v;
   double radius, aside, height;
@@ -36,7 +36,7 @@ Circle make_circle(glm::dvec3 centre, glm::dvec3 facing, double radius) {
   const glm::dvec3 sideways = centre + circle.height * facing;
   const double length = glm::length(sideways);
   if (length > 1e-9 * glm::length(centre)) {
-    // Once more at right angles: the first time leaves the rounding of a much longer vector.
+    // Orthogonalize once more: the first time leaves the rounding error of a much longer vector.
     circle.u = sideways / length;
     circle.u = glm::normalize(circle.u - glm::dot(circle.u, facing) * facing);
   } else {
@@ -54,9 +54,9 @@ Circle make_circle(glm::dvec3 centre, glm::dvec3 facing, double radius) {
   return circle;
 }
 
-/// The whole disk, all of it above the horizons: Lambert's vector irradiance, along the disk's axis
-/// and across it (the configuration factors from a small element to a parallel and to a
-/// perpendicular disk, Hamilton and Morgan 1952), written without differences of near numbers.
+/// The whole disk above the horizons: Lambert's vector irradiance, along the disk's axis and across
+/// it (the configuration factors from a small element to a parallel and to a perpendicular disk,
+/// Hamilton and Morgan 1952). The formula has no differences of nearly equal numbers.
 double whole_form(const Circle& c, glm::dvec3 normal) {
   const double radius2 = c.radius * c.radius;
   const double difference = c.aside * c.aside + c.height * c.height - radius2;
@@ -75,14 +75,14 @@ double log1p_over(double x) {
   return x == 0.0 ? 1.0 : std::log1p(x) / x;
 }
 
-/// The contour integral along the rim from one angle to a larger one. With p the point of the rim
-/// it is the integral of -normal . (p x dp) / (2 p^2), which is one of
-/// (a + b cos + c sin) / (mean + swing cos).
+/// Returns the contour integral along the rim from one angle to a larger one. With the point p of
+/// the rim, it is the integral of -normal . (p x dp) / (2 p^2), which has the form (a + b cos + c
+/// sin) / (mean + swing cos).
 double arc_side(const Circle& c, double begin, double end, glm::dvec3 normal) {
   const double q = c.swing / (c.mean + c.root);
   const double one_less_q = (c.nearest2 + c.root) / (c.mean + c.root);
-  // As of an orbit of eccentricity swing / mean: half the difference of the true and the eccentric
-  // anomaly is atan(swing * lag), which keeps the integrals exact for a circle about the axis, too.
+  // As for an orbit of eccentricity swing / mean: half the difference of the true and the eccentric
+  // anomaly is atan(swing * lag). This keeps the integrals exact for a circle about the axis, too.
   const auto lag = [&](double angle) {
     const double half_cos = std::cos(0.5 * angle);
     return std::sin(angle) / ((c.mean + c.root) * (one_less_q + 2.0 * q * half_cos * half_cos));
@@ -124,14 +124,14 @@ Arc arc_above(const Circle& c, glm::dvec3 normal) {
   return {std::atan2(n_v, n_u) - half, 2.0 * half};
 }
 
-/// One horizon cuts it: an arc and its chord.
+/// Returns the form of a disk cut by one horizon: an arc and its chord.
 double segment_form(const Circle& c, const Arc& arc, glm::dvec3 normal) {
   const double end = arc.begin + arc.length;
   return arc_side(c, arc.begin, end, normal) + contour_side(c.at(end), c.at(arc.begin), normal);
 }
 
-/// From where one horizon's chord begins to where it meets the other horizon; both `from` and `to`
-/// lie on the first, `from` is above the other and `to` is below.
+/// Returns the corner of both horizons. `from` and `to` lie on one horizon's chord; `from` is above
+/// the other horizon and `to` is below.
 glm::dvec3 corner_of_horizons(glm::dvec3 from, glm::dvec3 to, glm::dvec3 other_normal) {
   const double above = std::max(0.0, glm::dot(from, other_normal));
   const double below = std::max(0.0, -glm::dot(to, other_normal));
@@ -139,9 +139,9 @@ glm::dvec3 corner_of_horizons(glm::dvec3 from, glm::dvec3 to, glm::dvec3 other_n
   return from + (to - from) * (above / (above + below));
 }
 
-/// Both horizons cut it: the arcs that are above both, each closed along the horizon. Where an arc
-/// is entered across one horizon and left across the other one, these meet in a corner; two arcs
-/// are a strip, whose chords each lie on one horizon.
+/// Returns the form of a disk cut by both horizons: the arcs above both, each closed along the
+/// horizon. Where an arc is entered across one horizon and left across the other, these meet in a
+/// corner. Two arcs are a strip, whose chords each lie on one horizon.
 double wedge_form(const Circle& c, const Arc& first, const Arc& second, const Receiver& receiver) {
   const glm::dvec3 normal = receiver.normal;
   const double first_end = first.length;
@@ -162,7 +162,7 @@ double wedge_form(const Circle& c, const Arc& first, const Arc& second, const Re
            side(first_end, 0.0);
   }
   if (!late && !early) return 0.0;
-  // The later arc begins on the second horizon, the early one on the first.
+  // The later arc begins on the second horizon, the earlier one on the first.
   const double begin = late ? second_begin : 0.0;
   const double second_limit = late ? second_end : second_end - 2.0 * pi;
   const bool ends_on_first = first_end < second_limit;

@@ -15,7 +15,7 @@ double distance2(const ClusterPoint& a, const ClusterPoint& b) {
   return glm::dot(d, d) + glm::dot(n, n) + glm::dot(e, e);
 }
 
-/// The first of them is the heaviest point.
+/// Returns seeds for k-means; the first is the heaviest point.
 std::vector<ClusterPoint> seeds_of(std::span<const ClusterPoint> points, std::size_t most,
                                    double tolerance) {
   const auto lighter = [](const ClusterPoint& a, const ClusterPoint& b) {

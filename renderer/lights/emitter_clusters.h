@@ -14,13 +14,13 @@ struct ClusterPoint {
   glm::dvec3 position{0.0};  ///< in units of the size of the whole
   glm::dvec3 facing{0.0};    ///< unit; 0: none
   double weight = 1.0;
-  glm::dvec3 emission{0.0};  ///< in units of the brightest mean of the whole
+  glm::dvec3 emission{0.0};  ///< in units of the largest mean of the whole
 };
 
-/// Groups of the points' indices, none empty: at most `most` of them, and no more than it takes
-/// to bring every point within `tolerance` of its group's first one. Seeds farthest from each other
-/// (Gonzalez 1985), then Lloyd's k-means in the nine dimensions. Depends on nothing but the points'
-/// order.
+/// Groups points and returns their indices by group; no group is empty. There are at most `most`
+/// groups, and no more than needed to bring every point within `tolerance` of its group's first
+/// one. Seeds are farthest from each other (Gonzalez 1985), followed by Lloyd's k-means in the nine
+/// dimensions. Depends only on the points' order.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> cluster(std::span<const ClusterPoint> points,
                                                               std::size_t most, double tolerance);
 

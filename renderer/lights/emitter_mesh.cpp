@@ -8,10 +8,10 @@
 namespace asos {
 namespace {
 
-// A region's triangles face the same way within half a degree, and their corners lie within this
-// share of its largest triangle's longest edge from that one's plane.
+// A region's triangles face the same way within half a degree. Their corners lie within
+// `flatness_of_emitters` of the plane of the region's largest triangle.
 constexpr double least_cosine = 0.99996;
-// The largest distance of positions rounded to single precision from their plane, in their own
+// Largest distance from their plane of positions rounded to single precision, relative to their
 // size.
 constexpr double rounding = 4.0 * std::numeric_limits<float>::epsilon();
 
@@ -31,7 +31,7 @@ double size_of(const EmitterTriangle& t) {
   return size;
 }
 
-/// The plane that a flat region grows in.
+/// The plane of a flat region while it grows.
 struct RegionPlane {
   glm::dvec3 point, normal;
   double height, rounding_height;
@@ -45,7 +45,7 @@ struct RegionPlane {
   [[nodiscard]] bool holds(const EmitterTriangle& t) const {
     const double facing = glm::dot(t.normal, normal);
     if (!(facing > 0.0)) return false;
-    // The normal of a sliver is made of rounding.
+    // The normal of a sliver consists of rounding errors.
     const double width = 2.0 * t.area / longest_edge(t);
     if (facing < least_cosine && width > 100.0 * rounding_height) return false;
     return std::all_of(t.corner.begin(), t.corner.end(), [&](glm::dvec3 p) {
@@ -54,7 +54,7 @@ struct RegionPlane {
   }
 };
 
-/// The triangles that neighbours lead to from `first` and that `belongs` holds for.
+/// Returns the triangles that are connected with `first` through neighbours that satisfy `belongs`.
 template <typename Belongs>
 Piece grow(std::uint32_t first, const EmitterNeighbours& neighbours, std::vector<bool>& taken,
            const Belongs& belongs) {
@@ -86,7 +86,8 @@ EmitterNeighbours::EmitterNeighbours(std::span<const EmitterTriangle> triangles)
     return std::array{a.low, a.high, a.triangle} < std::array{b.low, b.high, b.triangle};
   });
 
-  // All pairs around an edge, but around one with a great many only those next to each other.
+  // Connect all pairs around an edge. Around an edge with a great many triangles, connect only
+  // neighbours.
   constexpr std::size_t most_around_edge = 8;
   std::vector<std::array<std::uint32_t, 2>> pairs;
   open_.assign(triangles.size(), false);

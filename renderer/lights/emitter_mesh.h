@@ -12,38 +12,39 @@
 
 namespace asos {
 
-/// Triangles of one flat light lie this close to its plane, in the longest edge of the largest of
-/// them, and as far again by rounding.
+/// Largest distance of the triangles of a flat light from its plane, relative to the longest edge
+/// of the largest triangle. Rounding may double it.
 inline constexpr double flatness_of_emitters = 1e-4;
 
-/// A triangle that emits, of positive area. Vertices at the same position have the same number.
+/// An emitting triangle with an area above 0. Vertices at the same position have the same number.
 struct EmitterTriangle {
   std::array<glm::dvec3, 3> corner;
   std::array<std::uint32_t, 3> vertex{};
   std::uint32_t triangle = 0;  ///< of the world
-  glm::dvec3 normal{0.0};      ///< unit, of the front side: counter-clockwise (glTF)
+  glm::dvec3 normal{0.0};      ///< unit normal of the front side, counter-clockwise (glTF)
   double area = 0.0;
-  glm::dvec3 radiance{0.0};  ///< nits, the mean over the triangle
+  glm::dvec3 radiance{0.0};  ///< mean over the triangle, in nits
 
   [[nodiscard]] glm::dvec3 middle() const { return (corner[0] + corner[1] + corner[2]) / 3.0; }
 };
 
-/// Indices of a part's emitting triangles that belong together.
+/// Indices of connected emitting triangles of a part.
 using Piece = std::vector<std::uint32_t>;
 
-/// The triangles of a part that emit. Where an emissive texture leaves less than 1/250 of the
-/// material's emission it counts as black, as does a triangle with less than 1/1000 on the whole.
-/// The dimmest others by texture, with half a percent of the power, give it to the rest.
+/// Returns the emitting triangles of a part. A place where the texture leaves less than 1/250 of
+/// the material's emission counts as black, and so does a triangle whose mean is below 1/1000. The
+/// dimmest textured triangles, up to half a percent of the power, are dropped, and their power goes
+/// to the others.
 [[nodiscard]] std::vector<EmitterTriangle> emitting_triangles(const World& world,
                                                               std::uint32_t part,
                                                               EmissionAt emission);
 
-/// Which triangles share an edge with which.
+/// The triangles that share each triangle's edges.
 class EmitterNeighbours {
  public:
   explicit EmitterNeighbours(std::span<const EmitterTriangle> triangles);
 
-  /// Whether each of the triangle's edges is another one's too.
+  /// Returns whether each of the triangle's edges belongs to another triangle, too.
   [[nodiscard]] bool surrounded(std::uint32_t triangle) const { return !open_[triangle]; }
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t triangle) const {
@@ -56,13 +57,13 @@ class EmitterNeighbours {
   std::vector<bool> open_;
 };
 
-/// The triangles that lie in one plane, face the same way and are joined by edges: region by
-/// region, the largest triangles' first.
+/// Returns the connected triangles in one plane that face the same way, region by region, starting
+/// with the largest triangles.
 [[nodiscard]] std::vector<Piece> flat_regions(std::span<const EmitterTriangle> triangles,
                                               const EmitterNeighbours& neighbours);
 
-/// The triangles that edges join, whichever way they face: piece by piece, each by its flat
-/// regions, which are `flat_regions`.
+/// Returns the triangles connected by edges, for any orientation: piece by piece, each as a list of
+/// its flat regions, as in `flat_regions`.
 [[nodiscard]] std::vector<std::vector<Piece>> connected_pieces(
     std::span<const EmitterTriangle> triangles, const EmitterNeighbours& neighbours);
 

@@ -6,7 +6,7 @@
 namespace asos {
 namespace {
 
-// A box without one of its six faces has a sum of normals of a fifth of its area.
+// The sum of normals of a box without one of its six faces is a fifth of its area.
 constexpr double most_open = 0.25;
 constexpr double least_outward = 0.5;
 
@@ -59,7 +59,8 @@ Moments Moments::of(std::span<const EmitterTriangle> triangles, const Piece& pie
     const glm::dvec3 middle = t.middle() - sum.centre;
     facing += t.area * glm::dot(t.normal, middle);
     distance += t.area * glm::length(middle);
-    // The integral over a triangle: area / 12 times that of its corners and thrice its middle.
+    // The integral over a triangle is area / 12 times the sum over its corners and nine times its
+    // centre's square.
     glm::dmat3 square = 9.0 * glm::outerProduct(middle, middle);
     for (const glm::dvec3& p : t.corner)
       square += glm::outerProduct(p - sum.centre, p - sum.centre);

@@ -8,12 +8,12 @@
 
 namespace asos {
 
-/// Axes and spreads of a symmetric matrix, the largest first: `axis` holds unit eigenvectors.
+/// Axes and values of a symmetric matrix, the largest first: `axis` has unit eigenvectors.
 struct PrincipalAxes {
   glm::dmat3 axis{1.0};
   glm::dvec3 value{0.0};
 };
-/// By Jacobi's rotations.
+/// Computes the axes by Jacobi rotations.
 [[nodiscard]] PrincipalAxes principal_axes(const glm::dmat3& symmetric);
 
 /// Integrals over a set of triangles.
@@ -23,14 +23,14 @@ struct Moments {
   glm::dvec3 centre{0.0};       ///< centroid of area
   glm::dvec3 area_vector{0.0};  ///< integral of the unit normal: 0 for closed surfaces
   glm::dmat3 normals{0.0};      ///< mean of n n^T: a third of the identity for isotropic ones
-  glm::dmat3 spread{0.0};       ///< mean of d d^T, d the way from the centre
+  glm::dmat3 spread{0.0};       ///< mean of d d^T, with d from the centre
   double outward = 0.0;         ///< mean of n . d / mean of |d|: 1 for a sphere, -1 inside out
 
   static Moments of(std::span<const EmitterTriangle> triangles, const Piece& piece);
 
   [[nodiscard]] glm::dvec3 radiance() const { return power / area; }
-  /// Whether the surface faces away from its middle nearly all around: a closed one, or one with
-  /// an opening, either way round.
+  /// Returns whether the surface faces away from its centre, or towards it, nearly everywhere: it
+  /// is closed, or has one opening.
   [[nodiscard]] bool encloses() const;
 };
 

@@ -13,8 +13,8 @@ namespace {
 
 using Outline = std::vector<glm::dvec3>;
 
-// The outlines' area may differ from the triangles' by this share, and a corner from the line
-// between its neighbours by that share of its length.
+// Largest difference between the outlines' area and the triangles', as a fraction. Largest distance
+// of a corner from the line between its neighbours, relative to the line's length.
 constexpr double area_tolerance = 5e-3;
 constexpr double straightness = 1e-5;
 constexpr double squareness = 1e-4;
@@ -24,7 +24,7 @@ struct DirectedEdge {
   glm::dvec3 begin, end;
 };
 
-/// The region's directed edges that no triangle runs along the other way.
+/// Returns the region's directed edges without a triangle on the other side.
 std::vector<DirectedEdge> border_of(std::span<const EmitterTriangle> triangles,
                                     const Piece& region) {
   std::vector<DirectedEdge> edges;
@@ -45,14 +45,14 @@ std::vector<DirectedEdge> border_of(std::span<const EmitterTriangle> triangles,
   return edges;
 }
 
-/// The angle in (0, 2 pi] by which `to` is turned clockwise from `from`, seen against the normal.
+/// Returns the clockwise angle, in (0, 2 pi], from `from` to `to`, seen against the normal.
 double clockwise_angle(glm::dvec3 from, glm::dvec3 to, glm::dvec3 normal) {
   const double angle = -std::atan2(glm::dot(normal, glm::cross(from, to)), glm::dot(from, to));
   return angle > 0.0 ? angle : angle + 2.0 * std::numbers::pi;
 }
 
-/// Joins the border's edges. Where several leave a corner, it goes on along the inside that it came
-/// with, so that regions that touch in a corner have outlines of their own.
+/// Connects the border's edges to outlines. Where several leave a corner, the outline continues
+/// along the same inside, so that regions that touch at a corner have their own outlines.
 std::vector<Outline> outlines_of(const std::vector<DirectedEdge>& edges, glm::dvec3 normal) {
   std::vector<Outline> outlines;
   std::vector<bool> used(edges.size(), false);
@@ -81,7 +81,7 @@ std::vector<Outline> outlines_of(const std::vector<DirectedEdge>& edges, glm::dv
   return outlines;
 }
 
-/// Leaves out corners on the line between those before and after them.
+/// Removes corners on the line between those before and after them.
 Outline without_straight_corners(const Outline& outline) {
   Outline kept = outline;
   for (bool changed = true; changed && kept.size() > 3;) {
@@ -109,7 +109,7 @@ glm::dvec3 area_vector(const Outline& outline) {
   return 0.5 * twice;
 }
 
-/// Makes a regular outline with many corners the disk of the same area.
+/// Replaces a regular outline with many corners by a disk with the same area.
 bool round_off(Light& light, double area) {
   constexpr double roundness = 0.01;
   const double radius = std::sqrt(area / std::numbers::pi);
@@ -123,7 +123,7 @@ bool round_off(Light& light, double area) {
   return true;
 }
 
-/// Makes a polygon with four right angles a rectangle.
+/// Replaces a polygon with four right angles by a rectangle.
 void simplify(Light& light) {
   if (light.outlines.size() != 1 || light.outlines[0].size() != 4) return;
   const Outline& c = light.outlines[0];
@@ -162,7 +162,7 @@ std::optional<Light> polygon_light(std::span<const EmitterTriangle> triangles, c
   if (!(std::abs(area - moments.area) <= area_tolerance * moments.area)) return std::nullopt;
   if (corners > most_corners && !round_off(light, area)) return std::nullopt;
   simplify(light);
-  // Outlines that cross or cover each other enclose less than the sum of what each does.
+  // Outlines that cross or cover each other enclose less than the sum of their areas.
   const double shining = prepare_light(light).area;
   if (!(std::abs(shining - moments.area) <= area_tolerance * moments.area)) return std::nullopt;
   const glm::dvec3 radiance = moments.power / shining;

@@ -11,21 +11,23 @@
 namespace asos {
 namespace {
 
-// A bilinear texel is about two wide, so that steps of two miss none. Edges of few texels take more
-// steps: a border between two of them may lie anywhere.
+// A bilinear texel is about two wide, so steps of two miss none. Edges with few texels need more
+// steps, since a border between two texels may be anywhere.
 constexpr double texels_a_step = 2.0;
 constexpr double steps_a_texel = 4.0;
 constexpr double steps_of_few_texels = 16.0;
 constexpr int most_steps = 64;
 constexpr double most_samples_a_part = 4e6;
-// An sRGB byte of 13 beside a white one: what lossy compression may make of black.
+// Emission that counts as black: an sRGB byte of 13, which lossy compression may make of black next
+// to white.
 constexpr double dark_share = 4e-3;
-// The share that texels seen through seams, or noise above that, give a triangle on the whole.
+// Mean emission below which a triangle counts as black: texels beyond seams, or noise above the
+// limit.
 constexpr double dark_triangle_share = 1e-3;
-// The dimmest triangles that together give this share of a part's power give way to the others.
+// The dimmest triangles that together have this fraction of a part's power are dropped.
 constexpr double negligible_share = 5e-3;
 
-/// The longest edge of a triangle in the texels of a texture; 0 where there is none.
+/// Returns the longest edge of a triangle in texels of a texture; 0 where there is none.
 double texels_along(const World& world, const TextureUse& use, glm::uvec3 t) {
   if (!use.used() || use.texcoord < 0 || use.texcoord > 1) return 0.0;
   const int image = world.textures[static_cast<std::size_t>(use.texture)].image;
@@ -43,7 +45,7 @@ double texels_along(const World& world, const TextureUse& use, glm::uvec3 t) {
   return longest;
 }
 
-/// Into how many parts a triangle's edges are cut to average its emission.
+/// Returns the number of parts along a triangle's edges for averaging its emission.
 int steps_of(const World& world, std::uint32_t triangle) {
   const Material& m = world.material_of(triangle);
   const glm::uvec3 t = world.triangles[triangle];
@@ -58,14 +60,14 @@ int steps_of(const World& world, std::uint32_t triangle) {
   return static_cast<int>(std::clamp(std::ceil(steps), least, static_cast<double>(most_steps)));
 }
 
-/// The material's emission, in its brightest channel, where its emissive texture is white; 0
-/// without one.
+/// Returns the material's emission, in its brightest channel, where its emissive texture is white;
+/// 0 without one.
 double full_emission(const Material& material) {
   if (!material.emissive_texture.used()) return 0.0;
   return largest(material.emissive) * material.emissive_strength;
 }
 
-/// The mean over the centroids of the steps^2 equal triangles that a triangle falls into.
+/// Returns the mean over the centroids of the steps^2 equal triangles that divide a triangle.
 glm::dvec3 mean_emission(const World& world, std::uint32_t triangle, int steps,
                          EmissionAt emission) {
   const double least = dark_share * full_emission(world.material_of(triangle));
@@ -84,8 +86,8 @@ glm::dvec3 mean_emission(const World& world, std::uint32_t triangle, int steps,
   return sum / (static_cast<double>(steps) * steps);
 }
 
-/// Leaves out the dimmest triangles by texture, which would be many small lights of next to
-/// nothing, and gives their power to the others.
+/// Drops the dimmest textured triangles, which would become many small lights with almost no power,
+/// and gives their power to the others.
 void leave_out_dimmest(std::vector<EmitterTriangle>& triangles) {
   std::vector<double> radiance;
   double power = 0.0;
@@ -112,8 +114,8 @@ void leave_out_dimmest(std::vector<EmitterTriangle>& triangles) {
   for (EmitterTriangle& t : triangles) t.radiance *= power / kept;
 }
 
-/// Numbers along one axis: values closer to each other than `gap` have the same, as long as these
-/// do not stretch over more than four times that.
+/// Numbers values along one axis. Values closer to each other than `gap` get the same number, as
+/// long as these do not span more than four times that.
 std::vector<std::uint32_t> numbers_along(const std::vector<EmitterTriangle>& triangles, int axis,
                                          double gap) {
   std::vector<std::pair<double, std::uint32_t>> values;

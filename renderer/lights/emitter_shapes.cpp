@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Sets colour and intensity; nullopt if it is nothing, or nothing that a float holds.
+/// Sets colour and intensity. Returns nullopt if the intensity is 0 or does not fit a float.
 std::optional<Light> shining(Light light, glm::dvec3 strength) {
   const double intensity = std::max({strength.x, strength.y, strength.z});
   light.intensity = static_cast<float>(intensity);
@@ -21,7 +21,8 @@ std::optional<Light> shining(Light light, glm::dvec3 strength) {
   return light;
 }
 
-/// A ball of radiance L and area A has A L / 4 candela: of its area 4 pi r^2 it shows pi r^2.
+/// A ball of radiance L and area A has A L / 4 candela: it looks like a disk of pi r^2, and its
+/// area is 4 pi r^2.
 std::optional<Light> ball(const Moments& moments, double sides) {
   Light light;
   light.type = Light::Type::point;
@@ -30,11 +31,11 @@ std::optional<Light> ball(const Moments& moments, double sides) {
   return shining(light, sides * moments.power / 4.0);
 }
 
-/// A tube's measures along and across an axis through its middle.
+/// A tube's extents along and across an axis through its centre.
 struct TubeMeasures {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
-  double outward = 0.0;  ///< mean of the normal's part along the way from the axis, by its length
+  double outward = 0.0;  ///< mean of the normal's component away from the axis
 
   TubeMeasures(std::span<const EmitterTriangle> triangles, const Piece& piece, glm::dvec3 middle,
                glm::dvec3 axis) {
@@ -63,7 +64,7 @@ std::optional<Light> ball_light(const Moments& moments) {
   if (moments.outward < least_outward) return std::nullopt;
   const glm::dvec3 normals = principal_axes(moments.normals).value;
   const glm::dvec3 spread = principal_axes(moments.spread).value;
-  // A third each for a sphere; and less than twice as long as it is wide.
+  // For a sphere each is a third. A ball is less than twice as long as wide.
   if (normals.x > 0.5 || normals.z < 0.2 || spread.z < 0.25 * spread.x) return std::nullopt;
   return ball(moments, 1.0);
 }
@@ -79,7 +80,7 @@ std::optional<Light> tube_light(std::span<const EmitterTriangle> triangles, cons
   if (!(length >= least_slenderness * 2.0 * radius)) return std::nullopt;
   if (glm::length(moments.area_vector) > 0.2 * moments.area || tube.outward < 0.8)
     return std::nullopt;
-  // A bent one lies farther from its axis than its radius, a flat one faces two ways.
+  // A bent tube is farther from its axis than its radius, and a flat one faces two ways.
   const double off_axis = std::sqrt(spread.value.y + spread.value.z);
   if (!(off_axis < 1.3 * radius) || spread.value.z < 0.4 * spread.value.y) return std::nullopt;
   if (glm::dot(axis, moments.normals * axis) > 0.2) return std::nullopt;
@@ -89,7 +90,8 @@ std::optional<Light> tube_light(std::span<const EmitterTriangle> triangles, cons
   light.type = Light::Type::linear;
   light.position = moments.centre + 0.5 * (tube.low + tube.high) * axis;
   light.half_u = 0.5 * length * axis;
-  // With the sine of the angle to the line it gives off pi^2 candela: pi L A is A L / pi candela.
+  // A tube emits with the sine of the angle to the line, so its power is pi^2 candela. Hence pi L A
+  // is A L / pi candela.
   return shining(light, moments.power / pi);
 }
 

@@ -8,28 +8,28 @@
 
 namespace asos {
 
-/// Lights that stand for pieces of an emissive surface. All keep the power pi * L * area of the
-/// front sides; name and own part are left to the caller. nullopt: the piece has another shape, or
-/// a float does not hold the light's strength.
+/// Lights that represent pieces of an emissive surface. All keep the power pi * L * area of the
+/// front sides; the caller sets name and own part. nullopt: the piece has another shape, or the
+/// light's intensity does not fit a float.
 
-/// A flat region by its outlines, rectangles as such. With more than `most_corners` a round one is
-/// a disk, others are nullopt; so are outlines that do not enclose the area of the triangles, which
-/// overlap then.
+/// Returns a flat region as a polygon with its outlines, or as a rectangle if it is one. With more
+/// than `most_corners`, a round one becomes a disk, and others are nullopt. Outlines that do not
+/// enclose the area of the triangles are nullopt, too; such triangles overlap.
 inline constexpr std::size_t most_corners = 64;
 [[nodiscard]] std::optional<Light> polygon_light(std::span<const EmitterTriangle> triangles,
                                                  const Piece& region, bool two_sided);
 
-/// A round blob that faces outwards all around: a ball.
+/// Returns a ball for a round blob that faces outwards everywhere.
 [[nodiscard]] std::optional<Light> ball_light(const Moments& moments);
 
-/// A long straight tube that faces outwards: a linear light.
+/// Returns a linear light for a long straight tube that faces outwards.
 [[nodiscard]] std::optional<Light> tube_light(std::span<const EmitterTriangle> triangles,
                                               const Piece& piece, const Moments& moments);
 
-/// The light of a piece that faces one way by and large, flat or not: a rectangle at its middle,
-/// along its longest spread (Moments::spread) and of its area; or, for several pieces with gaps
-/// between, as large as they spread if that is more. For a piece that faces all ways: a ball of its
-/// area.
+/// Returns one light for a piece that mostly faces one way, flat or not: a rectangle at its centre,
+/// along its longest spread (Moments::spread), with its area. With Extent::spread, for several
+/// pieces with gaps in between, it is as large as their spread if that is larger. For a piece that
+/// faces all ways, returns a ball with its area.
 enum class Extent { area, spread };
 [[nodiscard]] std::optional<Light> one_light(const Moments& moments, bool two_sided, Extent extent);
 

@@ -19,20 +19,20 @@ namespace {
 
 using std::numbers::pi;
 
-// A piece of more flat regions than a box has may be round.
+// A piece with more flat regions than a box may be round.
 constexpr std::size_t regions_of_box = 6;
-// Among many regions, those with at least this share of the area keep their outlines.
+// Among many regions, those with at least this fraction of the area keep their outlines.
 constexpr double large_share = 0.1;
-// The extent of a curved piece's rectangles: some 30 degrees of normals, a quarter of its length.
+// Size limit of a curved piece's rectangles: some 30 degrees of normals, a quarter of its length.
 constexpr double curved_tolerance = 0.5;
-// A surface faces one way if at least this share of it is seen from there.
+// A surface faces one way if at least this fraction of it is visible from there.
 constexpr double facing_share = 0.5;
 
-// A curved piece with a half length of this share of the bounding sphere's radius, or more, is
-// worth all the lights that one may have.
+// A curved piece may have the largest number of lights if its half length is at least this fraction
+// of the bounding sphere's radius.
 constexpr double large_piece = 0.1;
 
-// Triangles are even whose emission varies by less than this share of its mean square.
+// A triangle's emission is even if it varies by less than this fraction of its mean square.
 constexpr double uneven_share = 0.05;
 
 struct EmissiveSurface {
@@ -40,19 +40,19 @@ struct EmissiveSurface {
   EmissionAt emission;
   std::vector<EmitterTriangle> triangles;
   bool double_sided = false;
-  bool painted = false;  ///< a texture or a mask tells what shines
+  bool painted = false;  ///< a texture or a mask varies its emission
   double scene_radius = 0.0;
   std::size_t most_of_piece = 1;  ///< lights of a painted one
 };
 
-/// Regions that are joined by edges.
+/// Regions connected by edges.
 struct ConnectedPiece {
   std::vector<Piece> regions;
   Piece triangles;
   Moments moments;
   bool closed = false;  ///< no edge is open
 
-  /// Whether one of its sides faces a space that it surrounds, or nearly so.
+  /// Returns whether one of its sides faces a space that it surrounds completely or almost.
   [[nodiscard]] bool encloses() const { return closed || moments.encloses(); }
 };
 
@@ -76,7 +76,7 @@ std::vector<ConnectedPiece> pieces_of(EmissiveSurface& surface) {
     piece.moments = Moments::of(surface.triangles, piece.triangles);
     piece.closed = std::all_of(piece.triangles.begin(), piece.triangles.end(),
                                [&](std::uint32_t t) { return neighbours.surrounded(t); });
-    // Both sides of what encloses a space count as its outside.
+    // Both sides of a surface that encloses a space count as its outside.
     if (surface.double_sided && piece.encloses() && piece.moments.outward < 0.0) {
       turn_inside_out(surface, piece.triangles);
       piece.moments = Moments::of(surface.triangles, piece.triangles);
@@ -89,7 +89,7 @@ bool two_sided(const EmissiveSurface& surface, const ConnectedPiece& piece) {
   return surface.double_sided && !piece.encloses();
 }
 
-/// Rectangles for what is curved, at most `most`.
+/// Replaces a curved piece by at most `most` rectangles.
 std::vector<Light> rectangles(const EmissiveSurface& surface, const Piece& piece, std::size_t most,
                               bool both_sides) {
   const Moments whole = Moments::of(surface.triangles, piece);
@@ -117,7 +117,7 @@ std::vector<Light> rectangles(const EmissiveSurface& surface, const Piece& piece
   return lights;
 }
 
-/// Returns whether triangles of a painted piece differ in emission.
+/// Returns whether the triangles of a textured piece differ in emission.
 bool uneven(const EmissiveSurface& surface, const ConnectedPiece& piece) {
   if (!surface.painted) return false;
   double square = 0.0;
@@ -157,7 +157,7 @@ std::vector<Light> lights_of(const EmissiveSurface& surface, const ConnectedPiec
       lights.push_back(std::move(emitter.light));
     }
   }
-  // Half of the lights are kept for curved regions.
+  // Half of the lights are reserved for curved regions.
   const std::size_t others = lights.size() + (curved.empty() ? 0 : surface.most_of_piece / 2);
   const std::size_t most = surface.most_of_piece > others ? surface.most_of_piece - others : 0;
   for (Light& light :
@@ -170,8 +170,8 @@ std::vector<Light> lights_of(const EmissiveSurface& surface, const ConnectedPiec
   return lights;
 }
 
-/// The lights of at most `max_lights_of_part` pieces: those of the brightest as they are while
-/// there is room for one light of each of the others.
+/// Returns the lights of at most `max_lights_of_part` pieces. The brightest keep their own lights
+/// while there is room for one light for each of the others.
 std::vector<Light> lights_of_few(const EmissiveSurface& surface,
                                  std::vector<ConnectedPiece>& pieces) {
   std::stable_sort(pieces.begin(), pieces.end(),
@@ -191,7 +191,8 @@ std::vector<Light> lights_of_few(const EmissiveSurface& surface,
   return lights;
 }
 
-/// The lights of more pieces than that: those near to each other, and facing alike, together.
+/// Returns the lights of more pieces than that, merging pieces that are near to each other and face
+/// the same way.
 std::vector<Light> lights_of_many(const EmissiveSurface& surface,
                                   const std::vector<ConnectedPiece>& pieces) {
   Piece all(surface.triangles.size());
@@ -226,7 +227,8 @@ std::vector<Light> lights_of_many(const EmissiveSurface& surface,
   return lights;
 }
 
-/// The power of the front side, and of the back side where it shines too: nits times area times pi.
+/// Returns the power of the front side, and of the back side if it emits, too: nits times area
+/// times pi.
 double power(const Light& light) {
   const double brightest = largest(light.color) * light.intensity;
   switch (light.type) {

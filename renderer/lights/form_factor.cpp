@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-/// Sums the sides of a closed outline whose corners are pushed one after the other.
+/// Sums the sides of a closed outline, given one corner after the other.
 class ContourSum {
  public:
   explicit ContourSum(glm::dvec3 normal) : normal_(normal) {}
@@ -35,8 +35,8 @@ class ContourSum {
 };
 
 /// Clips a closed outline to a horizon, corner by corner (Sutherland and Hodgman 1974). The parts
-/// that a concave outline leaves are joined along the horizon there and back, which adds up to
-/// nothing: the contour sum of the result is right.
+/// of a concave outline are connected along the horizon there and back. These sides cancel, so the
+/// contour sum of the result is right.
 template <class Sink>
 class HorizonClip {
  public:

@@ -10,9 +10,9 @@ namespace {
 
 using LightShape = PreparedLight::Shape;
 
-/// The point of the light's plane that the mirrored ray hits, relative to `to_middle`. A ray that
-/// hits it beyond the whole light, or not at all, stands at its far end for that hit: the hit moves
-/// without a jump as the ray turns away.
+/// Returns the point of the light's plane that the mirrored ray hits, relative to `to_middle`. If
+/// the ray hits it beyond the whole light, or not at all, its far end is used instead, so that the
+/// hit moves without a jump as the ray turns away.
 glm::dvec3 plane_hit(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
   const double far = glm::length(to_middle) + glm::length(light.half_u) + glm::length(light.half_v);
   const double along = glm::dot(to_middle, light.towards);
@@ -33,8 +33,8 @@ glm::dvec3 nearest_of_disk(const PreparedLight& light, glm::dvec3 hit) {
   return length > light.radius ? flat * (light.radius / length) : flat;
 }
 
-/// The nearest point of a ball (or a sun at the distance 1): from its middle at most a radius
-/// towards the ray.
+/// Returns the nearest point of a ball (or of a sun at the distance 1): at most a radius from its
+/// centre towards the ray.
 glm::dvec3 nearest_of_ball(glm::dvec3 to_middle, double radius, glm::dvec3 ray) {
   // A ray that leads away is nearest where it starts.
   const double along = std::max(0.0, glm::dot(to_middle, ray));
@@ -43,7 +43,7 @@ glm::dvec3 nearest_of_ball(glm::dvec3 to_middle, double radius, glm::dvec3 ray) 
   return to_middle + to_ray * (length > radius ? radius / length : 1.0);
 }
 
-/// The point of a segment with the least distance to the ray's line.
+/// Returns the point of a segment with the least distance to the ray's line.
 glm::dvec3 nearest_of_segment(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
   const double ray_middle = glm::dot(ray, to_middle);
   const double ray_half = glm::dot(ray, light.half_u);
@@ -58,7 +58,7 @@ Highlight towards_point(glm::dvec3 to_point, double radius, glm::dvec3 ray) {
   Highlight highlight;
   highlight.direction = glm::vec3(distance > 0.0 ? to_point / distance : ray);
   highlight.distance = static_cast<float>(distance);
-  // As at the surface of a ball of that radius for whoever is nearer.
+  // Points inside of the radius are treated as on the surface of a ball.
   highlight.half_angle_tangent =
       radius > 0.0 ? static_cast<float>(radius / std::max(distance, radius)) : 0.0f;
   return highlight;
@@ -100,7 +100,7 @@ Highlight highlight_of(const PreparedLight& light, glm::dvec3 position, glm::dve
       const glm::dvec3 hit = plane_hit(light, to_middle, mirrored_view);
       const glm::dvec3 nearest = light.shape == LightShape::disk ? nearest_of_disk(light, hit)
                                                                  : nearest_of_rectangle(light, hit);
-      // The radius of the disk of the same area.
+      // The radius of the disk with the same area.
       const double radius = std::sqrt(light.area * std::numbers::inv_pi);
       return towards_point(to_middle + nearest, radius, mirrored_view);
     }

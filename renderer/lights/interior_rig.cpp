@@ -9,17 +9,17 @@
 namespace asos {
 namespace {
 
-// The shares of the free way to a ceiling or wall that a light's middle, and its sides, keep to.
+// Fractions of the free distance to a ceiling or wall for a light's centre, and for its sides.
 constexpr double way_to_ceiling = 0.9;
 constexpr double way_to_wall = 0.8;
 constexpr double half_width_to_distance = 0.25;
 constexpr double bright_quantile = 0.9;
 constexpr std::size_t candidates = 9;
 
-/// The part of an eye ray, before the point that it sees, that no surface cuts: walls seen from
-/// behind, which the eye does not see, end it too.
+/// A part of an eye ray, in front of the visible point, that no surface cuts. Walls seen from
+/// behind, which the eye does not see, end it, too.
 struct Stretch {
-  glm::dvec3 end;        ///< just before the point
+  glm::dvec3 end;        ///< just in front of the point
   glm::dvec3 to_viewer;  ///< unit
   double length = 0.0;
   bool to_eye = true;  ///< it begins at the eye
@@ -35,7 +35,7 @@ struct Stretch {
   [[nodiscard]] glm::dvec3 at(double share) const { return end + share * length * to_viewer; }
 };
 
-/// A rectangle as large as asked, or as walls leave.
+/// Returns a rectangle of the given size, or smaller if walls require it.
 Light fitted(const char* name, glm::dvec3 middle, glm::dvec3 direction, glm::dvec3 right,
              double half_width, const FreeDistance& free_distance) {
   Light light = rig_rectangle(name, middle, direction, right, 1.0, 1.0);
@@ -56,7 +56,7 @@ Light fitted(const char* name, glm::dvec3 middle, glm::dvec3 direction, glm::dve
   return light;
 }
 
-/// Where nothing is below, a floor is taken to be there.
+/// If nothing is below, this is the distance of an assumed floor.
 double farthest(const Stretch& stretch) {
   return 2.0 * stretch.length;
 }
@@ -77,14 +77,14 @@ Light viewer_light(const Stretch& stretch, const glm::dmat3& axes,
   const double room =
       std::min(half_width_to_distance * stretch.length, 0.5 * free_distance(level, axes[0]));
   const glm::dvec3 middle = level + room * axes[0];
-  // A view straight up or down leaves no right of its own.
+  // A view straight up or down has no right of its own.
   const bool steep = std::abs(stretch.to_viewer.y) > 0.99;
   return fitted("fill", middle, -stretch.to_viewer, steep ? axes[2] : axes[0],
                 half_width_to_distance * stretch.length, free_distance);
 }
 
-/// Gives the brighter ones of the seen points that it reaches, and what it faces `ahead` of it,
-/// `radiance` at most.
+/// Sets the intensity so that the brighter ones of the visible points that it reaches, and the
+/// surface ahead, get at most `radiance`.
 void set_intensity(Light& light, double ahead, double radiance, std::span<const SeenPoint> seen,
                    const FreeDistance& free_distance) {
   std::vector<double> irradiance;

@@ -19,7 +19,7 @@ double point_form(glm::dvec3 to_light, const Receiver& receiver) {
   return cosine_above(to_light / std::sqrt(distance2), receiver) / distance2;
 }
 
-/// The published rule for a flat light: all of it at its middle, with the cosine there.
+/// The published rule for a flat light: all of it at its centre, with the cosine there.
 double middle_form(const PreparedLight& light, const Receiver& receiver) {
   const glm::dvec3 to_light = light.position - receiver.position;
   const double distance = glm::length(to_light);

@@ -12,24 +12,25 @@ namespace {
 
 using LightShape = PreparedLight::Shape;
 
-// Triangles that are next to each other in a mesh are so in space: their box saves looking at each.
+// Neighbouring triangles of a mesh are near each other in space, so one box test replaces a test of
+// each.
 constexpr std::size_t run_length = 64;
-// Pieces are kept this far beside the rectangle around a light, in half edges, so that they are
-// straight through its border.
+// Pieces are kept up to this far outside the light's bounding rectangle, in half edges, so that
+// they are straight across its border.
 constexpr double margin = 1.0 / 16.0;
-// A point within this of the light's plane, in sizes of the light, or of its outline, in half
-// edges, lies on it. Rays end closer to the light.
+// A point within this distance of the light's plane, in sizes of the light, or of its outline, in
+// half edges, lies on it. Rays end closer to the light.
 constexpr double touching = 1e-6;
-// Roundings of float32 by which the place of a vertex may be off.
+// Largest error of a vertex' position by roundings of float32.
 constexpr double place_error = 2.4e-7;
 
 struct Piece {
-  glm::dvec2 p, q;  // in half edges from the light's middle
+  glm::dvec2 p, q;  // in half edges from the light's centre
 
   [[nodiscard]] glm::dvec2 at(double t) const { return p + t * (q - p); }
 };
 
-/// The part of a piece within `reach` half edges of the middle.
+/// Returns the part of a piece within `reach` half edges of the centre.
 std::optional<Piece> clipped(const Piece& piece, double reach) {
   double t0 = 0.0, t1 = 1.0;
   const glm::dvec2 d = piece.q - piece.p;
@@ -83,7 +84,7 @@ class CutLight {
     return LightIntersection{in_world(piece->p), in_world(piece->q)};
   }
 
-  /// Whether any of the light intersections passes through the light itself.
+  /// Returns whether any of the light intersections passes through the light itself.
   [[nodiscard]] bool cut_by_any(const std::vector<LightIntersection>& cuts) const {
     if (light_.shape != PreparedLight::Shape::disk) return !cuts.empty();
     return std::any_of(cuts.begin(), cuts.end(), [&](const LightIntersection& cut) {
@@ -104,7 +105,7 @@ class CutLight {
     return light_.position + p.x * light_.half_u + p.y * light_.half_v;
   }
 
-  // Where a triangle meets the plane, if it does so along a line and lies where the light shines.
+  // Returns the line where a triangle meets the plane, if there is one on the emitting side.
   [[nodiscard]] std::optional<Piece> crossing_of(const std::array<glm::vec3, 3>& corners) const {
     std::array<double, 3> height;
     int above = 0, below = 0;
@@ -129,11 +130,12 @@ class CutLight {
     return Piece{met[0], met[1]};
   }
 
-  // Whether a piece bounds what the light's window shows, and does not only run along the outline.
+  // Returns whether a piece bounds the visible part of the light's window, and does not only run
+  // along the outline.
   [[nodiscard]] bool counts(const Piece& piece) const {
     const auto inner = clipped(piece, 1.0 - touching);
     if (!inner) return false;
-    // A disk's rim is no boundary of its window: what ends there would end in the open.
+    // A disk's rim is no boundary of its window, so a piece that ends there would have a loose end.
     if (light_.rectangle || light_.shape == PreparedLight::Shape::disk) return true;
     bool crosses = false, inside = false;
     const glm::dvec2 middle = inner->at(0.5);
@@ -201,8 +203,8 @@ Box box_of(const World& world, std::size_t triangle) {
   return box;
 }
 
-/// Calls visit(first, end) with runs of all triangles; of placed meshes only with those of parts
-/// whose boxes are near by.
+/// Calls visit(first, end) with runs of all triangles. For placed meshes, includes only parts whose
+/// boxes are nearby.
 template <typename Near, typename Visit>
 void visit_runs(const World& world, const Near& is_near, const Visit& visit) {
   const auto in_runs = [&](std::size_t first, std::size_t end) {

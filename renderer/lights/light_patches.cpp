@@ -18,7 +18,7 @@ constexpr std::array<float, LightPatch::nodes> gauss_weights{0.1739274226f, 0.32
                                                              0.3260725774f, 0.1739274226f};
 constexpr std::array<float, 2> two_nodes{0.2113248654f, 0.7886751346f};  // a half each
 
-/// Places of a patch at one v: origin + u * step, each worth `area` times what `by_u` says.
+/// Places of a patch at one v: origin + u * step, with the weight `area` times that of `by_u`.
 struct Row {
   glm::vec3 origin, step;
   float area = 0.0f;
@@ -46,7 +46,7 @@ CapPlace cap_place(const LightPatch& patch, const Row& row, float u) {
           2.0f * u * patch.one_less_cosine};
 }
 
-// A node at (u, the row's v), and what its area or solid angle is to be taken times.
+// Sets a node at (u, the row's v); `share` is the factor of its area or solid angle.
 void set_node(const LightPatch& patch, const Row& row, float u, float share, LightPatch::Cell& cell,
               std::size_t at) {
   if (patch.kind == LightPatch::Kind::cap) {
@@ -60,7 +60,7 @@ void set_node(const LightPatch& patch, const Row& row, float u, float share, Lig
   cell.solid_angle[at] = share * (patch.kind == LightPatch::Kind::sector ? u : 1.0f);
 }
 
-/// A patch whose vectors come in units of `unit`.
+/// A patch whose vectors are in units of `unit`.
 LightPatch patch_of(const PreparedLight& light, glm::dvec3 position) {
   const glm::dvec3 to_middle = light.position - position;
   const double per_unit = 1.0 / glm::length(to_middle);
@@ -170,7 +170,7 @@ LightPatch::Cell LightPatch::cell_of_quarters(std::span<const LightPatch, 4> qua
   return cell;
 }
 
-// Offsets become directions, and areas solid angles.
+// Converts offsets to directions, and areas to solid angles.
 void LightPatch::look_at_places(Cell& cell) const {
   const glm::vec3 f = facing;
   const float behind = two_sided ? -1.0f : 0.0f;

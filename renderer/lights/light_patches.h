@@ -10,13 +10,13 @@
 
 namespace asos {
 
-/// A part of a light's surface, or of the directions to it, by two numbers from 0 to 1: what its
-/// integrals are summed up over.
+/// A part of a light's surface, or of the directions to it, with two parameters from 0 to 1.
+/// Integrals over the light are sums over patches.
 struct LightPatch {
   static constexpr std::size_t nodes = 4;  ///< along each parameter
   static constexpr std::size_t cell_nodes = nodes * nodes;
 
-  /// Directions to points of a patch, and the solid angle that each stands for.
+  /// Directions to points of a patch, each with its solid angle.
   struct Cell {
     std::array<float, cell_nodes> x, y, z, solid_angle;
   };
@@ -27,34 +27,34 @@ struct LightPatch {
 
   enum class Kind {
     trapezoid,  ///< u across, v up
-    sector,     ///< quarter of an ellipse: u from the middle, v around it
-    cap,        ///< quarter of a cone's directions: as much of 1 - cos as u * u
+    sector,     ///< quarter of an ellipse: u from the centre, v around it
+    cap,        ///< quarter of a cone's directions: 1 - cos is proportional to u * u
   };
   Kind kind = Kind::trapezoid;
-  // As seen from the receiver; lengths are in units of the distance to the light's middle.
-  glm::vec3 origin{0.0f};  ///< middle; cap: unit axis
+  // Relative to the receiver; lengths are in units of the distance to the light's centre.
+  glm::vec3 origin{0.0f};  ///< centre; cap: unit axis
   glm::vec3 x{0.0f}, y{0.0f};
-  glm::vec3 facing{0.0f};  ///< by length the area of a unit square of x and y
+  glm::vec3 facing{0.0f};  ///< its length is the area of a unit square of x and y
   bool two_sided = false;
-  /// Trapezoid: x from left to left + width, at its foot and further up by the second; y.
+  /// Trapezoid: x from left to left + width at its foot; the second numbers are the change along y.
   float left = 0.0f, left_on = 0.0f, width = 0.0f, width_on = 0.0f, foot = 0.0f, height = 0.0f;
   float one_less_cosine = 0.0f;  ///< cap
 
-  /// Unit; of a receiver at the very place any number.
+  /// Returns a unit direction; undefined for a receiver at that very place.
   [[nodiscard]] glm::vec3 direction(float u, float v) const;
-  /// By Gauss and Legendre's nodes. What does not face the receiver has no solid angle.
+  /// Returns Gauss-Legendre nodes. Nodes that do not face the receiver have no solid angle.
   [[nodiscard]] Cell cell(const Square& square) const;
 
-  /// All of a round light, of whose quarters each has four nodes.
+  /// Returns a whole round light with four nodes for each quarter.
   [[nodiscard]] static Cell cell_of_quarters(std::span<const LightPatch, 4> quarters);
 
  private:
   void look_at_places(Cell& cell) const;
 };
 
-/// All of a light that has a size and is no segment, by the physical rule, as a receiver sees it,
-/// which has it above the horizon or not. Within a ball all directions above the normal's horizon
-/// are.
+/// Finds the patches of a whole light with an extent, except segments, by the physical rule,
+/// whether they are above the receiver's horizon or not. Inside a ball they are all directions
+/// above the normal's horizon.
 void find_light_patches(const PreparedLight& light, const Receiver& receiver,
                         std::vector<LightPatch>& patches);
 

@@ -15,7 +15,7 @@ std::vector<PreparedLight> prepared_by(std::span<const Light> lights, LightRule 
   return prepared;
 }
 
-/// Whether a light's own part is painted by a texture.
+/// Returns whether a texture varies the emission of a light's own part.
 bool patterned(const World& world, const Light& light) {
   if (light.own_part < 0) return false;
   const Part& part = world.parts[static_cast<std::size_t>(light.own_part)];
@@ -47,7 +47,7 @@ Lighting prepare_lighting(const World& world, std::vector<Light> lights) {
   lighting.shows_even_light = parts_that_show(world, lights);
   for (const LightRule rule : {LightRule::physical, LightRule::published})
     lighting.by_rule[static_cast<std::size_t>(rule)] = prepared_by(lights, rule);
-  // Where the intersections are does not depend on the rule.
+  // The intersections do not depend on the rule.
   const LightIntersections intersections =
       find_light_intersections(world, lighting.prepared(LightRule::physical));
   const std::vector<bool> entered =

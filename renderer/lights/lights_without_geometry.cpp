@@ -49,7 +49,7 @@ bool holds(const PreparedLight& light, glm::dvec3 p) {
 
 std::vector<glm::dvec3> circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
   std::vector<glm::dvec3> points;
-  // Through the middle of the arcs and chords' distance, so that the area is the circle's.
+  // Half way between arcs and chords, so that the area is the circle's.
   const double step = 2.0 * std::numbers::pi / circle_points;
   const double wider = std::sqrt(step / std::sin(step));
   for (int i = 0; i < circle_points; ++i)
@@ -87,7 +87,7 @@ std::optional<LightHit> meet_light(const PreparedLight& light, const Ray& ray) {
     const double along = glm::dot(to_middle, direction);
     const double under =
         light.radius * light.radius - glm::dot(to_middle, to_middle) + along * along;
-    // From within nothing of the ball is seen.
+    // From inside, the ball is invisible.
     if (!(under > 0.0)) return std::nullopt;
     t = along - std::sqrt(under);
   } else if (light.shape == LightShape::polygon || light.shape == LightShape::disk) {

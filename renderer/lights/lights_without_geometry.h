@@ -13,33 +13,34 @@
 
 namespace asos {
 
-/// Lights of some area that no surface of the world shows, by index: rays for
-/// the viewer go through them, but what is mirrored shows them, for they are its highlights (CGF'98
-/// section 5.1). A light is shown by its own part, and by an emissive stand-in around its middle.
+/// Indices of lights with an area that no surface of the world shows. Rays of the viewer pass
+/// through them, but reflections contain them as highlights (CGF'98 section 5.1). A surface that
+/// shows a light is its own part, or an emissive stand-in around its centre.
 using LightsWithoutGeometry = std::vector<std::uint32_t>;
 [[nodiscard]] LightsWithoutGeometry find_lights_without_geometry(const World& world,
                                                                  std::span<const Light> lights);
 
-/// Whether a part that shows a light of the file shows this one.
+/// Returns whether a part that shows a light of the file shows this one.
 [[nodiscard]] bool stands_in(const Part& part, const Light& light);
 
-/// Where a ray meets a light, and the radiance that it sends back.
+/// Where a ray hits a light, and the radiance towards the ray's origin.
 struct LightHit {
   float t = 0.0f;
   glm::vec3 radiance{0.0f};
 };
-/// Between the ray's ends, on the side that shines; nothing for lights without an area.
+/// Returns the hit between the ray's ends, on the emitting side; nothing for lights without an
+/// area.
 [[nodiscard]] std::optional<LightHit> meet_light(const PreparedLight& light, const Ray& ray);
 
-/// The outlines of such a light as seen from `apex`, or from infinitely far towards `direction`:
-/// closed chains of points. Circles have `circle_points` of them.
+/// Returns the outlines of such a light as seen from `apex`, or from infinity towards `direction`,
+/// as closed chains of points. Circles have `circle_points` of them.
 inline constexpr int circle_points = 128;
 [[nodiscard]] std::vector<std::vector<glm::dvec3>> light_outlines(const PreparedLight& light,
                                                                   std::optional<glm::dvec3> apex,
                                                                   glm::dvec3 direction);
 
-/// Whether a cone may show some of a light with an area, from its apex: by the ball around the
-/// light. `axis` is unit, the angle to the cone's side in radians. Conservative.
+/// Returns whether a cone may contain part of a light with an area, by the ball around the light.
+/// `axis` is unit, and the half angle is in radians. Conservative.
 [[nodiscard]] bool may_show(const PreparedLight& light, glm::dvec3 apex, glm::dvec3 axis,
                             double half_angle);
 

@@ -6,15 +6,15 @@
 namespace asos {
 namespace {
 
-/// A line relative to a receiver: the point foot + s along, where `along` is unit and `foot` is the
-/// line's nearest point, at the distance `height`. With psi the angle from the foot,
-/// s = height tan(psi).
+/// A line relative to a receiver: the point foot + s along. `along` is unit, and `foot` is the
+/// line's nearest point, at the distance `height`. With the angle psi from the foot, s = height
+/// tan(psi).
 struct Line {
   glm::dvec3 foot, along;
   double height;
 };
 
-/// x - sin(x), without a difference of near numbers for a small x.
+/// Returns x - sin(x), without a difference of nearly equal numbers for a small x.
 double less_sine(double x) {
   if (std::abs(x) > 0.5) return x - std::sin(x);
   const double x2 = x * x;
@@ -24,7 +24,7 @@ double less_sine(double x) {
               (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0 * (1.0 - x2 / 110.0 * (1.0 - x2 / 156.0)))));
 }
 
-/// Cuts s0..s1 to where foot_height + s slope > 0. False: nothing is left.
+/// Cuts s0..s1 to where foot_height + s slope > 0. Returns false if nothing is left.
 bool cut(double foot_height, double slope, double& s0, double& s1) {
   const double begin = foot_height + s0 * slope;
   const double end = foot_height + s1 * slope;
@@ -35,9 +35,9 @@ bool cut(double foot_height, double slope, double& s0, double& s1) {
   return s0 < s1;
 }
 
-/// The integral of height (foot_cos height + along_cos s) / d^4 ds with d^2 = height^2 + s^2:
-/// (foot_cos (D + sin D cos S) + along_cos sin D sin S) / (2 height), where D is the difference of
-/// the ends' psi and S is their sum.
+/// Returns the integral of height (foot_cos height + along_cos s) / d^4 ds with d^2 = height^2 +
+/// s^2. It is (foot_cos (D + sin D cos S) + along_cos sin D sin S) / (2 height), where D is the
+/// difference of the ends' psi and S is their sum.
 double lambertian_form(double height, double foot_cos, double along_cos, double s0, double s1) {
   const double d0 = std::hypot(height, s0);
   const double d1 = std::hypot(height, s1);
@@ -47,7 +47,7 @@ double lambertian_form(double height, double foot_cos, double along_cos, double 
   const double cosine_sum = (height * height - s0 * s1) / product;
   const double sine_sum = height / d0 * ((s0 + s1) / d1);
   const double angle = std::atan2(height * (s1 - s0), height * height + s0 * s1);
-  // Seen along the line S is near pi: 1 + cos S is then found from the ends themselves.
+  // For a view along the line S is near pi, so 1 + cos S is computed from the ends themselves.
   const double one_more =
       s0 * s1 > 0.0 ? height * height / product *
                           (1.0 + (height * height + s0 * s0 + s1 * s1) / (product + s0 * s1))
@@ -56,7 +56,7 @@ double lambertian_form(double height, double foot_cos, double along_cos, double 
          (2.0 * height);
 }
 
-/// The integral of (foot_cos height + along_cos s) / d^3 ds.
+/// Returns the integral of (foot_cos height + along_cos s) / d^3 ds.
 double even_form(double height, double foot_cos, double along_cos, double s0, double s1) {
   const double d0 = std::hypot(height, s0);
   const double d1 = std::hypot(height, s1);
@@ -79,7 +79,7 @@ double line_form(glm::dvec3 begin, glm::dvec3 end, bool lambertian, const Receiv
   const double length = glm::length(end - begin);
   if (!(length > 0.0)) return 0.0;
   const glm::dvec3 along = (end - begin) / length;
-  // From the nearer end: the farther one may be so far that it spoils the foot's digits.
+  // Start at the nearer end, since the other may be so far that the foot would lose digits.
   const glm::dvec3 from_begin = begin - receiver.position;
   const glm::dvec3 from_end = end - receiver.position;
   const bool begin_nearer = glm::dot(from_begin, from_begin) < glm::dot(from_end, from_end);

@@ -8,11 +8,11 @@
 
 namespace asos {
 
-/// A polygon, concave or with holes, cut into rows at the heights of its corners and the rows into
-/// trapezoids: a map from the unit square onto its inside that keeps areas.
+/// A polygon, concave or with holes, cut into rows at the heights of its corners, and the rows into
+/// trapezoids. It gives an area-preserving map from the unit square onto its inside.
 struct PolygonRows {
   struct Row {
-    double y0 = 0.0;  ///< from y0 up to y1
+    double y0 = 0.0;  ///< from y0 to y1
     double y1 = 0.0;
     double width0 = 0.0;  ///< summed over its trapezoids, at y0 and at y1
     double width1 = 0.0;
@@ -32,8 +32,9 @@ struct PolygonRows {
   /// The inside is where an odd number of the closed outlines' sides lie to the left.
   [[nodiscard]] static PolygonRows of(std::span<const std::vector<glm::dvec2>> outlines);
 
-  /// v in 0..1 chooses the height by area, u in 0..1 the place across the inside at that height:
-  /// neighbours stay neighbours, but for u across a notch or a hole. The area must not be 0.
+  /// Returns the point for v in 0..1, which selects the height by area, and u in 0..1, which
+  /// selects the place across the inside at that height. Neighbours stay neighbours, except for u
+  /// across a notch or a hole. The area must not be 0.
   [[nodiscard]] glm::dvec2 point(double u, double v) const;
 };
 

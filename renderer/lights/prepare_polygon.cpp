@@ -11,7 +11,7 @@ namespace {
 
 using Outline2 = std::vector<glm::dvec2>;
 
-/// Twice the area times the unit normal (Newell), counter-clockwise around it.
+/// Returns twice the area times the unit normal (Newell), counter-clockwise around it.
 glm::dvec3 twice_area(const std::vector<glm::dvec3>& outline) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 1; i + 1 < outline.size(); ++i)
@@ -19,7 +19,7 @@ glm::dvec3 twice_area(const std::vector<glm::dvec3>& outline) {
   return sum;
 }
 
-/// The square of the longest distance from the first corner.
+/// Returns the square of the longest distance from the first corner.
 double extent2(const std::vector<glm::dvec3>& outline) {
   double result = 0.0;
   for (const glm::dvec3& corner : outline) {
@@ -50,7 +50,7 @@ bool contains(const Outline2& outline, glm::dvec2 p) {
   return inside;
 }
 
-/// Whether more of the inner outline's corners lie inside than not: some may lie on the outer one.
+/// Returns whether most of the inner outline's corners lie inside; some may lie on the outer one.
 bool surrounds(const Outline2& outer, const Outline2& inner) {
   const auto count = std::count_if(inner.begin(), inner.end(),
                                    [&](glm::dvec2 corner) { return contains(outer, corner); });
@@ -74,8 +74,8 @@ TurnedBox box_along(const Outline2& corners, glm::dvec2 axis) {
   return box;
 }
 
-/// The direction of a side along which the box is smallest: the smallest rectangle around a set of
-/// points has a side along one of their hull (Freeman and Shapira 1975).
+/// Returns the direction of a side along which the box is smallest. The smallest rectangle around a
+/// set of points has a side along one of their hull's (Freeman and Shapira 1975).
 glm::dvec2 best_axis(const std::vector<Outline2>& outlines) {
   Outline2 corners;
   for (const Outline2& outline : outlines)
@@ -88,7 +88,7 @@ glm::dvec2 best_axis(const std::vector<Outline2>& outlines) {
       const double length = glm::length(side);
       if (!(length > 0.0)) continue;
       const double area = box_along(corners, side / length).area();
-      // A clear gain only: equal boxes must not be distinguished by rounding.
+      // Require a clear gain, since rounding must not decide between equal boxes.
       if (!(area < smallest * (1.0 - 1e-9))) continue;
       smallest = area;
       best = side / length;
@@ -97,7 +97,7 @@ glm::dvec2 best_axis(const std::vector<Outline2>& outlines) {
   return best;
 }
 
-/// Outer outlines counter-clockwise, those inside an odd number of others clockwise.
+/// Orients outer outlines counter-clockwise and those inside an odd number of others clockwise.
 void turn_the_right_way(std::vector<Outline2>& outlines) {
   std::vector<bool> hole(outlines.size(), false);
   for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -120,7 +120,7 @@ bool prepare_polygon(const std::vector<std::vector<glm::dvec3>>& outlines, glm::
   for (const std::vector<glm::dvec3>& outline : outlines) {
     const glm::dvec3 area = twice_area(outline);
     const double length = glm::length(area);
-    // Corners on one line enclose what they were rounded by.
+    // The area of corners on one line is a rounding error.
     if (!(length > 1e-13 * extent2(outline)) || !(length > glm::length(largest))) continue;
     largest = area;
     origin = outline[0];

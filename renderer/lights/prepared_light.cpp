@@ -15,8 +15,8 @@ namespace {
 using std::numbers::pi;
 using LightShape = PreparedLight::Shape;
 
-/// power / measure, if that is a number that a float holds. False, with nothing changed: the light
-/// is too small for that and counts as one of no size.
+/// Divides power by measure if the result fits a float. Returns false, without any change, if the
+/// light is too small for that; then it counts as a point light.
 bool spread(glm::vec3& power, double measure) {
   const glm::vec3 spread_power(glm::dvec3(power) / measure);
   const float sum = spread_power.x + spread_power.y + spread_power.z;
@@ -34,7 +34,7 @@ void prepare_ball(const Light& light, PreparedLight& prepared) {
     prepared.cone_scale = scale;
     prepared.cone_offset = -cos_outer * scale;
   }
-  // A ball of radiance L shows a disk of radius r from everywhere: L pi r^2 candela.
+  // A ball of radiance L looks like a disk of radius r from everywhere: L pi r^2 candela.
   if (light.radius > 0.0 && spread(prepared.power, pi * light.radius * light.radius)) {
     prepared.shape = LightShape::ball;
     prepared.radius = light.radius;
@@ -44,7 +44,7 @@ void prepare_ball(const Light& light, PreparedLight& prepared) {
 void prepare_sun(const Light& light, PreparedLight& prepared) {
   prepared.shape = LightShape::distant;
   if (!(light.angular_diameter_rad > 0.0)) return;
-  // A surface that faces a disk of half angle a and radiance L gets L pi sin^2 a.
+  // A surface that faces a disk of half angle a and radiance L receives L pi sin^2 a.
   const double sine = std::sin(0.5 * light.angular_diameter_rad);
   if (!spread(prepared.power, pi * sine * sine)) return;
   prepared.shape = LightShape::sun;
@@ -52,7 +52,7 @@ void prepare_sun(const Light& light, PreparedLight& prepared) {
 }
 
 void prepare_segment(const Light& light, PreparedLight& prepared) {
-  if (!spread(prepared.power, 2.0 * glm::length(light.half_u))) return;  // all of it in one point
+  if (!spread(prepared.power, 2.0 * glm::length(light.half_u))) return;  // too short: a point light
   prepared.shape = LightShape::segment;
   prepared.half_u = light.half_u;
 }
@@ -102,7 +102,7 @@ bool prepare_shape(const Light& light, glm::dvec3 direction, PreparedLight& prep
   return prepare_polygon(light.outlines, direction, prepared);
 }
 
-/// Of the light's surface, and of what is rounded to single precision in it.
+/// Returns the thickness of the light's surface and its rounding error in single precision.
 double thickness_of(const PreparedLight& light) {
   constexpr double single_precision = 4.0 * std::numeric_limits<float>::epsilon();
   const glm::dvec3 reach =

@@ -9,10 +9,11 @@
 
 namespace asos {
 
-/// Right, up and back to the viewer for a rig that turns with a camera about +Y.
+/// Returns right, up and back to the viewer for default lights that turn with a camera about +Y.
 [[nodiscard]] inline glm::dmat3 rig_axes(const Camera& camera) {
   const glm::dmat4& m = camera.world_from_camera;
-  // A camera that looks straight down or up has no "behind" on the ground: its up vector stands in.
+  // A camera that looks straight down or up has no "behind" on the ground, so its up vector is
+  // used.
   glm::dvec3 back(m[2].x, 0.0, m[2].z);
   if (!(glm::length(back) > 1e-3)) back = {-m[1].x, 0.0, -m[1].z};
   if (!(glm::length(back) > 1e-3)) back = {0.0, 0.0, 1.0};
@@ -21,8 +22,8 @@ namespace asos {
   return {glm::cross(up, back), up, back};
 }
 
-/// A one-sided rectangle of 1 nit that casts shadows; `direction` is unit, `right` any vector not
-/// along it, which its first sides follow.
+/// Returns a one-sided rectangle of 1 nit that casts shadows. `direction` is unit. `right` is any
+/// vector not parallel to it; the first sides follow it.
 [[nodiscard]] inline Light rig_rectangle(const char* name, glm::dvec3 middle, glm::dvec3 direction,
                                          glm::dvec3 right, double half_width, double half_height) {
   Light light;
@@ -36,7 +37,7 @@ namespace asos {
   return light;
 }
 
-/// The irradiance that a light of 1 nit gives to a surface with nothing between.
+/// Returns the unshadowed irradiance of a surface from a light of 1 nit.
 [[nodiscard]] inline double irradiance_of_unit(const Light& light, glm::dvec3 position,
                                                glm::dvec3 normal) {
   return unshadowed_irradiance(prepare_light(light), Receiver{position, normal, normal}).x;

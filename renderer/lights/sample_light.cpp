@@ -16,7 +16,8 @@ using LightShape = PreparedLight::Shape;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// The unit square onto the unit disk, areas kept and neighbours with them (Shirley and Chiu 1997).
+/// Maps the unit square onto the unit disk. Preserves areas and neighbourhoods (Shirley and Chiu
+/// 1997).
 glm::dvec2 concentric(double u, double v) {
   const double a = 2.0 * u - 1.0;
   const double b = 2.0 * v - 1.0;
@@ -27,10 +28,10 @@ glm::dvec2 concentric(double u, double v) {
   return {r * std::cos(angle), r * std::sin(angle)};
 }
 
-/// A direction within the cone about `axis`, by solid angle; one_less_cosine is 1 - cos of the
-/// cone's half angle.
+/// Returns a direction within the cone about `axis`, uniform by solid angle. one_less_cosine is 1 -
+/// cos of the cone's half angle.
 glm::dvec3 in_cone(glm::dvec3 axis, double one_less_cosine, double u, double v) {
-  // The cap above 1 - cos goes with the square of the disk's radius, as the disk's area does.
+  // 1 - cos of a cap is proportional to the disk's squared radius, and so is the disk's area.
   const glm::dvec2 p = concentric(u, v);
   const double drop = std::min(1.0, glm::dot(p, p)) * one_less_cosine;
   const double stretch = std::sqrt((2.0 - drop) * one_less_cosine);
@@ -45,7 +46,7 @@ LightSample no_light(glm::dvec3 to_point) {
   return sample;
 }
 
-/// A point of a flat light, for a measure of area.
+/// Returns a sample of a flat light that was chosen by area.
 LightSample area_sample(const PreparedLight& light, const Receiver& receiver, glm::dvec3 to_point) {
   LightSample sample = no_light(to_point);
   const double height = -glm::dot(to_point, light.towards);
@@ -64,7 +65,7 @@ LightSample rectangle_sample(const PreparedLight& light, const Receiver& receive
   if (light.faces(height)) {
     const std::array horizons{receiver.geometric, receiver.normal};
     const SphericalRectangle rectangle(middle, light.half_u, light.half_v, horizons);
-    // A smaller one has too few digits, and from afar the area does as well.
+    // Smaller solid angles have too few digits, and sampling by area is as good at that distance.
     constexpr double least = 1e-5;
     if (rectangle.solid_angle() > least) {
       LightSample sample = no_light(rectangle.point(u, v));
@@ -108,7 +109,8 @@ LightSample sun_sample(const PreparedLight& light, const Receiver& receiver, dou
   return cone_sample(light, receiver, light.towards, sine * sine / (1.0 + cosine), u, v);
 }
 
-/// Inside of the ball light comes from everywhere: by the cosine to the receiver's normal.
+/// Samples a ball from the inside, where light arrives from all directions, by the cosine to the
+/// receiver's normal.
 LightSample inside_sample(const PreparedLight& light, const Receiver& receiver,
                           glm::dvec3 to_middle, double u, double v) {
   const glm::dvec2 p = concentric(u, v);
@@ -133,7 +135,7 @@ LightSample ball_sample(const PreparedLight& light, const Receiver& receiver, do
   const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
   LightSample sample =
       cone_sample(light, receiver, to_middle / distance, sine * sine / (1.0 + cosine), u, v);
-  // To the near side of the ball; at its rim the root rounds to either side of 0.
+  // Choose the near side of the ball. At its rim the root rounds to either side of 0.
   const double along = glm::dot(sample.direction, to_middle);
   const glm::dvec3 beside = to_middle - along * sample.direction;
   sample.distance =
@@ -141,8 +143,8 @@ LightSample ball_sample(const PreparedLight& light, const Receiver& receiver, do
   return sample;
 }
 
-/// By the angle at the receiver (Kulla and Fajardo 2012, "equi-angular"), which takes up the
-/// distance's square.
+/// Samples a segment by the angle at the receiver (Kulla and Fajardo 2012, "equi-angular"), which
+/// cancels the squared distance.
 LightSample segment_sample(const PreparedLight& light, const Receiver& receiver, double u) {
   const glm::dvec3 to_middle = light.position - receiver.position;
   const double half = glm::length(light.half_u);
@@ -154,7 +156,7 @@ LightSample segment_sample(const PreparedLight& light, const Receiver& receiver,
   const double angle = std::atan2(height * 2.0 * half, height * height + s0 * s1);
 
   double s = s0 + 2.0 * half * u;
-  double measure = 2.0 * half;  // ds / du over the distance's square, times that square
+  double measure = 2.0 * half;  // ds / du over the squared distance, times that square
   if (angle > 1e-4) {
     s = std::clamp(height * std::tan(std::atan2(s0, height) + u * angle), s0, s1);
     measure = angle / height * (height * height + s * s);

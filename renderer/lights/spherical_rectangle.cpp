@@ -10,7 +10,7 @@ using std::numbers::pi;
 
 namespace {
 
-// Of the interval, what may have a positive slope t + rest, unless that is nothing.
+// Clips the interval to where the line slope t + rest is positive, unless nothing would be left.
 void keep_positive(double slope, double rest, double& low, double& high) {
   const double end = -rest / slope;
   if (!(end > low && end < high)) return;
@@ -39,8 +39,8 @@ SphericalRectangle::SphericalRectangle(glm::dvec3 middle, glm::dvec3 half_u, glm
   y1_ = y + v;
   for (const glm::dvec3& normal : horizons) keep_above(normal);
 
-  // The z of the unit normals of the planes through the point and a side, and the angles between
-  // neighbouring planes.
+  // Compute the z of the unit normals of the planes through the point and a side, and the angles
+  // between neighbouring planes.
   const double n0 = -y0_ / std::sqrt(z_ * z_ + y0_ * y0_);
   const double n1 = x1_ / std::sqrt(z_ * z_ + x1_ * x1_);
   const double n2 = y1_ / std::sqrt(z_ * z_ + y1_ * y1_);
@@ -61,7 +61,7 @@ void SphericalRectangle::keep_above(glm::dvec3 normal) {
 glm::dvec3 SphericalRectangle::point(double u, double v) const {
   const double angle = u * solid_angle_ + k_;
   const double sine = std::sin(angle);
-  // The end of a rectangle that fills half of all directions would be 0 over 0.
+  // At the end of a rectangle that fills half of all directions, the quotient would be 0 / 0.
   const double at_end = u < 0.5 ? -0.0 : 0.0;
   const double f = sine != 0.0 ? (std::cos(angle) * b0_ - b1_) / sine : at_end;
   const double c = std::clamp(std::copysign(1.0 / std::sqrt(f * f + b0_ * b0_), f), -1.0, 1.0);

@@ -25,7 +25,7 @@ Sphere sphere_around(const Box& bounds) {
   return {0.5 * (lo + hi), radius > 0.0 ? radius : 1.0};
 }
 
-/// `towards` the light, as (right, up, back to the viewer).
+/// `towards` is the direction to the light as (right, up, back to the viewer).
 Light studio_light(const char* name, const glm::dmat3& world_from_rig, const Sphere& scene,
                    glm::dvec3 towards, double radiance) {
   const glm::dvec3 to_light = glm::normalize(world_from_rig * towards);
@@ -52,7 +52,7 @@ std::vector<Light> studio_rig(const Camera& camera, const Box& bounds) {
 }
 
 bool reached(const Light& light, const SeenPoint& point, const FreeDistance& free_distance) {
-  // Clear of the surface by what single precision leaves of its place.
+  // Start clear of the surface, beyond the rounding error of the position.
   const glm::dvec3 from =
       point.position + 1e-4 * glm::distance(point.eye, point.position) * point.normal;
   const glm::dvec3 to_light = light.position - from;

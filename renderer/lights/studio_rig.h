@@ -8,51 +8,52 @@
 #include <span>
 #include <vector>
 
-// Lights for a scene that has none of its own. They turn with the camera about +Y and not with its
-// pitch, so that "above" stays above. With the sky's ambient light a white diffuse surface comes
-// near white and stays below it.
+// Default lighting for a scene without lights of its own. It turns with the camera about +Y and not
+// with its pitch, so that "above" stays above. Together with the sky's ambient light, a white
+// diffuse surface is almost white.
 
 namespace asos {
 
-/// The radiance that a white diffuse surface of unit albedo reflects of a light of the rig that it
+/// The radiance that a white diffuse surface of unit albedo reflects of a default light that it
 /// faces.
 inline constexpr double key_radiance = 0.60;
 inline constexpr double fill_radiance = 0.16;
 
-/// As in a small studio: a key light from the upper left in front and a fill light from the right,
-/// one-sided squares that face the middle of the bounding sphere. Both are 12 of its radii away and
-/// half as wide as that, for soft shadows and nearly even light: a surface half a radius nearer
-/// than the middle gets the radiances above, the nearest of all 1.1 times as much, the farthest
-/// 0.7. Bounds that are empty or a point count as a sphere of radius 1.
+/// Returns the lights of a small studio: a key light from the upper left in front and a fill light
+/// from the right, one-sided squares that face the centre of the bounding sphere. Both are 12 of
+/// its radii away and half as wide as that, for soft shadows and nearly even light. A surface half
+/// a radius nearer than the centre has the radiances above, the nearest one 1.1 times as much, and
+/// the farthest 0.7. Bounds that are empty or a point count as a sphere of radius 1.
 [[nodiscard]] std::vector<Light> studio_rig(const Camera& camera, const Box& bounds);
 
 /// A point of a surface that the camera sees.
 struct SeenPoint {
-  glm::dvec3 eye{0.0};  ///< where its eye ray starts
+  glm::dvec3 eye{0.0};  ///< start of its eye ray
   glm::dvec3 position{0.0};
-  glm::dvec3 normal{0, 1, 0};  ///< unit, to the viewer's side
+  glm::dvec3 normal{0, 1, 0};  ///< unit, on the viewer's side
 };
 
-/// How far light goes from a point in a unit direction before a surface blocks it; or infinity.
+/// Returns the distance from a point in a unit direction to the first surface that blocks light, or
+/// infinity.
 using FreeDistance = std::function<double(glm::dvec3 from, glm::dvec3 direction)>;
 
-/// Whether the point faces the middle of a light with nothing between.
+/// Returns whether the point faces the centre of a light with nothing in between.
 [[nodiscard]] bool reached(const Light& light, const SeenPoint& point,
                            const FreeDistance& free_distance);
 
-/// The share of the points, 0 to 1, that one of the lights reaches.
+/// Returns the fraction of the points, 0 to 1, that one of the lights reaches.
 [[nodiscard]] double reached_share(std::span<const Light> lights, std::span<const SeenPoint> seen,
                                    const FreeDistance& free_distance);
 
-/// For what is seen of an interior, which walls shut off from a studio's lights: a key light that
-/// faces down from below the ceiling and a fill light near the viewer that faces what is seen. Both
-/// stay clear of walls, hang over, or on, the free stretch of the eye ray to one of nine seen
-/// points (that whose key light reaches most of the others), and are up to half as wide as the
-/// floor, or that point, is far. A light gives the radiances above to what lies straight
-/// ahead of it, or less, so that of the seen points that it reaches a tenth may get more. A viewer
-/// who looks in from outside, through walls that are not seen from behind, has the studio's fill
-/// light instead, which casts no shadows then: it reaches all rooms as the eye does. `seen` must
-/// not be empty.
+/// Returns default lighting for a view of an interior, where walls block a studio's lights. A key
+/// light faces down from below the ceiling, and a fill light near the viewer faces the visible
+/// points. Both stay clear of walls. They are above, or on, the free part of the eye ray to one of
+/// nine visible points: the one whose key light reaches most of the others. Their width is up to
+/// half the distance of the floor, or of that point. A light gives at most the radiances above to
+/// the surface straight ahead. It is dimmer if needed, so that at most a tenth of the visible
+/// points that it reaches get more. A viewer outside, who looks in through walls that are invisible
+/// from behind, has the studio's fill light instead, without shadows, so that it reaches all
+/// visible rooms. `seen` must not be empty.
 [[nodiscard]] std::vector<Light> interior_rig(const Camera& camera, const Box& bounds,
                                               std::span<const SeenPoint> seen,
                                               const FreeDistance& free_distance);

@@ -16,21 +16,21 @@
 namespace asos {
 namespace {
 
-// Squares along either side of a light's rectangle, and samples along either side of each square.
+// Squares along each side of a light's rectangle, and samples along each side of a square.
 constexpr int squares = 64;
 constexpr int samples = 3;
-// A light of more triangles is left whole.
+// A light with more triangles is not divided.
 constexpr std::size_t most_triangles_painted = 256;
-// Corners of the polygon that stands for a disk.
+// Corners of the polygon that replaces a disk.
 constexpr int corners_of_disk = 32;
-// Emission that varies by less than this share of its mean square is even.
+// Emission that varies by less than this fraction of its mean square is even.
 constexpr double even_share = 1e-3;
-// A block with less than this share of the power gives no light.
+// A block with less than this fraction of the power gives no light.
 constexpr double negligible_power = 1e-4;
-// A block that lies inside the outline by less than this share gives none, either.
+// Neither does a block with less than this fraction inside the outline.
 constexpr double smallest_part = 1e-6;
 
-/// A part of a light's rectangle: squares from `begin` on and before `end`.
+/// A part of a light's rectangle: the squares from `begin` up to, but not including, `end`.
 struct Block {
   std::array<int, 2> begin{0, 0};
   std::array<int, 2> end{squares, squares};
@@ -40,7 +40,7 @@ struct Block {
 
 /// Sums over squares.
 struct EmissionSums {
-  double weight = 0.0;  ///< of what lies on a triangle
+  double weight = 0.0;  ///< of the part on triangles
   glm::dvec3 radiance{0.0};
   double square = 0.0;
 
@@ -52,17 +52,17 @@ struct EmissionSums {
     weight -= o.weight, radiance -= o.radiance, square -= o.square;
     return *this;
   }
-  /// What the mean leaves of the squares.
+  /// Returns the variance of the squares about their mean.
   [[nodiscard]] double left() const {
     return weight > 0.0 ? std::max(0.0, square - glm::dot(radiance, radiance) / weight) : 0.0;
   }
 };
 
-/// The rectangle around a flat light.
+/// The bounding rectangle of a flat light.
 struct PaintedFrame {
   glm::dvec3 position{0.0}, half_u{1, 0, 0}, half_v{0, 1, 0};
 
-  /// From -1 to 1 inside.
+  /// Returns coordinates from -1 to 1 inside.
   [[nodiscard]] glm::dvec2 place_of(glm::dvec3 p) const {
     const glm::dvec3 from = p - position;
     return {glm::dot(from, half_u) / glm::dot(half_u, half_u),
@@ -84,7 +84,7 @@ class PlacedTriangle {
     area_ = first_.x * second_.y - first_.y * second_.x;
   }
 
-  /// The weights of its second and third corner where it holds a place.
+  /// Returns the weights of its second and third corner at a place inside.
   [[nodiscard]] std::optional<glm::dvec2> holds(glm::dvec2 at) const {
     const glm::dvec2 d = at - corner_;
     const double b1 = (d.x * second_.y - d.y * second_.x) / area_;
@@ -101,7 +101,7 @@ class PlacedTriangle {
   double area_;
 };
 
-/// A summed table of the emission of a light's rectangle.
+/// A summed-area table of the emission of a light's rectangle.
 class EmissionTable {
  public:
   EmissionTable() = default;
@@ -156,7 +156,7 @@ class EmissionTable {
   std::vector<EmissionSums> sums_;
 };
 
-/// The cut of a block that leaves the least variance.
+/// The cut of a block with the least variance.
 struct Cut {
   Block first, second;
   double saved = 0.0;
@@ -176,7 +176,8 @@ Cut best_cut(const EmissionTable& table, const Block& block) {
   return best;
 }
 
-/// The direction in a triangle's plane in which its texture changes across columns; 0: none.
+/// Returns the direction in a triangle's plane in which its texture changes across columns; 0:
+/// none.
 glm::dvec3 texture_axis(const World& world, std::uint32_t triangle) {
   const Material& m = world.material_of(triangle);
   const TextureUse& use = m.emissive_texture.used() ? m.emissive_texture : m.base_color_texture;
@@ -197,7 +198,7 @@ glm::dvec3 texture_axis(const World& world, std::uint32_t triangle) {
   return length > 0.0 && std::isfinite(length) ? axis / length : glm::dvec3(0.0);
 }
 
-/// The outline of a polygon or a disk; of a rectangle none.
+/// Returns the outline of a polygon or a disk; empty for a rectangle.
 std::vector<glm::dvec3> outline_of(const Light& light) {
   if (light.type == Light::Type::polygon) return light.outlines.front();
   if (light.type != Light::Type::disk) return {};
@@ -210,7 +211,7 @@ std::vector<glm::dvec3> outline_of(const Light& light) {
   return outline;
 }
 
-/// The rectangle around an outline, along its texture where it has one.
+/// Returns the bounding rectangle of an outline, along its texture if it has one.
 PaintedFrame frame_of(const Light& light, std::span<const glm::dvec3> outline, glm::dvec3 axis) {
   if (outline.empty()) return {light.position, light.half_u, light.half_v};
   const glm::dvec3 normal = glm::normalize(light.direction);
@@ -229,8 +230,8 @@ PaintedFrame frame_of(const Light& light, std::span<const glm::dvec3> outline, g
 
 using FlatOutline = std::vector<glm::dvec2>;
 
-/// The part of an outline on one side of a line along an axis (Sutherland and Hodgman 1974). If it
-/// falls apart, the sides along the line that join its pieces cancel.
+/// Returns the part of an outline on one side of a line along an axis (Sutherland and Hodgman
+/// 1974). If it has several pieces, the sides along the line that connect them cancel.
 FlatOutline cut_off(const FlatOutline& outline, int axis, double at, double sign) {
   FlatOutline kept;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -254,7 +255,7 @@ double area_of(const FlatOutline& outline) {
   return 0.5 * std::abs(twice);
 }
 
-/// A flat light with the table of its emission, in the frame around it.
+/// A flat light with the table of its emission, in its bounding rectangle.
 struct PaintedLight {
   PaintedLight(const World& world, EmissionAt emission, std::span<const EmitterTriangle> triangles,
                const FlatEmitter& emitter)
@@ -270,7 +271,7 @@ struct PaintedLight {
     scale = glm::length(frame.half_u) * glm::length(frame.half_v);
   }
 
-  /// The light of a block, without its strength; none where the outline leaves it out.
+  /// Returns the light of a block, without its strength; none if the outline excludes it.
   [[nodiscard]] std::optional<Light> part(const Block& block) const {
     glm::dvec2 lo, hi;
     for (int k = 0; k < 2; ++k) {
@@ -301,19 +302,19 @@ struct PaintedLight {
 
   Light light;
   PaintedFrame frame;
-  FlatOutline outline;  ///< in the frame; empty: all of it
+  FlatOutline outline;  ///< in the frame; empty: the whole frame
   EmissionTable table;
   double scale = 1.0;  ///< area of a unit of the frame
 };
 
-/// A block of one of several lights, and how it may be cut.
+/// A block of one of several lights, and its best cut.
 struct PaintedBlock {
   std::size_t light = 0;
   Block block;
   Cut cut;
 };
 
-/// Repeatedly cuts the block whose best cut saves most variance.
+/// Repeatedly cuts the block whose best cut reduces the variance most.
 std::vector<PaintedBlock> blocks_of(std::span<const PaintedLight> lights, std::size_t most) {
   const auto block_of = [&](std::size_t i, const Block& block) {
     Cut cut = best_cut(lights[i].table, block);

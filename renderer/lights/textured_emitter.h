@@ -10,19 +10,18 @@
 
 namespace asos {
 
-/// A flat light and the triangles that it stands for.
+/// A flat light and the triangles that it represents.
 struct FlatEmitter {
   Light light;
   Piece region;
 };
 
-/// Whether `split_by_texture` can cut it: a rectangle, a disk or a polygon without holes.
+/// Returns whether `split_by_texture` can cut it: a rectangle, a disk or a polygon without holes.
 [[nodiscard]] bool can_be_split(const FlatEmitter& emitter);
 
-/// Flat lights that a texture, or an alpha mask, paints, as up to `most` lights that shine each
-/// with the mean of what it covers: cut by rectangles where that leaves the least variance, by
-/// summed tables of the emission. What is black gives no light. A light that shines evenly stays as
-/// it is.
+/// Divides flat lights with a texture or an alpha mask into up to `most` lights, each with the mean
+/// emission of its area. Cuts along rectangles for the least variance, with summed-area tables of
+/// the emission. Black areas give no light. A light with even emission is not divided.
 [[nodiscard]] std::vector<Light> split_by_texture(const World& world, EmissionAt emission,
                                                   std::span<const EmitterTriangle> triangles,
                                                   std::span<const FlatEmitter> emitters,

@@ -13,8 +13,8 @@
 #include <string>
 #include <utility>
 
-// A struct's members as the fields of a JSON object, both ways by one list of names. Numbers are
-// written so that the same bits are read back.
+// Conversion between a struct's members and the fields of a JSON object, in both directions by one
+// list of names. Numbers are written so that the same bits are read back.
 
 namespace asos {
 
@@ -33,13 +33,13 @@ class FieldWriter {
     OrderedJson& list = json_[key] = OrderedJson::array();
     for (glm::length_t i = 0; i < N; ++i) list.push_back(value[i]);
   }
-  /// One of the names of a table such as leaf_names.
+  /// Writes one of the names of a table such as leaf_names.
   template <typename Names, typename T>
   void named(const char* key, const Names& names, T value) {
     for (const auto& known : names)
       if (known.value == value) json_[key] = known.name;
   }
-  /// Infinity is null.
+  /// Writes infinity as null.
   void unbounded(const char* key, double value) {
     json_[key] = std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
   }
@@ -51,10 +51,10 @@ class FieldWriter {
   OrderedJson json_ = OrderedJson::object();
 };
 
-/// Reads them. All have to be there, and nothing else; the first fault is kept.
+/// Reads members. All have to exist, and nothing else; the first fault is kept.
 class FieldReader {
  public:
-  /// `where` is what errors call the object, which has to outlive the reader.
+  /// `where` is the object's name in errors. The object has to outlive the reader.
   FieldReader(const OrderedJson& object, std::string where)
       : object_(object), where_(std::move(where)) {
     if (!object.is_object()) fault_ = where_ + " is no object";
@@ -112,11 +112,11 @@ class FieldReader {
       number(key, *at, value);
     }
   }
-  /// For fields that need not be there.
+  /// Returns whether an optional field exists.
   [[nodiscard]] bool has(const char* key) const {
     return object_.is_object() && object_.contains(key);
   }
-  /// The field as it is, to be read by other means; null where there is none, which is a fault.
+  /// Returns the field itself, for other readers; null if it does not exist, which is a fault.
   [[nodiscard]] const OrderedJson* take(const char* key) {
     if (!fault_.empty()) return nullptr;
     known_.insert(key);
@@ -125,7 +125,7 @@ class FieldReader {
     fault_ = fmt::format("{} has no \"{}\"", where_, key);
     return nullptr;
   }
-  /// A vector that is not itself a field of the object, such as an element of a list.
+  /// Reads a vector that is not a field of the object, such as an element of a list.
   template <glm::length_t N, typename T, glm::qualifier Q>
   void vector(const char* key, const OrderedJson& json, glm::vec<N, T, Q>& value) {
     if (!json.is_array() || json.size() != static_cast<std::size_t>(N))
@@ -136,7 +136,7 @@ class FieldReader {
     if (fault_.empty()) fault_ = fmt::format("{}: \"{}\" {}", where_, key, fault);
   }
 
-  /// Empty where all was well.
+  /// Returns the first fault; empty if there is none.
   [[nodiscard]] std::string fault() const {
     if (!fault_.empty()) return fault_;
     for (const auto& [key, value] : object_.items())

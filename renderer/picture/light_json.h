@@ -9,9 +9,9 @@
 
 namespace asos {
 
-/// Lights as they are in a World, with all that they have, by the names of their members.
+/// Returns the lights of a World with all members, by their names.
 [[nodiscard]] nlohmann::ordered_json lights_json(const std::vector<Light>& lights);
-/// The error's subject is "lights".
+/// Reads lights. The error's subject is "lights".
 [[nodiscard]] Result<std::vector<Light>> lights_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace asos

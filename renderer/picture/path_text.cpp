@@ -13,7 +13,8 @@ constexpr std::string_view scheme = "file://";
 }  // namespace
 
 std::string text_of_path(std::string_view path) {
-  // What looks like such a text already has to become one, or it would come back as another path.
+  // A path that looks like such a text is converted, too; otherwise it would be read as another
+  // path.
   if (is_utf8(path) && !path.starts_with(scheme)) return std::string(path);
   std::string text(scheme);
   for (const char c : path) {

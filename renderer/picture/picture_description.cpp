@@ -68,7 +68,7 @@ OrderedJson camera_json(const Camera& camera) {
     fields(axis_names[static_cast<std::size_t>(i)], glm::dvec3(camera.world_from_camera[i]));
   fields("fov_y_rad", camera.fov_y_rad);
   fields("height", camera.height);
-  // Told only where there are any, as many cameras have none.
+  // Written only if they exist, since many cameras have none.
   if (camera.near_depth) fields(near_key, *camera.near_depth);
   if (camera.far_depth) fields(far_key, *camera.far_depth);
   if (camera.lens.blurs()) fields.other(lens_key, lens_json(camera.lens));
@@ -96,7 +96,7 @@ std::string read_camera(const OrderedJson& json, Camera& camera) {
   return fault.empty() ? fault : "camera: " + fault;
 }
 
-// Told only where a picture is of some time, likewise.
+// Written only for a picture of some time, likewise.
 constexpr const char* time_key = "animation";
 
 OrderedJson time_json(const ClipTime& time) {
@@ -115,10 +115,10 @@ std::string read_time(const OrderedJson& json, ClipTime& time) {
   return fields.fault();
 }
 
-// Told only where there is a curve: pictures from before there were any are read as ever.
+// Written only if there is a curve, so that older pictures can be read.
 constexpr const char* tone_key = "tone";
 
-// Told only where there is one, likewise.
+// Written only if there is one, likewise.
 constexpr const char* variant_key = "variant";
 constexpr const char* scene_number_key = "scene_number";
 
@@ -130,7 +130,7 @@ void each_display_value(Fields& fields, Display& display) {
   fields("split_dimming", display.split_dimming);
 }
 
-/// Reads what stands in the fields of the whole; returns the first fault.
+/// Reads the fields of the whole description. Returns the first fault.
 std::string read_fields(FieldReader& fields, bool moves, PictureDescription& read) {
   fields("scene", read.scene);
   read.scene = path_of_text(read.scene);
@@ -174,7 +174,7 @@ std::string read_fields(FieldReader& fields, bool moves, PictureDescription& rea
   return fields.fault();
 }
 
-/// Takes the file of the same name in `folder` where `file` is gone; returns a remark then.
+/// If `file` does not exist, uses the file of the same name in `folder` and returns a remark.
 std::string look_beside(const std::filesystem::path& folder, std::string& file) {
   if (file.empty() || file.starts_with("builtin:")) return {};
   std::error_code error;

@@ -8,12 +8,12 @@
 
 namespace asos {
 
-/// The counts of a picture's rendering, but for those by light.
+/// Returns the counts of a picture's rendering, without those by light.
 [[nodiscard]] nlohmann::ordered_json counts_json(const RenderStatistics& counts);
 
-/// The text in a picture's file: the program and the description.
+/// Returns the text in a picture's file: the program and the description.
 [[nodiscard]] ImageText picture_text(const PictureDescription& description);
-/// The same, and `statistics` as JSON.
+/// Returns the same, with `statistics` as JSON.
 [[nodiscard]] ImageText picture_text(const PictureDescription& description,
                                      const nlohmann::ordered_json& statistics);
 

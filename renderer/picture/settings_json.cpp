@@ -12,7 +12,7 @@
 namespace asos {
 namespace {
 
-/// Every setting that has a value of its own; crop, DFR and sky may be absent, and are written
+/// Visits every setting with its own value. Crop, DFR and sky are optional and are written
 /// separately.
 template <typename Fields, typename Settings>
 void each_setting(Fields& fields, Settings& s) {
@@ -47,7 +47,7 @@ void each_setting(Fields& fields, Settings& s) {
   fields("seed", s.seed);
 }
 
-// Only written where they are not as usual: pictures from before there was such a choice have none.
+// Written only if not the default, since older pictures do not have them.
 constexpr const char* sky_shadows_key = "sky_shadows";
 constexpr const char* bounces_key = "bounces";
 constexpr const char* sky_turn_key = "turn_deg";

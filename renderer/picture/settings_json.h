@@ -8,11 +8,11 @@
 
 namespace asos {
 
-/// All settings that a picture depends on, which is all but the number of threads, by the names of
-/// their members; choices by their names on the command line. The sky is "neutral", two colours, or
-/// a file and by how much it is turned.
+/// Returns all settings on which a picture depends, which are all except the number of threads, by
+/// their members' names; choices by their names on the command line. The sky is "neutral", two
+/// colours, or a file with its turn.
 [[nodiscard]] nlohmann::ordered_json settings_json(const RenderSettings& settings);
-/// The same with another sky than theirs.
+/// Returns the same with another sky.
 [[nodiscard]] nlohmann::ordered_json settings_json(const RenderSettings& settings,
                                                    const SkyChoice& sky);
 
@@ -20,7 +20,7 @@ struct DescribedSettings {
   RenderSettings settings;  ///< `validated`; the sky is not made yet
   SkyChoice sky;
 };
-/// Reads back what settings_json wrote. The error's subject is "settings".
+/// Reads the result of settings_json. The error's subject is "settings".
 [[nodiscard]] Result<DescribedSettings> settings_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace asos

@@ -21,11 +21,11 @@ void BoundaryFeatures::work(const Search& search, const std::stop_token& stop) {
   try {
     features_ = search(stop);
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    // Under the mutex, or who is about to wait would miss it.
+    // Under the mutex; otherwise a thread about to wait would miss it.
     const std::lock_guard lock(mutex_);
     known_.store(&features_, std::memory_order_release);
   } catch (const SearchStopped&) {
-    return;  // nobody is left who could ask
+    return;  // nobody is left to ask
   } catch (...) {
     const std::lock_guard lock(mutex_);
     failure_ = std::current_exception();

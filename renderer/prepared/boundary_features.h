@@ -13,36 +13,38 @@
 
 namespace asos {
 
-/// The boundaries of a scene, which a thread of its own finds while the scene is already seen by
-/// its rays: finding them takes several times longer than building the rays' hierarchy, and one
-/// sample a pixel needs none. Like a future that can be asked from any number of threads. The
+/// The boundaries of a scene, which a separate thread finds while rays can already render the
+/// scene. Finding them takes several times longer than building the rays' hierarchy, and one sample
+/// per pixel does not need them. Works like a future that any number of threads may query. The
 /// destructor ends the search and waits for its thread, some tens of milliseconds.
 class BoundaryFeatures {
  public:
-  /// Throws SearchStopped once a stop is requested, and what memory throws.
+  /// Throws SearchStopped once a stop is requested, and exceptions of memory allocation.
   using Search = std::function<FeatureSet(const std::stop_token& stop)>;
 
   BoundaryFeatures() = default;  ///< none, and known
   BoundaryFeatures(const BoundaryFeatures&) = delete;
   BoundaryFeatures& operator=(const BoundaryFeatures&) = delete;
 
-  /// Begins to find them. What `search` refers to has to outlive this. Once, before this is shared.
+  /// Begins the search. The references in `search` have to outlive this object. May be called once,
+  /// before this object is shared.
   void find(Search search);
-  /// Takes boundaries that are known. Before this is shared.
+  /// Sets known boundaries. Must be called before this object is shared.
   void set(FeatureSet known) { features_ = std::move(known); }
 
   [[nodiscard]] bool known() const { return known_.load(std::memory_order_acquire) != nullptr; }
-  /// Whether they could not be found, for lack of memory.
+  /// Returns whether the search failed for lack of memory.
   [[nodiscard]] bool failed() const;
-  /// Waits until they are known: true. False: they could not be found, or `stop` is requested.
+  /// Waits until they are known, and returns true. Returns false if the search failed, or `stop` is
+  /// requested.
   [[nodiscard]] bool wait(const std::stop_token& stop = {}) const;
-  /// Waits for them; throws what the search has thrown. Where somebody may want to stop: after
-  /// `wait`.
+  /// Waits for them, and throws the exception of the search, if any. If the caller may be stopped,
+  /// call `wait` first.
   [[nodiscard]] const FeatureSet& get() const {
     const FeatureSet* known = known_.load(std::memory_order_acquire);
     return known ? *known : waited_for();
   }
-  /// Seconds that the search took; 0 before they are known.
+  /// Returns the seconds that the search took; 0 before they are known.
   [[nodiscard]] double seconds() const { return known() ? seconds_ : 0.0; }
 
  private:
@@ -55,7 +57,7 @@ class BoundaryFeatures {
   mutable std::mutex mutex_;
   mutable std::condition_variable_any ended_;
   std::exception_ptr failure_;  // under the mutex
-  std::jthread thread_;         // last: ends before what it uses goes
+  std::jthread thread_;         // last: ends before its data is destroyed
 };
 
 }  // namespace asos

@@ -11,20 +11,21 @@
 
 namespace asos {
 
-/// How a scene is shown where nobody chose otherwise.
+/// The default look of a scene.
 struct DefaultLook {
   std::shared_ptr<const Sky> sky;  ///< null: the neutral one
   Ground ground = Ground::off;
 };
 
-/// A scene without lights of its own stands on the ground in the environment `softboxes`; an
-/// interior, and a scene seen from below, has no ground. Other scenes have the neutral sky.
+/// Returns the default look. A scene without its own lights stands on the ground in the environment
+/// `softboxes`. An interior, and a scene seen from below, has no ground. Other scenes have the
+/// neutral sky.
 [[nodiscard]] DefaultLook default_look(const RenderScene& scene, const Camera& camera);
-/// The same for the file's first camera, or the one that frames the scene.
+/// Returns the same for the file's first camera, or the one that frames the scene.
 [[nodiscard]] DefaultLook default_look(const RenderScene& scene);
 
-/// The background of a sky where nobody chose otherwise: a grey gradient for environments with
-/// panels, whose parts would distract behind a model; the sky itself for others.
+/// Returns the default background of a sky. It is a grey gradient for environments with panels,
+/// since these would distract behind a model, and the sky itself for others.
 [[nodiscard]] Background default_background(const Sky* sky);
 
 }  // namespace asos

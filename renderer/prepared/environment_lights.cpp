@@ -18,7 +18,7 @@ struct Sun {
   const char* name;
   double elevation_deg, angular_diameter_deg;
   glm::vec3 colour;
-  double radiance;  ///< of a white diffuse surface that faces it
+  double radiance;  ///< radiance of a white diffuse surface that faces it
 };
 
 Light sun_of(const Sun& sun, const SkyChoice& sky) {
@@ -36,7 +36,7 @@ Light sun_of(const Sun& sun, const SkyChoice& sky) {
   return light;
 }
 
-/// Turns a light about the vertical through a point, counter-clockwise as seen from above.
+/// Turns a light about the vertical axis through a point, counter-clockwise seen from above.
 void turn_about(Light& light, glm::dvec3 about, double turn_rad) {
   const double s = std::sin(turn_rad), c = std::cos(turn_rad);
   const auto turned = [&](glm::dvec3 v) {
@@ -46,8 +46,8 @@ void turn_about(Light& light, glm::dvec3 about, double turn_rad) {
   for (glm::dvec3* v : {&light.direction, &light.half_u, &light.half_v}) *v = turned(*v);
 }
 
-/// The rig under an environment that keeps it. An interior's hangs from its walls and does not
-/// turn.
+/// Returns the default lights for an environment that keeps them. An interior's are attached to its
+/// walls and do not turn.
 std::vector<Light> rig_under(const RenderScene& scene, const SkyChoice& sky) {
   const Stage& stage = scene.geometry->stage;
   std::vector<Light> rig = stage.rig;
@@ -60,7 +60,7 @@ std::vector<Light> rig_under(const RenderScene& scene, const SkyChoice& sky) {
   return rig;
 }
 
-/// In place of the rig as it was prepared; none: that stays.
+/// Returns the replacement of the default lights; none: they stay.
 std::optional<std::vector<Light>> lights_of(const RenderScene& scene, const Sky* sky) {
   if (!sky || !sky->choice().environment) return std::nullopt;
   const SkyChoice& choice = sky->choice();
@@ -89,7 +89,7 @@ std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky) {
   const Stage& stage = scene.geometry->stage;
   std::optional<std::vector<Light>> of_sky = lights_of(scene, sky);
   if (!stage.lit_by_rig || !of_sky) return lights;
-  // The rig comes last.
+  // The default lights come last.
   lights.resize(lights.size() - stage.rig.size());
   std::move(of_sky->begin(), of_sky->end(), std::back_inserter(lights));
   return lights;

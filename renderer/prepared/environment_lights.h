@@ -8,16 +8,15 @@
 
 namespace asos {
 
-/// The lights that shine on the scene as it was prepared when this sky surrounds it (null: the
-/// neutral one). Those that the scene has of its own stay whatever the sky is. In place of a rig an
-/// environment has its sun, which is a disk at infinity, or nothing; or the rig follows its turn
-/// and brightness.
+/// Returns the lights of the prepared scene under this sky (null: the neutral one). The scene's own
+/// lights do not depend on the sky. Default lights are replaced by the environment's sun, which is
+/// a disk at infinity, or by nothing; or they follow its turn and brightness.
 [[nodiscard]] std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky);
 
-/// Whether they are others than those that the scene was prepared with.
+/// Returns whether these differ from the scene's lights when it was prepared.
 [[nodiscard]] bool changes_lights(const RenderScene& scene, const Sky* sky);
 
-/// The scene lit by them; itself where these are the lights that it was prepared with.
+/// Returns the scene with these lights; the same scene if they do not differ.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> lit_under(
     std::shared_ptr<const RenderScene> scene, const Sky* sky);
 

@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-// Rays that look for the nearest surface to the picture's middle.
+// Number of rays across the picture that search for the nearest surface to its centre.
 constexpr int rays_across = 17;
 
 double automatic_focus(const RenderScene& scene, const Camera& camera,
@@ -17,7 +17,7 @@ double automatic_focus(const RenderScene& scene, const Camera& camera,
   const glm::dvec2 size(settings.width, settings.height);
   double focus = 0.0, nearest = 2.0;
   for (int i = 0; i < rays_across * rays_across; ++i) {
-    // From -1 to 1 across the picture; 0 is among them.
+    // From -1 to 1 across the picture, including 0.
     const glm::dvec2 at =
         glm::dvec2(i % rays_across, i / rays_across) * 2.0 / (rays_across - 1.0) - 1.0;
     const double distance = glm::dot(at, at);

@@ -6,8 +6,9 @@
 
 namespace asos {
 
-/// The camera with the focus of its lens: where that is automatic, at the depth of what the middle
-/// of the picture shows, or nearest to it; of the scene's middle where the picture shows nothing.
+/// Returns the camera with its lens focused. With automatic focus, it is the depth of the surface
+/// at the picture's centre, or nearest to it; without any visible surface, that of the scene's
+/// centre.
 [[nodiscard]] Camera focused(const RenderScene& scene, const Camera& camera,
                              const RenderSettings& settings);
 

@@ -22,7 +22,7 @@ std::size_t bytes_of(const World& world) {
   return bytes;
 }
 
-// As data, so that differences are those of a display.
+// Returns the encoded texel values, so that differences are those on a display.
 glm::vec4 stored_texture(const World& world, const TextureUse& use, std::uint32_t triangle,
                          float b1, float b2) {
   return sample_texture(world, use, triangle, b1, b2, Encoding::linear);
@@ -41,12 +41,12 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
                                                  const SceneNeeds& forced, const MipChains* known,
                                                  HierarchyUse use) {
   auto geometry = std::make_shared<Geometry>();
-  geometry->needs = find_needs(world);  // White colours that are asked for are not colours.
+  geometry->needs = find_needs(world);  // White colours that are forced do not count as colours.
   if (!forced.unused_images) release_unused_images(world);
   fill_forced_attributes(world, forced);
   geometry->world = std::move(world);
 
-  // Neither of the two needs the other.
+  // The two are independent.
   auto mips = std::async(std::launch::async, [&] {
     return MipChains(geometry->world, geometry->needs.with(forced), known);
   });
@@ -56,7 +56,7 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
   if (!rays) return unexpected(rays.error());
   geometry->rays = std::move(*rays);
 
-  // Only now, so that nothing keeps the rays' hierarchy from being there soon.
+  // Start only now, so that the rays' hierarchy is ready soon.
   geometry->boundaries.find([&world = geometry->world](const std::stop_token& stop) {
     return FeatureSet(world, stored_texture, stop);
   });

@@ -18,20 +18,20 @@
 
 namespace asos {
 
-/// The parts of a scene that take long to build: its surfaces, with the hierarchies of its rays and
-/// its boundaries. Immutable once shared, by scenes in whatever light, but that the boundaries may
-/// come later than all else; stays where it was made, for both hierarchies refer to `world`.
+/// The parts of a scene that take long to build: its surfaces, with the hierarchies for rays and
+/// boundaries. Immutable once shared by scenes with any lighting, except that the boundaries may
+/// arrive later. Must not be moved, since both hierarchies refer to `world`.
 struct Geometry {
   Geometry() = default;
   Geometry(const Geometry&) = delete;
   Geometry& operator=(const Geometry&) = delete;
 
-  World world;  ///< with the materials that its boundaries were looked for by
+  World world;  ///< with the materials of its boundary search
   RayScene rays;
   MipChains mips;
   PlaneSections sections;  ///< of its surfaces
   std::vector<ObjectSphere> object_spheres;
-  SceneNeeds needs;  ///< those of the surfaces and of their own materials; see needs_of
+  SceneNeeds needs;  ///< for the surfaces and their own materials; see needs_of
   SceneNotes notes;  ///< of the file; see notes_of
   std::string name;
   std::string source;
@@ -40,15 +40,16 @@ struct Geometry {
   std::shared_ptr<Rig> rig;      ///< see Scene::rig
   Stage stage;                   ///< for the scene at other times
   double build_seconds = 0.0;    ///< without the boundaries
-  BoundaryFeatures boundaries;   ///< last: their search ends before what it looks at goes
+  BoundaryFeatures boundaries;   ///< last: their search ends before its data is destroyed
 
-  /// Of geometry, textures with their mip chains, and both hierarchies as far as they are there.
+  /// Returns the memory of geometry, textures with mip chains, and the hierarchies that exist so
+  /// far.
   [[nodiscard]] double memory_mb() const;
 };
 
-/// Builds all that follows from a world but for the boundaries, which go on being looked for;
-/// notes, names and the time are left to the caller. `lights`, `forced` and errors: as
-/// RayScene::build's; `known`: as MipChains's; `use`: as RayScene::build's.
+/// Builds everything from a world, except the boundaries, whose search continues. The caller sets
+/// notes, names and the time. `lights`, `forced` and errors: as in RayScene::build; `known`: as in
+/// MipChains; `use`: as in RayScene::build.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(
     World world, std::span<const Light> lights, const SceneNeeds& forced,
     const MipChains* known = nullptr, HierarchyUse use = HierarchyUse::lasting);

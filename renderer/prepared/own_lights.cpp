@@ -16,13 +16,13 @@
 namespace asos {
 namespace {
 
-// Emissive meshes that give a scene less than this share of the sky's irradiance are decoration (a
-// bicycle's reflectors) and do not light it.
+// Emissive meshes with less than this fraction of the sky's irradiance are decoration (a bicycle's
+// reflectors), not the scene's lighting.
 constexpr double least_share_of_sky = 0.05;
-// A studio's lights that reach a smaller share of what is seen are shut out by walls.
+// Walls block a studio's lights if these reach less than this fraction of the visible points.
 constexpr double least_reached_share = 0.25;
 
-/// A surface's emission at a point, times its opacity, as the shader adds it.
+/// Returns a surface's emission at a point, times its opacity, as the shader adds it.
 glm::vec3 emission_at(const World& world, std::uint32_t triangle, float b1, float b2) {
   const Material& m = world.material_of(triangle);
   glm::vec3 emission = m.emissive * m.emissive_strength;
@@ -30,11 +30,11 @@ glm::vec3 emission_at(const World& world, std::uint32_t triangle, float b1, floa
     emission *=
         glm::vec3(sample_texture(world, m.emissive_texture, triangle, b1, b2, Encoding::srgb));
   }
-  // Without what transmission lets through: glass shines all the same.
+  // Transmission is ignored, since emissive glass emits nevertheless.
   return opacity_at(world, triangle, b1, b2) * emission;
 }
 
-/// The surface points that a grid of eye rays meets.
+/// Returns the surface points at the hits of a grid of eye rays.
 std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, const Camera& camera) {
   constexpr int width = 32;
   constexpr int height = 18;

@@ -8,24 +8,24 @@
 
 namespace asos {
 
-/// The lights that stand for the emissive meshes of a world, shaded as the shader shades them.
+/// Returns the lights that represent the emissive meshes of a world, with the shader's emission.
 [[nodiscard]] std::vector<Light> lights_of_meshes(const World& world);
 
-/// Whether no light of the file shines at all and emissive meshes give next to nothing.
+/// Returns whether the file has no effective lights, and emissive meshes contribute almost nothing.
 [[nodiscard]] bool needs_rig(const World& world, std::span<const Light> lights_of_file,
                              std::span<const Light> emissive);
 
-/// The lights of a scene without its own.
+/// The default lights of a scene.
 struct DefaultRig {
   std::vector<Light> lights;
-  bool inside = false;  ///< an interior's
+  bool inside = false;  ///< the lights are inside a room
 };
 
-/// A studio around what the first camera sees; or lights inside, where its walls shut a studio out.
-/// They have no part of the world as their own, so that the rays need not know of them.
+/// Returns a studio around the first camera's view, or lights inside if walls block a studio. They
+/// have no own part in the world, so the rays do not depend on them.
 [[nodiscard]] DefaultRig rig_for(const World& world, const RayScene& rays);
 
-/// The first camera of the file, or else the one that frames the scene.
+/// Returns the first camera of the file, or else the one that frames the scene.
 [[nodiscard]] Camera first_camera(const World& world);
 
 }  // namespace asos

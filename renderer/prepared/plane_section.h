@@ -12,18 +12,18 @@
 
 namespace asos {
 
-/// Where a plane cuts a triangle, in the world.
+/// The line where a plane cuts a triangle, in the world.
 struct SectionLine {
   glm::dvec3 from{0.0}, to{0.0};
 };
 using PlaneSection = std::vector<SectionLine>;
 
-/// The lines along which a plane cuts the triangles of a world's surfaces: what a camera's plane
-/// leaves of them ends there, for its rays start or end in that plane. None of triangles
-/// that are wholly ahead of it, though they touch it, nor of analytic shapes.
+/// Returns the lines where a plane cuts the triangles of a world's surfaces. The visible surfaces
+/// end there if it is a camera's plane, since rays start or end in that plane. Leaves out triangles
+/// entirely in front of it, even if they touch it, and analytic shapes.
 [[nodiscard]] PlaneSection plane_section(const World& world, const HalfSpace& plane);
 
-/// Keeps the two sections that were asked for last, for all blocks of a picture. Thread-safe.
+/// Caches the last two sections, for all blocks of a picture. Thread-safe.
 class PlaneSections {
  public:
   [[nodiscard]] std::shared_ptr<const PlaneSection> of(const World& world,

@@ -20,8 +20,8 @@
 namespace asos {
 namespace {
 
-/// The fault for which the renderer cannot use a light; empty: none. A light without size, or with
-/// a bad direction, gives nothing.
+/// Returns why the renderer cannot use a light; empty: it can. A light without size, or with an
+/// invalid direction, emits nothing.
 std::string fault_of(const Light& light, std::span<const Light> built) {
   const glm::vec3 power = light.color * light.intensity;
   bool sound = finite(light.position) && finite(light.direction) && finite(light.half_u) &&
@@ -57,7 +57,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
       stage ? flatten(scene, most_triangles, stage->origin) : flatten(scene, most_triangles);
   if (!flattened) return unexpected(flattened.error());
 
-  // Emissive meshes light every scene; only those that show a light of the file do not.
+  // Emissive meshes light every scene, except those that show a light of the file.
   std::vector<Light> lights = std::move(flattened->lights);
   std::vector<Light> emissive = lights_of_meshes(flattened->world);
   Stage own;
@@ -66,7 +66,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                          : !scene.surroundings && needs_rig(flattened->world, lights, emissive);
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
 
-  // After the emitters: how finely these are sampled depends on whether there are colours.
+  // After the emitters, whose sampling depends on whether there are colours.
   auto geometry =
       build_geometry(std::move(flattened->world), lights, forced, stage ? &stage->mips : nullptr,
                      scene.time ? HierarchyUse::moment : HierarchyUse::lasting);
@@ -182,7 +182,7 @@ Result<std::shared_ptr<const RenderScene>> with_lights(
 Result<std::shared_ptr<const RenderScene>> with_dfrs(
     const std::shared_ptr<const RenderScene>& scene, MaterialDfrs dfrs) {
   const std::vector<Material>& materials = scene->world().materials;
-  // The ground keeps its own.
+  // The ground keeps its own ratios.
   if (dfrs.size() == materials_without_ground(scene->world())) {
     for (std::size_t i = dfrs.size(); i < materials.size(); ++i) dfrs.push_back(materials[i].dfr);
   }

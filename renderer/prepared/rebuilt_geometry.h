@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// The geometry of `scene` with other surfaces: built anew, with all that is told of it. Errors
-/// name the scene's file.
+/// Returns the geometry of `scene` with other surfaces: newly built, with the same description.
+/// Errors have the scene's file name.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> rebuilt_geometry(const RenderScene& scene,
                                                                  World world);
 

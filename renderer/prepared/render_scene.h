@@ -16,17 +16,17 @@
 
 namespace asos {
 
-/// A scene made ready to render, of three parts that are immutable, shared, and replaced one at a
-/// time: editing a light or a material costs what that part costs. A small value; `assembled` keeps
-/// its needs and its table of plain materials those of its parts.
+/// A scene that is ready to render. It has three immutable, shared parts that are replaced one at a
+/// time, so that editing a light or a material costs only that part. A small value; `assembled`
+/// derives its needs and its table of plain materials from its parts.
 struct RenderScene {
   std::shared_ptr<const Geometry> geometry;
   std::shared_ptr<const MaterialDfrs> materials;  ///< their defocusing ratios, which can be edited
   std::shared_ptr<const Lighting> lighting;
   std::shared_ptr<const Lighting> own_lighting;  ///< as the scene was prepared, before any edit
-  std::shared_ptr<const PlainMaterials> plain;   ///< the materials by what batches of points need
+  std::shared_ptr<const PlainMaterials> plain;   ///< compact materials for batches of points
   SceneNeeds forced;                             ///< see prepare
-  SceneNeeds needs;                              ///< those of all parts, and what was forced
+  SceneNeeds needs;                              ///< of all parts, including forced ones
 
   [[nodiscard]] const World& world() const { return geometry->world; }
   [[nodiscard]] const RayScene& rays() const { return geometry->rays; }
@@ -35,21 +35,21 @@ struct RenderScene {
   [[nodiscard]] const MipChains& mips() const { return geometry->mips; }
   [[nodiscard]] const std::vector<Light>& lights() const { return lighting->lights; }
   [[nodiscard]] const MaterialDfrs& dfrs() const { return *materials; }
-  /// What surrounds a picture of it: what the settings ask for, or the file's own; null: the
-  /// neutral sky.
+  /// Returns the surroundings of a picture of it: those in the settings, or the file's own; null:
+  /// the neutral sky.
   [[nodiscard]] const Sky* sky_of(const RenderSettings& settings) const {
     return settings.sky ? settings.sky.get() : geometry->stage.sky.get();
   }
-  /// The defocusing ratios of a surface's material, if it has any of its own.
+  /// Returns the defocusing ratios of a surface's material, if it has its own.
   [[nodiscard]] const std::optional<Dfr>& dfr_of(std::uint32_t triangle) const {
     return (*materials)[geometry->world.material_index(triangle)];
   }
 };
 
-/// The scene of these parts, with its needs. All parts are set.
+/// Makes a scene from these parts, with its needs. All parts must be set.
 [[nodiscard]] std::shared_ptr<const RenderScene> assembled(RenderScene parts);
 
-/// The scene of these parts, with its materials' own defocusing ratios.
+/// Makes a scene from these parts, with its materials' own defocusing ratios.
 [[nodiscard]] std::shared_ptr<const RenderScene> unedited_scene(
     std::shared_ptr<const Geometry> geometry, Lighting lighting, const SceneNeeds& forced = {});
 
@@ -57,11 +57,12 @@ struct RenderScene {
   return settings.cull ? Culling::as_material_says : Culling::none;
 }
 
-/// The needs of a picture of the scene with these settings: more than the scene's where the
-/// settings ask for it, and less where its boundaries, as soon as they are known, say so.
+/// Returns the features that a picture of the scene needs with these settings. The settings may
+/// need more than the scene. Known boundaries may show that less is needed.
 [[nodiscard]] SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings);
 
-/// The shader of a scene's picture, as the settings ask; `bend` is ShadingSettings'.
+/// Returns the shader for a picture of the scene with these settings; `bend` is that of
+/// ShadingSettings.
 [[nodiscard]] inline Shader shader_of(const RenderScene& scene, const RenderSettings& settings,
                                       const View& view, float bend = 1.0f) {
   const bool filtered = settings.texture.filter == TextureFilter::footprint;
@@ -76,32 +77,33 @@ struct RenderScene {
        Backdrop(settings.background, view)});
 }
 
-/// What a person should know of the scene: of its file, and of its boundaries as soon as they are
+/// Returns the notes for the user: on the scene's file, and on its boundaries as soon as they are
 /// known.
 [[nodiscard]] SceneNotes notes_of(const RenderScene& scene);
 
-/// Flattens and indexes `scene` and lights it: by its own lights, its emissive meshes, and a rig
-/// where neither shines to speak of. Its boundaries are still looked for then.
-/// `forced`: what is kept and done although the scene does not need it, to test and to measure what
-/// leaving it out does; it does not change the picture.
-/// `stage`: that of the same scene at rest, where `scene` is it at another time; null: its own.
+/// Flattens and indexes `scene`, and lights it by its own lights, its emissive meshes, and default
+/// lights if both are negligible. The search for its boundaries continues afterwards.
+/// - `forced`: features that are kept although the scene does not need them, for tests and
+///   measurements. They do not change the picture.
+/// - `stage`: that of the same scene at rest, if `scene` is at another time; null: its own.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
                                                                  const SceneNeeds& forced = {},
                                                                  const Stage* stage = nullptr);
 
-/// The same scene, once its boundaries are known. Errors: lack of memory for them.
+/// Returns the same scene, once its boundaries are known. Errors: lack of memory for them.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_boundaries(
     std::shared_ptr<const RenderScene> scene);
 
-/// The same scene in the light of `lights` (relative to World::origin) instead of its own. Shares
+/// Returns the same scene with `lights` (relative to World::origin) instead of its own. Shares
 /// geometry and materials with `scene`. Errors: a light that is not finite, and one whose own part
-/// is none of a light of the scene that was prepared.
+/// belongs to no light of the prepared scene.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_lights(
     const std::shared_ptr<const RenderScene>& scene, std::vector<Light> lights);
 
-/// The same scene with these defocusing ratios instead of its materials' own. Shares geometry and
-/// lighting with `scene`. Materials that look alike (same_look) should stay so: where they meet no
-/// boundary is looked for. Errors: not one entry for each material, a ratio out of range.
+/// Returns the same scene with these defocusing ratios instead of its materials' own. Shares
+/// geometry and lighting with `scene`. Materials that look alike (same_look) should stay so, since
+/// there is no boundary between them. Errors: not one entry for each material, a ratio out of
+/// range.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_dfrs(
     const std::shared_ptr<const RenderScene>& scene, MaterialDfrs dfrs);
 

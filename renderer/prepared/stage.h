@@ -13,14 +13,15 @@ namespace asos {
 
 class Sky;
 
-/// What stands still while a scene moves, so that neither light nor camera jumps from one moment to
-/// the next: it follows from where the file's nodes place things, whatever the time.
+/// The properties of a moving scene that do not change with time, so that neither light nor camera
+/// jumps. They follow from the scene at rest.
 struct Stage {
-  glm::dvec3 origin{0.0};          ///< World::origin
-  std::optional<double> floor;     ///< height of the lowest point; none: no surfaces
-  bool lit_by_rig = false;         ///< next to no light comes from the scene itself
-  std::vector<Light> rig;          ///< then these are there, too; relative to the origin
-  bool rig_inside = false;         ///< walls shut out a studio's lights: the rig hangs inside
+  glm::dvec3 origin{0.0};       ///< World::origin
+  std::optional<double> floor;  ///< height of the lowest point; none: no surfaces
+  bool lit_by_rig = false;      ///< the scene itself has almost no light
+  std::vector<Light> rig;       ///< its default lights in that case; relative to the origin
+  /// Walls block a studio's lights, so the default lights are inside.
+  bool rig_inside = false;
   MipChains mips;                  ///< of its images
   std::shared_ptr<const Sky> sky;  ///< the file's own surroundings; null: it has none
 };

@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// Who looks at the scene: a camera, or a pyray that a surface has mirrored, whose picture has one
-/// pixel. Keeps references.
+/// The viewer of the scene: a camera, or a reflected pyray, whose picture has one pixel. Stores
+/// references.
 struct Viewer {
   const View& view;
   const Shader& shader;
@@ -19,18 +19,20 @@ struct Viewer {
   int bounces = 0;
   float throughput = 1.0f;
   bool hides_lights = false;
-  std::optional<MirrorPlane> mirror = std::nullopt;  ///< that its rays leave, if it is flat
-  VolumePath passage = {};                           ///< its rays', see ViewedRay
-  std::optional<RayBundle> bundle = std::nullopt;    ///< that its picture stands for, if refracted
-  float pixel = 1.0f;  ///< side of the square that a pixel is the mean of, in pixels
+  /// The flat mirror that its rays leave, if any.
+  std::optional<MirrorPlane> mirror = std::nullopt;
+  VolumePath passage = {};  ///< of its rays, see ViewedRay
+  /// The bundle that its picture approximates, after a refraction.
+  std::optional<RayBundle> bundle = std::nullopt;
+  float pixel = 1.0f;  ///< side of the square over which a pixel is averaged, in pixels
 
-  /// Whether its rays may meet lights that no surface shows.
+  /// Returns whether its rays may hit lights that no surface shows.
   [[nodiscard]] bool sees_bare_lights() const {
     return bounces > passage.refractions && !hides_lights &&
            !shader.lights_without_geometry().empty();
   }
 
-  /// A camera whose picture is the shader's.
+  /// Returns a camera whose picture is the shader's.
   [[nodiscard]] static Viewer camera(const View& view, const Shader& shader,
                                      double filter_width = 1.0) {
     const ViewedRay eye = shader.eye_ray({}, {}, 0.0f);

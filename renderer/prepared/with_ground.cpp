@@ -30,11 +30,11 @@ Result<std::shared_ptr<const RenderScene>> in_memory(const RenderScene& scene, G
   if (!geometry) return unexpected(geometry.error());
   RenderScene grounded = scene;
   grounded.geometry = *std::move(geometry);
-  // The materials' ratios may have been edited; the ground's are its own.
+  // The materials' ratios may have been edited; the ground has its own.
   MaterialDfrs dfrs = dfrs_of(grounded.world());
   std::copy_n(scene.dfrs().begin(), materials_without_ground(scene.world()), dfrs.begin());
   grounded.materials = std::make_shared<const MaterialDfrs>(std::move(dfrs));
-  // Lights know the world's parts by their numbers.
+  // Lights refer to the world's parts by number.
   const bool own = scene.lighting == scene.own_lighting;
   grounded.own_lighting = lighting_on(grounded.world(), *scene.own_lighting);
   grounded.lighting = own ? grounded.own_lighting : lighting_on(grounded.world(), *scene.lighting);

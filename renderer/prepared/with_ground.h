@@ -7,9 +7,10 @@
 
 namespace asos {
 
-/// The scene on this ground (put_on_ground) in place of the one that it stands on, in the same
-/// light; the same scene where it stands on it, or has no extent. Its lines and points are to be
-/// drawn anew (with_strokes). Errors: more triangles than a scene may have, lack of memory.
+/// Returns the scene on this ground (put_on_ground) instead of its present one, with the same
+/// lighting. Returns the same scene if it has this ground already, or has no extent. Its lines and
+/// points have to be drawn again (with_strokes). Errors: more triangles than a scene may have, lack
+/// of memory.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_ground(
     std::shared_ptr<const RenderScene> scene, Ground ground);
 

@@ -7,15 +7,15 @@
 
 namespace asos {
 
-/// The picture that `settings` ask of a camera, as far as lines and points are concerned.
+/// Returns the properties of a picture that lines and points depend on.
 [[nodiscard]] inline StrokePicture stroke_picture(const Camera& camera,
                                                   const RenderSettings& settings) {
   return {camera, settings.height, settings.line_width};
 }
 
-/// The scene with its lines and points drawn for a picture (draw_strokes), whatever picture they
-/// were drawn for before; the same scene where it has none, or is to have none and has had none.
-/// Shares materials and lighting with `scene`; its boundaries are looked for anew. Errors: more
+/// Returns the scene with its lines and points drawn for a picture (draw_strokes), replacing those
+/// for an earlier one. Returns the same scene if it has none, or if none were or are drawn. Shares
+/// materials and lighting with `scene`; the search for its boundaries restarts. Errors: more
 /// triangles than a scene may have, lack of memory.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_strokes(
     std::shared_ptr<const RenderScene> scene, const StrokePicture& picture);

@@ -35,7 +35,7 @@ ConeDetection::Cone ConeDetection::around(const Square& cell) const {
 }
 
 // The cone cuts the frame's plane in an ellipse A x^2 + 2 B x y + C y^2 + 2 D x + 2 E y + F <= 0
-// about the cell's centre; its bounding rectangle in closed form.
+// about the cell's centre. Returns its bounding rectangle in closed form.
 Square ConeDetection::reach(const Square& cell) const {
   const Cone cone = around(cell);
   const glm::dvec3 am = glm::cross(a_, cone.axis), bm = glm::cross(b_, cone.axis);
@@ -52,13 +52,13 @@ Square ConeDetection::reach(const Square& cell) const {
   const double k = std::max(0.0, -(f + d * x + e * y));
   const double half_u = std::abs(x) + std::sqrt(k * c / det);
   const double half_v = std::abs(y) + std::sqrt(k * a / det);
-  // A cone so wide that it opens to a hyperbola only surrounds pyrays of over 90 degrees.
+  // A cone that cuts the plane in a hyperbola occurs only around pyrays of over 90 degrees.
   const double half = det > 0.0 ? std::max(half_u, half_v) : 2.0 * static_cast<double>(cell.side);
   const auto widened = static_cast<float>(half * (1.0 + 1e-6));
   return {cell.centre_u() - widened, cell.centre_v() - widened, 2.0f * widened};
 }
 
-// The least of |e x axis|^2 - sine2 |d + e|^2 along the segment: a quadratic.
+// Tests the minimum of |e x axis|^2 - sine2 |d + e|^2 along the segment: a quadratic.
 bool ConeDetection::near(const Segment& s, const Square& cell) const {
   const Cone cone = around(cell);
   const auto offset = [&](float u, float v) {

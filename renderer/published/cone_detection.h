@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// Detects the boundaries that meet the circular cone around a cell, a cylinder in a parallel frame
-/// (CGF'98 section 3).
+/// Detects the boundaries that meet the circular cone around a cell, or a cylinder in a parallel
+/// frame (CGF'98 section 3).
 class ConeDetection final : public DetectionTest {
  public:
   explicit ConeDetection(const Frame& frame);
@@ -17,8 +17,9 @@ class ConeDetection final : public DetectionTest {
   [[nodiscard]] bool near(const Segment& s, const Square& cell) const override;
 
  private:
-  // The right circular cone (pyramid) or cylinder (prism) around a cell: the directions d + e with
-  // |e x axis|^2 <= sine2 |d + e|^2 (cylinder: radius2), where d points to the cell's centre.
+  // The right circular cone (pyramid) or cylinder (prism) around a cell. It contains the directions
+  // d + e with |e x axis|^2 <= sine2 |d + e|^2 (cylinder: radius2), where d points to the cell's
+  // centre.
   struct Cone {
     glm::dvec3 centre;
     glm::dvec3 axis;

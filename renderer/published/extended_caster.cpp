@@ -6,11 +6,11 @@
 namespace asos {
 namespace {
 
-// How wide the pyray may be at the surface, in widths at the light: nearly parallel at most.
+// Largest width of the pyray at the surface, in widths at the light: almost parallel.
 constexpr double widest_cover = 0.99;
 
-// The edges of the patch in units of the light's, seen along the line that joins their middles, and
-// the other way round: row i holds how much of edge i of the one lies along both of the other.
+// The edges of the patch in units of the light's, along the line between their centres, or the
+// other way round. Row i has the components of edge i of the one along both edges of the other.
 struct Ratio {
   double along_first = 0.0, along_second = 0.0;  ///< summed over both edges
 
@@ -38,7 +38,7 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightWindow& window, const 
   const auto& p = patch.corners;
   const glm::dvec3 right = 0.5 * (p[1] - p[0] + p[3] - p[2]);
   const glm::dvec3 down = 0.5 * (p[2] - p[0] + p[3] - p[1]);
-  // Find how wide the pyray is at the surface: the patch covers the light's projection, or the
+  // Find the width of the pyray at the surface: the patch covers the light's projection, or the
   // other way round.
   const double covered = fit == Fit::inside ? 1.0 / ratio_of(a, b, right, down, m).larger()
                                             : ratio_of(right, down, a, b, m).larger();
@@ -47,7 +47,7 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightWindow& window, const 
   const double width = std::min(covered, widest_cover);
   const double back = width / (1.0 - width);
 
-  // Put its apex as far behind the surface as that takes, and bound it by surface and light.
+  // Place its apex behind the surface accordingly, and bound it by surface and light.
   ExtendedPyray pyray{
       Frame::pyramid(window.frame().apex() - back * m, (1.0 + back) * m - 0.5 * (a + b), a, b),
       {},

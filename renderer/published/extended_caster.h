@@ -10,33 +10,33 @@
 
 namespace asos {
 
-/// A shadow pyray whose source lies behind the surface, so that it meets the surface in a patch and
-/// averages over it (CGF'98 sections 4.3.2 to 4.3.4).
+/// A shadow pyray whose source lies behind the surface, so that it covers a patch of the surface
+/// and averages over it (CGF'98 sections 4.3.2 to 4.3.4).
 struct ExtendedPyray {
   enum class Fit {
     inside,  ///< the largest shadow patch inside the leaf's (4.3.2)
-    around,  ///< the smallest around it, of which only what lies in the leaf's counts (4.3.4)
+    around,  ///< the smallest around it; only its part inside the leaf's counts (4.3.4)
   };
 
   Frame frame;
-  HalfSpace surface;                  ///< above it the pyray is traced
+  HalfSpace surface;                  ///< the pyray is traced above it
   std::array<HalfSpace, 2> between;   ///< the surface and the light
   std::array<BorderEdge, 4> outline;  ///< around: the leaf's patch in the frame's square
   Fit fit = Fit::inside;
 
-  /// `window`: from the patch's middle. Nothing where the patch is seen edge-on from the light, or
-  /// for `around` where it does not lie inside the light's projection onto the surface. A light
-  /// whose projection is smaller than the patch would need a source behind the light ("we may have
-  /// to move the source"): the pyray is then nearly as narrow as the light is, and samples the part
-  /// of the patch that it covers.
+  /// Makes the pyray; `window` is that from the patch's centre. Returns nothing if the light sees
+  /// the patch edge-on. For `around`, also returns nothing if the patch is not inside the light's
+  /// projection onto the surface. A light whose projection is smaller than the patch would need a
+  /// source behind the light ("we may have to move the source"). Then the pyray is nearly as narrow
+  /// as the light and samples only its part of the patch.
   [[nodiscard]] static std::optional<ExtendedPyray> of(const LightWindow& window,
                                                        const ShadowPatch& patch, Fit fit);
 };
 
-/// Finds the visibility of the light from an extended pyray's patch.
+/// Computes the visibility of the light from an extended pyray's patch.
 class ExtendedCaster final : public ShadowCaster {
  public:
-  /// All have to outlive the pyray.
+  /// All arguments have to outlive the pyray.
   void start(const ShadowScene& scene, bool see_through, const ExtendedPyray& pyray,
              const LightWindow& window, std::int32_t ignored_part);
 

@@ -39,7 +39,7 @@ std::optional<Visibility> trace_extended(const ShadowContext& block, const Shado
   return caster.visibility();
 }
 
-// Parts that do not lie inside the light's projection are divided in four.
+// Divides parts that are not inside the light's projection into four.
 Visibility adaptive_shadow(const ShadowContext& block, const ShadowQuery& query, const Square& part,
                            int levels, RenderStatistics& counts) {
   if (const auto visibility =

@@ -4,14 +4,14 @@
 
 namespace asos {
 
-/// The mean visibility of a light of some size over a part of the leaf's square, by one pyray from
-/// behind the surface, through as much of the patch as the light's projection covers (CGF'98
-/// section 4.3.2).
+/// Returns the mean visibility of an extended light over a part of the leaf's square. It uses one
+/// pyray from behind the surface, through the part of the patch that the light's projection covers
+/// (CGF'98 section 4.3.2).
 [[nodiscard]] Visibility extended_shadow(const ShadowContext& block, const ShadowQuery& query,
                                          const Square& part, RenderStatistics& counts);
 
-/// The same over the whole leaf, which is divided until each part lies inside the light's
-/// projection; then by a pyray that holds the part, of which only what passes through it counts
+/// Returns the same for the whole leaf. The leaf is divided until each part is inside the light's
+/// projection. Then a pyray around each part is traced, and only its rays through the part count
 /// (4.3.4).
 [[nodiscard]] Visibility adaptive_extended_shadow(const ShadowContext& block,
                                                   const ShadowQuery& query,

@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// Published methods (CGF'98) that replace parts of the engine if the settings ask for them. The
-/// engine sees interfaces only.
+/// Published methods (CGF'98) that replace parts of the engine if the settings select them. The
+/// engine uses them only through interfaces.
 class PublishedModes {
  public:
   explicit PublishedModes(const RenderSettings& settings)
@@ -17,7 +17,7 @@ class PublishedModes {
         refined_(settings.shadow.quality == ShadowQuality::refined),
         area_shadows_(settings.shadow.quality, settings.shadow.divisions) {}
 
-  /// Points into this object.
+  /// Returns pointers into this object.
   [[nodiscard]] EngineVariant variant() const {
     return {pixels_.differs() ? &pixels_ : nullptr,
             shadow_pyrays_.differs() ? &shadow_pyrays_ : nullptr,

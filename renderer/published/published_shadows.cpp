@@ -12,7 +12,8 @@ Square part_of(const Square& s, int n, int i) {
 
 }  // namespace
 
-// The mean over n x n parts of the patch: pyrays from points of each, or extended ones.
+// Returns the mean over n x n parts of the patch: by pyrays from a point of each, or by extended
+// ones.
 Visibility PublishedShadows::divided(const ShadowContext& block, const ShadowQuery& query,
                                      RenderStatistics& counts) const {
   const int n = divisions_;
@@ -50,7 +51,7 @@ Visibility PublishedShadows::divided(const ShadowContext& block, const ShadowQue
 
 Visibility PublishedShadows::of_patch(const ShadowContext& block, const ShadowQuery& query,
                                       RenderStatistics& counts) const {
-  // An extended pyray needs a patch that lies on the surface as a whole.
+  // An extended pyray needs a leaf that is a whole square.
   const bool whole = query.leaf.region.border.empty();
   switch (quality_) {
     case ShadowQuality::supersampling:

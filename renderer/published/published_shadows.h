@@ -5,11 +5,12 @@
 
 namespace asos {
 
-/// The ways in which the papers find the shadow of a light of some size on a patch (CGF'98 sections
-/// 4.2 to 4.3.4): from the patch's centre, from n x n points or parts of it, or by extended pyrays.
+/// The papers' methods for the shadow of an extended light on a patch (CGF'98 sections 4.2 to
+/// 4.3.4): from the patch's centre, from n x n points or parts of it, or by extended pyrays.
 class PublishedShadows final : public AreaShadows {
  public:
-  /// `quality`: not ShadowQuality::refined. `divisions`: n of the qualities that divide a patch.
+  /// `quality` must not be ShadowQuality::refined. `divisions` is n for the qualities that divide a
+  /// patch.
   explicit PublishedShadows(ShadowQuality quality, int divisions = 2)
       : quality_(quality), divisions_(divisions) {}
 

@@ -5,8 +5,8 @@
 
 namespace asos {
 
-/// Subdivision as published (CGF'98 sections 3 and 3.1), part by part: the detection by a cone, the
-/// rule that looks at one object at a time, point leaves.
+/// Subdivision as published (CGF'98 sections 3 and 3.1), with parts that can be selected: the
+/// detection by a cone, the rule that considers one object at a time, and point leaves.
 class PublishedSubdivision final : public SubdivisionVariant {
  public:
   PublishedSubdivision(Detection detection, StoppingRule rule, LeafKind leaf)
@@ -15,7 +15,7 @@ class PublishedSubdivision final : public SubdivisionVariant {
   [[nodiscard]] std::unique_ptr<const DetectionTest> detection(const Frame& frame) const override;
   [[nodiscard]] bool ends(const LevelTally& tally, double eps) const override;
   [[nodiscard]] bool cuts_cells() const override { return leaf_ == LeafKind::exact; }
-  /// Whether some part of it differs from the engine's way.
+  /// Returns whether any part differs from the engine's method.
   [[nodiscard]] bool differs() const {
     return detection_ != Detection::square || rule_ != StoppingRule::unresolved || !cuts_cells();
   }
@@ -26,8 +26,8 @@ class PublishedSubdivision final : public SubdivisionVariant {
   LeafKind leaf_;
 };
 
-/// The level from which on the published rule always holds for an object that shows just one edge:
-/// the least K >= log2(1 / EPS) - 1 (CGF'98 section 6.2). EPS in (0, 1].
+/// Returns the level from which on the published rule always holds for an object with only one
+/// edge: the least K >= log2(1 / EPS) - 1 (CGF'98 section 6.2). EPS in (0, 1].
 [[nodiscard]] int one_edge_level_bound(double eps);
 
 }  // namespace asos

@@ -21,12 +21,12 @@ namespace asos {
 struct Allowance {
   int max_level = 4;  ///< MAX, 0 to max_level_limit
   double eps = 0.0;   ///< EPS: allowed error of the root, 0 to 1
-  /// Allowed error of a leaf whose errors its neighbours share: EPS, or what nobody sees where that
-  /// is more. Infinite if shading is not refined.
+  /// Allowed error of a leaf whose errors its neighbours share: EPS, or the visibility threshold if
+  /// that is larger. Infinite if shading is not refined.
   float tolerance = 0.0f;
   /// Slope of the tone curve where it is steepest: EPS and the tolerance are divided by it.
   double steep = 1.0;
-  /// The root's weight in its pixel: 1, or that of the leaf that sent it on.
+  /// The root's weight in its pixel: 1, or that of the leaf that cast it.
   double weight = 1.0;
 
   /// An eighth of a step of an 8-bit picture.
@@ -35,7 +35,7 @@ struct Allowance {
   static constexpr double usual_contrast = 0.25;
   /// Error of the mean of n samples of contrast 1: this, times n^(-3/4) (tests/bench/prices.cpp).
   static constexpr double error_of_one_sample = 0.35;
-  /// Standard error that samples are taken to, in units of the allowed error.
+  /// Target standard error of samples, in units of the allowed error.
   static constexpr double standard_errors = 0.5;
 
   [[nodiscard]] static Allowance of(const RenderSettings& settings) {
@@ -49,42 +49,45 @@ struct Allowance {
     return allowance;
   }
 
-  /// Whether leaves are split or sampled for their shading.
+  /// Returns whether leaves are split or sampled for their shading.
   [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
-  /// The same, if MAX leaves room for more than one sample.
+  /// Returns the same, if MAX leaves room for more than one sample.
   [[nodiscard]] bool refines_leaves() const { return refines() && max_level > 0; }
 
-  /// Allowed standard error of a sampled part. Errors of parts are independent, so that it grows
-  /// with the root of the part's weight.
+  /// Returns the allowed standard error of a sampled part. Errors of parts are independent, so it
+  /// grows with the root of the part's weight.
   [[nodiscard]] double standard_error(double part, double intensity = 1.0) const {
     return standard_errors * static_cast<double>(tolerance) /
            (intensity * std::sqrt(weight * part));
   }
 
-  /// Number of finest cells that a part stands for.
+  /// Returns the number of finest cells in a part.
   [[nodiscard]] double finest_cells(double part) const {
     return part * std::ldexp(1.0, 2 * max_level);
   }
-  /// Most samples of a part: four for each finest cell, and one of a root at MAX 0; at least one.
+  /// Returns the largest number of samples of a part: four for each finest cell, and one of a root
+  /// at MAX 0; at least one.
   [[nodiscard]] double most_samples(double part) const {
     return std::max(1.0, (max_level == 0 ? 1.0 : 4.0) * finest_cells(part));
   }
-  /// Samples until a part of this contrast is converged: at most most_samples.
+  /// Returns the number of samples until a part of this contrast is converged: at most
+  /// most_samples.
   [[nodiscard]] double samples(double part, double contrast) const {
     const double converged =
         std::pow(error_of_one_sample * contrast / standard_error(part), 4.0 / 3.0);
     return std::min(std::max(1.0, converged), most_samples(part));
   }
-  /// Error of the mean of so many samples of this contrast.
+  /// Returns the error of the mean of this many samples of this contrast.
   [[nodiscard]] static double error_of_samples(double samples, double contrast) {
     return error_of_one_sample * contrast * std::pow(samples, -0.75);
   }
-  /// Whether sampling a part of this contrast costs no more than `price`, in samples.
+  /// Returns whether sampling a part of this contrast costs no more than `price`, in samples.
   [[nodiscard]] bool samples_suffice(double part, double contrast, double price) const {
     return refines() && samples(part, contrast) <= price;
   }
-  /// Samples of the pilot, the first round of a sampled part, which gives its variance: half of
-  /// what usual contrast needs, and one for each finest cell at most. A power of two.
+  /// Returns the number of samples of the pilot, the first round of a sampled part, which gives its
+  /// variance. It is half of what usual contrast needs, but at most one for each finest cell. A
+  /// power of two.
   [[nodiscard]] std::uint32_t pilot_samples(double part) const {
     constexpr double fewest = 4.0;
     const double wanted = std::min(0.5 * samples(part, usual_contrast), finest_cells(part));
@@ -92,32 +95,32 @@ struct Allowance {
     return std::bit_floor(static_cast<std::uint32_t>(pilot));
   }
 
-  /// Leaves of a part whose centre has this error, if it is split until all are within the
-  /// tolerance, where each level leaves a quarter of the error.
+  /// Returns the number of leaves of a part whose centre has this error, if it is split until all
+  /// are within the tolerance. Each level leaves a quarter of the error.
   [[nodiscard]] double leaves(double error) const {
     const auto allowed = static_cast<double>(tolerance);
     return std::min(std::max(4.0, 2.0 * error / allowed), usual_contrast / allowed);
   }
 
-  /// Bend of a reflectance across a patch that is not summed over it, at most: neighbours share its
-  /// error, and many lights add up.
+  /// Returns the largest variation of reflectance across a patch that is not integrated. The bound
+  /// is small, since neighbours share the error and many lights add up.
   [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 64.0f); }
 
-  /// The levels that a part of this weight has used up: one for each quarter.
+  /// Returns the number of levels that a part of this weight has used: one for each quarter.
   [[nodiscard]] static int levels_of(double part) {
     return std::max(0, static_cast<int>(std::floor(0.5 * std::log2(1.0 / part))));
   }
 
-  /// The allowance of a root that stands for one part of this weight.
+  /// Returns the allowance of a root that represents one part of this weight.
   [[nodiscard]] Allowance of_part(double part) const {
     Allowance allowance = *this;
     allowance.weight *= std::min(1.0, part);
     return allowance;
   }
 
-  /// The allowance of a pyray that a leaf sends on, which used up `levels`: the levels that are
-  /// left, but `fewest`; and the EPS of what it contributes, so that all leaves together stay
-  /// within EPS.
+  /// Returns the allowance of a pyray cast by a leaf that used `levels`: the remaining levels, but
+  /// at least `fewest`, and the EPS of its contribution, so that all leaves together stay within
+  /// EPS.
   [[nodiscard]] Allowance nested(int levels, double intensity, int fewest) const {
     Allowance allowance = *this;
     allowance.max_level = std::clamp(max_level - levels, fewest, std::max(fewest, max_level));

@@ -14,8 +14,9 @@
 
 namespace asos {
 
-/// The boundaries near the cells of one root frame: its hit lists with the detection that says what
-/// counts as near (CGF'98 sections 3 and 6.1). One object a thread; `start` reuses its memory.
+/// The boundaries near the cells of one root frame: its hit lists with the detection, which defines
+/// what counts as near (CGF'98 sections 3 and 6.1). One object per thread; `start` reuses its
+/// memory.
 class BoundarySearch {
  public:
   using List = HitLists::List;
@@ -27,7 +28,7 @@ class BoundarySearch {
     detection_ = variant ? variant->detection(frame) : nullptr;
   }
 
-  /// How far the detection reaches around a cell, and what a cover hides there.
+  /// The reach of the detection around a cell, and the plane of its cover, which hides boundaries.
   struct Sight {
     Square reach;
     HidingPlane hiding;
@@ -37,7 +38,8 @@ class BoundarySearch {
     return {reach, HidingPlane::of(cover, lists_.frame(), reach.side)};
   }
 
-  /// The list of a cell from that of any square which holds it; `seen`: see HitLists::refine.
+  /// Computes the list of a cell from that of any square that contains it. `seen`: see
+  /// HitLists::refine.
   void refine(const Square& cell, const Sight& sight, std::span<const std::uint32_t> parent,
               List& list, bool seen) {
     lists_.refine(sight.reach, sight.hiding, parent, list, seen);
@@ -47,7 +49,7 @@ class BoundarySearch {
     });
   }
 
-  /// Appends those of a list that nothing hides; returns how many it hides.
+  /// Appends the visible boundaries of a list. Returns the number of hidden ones.
   std::uint32_t find_visible(std::span<const std::uint32_t> list, const Sight& sight,
                              List& visible) const {
     std::uint32_t hidden = 0;
@@ -66,8 +68,7 @@ class BoundarySearch {
     });
   }
 
-  /// The kinds of the visible boundaries; groups of edges that were not resolved count as
-  /// silhouettes.
+  /// Returns the kinds of the visible boundaries. Unresolved groups of edges count as silhouettes.
   [[nodiscard]] BoundaryKinds kinds_of(std::span<const std::uint32_t> entries) const {
     BoundaryKinds kinds;
     for (const std::uint32_t i : entries) {

@@ -6,14 +6,14 @@
 namespace asos {
 namespace {
 
-// Outlines of more pieces than this for each of its finest cells, and more than `most` in all, are
-// not resolved.
+// Outlines are resolved up to this number of pieces for each finest cell, but at least up to
+// `least_pieces` and at most up to `most_pieces_resolved`.
 constexpr std::size_t pieces_a_finest_cell = 16;
 constexpr std::size_t least_pieces = 256;
 constexpr std::size_t most_pieces_resolved = 1024;
-// How far a simplified chain may lie from its pieces, in finest cells, in a cell of that size:
-// across such a cell its area is then wrong by a sixty-fourth. In a cell n times as large it is 1/n
-// of that, so that what is lost along a longer chain is the same.
+// Largest distance of a simplified chain from its pieces, in finest cells, for a cell of that size.
+// The error of its area is then 1/64 across the cell. In a cell n times as large the limit is 1/n
+// of that, so that the error along a longer chain is the same.
 constexpr float chain_tolerance = 1.0f / 64.0f;
 
 float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {
@@ -22,9 +22,9 @@ float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {
   return chain_tolerance * finest * std::min(1.0f, finest / cell.square.side);
 }
 
-// A few parts are worth a cut at any level: a sample each, where MAX would leave one for all of
-// them. More only where they replace several levels of children: half as many as there are finest
-// cells.
+// Returns the number of parts up to which a cut pays. A few parts are worth it at any level: one
+// sample each, where MAX would allow one for all. More parts pay only if they replace several
+// levels of children: half as many as there are finest cells.
 std::size_t most_parts(const CellToCut& cell, const SubdivisionRules& rules) {
   const int below = rules.allowance.max_level - cell.level;
   return static_cast<std::size_t>(
@@ -52,7 +52,7 @@ CellCut CellCutter::cut(const CellToCut& cell, std::span<const std::uint32_t> vi
   const auto most_segments = static_cast<std::size_t>(rules.limits.most_boundaries);
   const auto most_pieces = static_cast<std::size_t>(rules.limits.most_pieces);
   if (boundaries.size() > most_segments) {
-    // Few pieces keep their shape: something thin between two chains would be lost.
+    // Few pieces keep their shape, since a thin shape between two chains would be lost.
     const bool long_chains = segments_.size() > most_pieces;
     boundaries = chains_.simplify(segments_, long_chains ? tolerance(cell, rules) : 0.0f);
     result.boundaries = chains_.chain_count();
@@ -65,13 +65,13 @@ CellCut CellCutter::cut(const CellToCut& cell, std::span<const std::uint32_t> vi
   return result;
 }
 
-// Opens the visible boundaries down to segments, as far as those are visible themselves.
+// Opens the visible boundaries down to visible segments.
 bool CellCutter::resolve(const CellToCut& cell, std::span<const std::uint32_t> visible,
                          const SubdivisionRules& rules, HitLists& lists) {
   const std::size_t finest_cells = std::size_t{1} << 2 * (rules.allowance.max_level - cell.level);
   const std::size_t most =
       std::clamp(pieces_a_finest_cell * finest_cells, least_pieces, most_pieces_resolved);
-  // An outline is a few groups, or chains; many groups of anything else saturate the cell.
+  // An outline has few groups, or chains. Many groups of other kinds saturate the cell.
   const auto groups = std::count_if(visible.begin(), visible.end(), [&](std::uint32_t i) {
     return !lists.entry(i).is_segment() && !lists.entry(i).is_chain();
   });

@@ -11,28 +11,28 @@
 
 namespace asos {
 
-/// A cell that may be cut, as far as that matters.
+/// The properties of a cell that matter for cutting it.
 struct CellToCut {
   Square square;
   int level = 0;
   float root_side = 1.0f;  ///< side of its root's square
-  HidingPlane hiding;      ///< from the cover that its visible boundaries were found with
+  HidingPlane hiding;      ///< from the cover that was used to find its visible boundaries
 };
 
-/// A cell cut along its boundaries. The spans live until the next cut.
+/// A cell cut along its boundaries. The spans are valid until the next cut.
 struct CellCut {
   std::span<const CellPart> parts;        ///< none: it could not be cut
   std::span<const BorderEdge> borders;    ///< of the parts
   std::span<const std::uint32_t> along;   ///< the boundaries, as entries of the hit lists
-  std::span<const std::uint32_t> hidden;  ///< boundaries that turned out to be hidden on the way
-  std::size_t boundaries = 0;             ///< edges, or chains where those were counted
+  std::span<const std::uint32_t> hidden;  ///< boundaries that turned out to be hidden
+  std::size_t boundaries = 0;             ///< number of edges, or of chains where those count
 };
 
-/// Exact leaves (CGF'98 sections 6.2 and 6.4; design section 5): the parts of a cell between the
-/// few boundaries that pass through it. One object a thread; keeps its memory.
+/// Computes exact leaves (CGF'98 sections 6.2 and 6.4; design section 5): the parts of a cell
+/// between its few boundaries. One object per thread; reuses its memory.
 class CellCutter {
  public:
-  /// `visible`: the entries of the cell's list that nothing hides.
+  /// `visible`: the visible entries of the cell's list.
   [[nodiscard]] CellCut cut(const CellToCut& cell, std::span<const std::uint32_t> visible,
                             const SubdivisionRules& rules, HitLists& lists);
 

@@ -5,10 +5,10 @@
 namespace asos {
 namespace {
 
-// So few parts are worth a cut whatever samples cost.
+// This many parts are worth a cut, whatever samples cost.
 constexpr std::size_t few_parts = 4;
 
-// Part i of n x n of a square, in rows.
+// Returns part i of n x n parts of a square, row by row.
 Square part_of(const Square& s, std::uint32_t n, std::uint32_t i) {
   const float side = s.side / static_cast<float>(n);
   return {s.u + static_cast<float>(i % n) * side, s.v + static_cast<float>(i / n) * side, side};
@@ -20,7 +20,8 @@ glm::vec2 middle_of(const Square& s) {
 
 }  // namespace
 
-// First by what the parent's sample hides, then by what the cell's own hides.
+// Resolves cells first with the boundaries hidden by the parent's sample, then with those hidden by
+// the cell's own.
 void CellResolver::resolve(CellLevel& level, SubdivisionState& state) {
   level_ = &level;
   state_ = &state;
@@ -48,20 +49,20 @@ void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
   const bool has_middle = cell.middle != no_sample;
   std::size_t boundaries = 0;
   visible_.clear();
-  // Boundaries that a sample hid are seen elsewhere in the cell: cut along all of them.
+  // Boundaries hidden from one sample are visible elsewhere in the cell, so cut along all of them.
   if (with_own_sample && cell.nothing_hides) {
     state_->search->find_visible(list, state_->search->sight(cell.square, Cover::none()), visible_);
     if (plan_cut(cell_index, {}, boundaries)) return;
     visible_.clear();
   }
   if (with_own_sample && !has_middle) {
-    // A cut failed: parts were not uniform. The cell is marginal.
+    // A cut failed, because its parts were not uniform. The cell is marginal.
     add_plan(Plan::Kind::middle, cell_index, std::span(&middle, 1));
     return;
   }
   if (with_own_sample && !(cell.fresh && cell.cover.valid)) return;
 
-  // No visible boundary: one sample tells all.
+  // No visible boundary: one sample represents the cell.
   const BoundarySearch::Sight sight = state_->sight(cell);
   state_->search->find_visible(list, sight, visible_);
   if (visible_.empty()) {
@@ -69,17 +70,18 @@ void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
              has_middle ? std::span<const glm::vec2>() : std::span(&middle, 1));
     return;
   }
-  // Few boundaries: one sample in each part between them. Hopelessly many: samples all over it.
+  // Few boundaries: one sample in each part between them. Far too many: samples distributed over
+  // the cell.
   if (exact && plan_cut(cell_index, sight.hiding, boundaries)) return;
   // Saturation needs a sample first: its surface might hide all of the boundaries.
   const bool seen = cell.cover.valid || has_middle;
   if (exact && seen && plan_saturated(cell_index, boundaries)) return;
-  // Otherwise marginal.
+  // Otherwise it is marginal.
   if (!has_middle) add_plan(Plan::Kind::middle, cell_index, std::span(&middle, 1));
 }
 
-// Cuts the cell along its visible boundaries; one sample in each part. `boundaries`: how many there
-// are, where there are too many.
+// Plans a cut of the cell along its visible boundaries, with one sample in each part. If there are
+// too many, sets `boundaries` to their number.
 bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
                             std::size_t& boundaries) {
   const Cell& cell = level_->cells[cell_index];
@@ -106,7 +108,7 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
     parts_.back().first_edge += first_edge;
     points_.emplace_back(part.u, part.v);
   }
-  // Note the entries that are not among the visible ones; both are in the list's order.
+  // Record the entries that are not visible; both are in the list's order.
   plan.hidden.first = static_cast<std::uint32_t>(hidden_.size());
   auto next = visible_.begin();
   for (const std::uint32_t i : level_->list(cell)) {
@@ -122,23 +124,24 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
   return true;
 }
 
-// Whether a root, of which a sample was seen, costs less by samples than by so many parts. What
-// was split to be known better is.
+// Returns whether a root with a sample costs less by samples than by so many parts. Smaller cells
+// were split for accuracy, so they are not sampled.
 bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
   const bool seen = cell.cover.valid || cell.middle != no_sample;
   return level_->number == 0 && state_->rules.allowance.max_level > 0 && seen &&
          state_->caster->samples_suffice(state_->weight(cell), parts);
 }
 
-// So many boundaries that samples cost less than the parts between them; or, of which each crosses
-// several of the finest cells, that nearly all of those would be marginal: their jittered samples
-// are taken at once (design section 5).
+// Plans a saturated cell. There are two cases. Its boundaries are so many that samples cost less
+// than the parts between them. Or each boundary crosses several of the finest cells, so that nearly
+// all of these would be marginal; then their jittered samples are taken immediately (design section
+// 5).
 bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundaries) {
   const Cell& cell = level_->cells[cell_index];
   const int below = state_->rules.allowance.max_level - level_->number;
   const std::uint32_t n = 1u << below;
   if (below < 1) return false;
-  // Each boundary adds a part at least, and each crossing one more.
+  // Each boundary adds at least one part, and each crossing one more.
   if (!better_sampled(cell, 2 * boundaries)) {
     const auto few = static_cast<std::size_t>(state_->rules.limits.most_boundaries);
     if (boundaries <= few || 4 * boundaries < n * n) return false;
@@ -174,7 +177,7 @@ void CellResolver::keep_for_observers(const Cell& cell, Plan& plan,
   drawn_.insert(drawn_.end(), visible.begin(), visible.end());
 }
 
-// Takes all the samples that the plans wait for, and then the leaves.
+// Takes all samples of the plans, and then makes the leaves.
 void CellResolver::carry_out() {
   const SampleId first = points_.empty() ? 0 : state_->caster->probe(points_);
   for (const Plan& plan : plans_) {
@@ -223,12 +226,12 @@ void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) 
 }
 
 void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
-  // The samples have to hide the boundaries that were taken for hidden.
+  // The samples must confirm that boundaries counted as hidden are hidden.
   if (!stay_hidden(cell, plan, first)) {
     cell.nothing_hides = true;
     return;
   }
-  // Make leaves of the parts. One that is uneven is enough to split the cell.
+  // Make leaves of the parts. A single uneven one splits the cell.
   const int finest = state_->rules.allowance.max_level;
   const double whole = state_->weight(cell);
   const std::size_t first_leaf = state_->leaves.size();
@@ -241,7 +244,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     if (decision.splits()) {
       cell.uneven = decision.cause;
       state_->leaves.resize(first_leaf);
-      // Its children need a sample in the closure of each of them.
+      // Each of its children needs a sample in its closure.
       if (cell.middle == no_sample) cell.cover = Cover::none();
       return;
     }
@@ -301,8 +304,8 @@ TracedCell* CellResolver::trace(const Cell& cell, const Plan& plan, CellFate fat
                        std::span(drawn_).subspan(plan.visible.first, plan.visible.count));
 }
 
-// Whether what was left out as hidden from one sample is hidden from the sample of every part that
-// it crosses; otherwise the parts may not be uniform.
+// Returns whether boundaries hidden from one sample are hidden from the sample of every part that
+// they cross. Otherwise the parts may not be uniform.
 bool CellResolver::stay_hidden(const Cell& cell, const Plan& plan, SampleId first) const {
   if (plan.hidden.count == 0) return true;
   const HitLists& lists = state_->search->lists();

@@ -9,12 +9,12 @@
 
 namespace asos {
 
-/// Resolves the cells of a level that can be: uniform, cut along their boundaries, or so saturated
-/// with these that splitting would help nothing. The others get a sample in their middle.
-/// Samples of a whole level go together, in packets. Keeps its memory; one object a thread.
+/// Resolves the cells of a level that need no split: those that are uniform, cut along their
+/// boundaries, or saturated with boundaries. The others get a sample at their centre. Samples of a
+/// whole level go in packets. Reuses its memory; one object per thread.
 class CellResolver {
  public:
-  /// Leaves go to the caster; cells that became leaves are erased from the level.
+  /// Passes leaves to the caster. Erases the cells that became leaves from the level.
   void resolve(CellLevel& level, SubdivisionState& state);
 
  private:
@@ -23,16 +23,16 @@ class CellResolver {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
-  // Samples that a cell waits for, and what becomes of it when they are there.
+  // Samples that a cell needs, and its fate once they are taken.
   struct Plan {
     enum class Kind : std::uint8_t { uniform, cut, middle, saturated };
     Kind kind = Kind::middle;
     std::uint32_t cell = 0;
     Slice points;
     std::uint32_t first_part = 0;      // as many as points
-    Slice hidden;                      // entries taken for hidden
-    Slice visible;                     // entries that observers see; only where one looks on
-    SampleId own_samples = no_sample;  // stands for the caster's own
+    Slice hidden;                      // entries that count as hidden
+    Slice visible;                     // entries that are visible; only for observers
+    SampleId own_samples = no_sample;  // represents the caster's own samples
     BoundaryKinds boundaries;
   };
 
@@ -53,7 +53,7 @@ class CellResolver {
   CellLevel* level_ = nullptr;
   SubdivisionState* state_ = nullptr;
   CellCutter cutter_;
-  BoundarySearch::List visible_;  // visible boundaries of the cell that is being planned
+  BoundarySearch::List visible_;  // of the current cell
   std::vector<Plan> plans_;
   std::vector<glm::vec2> points_;
   std::vector<CellPart> parts_;

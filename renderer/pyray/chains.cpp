@@ -32,7 +32,7 @@ std::span<const Segment> ChainSimplifier::simplify(std::span<const Segment> segm
     used_[s] = 1;
     simplified_.push_back(segments[s]);
   }
-  // Chains with loose ends first; what is left then are closed ones.
+  // Chains with loose ends come first; the remaining ones are closed.
   for (const bool closed : {false, true}) {
     for (std::uint32_t s = 0; s < segments.size(); ++s) {
       if (used_[s]) continue;
@@ -46,7 +46,7 @@ std::span<const Segment> ChainSimplifier::simplify(std::span<const Segment> segm
   return simplified_;
 }
 
-// Finds for each segment's end the one other end at the same place.
+// Finds, for each segment's end, the single other end at the same place.
 void ChainSimplifier::join(std::span<const Segment> segments) {
   ends_.clear();
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
@@ -72,7 +72,7 @@ void ChainSimplifier::join(std::span<const Segment> segments) {
   }
 }
 
-// Follows the chain that begins with segment `start`, at its second end or its first.
+// Follows the chain that begins with segment `start`, at its second or first end.
 void ChainSimplifier::walk(std::span<const Segment> segments, std::uint32_t start,
                            bool from_second) {
   chain_.clear();
@@ -98,7 +98,7 @@ void ChainSimplifier::emit_chain(float tolerance) {
     emit_range(0, last, tolerance);
     return;
   }
-  // A closed one has no ends: it is held at the joint farthest from where it was entered, too.
+  // A closed chain has no ends. It is fixed at its start and at the joint farthest from it.
   std::size_t farthest = 1;
   float most = -1.0f;
   for (std::size_t i = 1; i < last; ++i) {
@@ -122,7 +122,7 @@ void ChainSimplifier::emit_range(std::size_t first, std::size_t last, float tole
     emit_range(farthest, last, tolerance);
     return;
   }
-  // Nearer than the chain anywhere between, so that nothing counts as hidden that is not.
+  // Use the smallest nearness along the chain, so that no visible boundary counts as hidden.
   float nearness0 = chain_[first].nearness, nearness1 = chain_[last].nearness;
   for (std::size_t i = first + 1; i < last; ++i) {
     nearness0 = std::max(nearness0, chain_[i].nearness);

@@ -48,10 +48,10 @@ Cover cover_of(const Frame& frame, const World& world, const FeatureSet& feature
   const glm::dvec3 p = plane.point(hit.b1, hit.b2);
   if (!world.is_face(hit.triangle))
     return Cover::plane(frame, p, plane.normal(), features.deviation(hit.triangle));
-  // Within a cell a sphere leaves the plane by no more than the cell is wide: its outline and the
-  // point are equally far from where the plane meets the way to the outline. A stretched one leaves
-  // it by as much more as it is stretched. The rest that the slack does not hold goes
-  // into the deviation.
+  // Within a cell, a sphere deviates from the plane by at most the cell's width. The reason is that
+  // its outline and the sample are equally far from where the plane meets the direction of the
+  // outline. A stretched sphere deviates by the factor of its stretch. The part beyond the slack is
+  // added to the deviation.
   Cover cover = Cover::plane(frame, p, plane.normal());
   if (!cover.valid) return cover;
   constexpr double diagonal = 1.5;

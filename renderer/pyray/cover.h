@@ -11,34 +11,35 @@
 
 namespace asos {
 
-/// The plane of a surface that a sample met, as nearness over a frame's square. Boundaries that lie
-/// behind it do not count (design section 3, "Continuity is the proof"): on a path from the sample
-/// to anywhere in the cell the visible surface can change only across a boundary that is visible.
+/// The plane of a sample's surface, as nearness over a frame's square. Boundaries behind it do not
+/// count (design section 3, "Continuity is the proof"): on a path from the sample to anywhere in
+/// the cell, the visible surface can change only at a visible boundary.
 ///
-/// The surface need not be flat. A boundary counts as behind only if it is deeper than the plane
-/// by `slack`: a few times the cell's width in the world, for a surface that bends away inside the
-/// cell, and as far as the surface is known to leave the plane (FeatureSet::deviation), for one
-/// that does so in a facet seen nearly edge-on.
+/// The surface need not be flat. A boundary counts as behind only if it is deeper than the plane by
+/// a slack of two parts. One is a few widths of the cell in the world, for surfaces that curve away
+/// within the cell. The other is the known deviation of the surface from the plane
+/// (FeatureSet::deviation), for facets seen nearly edge-on.
 struct Cover {
-  // Plane: nearness = (per_u u + per_v v + at_origin) at slack 0. Pushed back by a distance s along
-  // its normal it is (nearness * distance) / (distance + s) for a pyramid and nearness - s * slope
+  // Plane: nearness = (per_u u + per_v v + at_origin) at slack 0. Moved back by a distance s along
+  // its normal it is (nearness * distance) / (distance + s) for a pyramid, and nearness - s * slope
   // for a prism.
   double per_u = 0.0;
   double per_v = 0.0;
   double at_origin = 0.0;
-  double distance = 0.0;   ///< of the apex from the plane; prism: 1 / slope
+  double distance = 0.0;   ///< from the apex to the plane; prism: 1 / slope
   double nearness = 0.0;   ///< of the sample itself
-  double deviation = 0.0;  ///< how far the surface may leave the plane, in world units
+  double deviation = 0.0;  ///< largest deviation of the surface from the plane, in world units
   bool valid = false;
 
-  /// No cover: everything counts.
+  /// Returns a cover that hides nothing.
   static Cover none() { return {}; }
 
-  /// The cover of a surface with normal `normal` (any length, any sign) at the world point `p`.
+  /// Returns the cover of a surface with normal `normal` (any length, any sign) at the world point
+  /// `p`.
   static Cover plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double deviation = 0.0);
 };
 
-/// The cover of a hit.
+/// Returns the cover of a hit.
 [[nodiscard]] Cover cover_of(const Frame& frame, const World& world, const FeatureSet& features,
                              const Hit& hit);
 
@@ -48,20 +49,21 @@ struct HidingPlane {
   float per_v = 0.0f;
   float at_origin = -std::numeric_limits<float>::infinity();
 
-  /// Pushed back by `cover_slack` widths of a cell of the given side, and by the deviation.
+  /// Moves the cover back by `cover_slack` widths of a cell of the given side, and by the
+  /// deviation.
   static HidingPlane of(const Cover& cover, const Frame& frame, float side);
 
   [[nodiscard]] bool hides(float u, float v, float nearness) const {
     return nearness < per_u * u + per_v * v + at_origin;
   }
-  /// Hides every point of a rectangle whose points are no nearer.
+  /// Returns whether it hides every point of a rectangle with at most this nearness.
   [[nodiscard]] bool hides(float u0, float v0, float u1, float v1, float nearness) const {
     return nearness < (per_u > 0.0f ? per_u * u0 : per_u * u1) +
                           (per_v > 0.0f ? per_v * v0 : per_v * v1) + at_origin;
   }
 };
 
-/// How far behind a surface a boundary must lie to be hidden, in widths of the cell.
+/// Distance behind a surface from which a boundary is hidden, in widths of the cell.
 inline constexpr double cover_slack = 4.0;
 
 }  // namespace asos

@@ -11,19 +11,19 @@
 
 namespace asos {
 
-/// The boundaries near each pyray of a fat one: hit lists are handed down from the whole to its
-/// quarters, and so on (CGF'98 sections 6.1 and 6.4). Keeps its memory; one object a thread.
+/// Finds the boundaries near each pyray of a fat one. Hit lists pass from the whole to its
+/// quarters, and so on (CGF'98 sections 6.1 and 6.4). Reuses its memory; one object per thread.
 class FatSearch {
  public:
-  /// The cover of a sample in the middle of a square, by FatPyray::index of the pyray there.
+  /// Returns the cover of a sample at the centre of a square, by the index of the pyray there.
   using CoverOf = std::function<Cover(int x, int y)>;
 
-  /// `search` has been started in the fat pyray's frame.
+  /// `search` must have been started in the fat pyray's frame.
   void run(BoundarySearch& search, const FatPyray& fat, const CoverOf& cover_of);
 
-  /// Whether a boundary that may be visible passes through a pyray.
+  /// Returns whether a boundary that may be visible passes through a pyray.
   [[nodiscard]] bool bounded(std::uint32_t index) const { return found_[index].bounded; }
-  /// Its hit list; empty where a larger square around it was found to be clear.
+  /// Returns its hit list; empty if a larger square around it has no visible boundary.
   [[nodiscard]] std::span<const std::uint32_t> list(std::uint32_t index) const {
     return found_[index].list;
   }

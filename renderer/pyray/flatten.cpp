@@ -12,7 +12,8 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double most_area = 1.0 / 400.0;
 constexpr double most_bulge = 1.0 / 16.0;
 constexpr int deepest = 14;
-// A part of an arc is halved until it turns by less, before its ends are compared with its middle.
+// A part of an arc is halved until it turns by less than this, in radians, before its ends are
+// compared with its centre.
 constexpr double widest_turn = 1.1;
 
 }  // namespace
@@ -51,7 +52,7 @@ void Flattener::find_angles(const Frame& frame, const EllipseArc& arc,
                             std::span<const double> breaks, const FlattenBounds& bounds) {
   angles_.clear();
   breaks_.clear();
-  // Find where the arc crosses the sides of the square, drawn out by the margin, and the bounds.
+  // Find where the arc crosses the sides of the square, widened by the margin, and the bounds.
   const auto rows = [&](glm::dvec3 d) {
     return glm::dvec3(glm::dot(frame.row_u(), d), glm::dot(frame.row_v(), d),
                       glm::dot(frame.row_w(), d));
@@ -76,7 +77,7 @@ void Flattener::find_angles(const Frame& frame, const EllipseArc& arc,
   const std::size_t crossings = angles_.size();
   angles_.insert(angles_.end(), breaks.begin(), breaks.end());
   const bool closed = arc.closed();
-  // From `from` on, or from the first of the angles where there is no end.
+  // Start at `from`, or at the first of the angles for a closed arc.
   const double from = closed && !angles_.empty() ? angles_[0] : arc.from;
   for (std::size_t i = 0; i < angles_.size(); ++i) {
     const double given = angles_[i];
@@ -101,7 +102,8 @@ const Flattener::Break* Flattener::break_at(double angle) const {
   return found == breaks_.end() ? nullptr : &*found;
 }
 
-// Others know a break by the bits of the angle that they gave.
+// Returns the place at an angle. A break is placed at the angle as it was given, bit for bit, since
+// other boundaries use that angle.
 FramePoint Flattener::place(const Frame& frame, const EllipseArc& arc, double angle) const {
   const Break* known = break_at(angle);
   return frame.project(frame.homogeneous(arc.at(known ? known->given : angle)));
@@ -135,7 +137,7 @@ void Flattener::emit(const Frame& frame, const EllipseArc& arc, double from, dou
   settle(closed);
 }
 
-// Appends the joints from `from` on, but for the last.
+// Appends the joints from `from` on, except the last.
 void Flattener::split(const Frame& frame, const EllipseArc& arc, const Joint& from, const Joint& to,
                       double finest_side, int depth) {
   const double angle = 0.5 * (from.angle + to.angle);
@@ -157,8 +159,8 @@ void Flattener::split(const Frame& frame, const EllipseArc& arc, const Joint& fr
   split(frame, arc, middle, to, finest_side, depth + 1);
 }
 
-// Two thirds of a bulge make chord and arc cut off the same area; each joint takes the mean of both
-// its sides'.
+// Moves joints by two thirds of the bulge, so that chord and arc enclose the same area. Each joint
+// uses the mean of both its sides.
 void Flattener::settle(bool closed) {
   const std::size_t last = joints_.size() - 1;
   std::vector<FramePoint>& at = moved_;

@@ -12,18 +12,18 @@
 
 namespace asos {
 
-/// The pyramid, drawn out by `margin`, and half-spaces: where the pieces of a curve have to lie.
+/// The bounds of a curve's pieces: the pyramid, widened by `margin`, and half-spaces.
 struct FlattenBounds {
   double margin = 0.0;
   std::span<const HalfSpace> within;
-  double beyond_first = 0.0;  ///< as SearchBounds'
+  double beyond_first = 0.0;  ///< as in SearchBounds
 };
 
-/// Replaces the part of an arc that lies in a frame's pyramid by straight segments, in order; each
-/// ends where the next begins, bit for bit. They lie on both sides of the arc, so that they cut off
-/// the same area; no piece's area differs from its arc's by more than `finest_side`^2 / 400, nor is
-/// any farther away than a 16th of it. The arc's points at `breaks` (angles) are ends of segments
-/// to the bit. Keeps its memory; one object a thread.
+/// Replaces the part of an arc that lies in a frame's pyramid by straight segments, in order. Each
+/// segment ends where the next begins, bit for bit. The segments lie on both sides of the arc, so
+/// that they enclose the same area. No piece's area differs from its arc's by more than
+/// `finest_side`^2 / 400, and its distance is at most a 16th of `finest_side`. The arc's points at
+/// `breaks` (angles) are exact ends of segments. Reuses its memory; one object per thread.
 class Flattener {
  public:
   [[nodiscard]] std::span<const Segment> flatten(const Frame& frame, const EllipseArc& arc,
@@ -33,12 +33,12 @@ class Flattener {
  private:
   struct Break {
     double angle;  ///< among `angles_`
-    double given;  ///< the same but for whole turns
+    double given;  ///< the same except for whole turns
   };
   struct Joint {
     double angle = 0.0;
     FramePoint at;
-    glm::dvec2 bulge{0.0};  ///< from the middle of the chord to the next joint to the arc
+    glm::dvec2 bulge{0.0};  ///< from the centre of the chord to the next joint to the arc
     bool fixed = false;
   };
 

@@ -12,26 +12,26 @@
 namespace asos {
 namespace {
 
-// Curves are flattened as for cells of this side where boundaries are resolved however small they
-// are.
+// Flattening of curves for boundaries that are resolved at any size: as for cells of this side.
 constexpr double finest_curve = 1.0 / 4096.0;
 
-// So few entries that opening them may prove the cell empty or crossed by one boundary, and so many
-// that it is marginal anyway.
+// With at most `few_entries`, opening them may prove the cell empty or crossed by one boundary.
+// With `many_entries` it is marginal in any case.
 constexpr std::size_t few_entries = 4;
 constexpr std::size_t many_entries = 16;
-// With so many nodes, or segments, in front of the surface that a sample met, the cell is saturated
-// with boundaries, whatever else there is.
+// With this many nodes, or segments, in front of a sample's surface, the cell is saturated with
+// boundaries.
 constexpr std::size_t most_nodes_in_front = 64;
 constexpr std::size_t most_segments_in_front = 256;
-// Segments are cut this far outside the root square, so that they are straight through its border.
+// Segments are cut this far outside the root square, so that they are straight across its border.
 constexpr double margin = 1.0 / 16.0;
-// An edge smaller than this in the square, however it is turned, may be a point in float32. It
-// is kept, so that no sample is taken there.
+// An edge smaller than this in the square, at any angle, may be a point in float32. It is kept, so
+// that no sample is taken there.
 constexpr double point_size = 1e-6;
 
-// Which part of an edge between homogeneous end points lies in the pyray, drawn out by the margin:
-// parameters along the edge in world space. No division, so no case for edges behind the apex.
+// Returns the part of an edge between homogeneous end points within the pyray, widened by the
+// margin, as parameters along the edge in world space. There is no division, so edges behind the
+// apex need no special case.
 std::optional<EdgeRange> inside(const Frame& frame, glm::dvec3 h0, glm::dvec3 h1) {
   const double w0 = frame.parallel() ? 1.0 : h0.z;
   const double w1 = frame.parallel() ? 1.0 : h1.z;
@@ -45,8 +45,9 @@ std::optional<EdgeRange> inside(const Frame& frame, glm::dvec3 h0, glm::dvec3 h1
   return range;
 }
 
-// Whether both faces of an edge project to the same side of it, as seen from the apex. Decided at
-// the edge itself; the winding of the faces is not asked. Zero (a face seen edge-on) counts as yes.
+// Returns whether both faces of an edge project to the same side of it, seen from the apex. This
+// depends on the edge only, not on the winding of the faces. Zero (a face seen edge-on) counts as
+// yes.
 bool is_silhouette(const Frame& frame, glm::dvec3 a, glm::dvec3 b, glm::dvec3 left,
                    glm::dvec3 right) {
   const glm::dvec3 side =
@@ -54,7 +55,7 @@ bool is_silhouette(const Frame& frame, glm::dvec3 a, glm::dvec3 b, glm::dvec3 le
   return glm::dot(side, left - a) * glm::dot(side, right - a) >= 0.0;
 }
 
-// The first edge below an entry that is a node or a leaf.
+// Returns the first edge below an entry that is a node or a leaf.
 std::uint32_t first_edge(const FeatureSet& features, const HitEntry& e) {
   if (e.type == HitEntry::Type::leaf) return e.ref;
   FeatureNode room;
@@ -63,7 +64,7 @@ std::uint32_t first_edge(const FeatureSet& features, const HitEntry& e) {
   return node->child[0];
 }
 
-// Whether a child's box lies outside of the bounds.
+// Returns whether a child's box lies outside of the bounds.
 bool outside(const SearchBounds& bounds, const FeatureNode& node, unsigned child) {
   for (const HalfSpace& half : bounds.within) {
     double farthest = -half.offset;
@@ -121,7 +122,7 @@ void HitLists::refine(const Square& cell, const HidingPlane& hiding,
   stops_when_saturated_ = seen;
   for (const std::uint32_t i : parent) visit(i, cell, hiding, list);
 
-  // Few entries are left: open nodes, for their contents decide.
+  // Few entries are left: open nodes, since their contents decide.
   while (list.size() <= few_entries && !exhausted()) {
     const auto node = std::find_if(list.begin(), list.end(), [&](std::uint32_t i) {
       return !entries_[i].is_segment() && !hidden(i, cell, hiding);
@@ -179,8 +180,8 @@ bool HitLists::resolve(std::uint32_t i, const Square& cell, float tolerance, std
   return true;
 }
 
-// Whether an entry is a chain that looks straight: by how far it strays from its chord in the
-// world, as it would look at the chain's nearest point.
+// Returns whether an entry is a chain that looks straight. Its deviation from the chord in the
+// world is projected at the chain's nearest point.
 bool HitLists::straight(const HitEntry& e, float tolerance) const {
   if (e.is_segment() || !e.is_chain()) return false;
   return e.extent() <= tolerance ||
@@ -295,7 +296,7 @@ void HitLists::open_leaf(std::uint32_t i) {
   }
 }
 
-// The parts in the pyray of a curve of an analytic shape, in straight pieces.
+// Adds the parts of an analytic shape's curve within the pyray, in straight pieces.
 void HitLists::add_curve(std::uint32_t edge) {
   const FeatureCurve& curve = features_->curves()[features_->edge(edge).curve()];
   const ShapeFace* face = curve.face == FeatureCurve::none ? nullptr : &features_->face(curve.face);
@@ -306,7 +307,7 @@ void HitLists::add_curve(std::uint32_t edge) {
     for (const double angle : angles) add_segment(edge, bottom.at(angle), top.at(angle));
     return;
   }
-  // Rims have a joint where the outline's lines end.
+  // Rims have a joint where the lines of the outline end.
   const FlattenBounds bounds{margin, bounds_.within, bounds_.beyond_first};
   for (Segment s :
        flattener_.flatten(frame_, curve.outline ? outline.arc : curve.arc,
@@ -317,7 +318,7 @@ void HitLists::add_curve(std::uint32_t edge) {
   }
 }
 
-// The part of an edge that lies in the pyray, if any.
+// Adds the part of an edge within the pyray, if any.
 void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
   // Clip the edge to the pyray and to the bounds.
   const glm::dvec3 h0 = frame_.homogeneous(a);
@@ -338,7 +339,7 @@ void HitLists::add_segment(std::uint32_t edge, glm::dvec3 a, glm::dvec3 b) {
   s.u1 = static_cast<float>(p1.u), s.v1 = static_cast<float>(p1.v);
   s.nearness0 = static_cast<float>(p0.nearness), s.nearness1 = static_cast<float>(p1.nearness);
   s.edge = edge;
-  // An edge seen end-on is a point and bounds nothing; one through the apex has no place.
+  // An edge seen end-on is a point and no boundary; one through the apex has no projection.
   if (!std::isfinite(s.u0 + s.v0 + s.u1 + s.v1)) return;
   const double length =
       glm::distance(a, b) * (frame_.parallel() ? 1.0 : std::max(p0.nearness, p1.nearness));

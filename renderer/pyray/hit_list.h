@@ -16,8 +16,8 @@
 
 namespace asos {
 
-/// Something that may bound what a cell shows: a boundary segment, or a node of the hierarchy that
-/// has not been opened, with its rectangle in the root frame and its greatest nearness.
+/// A possible boundary of a cell: a segment, or an unopened node of the hierarchy, with its
+/// rectangle in the root frame and its greatest nearness.
 struct HitEntry {
   enum class Type : std::uint8_t { node, leaf, segment };
 
@@ -27,7 +27,7 @@ struct HitEntry {
   std::uint32_t first_child = 0;  ///< the first entry made when it was opened
   std::uint32_t chain[2] = {FeatureEdge::none, FeatureEdge::none};  ///< see NodeChains
   float chain_deviation = 0.0f;
-  std::uint32_t chord = FeatureEdge::none;  ///< the entry that stands for the chain, once made
+  std::uint32_t chord = FeatureEdge::none;  ///< the entry that represents the chain, once made
   std::uint16_t child_count = 0;
   std::uint8_t edge_count = 0;  ///< of a leaf
   Type type = Type::node;
@@ -41,66 +41,68 @@ struct HitEntry {
   }
 };
 
-/// The boundaries that one root frame's pyray can meet: a part of the feature hierarchy, opened
+/// The boundaries that can meet one root frame's pyray: a part of the feature hierarchy, opened
 /// lazily and projected at most once (design section 4; CGF'98 sections 6.1 and 6.3). A cell's hit
-/// list is a cut through it, named by entry indices; children refine their parent's list only.
-/// One object serves one root pyray at a time; `reset` reuses its memory.
+/// list is a cut through it, as entry indices; children refine their parent's list only. One object
+/// serves one root pyray at a time; `reset` reuses its memory.
 class HitLists {
  public:
   using List = std::vector<std::uint32_t>;
 
-  /// Starts a new root frame among `features`, which must outlive its use, as must what `bounds`
-  /// points to. Nothing smaller than `finest_side` is ever opened for its size.
+  /// Starts a new root frame among `features`. These must outlive its use, and so must the data of
+  /// `bounds`. Nothing smaller than `finest_side` is opened because of its size.
   void reset(const FeatureSet& features, const Frame& frame, float finest_side,
              const SearchBounds& bounds = {});
 
-  /// A boundary that is no feature of the scene, straight from p to q. Nothing hides it: boundaries
-  /// of the scene may be cut off where it runs, and would end in the open without it.
+  /// Adds a straight boundary from p to q that is no feature of the scene. It is never hidden:
+  /// boundaries of the scene may be cut off along it and would have open ends without it.
   void add_boundary(glm::vec2 p, glm::vec2 q);
 
-  /// The list of the whole square: the hierarchy's root or the cut, not opened, and what was added.
+  /// Returns the list of the whole square: the unopened root of the hierarchy or the cut, and the
+  /// added boundaries.
   [[nodiscard]] const List& root() const { return root_; }
-  /// The same without what was added.
+  /// Returns the same without the added boundaries.
   [[nodiscard]] std::span<const std::uint32_t> scene_root() const {
     return std::span(root_).first(scene_entries_);
   }
 
-  /// The list of a cell from its parent's. Drops what misses the cell; opens a node while it is
-  /// larger than a quarter of the cell, or while so few entries are left that the cell may turn out
-  /// empty or crossed by one boundary. Entries that `hiding` hides are kept, but never opened.
-  /// `seen`: `hiding` is the surface that a sample in the cell met, so that opening may stop once
-  /// the cell is saturated with boundaries before it.
+  /// Computes the list of a cell from its parent's. It drops entries outside of the cell. It opens
+  /// nodes larger than a quarter of the cell, and nodes in short lists, where the cell may turn out
+  /// empty or crossed by one boundary. Entries hidden by `hiding` are kept, but never opened.
+  /// `seen` says that `hiding` is the surface of a sample in the cell, so that opening may stop
+  /// once the cell is saturated with boundaries in front of it.
   void refine(const Square& cell, const HidingPlane& hiding, std::span<const std::uint32_t> parent,
               List& list, bool seen = false);
 
-  /// Opens an entry all the way down, however small it is, and appends the segments below it that
-  /// cross the cell; a chain that is straight within `tolerance`, in the frame, becomes one
-  /// segment. False, with `list` as it happens to be, once it holds more than `limit`.
+  /// Opens an entry completely, whatever its size, and appends the segments below it that cross the
+  /// cell. A chain that is straight within `tolerance`, in the frame, becomes one segment. Returns
+  /// false, with an incomplete `list`, once it has more than `limit` entries.
   [[nodiscard]] bool resolve(std::uint32_t i, const Square& cell, float tolerance,
                              std::size_t limit, List& list);
 
   [[nodiscard]] const HitEntry& entry(std::uint32_t i) const { return entries_[i]; }
   [[nodiscard]] const Segment& segment(const HitEntry& e) const { return segments_[e.ref]; }
   [[nodiscard]] const Segment& segment(std::uint32_t i) const { return segments_[entries_[i].ref]; }
-  /// The sheets on both sides of a segment's edge (FeatureEdge::none: none there).
+  /// Returns the smooth surfaces on both sides of a segment's edge (FeatureEdge::none: none there).
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> sheets(std::uint32_t i) const {
     if (segment(i).edge == FeatureEdge::none) return {FeatureEdge::none, FeatureEdge::none};
     const FeatureEdge edge = features_->edge(segment(i).edge);
     return {edge.left_sheet, edge.right_sheet};
   }
-  /// The kind of a segment as seen in this frame: a crease or a seam whose two faces lie to the
-  /// same side of it is a silhouette. Nothing for a boundary that is no feature of the scene.
+  /// Returns the kind of a segment in this frame. A crease or a seam whose two faces lie on the
+  /// same side of it is a silhouette. Returns nothing for a boundary that is no feature of the
+  /// scene.
   [[nodiscard]] std::optional<FeatureKind> kind(std::uint32_t i) const;
-  /// The kind of a segment's edge as the scene has it; open where it is no edge of the scene.
+  /// Returns the kind of a segment's edge in the scene; open if it is no edge of the scene.
   [[nodiscard]] FeatureKind feature(std::uint32_t i) const {
     return segment(i).edge == FeatureEdge::none ? FeatureKind::open
                                                 : features_->edge(segment(i).edge).kind;
   }
   [[nodiscard]] const Frame& frame() const { return frame_; }
-  /// Whether nodes stayed closed because the search had cost all that its bounds allow.
+  /// Returns whether nodes stayed closed because the search reached the limit of its bounds.
   [[nodiscard]] bool exhausted() const { return entries_.size() > bounds_.most_entries; }
 
-  /// Whether an entry of a cell's list lies behind `hiding` wherever it crosses the cell.
+  /// Returns whether an entry of a cell's list lies behind `hiding` everywhere in the cell.
   [[nodiscard]] bool hidden(std::uint32_t i, const Square& cell, const HidingPlane& hiding) const;
 
  private:
@@ -118,19 +120,19 @@ class HitLists {
   const FeatureSet* features_ = nullptr;
   SearchBounds bounds_;
   List root_;
-  std::size_t scene_entries_ = 0;  // the first of root_
+  std::size_t scene_entries_ = 0;  // the first ones of root_
   Frame frame_ = Frame::pyramid({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0});
   NodeTestFrame test_frame_{frame_};
   float finest_side_ = 0.0f;
-  // Of the list being refined, what may be seen: unopened nodes, and segments.
+  // Possibly visible entries of the list that is being refined: unopened nodes, and segments.
   struct InView {
     std::size_t nodes = 0;
     std::size_t segments = 0;
   };
   InView in_view_;
   bool stops_when_saturated_ = false;
-  float squares_a_unit_ =
-      1.0f;  // length in the square of a world unit across the view, at nearness 1
+  // Length in the square of a world unit across the view, at nearness 1.
+  float squares_a_unit_ = 1.0f;
   std::vector<HitEntry> entries_;
   std::vector<Segment> segments_;
   Flattener flattener_;

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
-// The roots of a fat pyray whose camera has a lens.
+// Finishes the roots of a fat pyray whose camera has a lens.
 
 namespace asos {
 
 // Sharp roots are subdivided as a pinhole's are, smooth ones are one wide leaf each, and all others
-// are sampled over the lens; or all are widened and subdivided.
+// are sampled over the lens. Alternatively all are widened and subdivided.
 void Tracer::finish_lens_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                                LensCaster& lens, std::uint32_t observed, TracedPyray* traced) {
   roots_.clear();
@@ -60,8 +60,8 @@ void Tracer::finish_lens_root(Root root, Caster& caster, LensCaster& lens, int m
   if (!finish_clear_root(root, max_level, caster)) roots_.push_back(root);
 }
 
-// Whether a boundary that may be visible crosses a root, by the list of the square searched around
-// it. The root's own list is in `lens_lists_` then.
+// Returns whether a boundary that may be visible crosses a root, from the list of its search
+// square. `lens_lists_` has the root's own list then.
 bool Tracer::crosses(const Root& root, const Caster& caster) {
   BoundarySearch::List& list = lens_lists_[root.id];
   const BoundarySearch::Sight sight = search_.sight(root.square, caster.cover(root.id));
@@ -80,7 +80,7 @@ void Tracer::sample_lens_root(const Root& root, LensCaster& lens) {
   cell.samples.push_back({root.id, glm::vec2(0.5f), 1.0, {}, {}});
 }
 
-// A boundary's other side may show a depth that is not sharp: then its root is sampled.
+// The surface behind a boundary may have a depth that is not sharp. Then the root is sampled.
 void Tracer::drop_blurred_roots(const SubdivisionRules& rules, LensCaster& lens) {
   if (crossed_.empty()) return;
   std::vector<Root> tried = crossed_;

@@ -8,24 +8,24 @@
 
 namespace asos {
 
-/// How one object stands after level K: a row of the papers' tables (GI'93 tables 1 and 2).
+/// The state of one object after level K: a row of the papers' tables (GI'93 tables 1 and 2).
 struct ObjectTally {
-  /// The number that stands for clusters: boundaries so small that they were not resolved.
+  /// The number for clusters: boundaries too small to be resolved.
   static constexpr std::uint32_t clusters = 0xfffffffeu;
 
-  std::uint32_t object = 0;  ///< a sheet of the FeatureSet
+  std::uint32_t object = 0;  ///< a smooth surface of the FeatureSet
   std::uint32_t in = 0;      ///< marginal cells whose axis hits the object
   std::uint32_t out = 0;     ///< marginal cells whose axis misses it
   bool one_edge = true;      ///< each of its marginal cells is near one edge only
 
   /// M.
   [[nodiscard]] std::uint32_t marginal() const { return in + out; }
-  /// L; of clusters, whose in and out are not known, all.
+  /// Returns L; for clusters, whose in and out are unknown, the sum.
   [[nodiscard]] std::uint32_t larger() const {
     return object == clusters ? in + out : std::max(in, out);
   }
-  /// The most that splitting can change the object's share of the root: L / 2^2K, or L / 2^(2K+1)
-  /// near one edge, of which at most half a cell can change (6.2).
+  /// Returns the largest change of the object's fraction of the root by splitting: L / 2^2K. Near
+  /// one edge, at most half a cell can change, so it is L / 2^(2K+1) (6.2).
   [[nodiscard]] double change(int level) const {
     return std::ldexp(larger(), -2 * level - (one_edge ? 1 : 0));
   }
@@ -38,13 +38,13 @@ struct LevelTally {
   std::vector<ObjectTally> objects;  ///< by number
 
   void start(int at_level);
-  /// Counts a marginal cell: the objects whose boundaries pass through it, what its axis hits, and
-  /// whether just one edge is near.
+  /// Counts a marginal cell: the objects whose boundaries pass through it, the object on its axis,
+  /// and whether only one edge is near.
   void add_cell(std::span<const std::uint32_t> objects_near, std::uint32_t hit, bool one_edge);
 
-  /// Share of the root's area whose cells are marginal: M / 2^2K.
+  /// Returns the fraction of the root's area in marginal cells: M / 2^2K.
   [[nodiscard]] double unresolved_area() const { return std::ldexp(marginal, -2 * level); }
-  /// The largest change of any object.
+  /// Returns the largest change of any object.
   [[nodiscard]] double largest_change() const;
 };
 

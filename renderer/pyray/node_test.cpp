@@ -5,9 +5,9 @@
 #include <cstring>
 #include <limits>
 
-// Eight children at a time, in the vectors that GCC and Clang offer on all machines; each clone of
-// the function below is compiled for one instruction set and chosen when the program starts.
-// Sanitizers run before the choice can be made, so there it is plain.
+// Tests eight children at a time, in the vector types that GCC and Clang offer on all machines.
+// Each clone of the function below is compiled for one instruction set and selected at program
+// start. Sanitizers run before the selection, so there is only one version with them.
 #if defined(ASOS_SANITIZED)
 #define ASOS_CLONES
 #else
@@ -15,15 +15,15 @@
 #endif
 #define ASOS_INLINE __attribute__((always_inline)) inline
 
-// Vectors are handed to functions that are always inlined only: no calling convention is concerned.
+// Vectors are passed to always-inlined functions only, so no calling convention matters.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace asos {
 namespace {
 
 constexpr int width = FeatureNode::width;
-// Each coordinate is rounded when the apex is subtracted, and each product and sum after that: five
-// roundings of at most 2^-24 of the magnitudes met, doubled.
+// Rounding occurs at the subtraction of the apex, and at each product and sum after that: five
+// roundings of at most 2^-24 of the magnitudes, doubled.
 constexpr float rounding = 6e-7f;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -87,13 +87,13 @@ NodeTestResult test_children(const FeatureNode& node, const NodeTestFrame& frame
     c[k] = centre - frame.apex[k];
     h[k] = 0.5f * (hi - lo) + rounding * (magnitude(centre) + std::abs(frame.apex[k]));
   }
-  // U, V, W of the centres, and how far the boxes reach around them.
+  // U, V, W of the centres, and the extent of the boxes around them.
   Floats at[3], reach[3];
   for (int r = 0; r < 3; ++r) {
     at[r] = along(frame.row[r], c);
     reach[r] = along(frame.row_abs[r], h);
   }
-  // Which boxes meet the pyray, and their rectangles and greatest nearness.
+  // Find the boxes that meet the pyray, with their rectangles and greatest nearness.
   Masks inside =
       (at[0] + reach[0] >= 0.0f) & (at[1] + reach[1] >= 0.0f) & (at[2] + reach[2] >= 0.0f);
   Floats u0 = at[0] - reach[0], u1 = at[0] + reach[0];
@@ -115,8 +115,9 @@ NodeTestResult test_children(const FeatureNode& node, const NodeTestFrame& frame
     v1 = ahead ? v1 * (v1 < 0.0f ? q_far : q_near) : all(infinity);
     nearness = ahead ? q_near : all(infinity);
   }
-  // No silhouette below: |axis . view| > sin(cone + ball), where the ball is the box's, seen from
-  // the apex, and both angles together stay below a right one. All times the distance.
+  // No silhouette below: |axis . view| > sin(cone + ball). The ball is the box's, seen from the
+  // apex, and the sum of the two angles is below a right one. All terms are multiplied by the
+  // distance.
   Floats view[3], r2 = {};
   for (int k = 0; k < 3; ++k) {
     view[k] = frame.parallel ? all(frame.direction[k]) : c[k];

@@ -5,7 +5,7 @@
 
 namespace asos {
 
-/// A frame's numbers as the eight-wide node test wants them.
+/// A frame's numbers in the layout of the eight-wide node test.
 struct NodeTestFrame {
   explicit NodeTestFrame(const Frame& frame);
 
@@ -21,7 +21,7 @@ struct NodeTestFrame {
 /// The children of a node that are kept: the rectangle of each in the frame and its greatest
 /// nearness.
 struct NodeTestResult {
-  unsigned kept = 0;  ///< bit i: child i may bound something inside the square
+  unsigned kept = 0;  ///< bit i: child i may be a boundary inside the square
   float u0[FeatureNode::width];
   float v0[FeatureNode::width];
   float u1[FeatureNode::width];
@@ -29,8 +29,9 @@ struct NodeTestResult {
   float nearness[FeatureNode::width];
 };
 
-/// Tests all children of a node: outside the pyray, or no silhouette as seen from the apex (by the
-/// normals' cone) and nothing else below: dropped. Conservative in single precision.
+/// Tests all children of a node. Drops those outside the pyray, and those with no silhouette seen
+/// from the apex (by the cone of their normals) and no other boundary. Conservative in single
+/// precision.
 [[nodiscard]] NodeTestResult test_children(const FeatureNode& node, const NodeTestFrame& frame);
 
 }  // namespace asos

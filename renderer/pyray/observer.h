@@ -11,22 +11,23 @@
 #include <cstdint>
 #include <vector>
 
-// How pyrays were subdivided, as it happened while rendering. Places are in the pyray's own square:
-// u to the right and v down, 0 to 1 across it.
+// Records the subdivision of pyrays during rendering. Places are in the pyray's own square: u to
+// the right and v down, 0 to 1 across it.
 
 namespace asos {
 
-/// The end of a cell.
+/// The fate of a cell.
 enum class CellFate {
-  uniform,    ///< no visible boundary: one sample tells all
-  cut,        ///< cut along its boundaries, one sample in each part
-  uneven,     ///< no boundary, or cut along them, but shaded too unevenly: its four children follow
+  uniform,  ///< no visible boundary: one sample represents it
+  cut,      ///< cut along its boundaries, one sample in each part
+  /// No boundary, or cut along them, but its shading varies too much: its four children follow.
+  uneven,
   split,      ///< marginal: its four children follow
   stopped,    ///< marginal, and the rule held: one sample
-  finest,     ///< marginal at MAX: one sample, or samples all over it
-  sampled,    ///< no visible boundary, and samples all over it tell what it shows
-  saturated,  ///< so many boundaries that samples all over it cost less than its parts
-  by_samples  ///< split by the safety net, for what its samples showed
+  finest,     ///< marginal at MAX: one sample, or samples distributed over it
+  sampled,    ///< no visible boundary, and samples distributed over it
+  saturated,  ///< so many boundaries that samples cost less than its parts
+  by_samples  ///< split by the safety net, because of its samples
 };
 
 /// A point sample of a finished leaf.
@@ -35,17 +36,17 @@ struct TracedSample {
 
   SampleId id = no_sample;  ///< the caster's number
   glm::vec2 at{0.0f};
-  double weight = 0.0;                   ///< share of the pyray
+  double weight = 0.0;                   ///< fraction of the pyray
   glm::vec3 radiance{0.0f};              ///< linear; shadows: the visibility of the light
-  std::uint32_t triangle = no_triangle;  ///< the world's triangle that it met
+  std::uint32_t triangle = no_triangle;  ///< the world's triangle at its hit
   std::vector<BorderEdge> border{};      ///< sides of its part; empty: the part is its whole cell
 };
 
-/// A piece of a boundary that may be visible, clipped to what the detection of its cell reaches.
+/// A piece of a boundary that may be visible, clipped to the reach of its cell's detection.
 struct TracedBoundary {
   glm::vec2 from{0.0f};
   glm::vec2 to{0.0f};
-  FeatureKind kind = FeatureKind::open;  ///< open as well where it is no edge of the scene
+  FeatureKind kind = FeatureKind::open;  ///< also open where it is no edge of the scene
 };
 
 struct TracedCell {
@@ -55,26 +56,26 @@ struct TracedCell {
   CellFate fate = CellFate::uniform;
   std::vector<TracedBoundary> boundaries;
   std::uint32_t clusters = 0;  ///< groups of boundaries that were not resolved
-  std::uint32_t hidden = 0;    ///< boundaries, or groups, behind the surface that the cell shows
+  std::uint32_t hidden = 0;    ///< boundaries, or groups, behind the cell's surface
   std::vector<TracedSample> samples;
 };
 
-/// A pyray of a pixel, or one that a leaf sent on: to a light, or by way of a mirror.
+/// A pyray of a pixel, or one cast by a leaf: to a light, or by reflection.
 struct TracedPyray {
   enum class Kind { eye, shadow, mirror };
 
   Kind kind = Kind::eye;
   std::uint32_t light = 0;  ///< shadow: index of the light
-  int bounces = 0;          ///< mirrors before it
-  int parent = -1;          ///< number of the mirrored pyray whose leaf sent it; -1: the pixel's
+  int bounces = 0;          ///< number of mirrors before it
+  int parent = -1;          ///< number of the reflected pyray whose leaf cast it; -1: the pixel's
   glm::vec2 from{0.0f};     ///< that leaf's sample, in the parent's square
-  double weight = 1.0;      ///< that leaf's share of the parent
-  glm::vec3 result{0.0f};   ///< mean radiance that comes back; shadow: the light's visibility
+  double weight = 1.0;      ///< that leaf's fraction of the parent
+  glm::vec3 result{0.0f};   ///< mean radiance along it; shadow: the light's visibility
   std::vector<LevelTally>
       levels;  ///< the papers' tables: K, M, in, out, L; those with marginal cells
   std::vector<TracedCell> cells;  ///< level by level
 
-  /// What the part showed that a sample stands for, where that is known later than the cells.
+  /// Sets the radiance of a sample's part, where that is known later than the cells.
   void note(SampleId sample, glm::vec3 radiance) {
     for (TracedCell& cell : cells)
       for (TracedSample& of_cell : cell.samples)
@@ -82,8 +83,8 @@ struct TracedPyray {
   }
 };
 
-/// Writes down one pixel's pyrays while they are traced; those that its leaves sent on up to
-/// `most`.
+/// Records one pixel's pyrays while they are traced, including up to `most` of those cast by its
+/// leaves.
 class Observer {
  public:
   static constexpr std::size_t most = 500;
@@ -96,17 +97,17 @@ class Observer {
   }
 };
 
-/// An observer as one pyray's leaves meet it: null if nobody looks on.
+/// The observer for one pyray's leaves; null if there is none.
 struct ObservedLeaf {
   Observer* observer = nullptr;
-  int pyray = -1;      ///< number of the pyray that the leaf belongs to
+  int pyray = -1;      ///< number of the leaf's pyray
   glm::vec2 at{0.0f};  ///< its sample, in the pyray's square
   double weight = 1.0;
 
   [[nodiscard]] bool wants_more() const {
     return observer && observer->nested.size() < Observer::most;
   }
-  /// Begins a pyray that the leaf sends on; its number.
+  /// Begins a pyray cast by the leaf and returns its number.
   [[nodiscard]] int begin(TracedPyray::Kind kind) const {
     TracedPyray& sent = observer->nested.emplace_back();
     sent.kind = kind;

@@ -10,7 +10,7 @@
 namespace asos {
 namespace {
 
-// Position along the border, 0 to 4, from the top left corner over the top right one.
+// Returns the position along the border, 0 to 4, from the top left corner over the top right one.
 double along_border(glm::dvec2 p) {
   if (p.y == 0.0) return p.x;
   if (p.x == 1.0) return 1.0 + p.y;
@@ -22,13 +22,13 @@ bool same_side(glm::dvec2 p, glm::dvec2 q) {
   return (p.x == q.x && (p.x == 0.0 || p.x == 1.0)) || (p.y == q.y && (p.y == 0.0 || p.y == 1.0));
 }
 
-// Whether x / whole lies between 0 and 1: most do not, and need no division.
+// Returns whether x / whole lies between 0 and 1, without a division.
 bool is_between(double x, double whole) {
   return whole > 0.0 ? x > 0.0 && x < whole : x < 0.0 && x > whole;
 }
 
-// Connected components of nodes, to tell islands from what holds them: each node's is the lowest
-// node that it is connected with.
+// Finds connected components of nodes, to distinguish islands from the parts around them. A
+// component is the index of its lowest node.
 template <typename Edges>
 void find_components(const Edges& edges, std::size_t nodes, std::vector<std::uint32_t>& component) {
   component.resize(nodes);
@@ -55,7 +55,7 @@ std::span<const CellPart> CellPartition::cut(const Square& cell, std::span<const
   specks_.clear();
   for (const Segment& s : segments)
     if (!add_piece(s)) return {};
-  // Each line right through the cell adds a part, whatever else there is.
+  // Each line across the whole cell adds a part.
   const auto through = std::count_if(pieces_.begin(), pieces_.end(), [](const Piece& piece) {
     return on_border(piece.p) && on_border(piece.q);
   });
@@ -69,7 +69,7 @@ std::span<const CellPart> CellPartition::cut(const Square& cell, std::span<const
   return parts_;
 }
 
-// The part of a segment inside the cell, in cell units. False: not finite.
+// Adds the part of a segment inside the cell, in cell units. Returns false if it is not finite.
 bool CellPartition::add_piece(const Segment& s) {
   const glm::dvec2 corner(cell_.u, cell_.v);
   const double scale = 1.0 / static_cast<double>(cell_.side);
@@ -90,14 +90,14 @@ bool CellPartition::add_piece(const Segment& s) {
     t1 = std::min(t1, std::max(x, y));
   }
   if (!(t0 < t1)) return true;
-  // Along a side it cuts nothing off; a very short one bounds nothing.
+  // A piece along a side cuts nothing off; a very short one is no boundary.
   const Piece piece{snapped(p + t0 * d), snapped(p + t1 * d)};
   if (same_side(piece.p, piece.q)) return true;
   if (glm::distance(piece.p, piece.q) < snap) {
     add_speck(piece.p);
     return true;
   }
-  // Edges that fall together in the picture (a face seen edge-on) are one line.
+  // Edges that coincide in the picture (a face seen edge-on) are one line.
   for (const Piece& other : pieces_) {
     if ((are_one(piece.p, other.p) && are_one(piece.q, other.q)) ||
         (are_one(piece.p, other.q) && are_one(piece.q, other.p)))
@@ -112,14 +112,14 @@ void CellPartition::add_speck(glm::dvec2 p) {
   if (std::none_of(specks_.begin(), specks_.end(), known)) specks_.push_back(p);
 }
 
-// One line through the cell: two convex parts.
+// One line across the cell makes two convex parts.
 bool CellPartition::cut_by_one() {
   const Piece piece = pieces_[0];
   const double tp = along_border(piece.p);
   const double tq = along_border(piece.q);
   static constexpr glm::dvec2 corners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int part = 0; part < 2; ++part) {
-    // Around the border from one end to the other, then back along the line.
+    // Walk around the border from one end to the other, then back along the line.
     const double from = part == 0 ? tp : tq;
     double to = part == 0 ? tq : tp;
     if (to <= from) to += 4.0;
@@ -188,7 +188,7 @@ void CellPartition::split_pieces() {
         (void)node_at(snapped(pieces_[i].p + (along_d / det) * d));
     }
   }
-  // Join the nodes along each piece, in their order.
+  // Connect the nodes along each piece, in their order.
   for (const Piece& piece : pieces_) {
     const glm::dvec2 d = piece.q - piece.p;
     const double length = glm::length(d);
@@ -233,8 +233,9 @@ bool CellPartition::trace_loops(std::size_t max_parts) {
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) components += component_[n] == n;
   if (edges_.size() + components > nodes_.size() + max_parts) return false;
 
-  // Around each node, half-edges by angle; the next of h is what precedes its twin there. Sorting
-  // by (node, angle) in one go; the angle as a number that grows with it, from 0 to 4.
+  // Sort the half-edges around each node by angle; the successor of h is the predecessor of its
+  // twin there. One sort by (node, angle) does this; the angle is a number from 0 to 4 that grows
+  // with it.
   around_.clear();
   for (std::uint32_t h = 0; h < count; ++h) {
     const glm::dvec2 d = nodes_[head(h)] - nodes_[tail(h)];
@@ -272,7 +273,7 @@ bool CellPartition::trace_loops(std::size_t max_parts) {
   return true;
 }
 
-// Faces from loops: each loop of positive area, less the islands inside it.
+// Makes faces from loops: each loop of positive area, less the islands inside it.
 bool CellPartition::make_parts(std::size_t max_parts) {
   std::int32_t parts = 0;
   for (Loop& loop : loops_)

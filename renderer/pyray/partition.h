@@ -11,9 +11,9 @@
 
 namespace asos {
 
-/// One part of a cell that its boundary lines leave: uniform, where those are all the lines.
+/// One part of a cell between its boundary lines. It is uniform if those are all the boundaries.
 struct CellPart {
-  double area = 0.0;  ///< share of the cell, 0 to 1
+  double area = 0.0;  ///< fraction of the cell, 0 to 1
   float u = 0.0f;     ///< a point well inside it, in the root frame
   float v = 0.0f;
   float u0 = 0, v0 = 0, u1 = 0, v1 = 0;  ///< its bounding rectangle
@@ -22,19 +22,19 @@ struct CellPart {
 };
 
 /// Cuts a cell along the boundary segments that cross it, with exact areas ("exact leaf"). CGF'98
-/// sections 6.2 and 6.4 hint at it for a single edge; this is the planar arrangement of any few
-/// segments: lines, chains, corners, junctions, crossings, slivers and islands. A line that ends a
-/// little before the next one goes on to it: where a bent mirror shows a corner, or a leaf's own
-/// outline crosses what it mirrors, lines of one corner were found in different ways.
-/// Double precision in cell units; keeps its memory between calls; one object a thread.
+/// sections 6.2 and 6.4 mention it for a single edge. This is the planar arrangement of any few
+/// segments: lines, chains, corners, junctions, crossings, slivers and islands. A line that ends
+/// slightly before the next one is extended to it. Such gaps occur where lines of one corner were
+/// found in different ways, as in curved mirrors or at a leaf's own outline. Uses double precision
+/// in cell units; reuses its memory; one object per thread.
 class CellPartition {
  public:
-  /// The parts, their areas adding up to 1, or nothing where the lines are too many for
-  /// `max_parts` or too nearly degenerate to be resolved: the cell then has to be subdivided.
+  /// Returns the parts, whose areas add up to 1. Returns nothing if there are too many lines for
+  /// `max_parts`, or they are too degenerate; then the cell has to be subdivided.
   [[nodiscard]] std::span<const CellPart> cut(const Square& cell, std::span<const Segment> segments,
                                               std::size_t max_parts);
 
-  /// All sides of the parts cut last, in the root frame.
+  /// Returns all sides of the last parts, in the root frame.
   [[nodiscard]] std::span<const BorderEdge> borders() const { return borders_; }
 
  private:
@@ -48,7 +48,7 @@ class CellPartition {
   struct Loop {
     std::uint32_t first = 0;  // into loop_nodes_
     std::uint32_t count = 0;
-    double area = 0.0;  // positive: bounds a part from outside
+    double area = 0.0;  // positive: the outer border of a part
     std::uint32_t component = 0;
     std::int32_t part = -1;
   };
@@ -79,7 +79,7 @@ class CellPartition {
 
   Square cell_;
   std::vector<Piece> pieces_;
-  std::vector<glm::dvec2> specks_;  // where pieces are too short to bound anything
+  std::vector<glm::dvec2> specks_;  // places of pieces that are too short to be boundaries
   std::vector<glm::dvec2> nodes_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> component_;

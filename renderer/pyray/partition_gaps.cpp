@@ -9,10 +9,10 @@
 namespace asos {
 namespace {
 
-// So little, in cells, lies between the end of a piece and what it goes on to.
+// Largest gap between the end of a piece and its continuation, in cells.
 constexpr double widest_gap = 1.0 / 64.0;
 
-/// The nodes of a cell, and what joins them.
+/// The nodes of a cell with their edges.
 class Graph {
  public:
   Graph(std::span<const glm::dvec2> nodes, std::span<const PartitionEdge> edges)
@@ -20,7 +20,7 @@ class Graph {
     for (const PartitionEdge& e : edges) ++edges_at_[e.from], ++edges_at_[e.to];
   }
 
-  /// Whether a piece's end bounds nothing: no other begins or passes there.
+  /// Returns whether a piece's end is loose: no other piece begins or passes there.
   [[nodiscard]] bool dangles(glm::dvec2 end) const {
     if (on_border(end)) return false;
     int found = 0, edges = 0;
@@ -30,7 +30,7 @@ class Graph {
       edges = edges_at_[i];
     }
     if (found <= 1) return edges == 1;
-    // Near both of two nodes, an edge between which is one.
+    // The end is near both of two nodes; an edge between them counts once.
     const auto meets = [&](const PartitionEdge& e) {
       return are_one(nodes_[e.from], end) || are_one(nodes_[e.to], end);
     };
@@ -43,8 +43,8 @@ class Graph {
   std::vector<int> edges_at_;
 };
 
-// Where a piece goes on to from its end: to the next line ahead, or else to the nearest end of
-// another, if that is near enough.
+// Returns the continuation of a piece beyond its end: the next line ahead, or else the nearest end
+// of another, if it is within the limit.
 std::optional<glm::dvec2> beyond_gap(std::span<const PartitionPiece> pieces, std::size_t piece,
                                      glm::dvec2 end, glm::dvec2 ahead) {
   double nearest = widest_gap;
@@ -60,7 +60,7 @@ std::optional<glm::dvec2> beyond_gap(std::span<const PartitionPiece> pieces, std
     const double t = ((ahead[k] > 0.0 ? 1.0 : 0.0) - end[k]) / ahead[k];
     offer(snapped(end + t * ahead), t);
   }
-  // Others that cross its way.
+  // Other pieces that it would cross.
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i == piece) continue;
     const glm::dvec2 along = pieces[i].q - pieces[i].p;
@@ -71,7 +71,7 @@ std::optional<glm::dvec2> beyond_gap(std::span<const PartitionPiece> pieces, std
     if (s > 0.0 && s < 1.0) offer(end + t * ahead, t);
   }
   if (found) return found;
-  // Others that end beside it.
+  // Other pieces that end nearby.
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i == piece) continue;
     for (const glm::dvec2 other : {pieces[i].p, pieces[i].q})

@@ -9,8 +9,9 @@
 
 namespace asos {
 
-/// Joins pieces that end a little (a 64th of a cell) before another to it, by pieces of their own:
-/// no line is moved. By the nodes and the edges that the pieces make now. Whether there were any.
+/// Connects pieces that end slightly (a 64th of a cell) before another, by additional pieces, so
+/// that no line moves. `nodes` and `edges` are those of the given pieces. Returns whether there
+/// were any gaps.
 [[nodiscard]] bool close_gaps(std::vector<PartitionPiece>& pieces,
                               std::span<const glm::dvec2> nodes,
                               std::span<const PartitionEdge> edges);

@@ -4,7 +4,8 @@
 
 #include <cstdint>
 
-// What a cell is cut by, in cell units: which points are one, and which lie on its border.
+// The boundaries of a cell in cell units, with the tolerances for equal points and for points on
+// its border.
 
 namespace asos {
 
@@ -13,13 +14,13 @@ struct PartitionPiece {
   glm::dvec2 p, q;
 };
 
-/// What joins two nodes, as their indices.
+/// An edge between two nodes, by their indices.
 struct PartitionEdge {
   std::uint32_t from, to;
 };
 
-/// Points closer than this, in cells, are one. Segments come in single precision of the root frame,
-/// so nothing much finer has a meaning. A smaller piece leaves a speck, which is given to the parts
+/// Points closer than this, in cells, are equal. Segments come in single precision of the root
+/// frame, so smaller distances have no meaning. The area of a smaller piece goes to the parts
 /// around it: at most snap^2 of the cell each.
 inline constexpr double snap = 4e-6;
 
@@ -32,7 +33,7 @@ inline constexpr double snap = 4e-6;
   return p.x == 0.0 || p.x == 1.0 || p.y == 0.0 || p.y == 1.0;
 }
 
-/// Onto the border, if it is that near.
+/// Moves a point to the border if it is that near.
 [[nodiscard]] inline glm::dvec2 snapped(glm::dvec2 p) {
   for (int k = 0; k < 2; ++k) {
     if (p[k] < snap) p[k] = 0.0;

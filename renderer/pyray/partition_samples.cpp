@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-// Where in a cell's parts their samples go.
+// Places the samples of a cell's parts.
 
 namespace asos {
 namespace {
 
-// How far inside its part a sample has to be, in square roots of the part's area: chains are drawn
-// within a sixty-fourth of a cell of where they are.
+// Distance of a sample from its part's border, in square roots of the part's area. Simplified
+// chains are within 1/64 of a cell of their true place.
 constexpr double well_inside = 1.0 / 32.0;
 
 }  // namespace
@@ -22,8 +22,9 @@ bool CellPartition::inside_part(std::int32_t part, glm::dvec2 p) const {
   return in;
 }
 
-// Area, and the centroid where it lies well inside; else the clearest place among it and the
-// middles of a few chords: a boundary may lie a little beside where it is drawn.
+// Computes area and centroid. If the centroid is not well inside, it selects the place farthest
+// from the border among the centroid and the centres of a few chords, since boundaries may be
+// slightly displaced.
 bool CellPartition::place_sample(std::int32_t part, const Loop& outer) {
   // Sum up the area, the centroid and the bounds.
   double area = 0.0;
@@ -66,7 +67,7 @@ bool CellPartition::place_sample(std::int32_t part, const Loop& outer) {
   return true;
 }
 
-// Where a part's border crosses the line at height y, in order.
+// Finds where a part's border crosses the line at height y, in order.
 void CellPartition::find_crossings(std::int32_t part, double y) {
   crossings_.clear();
   for (const Loop& loop : loops_) {
@@ -78,7 +79,8 @@ void CellPartition::find_crossings(std::int32_t part, double y) {
   std::sort(crossings_.begin(), crossings_.end());
 }
 
-// How far a point is from its part's border and from specks; the cell's own border counts as well.
+// Returns the distance of a point from its part's border and from specks; the cell's own border
+// counts as well.
 double CellPartition::clearance(std::int32_t part, glm::dvec2 p) const {
   double nearest = 2.0;
   for (const Loop& loop : loops_) {
@@ -100,7 +102,7 @@ void CellPartition::emit_edge(glm::dvec2 from, glm::dvec2 to) {
   borders_.push_back({placed(from), placed(to)});
 }
 
-// The edges since `first_edge` are the part's.
+// The part's edges are those from `first_edge` on.
 void CellPartition::emit(double area, glm::dvec2 at, glm::dvec2 lo, glm::dvec2 hi,
                          std::size_t first_edge) {
   const auto u = [&](double x) { return cell_.u + cell_.side * static_cast<float>(x); };

@@ -8,16 +8,16 @@
 
 namespace asos {
 
-/// How far the engine goes to cut a cell instead of splitting it. The defaults suit pixels, of
-/// which there are many and whose children are cheap; a light is looked at once, from afar, and its
-/// parts cost a ray each.
+/// Limits for cutting a cell instead of splitting it. The defaults suit pixels, since there are
+/// many and their children are cheap. A light is seen once, from a distance, and its parts cost a
+/// ray each.
 struct CutLimits {
-  int least_parts = 16;      ///< parts that are allowed at any level
-  int most_groups = 8;       ///< groups of boundaries that are resolved at all
-  int most_boundaries = 12;  ///< edges, or chains of edges
-  int most_pieces = 32;      ///< straight pieces of a few chains
-  /// The tolerance on simplified chains, in roots; 0: a 64th of a finest cell, and less in larger
-  /// ones.
+  int least_parts = 16;      ///< number of parts allowed at any level
+  int most_groups = 8;       ///< number of groups of boundaries to resolve
+  int most_boundaries = 12;  ///< number of edges, or chains of edges
+  int most_pieces = 32;      ///< number of straight pieces of a few chains
+  /// The tolerance of simplified chains, in roots; 0: a 64th of a finest cell, and less in larger
+  /// cells.
   float tolerance = 0.0f;
 };
 
@@ -27,12 +27,12 @@ struct SubdivisionRules {
   const SubdivisionVariant* variant = nullptr;  ///< null: the engine's own way
   bool jitter = false;  ///< jitter the samples of cells that stay marginal at MAX
   CutLimits limits;
-  /// Boundaries are drawn at least as finely as for a MAX of this, so that they can be cut along.
+  /// Boundaries are at least as detailed as for this MAX, so that cells can be cut along them.
   int finest_detail = 0;
-  /// A single pyray whose list is longer is given up: no part of it is free of boundaries.
+  /// A single pyray with a longer list is given up, since no part of it is free of boundaries.
   std::size_t most_entries = std::numeric_limits<std::size_t>::max();
 
-  /// As the settings ask for pixels to be subdivided.
+  /// Returns the rules for pixels in the settings.
   [[nodiscard]] static SubdivisionRules of(const RenderSettings& settings,
                                            const SubdivisionVariant* variant) {
     SubdivisionRules rules;
@@ -41,13 +41,14 @@ struct SubdivisionRules {
     rules.jitter = settings.asos.jitter;
     return rules;
   }
-  /// Whether a root ends with the marginal cells that a level left.
+  /// Returns whether a root ends with the marginal cells of a level.
   [[nodiscard]] bool ends(const LevelTally& tally) const {
     return variant ? variant->ends(tally, allowance.eps) : tally.unresolved_area() <= allowance.eps;
   }
-  /// Whether cells are cut along their boundaries.
+  /// Returns whether cells are cut along their boundaries.
   [[nodiscard]] bool cuts_cells() const { return !variant || variant->cuts_cells(); }
-  /// Boundaries smaller than this are never resolved for their size, in a root of side 1.
+  /// Returns the size below which boundaries are never resolved because of their size, in a root of
+  /// side 1.
   [[nodiscard]] float finest_side() const {
     return std::ldexp(1.0f, -std::max(allowance.max_level, finest_detail));
   }

@@ -6,7 +6,7 @@
 namespace asos {
 namespace {
 
-// A boundary is known to be near, so four samples that agree are not yet believed.
+// A boundary is near, so four samples that agree are not trusted yet.
 constexpr int first_trusted_level = 2;
 
 struct Splitter {
@@ -20,7 +20,7 @@ struct Splitter {
     const double weight = 1.0 / static_cast<double>(1ull << (2 * level));
     outcome.deepest = std::max(outcome.deepest, level);
     outcome.pyrays_by_level.at(static_cast<std::size_t>(level)) += 4;
-    // Sample the middles of the four quarters.
+    // Sample the centres of the four quarters.
     std::array<glm::vec2, 4> points;
     for (int i = 0; i < 4; ++i) {
       const Square child = square.quarter(i);
@@ -63,7 +63,7 @@ void trace(const Root& root, std::span<const PyrayLeaf> leaves) {
 SubdivisionOutcome split_by_samples(const Root& root, int max_level, Caster& caster) {
   Splitter splitter{root, max_level, caster};
   splitter.outcome.pyrays_by_level[0] = 1;
-  splitter.outcome.probes = 1;  // of its middle
+  splitter.outcome.probes = 1;  // at its centre
   if (max_level > 0) {
     splitter.split(root.square, 1);
   } else {

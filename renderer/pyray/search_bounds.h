@@ -16,26 +16,26 @@ struct CutNode {
   std::uint32_t children = 0;  ///< bit i: child i
 };
 
-/// A set of sub-trees of the feature hierarchy: all that somebody has not ruled out yet.
+/// A set of sub-trees of the feature hierarchy that have not been ruled out yet.
 using FeatureCut = std::vector<CutNode>;
 
-/// Which boundaries a root pyray looks at, besides those outside of its square: a shadow pyray ends
-/// at its light, and a lamp's own outline does not bound its light.
+/// The boundaries that a root pyray searches, besides the limits of its square. For example, a
+/// shadow pyray ends at its light, and a lamp's own outline does not bound its light.
 struct SearchBounds {
   /// Null: the whole hierarchy.
   const FeatureCut* cut = nullptr;
   /// Boundaries are cut off outside of these.
   std::span<const HalfSpace> within;
-  /// Those that reach into the first half-space go on so far beyond its plane: what stands on a
-  /// patch bounds it down to the patch itself, although rays end above.
+  /// Boundaries that reach into the first half-space extend this far beyond its plane. So an object
+  /// on a patch bounds it down to the patch itself, although rays end above it.
   double beyond_first = 0.0;
   /// Edges that start at one of these vertices do not count.
   std::uint32_t first_ignored_vertex = 0;
   std::uint32_t ignored_vertices = 0;
-  /// Nor do those that start at one of these: lines and points cast no shadows.
+  /// Edges that start at one of these do not count either, since lines and points cast no shadows.
   std::uint32_t first_shadowless_vertex = 0;
   std::uint32_t shadowless_vertices = 0;
-  /// Once so many entries were looked at, no more nodes are opened.
+  /// No more nodes are opened after this many entries.
   std::size_t most_entries = std::numeric_limits<std::size_t>::max();
 
   [[nodiscard]] bool ignores(std::uint32_t vertex) const {

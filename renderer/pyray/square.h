@@ -17,7 +17,7 @@ struct Square {
 
   [[nodiscard]] float centre_u() const { return u + 0.5f * side; }
   [[nodiscard]] float centre_v() const { return v + 0.5f * side; }
-  /// Quarter 0..3: left to right, then top to bottom.
+  /// Returns quarter 0..3: left to right, then top to bottom.
   [[nodiscard]] Square quarter(int i) const {
     const float h = 0.5f * side;
     return {(i & 1) ? u + h : u, (i & 2) ? v + h : v, h};
@@ -40,8 +40,8 @@ struct BorderEdge {
   glm::vec2 to{0.0f};
 };
 
-/// Whether a border goes around a point an odd number of times, reckoned as exactly as the point
-/// is given.
+/// Returns whether a border winds around a point an odd number of times, computed in the precision
+/// of the point.
 template <typename T>
 [[nodiscard]] bool winds_around(std::span<const BorderEdge> border, glm::vec<2, T> p) {
   bool in = false;
@@ -54,11 +54,11 @@ template <typename T>
   return in;
 }
 
-/// The region that a leaf covers: a square, or the part of it that a border goes around.
+/// The region of a leaf: a square, or its part inside a border.
 struct LeafRegion {
   Square square;
   std::span<const BorderEdge> border;  ///< empty: the whole square
-  bool marginal = false;  ///< boundaries pass through it: one sample stands for all of it
+  bool marginal = false;  ///< boundaries pass through it: one sample represents all of it
 
   template <typename T>
   [[nodiscard]] bool holds(glm::vec<2, T> p) const {
@@ -67,7 +67,7 @@ struct LeafRegion {
     const glm::vec<2, T> hi(square.u + square.side, square.v + square.side);
     return p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y;
   }
-  /// Calls visit(BorderEdge) for every edge of the border, those of the square where that is all.
+  /// Calls visit(BorderEdge) for every edge of the border, or of the square if there is no border.
   template <typename Visit>
   void for_each_edge(Visit&& visit) const {
     if (!border.empty()) {
@@ -80,7 +80,7 @@ struct LeafRegion {
   }
 };
 
-/// The rectangle around a leaf's region.
+/// Returns the bounding rectangle of a leaf's region.
 [[nodiscard]] inline Bounds2 bounds_of(const LeafRegion& region) {
   const Square& s = region.square;
   if (region.border.empty()) return {{s.u, s.v}, {s.u + s.side, s.v + s.side}};
@@ -92,8 +92,8 @@ struct LeafRegion {
   return bounds;
 }
 
-/// The share of the rectangle `bounds` around a region that the region fills; 0 if that has no
-/// area.
+/// Returns the fraction of the bounding rectangle `bounds` that a region fills; 0 if the rectangle
+/// has no area.
 [[nodiscard]] inline float filled_share(const LeafRegion& region, const Bounds2& bounds) {
   const glm::vec2 size = bounds.hi - bounds.lo;
   float twice_area = 0.0f;
@@ -117,8 +117,8 @@ struct Clip {
 [[nodiscard]] inline Clip clip(const Segment& s, const Square& square) {
   float t0 = 0.0f;
   float t1 = 1.0f;
-  // Points with lo <= x0 + t d <= hi. The border is drawn in by a millionth, so that an edge which
-  // runs along it belongs to neither side.
+  // Points with lo <= x0 + t d <= hi. The border is moved inwards by a millionth, so that an edge
+  // along it belongs to neither side.
   const auto slab = [&](float x0, float x1, float lo) {
     const float border = 1e-6f * square.side;
     const float hi = lo + square.side - border;

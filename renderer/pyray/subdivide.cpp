@@ -24,12 +24,12 @@ std::span<const SubdivisionOutcome> Subdivider::run(BoundarySearch& search,
       o.deepest = std::max(o.deepest, number);
       ++o.pyrays_by_level[static_cast<std::size_t>(number)];
     }
-    // Cells without boundaries, and those that can be cut along them, become leaves.
+    // Make leaves of the cells without boundaries and of those that can be cut.
     resolver_.resolve(*current, state_);
     if (caster.cancelled()) break;  // some cells may have been left without a sample
-    // The others are marginal. Roots whose rule holds end here.
+    // The others are marginal. End the roots whose rule holds.
     stop_roots(*current);
-    // The rest is split in four.
+    // Split the rest in four.
     split(*current, *next);
     std::swap(current, next);
   }
@@ -56,8 +56,8 @@ void Subdivider::start(std::span<const Root> roots) {
   }
 }
 
-// Ends the roots whose rule holds, or all of them at MAX, with a sample for each marginal cell, or
-// more where MAX is too small for the rule.
+// Ends the roots whose rule holds, or all of them at MAX, with one sample for each marginal cell.
+// Takes more samples if MAX is too small for the rule.
 void Subdivider::stop_roots(CellLevel& level) {
   // Cells of one root are consecutive.
   for (std::size_t i = 0; i < level.cells.size();) {
@@ -80,11 +80,10 @@ void Subdivider::stop_roots(CellLevel& level) {
   finish_marginal(level);
 }
 
-// Counts the marginal cells of one root. The objects that they are marginal to matter to variants
-// and to observers only.
+// Counts the marginal cells of one root. Their objects matter to variants and observers only.
 void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
   tally_.start(level.number);
-  // Without them count the cells alone.
+  // Without these, count cells only.
   if (!state_.rules.variant && !state_.root(cells.front()).traced) {
     tally_.marginal = static_cast<std::uint32_t>(std::count_if(
         cells.begin(), cells.end(), [](const Cell& cell) { return !cell.is_uneven(); }));
@@ -94,7 +93,8 @@ void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
   const HitLists& lists = state_.search->lists();
   for (const Cell& cell : cells) {
     if (cell.is_uneven()) continue;
-    // All that is near, also behind what the axis hits: it may show beyond the edge of that.
+    // Include hidden boundaries, since they may be visible beyond the edge of the surface on the
+    // axis.
     near_.clear();
     bool one_edge = cell.count == 1;
     for (const std::uint32_t i : level.list(cell)) {
@@ -116,7 +116,7 @@ void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
 void Subdivider::finish_marginal(CellLevel& level) {
   const bool at_limit = level.number >= state_.rules.allowance.max_level;
   const bool anew = state_.rules.jitter && level.number == state_.rules.allowance.max_level;
-  // Sample the cells that end here anew where they are jittered; the others keep their middles.
+  // Jittered cells that end here get new samples; the others keep their centres.
   points_.clear();
   for (const Cell& cell : level.cells) {
     if (!cell.done) continue;
@@ -135,7 +135,7 @@ void Subdivider::finish_marginal(CellLevel& level) {
     state_.outcome(cell).unresolved_area += share;
     state_.outcome(cell).probes += anew;
     state_.outcome(cell).boundaries.add(state_.search->kinds_of(visible_));
-    // Where MAX, and not EPS, ends a root, its samples are held to EPS all the same.
+    // Where MAX, and not EPS, ends a root, its samples still have to reach EPS.
     SampleId leaf = no_sample;
     if (!anew && level.number > 0 && state_.outcome(cell).at_limit)
       leaf = state_.caster->sample_saturated(state_.root(cell).id, cell.square, share);
@@ -168,7 +168,7 @@ void Subdivider::split(const CellLevel& level, CellLevel& next) {
       Cell child;
       child.square = cell.square.quarter(i);
       child.root = cell.root;
-      // The parent's middle is this child's corner: its surface may hide boundaries here too.
+      // The parent's centre is this child's corner, so its surface may hide boundaries here, too.
       child.cover = cell.cover;
       state_.search->refine(child.square, state_.sight(child), level.list(cell), list_,
                             cell.middle != no_sample);

@@ -10,14 +10,14 @@
 
 namespace asos {
 
-/// The one subdivision routine, for every kind of pyray: splits squares level by level where
+/// The subdivision routine for every kind of pyray. It splits squares level by level where
 /// boundaries pass through them, until no cell is marginal, the rule holds, or MAX is reached.
-/// Roots of one frame go together, so that their rays can go in packets; none influences another.
-/// Reuses its memory; one object a thread.
+/// Roots of one frame are processed together, so that their rays go in packets; none influences
+/// another. Reuses its memory; one object per thread.
 class Subdivider {
  public:
-  /// One outcome a root. The weights of each root's leaves add up to 1, unless the caster was
-  /// cancelled.
+  /// Returns one outcome per root. The weights of each root's leaves add up to 1, unless the caster
+  /// was cancelled.
   std::span<const SubdivisionOutcome> run(BoundarySearch& search, std::span<const Root> roots,
                                           const SubdivisionRules& rules, Caster& caster);
 
@@ -36,7 +36,7 @@ class Subdivider {
   std::vector<glm::vec2> points_;
   BoundarySearch::List list_;
   BoundarySearch::List visible_;
-  std::vector<std::uint32_t> near_;  // objects
+  std::vector<std::uint32_t> near_;  // objects near the current cell
 };
 
 }  // namespace asos

@@ -60,7 +60,7 @@ TracedCell* SubdivisionState::trace(const CellLevel& level, const Cell& cell, Ce
   traced.side = cell.square.side / root.square.side;
   traced.fate = fate;
   traced.hidden = cell.count - std::min(static_cast<std::uint32_t>(visible.size()), cell.count);
-  // Clip the visible boundaries to what the detection reaches.
+  // Clip the visible boundaries to the reach of the detection.
   const Square reach = sight(cell).reach;
   const HitLists& lists = search->lists();
   for (const std::uint32_t i : visible) {

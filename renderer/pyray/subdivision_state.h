@@ -15,33 +15,32 @@ namespace asos {
 /// A pyray to subdivide: a square of the frame, and the boundaries that pass through it.
 struct Root {
   Square square;
-  std::span<const std::uint32_t> list;  ///< hit list of what the detection reaches
+  std::span<const std::uint32_t> list;  ///< hit list for the reach of the detection
   SampleId middle = no_sample;          ///< at the square's centre, if known
-  std::uint32_t id = 0;                 ///< handed on with its leaves
-  std::uint64_t seed = 0;               ///< of jittered samples
-  TracedPyray* traced = nullptr;        ///< where its subdivision is written down, if anywhere
+  std::uint32_t id = 0;                 ///< passed on with its leaves
+  std::uint64_t seed = 0;               ///< for jittered samples
+  TracedPyray* traced = nullptr;        ///< record of its subdivision, if any
 
-  /// A point of the frame in the root's own square.
+  /// Returns a point of the frame in the root's own square.
   [[nodiscard]] glm::vec2 place(glm::vec2 p) const {
     return (p - glm::vec2(square.u, square.v)) / square.side;
   }
-  /// The sides of a region, which are those of its square where it has no border, in the root's own
-  /// square.
+  /// Returns the sides of a region in the root's own square; without a border, those of its square.
   [[nodiscard]] std::vector<BorderEdge> placed_border(const LeafRegion& region) const;
 };
 
 /// The result of a root's subdivision.
 struct SubdivisionOutcome {
   int deepest = 0;               ///< finest level examined; a cut counts as one more
-  double unresolved_area = 0.0;  ///< share of the root whose cells stayed marginal
-  bool uneven_shading = false;   ///< some cell was split, or sampled, for its shading alone
-  bool uneven_shadow = false;    ///< some cell was split, or sampled, for a shadow on it alone
-  bool saturated = false;        ///< some cell went to its finest samples at once
+  double unresolved_area = 0.0;  ///< fraction of the root whose cells stayed marginal
+  bool uneven_shading = false;   ///< a cell was split or sampled for its shading alone
+  bool uneven_shadow = false;    ///< a cell was split or sampled for a shadow on it alone
+  bool saturated = false;        ///< a cell went to its finest samples immediately
   bool at_limit = false;         ///< cells stayed marginal at MAX and the rule did not hold
   /// The visible boundaries of cells that were cut or stayed marginal to the end.
   BoundaryKinds boundaries;
   std::array<std::uint32_t, max_level_limit + 1> pyrays_by_level{};
-  std::uint32_t probes = 0;  ///< rays of the root's middle, its cells and their parts
+  std::uint32_t probes = 0;  ///< rays of the root's centre, its cells and their parts
 
   void note_uneven(Unevenness uneven) {
     uneven_shading |= uneven == Unevenness::shading;
@@ -49,7 +48,7 @@ struct SubdivisionOutcome {
   }
 };
 
-/// A square of a level, with what is known of it.
+/// A square of a level, with its state.
 struct Cell {
   Square square;
   std::uint32_t root = 0;
@@ -57,15 +56,16 @@ struct Cell {
   std::uint32_t count = 0;
   Cover cover{};  ///< of a sample in the cell's closure
   SampleId middle = no_sample;
-  bool fresh = false;  ///< its middle was sampled in this level's first round
+  bool fresh = false;  ///< its centre was sampled in this level's first round
   bool done = false;
-  bool nothing_hides = false;            ///< boundaries that a sample hid are seen elsewhere in it
-  Unevenness uneven = Unevenness::none;  ///< but for which it would be resolved
+  /// Boundaries hidden from a sample are visible elsewhere in it.
+  bool nothing_hides = false;
+  Unevenness uneven = Unevenness::none;  ///< the only reason why it is not resolved
 
   [[nodiscard]] bool is_uneven() const { return uneven != Unevenness::none; }
 };
 
-/// The cells of one level K whose fate is open, root by root, with their hit lists.
+/// The undecided cells of one level K, root by root, with their hit lists.
 struct CellLevel {
   int number = 0;  ///< K
   std::vector<Cell> cells;
@@ -76,14 +76,14 @@ struct CellLevel {
   }
 };
 
-/// A subdivision under way: the question, and the answer so far.
+/// The inputs and results of a subdivision in progress.
 struct SubdivisionState {
   BoundarySearch* search = nullptr;
   Caster* caster = nullptr;
   SubdivisionRules rules;
   std::span<const Root> roots;
   std::vector<SubdivisionOutcome> outcomes;  ///< one a root
-  std::vector<PyrayLeaf> leaves;             ///< finished, but not handed to the caster yet
+  std::vector<PyrayLeaf> leaves;             ///< finished, but not passed to the caster yet
 
   [[nodiscard]] const Root& root(const Cell& cell) const { return roots[cell.root]; }
   [[nodiscard]] SubdivisionOutcome& outcome(const Cell& cell) { return outcomes[cell.root]; }
@@ -91,18 +91,18 @@ struct SubdivisionState {
     return search->sight(cell.square, cell.cover);
   }
 
-  /// A cell's share of its root's area.
+  /// Returns a cell's fraction of its root's area.
   [[nodiscard]] double weight(const Cell& cell) const;
-  /// A random point of a square of a root, which depends on the root's seed and the square only.
+  /// Returns a random point of a square of a root, which depends on the root's seed and the square
+  /// only.
   [[nodiscard]] glm::vec2 jittered(std::uint32_t root, const Square& square) const;
 
   void add_leaf(const Cell& cell, SampleId sample, double share, const LeafRegion& region,
                 const LeafDecision& decision = {});
-  /// Hands the leaves to the caster.
+  /// Passes the leaves to the caster.
   void hand_out();
 
-  /// Writes down how a cell ended, with the boundaries that are visible in it; null where nobody
-  /// looks on.
+  /// Records the fate of a cell, with its visible boundaries; null if there is no observer.
   TracedCell* trace(const CellLevel& level, const Cell& cell, CellFate fate,
                     std::span<const std::uint32_t> visible) const;
 };

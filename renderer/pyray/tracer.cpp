@@ -8,7 +8,7 @@
 namespace asos {
 namespace {
 
-/// Results of the leaves, which the caster knows once it has taken them.
+/// Records the leaves' results, which the caster knows after it has taken them.
 void fill_results(TracedPyray* traced, const Caster& caster) {
   if (!traced) return;
   for (TracedCell& cell : traced->cells) {
@@ -38,7 +38,7 @@ Trace Tracer::trace_searched(const Pyray& pyray, std::span<const BorderEdge> out
   HitLists& lists = search_.lists();
   for (const BorderEdge& edge : outline) lists.add_boundary(edge.from, edge.to);
 
-  // Look through the middle: its surface may hide all else, and if not, a ray is lost.
+  // Sample the centre first: its surface may hide everything else, and if not, it costs one ray.
   const glm::vec2 middle(pyray.square.centre_u(), pyray.square.centre_v());
   Root root;
   root.square = pyray.square;
@@ -97,8 +97,8 @@ void Tracer::start(const FeatureSet& features, const Frame& frame, const SearchB
   search_.start(features, frame, rules.variant, root_side * rules.finest_side(), bounds);
 }
 
-// Every pyray needs its middle's sample: coherent rays, traced together. Sample number i is that of
-// pyray i.
+// Samples the centres of all pyrays, since each needs one: coherent rays, traced together. Sample
+// number i belongs to pyray i.
 void Tracer::look_through_middles(const FatPyray& fat, Caster& caster) {
   middles_.clear();
   for (int y = 0; y < fat.side; ++y) {
@@ -111,7 +111,7 @@ void Tracer::look_through_middles(const FatPyray& fat, Caster& caster) {
   caster.middles_known(fat.side);
 }
 
-// Neighbours that show different surfaces without a boundary in either (design section 3).
+// Finds neighbours that show different surfaces without a boundary in either (design section 3).
 void Tracer::find_missed_splits(const FatPyray& fat, const Caster& caster) {
   for (int y = 0; y < fat.rows; ++y) {
     for (int x = 0; x < fat.columns; ++x) {
@@ -125,14 +125,15 @@ void Tracer::compare(const FatPyray& fat, glm::ivec2 a, glm::ivec2 b, const Cast
   const std::uint32_t i = fat.index(a.x, a.y), j = fat.index(b.x, b.y);
   if (fat_search_.bounded(i) || fat_search_.bounded(j) || caster.surface(i) == caster.surface(j))
     return;
-  // A cut-out's outline is in its texture, where no edge can be found; the samples find it.
+  // A cut-out's outline is in its texture, which has no edges; the samples find it.
   traces_[i].by_samples = traces_[j].by_samples = true;
   if (caster.opaque(i) && caster.opaque(j) && !touches_boundary(fat, a, caster) &&
       !touches_boundary(fat, b, caster))
     traces_[i].missed = traces_[j].missed = true;
 }
 
-// Whether a boundary runs along the very border of a pyray, which neither side counts as its own.
+// Returns whether a boundary runs exactly along the border of a pyray, where it counts for neither
+// side.
 bool Tracer::touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& caster) {
   const Square own = fat.square_of(at.x, at.y, 1);
   const float border = own.side / 256.0f;
@@ -143,8 +144,8 @@ bool Tracer::touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& 
   return !search_.all_hidden(scratch_, {wide, hiding});
 }
 
-// Clear pyrays are one leaf each, bounded and unevenly shaded ones are subdivided together, missed
-// ones by the safety net.
+// Makes one leaf of each clear pyray. Pyrays with boundaries or uneven shading are subdivided
+// together, and missed ones go to the safety net.
 void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                           std::uint32_t observed, TracedPyray* traced) {
   if (LensCaster* lens = caster.lens())
@@ -167,7 +168,7 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
         traces_[i].outcome = split_by_samples(root, max_level, caster);
         continue;
       }
-      // A clear one that is shaded too unevenly is subdivided, too. Else it is one leaf.
+      // Subdivide a clear one whose shading varies too much. Any other is one leaf.
       if (!finish_clear_root(root, max_level, caster)) roots_.push_back(root);
     }
   }

@@ -17,40 +17,40 @@
 
 namespace asos {
 
-/// How a pyray was traced.
+/// Statistics of a traced pyray.
 struct Trace {
   SubdivisionOutcome outcome;
   bool by_samples = false;  ///< the safety net split it
-  bool missed = false;      ///< and should not have had to: a boundary was missed
+  bool missed = false;      ///< and only because a boundary was missed
   bool given_up = false;    ///< too many boundaries for its rules, or its caster gave up: no leaves
 };
 
-/// The one act of this program: which boundaries pass through this pyramid? None: one sample; some:
-/// split (CGF'98 section 3; design section 1). Pixels of a block, shadows of lights with and
-/// without a size, and reflections all come here; frame, rules and caster are what differs. One
-/// object a thread and a depth of nesting; keeps its memory, no result.
+/// The central algorithm of this program: finds the boundaries that pass through a pyramid. None:
+/// one sample. Some: split (CGF'98 section 3; design section 1). Pixels of a block, shadows of all
+/// lights, and reflections all use it, with their own frame, rules and caster. One object per
+/// thread and depth of nesting; reuses its memory and holds no result.
 class Tracer {
  public:
-  /// The pyray's leaves go to the caster. `traced`: where its subdivision is written down, or null.
+  /// Passes the pyray's leaves to the caster. `traced` records its subdivision, or is null.
   Trace trace(const FeatureSet& features, const Pyray& pyray, const SubdivisionRules& rules,
               Caster& caster, TracedPyray* traced = nullptr);
 
-  /// The pyrays of a fat one that lie in its columns and rows, in `index` order; root numbers are
-  /// indices. `observed` is written down in `traced`. The result lives until the next trace.
+  /// Traces the pyrays of a fat one within its columns and rows, in `index` order; root numbers are
+  /// indices. Records pyray `observed` in `traced`. The result is valid until the next trace.
   std::span<const Trace> trace(const FeatureSet& features, const FatPyray& fat,
                                const SubdivisionRules& rules, Caster& caster,
                                std::uint32_t observed = 0, TracedPyray* traced = nullptr);
 
-  /// The first half of a single pyray's trace: begins the search. Whether any boundary of the scene
-  /// may pass through it, hidden or not.
+  /// The first half of a single pyray's trace: begins the search. Returns whether any boundary of
+  /// the scene may pass through it, hidden or not.
   bool search(const FeatureSet& features, const Pyray& pyray, const SubdivisionRules& rules);
-  /// The second half, with further outlines.
+  /// The second half, with additional outlines.
   Trace trace_searched(const Pyray& pyray, std::span<const BorderEdge> outline,
                        const SubdivisionRules& rules, Caster& caster, TracedPyray* traced);
 
-  /// Every boundary of the scene that passes through a pyray, down to the smallest; curves are
-  /// drawn for cells of `finest_side`. Nothing if they are more than `most`. Lives until the next
-  /// trace.
+  /// Returns every boundary of the scene that passes through a pyray, down to the smallest; curves
+  /// are flattened for cells of `finest_side`. Returns nothing if there are more than `most`. Valid
+  /// until the next trace.
   [[nodiscard]] std::optional<std::span<const Segment>> boundaries(const FeatureSet& features,
                                                                    const Pyray& pyray,
                                                                    float finest_side,
@@ -65,7 +65,7 @@ class Tracer {
   [[nodiscard]] bool touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& caster);
   void finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                     std::uint32_t observed, TracedPyray* traced);
-  /// Ends a root without boundaries by one leaf; false: it is to be subdivided.
+  /// Ends a root without boundaries by one leaf. Returns false if it has to be subdivided.
   bool finish_clear_root(const Root& root, int max_level, Caster& caster);
   void finish_lens_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                          LensCaster& lens, std::uint32_t observed, TracedPyray* traced);
@@ -81,8 +81,8 @@ class Tracer {
   BoundarySearch::List scratch_;
   std::vector<glm::vec2> middles_;
   std::vector<Root> roots_;
-  std::vector<Root> crossed_;                     // sharp ones that boundaries cross
-  std::vector<BoundarySearch::List> lens_lists_;  // theirs
+  std::vector<Root> crossed_;                     // sharp ones with boundaries
+  std::vector<BoundarySearch::List> lens_lists_;  // by root; with depth of field
   std::vector<Trace> traces_;
   std::vector<Segment> segments_;
 };

@@ -14,15 +14,15 @@
 namespace asos::tracing {
 namespace {
 
-// Distances below this share of the coordinates are rounding, as for lines of intersection
+// Distances below this fraction of the coordinates are rounding errors, as for intersection lines
 // (triangle_line.cpp).
 constexpr double rounding_share = 4e-7;
 
-// Other triangles as large or larger that one is compared with, and those of any size that it
-// meets, before it counts as coplanar to some of them.
+// Limits for one triangle: the number of triangles of its size or larger to compare, and of any
+// size that it meets. Beyond them it counts as coplanar to some of them.
 constexpr std::size_t most_compared = 1024;
 constexpr std::size_t most_met = std::size_t{1} << 20;
-// Pairs of parts that are compared, for each part, before all count as neighbours.
+// Number of part pairs per part to compare, beyond which all parts count as neighbours.
 constexpr std::size_t pairs_of_part = 1024;
 
 using Corners = std::array<glm::dvec3, 3>;
@@ -37,7 +37,7 @@ glm::dvec3 normal_of(const Corners& t) {
   return glm::cross(t[1] - t[0], t[2] - t[0]);
 }
 
-/// The largest side of a triangle's box.
+/// Returns the largest side of a triangle's box.
 float size_of(const World& world, std::uint32_t triangle) {
   const glm::uvec3 t = world.triangles[triangle];
   const glm::vec3 a = world.positions[t.x], b = world.positions[t.y], c = world.positions[t.z];
@@ -45,7 +45,7 @@ float size_of(const World& world, std::uint32_t triangle) {
   return std::max({d.x, d.y, d.z});
 }
 
-/// How far rounding may have moved the corners of two triangles, along each axis.
+/// Returns the largest rounding error of two triangles' corners, by axis.
 glm::dvec3 rounding_of(const Corners& s, const Corners& t, glm::dvec3 origin, double size) {
   glm::dvec3 largest(0.0);
   for (std::size_t i = 0; i < 3; ++i)
@@ -53,7 +53,7 @@ glm::dvec3 rounding_of(const Corners& s, const Corners& t, glm::dvec3 origin, do
   return rounding_share * (largest + glm::abs(origin) + size);
 }
 
-/// Whether two triangles of one plane, seen along an axis, overlap by more than `least`.
+/// Returns whether two coplanar triangles, projected along an axis, overlap by more than `least`.
 bool overlap(const Corners& s, const Corners& t, int axis, double least) {
   const int x = (axis + 1) % 3, y = (axis + 2) % 3;
   const auto separates = [&](const Corners& of, const Corners& other) {
@@ -75,7 +75,7 @@ bool overlap(const Corners& s, const Corners& t, int axis, double least) {
   return !separates(s, t) && !separates(t, s);
 }
 
-/// Whether a triangle lies in the plane of one that is as large or larger, and overlaps it.
+/// Returns whether a triangle lies in the plane of one of its size or larger, and overlaps it.
 bool coplanar(const Corners& small, const Corners& large, glm::dvec3 origin, double size) {
   const glm::dvec3 normal = normal_of(large);
   const glm::dvec3 axes = glm::abs(normal);
@@ -92,7 +92,7 @@ bool meet(const Box& a, const Box& b) {
   return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
 }
 
-/// The boxes of other parts that a part's box meets; `full`: there are more.
+/// The boxes of other parts that meet a part's box; `full`: there are more.
 struct Neighbours {
   static constexpr std::size_t most = 16;
   std::vector<Box> boxes;
@@ -101,7 +101,7 @@ struct Neighbours {
 
   void add(const Box& box, bool is_placed) {
     if (is_placed) {
-      // More of them need not be told apart.
+      // With more, all count as one.
       if (placed.size() < most)
         placed.push_back(box);
       else
@@ -214,8 +214,8 @@ class CoplanarSearch {
                        [&](const Box& other) { return meet(box, other); });
   }
 
-  // Finds those around a triangle that are as large or larger: of a pair the smaller one finds the
-  // other.
+  // Finds those around a triangle that are of its size or larger; in a pair, the smaller one finds
+  // the other.
   void look(std::uint32_t triangle) {
     Query query{this, triangle, world_.triangle_part[triangle], sizes_[triangle],
                 corners_of(world_, triangle)};
@@ -284,7 +284,7 @@ float reach_of_hit(const World& world, const Ray& ray, const Hit& hit) {
   const double length = glm::length(normal), speed = glm::length(glm::dvec3(ray.direction));
   const auto size = static_cast<double>(size_of(world, hit.triangle));
   const glm::dvec3 rounding = rounding_of(corners, corners, world.origin, size);
-  // Limits the reach to 64 times the distance of planes that are seen edge-on.
+  // Limits the reach for planes seen edge-on to 64 times their distance.
   constexpr double least_cosine = 1.0 / 64.0;
   const double across = std::abs(glm::dot(normal, glm::dvec3(ray.direction)));
   const double apart = length > 0.0 ? glm::dot(glm::abs(normal), rounding) / length : 0.0;
@@ -300,7 +300,7 @@ bool in_front(const World& world, const Hit& a, const Hit& b) {
   };
   const bool first = opaque(a), second = opaque(b);
   if (first != second) return second;
-  // Placed triangles come last, whatever the place of their part in the file.
+  // Placed triangles come last, independent of their part's place in the file.
   const std::uint32_t p = world.triangle_part[a.triangle], q = world.triangle_part[b.triangle];
   return p != q ? p > q : a.triangle > b.triangle;
 }

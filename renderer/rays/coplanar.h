@@ -9,15 +9,16 @@
 #include <span>
 #include <vector>
 
-// Triangles of different parts that lie in one plane and overlap, such as decals. A ray meets them
-// in one place, where rounding alone would choose the nearest. Internal to this folder.
+// Triangles of different parts that are coplanar and overlap, such as decals. A ray hits them at
+// the same place, where rounding alone would decide which is nearest. Internal to this folder.
 
 namespace asos::tracing {
 
-/// 1 where a triangle of another part lies in a triangle's plane and overlaps it, by the world's
-/// own triangles, and by places of shared meshes; both are empty if there are none. Triangles that
-/// meet too many others to be compared are marked, too, which costs time and changes no picture.
-/// Places whose boxes meet other parts' boxes are marked, and so are triangles in such boxes.
+/// Marks for coplanar surfaces. 1: a triangle of another part is coplanar with this one and
+/// overlaps it. There is one array for the world's own triangles and one for places of shared
+/// meshes; both are empty if there are none. Triangles that meet too many others to compare are
+/// marked, too, which costs time and does not change the picture. Places whose boxes meet other
+/// parts' boxes are marked, and so are triangles in such boxes.
 struct Coplanar {
   std::vector<std::uint8_t> by_triangle;
   std::vector<std::uint8_t> by_place;
@@ -30,12 +31,12 @@ struct Coplanar {
   }
 };
 
-/// `scene` is committed.
+/// Finds the coplanar triangles. `scene` must be committed.
 [[nodiscard]] Coplanar find_coplanar(const World& world, RTCScene scene, const Group* groups,
                                      float scale);
 
-/// How far beside a ray's hit on a triangle those lie that it meets in the same place, along the
-/// ray.
+/// Returns the distance along a ray within which other hits count as at the same place as a hit on
+/// a triangle.
 [[nodiscard]] float reach_of_hit(const World& world, const Ray& ray, const Hit& hit);
 
 /// Returns whether the first of two hits in the same place is in front. Blended and cut-out

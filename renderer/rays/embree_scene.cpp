@@ -32,7 +32,7 @@ bool all_filtered(const SceneNeeds& forced) {
   return forced.alpha_mask || forced.alpha_blend;
 }
 
-/// What Embree reports to have allocated, on any of its threads.
+/// Counts Embree's allocations, on any of its threads.
 bool count_bytes(void* counter, ssize_t bytes, bool) {
   const TaskOrder::Task task;
   static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
@@ -76,8 +76,8 @@ Result<void> EmbreeScene::build(const World& world, const Openness& open,
   sides_.any_single_sided |= forced.culling;
   place_vertices(world);
   scene_ = rtcNewScene(device_);
-  // Measured (tests/bench/rays_bench.cpp): being able to carry a filter of the context's costs
-  // queries without one nothing.
+  // Measured (tests/bench/rays_bench.cpp): the ability to use a filter in the context does not slow
+  // down queries without one.
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   // Measured (tests/bench/moving.cpp, 10,000 triangles): 0.55 ms instead of 3.
   const RTCBuildQuality quality =
@@ -106,7 +106,7 @@ void EmbreeScene::sort_surfaces(const World& world, const Openness& open,
     groups_[id] = {&world, open,   static_cast<SurfaceKind>(id % 3), id % 6 >= 3,
                    {},     scale_, id >= first_group_of_strokes};
   }
-  // Placed meshes have scenes of their own. Worlds with placed meshes have no shapes.
+  // Placed meshes have their own scenes. Worlds with placed meshes have no shapes.
   const auto count = world.placements ? static_cast<std::uint32_t>(world.triangles.own().size())
                                       : world.surface_count();
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -141,13 +141,13 @@ void EmbreeScene::choose_scale(const World& world) {
   constexpr float smallest = 1.0f / 1024.0f;
   if (extent > 0.0f && extent < smallest)
     scale_ = std::ldexp(1.0f, std::min(100, -std::ilogb(extent)));
-  // Embree's test multiplies three lengths: of 1e13, single precision cannot hold the product.
+  // Embree's test multiplies three lengths; lengths of 1e13 exceed single precision.
   constexpr float largest = 1e11f;
   constexpr int left = 20;
   if (extent > largest) scale_ = std::ldexp(1.0f, left - std::ilogb(extent));
 }
 
-// Embree reads 16 bytes for the last vertex, of which World's have 12.
+// Embree reads 16 bytes for the last vertex, but World's vertices have 12.
 void EmbreeScene::place_vertices(const World& world) {
   const std::vector<glm::vec3>& positions = world.positions.own();
   if (scale_ == 1.0f && positions.capacity() > positions.size()) {
@@ -268,7 +268,7 @@ void EmbreeScene::add_places(const World& world, const SceneNeeds& forced,
     rtcAttachGeometryByID(scene_, geometry, id++);
     rtcReleaseGeometry(geometry);
   }
-  for (RTCScene scene : scenes) rtcReleaseScene(scene);  // the instances hold them
+  for (RTCScene scene : scenes) rtcReleaseScene(scene);  // the instances keep them
 }
 
 int EmbreeScene::native_width() const {

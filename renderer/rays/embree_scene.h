@@ -18,7 +18,7 @@
 
 namespace asos::tracing {
 
-/// Embree's device and scene for a world. Stays where it was made: Embree keeps pointers into it.
+/// Embree's device and scene for a world. Must not be moved: Embree keeps pointers into it.
 class EmbreeScene {
  public:
   EmbreeScene() = default;
@@ -26,8 +26,8 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  /// Once. Errors: Embree's, and a light whose own part does not exist. `lights`,
-  /// `forced` and `use`: as RayScene::build's.
+  /// Builds the scene; may be called once. Errors: Embree's, and a light whose own part does not
+  /// exist. `lights`, `forced` and `use`: as in RayScene::build.
   [[nodiscard]] Result<void> build(const World& world, const Openness& open,
                                    std::span<const Light> lights, const SceneNeeds& forced,
                                    HierarchyUse use);
@@ -38,15 +38,16 @@ class EmbreeScene {
   }
   [[nodiscard]] const Sides& sides() const { return sides_; }
   [[nodiscard]] const Coplanar& coplanar() const { return coplanar_; }
-  /// Embree's lengths over the world's, a power of two, so that no digit is lost: 1 but for tiny
-  /// and huge worlds. Embree takes triangles whose sides are below 1e-9 for edge-on and tells a
-  /// corner of theirs as the place of every hit; products of three lengths have to fit a float.
+  /// Returns the ratio of Embree's lengths to the world's, a power of two, so that no digit is
+  /// lost. It is 1 except for tiny and huge worlds. Embree treats triangles with sides below 1e-9
+  /// as edge-on and reports one of their corners as the place of every hit. Products of three
+  /// lengths have to fit a float.
   [[nodiscard]] float scale() const { return scale_; }
-  /// Whether any surface may let light through.
+  /// Returns whether any surface may transmit light.
   [[nodiscard]] bool see_through() const { return see_through_; }
-  /// Whether any bounds a volume that attenuates it.
+  /// Returns whether any surface bounds a volume with attenuation.
   [[nodiscard]] bool volumes() const { return volumes_; }
-  /// The widest packets that the processor has: 16, 8, 4 or 1.
+  /// Returns the width of the processor's widest packets: 16, 8, 4 or 1.
   [[nodiscard]] int native_width() const;
   [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -61,9 +62,9 @@ class EmbreeScene {
   void place_vertices(const World& world);
   void choose_scale(const World& world);
   [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);
-  /// Embree's quick builder may be used: of a single geometry of more than a few triangles. Where
-  /// there are several, it asserts that none collapses to a point, and Debian's Embree keeps its
-  /// assertions.
+  /// Returns whether Embree's quick builder may be used: for a single geometry of more than a few
+  /// triangles. With several geometries, it asserts that none collapses to a point, and Debian's
+  /// Embree keeps its assertions.
   [[nodiscard]] bool quickly_built() const;
   void add(unsigned id, const World& world, const SceneNeeds& forced, RTCBuildQuality quality);
   void add_filters(RTCGeometry geometry, const Group& group, const SceneNeeds& forced) const;
@@ -72,7 +73,7 @@ class EmbreeScene {
   [[nodiscard]] RTCScene scene_of_mesh(const World& mesh, Group& group, const SceneNeeds& forced,
                                        RTCBuildQuality quality);
 
-  // Three kinds, then the three of lights' own parts; then the same for faces of shapes; then three
+  // Three kinds, then the three of lights' own parts, then the same for faces of shapes, then three
   // kinds of lines and points.
   std::array<Group, Geometries::group_count> groups_;
   std::vector<Group> mesh_groups_;  // of shared meshes
@@ -81,7 +82,7 @@ class EmbreeScene {
   bool see_through_ = false;
   bool volumes_ = false;
   float scale_ = 1.0f;
-  const float* corners_ = nullptr;  // the world's, where they need no copy
+  const float* corners_ = nullptr;  // the world's, if they need no copy
   std::vector<float> vertices_;     // else
   Errors errors_;
   std::atomic<std::int64_t> device_bytes_{0};

@@ -26,8 +26,8 @@ void bound_face(const RTCBoundsFunctionArguments* args) {
   const auto& group = *static_cast<const Group*>(args->geometryUserPtr);
   const FaceBounds box = bounds_of(face_of(group, args->primID));
   const double scale = group.scale;
-  // Embree works out distances to boxes in single precision: a face in a plane needs a box that has
-  // some thickness.
+  // Embree computes distances to boxes in single precision, so a flat face needs a box with some
+  // thickness.
   const glm::dvec3 pad = 4e-7 * (glm::abs(box.lo) + glm::abs(box.hi) + (box.hi - box.lo));
   RTCBounds& out = *args->bounds_o;
   out.lower_x = below((box.lo.x - pad.x) * scale);
@@ -38,8 +38,8 @@ void bound_face(const RTCBoundsFunctionArguments* args) {
   out.upper_z = above((box.hi.z + pad.z) * scale);
 }
 
-/// Offers `accept(ray, hit)` where a ray meets the face, the nearest first, until one is taken.
-/// `ray.tfar` is that of the hit meanwhile.
+/// Calls `accept(ray, hit)` for each hit of the ray with the face, the nearest first, until one is
+/// accepted. During the call, `ray.tfar` is the hit's distance.
 template <typename Accept>
 void offer(const Group& group, unsigned primitive, float scale, RTCRay& ray, Accept accept) {
   const ShapeFace& face = face_of(group, primitive);

@@ -6,8 +6,8 @@
 
 namespace asos::tracing {
 
-/// Makes `geometry`, one of Embree's user geometries, that of the faces of analytic shapes which
-/// `group` lists; the group must stay where it is. Filters have to be set by the caller.
+/// Sets `geometry`, one of Embree's user geometries, to the faces of analytic shapes in `group`,
+/// which must not be moved. The caller sets the filters.
 void set_faces(RTCGeometry geometry, Group& group);
 
 }  // namespace asos::tracing

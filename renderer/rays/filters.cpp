@@ -11,7 +11,7 @@ const Context& context_of(const RTCFilterFunctionNArguments& args) {
   return *reinterpret_cast<const Context*>(args.context);
 }
 
-/// One candidate of a call, which is about up to 16 rays.
+/// One candidate of a call, which has up to 16 rays.
 struct Candidate {
   const RTCFilterFunctionNArguments& args;
   const Group& group;
@@ -35,12 +35,12 @@ struct Candidate {
     return group.owned && part >= 0 &&
            group.world->triangle_part[triangle()] == static_cast<std::uint32_t>(part);
   }
-  // Embree hands packets over whole or ray by ray, as it likes; the id is the ray's lane.
+  // Embree passes packets as a whole or ray by ray; the id is the ray's lane.
   [[nodiscard]] std::size_t lane() const { return RTCRayN_id(args.ray, args.N, i); }
   [[nodiscard]] float t() const { return RTCRayN_tfar(args.ray, args.N, i); }
 };
 
-/// Calls `keeps` for each candidate and drops those that it refuses.
+/// Calls `keeps` for each candidate and drops the candidate if it returns false.
 template <typename Keeps>
 void filter(const RTCFilterFunctionNArguments& args, Keeps keeps) {
   const Group& group = *static_cast<const Group*>(args.geometryUserPtr);
@@ -53,7 +53,8 @@ void filter(const RTCFilterFunctionNArguments& args, Keeps keeps) {
   }
 }
 
-/// Lets a ray through a blended surface; the largest share, by colour, of its light that is left.
+/// Attenuates a ray at a blended surface. Returns the largest remaining fraction of its light over
+/// the colours.
 float pass(const Candidate& candidate, Lanes& lanes) {
   glm::vec3& left = lanes.transmittance[candidate.lane()];
   if (!candidate.group.open.passage) return most(left *= 1.0f - candidate.opacity());

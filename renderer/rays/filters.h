@@ -20,8 +20,8 @@
 
 namespace asos::tracing {
 
-/// No more light is followed once less than this is left, below what a display can show even at +8
-/// stops.
+/// A ray counts as blocked once its remaining light is below this fraction, which is invisible even
+/// at +8 stops.
 inline constexpr float opaque_enough = 1.0f / (256.0f * 256.0f);
 
 inline constexpr std::size_t most_lanes = 16;
@@ -30,45 +30,45 @@ inline constexpr std::size_t most_lanes = 16;
   return std::max(share.x, std::max(share.y, share.z));
 }
 
-/// What surfaces that are not opaque let through.
+/// The transparency of surfaces that are not opaque.
 struct Openness {
   AlphaAt alpha = nullptr;
-  PassageAt passage = nullptr;  ///< of blended ones; null: by alpha
+  PassageAt passage = nullptr;  ///< for blended surfaces; null: by alpha
 };
 
-/// The triangles, or faces of analytic shapes, of one geometry of Embree's; `triangles` maps its
-/// primitives to the world's numbers for them (World::is_face) and is empty where the geometry
-/// holds all triangles in order.
+/// The triangles, or faces of analytic shapes, of one of Embree's geometries. `triangles` maps its
+/// primitives to the world's numbers for them (World::is_face). It is empty if the geometry has all
+/// triangles in order.
 struct Group {
   const World* world = nullptr;
   Openness open;
   SurfaceKind kind = SurfaceKind::opaque;
-  bool owned = false;  ///< its parts are the surfaces of lights
+  bool owned = false;  ///< its parts are surfaces of lights
   std::vector<std::uint32_t> triangles;
   float scale = 1.0f;       ///< EmbreeScene::scale
-  bool shadowless = false;  ///< lines and points, which no query for shadows meets
+  bool shadowless = false;  ///< lines and points, which shadow queries ignore
 
   [[nodiscard]] std::uint32_t triangle(unsigned primitive) const {
     return triangles.empty() ? primitive : triangles[primitive];
   }
 };
 
-/// The light, by colour, that a packet's rays keep behind surfaces that let light through, by the
-/// rays' ids.
+/// The remaining light, by colour, of a packet's rays behind transparent surfaces, by the rays'
+/// ids.
 struct Lanes {
-  /// Some volumes attenuate light: what follows the rest is only of them.
+  /// Whether volumes attenuate light; the members after `masked` are for volumes only.
   bool volumes = false;
   std::array<glm::vec3, most_lanes> transmittance;
-  std::array<float, most_lanes> touched;  ///< where a masked or blended surface was met first that
+  std::array<float, most_lanes> touched;  ///< distance of the first masked or blended surface that
                                           ///< is not outlined
-  std::array<float, most_lanes> masked;   ///< where a masked one was
+  std::array<float, most_lanes> masked;   ///< distance of the first masked surface
 
-  // Of volumes: extinction times way, counted from the rays' starts and added where rays leave,
-  // taken off where they enter; and the extinction of those that were entered and not left.
+  // For volumes: extinction times distance, measured from the rays' starts, added where rays leave
+  // and subtracted where they enter; and the extinction of those entered but not left.
   std::array<glm::vec3, most_lanes> depth;
   std::array<glm::vec3, most_lanes> entered;
 
-  /// The share that is left of a ray that is `way` long and that nothing blocks.
+  /// Returns the remaining fraction of a ray of length `way` that nothing blocks.
   [[nodiscard]] glm::vec3 left(std::size_t lane, float way) const {
     if (!volumes) return transmittance[lane];
     glm::vec3 all = depth[lane];
@@ -87,15 +87,15 @@ struct Lanes {
   }
 };
 
-/// Embree's geometries by their ids, and the instances, which have the ids behind those.
+/// Embree's geometries by id, followed by the instances.
 struct Geometries {
   static constexpr unsigned group_count = 15;
 
   const Group* groups = nullptr;
   const Placements* placed = nullptr;  ///< null: there are no instances
 
-  /// A hit on the world's surfaces from Embree's numbers. The corners of mirrored instances have
-  /// another order in the world.
+  /// Returns the hit on the world's surfaces for Embree's numbers. The corners of mirrored
+  /// instances have another order in the world.
   [[nodiscard]] Hit hit(unsigned geometry, unsigned primitive, unsigned instance, float t, float u,
                         float v) const {
     if (instance == RTC_INVALID_GEOMETRY_ID) return {groups[geometry].triangle(primitive), t, u, v};
@@ -103,40 +103,40 @@ struct Geometries {
     const std::uint32_t triangle = placed->own_triangles + place.first_triangle + primitive;
     return place.mirrored ? Hit{triangle, t, v, u} : Hit{triangle, t, u, v};
   }
-  /// The direction in the world of a ray that Embree hands to a filter: at an instance it is in the
-  /// mesh's space.
+  /// Returns the direction in the world of a ray in a filter: at an instance it is in the mesh's
+  /// space.
   [[nodiscard]] glm::vec3 direction(glm::vec3 of_ray, unsigned instance) const {
     if (instance == RTC_INVALID_GEOMETRY_ID) return of_ray;
     const Placement& place = placed->places[instance - group_count];
     return glm::vec3(glm::dmat3(place.world_from_mesh) * glm::dvec3(of_ray));
   }
-  /// The hit of ray `i` that a filter has to decide about, with a distance of 0.
+  /// Returns the candidate hit of ray `i` in a filter, with a distance of 0.
   [[nodiscard]] Hit hit(const RTCFilterFunctionNArguments& args, unsigned i) const;
   [[nodiscard]] glm::vec3 direction(const RTCFilterFunctionNArguments& args, unsigned i) const;
 };
 
-/// Which parts have a back that a ray for the viewer goes through.
+/// Which parts have a back that rays for the viewer pass through.
 struct Sides {
   const World* world = nullptr;
   std::vector<std::uint8_t> single_sided;  ///< by World's parts
   bool any_single_sided = false;
 
-  /// Whether a ray for the viewer goes through what it hit because it meets its back.
+  /// Returns whether a ray for the viewer passes through a hit because it is on the back.
   [[nodiscard]] bool culled(const Hit& hit, glm::vec3 direction) const;
 };
 
-/// Embree's context and what the filters need to know of the query.
+/// Embree's context with the filters' data for the query.
 struct Context {
   RTCIntersectContext base;
   Geometries geometries;
   const Sides* sides;
   std::int32_t ignored_part;
-  float scale;  ///< Embree's lengths over the world's: EmbreeScene::scale
+  float scale;  ///< ratio of Embree's lengths to the world's: EmbreeScene::scale
   bool of_shadows = false;
-  Lanes* lanes = nullptr;  ///< collects what lets light through; closest hits do without
+  Lanes* lanes = nullptr;                       ///< collects transmittances; null for closest hits
   std::span<const std::uint8_t> outlined = {};  ///< see RayScene::blockers
-  std::vector<Hit>* met = nullptr;              ///< collecting_filter's
-  bool culls = false;                           ///< it drops the backs of single-sided surfaces
+  std::vector<Hit>* met = nullptr;              ///< for collecting_filter
+  bool culls = false;                           ///< drops the backs of single-sided surfaces
 
   Context(RTCIntersectContextFlags flags, Geometries all, const Sides* sides_of_parts,
           std::int32_t part_to_ignore, float scale_of_scene)
@@ -152,16 +152,16 @@ struct Context {
 };
 static_assert(offsetof(Context, base) == 0, "the filters cast Embree's context back");
 
-/// The filter of a geometry for closest hits: drops an ignored part, what casts no shadow where
-/// these are asked for, and holes; with lanes, blended
-/// surfaces too, whose attenuation is collected.
+/// The filter of a geometry for closest hits. Drops an ignored part, holes, and, for shadow
+/// queries, surfaces that cast no shadow. With lanes, also drops blended surfaces and collects
+/// their attenuation.
 void closest_filter(const RTCFilterFunctionNArguments* args);
 
-/// The filter of a geometry for shadow rays: drops an ignored part, holes, and blended surfaces as
-/// long as light is left. Needs lanes.
+/// The filter of a geometry for shadow rays: drops an ignored part, holes, and blended surfaces
+/// while light remains. Needs lanes.
 void shadow_filter(const RTCFilterFunctionNArguments* args);
 
-/// The filter of a context, so that only queries that ask for it pay: drops the backs of
+/// The filter of a context, so that only queries with it are slower: drops the backs of
 /// single-sided surfaces.
 void back_filter(const RTCFilterFunctionNArguments* args);
 

@@ -52,7 +52,7 @@ struct Packet<16> {
   static constexpr auto occluded = rtcOccluded16;
 };
 
-/// A lane of a packet's field; a single ray's fields are plain numbers.
+/// Returns a lane of a packet's field; a single ray's fields are plain numbers.
 template <typename T>
 [[nodiscard]] auto& lane_of(T& field, std::size_t lane) {
   if constexpr (std::is_array_v<T>) {
@@ -62,14 +62,14 @@ template <typename T>
   }
 }
 
-/// The largest number that Embree takes in a ray's origin and direction, a little below its own
-/// 1.844e18: Debian's build ends the program at any beyond.
+/// The largest number that Embree accepts in a ray's origin and direction, slightly below its own
+/// limit of 1.844e18. Beyond that, Debian's build ends the program.
 inline constexpr float largest_traceable = 1.8e18f;
 
-/// Whether Embree may be asked about a ray, whose origin is in Embree's lengths (`scale`).
+/// Returns whether Embree accepts a ray; the origin is converted to Embree's lengths by `scale`.
 [[nodiscard]] inline bool traceable(const Ray& ray, float scale) {
-  // A sum of magnitudes is as large as any of its terms, and saves five of six tests in the hot
-  // path. A start behind the origin ends the program, too.
+  // Test sums of magnitudes, which are at least as large as each term; that saves five of six tests
+  // in the hot path. A start behind the origin ends the program, too.
   const glm::vec3 o = glm::abs(ray.origin * scale), d = glm::abs(ray.direction);
   const float turn = d.x + d.y + d.z;
   return o.x + o.y + o.z + turn <= largest_traceable && turn > 0.0f && ray.t_near >= 0.0f &&
@@ -92,8 +92,8 @@ void load(Rays& rays, std::size_t lane, const Ray& ray, float scale) {
   lane_of(rays.flags, lane) = 0u;
 }
 
-/// The nearest hits: `store(i, lane, hit)` for each ray i, after its packet is done and before the
-/// next one uses the context's lanes.
+/// Finds the nearest hits. Calls `store(i, lane, hit)` for each ray i, after its packet is done and
+/// before the next packet uses the context's lanes.
 template <int width, typename Store>
 void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> rays, Store store) {
   constexpr std::size_t lanes = width;
@@ -126,7 +126,7 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
   }
 }
 
-/// Whether anything blocks the rays: `store(i, lane, blocked)`, as above.
+/// Finds out whether anything blocks the rays. Calls `store(i, lane, blocked)`, as above.
 template <int width, typename Store>
 void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays, Store store) {
   constexpr std::size_t lanes = width;
@@ -149,14 +149,14 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
   }
 }
 
-/// So many numbers in a row, all at once.
+/// Copies `lanes` numbers together.
 template <std::size_t lanes>
 void copy_scaled(const float* __restrict from, float scale, float* __restrict to) {
   for (std::size_t i = 0; i < lanes; ++i) to[i] = from[i] * scale;
 }
 
-/// Lanes `first` and on of the arrays; those beyond the last ray hold numbers of no meaning and are
-/// not valid.
+/// Loads rays from `first` on into the lanes. Lanes beyond the last ray are undefined and not
+/// valid.
 template <std::size_t lanes, typename Rays>
 void load(Rays& query, std::array<int, lanes>& valid, const RayArrays& rays, std::size_t first,
           float scale) {
@@ -176,7 +176,7 @@ void load(Rays& query, std::array<int, lanes>& valid, const RayArrays& rays, std
     lane_of(query.flags, i) = 0u;
   }
   for (std::size_t i = 0; i < lanes; ++i) {
-    // As traceable: a direction of length 1 is not 0.
+    // As in `traceable`: a direction of length 1 is not 0.
     const float sum = std::abs(lane_of(query.org_x, i)) + std::abs(lane_of(query.org_y, i)) +
                       std::abs(lane_of(query.org_z, i)) + std::abs(lane_of(query.dir_x, i)) +
                       std::abs(lane_of(query.dir_y, i)) + std::abs(lane_of(query.dir_z, i));
@@ -186,7 +186,7 @@ void load(Rays& query, std::array<int, lanes>& valid, const RayArrays& rays, std
   }
 }
 
-/// The same for rays that are arrays.
+/// The same for rays as arrays.
 template <int width, typename Store>
 void occlude_packets(RTCScene scene, Context& context, const RayArrays& rays, Store store) {
   constexpr std::size_t lanes = width;
@@ -203,7 +203,7 @@ void occlude_packets(RTCScene scene, Context& context, const RayArrays& rays, St
   }
 }
 
-/// Calls `work` with a width that is known when it is compiled; one ray goes alone.
+/// Calls `work` with the width as a compile-time constant; a single ray goes alone.
 template <typename Work>
 void with_width(int width, std::size_t rays, Work work) {
   if (width == 1 || rays == 1) {

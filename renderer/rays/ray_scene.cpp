@@ -21,9 +21,9 @@ struct RayScene::Impl {
   tracing::EmbreeScene embree;
   int width = 1;
 
-  // Measured (tests/bench/rays_bench.cpp): packets of eye rays, and of shadow rays for which the
-  // nearest hit is asked, are up to three times as fast if Embree takes them for coherent; whether
-  // anything is in the way is found faster in large scenes if it does not.
+  // Measured (tests/bench/rays_bench.cpp): packets of eye rays, and of shadow rays with nearest
+  // hits, are up to three times as fast with Embree's coherent flag. Occlusion queries in large
+  // scenes are faster without it.
   [[nodiscard]] Context nearest(std::size_t rays, std::int32_t ignored_part = -1) const {
     return context(
         rays == 1 ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT,
@@ -63,7 +63,7 @@ struct RayScene::Impl {
   void in_place(const Ray& ray, const Hit& hit, Culling faces, std::vector<Hit>& met) const;
   void choose_in_place(std::span<const Ray> rays, std::span<Hit> hits, Culling faces) const;
 
-  /// How long a ray is.
+  /// Returns the length of a ray.
   [[nodiscard]] static float way_of(std::span<const Ray> rays, std::size_t i) {
     return rays[i].t_far * glm::length(rays[i].direction);
   }
@@ -81,15 +81,15 @@ Result<RayScene> RayScene::build(const World& world, AlphaAt alpha, std::span<co
   built.impl_ = std::make_unique<Impl>();
   if (auto done = built.impl_->embree.build(world, {alpha, passage}, lights, forced, use); !done)
     return unexpected(done.error());
-  // Measured (tests/bench/rays_bench.cpp): the widest packets that the processor has are the
-  // fastest ones for eye rays and for shadow rays; packets that Embree has to emulate lose.
+  // Measured (tests/bench/rays_bench.cpp): the processor's widest packets are the fastest for eye
+  // rays and for shadow rays; packets that Embree has to emulate are slower.
   built.impl_->width = built.impl_->embree.native_width();
   return built;
 }
 
-/// Traces those rays again that have met a back, through all backs this time. That is few rays, so
-/// that a filter on every surface costs less than it would cost all rays; and a filter loses no
-/// front that lies in the very place of a back, which going on behind the back would.
+/// Traces the rays that hit a back again, now through all backs. These are few rays, so this costs
+/// less than a filter for all rays. A filter also finds a front at the same place as a back, which
+/// a restart behind the back would miss.
 void RayScene::Impl::pass_backs(std::span<const Ray> rays, std::span<Hit> hits) const {
   const auto culled = [&](std::size_t i) {
     return hits[i].valid() && embree.sides().culled(hits[i], rays[i].direction);
@@ -136,7 +136,7 @@ void RayScene::Impl::in_place(const Ray& ray, const Hit& hit, Culling faces,
             [&](const Hit& a, const Hit& b) { return tracing::in_front(world, a, b); });
 }
 
-/// Of surfaces in one place, the one in front.
+/// Selects the front one of several surfaces at the same place.
 void RayScene::Impl::choose_in_place(std::span<const Ray> rays, std::span<Hit> hits,
                                      Culling faces) const {
   std::vector<Hit> met;
@@ -221,7 +221,7 @@ void RayScene::blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
   context.lanes = &met;
   context.outlined = outlined;
   impl_->intersect(context, rays, [&](std::size_t i, std::size_t lane, const Hit& hit) {
-    // A ray that nothing blocks has met all blended surfaces on its way, in whatever order.
+    // A ray that nothing blocks has passed all blended surfaces on its way, in any order.
     const bool blocked =
         hit.valid() || tracing::most(met.transmittance[lane]) <= tracing::opaque_enough;
     const auto before = [&](float t) { return t < hit.t || (hit.valid() && t == hit.t); };
@@ -240,7 +240,7 @@ int RayScene::packet_width() const {
 }
 
 void RayScene::set_packet_width(int width) {
-  // Packets of 16 that Embree makes of two of 8 end the program where some of their lanes are void.
+  // Packets of 16 that Embree splits into two of 8 end the program if some lanes are unused.
   if (!impl_ || width > impl_->embree.native_width()) return;
   if (width == 1 || width == 4 || width == 8 || width == 16) impl_->width = width;
 }

@@ -14,36 +14,36 @@
 
 namespace asos {
 
-/// Opacity of `triangle` at (b1, b2), 0 to 1, for a ray's alpha test.
+/// Returns the opacity of `triangle` at (b1, b2), 0 to 1, for a ray's alpha test.
 using AlphaAt = float (*)(const World& world, std::uint32_t triangle, float b1, float b2);
 
-/// What a blended surface makes of light that goes straight through it, by colour.
+/// Transmittance of a blended surface without deflection, by colour.
 struct StraightPassage {
-  glm::vec3 share{1.0f};       ///< that goes on
-  glm::vec3 extinction{0.0f};  ///< of the volume that it bounds: share exp(-extinction) a length
-  bool enters = false;         ///< the light goes into that volume, and not out of it
+  glm::vec3 share{1.0f};  ///< fraction that passes
+  /// Extinction of the volume that it bounds: a fraction of exp(-extinction) is left per length.
+  glm::vec3 extinction{0.0f};
+  bool enters = false;  ///< the light enters that volume, instead of leaving it
 };
-/// That of light along `direction`, of any length, where `hit` is. A hit's `t` counts for nothing.
+/// Returns the passage of light along `direction`, of any length, at `hit`. The hit's `t` is not
+/// used.
 using PassageAt = StraightPassage (*)(const World& world, const Hit& hit, glm::vec3 direction);
 
-/// The sides of surfaces that a ray does not meet.
+/// The sides of surfaces that rays ignore.
 enum class Culling : std::uint8_t {
-  none,  ///< both sides are met
-  /// A ray goes through the back of a single-sided material's triangle as if it were not there, as
-  /// glTF 2.0 says for what a viewer sees (section 3.9.4, doubleSided; which side is the back:
-  /// meets_back).
+  none,  ///< both sides are hit
+  /// Rays pass through the backs of single-sided materials, as glTF 2.0 specifies for the viewer
+  /// (section 3.9.4, doubleSided; meets_back defines the back).
   as_material_says,
 };
 
-/// What the rays' hierarchy is built for.
+/// The purpose of the rays' hierarchy.
 enum class HierarchyUse : std::uint8_t {
-  lasting,  ///< many rays: the one that is traced fastest
-  moment,   ///< one moment of what moves: built in a fifth of the time where it can be, and traced
-            ///< a tenth slower at most
+  lasting,  ///< many rays: the hierarchy with the fastest traversal
+  moment,   ///< one moment of an animation: built in a fifth of the time where possible, and
+            ///< at most a tenth slower to trace
 };
 
-/// Rays as arrays, which start where they are: the arrays may be read up to the next multiple
-/// of 16.
+/// Rays as arrays, read in place: up to the next multiple of 16 numbers may be read.
 struct RayArrays {
   std::size_t count = 0;
   std::array<const float*, 3> origin{};
@@ -51,34 +51,34 @@ struct RayArrays {
   const float* t_far = nullptr;
 };
 
-/// The surfaces that a shadow ray meets on its way.
+/// The surfaces along a shadow ray.
 struct Blocker {
   /// The nearest surface that blocks all light: opaque, or masked where its opacity reaches the
   /// cut-off; not valid if there is none.
   Hit hit;
-  /// The same as `RayScene::transmittance`: 0 if blocked, else the share that blended surfaces, and
-  /// volumes, leave.
+  /// As `RayScene::transmittance`: 0 if blocked, else the fraction that blended surfaces and
+  /// volumes leave.
   glm::vec3 transmittance{1.0f};
-  /// Whether the ray met the geometry of a masked or blended material no farther than `hit` (which
-  /// may be masked itself), hole or not: rays nearby may then fare otherwise, although no outline
-  /// of a surface lies between. Masked surfaces whose cut-outs' outlines are known do not count.
+  /// Whether the ray met a masked or blended surface no farther than `hit` (which may be masked
+  /// itself), even at a hole. Then nearby rays may have another result without a surface outline in
+  /// between. Masked surfaces with known cut-out outlines do not count.
   bool see_through = false;
-  /// The same of masked materials alone.
+  /// The same for masked materials only.
   bool cut_out = false;
 };
 
-/// Rays against a world's triangles and analytic shapes, through Embree. Masked surfaces are tested
-/// against their cut-off; blended ones are met by `closest` and attenuate `transmittance`. Shadow
-/// rays meet both sides of every surface, and so do others unless they ask for less. Keeps a
-/// pointer into the world, which must stay where it is and outlive it. Thread-safe once built.
+/// Traces rays against a world's triangles and analytic shapes with Embree. Masked surfaces are
+/// tested against their cut-off. Blended ones are hit by `closest` and attenuate `transmittance`.
+/// Shadow rays hit both sides of every surface, and so do others by default. Stores a pointer to
+/// the world, which must not be moved and must outlive it. Thread-safe once built.
 ///
-/// Queries for shadows take the part (index into World::parts) that shines the light in question
-/// and does not shade it: `Light::own_part` of a light that it was built with, or -1 for none. A
-/// part that is no light's own is never ignored. No such query meets lines and points.
+/// Shadow queries take the own part of the light (index into World::parts), which does not shade
+/// it: `Light::own_part` of a light given to `build`, or -1 for none. A part that is no light's own
+/// is never ignored. Shadow queries ignore lines and points.
 ///
-/// The same call gives the same bits on one machine. A query for one ray, and spans cut
-/// differently, may differ in a hit's last bits, so what goes into one span must not depend on the
-/// timing of threads. A ray that is not finite, or has no direction, meets nothing; so does every
+/// The same call gives the same bits on one machine. A query for one ray, and differently divided
+/// spans, may differ in a hit's last bits. The contents of a span therefore must not depend on the
+/// timing of threads. A ray that is not finite, or has no direction, hits nothing; so does every
 /// ray on a RayScene that was not built.
 class RayScene {
  public:
@@ -87,50 +87,50 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// Errors: Embree's, such as lack of memory, and a light whose own part does not exist. `lights`:
-  /// those whose own parts queries may ignore. `forced`: tests that are made although no surface
-  /// asks for them; they change no answer. `passage`: of blended surfaces; null: they let the same
-  /// share of all colours through, by their opacity. `use` changes no answer but, where surfaces
-  /// meet, which of them is hit.
+  /// Builds the scene. Errors: Embree's, such as lack of memory, and a light whose own part does
+  /// not exist.
+  /// - `lights`: their own parts can be ignored by queries.
+  /// - `forced`: tests that are made even if no surface needs them; they change no result.
+  /// - `passage`: for blended surfaces; null: they transmit all colours equally, by their opacity.
+  /// - `use`: changes no result, except which of several touching surfaces is hit.
   [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha,
                                               std::span<const Light> lights = {},
                                               const SceneNeeds& forced = {},
                                               PassageAt passage = nullptr,
                                               HierarchyUse use = HierarchyUse::lasting);
 
-  /// The nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets. Where
-  /// triangles of different parts lie in one plane, it is the one in front: blended and cut-out
-  /// ones before opaque ones, and of the same kind the later primitive of the file.
+  /// Finds the nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.
+  /// If triangles of different parts are coplanar, it is the one in front: blended and cut-out ones
+  /// before opaque ones, and of the same kind the later primitive of the file.
   void closest(std::span<const Ray> rays, std::span<Hit> hits, Culling faces = Culling::none) const;
   [[nodiscard]] Hit closest(const Ray& ray, Culling faces = Culling::none) const;
 
-  /// Whether a hit's triangle lies in one plane with one of another part, and overlaps it.
+  /// Returns whether a hit's triangle is coplanar with one of another part, and overlaps it.
   [[nodiscard]] bool is_coplanar(const Hit& hit) const;
-  /// All that a ray meets in the place of such a hit, from front to back, and the hit itself.
+  /// Finds all surfaces at the place of such a hit, from front to back, including the hit itself.
   void in_place(const Ray& ray, const Hit& hit, Culling faces, std::vector<Hit>& met) const;
 
-  /// The share of light that passes straight along each ray, 0 (blocked) to 1 by colour; `shares`
-  /// is as long as `rays`. No more than 2^-16 counts as nothing where blended surfaces leave it.
-  /// In a volume it is what is left after the way between its boundaries; a ray that starts inside
-  /// has come from there, one that ends inside goes on to its end.
+  /// Computes the fraction of light that passes straight along each ray, 0 (blocked) to 1 by
+  /// colour; `shares` is as long as `rays`. If blended surfaces leave at most 2^-16, the result is
+  /// 0. In a volume it is the fraction left after the distance between its boundaries. A ray that
+  /// starts inside is attenuated from its start, and one that ends inside up to its end.
   void transmittance(std::span<const Ray> rays, std::span<glm::vec3> shares,
                      std::int32_t ignored_part = -1) const;
   void transmittance(const RayArrays& rays, std::span<glm::vec3> shares,
                      std::int32_t ignored_part = -1) const;
   [[nodiscard]] glm::vec3 transmittance(const Ray& ray, std::int32_t ignored_part = -1) const;
 
-  /// The surfaces that each ray meets on its way to a light; `blockers` is as long as `rays`.
-  /// `outlined`, by surface: 1 where its cut-outs' outlines are known (FeatureSet::outlined);
-  /// empty: nowhere.
+  /// Finds the surfaces along each ray to a light; `blockers` is as long as `rays`. `outlined`, by
+  /// surface: 1 if the outlines of its cut-outs are known (FeatureSet::outlined); empty: none are.
   void blockers(std::span<const Ray> rays, std::span<Blocker> blockers,
                 std::int32_t ignored_part = -1, std::span<const std::uint8_t> outlined = {}) const;
 
-  /// The memory that Embree holds for this scene, and the copies made for it.
+  /// Returns the memory of Embree for this scene, and of the copies made for it.
   [[nodiscard]] std::size_t memory_bytes() const;
 
-  /// Rays traced at once by the queries for spans: 16, 8, 4 or 1. Chosen for the processor by
-  /// `build`; another width, of those that it has, may be set for a measurement, while no ray is
-  /// under way.
+  /// Returns the number of rays per packet in queries for spans: 16, 8, 4 or 1. `build` selects it
+  /// for the processor. Another supported width may be set for a measurement while no query is
+  /// running.
   [[nodiscard]] int packet_width() const;
   void set_packet_width(int width);
 

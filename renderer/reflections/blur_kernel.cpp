@@ -31,8 +31,8 @@ double BlurKernel::Trapezoid::where(double sum) const {
 }
 
 glm::dvec2 BlurKernel::Trapezoid::uniform_like(double lo, double hi) const {
-  // Between kinks x^2 times the trapezoid is a cubic. Relative to the middle, so that little
-  // cancels.
+  // Between kinks, x^2 times the trapezoid is a cubic. It is taken relative to the centre, to
+  // reduce cancellation.
   const double node = 1.0 / std::sqrt(3.0), middle = 0.5 * (lo + hi);
   double sum = 0.0, first = 0.0, second = 0.0;
   const std::array<double, 4> kinks{0.0, ramp, 1.0 - ramp, 1.0};
@@ -54,11 +54,11 @@ glm::dvec2 BlurKernel::Trapezoid::uniform_like(double lo, double hi) const {
 
 BlurKernel::BlurKernel(glm::dvec2 share) : u_(share.x), v_(share.y) {}
 
-// The integral of up_to(u) at(v) dv along a straight side.
+// Returns the integral of up_to(u) at(v) dv along a straight side.
 double BlurKernel::along(glm::dvec2 from, glm::dvec2 to) const {
   const glm::dvec2 d = to - from;
   if (d.y == 0.0) return 0.0;
-  // Where the side crosses a kink.
+  // Find where the side crosses a kink.
   std::array<double, 10> at{0.0};
   std::size_t count = 1;
   const auto add = [&](double start, double step, const Trapezoid& t) {

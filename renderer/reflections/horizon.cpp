@@ -8,7 +8,7 @@ constexpr glm::dvec2 corners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 }  // namespace
 
 double Horizon::share_above() const {
-  // Shoelace over the square clipped by the line.
+  // Shoelace formula over the square clipped by the line.
   glm::dvec2 first(0.0), last(0.0);
   bool started = false;
   double twice = 0.0;

@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// A surface's own plane in a square of directions: which of them lead away from the surface.
-/// `height` + (u - 1/2) `right` + (v - 1/2) `down` is above 0 where one does, u and v from 0 to 1.
+/// A surface's own plane in a square of directions. A direction leads away from the surface where
+/// `height` + (u - 1/2) `right` + (v - 1/2) `down` is above 0, with u and v from 0 to 1.
 struct Horizon {
   double height = 1.0;
   double right = 0.0;
@@ -17,9 +17,9 @@ struct Horizon {
   [[nodiscard]] double at(glm::dvec2 p) const {
     return height + (p.x - 0.5) * right + (p.y - 0.5) * down;
   }
-  /// The share of the square's area that is above.
+  /// Returns the fraction of the square's area that is above the plane.
   [[nodiscard]] double share_above() const;
-  /// Where it crosses the square, from border to border.
+  /// Returns the line where the plane crosses the square, from border to border.
   [[nodiscard]] std::optional<std::pair<glm::vec2, glm::vec2>> line() const;
 };
 

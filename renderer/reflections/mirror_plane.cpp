@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-// A plane's triangles that share a corner are met there, all of them.
+// At a shared corner, a ray hits all of the plane's triangles there.
 constexpr int most_at_corner = 16;
 
 bool lies_in(const MirrorPlane& plane, const World& world, std::uint32_t triangle) {

@@ -8,16 +8,16 @@
 
 namespace asos {
 
-/// The plane of a flat mirror: what reflected rays leave, and never meet again.
+/// The plane of a flat mirror. Reflected rays leave it and never hit it again.
 struct MirrorPlane {
-  HalfSpace above;  ///< where they lead; unit normal
-  double hit_tolerance =
-      0.0;  ///< so far above it a ray may seem to meet what lies in it, by rounding
+  HalfSpace above;  ///< the side to which they lead; unit normal
+  /// Largest height above it at which rounding may give a hit with a surface in it.
+  double hit_tolerance = 0.0;
 };
 
-/// Nearest hits of rays that left a mirror, past what lies in its plane: triangles whose corners
-/// all do, as closely as single precision has them. Each of `hits` is the nearest of its ray;
-/// `rays` go on behind what they should not have met.
+/// Finds nearest hits of rays that left a mirror, skipping triangles in its plane. A triangle is in
+/// the plane if all its corners are, within single precision. Each of `hits` is the nearest of its
+/// ray; `rays` are moved behind the skipped hits.
 void pass_mirror(const MirrorPlane& plane, const World& world, const RayScene& scene, Culling faces,
                  std::span<Ray> rays, std::span<Hit> hits);
 

@@ -7,15 +7,16 @@
 namespace asos {
 namespace {
 
-// A shading normal this close to the triangle's is the triangle's.
+// A shading normal this close to the triangle's is treated as the triangle's.
 constexpr float same_normal = 1.0f - 1e-6f;
 
-// How far single precision moves the point where a ray meets a plane, as a share of its length and
-// of the coordinates that it starts at.
+// Error of a ray's hit with a plane in single precision, relative to the ray's length and the
+// coordinates of its origin.
 constexpr double ray_rounding = 4.0 * std::numeric_limits<float>::epsilon();
 
-// The plane of the triangle through one of its corners, which rounding has not moved. Rays start
-// above it by their own rounding only: what stands on a mirror is reflected down to its foot.
+// Uses the triangle's plane through one of its corners, which has no rounding error. Rays start
+// above it by their own rounding error only, so that objects on a mirror are reflected down to
+// their base.
 void take_plane(const World& world, const Hit& hit, double ray_length, MirrorSurface& surface) {
   const glm::uvec3 v = world.triangles[hit.triangle];
   const glm::dvec3 p0(world.positions[v.x]);
@@ -32,8 +33,8 @@ void take_plane(const World& world, const Hit& hit, double ray_length, MirrorSur
   surface.clearance = std::min(surface.clearance, rounding);
 }
 
-// At half of either edge, to second order and with room for the next, where the normals lean
-// towards each other.
+// Returns the height of a concave surface at half of either edge, to second order and with a margin
+// for higher orders. There the normals lean towards each other.
 double hollow_rise(const MirrorPatch& patch, glm::dvec3 turn_right, glm::dvec3 turn_down) {
   const double along_right = glm::dot(turn_right, patch.right);
   const double along_down = glm::dot(turn_down, patch.down);

@@ -13,14 +13,14 @@
 
 namespace asos {
 
-/// How a blurred pyray's kernel changes with depth. On the mirror all of its width is the pyray's
-/// own patch, far away most is the lobe's.
+/// The blur kernel of a pyray as a function of depth. At the mirror, the whole width is the pyray's
+/// own patch; far away, most of it is the lobe's.
 struct BlurByDepth {
-  glm::dvec2 far_share{1.0};   ///< share of the width that is not the lobe's, far away
+  glm::dvec2 far_share{1.0};   ///< fraction of the width that is not the lobe's, far away
   double apex_distance = 0.0;  ///< from the apex to the mirror
-  double start = 0.0;          ///< from the apex to where distances are measured from
+  double start = 0.0;          ///< from the apex to the origin of distances
 
-  /// At a surface that is met at `t`; infinite: far away.
+  /// Returns the kernel at a surface hit at `t`; infinite: far away.
   [[nodiscard]] BlurKernel at(double t) const {
     if (!std::isfinite(t)) return BlurKernel(far_share);
     const double from_apex = std::max(start + t, apex_distance);
@@ -29,14 +29,14 @@ struct BlurByDepth {
   }
 };
 
-/// The weights of the parts of a mirrored pyray's square: by the blur's kernel; 0 outside of the
-/// leaf that was mirrored, and below the mirror. By default each part counts by its area.
+/// Weights of the parts of a reflected pyray's square: by the blur kernel, and 0 outside of the
+/// reflected leaf or below the mirror. By default the weights are the areas.
 struct MirroredMask {
   std::optional<BlurByDepth> blur;
   std::optional<Horizon> horizon;
-  std::vector<BorderEdge> outline;  ///< of the leaf; empty: all of the square
+  std::vector<BorderEdge> outline;  ///< of the leaf; empty: the whole square
 
-  /// Whether a point counts at all. No leaf lies on both sides of what is left out.
+  /// Returns whether a point counts. No leaf crosses the border of the excluded parts.
   [[nodiscard]] bool holds(glm::vec2 p) const {
     if (horizon && !(horizon->at(glm::dvec2(p)) > 0.0)) return false;
     return outline.empty() || winds_around(outline, p);

@@ -11,9 +11,9 @@
 namespace asos {
 namespace {
 
-// Mirrored directions rise at least so much, of their length, above the surface.
+// Reflected unit directions rise at least this far above the surface.
 constexpr auto least_rise = static_cast<double>(least_mirrored_rise);
-// A patch seen more steeply is no longer than one seen so: as patch_on_plane has it.
+// Limits the length of steep patches, as patch_on_plane does.
 constexpr double steepest = 1.0 / 64.0;
 
 struct MirroredEdges {
@@ -21,7 +21,8 @@ struct MirroredEdges {
   glm::dvec3 right, down;
 };
 
-// How the reflected direction changes along an edge of the pyray: the derivative of D - 2 (D.N) N.
+// Returns the change of the reflected direction along an edge of the pyray: the derivative of D - 2
+// (D.N) N.
 glm::dvec3 reflected_edge(glm::dvec3 axis, glm::dvec3 edge, glm::dvec3 normal, glm::dvec3 turn) {
   const double along = glm::dot(axis, normal);
   return edge - 2.0 * ((glm::dot(edge, normal) + glm::dot(axis, turn)) * normal + along * turn);
@@ -50,12 +51,12 @@ MirroredEdges mirrored_edges(const IncidentPyray& pyray, const MirrorSurface& su
   return edges;
 }
 
-// An edge made longer by the lobe, which is turned like it.
+// Extends an edge by the lobe, in the same direction.
 glm::dvec3 widened(glm::dvec3 edge, glm::dvec3 lobe_axis, double width) {
   return edge + (glm::dot(edge, lobe_axis) < 0.0 ? -width : width) * lobe_axis;
 }
 
-// An edge of a picture beside the mirrored axis; a refracted one keeps it.
+// Returns an edge of a picture after reflection; refraction keeps it.
 glm::dvec3 carried(glm::dvec3 edge, const MirrorSurface& surface) {
   return surface.ratio > 0.0 ? edge : glm::reflect(edge, surface.normal);
 }
@@ -65,16 +66,16 @@ double share_of(glm::dvec3 edge, glm::dvec3 wide) {
   return length > 0.0 ? std::min(1.0, glm::length(edge) / length) : 1.0;
 }
 
-// A stand-in for the patch of a plane across the mirrored axis: the pyray's own edges, mirrored.
-// The patch itself is not as long as it looks where it is seen very steeply.
+// Replaces the patch across the reflected axis by the pyray's own edges, mirrored. At very steep
+// views, the patch itself is shortened.
 MirrorPatch mirrored_patch(const IncidentPyray& pyray, const MirrorSurface& surface) {
   const double scale = pyray.perspective ? pyray.distance : 1.0;
   return {scale * carried(pyray.right, surface), scale * carried(pyray.down, surface)};
 }
 
-// Where a pyramid of these edges has to begin for neither of them to be longer, where it leaves the
-// surface, than the patch's: one that is would look at what lies beside the mirror. Nothing where
-// they do not begin anywhere.
+// Returns the apex distance at which a pyramid with these edges leaves the surface within the patch
+// in both directions. Otherwise it would contain surroundings of the mirror. Returns nothing if
+// there is no such distance.
 std::optional<double> apex_within(const MirrorPatch& patch, glm::dvec3 axis, glm::dvec3 right,
                                   glm::dvec3 down) {
   const glm::dvec3 a = across(right, axis), b = across(down, axis);
@@ -83,8 +84,8 @@ std::optional<double> apex_within(const MirrorPatch& patch, glm::dvec3 axis, glm
   return nearest > 0.0 && std::isfinite(nearest) ? std::optional(nearest) : std::nullopt;
 }
 
-// Where the rays through the patch, continued backwards, come nearest to each other: the distance s
-// for which the patch's edges, less s times what the directions change by, are least.
+// Returns the distance at which the rays through the patch, continued backwards, are nearest to
+// each other. This is the s that minimizes the patch's edges less s times the change of direction.
 double nearest_apex(const MirrorPatch& patch, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 down) {
   const glm::dvec3 a = across(right, axis), b = across(down, axis);
   return (glm::dot(across(patch.right, axis), a) + glm::dot(across(patch.down, axis), b)) /
@@ -126,8 +127,8 @@ std::optional<MirroredPyray> diverging(const MirroredEdges& edges, double apex_d
   return out;
 }
 
-// The cosine to the normal behind a refracting surface, of a ray whose one before it is `cosine`; 0
-// beyond the critical angle.
+// Returns the cosine to the normal behind a refracting surface, for a ray with `cosine` in front of
+// it; 0 beyond the critical angle.
 double cosine_behind(double cosine, double ratio) {
   return std::sqrt(std::max(0.0, 1.0 - ratio * ratio * (1.0 - cosine * cosine)));
 }
@@ -195,8 +196,8 @@ std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSu
   const MirrorPatch patch = patch_of(pyray, surface.geometric);
   const bool sharp = !(lobe.width > 0.0);
   std::optional<MirroredPyray> out;
-  // A plane without blur mirrors the apex, and leaves parallel rays what they are. What it refracts
-  // has none any more.
+  // A plane without blur keeps the apex, mirrored, and keeps parallel rays parallel. After
+  // refraction there is no apex.
   const bool keeps_apex = surface.ratio == 0.0 || !pyray.perspective;
   if (sharp && !surface.bent() && keeps_apex) {
     out = pyray.perspective
@@ -205,15 +206,15 @@ std::optional<MirroredPyray> mirrored(const IncidentPyray& pyray, const MirrorSu
   } else {
     const glm::dvec3 right = widened(edges.right, lobe.right, lobe.width);
     const glm::dvec3 down = widened(edges.down, lobe.down, lobe.width);
-    // With blur the pyramid stays within the patch where it can. Else its apex is where the
-    // reflected rays, continued backwards, come nearest to each other.
+    // With blur, the pyramid stays within the patch if it can. Else its apex is where the reflected
+    // rays, continued backwards, are nearest to each other.
     const MirrorPatch seen = surface.bent() ? patch : mirrored_patch(pyray, surface);
     const auto within = sharp ? std::nullopt : apex_within(seen, edges.axis, right, down);
     const double apex = within ? *within : nearest_apex(seen, edges.axis, right, down);
     if (apex > 0.0 && std::isfinite(apex)) {
       out = diverging(edges, apex, lobe, surface);
     } else if (surface.bent()) {
-      // They meet in front of the mirror: take its tangent plane.
+      // The rays meet in front of the mirror, so use its tangent plane.
       MirrorSurface plane = surface;
       plane.turn_right = plane.turn_down = glm::dvec3(0.0);
       return mirrored(pyray, plane, lobe);

@@ -8,7 +8,8 @@
 namespace asos {
 namespace {
 
-// More than are met where a ray grazes facets; a mesh whose triangles run in any order has more.
+// A ray that grazes facets hits fewer than this. A mesh whose triangles have mixed windings has
+// more.
 constexpr int most_passed = 16;
 
 bool met_own_side(const VolumePath& passage, const World& world, const Ray& ray, const Hit& hit) {
@@ -22,7 +23,7 @@ void pass_own_side(const VolumePath& passage, const World& world, const RayScene
                    Culling faces, std::span<const Ray> rays, std::span<Hit> hits) {
   if (!passage.left_boundary()) return;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    // What is attenuated is attenuated from where the ray starts.
+    // Attenuation starts at the original t_near, so only a copy of the ray moves.
     Ray ray = rays[i];
     for (int k = 0; k < most_passed && met_own_side(passage, world, ray, hits[i]); ++k) {
       ray.t_near = std::nextafter(hits[i].t, std::numeric_limits<float>::infinity());

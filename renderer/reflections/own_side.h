@@ -8,10 +8,9 @@
 
 namespace asos {
 
-/// Nearest hits of rays that left a volume's boundary, past what they cannot meet before they have
-/// met its other side: the boundary's part from the side that faces away from where they are. Bent
-/// ones, of flat triangles, are met so where rays leave them. Each of `hits` is the nearest of its
-/// ray.
+/// Finds nearest hits of rays that left a volume's boundary, skipping the boundary's part on the
+/// side that they cannot hit before its other side. Curved boundaries of flat triangles have such
+/// hits where rays leave them. Each of `hits` is the nearest of its ray.
 void pass_own_side(const VolumePath& passage, const World& world, const RayScene& scene,
                    Culling faces, std::span<const Ray> rays, std::span<Hit> hits);
 

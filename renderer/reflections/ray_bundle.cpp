@@ -10,15 +10,15 @@
 namespace asos {
 namespace {
 
-// The share of its size at `t` that a pyramid has at the surface: not so near 0 that it begins at
-// the surface itself, nor so near 1 that its apex is where doubles end.
+// Limits of a pyramid's size at the surface, relative to its size at `t`. Near 0 it would begin at
+// the surface itself, and near 1 its apex would exceed the range of doubles.
 constexpr double least_share = 1.0 / 64.0;
 constexpr double most_share = 63.0 / 64.0;
 
-// A section is at least so much, of what it would be without a focus.
+// Smallest width of a section, relative to its width without a focus.
 constexpr double least_width = 1e-3;
 
-// An edge of the section at `t`: where the rays meet there, still of some length.
+// Returns an edge of the section at `t`. It keeps some length where the rays meet.
 glm::dvec3 edge_at(glm::dvec3 at, glm::dvec3 turn, double t, glm::dvec3 axis) {
   const glm::dvec3 start = across(at, axis), moved = t * across(turn, axis);
   const glm::dvec3 edge = start + moved;
@@ -26,13 +26,12 @@ glm::dvec3 edge_at(glm::dvec3 at, glm::dvec3 turn, double t, glm::dvec3 axis) {
   return glm::length(edge) < least ? edge + least * glm::normalize(moved) : edge;
 }
 
-// One direction across a blurred bundle, at a section. Which way the blur's edge runs is all the
-// same.
+// One axis of a section across a blurred bundle. The sign of the blur's edge does not matter.
 struct BlurredAxis {
   glm::dvec3 unit;   // along the section
-  double own = 0.0;  // width of the section, and what blur adds to it
+  double own = 0.0;  // width of the section, and the width that blur adds to it
   double blur = 0.0;
-  glm::dvec3 turn;  // what each of them changes of the direction, over its width
+  glm::dvec3 turn;  // change of direction over each of these widths
   glm::dvec3 lobe;
 
   BlurredAxis(glm::dvec3 section, glm::dvec3 blurred, glm::dvec3 turn_, glm::dvec3 lobe_)
@@ -46,22 +45,22 @@ struct BlurredAxis {
   }
   [[nodiscard]] double variance() const { return own * own + blur * blur; }
   [[nodiscard]] double width() const { return own + blur; }
-  // What a step along the section changes of the direction, as the mean of all rays there.
+  // Returns the change of the mean direction along the section.
   [[nodiscard]] glm::dvec3 slope() const { return (own * turn + blur * lobe) / variance(); }
-  // The edge over which the direction varies in one place.
+  // Returns the remaining variation of directions at one place, as an edge.
   [[nodiscard]] glm::dvec3 rest() const {
     return (blur * turn - own * lobe) / std::sqrt(variance());
   }
 };
 
-// Independent boxes along one direction: what each changes of the place and of the direction.
+// Independent boxes along one axis: each one's change of place and of direction.
 struct Boxes {
   std::array<glm::dvec3, 3> at{};
   std::array<glm::dvec3, 3> turn{};
 };
 
-// The squares of the widths of two boxes that have the sum of squares and, where two can, of fourth
-// powers of three: the larger first.
+// Returns the squared widths of two boxes that replace three, the larger first. They have the same
+// sum of squares and, if possible, the same sum of fourth powers.
 std::pair<double, double> two_for_three(const glm::dvec3& widths) {
   const glm::dvec3 squares = widths * widths;
   const double sum = squares.x + squares.y + squares.z, fourth = glm::dot(squares, squares);
@@ -69,8 +68,8 @@ std::pair<double, double> two_for_three(const glm::dvec3& widths) {
   return {0.5 * sum + half, std::max(0.0, 0.5 * sum - half)};
 }
 
-// Two boxes for three, seen `t` away: the second is the one that blurs, of which the least is to be
-// seen where they begin.
+// Replaces three boxes by two, for a distance `t`. The second is the blur; it is the one with the
+// smaller extent at the origin.
 void merge(const Boxes& boxes, double t, glm::dvec3& at, glm::dvec3& turn, glm::dvec3& lobe_at,
            glm::dvec3& lobe) {
   glm::dvec3 unit(0.0), places, turns;
@@ -86,7 +85,7 @@ void merge(const Boxes& boxes, double t, glm::dvec3& at, glm::dvec3& turn, glm::
     places[i] = glm::dot(boxes.at[k] + t * boxes.turn[k], unit);
     turns[i] = glm::dot(boxes.turn[k], unit);
   }
-  // Rotate the three into two that span what they do, of these widths there.
+  // Rotate the three boxes into two that span the same space, with these widths at `t`.
   const glm::dvec3 first = glm::normalize(places);
   glm::dvec3 second = turns - glm::dot(turns, first) * first;
   const double left = glm::length(second);
@@ -231,7 +230,7 @@ RayBundle mirrored(const RayBundle& bundle, const MirrorSurface& surface) {
     out.down = turned(bundle.down, surface.turn_down);
     return out;
   }
-  // Of the normal's turn over all of the section to each of both its share.
+  // Divide the normal's turn over the whole section between the section and its blur.
   const MirrorPatch whole = bundle.whole_section(t), blur = bundle.blur_of_section(t);
   const auto share = [](glm::dvec3 edge, glm::dvec3 all) {
     return glm::dot(edge, all) / glm::dot(all, all);
@@ -262,7 +261,7 @@ std::optional<MirroredPyray> pyramid_around(const RayBundle& bundle, const Mirro
     };
     out.sharp_share = {widen(right, blur.right), widen(down, blur.down)};
   }
-  // In a focal line the edges lie on each other.
+  // In a focal line the edges coincide.
   const glm::dvec3 beside = glm::cross(axis, right);
   const double area = glm::dot(beside, down);
   const double least = least_width * glm::length(right) * glm::length(down);
@@ -277,7 +276,8 @@ std::optional<MirroredPyray> pyramid_around(const RayBundle& bundle, const Mirro
                                  : (of_right + of_down) / (right2 + down2);
   const double share = std::clamp(fitting, least_share, most_share);
   const double before = t * share / (1.0 - share);
-  // On the surface all of it is sharp, and far away so much that it is right at `t`.
+  // At the surface the pyramid is completely sharp. Far away its sharpness is such that it is right
+  // at `t`.
   if (blurred) out.sharp_share = glm::clamp((out.sharp_share - share) / (1.0 - share), 0.0, 1.0);
 
   out.apex_distance = before;

@@ -10,13 +10,13 @@
 
 namespace asos {
 
-/// A block of a picture that a method is to render: all that its pixels may depend on. Keeps
-/// references.
+/// A block of a picture for a method to render, with everything that its pixels may depend on.
+/// Stores references.
 struct BlockJob {
   const RenderScene& scene;
   const View& view;
   const RenderSettings& settings;
-  PixelRect block;  ///< in the whole picture, whatever the crop
+  PixelRect block;  ///< in the whole picture, independent of the crop
   std::stop_token stop = {};
 };
 

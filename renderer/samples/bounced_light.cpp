@@ -6,10 +6,11 @@
 namespace asos {
 namespace {
 
-// The lobe in which what a ray met looks at the sky.
+// The lobe number for sky rays from a surface that another ray hit.
 constexpr int lobe_behind = lobe_of_sky + 1;
 
-/// The lights and the sky of a surface that a ray met; what it mirrors is left out. Made for each.
+/// Collects the lights and the sky at a surface that a ray hit, without reflections. One object per
+/// surface.
 class OneBounce final : public LightTransport {
  public:
   OneBounce(SampledLights& lights, const SkyRay& from) : lights_(lights), from_(from) {}
@@ -47,7 +48,7 @@ void BouncedLight::follow(std::span<const SkyRay> rays, SampledLights& lights,
     places_->start_pixel(from.sample.x, from.sample.y);
     places_->start_sample(from.sample.index);
     ViewedRay seen{from.ray, hits_[i]};
-    // What it meets mirrors nothing, and lights are seen by themselves.
+    // No reflections are followed there, and lights are sampled separately.
     seen.bounces = std::max(1, shader_->reflections());
     seen.hides_lights = seen.diffuse = true;
     const SampledLights::Waiting before = lights.waiting();

@@ -13,16 +13,16 @@
 
 namespace asos {
 
-/// What surfaces get from all others around them, one bounce: the sky, and where something hides
-/// that, what this reflects diffusely of the light that lamps and the sky send straight to it.
+/// Computes the light from all surroundings of a surface with one bounce. It is the sky's radiance,
+/// or that of an occluder: its diffuse reflection of direct light from lights and the sky.
 class BouncedLight {
  public:
-  /// All have to outlive this.
+  /// All arguments have to outlive this.
   BouncedLight(const RenderScene& scene, const Shader& shader, SamplePlaces& places)
       : scene_(&scene), shader_(&shader), places_(&places) {}
 
-  /// Adds what the rays bring to their sums; the lights, and the sky, of what they meet wait in
-  /// `lights`. The places are at other samples then.
+  /// Adds the radiance along the rays to their sums. Lights and sky at their hits are deferred in
+  /// `lights`. Changes the current sample of `places`.
   void follow(std::span<const SkyRay> rays, SampledLights& lights, std::vector<glm::dvec3>& sums,
               RenderStatistics& counts);
 

@@ -9,8 +9,9 @@
 namespace asos {
 namespace {
 
-// A permutation of 0 .. length - 1 without a table (Kensler 2013, "Correlated multi-jittered
-// sampling", section 2): invertible steps on the next power of two, repeated until they end inside.
+// Returns element i of a permutation of 0 .. length - 1 without a table (Kensler 2013, "Correlated
+// multi-jittered sampling", section 2). It applies invertible steps on the next power of two,
+// repeated until the result is in range.
 std::uint32_t permuted(std::uint32_t i, std::uint32_t length, std::uint32_t seed) {
   std::uint32_t mask = length - 1;
   for (const int shift : {1, 2, 4, 8, 16}) mask |= mask >> shift;
@@ -37,8 +38,8 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t length, std::uint32_t seed
   return (i + seed) % length;
 }
 
-// A step of about the golden section of all strata, which shares no factor with their number,
-// visits each once, and any few in a row lie apart.
+// Returns a step of about the golden section of the number of strata and coprime to it. Steps of
+// this length visit each stratum once, and successive strata are far apart.
 int step_of(int strata) {
   constexpr double golden_section = 0.61803398874989485;
   int step = std::max(1, static_cast<int>(std::lround(golden_section * strata)));
@@ -57,7 +58,7 @@ PixelPoint GridPlaces::in_pixel() const {
 }
 
 glm::dvec2 GridPlaces::on_light(std::uint32_t light) const {
-  // Streams of their own, far from the pixel's.
+  // Separate streams, far from those of the pixel.
   return in_strata(0x80000000u + light * 0x10001u);
 }
 

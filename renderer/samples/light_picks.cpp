@@ -17,9 +17,9 @@ void LightPicks::pick(const LightTable& lights, const LitBatch& points,
   sort_by_light(lights.size());
 }
 
-// What a ray stands for: those that are worth more have one each, and what is left of the rays is
-// for what is left of the lights. So the rays of the others do not get fewer by one light's
-// highlight that was thought to be brighter than it is.
+// Returns the worth that one ray represents. Lights above it have one ray each, and the remaining
+// rays are divided by the worth of the remaining lights. An overestimated highlight of one light
+// thus does not reduce the rays of the others.
 float LightPicks::share_of_ray(float all, float a_point) const {
   constexpr int rounds = 2;
   float share = all / a_point;
@@ -35,7 +35,8 @@ float LightPicks::share_of_ray(float all, float a_point) const {
   return share;
 }
 
-// Goes along the lights, a share a step. `walked`: of a share, since the last ray.
+// Walks along the lights and picks one per `share`. `walked` is the fraction of a share since the
+// last pick.
 void LightPicks::pick_for(std::uint32_t point, float share, float walked) {
   const float per_share = 1.0f / share;
   for (std::uint32_t light = 0; light < worth_.size(); ++light) {
@@ -62,7 +63,7 @@ void LightPicks::sort_by_light(std::size_t lights) {
     point_[at] = pick.point;
     weight_[at] = pick.weight;
   }
-  // Each is where the next one began now.
+  // Each entry is now where the next light begins.
   first_.insert(first_.begin(), 0);
 }
 

@@ -10,24 +10,24 @@
 
 namespace asos {
 
-/// Which of many lights a batch of points sends its shadow rays to: each is weighed by what it is
-/// about worth at the point (weigh_lights); of a point's rays, each stands for as much of that as
-/// the next (Shirley, Wang and Zimmerman 1996, section 4), but for the lights that are worth more.
-/// They are chosen by systematic sampling: each light is chosen with the probability that its share
-/// deserves, by one number a point, and what its ray carries is divided by it, so that the mean is
-/// that of all lights.
+/// Selects the lights to which a batch of points sends shadow rays. Each light is weighed by its
+/// estimated contribution at the point (weigh_lights). Each of a point's rays represents an equal
+/// part of the total (Shirley, Wang and Zimmerman 1996, section 4), except for the strongest
+/// lights, which get one ray each. Selection is by systematic sampling with one random number per
+/// point. A light's probability is proportional to its weight, and its ray is divided by the
+/// probability, so that the mean is that of all lights.
 class LightPicks {
  public:
-  /// In scenes with so many lights, each of them gets its ray.
+  /// With at most this many lights, each of them gets a ray.
   static constexpr std::size_t few_lights = 6;
-  /// A point's shadow rays where there are more: so many on the average at most.
+  /// Largest average number of shadow rays per point if there are more lights.
   static constexpr float rays_a_point = 4.0f;
 
-  /// Picks for all points. `at`: each one's number, of 2^32.
+  /// Picks lights for all points. `at` is each point's random number, of 2^32.
   void pick(const LightTable& lights, const LitBatch& points, const LightPlaceBatch::Fractions& at,
             float a_point = rays_a_point);
 
-  /// The points that picked a light of the table, ascending, and 1 / probability of each. Valid
+  /// The points that picked a light of the table, ascending, with 1 / probability of each. Valid
   /// until the next call of `pick`.
   struct Points {
     std::span<const std::uint32_t> point;
@@ -47,9 +47,9 @@ class LightPicks {
   void pick_for(std::uint32_t point, float share, float walked);
   void sort_by_light(std::size_t lights);
 
-  std::vector<float> worth_;  // each light, at a point
+  std::vector<float> worth_;  // of each light, at one point
   std::vector<Pick> picks_;   // point by point
-  // Light by light: where each one's begin, and what they are.
+  // Picks sorted by light: the first index of each light, and the picks.
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> point_;
   std::vector<float> weight_;

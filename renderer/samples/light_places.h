@@ -9,7 +9,7 @@
 
 namespace asos {
 
-/// A sample by its place in a picture's sequence.
+/// Identifies a sample of a picture by pixel and index.
 struct SampleIndex {
   int x = 0;  ///< of its pixel
   int y = 0;
@@ -20,22 +20,22 @@ struct SampleIndex {
   }
 };
 
-/// Where on a light each sample of a pixel looks.
+/// Places on lights for each sample of a pixel.
 class LightPlaces {
  public:
   virtual ~LightPlaces() = default;
-  /// In the unit square, of the sample that is under way.
+  /// Returns the current sample's place on a light, in the unit square.
   [[nodiscard]] virtual glm::dvec2 on_light(std::uint32_t light) const = 0;
-  /// Where in a blurred reflection's square it looks at the given bounce, from 0: independent of
-  /// where it looks on lights.
+  /// Returns the current sample's place in a blurred reflection's square at a bounce, counted from
+  /// 0. It is independent of places on lights.
   [[nodiscard]] virtual glm::dvec2 in_lobe(int bounce) const {
     return on_light(0x4000u + static_cast<std::uint32_t>(bounce));
   }
 
-  /// Goes to a batch of samples, at most LitBatch::size of them, which have to outlive what is
-  /// asked about them. The sample under way is another one then.
+  /// Starts a batch of at most LitBatch::size samples, which have to outlive its use. Changes the
+  /// current sample.
   virtual void start_batch(std::span<const SampleIndex> samples) = 0;
-  /// Of each sample of the batch: `on_light` as 32-bit fractions.
+  /// Computes `on_light` of each sample of the batch, as 32-bit fractions.
   virtual void on_light(std::uint32_t light, LightPlaceBatch& places) = 0;
 };
 

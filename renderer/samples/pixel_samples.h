@@ -12,33 +12,34 @@
 
 namespace asos {
 
-/// The pixels of a block by the same number of point samples each, which come in rounds: 1, 2, 4
-/// and so on a pixel. A round goes on from the sums of those before. The same rounds give the same
-/// bits, whenever and by whichever thread each is taken.
+/// A block of pixels with the same number of point samples each, taken in rounds: 1, 2, 4 and so on
+/// per pixel. Each round continues the sums of those before. Rounds are deterministic, whenever and
+/// on whichever thread they run.
 class PixelSamples {
  public:
   explicit PixelSamples(PixelRect block);
 
-  /// Takes the samples of each pixel from `taken()` up to `end`, each with the footprint of one of
-  /// `footprints` samples of a pixel. Unfinished, and to be dropped, once the job's stop is
-  /// requested. `job.block` is the block of the constructor.
+  /// Takes samples `taken()` to `end` of each pixel, with the footprint for `footprints` samples
+  /// per pixel. After a stop request the result is incomplete and has to be discarded. `job.block`
+  /// is the constructor's block.
   void advance(const BlockJob& job, SamplePlaces& places, int end, int footprints);
 
-  /// The number of samples of each pixel so far.
+  /// Returns the number of samples per pixel so far.
   [[nodiscard]] int taken() const { return taken_; }
-  /// The round that follows `taken` samples, of which there are `most` in the end: how many samples
-  /// there are after it.
+  /// Returns the number of samples after the round that follows `taken` samples, out of `most` in
+  /// total.
   [[nodiscard]] static int after_round(int taken, int most);
 
-  /// Memory that it holds.
+  /// Returns the memory in use.
   [[nodiscard]] std::size_t bytes() const {
     return sums_.capacity() * sizeof(sums_[0]) + moved_.capacity() * sizeof(moved_[0]);
   }
 
-  /// The means so far, and the work of all rounds.
+  /// Returns the means so far, and the work of all rounds.
   [[nodiscard]] BlockResult result() const;
-  /// How far each pixel's mean moved in the latest round: its squared distance, of linear radiance
-  /// clipped to 0..1, added up over the channels; 0 before there are two rounds. Row-major.
+  /// Returns by how much each pixel's mean changed in the last round: its squared distance in
+  /// linear radiance clamped to 0..1, summed over the channels. 0 before there are two rounds.
+  /// Row-major.
   [[nodiscard]] const std::vector<float>& moved() const { return moved_; }
 
  private:

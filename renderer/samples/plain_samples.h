@@ -16,52 +16,51 @@
 
 namespace asos {
 
-/// Shades a batch of points of plain surfaces, triangles of opaque materials, in arrays: a viewer's
-/// rays at their first hits. Shader shades all else, one point at a time, and these to the same
-/// values but for roundings.
+/// The SIMD path for first hits on opaque triangles with simple materials, shaded in batches.
+/// Shader shades everything else, one point at a time, with the same result up to rounding.
 class PlainSamples {
  public:
-  /// Both have to outlive this.
+  /// Both arguments have to outlive this.
   PlainSamples(const RenderScene& scene, const Viewer& viewer);
 
   /// See SampleSums.
   void widen_colours(float times) { colours_ = times; }
-  /// Adds what ray number `index` met to the batch; false where it is not plain.
+  /// Adds the hit of ray number `index` to the batch. Returns false if it is not plain.
   [[nodiscard]] bool add(std::size_t index, const Ray& ray, const Hit& hit, float side);
   [[nodiscard]] std::size_t count() const { return arrays_ ? arrays_->hits.count : 0; }
-  /// The number of the ray of point i.
+  /// Returns the number of point i's ray.
   [[nodiscard]] std::size_t index(std::size_t i) const { return arrays_->index[i]; }
   void clear() {
     if (arrays_) arrays_->hits.count = arrays_->looked_up_count = 0;
   }
 
-  /// What rays see that meet nothing, where that is the same for all.
+  /// Returns the radiance of rays without a hit, if it is the same for all.
   [[nodiscard]] const std::optional<glm::vec3>& background() const { return background_; }
 
-  /// Makes the points. False where any is not finite: then none counts.
+  /// Computes the points. Returns false if any is not finite; then none is valid.
   [[nodiscard]] bool shade(LitBatch& points);
 
-  // Of point i of the batch, once it was made.
+  // The following are for point i of the batch, after `shade`.
 
-  /// Whether a reflection may be followed.
+  /// Returns whether a reflection may be followed.
   [[nodiscard]] bool may_mirror(std::size_t i) const {
     return reflections_ &&
            (arrays_->materials.roughness[i] <= roughest_mirror_ || arrays_->material[i]->own_dfr);
   }
-  /// Follows its reflection, as Shader::reflect does; `points` is told.
+  /// Follows its reflection, as Shader::reflect does, and records that in `points`.
   [[nodiscard]] bool reflect(std::size_t i, const ViewedRay& seen, LitBatch& points,
                              LightTransport& transport, RenderStatistics& counts) const;
-  /// What the viewer sees of it but lights and reflections; of the sky only the diffuse share where
-  /// it `mirrors`.
+  /// Returns its radiance without lights and reflections. If it `mirrors`, the sky contributes only
+  /// diffusely.
   [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const;
-  /// What it sends out itself.
+  /// Returns its own emission.
   [[nodiscard]] glm::vec3 emission(std::size_t i) const { return arrays_->emission[i]; }
-  /// Adds a ray to the sky, or to what hides it, by `transport`.
+  /// Adds a ray to the sky or its occluder through `transport`.
   void add_sky(std::size_t i, const LitBatch& points, bool mirrors, LightTransport& transport,
                RenderStatistics& counts) const;
 
  private:
-  /// What the viewer's rays show of it.
+  /// Returns the emission that the viewer's rays include.
   [[nodiscard]] glm::vec3 shown(glm::vec3 emission, std::uint32_t triangle) const;
   struct Arrays {
     TriangleBatch hits;
@@ -71,7 +70,7 @@ class PlainSamples {
     std::array<const PlainMaterial*, LitBatch::size> material;
     std::array<Hit, LitBatch::size> hit;
     std::array<std::size_t, LitBatch::size> index;
-    std::array<std::size_t, LitBatch::size> looked_up;  // the points whose materials are
+    std::array<std::size_t, LitBatch::size> looked_up;  // points whose materials are looked up
     std::size_t looked_up_count = 0;
   };
   [[nodiscard]] ViewedMaterial viewed_material(std::size_t i, const LitBatch& points) const;
@@ -91,7 +90,7 @@ class PlainSamples {
   glm::vec3 sky_radiance_{0.0f};  // of such a sky
   std::optional<glm::vec3> background_;
   float colours_ = 1.0f;
-  Recycled<Arrays> arrays_;  // once there is a plain point
+  Recycled<Arrays> arrays_;  // allocated at the first plain point
 };
 
 }  // namespace asos

@@ -4,8 +4,8 @@
 
 namespace asos {
 
-/// Keeps one object a thread for the next who needs one: large arrays that every block of pixels
-/// would ask the system for again. What they held is of no meaning.
+/// Keeps one object per thread for reuse, since every block of pixels would allocate large arrays
+/// anew. The object's previous contents are undefined.
 template <typename T>
 class Recycler {
  public:

@@ -9,21 +9,21 @@
 namespace asos {
 namespace {
 
-// The side of a sample's footprint, in that of the square that it stands for, but for colours
-// (colour_side). Samples that are many need no smoothing, and what smoothes highlights (PatchLobe)
-// is up to twice too bright at grazing angles in squares as large as that.
+// Side of a sample's footprint, relative to the square that the sample represents; colours use
+// colour_side. Many samples need no smoothing. With squares as large as theirs, the smoothing of
+// highlights (PatchLobe) is up to twice too bright at grazing angles.
 constexpr float footprint_share = 0.25f;
 
 constexpr auto parts = static_cast<std::uint32_t>(SequentialMean::parts);
 constexpr auto most_sums = static_cast<std::uint32_t>(SequentialMean::most_sums);
 
-/// Which `count` samples of its pixel those of a square are: squares of one pixel have others of
-/// the same sequence, or their errors would be the same and add up. Z-order, so that neighbours'
-/// are well distributed together; `count` is a power of two. There are not numbers for more of each
-/// than `enough`.
+/// Returns the first of the `count` samples of its pixel that a square uses. Squares of one pixel
+/// use different parts of the same sequence; with equal samples their errors would be equal and add
+/// up. Z-order makes neighbours' samples well distributed together. `count` is a power of two. The
+/// numbers suffice for `enough` samples each.
 std::uint32_t first_sample(glm::dvec2 middle, std::uint32_t count) {
   constexpr std::uint32_t enough = 1u << 14;
-  constexpr double cells = 256.0;  // a side, of a pixel
+  constexpr double cells = 256.0;  // per side of a pixel
   const glm::dvec2 at = cells * (middle - glm::floor(middle));
   const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y);
   std::uint32_t number = 0;
@@ -32,11 +32,12 @@ std::uint32_t first_sample(glm::dvec2 middle, std::uint32_t count) {
   return number * std::min(count, enough);
 }
 
-/// How many times larger than a region the rectangle around it is, which its samples are spread
-/// over: a power of two. Of those of a thin one few count, and few tell nothing of themselves.
+/// Returns by how many times the bounding rectangle, over which samples are spread, is larger than
+/// a region, as a power of two. Only few samples hit a thin region, and a few samples give no error
+/// estimate.
 std::uint32_t times_larger_around(const LeafRegion& region) {
   constexpr float most = 16.0f;
-  // To the nearest power of two, or so.
+  // Round to about the nearest power of two.
   const float times = 1.5f / filled_share(region, bounds_of(region));
   return times < most ? std::bit_floor(static_cast<std::uint32_t>(std::max(1.0f, times)))
                       : static_cast<std::uint32_t>(most);
@@ -119,7 +120,7 @@ std::span<const RegionSampler::Estimate> RegionSampler::resume(Open&& open,
   return found_;
 }
 
-// For the sums and estimates of all that wait.
+// Makes room for the sums and estimates of all waiting regions.
 void RegionSampler::make_room() {
   for (std::size_t i = 0; i < waiting_.size(); ++i) waiting_[i].first_sum = most_sums * i;
   sums_.resize(0);
@@ -132,7 +133,7 @@ void RegionSampler::forget() {
   borders_.clear();
 }
 
-// Samples in rounds all regions that are not within `times` their goals' errors.
+// Samples, in rounds, all regions with errors above `times` their goals' errors.
 void RegionSampler::sample_stage(double times, RenderStatistics& counts, const BlurKernel* kernel) {
   for (Waiting& waiting : waiting_) waiting.rests = waiting.done;
   const auto left = [&] {
@@ -147,7 +148,7 @@ void RegionSampler::sample_stage(double times, RenderStatistics& counts, const B
       found_[i] = estimate(waiting_[i]);
       found_[i].error = standard_error(waiting_[i], found_[i].value);
     }
-    // All that are told by others as well, before any of them ends.
+    // Decide for all regions before any of them ends, since they use their neighbours' errors.
     suffices_.clear();
     for (std::size_t i = 0; i < waiting_.size(); ++i) suffices_.push_back(suffices(i, times));
     for (std::size_t i = 0; i < waiting_.size(); ++i)
@@ -167,9 +168,10 @@ bool RegionSampler::suffices(std::size_t number, double times) const {
          waiting.goal.met(waiting.taken, expected_error(number) / times);
 }
 
-// A region's error, and a part of what its neighbours' samples vary by, the mean over those that
-// fill most of the eight pixels around, if as many are taken. Few samples may all miss what is
-// bright and seldom met, and agree: where neighbours have met it, it is likely to be there.
+// Returns a region's error, increased by a part of the variance of its neighbours. Neighbours are
+// regions that fill most of one of the eight surrounding pixels; their variance is scaled to the
+// same number of samples. With few samples, all may miss a small bright spot, so that their
+// variance is wrongly zero. If neighbours have hit one, it is likely to be there.
 double RegionSampler::expected_error(std::size_t number) const {
   constexpr double most_of_a_pixel = 0.5, near = 1.5, part = 0.25;
   const Waiting& own = waiting_[number];
@@ -191,7 +193,7 @@ double RegionSampler::expected_error(std::size_t number) const {
   return count > 0 ? std::sqrt(error * error + part * squares / count) : error;
 }
 
-// As many samples as there are so far.
+// Adds as many samples as there are so far.
 void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
   const LeafRegion part = region(waiting);
   const Bounds2 bounds = bounds_of(part);
@@ -242,8 +244,8 @@ RegionSampler::Estimate RegionSampler::estimate(const Waiting& waiting) const {
   return all;
 }
 
-// A pixel that is brighter than white for sure is to be known as well as white by the exposure that
-// shows it as that.
+// For a pixel that is certainly brighter than white, the error is relative to its value: it has the
+// accuracy of white after an exposure that shows it as white.
 double RegionSampler::standard_error(const Waiting& waiting, glm::dvec3 mean) const {
   std::array<SequentialMean::Sum, most_sums> sums;
   const std::uint32_t count = waiting.taken / waiting.per_sum;

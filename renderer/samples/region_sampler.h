@@ -17,52 +17,53 @@
 
 namespace asos {
 
-/// Parts of pixels as the mean of samples that are well distributed over the part and over each
-/// light together, in packets: what is left to do where so much bounds or shades a part that
-/// looking at all of it would cost more (design section 5, "Saturation").
+/// Estimates parts of pixels by samples that are well distributed over the part and each light, in
+/// packets. Used where so many boundaries or lights affect a part that an exact result would cost
+/// more (design section 5, "Saturation").
 class RegionSampler {
  public:
-  /// `block`: the pixels that the frame shows whose square the regions lie in. `mask`: the parts of
-  /// it that count, and for how much; null: all the same. All have to outlive this. Once `stop` is
-  /// asked for, estimates are of what was sampled by then.
+  /// `block` is the frame's block of pixels, in whose square the regions lie. `mask` has the
+  /// weights of the square's parts; null: uniform. All arguments have to outlive this. After a
+  /// request on `stop`, estimates use the samples taken until then.
   RegionSampler(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
                 PixelRect block, int seed, const MirroredMask* mask = nullptr,
                 std::stop_token stop = {}, SampleSums::Shows shows = SampleSums::Shows::all);
 
-  /// How far to go: samples in the region, about, powers of two. The error is in display intensity;
-  /// of its own value where that alone makes the pixel whiter than white.
+  /// When to stop sampling: approximate numbers of samples in the region, powers of two. The error
+  /// is in display intensity, or relative to the value if that alone makes the pixel brighter than
+  /// white.
   struct Goal : SamplingGoal {
     double share = 0.0;  ///< weight in its pixel; 0: too little to make it white
   };
-  /// Linear radiance. The error is a standard error, the cost the samples that count: 0 if there is
-  /// no mean.
+  /// Mean in linear radiance. `error` is its standard error. `cost` is the number of samples that
+  /// count; 0: there is no mean.
   struct Estimate : asos::Estimate {
-    double masked_share = 0.0;  ///< fraction of the samples in the region that the mask left out
+    double masked_share = 0.0;  ///< fraction of the samples in the region that the mask excludes
     bool one_round = false;     ///< the first round was enough
   };
 
-  /// Puts a region off until `run`; its number among those that wait, from 0.
+  /// Defers a region until `run`. Returns its number among the waiting ones, from 0.
   std::size_t add(const LeafRegion& region, const Goal& goal);
-  /// Samples all regions that wait, and none waits then. Their estimates, by number, are valid
-  /// until the next call. A round has as many samples as all before it, until the eighths of a
-  /// region's tell that its goal is met, and those of regions in the pixels around that it is
-  /// likely to be; the rays of all regions in a round share packets. The samples themselves are a
-  /// function of the region, and of the pixel that its square starts in: squares within a pixel
-  /// have other samples of one sequence. With a `kernel`, regions are sampled as it is distributed
-  /// there.
+  /// Samples all waiting regions and empties the queue. Returns their estimates by number, valid
+  /// until the next call. Each round doubles the number of samples, until the means of eighths of a
+  /// region's samples show that its goal is met, and neighbouring pixels' samples agree. The rays
+  /// of all regions in a round share packets. Samples depend only on the region and on the pixel in
+  /// which its square starts; squares within a pixel use different samples of one sequence. With a
+  /// `kernel`, samples are distributed by it.
   std::span<const Estimate> run(RenderStatistics& counts, const BlurKernel* kernel = nullptr);
-  /// The first stage of two: samples all regions that wait until they are within `times` their
-  /// goals' errors. Then `take_open` has those that are not within their goals, which `resume` goes
-  /// on with. The same bits by any sampler that was made alike.
+  /// Runs the first of two stages: samples all waiting regions until their errors are within
+  /// `times` their goals' errors. Then `take_open` returns the regions that have not met their
+  /// goals, and `resume` continues with them. The bits are the same for any sampler with the same
+  /// arguments.
   std::span<const Estimate> start(RenderStatistics& counts, double times);
-  /// Whether `start` left region `number` open.
+  /// Returns whether `start` left region `number` open.
   [[nodiscard]] bool open(std::size_t number) const { return !waiting_[number].done; }
-  /// Regions that were left open, in their order, with their samples so far.
+  /// The open regions, in order, with their samples so far.
   class Open;
   [[nodiscard]] Open take_open();
-  /// The second stage. Estimates are of the open regions, in their order.
+  /// Runs the second stage. Returns the estimates of the open regions, in order.
   std::span<const Estimate> resume(Open&& open, RenderStatistics& counts);
-  /// One region alone.
+  /// Samples one region.
   [[nodiscard]] Estimate sample(const LeafRegion& region, const Goal& goal,
                                 RenderStatistics& counts, const BlurKernel* kernel = nullptr) {
     add(region, goal);
@@ -70,17 +71,17 @@ class RegionSampler {
   }
 
  private:
-  /// A region that waits, with what is known of it so far.
+  /// A waiting region with its samples so far.
   struct Waiting {
     Square square;
     std::size_t first_edge = 0, edges = 0;  // of its border
     Goal goal;
-    std::uint32_t per_sum = 0;  // samples in each of its sums
+    std::uint32_t per_sum = 0;  // number of samples in each of its sums
     std::size_t first_sum = 0;
-    std::uint32_t taken = 0;  // samples so far, with those beside the region
+    std::uint32_t taken = 0;  // samples so far, including those outside the region
     std::uint32_t in_region = 0;
-    std::uint32_t masked = 0;  // of these, beside the mask
-    bool rests = false;        // until the stage ends
+    std::uint32_t masked = 0;  // number of samples outside the mask
+    bool rests = false;        // whether it waits until the stage ends
     bool done = false;
   };
   [[nodiscard]] LeafRegion region(const Waiting& waiting) const {
@@ -98,7 +99,7 @@ class RegionSampler {
   PixelRect block_;
   const MirroredMask* mask_;
   std::stop_token stop_;
-  double white_;  // the radiance that a picture may show as white
+  double white_;  // the radiance that is white in a picture
   SobolPlaces places_;
   SampleSums sums_;
   std::vector<Waiting> waiting_;
@@ -119,7 +120,7 @@ class RegionSampler::Open {
   friend class RegionSampler;
   std::vector<Waiting> waiting_;
   std::vector<BorderEdge> borders_;
-  std::vector<SampleSums::Sum> sums_;  // as many of each as it has
+  std::vector<SampleSums::Sum> sums_;  // the same number for each region
 };
 
 }  // namespace asos

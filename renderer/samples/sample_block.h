@@ -14,24 +14,25 @@ struct PixelPoint {
   double y = 0.5;
 };
 
-/// Where the samples of one pixel lie, in the pixel and on the lights: what the methods that only
-/// place samples differ in.
+/// Places of a pixel's samples, in the pixel and on the lights. Sampling methods differ only in
+/// this class.
 class SamplePlaces : public LightPlaces {
  public:
   virtual void start_pixel(int x, int y) = 0;
-  /// Goes to sample `index` of the pixel.
+  /// Selects sample `index` of the pixel as the current one.
   virtual void start_sample(int index) = 0;
   [[nodiscard]] virtual PixelPoint in_pixel() const = 0;
-  /// Of samples `first` and on of the pixel; the one under way is the last of them.
+  /// Computes the places of successive samples of the pixel, starting with `first`. The last
+  /// becomes the current one.
   virtual void in_pixel(int first, std::span<PixelPoint> points);
 
-  /// From now on samples have places on the camera's lens, too.
+  /// Enables places on the camera's lens for all later samples.
   virtual void use_lens() {}
-  /// Where the sample under way starts on the camera's lens, in [0, 1) each.
+  /// Returns the current sample's place on the camera's lens, in [0, 1) each.
   [[nodiscard]] virtual glm::dvec2 on_lens() const = 0;
 
   using LightPlaces::on_light;
-  /// One sample after the other.
+  /// Handles one sample after the other.
   void start_batch(std::span<const SampleIndex> samples) override { batch_ = samples; }
   void on_light(std::uint32_t light, LightPlaceBatch& places) override;
 
@@ -39,30 +40,30 @@ class SamplePlaces : public LightPlaces {
   std::span<const SampleIndex> batch_;
 };
 
-/// The points of a pixel's samples that methods ask for at a time.
+/// Number of a pixel's points that methods request at a time.
 inline constexpr int points_at_a_time = 16;
 
-/// The side of the first square of at least `spp` samples.
+/// Returns the side of the smallest square grid with at least `spp` samples.
 [[nodiscard]] int grid_side(int spp);
 
-/// The side, in pixels, of the footprint of one of so many samples of a pixel, whose filter is
-/// `width` wide, but for colours. Where they are more than a few it is half of the square that a
-/// sample stands for: they are scattered all over it as it is, and a lobe that is widened by a
-/// patch of normals has tails that the patch has not.
+/// Returns the side, in pixels, of the footprint of a sample, for this many samples per pixel and a
+/// filter of width `width`; colours use colour_side. With more than a few samples it is half the
+/// square that a sample represents. The samples already cover the square, and a lobe that is
+/// widened by a patch of normals has longer tails than the patch.
 [[nodiscard]] float sample_side(double width, int samples);
 
-/// The side of what a sample's colours are averaged over, in that of the square that it stands for:
-/// they add up as they are, so that wide footprints take noise from them and bring no tails; but
-/// those that reach beyond what the square shows look past where a texture ends.
+/// Side of the square over which a sample's colours are averaged, relative to the square that it
+/// represents. Averages of colours are exact, so wide footprints reduce noise without tails.
+/// Footprints beyond the square would reach past the border of a texture.
 inline constexpr float colour_side = 0.75f;
 
-/// A block of pixels as the mean of `samples` point samples each, through packets of rays, in the
-/// rounds of PixelSamples. A sample stands for its share of the pixel's area.
+/// Renders a block of pixels as the mean of `samples` point samples each, in packets of rays and in
+/// the rounds of PixelSamples. Each sample represents an equal part of the pixel's area.
 [[nodiscard]] BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples);
 
-/// n x n strata of the pixel, and for the lens and each light another assignment of its own n x n
-/// strata to the samples, seeded by pixel: a sample in the middle of each stratum, or anywhere in
-/// it. Samples go from stratum to stratum so that the first few are spread over the pixel as well.
+/// A grid of n x n strata per pixel, with one sample in the centre of each stratum or jittered
+/// within it. The lens and each light have n x n strata, too, with their own assignment to the
+/// samples, seeded by pixel. The order of strata spreads the first few samples over the pixel.
 class GridPlaces final : public SamplePlaces {
  public:
   GridPlaces(int n, bool jittered);
@@ -78,11 +79,11 @@ class GridPlaces final : public SamplePlaces {
   [[nodiscard]] glm::dvec2 on_lens() const override;
 
  private:
-  /// A place in the strata, by a stream of random numbers.
+  /// Returns a place in the strata, by a stream of random numbers.
   [[nodiscard]] glm::dvec2 in_strata(std::uint32_t stream) const;
 
   int n_;
-  int step_;  // from one sample's stratum to the next one's
+  int step_;  // from one sample's stratum to the next
   bool jittered_;
   int x_ = 0, y_ = 0;
   int index_ = 0;  // of the stratum

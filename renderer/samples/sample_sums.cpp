@@ -13,7 +13,7 @@
 namespace asos {
 namespace {
 
-/// Gathers the lights and the reflections of one sample. Made for each.
+/// Collects the lights and reflections of one sample. One object per sample.
 class OneSample final : public LightTransport {
  public:
   OneSample(SampledLights& lights, SampledReflections& reflections, const Shader& shader,
@@ -54,7 +54,7 @@ class OneSample final : public LightTransport {
   glm::vec3 weight_;
 };
 
-/// Gathers of one sample what the lobes of its first surfaces show, and nothing else.
+/// Collects only the lobes' reflections at the first surfaces of a sample.
 class OneLobeSample final : public LightTransport {
  public:
   OneLobeSample(SampledReflections& reflections, const Shader& shader, const PointSample& sample)
@@ -156,7 +156,7 @@ void SampleSums::cast_rays() {
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
 }
 
-// Each sample's ray starts at its own point of the lens.
+// Moves each sample's ray to its own point of the lens.
 void SampleSums::aim_through_lens() {
   const View& view = viewer_.view;
   for (std::size_t i = 0; i < used_; ++i) {
@@ -169,7 +169,7 @@ void SampleSums::aim_through_lens() {
   }
 }
 
-// The samples of a pixel share the pixel and its circle of confusion.
+// Widens the footprints, since the samples of a pixel share the pixel and its circle of confusion.
 void SampleSums::widen_footprints() {
   const View& view = viewer_.view;
   const double pixel = static_cast<double>(viewer_.pixel) * static_cast<double>(viewer_.pixel);
@@ -182,7 +182,7 @@ void SampleSums::widen_footprints() {
   }
 }
 
-// Of the samples that wait, what the lobes show of what their rays met.
+// Collects the lobes' reflections at the hits of the waiting samples.
 void SampleSums::gather_lobes() {
   plain_.clear();
   std::size_t alone = 0;
@@ -218,7 +218,7 @@ void SampleSums::gather_lobes() {
   }
 }
 
-// The samples that wait, of what their rays met.
+// Shades the hits of the waiting samples.
 void SampleSums::shade_batch() {
   plain_.clear();
   std::size_t alone = 0;
@@ -243,7 +243,7 @@ void SampleSums::shade_batch() {
   }
 }
 
-// False, and nothing is added, where anything is not finite.
+// Returns false, without adding anything, if any value is not finite.
 bool SampleSums::shade_plain() {
   SampledLights::Gathered& gathered = lights_.first_points();
   if (!plain_.shade(gathered.points)) return false;
@@ -278,8 +278,8 @@ bool SampleSums::shade_plain() {
   return true;
 }
 
-// Adds what a ray of the sample sees, whose pixel the places are at. False, and nothing of the
-// sample counts, where its radiance is not finite.
+// Adds the radiance along a ray of the sample; `places_` must be at its pixel. Returns false,
+// without adding anything, if the radiance is not finite.
 bool SampleSums::shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen) {
   places_->start_sample(sample.index);
   const SampledLights::Waiting lights = lights_.waiting();
@@ -296,7 +296,7 @@ bool SampleSums::shade(const PointSample& sample, glm::vec3 weight, const Viewed
   return false;
 }
 
-// Bounce by bounce, a batch of rays at a time.
+// Traces reflections bounce by bounce, a batch of rays at a time.
 void SampleSums::follow_reflections() {
   while (reflections_.waiting() > 0) {
     const std::vector<ReflectedSample> samples = reflections_.take();

@@ -18,13 +18,13 @@
 
 namespace asos {
 
-/// Point samples, traced and shaded a batch at a time through packets of rays and added up by what
-/// they belong to. Samples that are not finite are left out of their sums and counted. The bits of
-/// a sum may depend on which samples were added before, never on anything else.
+/// Traces and shades point samples in batches, with packets of rays, and adds them to their sums.
+/// Samples that are not finite are left out and counted. The bits of a sum may depend only on the
+/// samples that were added before.
 class SampleSums {
  public:
   struct Sum {
-    glm::dvec3 radiance{0.0};  ///< linear, of all samples together
+    glm::dvec3 radiance{0.0};  ///< linear, sum over the samples
     std::uint32_t count = 0;
 
     [[nodiscard]] glm::dvec3 mean() const {
@@ -35,30 +35,30 @@ class SampleSums {
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              SamplePlaces& places);
-  /// What samples are summed up of: all of their radiance, or what the lobes of the first surfaces
-  /// mirror, and no other part of it.
+  /// Which radiance is summed: all of it, or only the lobes' reflections at the first surfaces.
   enum class Shows { all, lobes };
-  /// For who looks at the scene in its own way; `viewer` has to outlive this.
+  /// For any viewer of the scene; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
              SamplePlaces& places, Shows shows = Shows::all);
   SampleSums(const SampleSums&) = delete;
   SampleSums& operator=(const SampleSums&) = delete;
 
-  /// From now on colours are averaged over squares that are so many times as wide as samples'
-  /// sides.
+  /// Averages the colours of all later samples over squares that are this many times as wide as the
+  /// samples' sides.
   void widen_colours(float times) {
     colours_ = times;
     plain_.widen_colours(times);
   }
 
-  /// Makes room for sums 0 to `count` - 1; new ones are empty. Those beyond are forgotten, and none
-  /// of their samples may wait for `trace`.
+  /// Makes room for sums 0 to `count` - 1; new ones are empty. Sums beyond that are dropped, and
+  /// none of their samples may be waiting for `trace`.
   void resize(std::size_t count);
   [[nodiscard]] std::size_t size() const { return radiance_.size(); }
 
-  /// True once a batch was full and was traced, which moved the places to other samples.
+  /// Adds a sample. Returns true if this filled a batch and traced it, which changes the current
+  /// sample of the places.
   bool add(const PointSample& sample) {
-    // Member by member: a copy as a whole would wait for what was just written in parts.
+    // Copy member by member: a copy as a whole would stall on members that were just written.
     PointSample& place = samples_[used_];
     points_[used_].x = place.at.x = sample.at.x;
     points_[used_].y = place.at.y = sample.at.y;
@@ -71,8 +71,8 @@ class SampleSums {
     trace();
     return true;
   }
-  /// The same for a sample whose ray was cast already: only its shading is left. Samples of both
-  /// kinds do not wait together.
+  /// Adds a sample whose ray was already cast, so that only its shading is left. Samples of both
+  /// kinds must not wait together.
   bool add_hit(const PointSample& sample, const Ray& ray, const Hit& hit) {
     samples_[used_] = sample;
     rays_[used_] = ray;
@@ -82,24 +82,23 @@ class SampleSums {
     trace();
     return true;
   }
-  /// Traces the waiting samples. Sums are up to date only after it.
+  /// Traces the waiting samples. Sums are complete only after it.
   void trace();
 
   [[nodiscard]] Sum sum(std::size_t target) const { return {radiance_[target], count_[target]}; }
-  /// Goes on from a sum that was known before.
+  /// Sets a sum to a known value, to continue from it.
   void continue_from(std::size_t target, const Sum& sum) {
     radiance_[target] = sum.radiance;
     count_[target] = sum.count;
   }
-  /// Adds up `count` sums from `first` on, an even number, two at a time: the first half of them
-  /// hold all, and the others are empty. None of their samples may wait for `trace`.
+  /// Adds up `count` sums (an even number) from `first` on in pairs. The first half then has the
+  /// results, and the rest is empty. None of their samples may be waiting for `trace`.
   void add_pairs(std::size_t first, std::size_t count);
-  /// The first hit of the ray of a sum's latest sample.
+  /// Returns the first hit of the ray of a sum's latest sample.
   [[nodiscard]] const Hit& hit(std::size_t target) const { return hit_[target]; }
   [[nodiscard]] RenderStatistics& statistics() { return statistics_; }
 
-  /// The block whose pixels' means are those of the first sums, row by row, and all that was
-  /// counted.
+  /// Returns a block whose pixels are the means of the first sums, row by row, with all statistics.
   [[nodiscard]] BlockResult block(PixelRect rect) const;
 
  private:
@@ -138,9 +137,9 @@ class SampleSums {
   std::array<glm::dvec2, batch> points_{};
   std::array<Ray, batch> rays_;
   std::array<Hit, batch> hits_;
-  std::array<std::size_t, batch> alone_;  // the samples that are shaded one by one
+  std::array<std::size_t, batch> alone_;  // indices of the samples that are shaded one by one
   std::size_t used_ = 0;
-  bool hits_known_ = false;  // of the samples that wait
+  bool hits_known_ = false;  // whether the waiting samples have hits already
 };
 
 }  // namespace asos

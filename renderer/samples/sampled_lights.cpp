@@ -9,8 +9,7 @@
 namespace asos {
 namespace {
 
-// Which of a pixel's lobes tells which lights its samples pick: none that reflections or the sky
-// use.
+// Lobe number of the sequence that selects lights; reflections and the sky use others.
 constexpr int lobe_of_picks = 0x1000;
 static_assert(lobe_of_picks != lobe_of_sky);
 
@@ -157,7 +156,7 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
   if (many) trace_picked(batch, sums, counts);
 }
 
-// The lights that each point asks.
+// Traces the lights that every point samples.
 void SampledLights::trace_each(const Gathered& batch, std::vector<glm::dvec3>& sums,
                                RenderStatistics& counts) {
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
@@ -176,12 +175,13 @@ void SampledLights::trace_each(const Gathered& batch, std::vector<glm::dvec3>& s
   }
 }
 
-// Of the others, those that each point picks.
+// Traces the stochastically selected lights.
 void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums,
                                  RenderStatistics& counts) {
   auto& [rays, picks, picked, places] = *work_;
   picks.pick(many_, batch.points, batch.picks, rays_a_point_);
-  // A pixel's rays to a light go to its first places on it, which are well distributed together.
+  // A pixel's rays to a light use its first places on that light, which are well distributed
+  // together.
   std::array<std::uint32_t, LitBatch::size> first_of_pixel;
   for (std::uint32_t p = 0; p < batch.points.count; ++p) {
     const bool same = p > 0 && batch.samples[p].same_pixel(batch.samples[p - 1]);
@@ -213,7 +213,7 @@ void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>&
   }
 }
 
-// What the light carries by way of each point.
+// Computes the light's unshadowed contribution to each point.
 void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayBatch& rays) {
   const PreparedLight& prepared = *lights_[light].light;
   if (taken_[light] == 0) {
@@ -231,7 +231,7 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
   }
 }
 
-// Of highlights, what a sample of each point's lobe meets: of all lights the same one, which meets
+// Traces a sample of each point's lobe for highlights. All lights share the same sample, which hits
 // few of them.
 void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums,
                                 RenderStatistics& counts) {
@@ -248,7 +248,7 @@ void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& 
   }
 }
 
-// Adds what of it arrives.
+// Adds the unoccluded contributions.
 void SampledLights::trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
                           std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
   if (rays.count + rays.rejected == 0) return;
@@ -274,7 +274,7 @@ void SampledLights::trace_shadows(const ShadowRayBatch& rays, std::int32_t own_p
 }
 
 void SampledLights::trace_pending(std::vector<glm::dvec3>& sums) {
-  // Rays of one light follow each other's lead; a light's own part is one for all its rays.
+  // Sort rays by light, for coherence and because each light's own part is ignored.
   std::stable_sort(pending_.begin(), pending_.end(), [](const Pending& a, const Pending& b) {
     return a.ignored_part < b.ignored_part;
   });

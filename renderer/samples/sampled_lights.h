@@ -21,73 +21,74 @@
 
 namespace asos {
 
-/// The weight of a sample in one of the sums that its method keeps.
+/// A sample's target sum and its weight in it.
 struct SampleShare {
   std::size_t target = 0;  ///< index of the sum
   glm::vec3 weight{1.0f};
 };
 
-/// A ray that looks for the sky, or for what lies in its way.
+/// A ray to the sky or to its occluder.
 struct SkyRay {
   Ray ray;
-  glm::vec3 weight{1.0f};  ///< of the radiance along it in that of its sample
+  glm::vec3 weight{1.0f};  ///< weight of the radiance along it in that of its sample
   SampleIndex sample;
   std::size_t target = 0;  ///< index of the sample's sum
 };
 
-/// How sampling methods find what reaches a point of a light: a shadow ray to one point of it a
-/// sample, or to some of them where there are many (LightPicks); and on glossy surfaces one along
-/// the lobe where that meets a light, each of the two with its share of the highlight. Points are
-/// gathered, and shaded light by light in batches; rays go in packets.
+/// Visibility of lights for sampling methods. Each sample sends a shadow ray to one point of each
+/// light, or of some of many lights (LightPicks). On glossy surfaces a second ray follows the lobe
+/// if it hits a light; both share the highlight by multiple importance sampling. Points are
+/// collected and shaded light by light in batches; rays are traced in packets.
 class SampledLights {
  public:
-  /// Both have to outlive this.
+  /// Both arguments have to outlive this.
   SampledLights(const RayScene& rays, LightPlaces& places) : rays_(&rays), places_(&places) {}
 
-  /// Of all lights, these alone are gathered: one a light, 0 for those that are not; and where they
-  /// are many, a point sends so many rays on the average. Called before the first point is.
+  /// Restricts the lights to those with a non-zero entry; others are ignored. If there are many,
+  /// points send `rays_a_point` rays on average. Must be called before the first point is added.
   void restrict_to(std::span<const std::uint8_t> lights, float rays_a_point) {
     allowed_ = lights;
     rays_a_point_ = rays_a_point;
   }
 
-  /// Points and the samples whose lights they gather.
+  /// Points, with the samples to which they belong.
   struct Gathered {
     LitBatch points;
     std::array<SampleIndex, LitBatch::size> samples;
     std::array<std::size_t, LitBatch::size> targets;
-    LightPlaceBatch::Fractions picks;  ///< each one's pick_place, where lights are picked
+    LightPlaceBatch::Fractions picks;  ///< pick_place of each point, if lights are selected
   };
-  /// What there is to know of the lights, the same for all points of a picture: known already once
-  /// a point was gathered.
+  /// Prepares the lights' data, which is the same for all points of a picture. Has no effect after
+  /// the first point.
   void prepare(std::span<const PreparedLight> lights, bool shadows);
-  /// Room for the first points of all, to be written as arrays; no point waits. They wait from
-  /// `gathered` on.
+  /// Returns room for the first points, to be filled as arrays; none may be waiting. `gathered`
+  /// makes them wait.
   [[nodiscard]] Gathered& first_points();
   void gathered(std::size_t points);
-  /// Whether there are so many lights that points send rays to some of them only.
+  /// Returns whether there are so many lights that points select some of them.
   [[nodiscard]] bool picks_lights() const { return lights_with_rays_ > LightPicks::few_lights; }
-  /// The number by which the sample under way picks its lights, of 2^32.
+  /// Returns the current sample's random number for selecting lights, of 2^32.
   [[nodiscard]] std::uint32_t pick_place() const;
 
-  /// Whether `gather` takes all of these lights.
+  /// Returns whether `gather` handles all of these lights.
   [[nodiscard]] static bool takes_all(std::span<const PreparedLight> lights, bool shadows);
-  /// The lights of a point, for a sample of that share: all that cast shadows where there are any,
-  /// and of the others those with a size.
+  /// Defers the lights of a point for a sample with this share: those that cast shadows, and of the
+  /// others those with an extent.
   TakenLights gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
-  /// One light, by a shadow ray of a sample of that share, which the places are at.
+  /// Adds one light by a shadow ray, for a sample with this share; the places must be at that
+  /// sample.
   void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
 
-  /// The sky, by a ray of a sample of that share in one direction (sample_sky), that of the sample
-  /// under way in this lobe: what lies there hides it.
+  /// Adds the sky by one ray (sample_sky), for a sample with this share. The direction is the
+  /// current sample's for this lobe. An occluder blocks the sky.
   void add_sky(const SkyLitPoint& point, const SampleShare& share, RenderStatistics& counts,
                int lobe = lobe_of_sky);
-  /// The same ray, but it waits for who looks what lies there.
+  /// Adds the same ray, but defers it for a caller that evaluates its hit.
   void add_sky_ray(const SkyLitPoint& point, const SampleIndex& sample, const SampleShare& share,
                    RenderStatistics& counts);
   [[nodiscard]] std::vector<SkyRay> take_sky_rays() { return std::exchange(sky_rays_, {}); }
 
-  /// How much waits; `forget_since` drops what has come since.
+  /// The number of waiting items; `forget_since` drops all later ones.
   struct Waiting {
     std::size_t points = 0;
     std::size_t rays = 0;
@@ -96,9 +97,10 @@ class SampledLights {
   [[nodiscard]] Waiting waiting() const { return {points_, pending_.size(), sky_rays_.size()}; }
   void forget_since(const Waiting& then);
 
-  /// Shades and traces what waits and adds what arrives. The places are at other samples then.
+  /// Shades and traces all waiting items and adds the results. Changes the current sample of the
+  /// places.
   void trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts);
-  /// The same where all that waits came by `add`, which has counted it.
+  /// The same if all waiting items came by `add`, which has counted them.
   void trace(std::vector<glm::dvec3>& sums);
 
  private:
@@ -125,20 +127,20 @@ class SampledLights {
   const RayScene* rays_;
   LightPlaces* places_;
   std::span<const std::uint8_t> allowed_;  // empty: all
-  std::vector<LightConstants> lights_;     // of all points gathered
+  std::vector<LightConstants> lights_;     // for all points
   float rays_a_point_ = LightPicks::rays_a_point;
   std::vector<std::uint8_t> taken_;
-  std::vector<std::uint8_t> shadowed_;  // of these, those that rays are sent to
+  std::vector<std::uint8_t> shadowed_;  // which of them send shadow rays
   bool all_taken_ = true;
-  bool shadows_ = true;  // the same of all points
+  bool shadows_ = true;  // the same for all points
   std::size_t lights_with_rays_ = 0;
   std::size_t points_ = 0;
-  std::vector<Recycled<Gathered>> batches_;  // all full but the last of `points_`
+  std::vector<Recycled<Gathered>> batches_;  // all full except the last of `points_`
   LightPlaceBatch on_light_;
   LobeBatch lobe_;
   WideLights wide_;
-  LightTable many_;  // those that rays are sent to, if they are picked
-  /// What only tracing needs.
+  LightTable many_;  // lights with shadow rays, if they are selected
+  /// Scratch memory for tracing.
   struct Work {
     ShadowRayBatch rays;
     LightPicks picks;
@@ -152,7 +154,7 @@ class SampledLights {
   std::vector<glm::vec3> shares_;
 };
 
-/// The lights of one sample, whose reflections are not followed. Made for each sample.
+/// Collects the lights of one sample without following reflections. One object per sample.
 class SampleLights final : public LightTransport {
  public:
   SampleLights(SampledLights& lights, const SampleShare& share) : lights_(lights), share_(share) {}

@@ -14,11 +14,11 @@
 namespace asos {
 namespace {
 
-// What counts for less of a white picture is followed by some samples only.
+// Reflections with a smaller weight in a white picture are followed by some samples only.
 constexpr float least_followed = 1.0f / 32.0f;
 
-// Which of a pixel's lobes tells which samples those are, at the first bounce: none that
-// reflections, the sky or lights use.
+// Lobe number of the sequence for Russian roulette at the first bounce; reflections, the sky and
+// lights use others.
 constexpr int lobe_of_roulette = 0x2000;
 
 }  // namespace
@@ -27,10 +27,9 @@ ViewedRay ReflectedSample::viewed(const Hit& hit) const {
   return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights, {}, false, passage};
 }
 
-// Replaces the direction of a smooth mirror by one of the lobe. Some of a lobe about a shading
-// normal may lead below the surface itself, where nothing could be seen: such a direction is
-// reflected back above it, so that no light is lost. False: facets lose the direction to each
-// other.
+// Replaces the direction of a smooth mirror by one sampled from the lobe. A lobe around a shading
+// normal may contain directions below the surface, where nothing is visible. These are mirrored
+// above the surface, so that no light is lost. Returns false if facets block the direction.
 bool SampledReflections::turn_by_lobe(const Reflection& reflection, glm::dvec2 place,
                                       glm::dvec3& direction, glm::vec3& weight) {
   const SurfacePoint& point = reflection.point;
@@ -74,13 +73,13 @@ void SampledReflections::add(const Reflection& reflection, const PointSample& sa
   }
 }
 
-// Russian roulette (Arvo and Kirk 1990, "Particle transport and image synthesis"): the probability
-// by which a ray of that weight goes on, which its weight is to be divided by; 0: it ends.
+// Russian roulette (Arvo and Kirk 1990, "Particle transport and image synthesis"). Returns the
+// probability that a ray of that weight continues; its weight is divided by it. 0: it ends.
 float SampledReflections::chance(const Reflection& reflection, glm::vec3 weight) const {
   const float most = largest(weight);
   if (!(most < least_followed)) return 1.0f;
   const float chance = most / least_followed;
-  // Rays that a sample sends from several surfaces are chosen one without the other.
+  // Decisions for rays from several surfaces of one sample are independent.
   const double ray = 2.0 * reflection.hit.triangle + (reflection.ratio > 0.0f ? 1.0 : 0.0);
   const double at =
       places_->in_lobe(lobe_of_roulette + reflection.seen.bounces).x + std::numbers::phi * ray;
@@ -100,7 +99,7 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   ReflectedSample next = start;
   next.weight *= (reflection.lobe ? reflection.share : reflection.reflected) * colours / goes_on;
   next.width = seen.width + width;
-  // Without a mirrored pyramid the sample keeps its extent.
+  // Without a reflected pyramid the sample keeps its extent.
   next.spacing = picture ? spacing_of(*picture, start.side) : spacing;
   glm::dvec3 direction = mirrored_direction(surface, pyray.axis);
   if (reflection.lobe) {
@@ -113,7 +112,7 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
                           glm::dot(right, surface.geometric), glm::dot(down, surface.geometric)};
     const glm::dvec2 at = places_->in_lobe(seen.bounces);
     if (!(horizon.at(at) > 0.0)) return;
-    // Directions below the surface count for nothing, and the rest for all.
+    // Directions below the surface are dropped, and the rest represents all.
     next.weight /= static_cast<float>(horizon.share_above());
     direction = glm::normalize(direction + (at.x - 0.5) * right + (at.y - 0.5) * down);
   }

@@ -14,21 +14,21 @@
 
 namespace asos {
 
-/// A point sample of the picture, and which sum it belongs to.
+/// A point sample of the picture, with its target sum.
 struct PointSample {
   glm::dvec2 at{0.0};  ///< in pixels of the picture
-  float side = 1.0f;   ///< in pixels, of the square that it stands for
-  // Its place on lights and in lobes is that of sample `index` of the pixel (x, y).
+  float side = 1.0f;   ///< side, in pixels, of the square that it represents
+  // Its places on lights and in lobes are those of sample `index` of the pixel (x, y).
   int x = 0;
   int y = 0;
   int index = 0;
   std::size_t target = 0;  ///< index of its sum
 };
 
-/// A ray that a sample follows on, after its reflection.
+/// A ray that continues a sample after a reflection.
 struct ReflectedSample {
   PointSample sample;
-  glm::vec3 weight{1.0f};  ///< of its radiance in the sample's
+  glm::vec3 weight{1.0f};  ///< weight of its radiance in the sample's
   Ray ray;
   PixelSpacing spacing;
   float side = 1.0f;
@@ -36,28 +36,28 @@ struct ReflectedSample {
   int bounces = 0;
   float throughput = 1.0f;
   bool hides_lights = false;
-  std::optional<MirrorPlane> mirror;  ///< that the ray leaves, if it is flat
+  std::optional<MirrorPlane> mirror;  ///< the flat mirror that the ray leaves
   VolumePath passage;
 
   [[nodiscard]] ViewedRay viewed(const Hit& hit) const;
 };
 
-/// How sampling methods follow reflections and refractions: by a ray to a random place of the lobe;
-/// what counts for little by the rays of some samples, which stand for all. The rays are gathered
-/// and go in packets.
+/// Reflections and refractions for sampling methods: one ray in a random direction of the lobe.
+/// Rays with a small weight end at random, and the remaining ones represent them. Rays are
+/// collected and traced in packets.
 class SampledReflections {
  public:
-  /// Both have to outlive this.
+  /// Both arguments have to outlive this.
   SampledReflections(const World& world, const LightPlaces& places)
       : world_(&world), places_(&places) {}
 
-  /// Adds the reflection of a sample that counts by `weight`; `shader` is its picture's.
+  /// Adds the reflection of a sample with this weight; `shader` is that of its picture.
   void add(const Reflection& reflection, const PointSample& sample, glm::vec3 weight,
            const Shader& shader);
 
   [[nodiscard]] std::size_t waiting() const { return pending_.size(); }
   void forget_since(std::size_t count) { pending_.resize(count); }
-  /// Takes the waiting samples, in the order in which they came; none waits then.
+  /// Takes the waiting samples, in their order, and empties the queue.
   [[nodiscard]] std::vector<ReflectedSample> take() { return std::exchange(pending_, {}); }
 
  private:

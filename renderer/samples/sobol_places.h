@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// The points of an Owen-scrambled Sobol sequence over each pixel and each light.
+/// Samples by an Owen-scrambled Sobol sequence over each pixel and each light.
 class SobolPlaces final : public SamplePlaces {
  public:
   explicit SobolPlaces(int seed) : seed_(static_cast<std::uint32_t>(seed)) {}

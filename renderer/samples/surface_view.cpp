@@ -10,10 +10,10 @@ namespace asos {
 
 namespace {
 
-constexpr float line_half_width = 0.5f;  // of the wireframe, pixels
+constexpr float line_half_width = 0.5f;  // of the wireframe, in pixels
 constexpr float checks_per_tile = 8.0f;
 
-// The radiance that the sRGB curve shows as `value`.
+// Returns the radiance that the sRGB curve displays as `value`.
 glm::vec3 shown_as(glm::vec3 value) {
   const auto decode = [](float v) {
     const float x = std::clamp(v, 0.0f, 1.0f);
@@ -26,7 +26,8 @@ bool is_colour(SurfaceProperty property) {
   return property == SurfaceProperty::base_color || property == SurfaceProperty::emission;
 }
 
-// A checkerboard whose hue changes from tile to tile of the texture, so that repeats show.
+// Returns a checkerboard whose hue changes with each repeat of the texture, so that repeats are
+// visible.
 glm::vec3 checker(glm::vec2 uv) {
   if (!std::isfinite(uv.x + uv.y)) return glm::vec3(0.0f);
   const glm::vec2 tile = glm::floor(uv), check = glm::floor(checks_per_tile * uv);
@@ -38,7 +39,7 @@ glm::vec3 checker(glm::vec2 uv) {
   return (dark ? 0.45f : 1.0f) * glm::vec3(channel(0.0f), channel(0.33f), channel(0.67f));
 }
 
-// The smallest distance of a hit from its triangle's edges, in pixels along their normals.
+// Returns the smallest distance of a hit from its triangle's edges, in pixels along their normals.
 float edge_distance(const World& world, const Hit& hit, const PixelSpacing& spacing,
                     glm::vec3 direction, glm::vec3 normal) {
   if (world.is_face(hit.triangle)) return 1e9f;
@@ -100,7 +101,7 @@ class Looker {
         return glm::vec3(material.occlusion);
     }
   }
-  // Through the base colour's texture, whose set and transform count where it has one.
+  // Uses the base colour texture's set of coordinates and transform, if there is one.
   [[nodiscard]] glm::vec2 uv_of(const Hit& hit) const {
     const World& world = scene_.world();
     const TextureUse& use = world.material_of(hit.triangle).base_color_texture;

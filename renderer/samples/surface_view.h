@@ -12,43 +12,43 @@
 
 namespace asos {
 
-/// A property of the surfaces that eye rays meet first, shown in place of their radiance.
+/// A property of the visible surfaces that is displayed instead of radiance.
 enum class SurfaceProperty : std::uint8_t {
-  base_color,           ///< linear
-  normal,               ///< shading normal in world axes: 0.5 n + 0.5
-  roughness,            ///< 0 to 1
-  metallic,             ///< 0 to 1
-  occlusion,            ///< of the material's texture, 0 to 1; 1 where it has none
-  emission,             ///< linear radiance
-  texture_coordinates,  ///< a checkerboard: eight squares in u and v, in a colour for each 1 x 1
-                        ///< tile
+  base_color,  ///< linear
+  normal,      ///< shading normal in world axes: 0.5 n + 0.5
+  roughness,   ///< 0 to 1
+  metallic,    ///< 0 to 1
+  occlusion,   ///< of the material's texture, 0 to 1; 1 where it has none
+  emission,    ///< linear radiance
+  /// A checkerboard with eight squares in u and v, in a different colour for each 1 x 1 tile.
+  texture_coordinates,
 };
 inline constexpr int surface_properties = 7;
 
-/// The names of the properties on the command line and in files.
+/// Names of the properties on the command line and in files.
 inline constexpr std::array<const char*, surface_properties> surface_property_names{
     "base-color", "normal", "roughness", "metallic", "occlusion", "emission", "uv"};
 
-/// How many eye rays a view of surfaces takes.
+/// The number of eye rays for a view of surfaces.
 struct SurfaceSampling {
-  int step = 1;  ///< one sample serves a square of so many pixels
-  int side = 1;  ///< of the grid of samples in such a square: side * side rays
+  int step = 1;  ///< side of the square of pixels that shares one sample
+  int side = 1;  ///< side of the grid of samples in such a square: side * side rays
 };
 
-/// Surfaces without lighting.
+/// A picture of surfaces without lighting.
 struct SurfacePicture {
   /// Means over each pixel's samples. Values that are not colours are stored so that the sRGB curve
-  /// shows them as they are: 0.5 becomes byte 128. `coverage` is the share of samples that meet a
-  /// surface; radiance is premultiplied by it.
+  /// displays them unchanged: 0.5 becomes byte 128. `coverage` is the fraction of samples that hit
+  /// a surface; radiance is premultiplied by it.
   Film film;
-  /// The share of each pixel that edges of triangles cover, 0 to 1, drawn 1 pixel wide. Analytic
+  /// The fraction of each pixel that triangle edges cover, 0 to 1, drawn 1 pixel wide. Analytic
   /// shapes have none.
   std::vector<float> wireframe;
 };
 
-/// Samples one property of the surfaces that are nearest to the eye, at fixed places: the same bits
-/// by any thread. Blended surfaces count as opaque; masked ones have their holes. Returns an
-/// unfinished picture once `stop` is requested.
+/// Samples one property of the surfaces nearest to the eye, at fixed places, so that the bits do
+/// not depend on threads. Blended surfaces count as opaque; masked ones have their holes. Returns
+/// an unfinished picture once `stop` is requested.
 [[nodiscard]] SurfacePicture surface_picture(const RenderScene& scene, const View& view,
                                              Culling faces, SurfaceProperty property,
                                              SurfaceSampling sampling, const std::stop_token& stop);

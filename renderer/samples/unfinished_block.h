@@ -8,7 +8,7 @@
 
 namespace asos {
 
-/// A block that its method has started and can continue.
+/// A block that a method has started and can continue.
 class UnfinishedBlock {
  public:
   UnfinishedBlock() = default;
@@ -16,19 +16,20 @@ class UnfinishedBlock {
   UnfinishedBlock(const UnfinishedBlock&) = delete;
   UnfinishedBlock& operator=(const UnfinishedBlock&) = delete;
 
-  /// The final pixels. Once; `job` is the one that the block was started with, but for its stop.
+  /// Returns the final pixels. May be called once; `job` is the original one, except for its stop
+  /// token.
   [[nodiscard]] virtual BlockResult finish(const BlockJob& job) = 0;
-  /// The squared error of display intensity, summed over the pixels, that a sample more is likely
-  /// to take away.
+  /// Returns the expected reduction, by one more sample, of the squared error of display intensity,
+  /// summed over the pixels.
   [[nodiscard]] virtual double gain() const = 0;
-  /// Memory that it holds.
+  /// Returns the memory in use.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
 
-/// A block as its method leaves it the first time.
+/// A block after its method's first stage.
 struct StartedBlock {
-  BlockResult result;                     ///< the pixels as far as they are known
-  std::unique_ptr<UnfinishedBlock> rest;  ///< null: they are final
+  BlockResult result;                     ///< the current estimate of the pixels
+  std::unique_ptr<UnfinishedBlock> rest;  ///< null: the pixels are final
 };
 
 }  // namespace asos

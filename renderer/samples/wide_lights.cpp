@@ -10,7 +10,7 @@
 namespace asos {
 namespace {
 
-// Whether most points are such that highlights outshine by far what they scatter.
+// Returns whether most points have highlights much brighter than their diffuse reflection.
 bool most_shine(const LitBatch& points) {
   constexpr float broad = least_broad_roughness * least_broad_roughness;
   constexpr float by_far = 2.0f;
@@ -24,7 +24,7 @@ bool most_shine(const LitBatch& points) {
   return 2 * shining > points.count;
 }
 
-// Whether the light is wider than the lobe of the batch's middle point.
+// Returns whether the light is wider than the lobe at the batch's central point.
 bool wider_than_lobe(const PreparedLight& light, const LitBatch& points) {
   if (!light.extended() || light.rule != LightRule::physical) return false;
   const std::size_t i = points.count / 2;
@@ -34,7 +34,7 @@ bool wider_than_lobe(const PreparedLight& light, const LitBatch& points) {
   return shown.half_angle_tangent > points.alpha[i];
 }
 
-// A number that is evenly distributed over samples and lights, of 2^32.
+// Returns a number, of 2^32, that is distributed evenly over samples and lights.
 std::uint32_t chance(const SampleIndex& sample, std::uint32_t light) {
   const auto half = [](std::uint32_t high, std::uint32_t low) {
     return static_cast<std::uint64_t>(high) << 32 | low;
@@ -49,7 +49,7 @@ float most_carried(const ShadowRayBatch& rays, std::size_t i) {
   return std::max({rays.carried[0][i], rays.carried[1][i], rays.carried[2][i]});
 }
 
-// Appends ray i to `to`; it carries `weight` times as much there.
+// Appends ray i to `to`, with its contribution multiplied by `weight`.
 void append_ray(const ShadowRayBatch& rays, std::size_t i, float weight, ShadowRayBatch& to) {
   const std::size_t at = to.count++;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -71,7 +71,8 @@ void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
                          left = std::span(walked).last(points);
   for (const ShadowRayBatch& of : rays)
     for (std::size_t i = 0; i < of.count; ++i) all[of.point[i]] += most_carried(of, i);
-  // Walk along the rays until the point's own share of all is passed; then never again.
+  // Walk along the rays until the point's random part of the total is passed; each point keeps only
+  // that ray.
   for (std::size_t p = 0; p < points; ++p)
     left[p] = static_cast<float>(at[p] >> 8) * 0x1p-24f * all[p];
   kept.count = kept.rejected = 0;
@@ -122,7 +123,7 @@ std::span<const ShadowRayBatch> WideLights::shade(const LitBatch& points,
   return work_->picked;
 }
 
-// The places, each in one of `candidates` equal parts of the unit square.
+// Moves the places to one of `candidates` equal parts of the unit square.
 const LightPlaceBatch& WideLights::part_of_places(std::uint32_t part, std::size_t count) {
   constexpr std::uint32_t side = 2;
   static_assert(side * side == candidates);

@@ -12,30 +12,32 @@
 
 namespace asos {
 
-/// Of the lobe's own samples, which place on lights is theirs: of all lights the same.
+/// Number of the sequence for samples of the lobe; it is the same for all lights.
 inline constexpr std::uint32_t place_in_lobe = 0x3000;
 
-/// Of some rays of each of so many points, one is kept, the likelier the more it carries, and that
-/// carries `share` of all of theirs together. `at`: each point's number, of 2^32; `walked` is
-/// scratch. `kept` is not one of `rays`.
+/// Keeps one ray per point out of several, with a probability proportional to its contribution. The
+/// kept ray contributes `share` of their total. `at` is each point's random number, of 2^32;
+/// `walked` is scratch. `kept` must not be one of `rays`.
 void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
               const LightPlaceBatch::Fractions& at, float share, std::vector<float>& walked,
               ShadowRayBatch& kept);
 
-/// Highlights of lights that are wider than the lobe, which differ from place to place on them and
-/// from direction to direction: a sample looks at several places and along several directions,
-/// evenly spread over both, and one of each sends its ray for all, the likelier the more it carries
-/// (resampling: Talbot, Cline and Egbert 2005, "Importance resampling for global illumination").
+/// Highlights of lights wider than the lobe, which vary over the light and over directions. A
+/// sample evaluates several places on the light and several directions of the lobe, evenly
+/// distributed over both. One of each is selected in proportion to its contribution and sends its
+/// ray for all (resampling: Talbot, Cline and Egbert 2005, "Importance resampling for global
+/// illumination").
 class WideLights {
  public:
-  /// Learns which lights are to be looked at so, of those that are `asked` (one a light, else 0):
-  /// those that are wider than the lobe of the batch's middle point, if most points shine.
+  /// Selects the lights for this method among those with a non-zero entry in `asked`. These are the
+  /// lights wider than the lobe at the batch's central point, if most points have strong
+  /// highlights.
   void find(const LitBatch& points, std::span<const LightConstants> lights,
             std::span<const std::uint8_t> asked, LightPlaces& places);
   [[nodiscard]] bool holds(std::size_t light) const { return !wide_.empty() && wide_[light] != 0; }
 
-  /// The points' rays to a place, and along the lobe, each with what it carries for all. `samples`
-  /// are the points'. Valid until the next call.
+  /// Returns the points' rays to a place, and along the lobe, with their contributions for all
+  /// candidates. `samples` belong to the points. Valid until the next call.
   [[nodiscard]] std::span<const ShadowRayBatch> shade(const LitBatch& points,
                                                       std::span<const SampleIndex> samples,
                                                       std::uint32_t light,
@@ -55,7 +57,7 @@ class WideLights {
   const LightPlaceBatch& part_of_places(std::uint32_t part, std::size_t count);
 
   std::vector<std::uint8_t> wide_;  // empty: none
-  Recycled<Work> work_;             // once there is a wide light
+  Recycled<Work> work_;             // allocated at the first wide light
 };
 
 }  // namespace asos

@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// A value that was determined in one of several ways, and how well (design section 14).
+/// A value, with its error and cost (design section 14).
 struct Estimate {
   glm::dvec3 value{0.0};
   /// A proven bound on the value's error, or its standard error, in display intensity (1 is white).

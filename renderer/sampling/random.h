@@ -4,9 +4,9 @@
 
 namespace asos {
 
-/// Random numbers that are a function of what they are for: no state, so that they depend neither
-/// on threads nor on the order of the work. The mixer is that of SplitMix64 (Steele, Lea and Flood
-/// 2014, "Fast splittable pseudorandom number generators"), applied once for each key.
+/// Random numbers as a function of their purpose: there is no state, so they depend neither on
+/// threads nor on the order of work. The mixer is that of SplitMix64 (Steele, Lea and Flood 2014,
+/// "Fast splittable pseudorandom number generators"), applied once for each key.
 [[nodiscard]] constexpr std::uint64_t mix_bits(std::uint64_t z) {
   z += 0x9e3779b97f4a7c15ULL;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -14,7 +14,7 @@ namespace asos {
   return z ^ (z >> 31);
 }
 
-/// The bits of sample `index` of pixel (x, y).
+/// Returns the bits of sample `index` of pixel (x, y).
 [[nodiscard]] constexpr std::uint64_t pixel_random(int x, int y, std::uint32_t index) {
   const std::uint64_t pixel = (std::uint64_t{static_cast<std::uint32_t>(x)} << 32) |
                               std::uint64_t{static_cast<std::uint32_t>(y)};

@@ -12,21 +12,22 @@
 
 namespace asos {
 
-/// The end of a mean that is sampled in rounds. Each round doubles the number of samples.
+/// When a mean that is sampled in rounds is accurate enough. Each round doubles the number of
+/// samples.
 struct SamplingGoal {
-  double standard_error = 0.0;  ///< allowed; negative: take `most`
+  double standard_error = 0.0;  ///< allowed error; negative: take `most`
   std::uint32_t least = 16;     ///< samples of the first round, at most `most`
   std::uint32_t most = 16;
-  /// The allowed error grows with the root of the number of samples, if `least` do not meet it:
-  /// then one more sample takes as much off a picture's squared error wherever it is taken (Neyman
-  /// 1934).
+  /// Whether the allowed error grows with the root of the number of samples, if `least` do not meet
+  /// it. One more sample then reduces a picture's squared error by the same amount in every pixel
+  /// (Neyman 1934).
   bool grows = true;
 
   [[nodiscard]] double allowed_error(std::uint32_t taken) const {
     const double times = static_cast<double>(taken) / static_cast<double>(std::max(1u, least));
     return (grows ? std::sqrt(times) : 1.0) * standard_error;
   }
-  /// Samples of all rounds together after the next one.
+  /// Returns the total number of samples after the next round.
   [[nodiscard]] std::uint32_t after_next_round(std::uint32_t taken) const {
     return taken == 0 ? least : 2 * taken;
   }
@@ -36,10 +37,9 @@ struct SamplingGoal {
   }
 };
 
-/// The weighted mean of samples that come one after the other, each well distributed among those
-/// before it, and its standard error: from the scatter of parts of them, in the order of their
-/// coming, each of which is as well distributed as its size allows. The one stopping rule is
-/// SamplingGoal's.
+/// The weighted mean of a sequence of samples, each well distributed among those before it, and its
+/// standard error. The error is estimated from the variance of parts of the sequence, in order,
+/// since each part is as well distributed as its size allows. SamplingGoal is the stopping rule.
 class SequentialMean {
  public:
   struct Sum {
@@ -67,15 +67,15 @@ class SequentialMean {
   [[nodiscard]] std::uint32_t count() const { return count_; }
   [[nodiscard]] glm::dvec3 mean() const { return all().mean(); }
   [[nodiscard]] double weight() const { return all().weight; }
-  /// In the worst channel; infinite before two parts have any weight.
+  /// Returns the error in the worst channel; infinite before two parts have a weight.
   [[nodiscard]] double standard_error() const {
     return standard_error_of(std::span(sums_).first(used_), mean(), [](glm::dvec3 off) {
       return std::max({off.x, off.y, off.z});
     });
   }
 
-  /// The standard error of a mean that consecutive sums make up, from the scatter of up to `parts`
-  /// groups of them. `shown`: the error of a difference of values, which are not negative.
+  /// Returns the standard error of the mean of consecutive sums, from the variance of up to `parts`
+  /// groups of them. `shown` converts a difference of values, as absolute values, to an error.
   template <typename Shown>
   [[nodiscard]] static double standard_error_of(std::span<const Sum> sums, glm::dvec3 mean,
                                                 Shown&& shown) {
@@ -99,9 +99,9 @@ class SequentialMean {
     return std::sqrt(squares / (1.0 - weights2));
   }
 
-  /// Quarters agree by chance too often, and end noise too early.
+  /// With fewer parts, they agree by chance too often, which ends sampling too early.
   static constexpr std::size_t parts = 8;
-  /// Sums that are kept: with more samples there are more in each.
+  /// Number of stored sums: with more samples, each sum has more of them.
   static constexpr std::size_t most_sums = 2 * parts;
 
  private:

@@ -11,8 +11,8 @@ namespace {
 constexpr int digits = 32;
 using DirectionNumbers = std::array<std::uint32_t, digits>;  // by digit of the index
 
-/// The primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1 over the integers modulo 2, the
-/// a_i as the bits of `inner`, a_1 first; and the first direction integers m_1 to m_degree.
+/// The primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1 over the integers modulo 2, with
+/// the a_i as the bits of `inner`, a_1 first; and the first direction integers m_1 to m_degree.
 struct Polynomial {
   std::size_t degree;
   std::uint32_t inner;
@@ -23,14 +23,14 @@ constexpr Polynomial second_dimension{1, 0, {1}};
 constexpr Polynomial third_dimension{2, 1, {1, 3}};
 constexpr Polynomial fourth_dimension{3, 1, {1, 3, 1}};
 
-/// Van der Corput's: the index with its digits mirrored.
+/// Van der Corput's sequence: the index with its digits mirrored.
 constexpr DirectionNumbers mirrored() {
   DirectionNumbers numbers{};
   for (std::size_t k = 0; k < digits; ++k) numbers[k] = 1u << (digits - 1 - k);
   return numbers;
 }
 
-/// By Sobol's recurrence m_k = 2 a_1 m_(k-1) ^ 4 a_2 m_(k-2) ^ ... ^ 2^s m_(k-s) ^ m_(k-s).
+/// Sobol's recurrence: m_k = 2 a_1 m_(k-1) ^ 4 a_2 m_(k-2) ^ ... ^ 2^s m_(k-s) ^ m_(k-s).
 constexpr DirectionNumbers generated(const Polynomial& p) {
   DirectionNumbers m{};
   for (std::size_t k = 0; k < digits; ++k) {
@@ -68,16 +68,16 @@ constexpr std::array<SobolByteTable, 4> byte_tables(const DirectionNumbers& numb
   return tables;
 }
 
-// The seed of one of the four scrambled dimensions, the last two of which each light has of its
-// own.
+// Returns the seed of one of the four scrambled dimensions. Each light has its own seeds for the
+// last two.
 std::uint64_t seed_of(std::uint64_t key, std::uint32_t light, std::uint64_t dimension) {
   return mix_bits(key + ((std::uint64_t{light} << 2) | dimension));
 }
 
-// owen_scramble of a fraction whose digits are mirrored: the hash of Laine and Karras 2011,
-// "Stratified sampling for stochastic transparency", in the form of Vegdahl 2021, "Building a
-// better LK hash", here with a seed of 64 bits. With the digits mirrored, sums and products carry
-// from a digit to later ones only.
+// owen_scramble of a fraction with mirrored digits: the hash of Laine and Karras 2011, "Stratified
+// sampling for stochastic transparency", in the form of Vegdahl 2021, "Building a better LK hash",
+// with a 64-bit seed. With mirrored digits, sums and products carry from a digit to later ones
+// only.
 std::uint32_t scramble_mirrored_digits(std::uint32_t x, std::uint64_t seed) {
   x ^= x * 0x3d20adeau;
   x += static_cast<std::uint32_t>(seed);

@@ -8,18 +8,18 @@
 
 namespace asos {
 
-/// Dimension 0 to 3 of point `index` of Sobol's sequence, as a 32-bit binary fraction (Sobol 1967,
-/// with the direction numbers of Joe and Kuo 2008, "Constructing Sobol sequences with better
-/// two-dimensional projections", table new-joe-kuo-6.21201). Points are in the order of their
-/// indices, not in that of the Gray code.
+/// Returns dimension 0 to 3 of point `index` of Sobol's sequence, as a 32-bit binary fraction
+/// (Sobol 1967, with the direction numbers of Joe and Kuo 2008, "Constructing Sobol sequences with
+/// better two-dimensional projections", table new-joe-kuo-6.21201). Points are in the order of
+/// their indices, not of the Gray code.
 [[nodiscard]] std::uint32_t sobol_bits(int dimension, std::uint32_t index);
 
-/// Owen's nested uniform scrambling of a binary fraction: each digit is flipped or not by a hash of
-/// the seed and all digits before it, so that nets remain nets (Owen 1995, "Randomly permuted
+/// Owen's nested uniform scrambling of a binary fraction: a hash of the seed and all digits before
+/// it decides whether a digit is flipped, so that nets remain nets (Owen 1995, "Randomly permuted
 /// (t,m,s)-nets and (t,s)-sequences"; Burley 2020, "Practical hash-based Owen scrambling").
 [[nodiscard]] std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed);
 
-/// The same digits in the other order, the last one first.
+/// Returns the digits in reverse order.
 [[nodiscard]] constexpr std::uint32_t mirrored_digits(std::uint32_t x) {
   x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
   x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
@@ -29,11 +29,11 @@ namespace asos {
 }
 
 /// mirrored_digits of sobol_bits by dimension, for the values of each byte of an index, the lowest
-/// first: those of a whole index are theirs, exclusive-or.
+/// first. The value for a whole index is the exclusive-or of those of its bytes.
 using SobolByteTable = std::array<std::uint32_t, 256>;
 extern const std::array<std::array<SobolByteTable, 4>, 4> mirrored_sobol_bytes;
 
-/// mirrored_digits of sobol_bits: what owen_scramble starts from.
+/// Returns mirrored_digits of sobol_bits, the input of owen_scramble.
 [[nodiscard]] inline std::uint32_t mirrored_sobol_bits(int dimension, std::uint32_t index) {
   const auto& bytes = mirrored_sobol_bytes[static_cast<std::size_t>(dimension)];
   std::uint32_t bits = bytes[0][index & 255u];
@@ -41,37 +41,38 @@ extern const std::array<std::array<SobolByteTable, 4>, 4> mirrored_sobol_bytes;
   return bits;
 }
 
-/// The sample points of one pixel: Sobol's first four dimensions, each scrambled by itself. They
-/// are a function of the pixel, the seed of the run and the sample's index and of nothing else.
+/// The sample points of one pixel: Sobol's first four dimensions, each with its own scrambling.
+/// They depend only on the pixel, the seed of the run and the sample's index.
 ///
-/// Points 0 to 2^m - 1, and every later 2^m that start at a multiple of 2^m, are a (0, m, 2)-net on
-/// the pixel, a (2, m, 2)-net on each light, and up to m = 10 a (3, m, 4)-net on both together.
-/// Each point is uniform by itself, and independent between pixels, seeds and lights.
+/// Points 0 to 2^m - 1, and every later 2^m that start at a multiple of 2^m, form these nets: a (0,
+/// m, 2)-net on the pixel, a (2, m, 2)-net on each light, and up to m = 10 a (3, m, 4)-net on both
+/// together. Each point is uniform by itself, and independent between pixels, seeds and lights.
 ///
-/// All lights use dimensions 2 and 3 of the same point and differ in their scrambling. Burley pads
-/// with points in shuffled order, which a product of functions of different lights would need; but
-/// the light of several lights is a sum, and the shuffle would cost each light its stratification
-/// together with the pixel. Lobes are padded with points in shuffled order, as Burley does: what is
-/// seen there is lit by the same lights, and a product asks for all four dimensions.
+/// All lights use dimensions 2 and 3 of the same point, with different scrambling. Burley pads with
+/// points in shuffled order, which a product of functions of different lights would need. But the
+/// contribution of several lights is a sum, and shuffling would destroy each light's joint
+/// stratification with the pixel. Lobes are padded with points in shuffled order, as Burley does:
+/// the surface in a reflection is lit by the same lights, and a product needs all four dimensions.
 class SobolPixel {
  public:
   SobolPixel(int x, int y, std::uint32_t seed);
 
-  /// Where sample `index` lies in the pixel, each coordinate in [0, 1).
+  /// Returns the place of sample `index` in the pixel, each coordinate in [0, 1).
   [[nodiscard]] glm::dvec2 pixel(std::uint32_t index) const;
 
-  /// Which point of light number `light` sample `index` looks at, in [0, 1) each.
+  /// Returns the place of sample `index` on light number `light`, each coordinate in [0, 1).
   [[nodiscard]] glm::dvec2 light(std::uint32_t index, std::uint32_t light) const;
 
-  /// Where on the camera's lens sample `index` starts, in [0, 1) each: dimensions 2 and 3, so that
-  /// pixel and lens together are a net. Lights then look at `shuffled` indices.
+  /// Returns the place of sample `index` on the camera's lens, each coordinate in [0, 1). It has
+  /// dimensions 2 and 3, so that pixel and lens together are a net. Lights then use `shuffled`
+  /// indices.
   [[nodiscard]] glm::dvec2 lens(std::uint32_t index) const;
-  /// An order of points for what shares dimensions with the lens; aligned runs of 2^m indices stay
-  /// such runs.
+  /// Returns the index in a shuffled order, for dimensions shared with the lens. Aligned runs of
+  /// 2^m indices stay such runs.
   [[nodiscard]] std::uint32_t shuffled(std::uint32_t index) const;
 
-  /// What places are scrambled by, for who scrambles many: `pixel` is owen_scramble of
-  /// sobol_bits(0, index) with `u` and of sobol_bits(1, index) with `v`, `light` the same of
+  /// The scrambling seeds, for callers that scramble many places. `pixel` is owen_scramble of
+  /// sobol_bits(0, index) with `u` and of sobol_bits(1, index) with `v`; `light` is the same for
   /// dimensions 2 and 3.
   struct Seeds {
     std::uint64_t u, v;
@@ -79,8 +80,8 @@ class SobolPixel {
   [[nodiscard]] Seeds pixel_seeds() const { return {seed_x_, seed_y_}; }
   [[nodiscard]] Seeds light_seeds(std::uint32_t light) const;
 
-  /// Where in the lobe of its reflection number `bounce` sample `index` looks, in [0, 1) each: the
-  /// pixel's first 2^m samples are a net there, too.
+  /// Returns the place of sample `index` in the lobe of its reflection number `bounce`, each
+  /// coordinate in [0, 1). The pixel's first 2^m samples are a net there, too.
   [[nodiscard]] glm::dvec2 lobe(std::uint32_t index, std::uint32_t bounce) const;
 
  private:

@@ -8,8 +8,8 @@
 
 namespace asos {
 
-/// The moment of a file's animations that somebody asks for: of the first one, and of its
-/// beginning, where they do not say; of none where they say neither.
+/// The user's choice of a moment of a file's animations. An absent animation means the first one,
+/// and an absent time its beginning. If both are absent, the scene is not animated.
 struct ClipChoice {
   std::optional<std::string> animation;  ///< a name or a number
   std::optional<double> seconds;
@@ -17,12 +17,12 @@ struct ClipChoice {
   [[nodiscard]] bool any() const { return animation || seconds; }
 };
 
-/// The animation of this name, or else of this number; none: the first. The error's subject is
-/// `source`, and it lists what there is.
+/// Returns the animation of this name, or else of this number; without a choice, the first. The
+/// subject of the error is `source`, and its reason lists the animations.
 [[nodiscard]] Result<int> find_animation(const SceneContents& contents, const std::string& source,
                                          const std::optional<std::string>& wanted);
 
-/// The moment that is asked for; none where nothing is. Errors: find_animation's.
+/// Returns the chosen moment; none if there is no choice. Errors: as find_animation.
 [[nodiscard]] Result<std::optional<ClipTime>> clip_time(const SceneContents& contents,
                                                         const std::string& source,
                                                         const ClipChoice& choice);

@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// A moment of one of a file's animations. Before its first key and after its last one everything
-/// that it moves stands still.
+/// A moment of one of a file's animations. Before its first key and after its last one nothing
+/// moves.
 struct ClipTime {
   int animation = 0;     ///< index into SceneContents::animations
   double seconds = 0.0;  ///< at least 0
@@ -16,14 +16,14 @@ struct ClipTime {
   bool operator==(const ClipTime&) const = default;
 };
 
-/// What a file holds beside what one picture of it shows: what moves, and what there is a choice
-/// of. Names may be empty and are as the file has them.
+/// A file's contents that a single picture does not show: animations, and the alternatives that the
+/// user can choose. Names may be empty and are as in the file.
 struct SceneContents {
   struct Animation {
     std::string name;
     double seconds = 0.0;      ///< from time 0 to its last key
     std::size_t channels = 0;  ///< that the file declares
-    std::size_t moving = 0;    ///< of these, those that are read
+    std::size_t moving = 0;    ///< of these, the ones that the importer supports
   };
   struct Skin {
     std::string name;
@@ -46,13 +46,13 @@ struct SceneContents {
   std::vector<Morph> morphs;
   std::vector<std::string> scenes;    ///< the file's
   int shown_scene = -1;               ///< index into `scenes`; -1: all nodes
-  int default_scene = -1;             ///< the one that is shown unless another is asked for
+  int default_scene = -1;             ///< the one that is shown by default
   std::vector<std::string> variants;  ///< KHR_materials_variants
-  std::string variant;                ///< the one of them that is shown; empty: none
+  std::string variant;                ///< the one that is shown; empty: none
   std::vector<Node> nodes;            ///< parents first; empty: the scene has no hierarchy
   /// Index into `nodes` for each instance that shows a surface, in the scene's order.
   std::vector<int> object_nodes;
-  std::size_t cameras_not_placed = 0;  ///< of the file's cameras, those that no shown node has
+  std::size_t cameras_not_placed = 0;  ///< cameras of the file that no shown node refers to
 };
 
 }  // namespace asos

@@ -11,7 +11,7 @@ namespace {
 
 struct Lack {
   std::string_view extension;
-  std::string_view instead;  ///< what is seen
+  std::string_view instead;  ///< appearance without it
 };
 
 constexpr std::array<Lack, 22> lacks{{

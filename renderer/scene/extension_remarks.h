@@ -5,11 +5,11 @@
 
 namespace asos {
 
-/// What a picture looks like that lacks a glTF extension; empty where that is not known.
+/// Returns how a picture looks without a glTF extension; empty if unknown.
 [[nodiscard]] std::string_view seen_without(std::string_view extension);
 
-/// A glTF extension that is not supported, in a line: its name, and what a picture without it looks
-/// like where that is known.
+/// Returns a line about an unsupported glTF extension: its name, and how a picture looks without
+/// it, if known.
 [[nodiscard]] std::string unsupported_line(std::string_view extension);
 
 }  // namespace asos

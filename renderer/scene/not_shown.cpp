@@ -8,10 +8,10 @@ namespace asos {
 
 namespace {
 
-// Names told in a line; the rest are counted.
+// Number of names listed in a line; the rest are only counted.
 constexpr std::size_t most_names = 8;
 
-/// "'Walk', 'Run'"; the number stands for one that has no name.
+/// Returns a list like "'Walk', 'Run'". Unnamed entries are listed by number.
 std::string listed(const std::vector<std::string>& names, int without = -1) {
   std::string text;
   std::size_t told = 0, more = 0;

@@ -8,12 +8,12 @@
 
 namespace asos {
 
-/// A line for each sort of thing of which a picture at `time` shows one, or none, and others are
-/// there: what they are, and what is seen instead.
+/// Returns one line per kind of alternative (scenes, variants, animations) that a picture at `time`
+/// does not show: the unused ones, and the one shown instead.
 [[nodiscard]] std::vector<std::string> not_shown(const SceneContents& contents,
                                                  const std::optional<ClipTime>& time);
 
-/// A line on the file's cameras that no picture is seen through, whatever is chosen; none: all are.
+/// Returns a line on the cameras of the file that cannot be chosen as a view; none if all can.
 [[nodiscard]] std::optional<std::string> cameras_remark(const SceneContents& contents);
 
 }  // namespace asos

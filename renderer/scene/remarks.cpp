@@ -15,7 +15,7 @@ std::vector<std::string> remarks(const SceneNotes& notes) {
 }
 
 std::uint64_t remark_count(const SceneNotes& notes) {
-  // The last warning stands for those dropped.
+  // The last warning contains the number of the dropped ones.
   const std::uint64_t more = notes.warnings_dropped > 0 ? notes.warnings_dropped - 1 : 0;
   return remarks(notes).size() + more;
 }

@@ -8,11 +8,11 @@
 
 namespace asos {
 
-/// What of a file is not in its pictures, or otherwise than it says there: a person should know
-/// these before trusting one. Lines that may be shown.
+/// Returns the differences between a file and its pictures, as lines of text for the user: parts
+/// that are not shown, or shown differently.
 [[nodiscard]] std::vector<std::string> remarks(const SceneNotes& notes);
 
-/// How many remarks there are, with those that the last line of the warnings only counts.
+/// Returns the number of remarks, including those that the last warning only counts.
 [[nodiscard]] std::uint64_t remark_count(const SceneNotes& notes);
 
 }  // namespace asos

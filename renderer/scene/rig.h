@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// A file that is kept open so that its scene can be had at any times, without the file being read
-/// again. What does not move is neither read nor made again.
+/// A file that is kept open, so that its scene can be posed at any time without reading the file
+/// again. Parts that do not move are neither read nor built again.
 class Rig {
  public:
   Rig() = default;
@@ -16,9 +16,10 @@ class Rig {
   Rig& operator=(const Rig&) = delete;
   virtual ~Rig() = default;
 
-  /// The scene as it is at `time`, or where the file's nodes place it: the same to the bit whatever
-  /// was asked for before. Errors name the file: no such animation, a time that is not finite or
-  /// below 0, nothing that can be drawn then. Any thread; one call waits for another.
+  /// Returns the scene at `time`, or as the file's nodes place it. The result is bit-identical
+  /// whatever was posed before. Errors name the file: no such animation, a time that is not finite
+  /// or below 0, nothing that can be drawn at that time. Any thread; concurrent calls wait for each
+  /// other.
   [[nodiscard]] virtual Result<Scene> pose(const std::optional<ClipTime>& time) = 0;
 };
 

@@ -3,7 +3,7 @@
 namespace asos {
 namespace {
 
-/// The sum of `count` of the meshes that instances place as they are.
+/// Returns the sum of `count` over the meshes of all instances that are not shapes.
 template <typename Count>
 std::uint64_t over_instances(const Scene& scene, Count count) {
   std::uint64_t sum = 0;

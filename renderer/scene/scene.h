@@ -15,20 +15,20 @@
 #include <string>
 #include <vector>
 
-// A scene as an author wrote it: meshes placed by instances, materials, lights and cameras. Plain
-// data; the importer and the built-in scenes fill it, the exporter writes it, `World` flattens it.
-// Conventions are glTF's: right-handed, +Y up, metres, radians; colours linear.
+// A scene in its authored form: meshes placed by instances, materials, lights and cameras. Plain
+// data: the importer and the built-in scenes fill it, the exporter writes it, and `World` flattens
+// it. Conventions are glTF's: right-handed, +Y up, metres, radians; colours linear.
 
 namespace asos {
 
-/// 8-bit RGBA, rows from top to bottom, `4 * width * height` bytes. Whether the red, green and blue
-/// bytes are sRGB-encoded is decided by what the image is used for, as in glTF.
+/// 8-bit RGBA, rows from top to bottom, `4 * width * height` bytes. The use of the image determines
+/// if red, green and blue are sRGB-encoded, as in glTF.
 struct Image {
   std::string name;
   int width = 0;
   int height = 0;
   SharedBytes rgba;
-  /// The lower bytes of texels of 16 bits, whose upper ones `rgba` has; empty: texels of 8 bits.
+  /// The low bytes of 16-bit texels; `rgba` holds the high bytes. Empty: 8-bit texels.
   SharedBytes low{};
 };
 
@@ -43,7 +43,7 @@ struct Texture {
   Filter filter = Filter::linear;  ///< glTF's magFilter
 };
 
-/// A material's use of a texture. `uv_transform * (u, v, 1)` gives the coordinates to look up
+/// A material's use of a texture. `uv_transform * (u, v, 1)` are the coordinates of the lookup
 /// (KHR_texture_transform); `scale` is the normal map's or the occlusion's strength.
 struct TextureUse {
   int texture = -1;  ///< index into Scene::textures; -1: none
@@ -52,7 +52,7 @@ struct TextureUse {
   float scale = 1.0f;
 
   [[nodiscard]] bool used() const { return texture >= 0; }
-  /// Whether both show the same place of the same texture.
+  /// Returns whether both map the same part of the same texture.
   [[nodiscard]] bool same_place(const TextureUse& other) const {
     return texture == other.texture && texcoord == other.texcoord &&
            uv_transform == other.uv_transform;
@@ -61,8 +61,9 @@ struct TextureUse {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// How blurred reflections are by their angle of incidence (CGF'98 section 5.1): the defocusing
-/// ratio is min + (max - min) * sin(alpha)^exponent, of which 1 is a mirror and smaller is blurred.
+/// The blur of reflections as a function of the angle of incidence alpha (CGF'98 section 5.1). The
+/// defocusing ratio is min + (max - min) * sin(alpha)^exponent; 1 is a mirror, and smaller ratios
+/// blur.
 struct DfrCurve {
   double min = 1.0;       ///< DFRMIN, 0 to 1
   double max = 1.0;       ///< DFRMAX, 0 to 1; may be less than min
@@ -71,8 +72,8 @@ struct DfrCurve {
   bool operator==(const DfrCurve&) const = default;
 };
 
-/// The curves of red, green and blue, and by how much each is perturbed from place to place: a
-/// surface's unevenness, as a share of the ratio, 0 to 1.
+/// The defocusing curves of red, green and blue, and the amplitude of their random variation over
+/// the surface, as a fraction of the ratio, 0 to 1.
 struct Dfr {
   std::array<DfrCurve, 3> rgb;
   double perturbation = 0.0;
@@ -80,19 +81,19 @@ struct Dfr {
   bool operator==(const Dfr&) const = default;
 };
 
-/// KHR_materials_clearcoat: a clear layer of index 1.5 over all else, with a lobe of its own.
+/// KHR_materials_clearcoat: a clear layer of index 1.5 on top, with a lobe of its own.
 struct Clearcoat {
-  float factor = 0.0f;  ///< 0 to 1; 0: there is none
+  float factor = 0.0f;  ///< 0 to 1; 0: no coat
   float roughness = 0.0f;
   TextureUse texture;            ///< R of `factor`, linear
   TextureUse roughness_texture;  ///< G, linear
   TextureUse normal_texture;     ///< its own: the material's normal map is not the coat's
 };
 
-/// KHR_materials_sheen: fibres that stand on the surface and shine where they are seen from the
-/// side (Charlie's distribution).
+/// KHR_materials_sheen: fibres on the surface, which are brightest at grazing angles (Charlie
+/// distribution).
 struct Sheen {
-  glm::vec3 color{0.0f};  ///< linear, 0 to 1; black: there is none
+  glm::vec3 color{0.0f};  ///< linear, 0 to 1; black: no sheen
   float roughness = 0.0f;
   TextureUse color_texture;      ///< sRGB
   TextureUse roughness_texture;  ///< A, linear
@@ -100,40 +101,41 @@ struct Sheen {
   [[nodiscard]] bool used() const { return color != glm::vec3(0.0f); }
 };
 
-/// KHR_materials_iridescence: a thin film on the base, whose two sides' reflections interfere.
+/// KHR_materials_iridescence: a thin film on the base; the reflections from its two sides
+/// interfere.
 struct Iridescence {
-  float factor = 0.0f;  ///< 0 to 1; 0: there is none
+  float factor = 0.0f;  ///< 0 to 1; 0: no film
   float ior = 1.3f;
   float thickness_min_nm = 100.0f;
-  float thickness_max_nm = 400.0f;  ///< where there is no texture
+  float thickness_max_nm = 400.0f;  ///< used if there is no texture
   TextureUse texture;               ///< R of `factor`, linear
   TextureUse thickness_texture;     ///< G, linear: from the minimum to the maximum
 
   [[nodiscard]] bool used() const { return factor > 0.0f; }
 };
 
-/// KHR_materials_anisotropy: the lobe is rougher along a direction of the surface, so that
-/// highlights are drawn out as those of brushed metal are.
+/// KHR_materials_anisotropy: the lobe is rougher along one direction of the surface, so that
+/// highlights are elongated as on brushed metal.
 struct Anisotropy {
-  float strength = 0.0f;      ///< 0 to 1; 0: there is none
+  float strength = 0.0f;      ///< 0 to 1; 0: isotropic
   float rotation_rad = 0.0f;  ///< of that direction, counter-clockwise from the tangent
-  TextureUse texture;         ///< RG: the direction before that, B of `strength`, linear
+  TextureUse texture;         ///< RG: the direction before the rotation, B of `strength`, linear
 
   [[nodiscard]] bool used() const { return strength > 0.0f; }
 };
 
-/// KHR_materials_volume and KHR_materials_dispersion: what a closed surface that transmits
-/// encloses.
+/// KHR_materials_volume and KHR_materials_dispersion: the medium inside a closed surface that
+/// transmits.
 struct Volume {
-  float thickness = 0.0f;        ///< in the mesh's units; 0: a thin wall, which encloses nothing
+  float thickness = 0.0f;        ///< in the mesh's units; 0: a thin wall without a volume
   TextureUse thickness_texture;  ///< G, linear
   float attenuation_distance = std::numeric_limits<float>::infinity();  ///< in the world's units
-  glm::vec3 attenuation_color{1.0f};  ///< linear: what white light becomes over that distance
+  glm::vec3 attenuation_color{1.0f};  ///< linear: transmittance over that distance
   float dispersion = 0.0f;            ///< 20 / Abbe number, 0 and more
 };
 
-/// KHR_materials_diffuse_transmission: the share of what is not reflected by the lobe that goes
-/// through the surface, all ways alike, instead of back.
+/// KHR_materials_diffuse_transmission: the fraction of the light not reflected by the lobe that is
+/// transmitted diffusely instead of reflected diffusely.
 struct DiffuseTransmission {
   float factor = 0.0f;       ///< 0 to 1
   glm::vec3 color{1.0f};     ///< linear, 0 to 1
@@ -143,7 +145,7 @@ struct DiffuseTransmission {
   [[nodiscard]] bool used() const { return factor > 0.0f; }
 };
 
-/// glTF 2.0 metallic-roughness, with the extensions that the renderer knows. Factors are linear.
+/// glTF 2.0 metallic-roughness, with the supported extensions. Factors are linear.
 struct Material {
   std::string name;
   glm::vec4 base_color{1.0f};
@@ -152,16 +154,17 @@ struct Material {
   float roughness = 1.0f;
   TextureUse metallic_roughness_texture;  ///< G roughness, B metallic, linear
   TextureUse normal_texture;              ///< tangent space, linear
-  TextureUse occlusion_texture;    ///< R, linear: share of the open sky; `scale`: its strength
-  glm::vec3 emissive{0.0f};        ///< times emissive_strength: nits
-  float emissive_strength = 1.0f;  ///< KHR_materials_emissive_strength
-  TextureUse emissive_texture;     ///< sRGB
+  TextureUse occlusion_texture;           ///< R, linear: ambient visibility; `scale`: its strength
+  glm::vec3 emissive{0.0f};               ///< times emissive_strength: nits
+  float emissive_strength = 1.0f;         ///< KHR_materials_emissive_strength
+  TextureUse emissive_texture;            ///< sRGB
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;  ///< KHR_materials_unlit
   /// The material of lines or points (glTF 2.0, section 3.9.7). Without normals they are unlit and
-  /// show their emission, too; with normals they are lit by these, however their ribbons face.
+  /// also show their emission. With normals they are lit by these, independent of the orientation
+  /// of their ribbons.
   bool stroke = false;
   float ior = 1.5f;                ///< KHR_materials_ior
   float transmission = 0.0f;       ///< KHR_materials_transmission
@@ -179,7 +182,7 @@ struct Material {
   std::optional<Dfr> dfr;  ///< how reflections are blurred; none: by roughness
 };
 
-/// All textures that a material names, whether it uses them or not.
+/// Returns all textures that a material refers to, whether it uses them or not.
 [[nodiscard]] inline std::array<const TextureUse*, 19> texture_uses(const Material& m) {
   return {&m.base_color_texture,
           &m.metallic_roughness_texture,
@@ -202,19 +205,19 @@ struct Material {
           &m.anisotropy.texture};
 }
 
-/// Whether the surface is the boundary of a volume: rays that pass it are bent, and meet both of
-/// its sides (KHR_materials_volume).
+/// Returns whether the surface is the boundary of a volume (KHR_materials_volume): it refracts
+/// rays, and both of its sides are hit.
 [[nodiscard]] inline bool bounds_volume(const Material& m) {
   return !m.unlit && m.transmission > 0.0f && m.volume.thickness > 0.0f;
 }
 
-/// Whether a thin wall blurs what is seen through it (KHR_materials_transmission); where a texture
-/// says how rough it is, only in part.
+/// Returns whether a thin wall blurs the transmitted view (KHR_materials_transmission). If a
+/// texture scales its roughness, parts of it may not.
 [[nodiscard]] inline bool is_frosted(const Material& m) {
   return !m.unlit && m.transmission > 0.0f && !(m.volume.thickness > 0.0f) && m.roughness > 0.0f;
 }
 
-/// Whether its back is met as its front is.
+/// Returns whether rays hit its back as well as its front.
 [[nodiscard]] inline bool shows_both_sides(const Material& m) {
   return m.double_sided || bounds_volume(m);
 }
@@ -223,17 +226,17 @@ struct Material {
   return m.normal_texture.used() || m.coat.normal_texture.used();
 }
 
-/// Whether it needs to know along which direction of the surface a texture's u grows.
+/// Returns whether shading needs the direction of a texture's u axis on the surface.
 [[nodiscard]] inline bool needs_tangents(const Material& m) {
   return has_normal_map(m) || m.anisotropy.used();
 }
 
-/// One primitive's triangles, or its lines or points, in its own space. Attribute arrays are empty
-/// or as long as `positions`; every index is below that length; positions and normals are finite.
+/// The triangles, lines or points of one primitive, in its own space. Attribute arrays are empty or
+/// as long as `positions`; every index is below that length; positions and normals are finite.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;   ///< unit; filled by the importer where the file has none
+  std::vector<glm::vec3> normals;   ///< unit; the importer adds missing ones
   std::vector<glm::vec4> tangents;  ///< xyz unit, w = +-1; only where needs_tangents
   std::vector<glm::vec2> texcoords[2];
   std::vector<glm::vec4> colors;  ///< linear RGBA
@@ -245,55 +248,56 @@ struct Mesh {
   [[nodiscard]] bool has_strokes() const { return !segments.empty() || !points.empty(); }
 };
 
-/// A mesh placed in the world. A negative determinant mirrors it. Where it is a shape, the shape is
-/// drawn and the mesh is not: it has the material, and stands for the shape in programs that know
-/// none.
+/// A mesh placed in the world. A negative determinant mirrors it. If there is a shape, it is drawn
+/// instead of the mesh. The mesh then defines the material, and replaces the shape in programs that
+/// do not support shapes.
 struct Instance {
   std::string name;
   int mesh = -1;  ///< index into Scene::meshes
   glm::dmat4 world_from_mesh{1.0};
-  bool shows_light = false;  ///< an emissive stand-in for a light of the scene: not a light itself
+  bool shows_light = false;  ///< the visible surface of a light of the scene; emits no light itself
   int shape = -1;            ///< index into Scene::shapes; -1: none
   int node = -1;             ///< index into SceneContents::nodes; -1: none
 };
 
-/// A light, already placed in the world. Its encoding in files: gltf/LIGHTS.md. It has no
-/// surface of its own: what a viewer sees of a lamp is an instance with an emissive material.
+/// A light, placed in the world. gltf/LIGHTS.md describes its encoding in files. It has no surface
+/// of its own: the visible part of a lamp is an instance with an emissive material.
 struct Light {
   enum class Type { point, spot, directional, linear, rectangle, disk, polygon };
 
   std::string name;
   Type type = Type::point;
   glm::vec3 color{1.0f};
-  /// Candela (point, spot; linear: of the whole, seen square on), lux (directional: of a surface
-  /// that faces it) or nits (rectangle, disk, polygon).
+  /// Candela (point, spot; linear: of the whole tube, perpendicular to it), lux (directional: on a
+  /// surface that faces it) or nits (rectangle, disk, polygon).
   float intensity = 1.0f;
-  glm::dvec3 position{0.0};        ///< its middle; polygon: any point of its plane
+  glm::dvec3 position{0.0};        ///< its centre; polygon: any point of its plane
   glm::dvec3 direction{0, 0, -1};  ///< unit, the way the light travels; flat lights shine that way
   double range = std::numeric_limits<double>::infinity();  ///< point and spot
   double inner_cone_rad = 0.0;                             ///< spot
   double outer_cone_rad = 0.7853981633974483;
-  double radius = 0.0;                ///< disk; point and spot: of a ball that shines, 0: a point
+  double radius = 0.0;                ///< disk; point and spot: of an emitting ball, 0: a point
   double angular_diameter_rad = 0.0;  ///< directional: of a sun's disk, 0: infinitely far point
-  glm::dvec3 half_u{
-      0.0};  ///< rectangle, linear: from the middle to the middle of a side, or an end
-  glm::dvec3 half_v{0.0};  ///< rectangle: square to half_u and direction
+  /// Rectangle, linear: from the centre to the centre of a side, or to an end.
+  glm::dvec3 half_u{0.0};
+  glm::dvec3 half_v{0.0};  ///< rectangle: perpendicular to half_u and direction
   /// Polygon: closed outlines in one plane, the last corner joined to the first. The outer one runs
-  /// counter-clockwise and holes clockwise as seen by who looks against `direction`.
+  /// counter-clockwise and holes clockwise, as seen against `direction`.
   std::vector<std::vector<glm::dvec3>> outlines;
-  bool two_sided = false;  ///< rectangle, disk, polygon: shines both ways
+  bool two_sided = false;  ///< rectangle, disk, polygon: emits from both sides
   bool casts_shadows = true;
-  /// Index into World::parts of the surface that shines this light, which does not shade it; -1:
-  /// none. Only in a World.
+  /// Index into World::parts of the light's own surface, which does not shadow it; -1: none. Only
+  /// in a World.
   std::int32_t own_part = -1;
 };
 
-/// The parts of the file that are not drawn or not supported, in words for a person.
+/// The parts of the file that are not drawn or not supported, in words for the user.
 struct SceneNotes {
   std::vector<std::string> warnings;                ///< repaired or ignored, with the reason
-  std::uint64_t warnings_dropped = 0;               ///< that the last of them counts
-  std::vector<std::string> unsupported_extensions;  ///< optional ones that are not honoured
-  std::vector<std::string> not_shown;               ///< parts that another choice would show
+  std::uint64_t warnings_dropped = 0;               ///< their number is in the last warning
+  std::vector<std::string> unsupported_extensions;  ///< optional ones that are ignored
+  /// Parts that another choice of the user would show.
+  std::vector<std::string> not_shown;
 };
 
 class Rig;
@@ -313,18 +317,18 @@ struct Scene {
   std::shared_ptr<const Surroundings> surroundings;  ///< EXT_lights_image_based; null: none
   SceneNotes notes;
   SceneContents contents;
-  std::optional<ClipTime> time;  ///< of what moves; none: everything is where its nodes place it
-  std::shared_ptr<Rig> rig;  ///< poses the scene at other times; null: nothing moves, or not kept
+  std::optional<ClipTime> time;  ///< of the animation; none: the rest pose of the nodes
+  std::shared_ptr<Rig> rig;  ///< poses the scene at other times; null: not animated, or not kept
 
-  /// The triangles of all instances: a box has 12, other shapes none.
+  /// Returns the number of triangles of all instances: a box has 12, other shapes none.
   [[nodiscard]] std::uint64_t instanced_triangles() const;
-  /// Whether an instance shows a surface, and not only lines and points or nothing.
+  /// Returns whether an instance has a surface, and not only lines, points or nothing.
   [[nodiscard]] bool shows_surface(const Instance& instance) const {
     return instance.shape >= 0 ||
            (instance.mesh >= 0 &&
             !meshes[static_cast<std::size_t>(instance.mesh)].triangles.empty());
   }
-  /// The segments of lines, and the points, of all instances.
+  /// Returns the number of line segments, and of points, of all instances.
   [[nodiscard]] std::uint64_t instanced_segments() const;
   [[nodiscard]] std::uint64_t instanced_points() const;
 };

@@ -7,11 +7,11 @@
 
 namespace asos {
 
-/// As many vertices as 32 bits count, less what marks that there is none.
+/// The largest 32-bit count, less the marker for none.
 inline constexpr std::uint64_t largest_vertex_count = 0xfffffffeu;
 
-/// The promises of scene.h that a scene breaks: indices in range, arrays of one length, sizes of
-/// shapes. Empty if nothing.
+/// Returns the first violated invariant of scene.h: indices in range, arrays of equal length, sizes
+/// of shapes. Empty if there is none.
 [[nodiscard]] std::string scene_fault(const Scene& scene);
 
 }  // namespace asos

@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// Bytes that all copies share until one of them is written to: pictures are large, and every
-/// scene, world and moment of a file has them.
+/// Bytes with copy-on-write: all copies share them until one is written to. Images are large, and
+/// every scene, world and pose of a file holds them.
 class SharedBytes {
  public:
   using Bytes = std::vector<std::uint8_t>;
@@ -19,7 +19,7 @@ class SharedBytes {
   SharedBytes(Bytes bytes) : bytes_(std::make_shared<Bytes>(std::move(bytes))) {}
   SharedBytes(std::initializer_list<std::uint8_t> bytes) : SharedBytes(Bytes(bytes)) {}
 
-  /// The bytes of this copy alone, to be written to.
+  /// Returns the bytes of this copy for writing; they are no longer shared.
   [[nodiscard]] Bytes& own() {
     if (!bytes_) bytes_ = std::make_shared<Bytes>();
     if (bytes_.use_count() > 1) bytes_ = std::make_shared<Bytes>(*bytes_);

@@ -9,18 +9,18 @@
 
 namespace asos {
 
-/// Light from all around, infinitely far away, that a file brings along (EXT_lights_image_based):
-/// the six sides of a cube around the scene.
+/// An image-based light of a file (EXT_lights_image_based): infinitely far away, the six sides of a
+/// cube around the scene.
 struct Surroundings {
   struct Side {
-    Image image;  ///< square, sRGB, as a camera in the cube's middle shows it
-    /// Its colours are to be divided by its alpha (RGBD), as pictures of more than white are.
+    Image image;  ///< square, sRGB, as seen by a camera at the centre of the cube
+    /// The colours are to be divided by alpha (RGBD), as in images with radiances above 1.
     bool divided = false;
   };
 
   std::string name;
-  /// Towards +X, -X, +Y, -Y, +Z and -Z, all as large. Those of +Y and -Y have -Z, and +Z, at their
-  /// upper edge.
+  /// In the order +X, -X, +Y, -Y, +Z, -Z, all of the same size. The upper edge of the +Y side is
+  /// towards -Z, that of the -Y side towards +Z.
   std::array<Side, 6> sides;
   glm::dmat3 world_from_cube{1.0};  ///< a rotation
   float intensity = 1.0f;           ///< radiance of white

@@ -5,8 +5,8 @@
 
 namespace asos {
 
-/// The shape as a mesh with normals: exact for a box, some thousand triangles for the others. What
-/// programs see that know no shapes.
+/// Returns the shape as a mesh with normals, for programs that do not support shapes: exact for a
+/// box, some thousand triangles for the others.
 [[nodiscard]] Mesh tessellated(const Shape& shape);
 
 }  // namespace asos

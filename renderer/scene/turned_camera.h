@@ -6,8 +6,8 @@
 
 namespace asos {
 
-/// The camera turned by frame / count of a whole turn about the vertical through `middle`,
-/// counter-clockwise as seen from above; frame 0 is the camera itself, to the bit.
+/// Returns the camera, turned by frame / count of a full turn about the vertical axis through
+/// `middle`, counter-clockwise as seen from above. Frame 0 is bit-identical to the camera.
 [[nodiscard]] Camera turned_camera(const Camera& camera, glm::dvec3 middle, int frame, int count);
 
 }  // namespace asos

@@ -15,7 +15,7 @@ constexpr int quarter_size = block_size / 2;
 constexpr std::size_t most_squares_in_group =
     (group_size / quarter_size) * (group_size / quarter_size);
 
-/// Looks through the middles of a group's squares, all in one packet of rays. Keeps memory and
+/// Traces rays through the centres of a group's squares, all in one packet. Keeps memory and
 /// prepared lights from one group to the next.
 class Middles {
  public:
@@ -24,7 +24,7 @@ class Middles {
         sums_(*render.snapshot.scene, render.view, render.snapshot.settings, places_),
         world_(render.snapshot.scene->world()) {}
 
-  /// Cuts blocks into squares of this side, those at the right and lower edge into what is left.
+  /// Divides blocks into squares of this side; squares at the right and lower edge are clipped.
   std::span<const PixelRect> cut(std::span<const WorkPlan::Block> blocks, int side) {
     std::size_t count = 0;
     for (const WorkPlan::Block& block : blocks) {
@@ -49,9 +49,9 @@ class Middles {
 
   /// Radiance of square i; 0 where it is not finite.
   [[nodiscard]] glm::vec3 radiance(std::size_t i) const { return glm::vec3(sums_.sum(i).mean()); }
-  /// Whether the ray through its middle met a surface.
+  /// Returns whether the ray through the centre of square i hit a surface.
   [[nodiscard]] bool met(std::size_t i) const { return sums_.hit(i).valid(); }
-  /// Whether it met an unlit one.
+  /// Returns whether it hit an unlit surface.
   [[nodiscard]] bool met_unlit(std::size_t i) const {
     return met(i) && world_.material_of(sums_.hit(i).triangle).unlit;
   }
@@ -63,7 +63,7 @@ class Middles {
   std::array<PixelRect, most_squares_in_group> squares_;
 };
 
-/// One colour, all of it covered, or nothing; all of it unlit, or lit.
+/// Makes a tile of a single colour, completely covered or not, and completely unlit or lit.
 FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance, bool covered, bool unlit) {
   FinishedTile tile;
   tile.rect = rect;

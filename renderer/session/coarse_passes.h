@@ -9,13 +9,14 @@
 
 namespace asos {
 
-/// The pictures that a window shows before there is a sample for each pixel: first one in the
-/// middle of each square of 8 pixels a side, then of each quarter of one. Knows which groups are
-/// still to do; any number of threads.
+/// The coarse pictures in a window before each pixel has a sample: first one sample at the centre
+/// of each square of 8 pixels a side, then one for each quarter of it. Keeps track of the remaining
+/// groups; any number of threads.
 class CoarsePasses {
  public:
-  /// Renders into `tiles` until no group is left or `stop` is requested. No barrier stands between
-  /// the passes: who runs out of one goes on to the next, and what is brought too late is dropped.
+  /// Renders into `tiles` until no group is left or `stop` is requested. There is no barrier
+  /// between the passes: a thread that finds no more work in one pass starts the next, and late
+  /// results are dropped.
   void work(const PlannedRender& render, TileCollector& tiles, const std::stop_token& stop);
 
  private:

@@ -31,12 +31,12 @@ void CostForecast::set_likeness(std::span<const double> values) {
                    [&](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
 }
 
-// A block that ended in the pass before costs nothing here. So the blocks that are done before and
-// not here are forecast by those that did cost something; the others by both kinds.
+// A block that was completed in the pass before costs nothing here. Blocks done before but not here
+// are therefore forecast from the blocks with a cost above 0 here; the others from both kinds.
 double CostForecast::left_of(const PassCosts& pass, const Guide& guide) const {
-  Shared going;              // blocks that cost something here
-  double done_before = 0.0;  // all blocks that the pass before has done
-  double waiting = 0.0;      // those of them that this pass has not
+  Shared going;              // blocks with a cost above 0 here
+  double done_before = 0.0;  // all blocks done in the pass before
+  double waiting = 0.0;      // the part of them not done in this pass
   for (std::size_t block = 0; block < blocks_; ++block) {
     const auto here = static_cast<double>(pass.by_block[block]);
     const auto there = static_cast<double>(guide.before.by_block[block]);
@@ -51,10 +51,10 @@ double CostForecast::left_of(const PassCosts& pass, const Guide& guide) const {
 }
 
 double CostForecast::left_by_likeness(const PassCosts& pass, const Guide& guide) const {
-  // Blocks next to one, on both sides together.
+  // Number of neighbours in the order of likeness, on both sides together.
   constexpr std::size_t nearest = 8;
-  // Sum up the done ones in the order of their likeness, without those that cost nothing here: they
-  // ended in the pass before, as no block did that is left.
+  // Prefix sums over the done blocks in the order of likeness. Blocks that cost nothing here are
+  // left out: they were completed in the pass before, unlike the remaining ones.
   std::vector<Shared> sums{{}};
   for (const std::uint32_t block : alike_) {
     if (!(pass.by_block[block] > 0.0f)) continue;
@@ -67,7 +67,7 @@ double CostForecast::left_by_likeness(const PassCosts& pass, const Guide& guide)
   const double known = guide.known * static_cast<double>(nearest - taken) / nearest;
   // Forecast the others.
   double left = 0.0;
-  std::size_t below = 0;  // done ones before the block
+  std::size_t below = 0;  // done blocks before this one
   for (const std::uint32_t block : alike_) {
     if (pass.by_block[block] >= 0.0f) {
       below += pass.by_block[block] > 0.0f;
@@ -82,11 +82,11 @@ double CostForecast::left_by_likeness(const PassCosts& pass, const Guide& guide)
 }
 
 std::optional<double> CostForecast::seconds_left() const {
-  // What is known beforehand counts as so many blocks do.
+  // The prior ratio has the weight of so many blocks.
   constexpr double blocks_of_growth = 4.0;
   const PassCosts* before = nullptr;
-  double growth = 1.0;      // over it
-  double all_before = 0.0;  // of its work
+  double growth = 1.0;      // from the pass `before` to this one
+  double all_before = 0.0;  // all work of the pass `before`
   double left = 0.0;
   for (const PassCosts& pass : passes_) {
     growth *= pass.growth;
@@ -96,7 +96,7 @@ std::optional<double> CostForecast::seconds_left() const {
       if (before) {
         const Guide guide{*before, all_before, growth,
                           blocks_of_growth * all_before / static_cast<double>(blocks_)};
-        // Likeness tells about the first pass that goes by it, once the one before is complete.
+        // Likeness is valid for the first pass ordered by it, once the pass before is complete.
         const bool by_likeness = !alike_.empty() && before->count == blocks_;
         rest = by_likeness ? left_by_likeness(pass, guide) : left_of(pass, guide);
       } else {

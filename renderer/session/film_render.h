@@ -25,7 +25,7 @@ class FilmRender {
  private:
   void wait_for_tiles();
 
-  // Workers knock when there are tiles.
+  // Workers notify these when there are tiles.
   std::mutex mutex_;
   std::condition_variable condition_;
   bool knocked_ = false;

@@ -9,11 +9,11 @@
 namespace asos {
 namespace {
 
-// One block in so many is tried, and so many at most: they take little of the time.
+// One block in so many is part of the trial, and at most so many in all, to limit its time.
 constexpr std::size_t blocks_a_trial = 32;
 constexpr std::size_t most_tried = 48;
-// One block in so many comes in spread order instead of by its gain, so that the cost of all that
-// are left can be forecast.
+// One block in so many is done in spread order instead of by its gain, so that the cost of the
+// remaining blocks can be forecast.
 constexpr std::size_t blocks_a_spread = 4;
 
 BlockJob job_of(const PlannedRender& render, std::size_t block, const std::stop_token& stop) {
@@ -38,8 +38,8 @@ FinalBlocks::FinalBlocks(const PlannedRender& render, std::size_t pass)
       seconds_(trial_, -1.0),
       left_to_start_(order_.size()) {}
 
-// Renders a block as far as its method's first stage does, and publishes it. Nothing rests where it
-// is final, or a stop was requested.
+// Renders the method's first stage of a block, and publishes it. Returns no rest if the block is
+// final, or a stop was requested.
 FinalBlocks::Started FinalBlocks::start(const PlannedRender& render, std::size_t block, bool keep,
                                         TileCollector& tiles, RunClock& clock,
                                         const std::stop_token& stop, bool& finished_picture) {
@@ -111,7 +111,8 @@ bool FinalBlocks::work_trial(const PlannedRender& render, double enough, TileCol
   return finished_picture;
 }
 
-// Whether the blocks from the first on that are done have had enough, or are all. Under the mutex.
+// Returns whether the consecutive finished blocks of the trial took enough time, or are all of it.
+// Under the mutex.
 bool FinalBlocks::trial_is_over() const {
   double sum = 0.0;
   for (const double seconds : seconds_) {
@@ -180,7 +181,7 @@ bool FinalBlocks::work(const PlannedRender& render, TileCollector& tiles, RunClo
   return finish_all(render, tiles, clock, stop) || finished_picture;
 }
 
-// Once all are started.
+// Runs once all blocks are started.
 bool FinalBlocks::finish_all(const PlannedRender& render, TileCollector& tiles, RunClock& clock,
                              const std::stop_token& stop) {
   {

@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// A snapshot as its workers see it: the same for all of them, and never changed.
+/// A snapshot with its plan, shared by all workers and immutable.
 struct PlannedRender {
   explicit PlannedRender(Snapshot of)
       : snapshot(std::move(of)),
@@ -26,7 +26,8 @@ struct PlannedRender {
   View view;
   WorkPlan plan;
   std::vector<std::size_t> group_order;  ///< of rounds of samples
-  bool unlit = false;                    ///< some surface may be: tiles tell which part of pixels
+  /// Some surface may be: tiles hold the unlit part of pixels.
+  bool unlit = false;
 };
 
 }  // namespace asos

@@ -9,26 +9,26 @@
 namespace asos {
 namespace {
 
-// Rounds that come before blocks in any case: 1, 2 and 4 samples a pixel, or one where blocks take
-// no more themselves.
+// Rounds that always come before blocks: 1, 2 and 4 samples per pixel, or only 1 if blocks take no
+// more themselves.
 std::size_t least_rounds(const RenderSettings& settings) {
   return in_object_space(settings.method) && settings.asos.max_level == 0 ? 1 : 3;
 }
-// And those that are likely to, until it is decided: up to 16 samples a pixel.
+// Rounds assumed by the forecast until their number is decided: up to 16 samples per pixel.
 constexpr std::size_t usual_rounds = 5;
-// More are taken while all rounds together take no more than this share of what the blocks take.
-// While less is done, samples are the quickest way to a better picture; and whoever waits for the
-// end waits little longer.
+// More rounds follow while all rounds together take at most this fraction of the time of the
+// blocks. Up to there, samples improve the picture fastest, and they delay its end only a little.
 constexpr double most_share_of_rounds = 0.3;
-// Blocks are tried for about this share of the time of the rounds before: as few as tell whether
-// all of them take many times as long.
+// Time of the trial as a fraction of the rounds before: enough to find out if the blocks take many
+// times as long as the rounds.
 constexpr double share_of_trial = 0.1;
-// Work of all blocks of ASOS over that of one sample a pixel, about: the median over all scenes.
+// Work of all blocks of ASOS relative to one sample per pixel: about the median over all test
+// scenes.
 constexpr double blocks_over_sample = 64.0;
-// The share of this of their first stage.
+// The fraction of it in their first stage.
 constexpr double start_of_blocks = 0.6;
 
-// How the work grows from round to round of samples, and from the last to the blocks.
+// Returns the growth of the work from round to round, and from the last round to the blocks.
 std::vector<double> growth_of(const SampleRounds& samples) {
   std::vector<double> growth;
   const std::vector<int>& rounds = samples.rounds();
@@ -72,7 +72,7 @@ void RenderRun::work(const std::stop_token& stop) {
   }
 }
 
-// The picture is complete once its last tile is published, and its user is told so.
+// The picture is complete once its last tile is published; its user is notified.
 void RenderRun::count(bool finished_picture) {
   if (!finished_picture) return;
   clock_.complete();
@@ -101,7 +101,7 @@ void RenderRun::sample_first(const std::stop_token& stop) {
     samples_.put_what_moves_first(round);
   }
   if (stop.stop_requested()) return;
-  // All threads have left the rounds, and only the first one reads their samples.
+  // All threads have left the rounds; only the first one here reads their samples.
   const std::lock_guard lock(mutex_);
   if (std::exchange(sampled_, true)) return;
   const std::vector<double> gain = samples_.moved(render_.plan);
@@ -110,7 +110,8 @@ void RenderRun::sample_first(const std::stop_token& stop) {
   samples_.release();
 }
 
-// Whether a round of samples comes before blocks. The first thread that knows decides for all.
+// Returns whether a round of samples comes before the blocks. The first thread to find out decides
+// for all.
 bool RenderRun::takes_round(std::size_t round, const std::stop_token& stop) {
   const std::size_t least = least_rounds(render_.snapshot.settings);
   if (round < least) return true;

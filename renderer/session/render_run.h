@@ -16,8 +16,8 @@
 
 namespace asos {
 
-/// One snapshot's render: the work that is left, what is finished, and how fast it goes. Workers
-/// call `work` and share nothing else. A session makes one for each restart and drops it once its
+/// The render of one snapshot: the remaining work, the finished tiles, and the speed. Workers call
+/// `work` and share nothing else. A session creates one for each restart and drops it after its
 /// workers have ended, so that no tile can outlive its snapshot.
 class RenderRun {
  public:
@@ -31,10 +31,10 @@ class RenderRun {
   [[nodiscard]] Progress progress() const { return clock_.progress(); }
   [[nodiscard]] Reached reached() const { return tiles_.reached(); }
   [[nodiscard]] RenderStatistics statistics() const { return tiles_.statistics(); }
-  /// Lets all but the coarse passes rest, after what is being worked on, and go on.
+  /// Pauses all but the coarse passes after the current pieces of work, and resumes them.
   void pause() { clock_.pause(); }
   void resume() { clock_.resume(); }
-  /// Called once the workers have ended: time stands still from here.
+  /// Called after the workers have ended: stops the clock.
   void close() { clock_.close(); }
 
  private:
@@ -42,10 +42,11 @@ class RenderRun {
   void work_blocks(const std::stop_token& stop);
   void sample_first(const std::stop_token& stop);
   [[nodiscard]] bool takes_round(std::size_t round, const std::stop_token& stop);
-  /// Of the scene, where the method asks for them; else they are known.
+  /// State of the scene's boundaries; `known` if the method does not use them.
   enum class Boundaries { sought, known, failed };
   [[nodiscard]] Boundaries look_for_boundaries() const;
-  /// False: the final pass cannot go on, for there are no boundaries, or `stop` is requested.
+  /// Returns false if the final pass cannot continue: there are no boundaries, or `stop` is
+  /// requested.
   [[nodiscard]] bool wait_for_boundaries(const std::stop_token& stop);
   void count(bool finished_picture);
 
@@ -57,7 +58,7 @@ class RenderRun {
   RunClock clock_;
   std::mutex mutex_;
   bool sampled_ = false;     // blocks have their gains
-  std::vector<bool> taken_;  // whether each round of samples is, as far as that is decided
+  std::vector<bool> taken_;  // whether each round of samples takes place, as far as decided
 };
 
 }  // namespace asos

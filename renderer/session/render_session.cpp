@@ -16,8 +16,8 @@ namespace asos {
 
 namespace {
 
-// Below the window's thread: its frames would else wait for a turn on a processor that workers keep
-// busy, and typed letters would lag.
+// Gives workers a lower priority than the window's thread. Otherwise its frames would wait for a
+// busy processor, and typing would lag.
 void give_way_to_window() {
   constexpr int steps_of_nice = 5;
   const id_t thread = static_cast<id_t>(gettid());
@@ -37,7 +37,7 @@ int worker_count_on(int cores, int threads, bool beside_window) {
   return std::max(1, beside_window && cores > 2 ? cores - 1 : cores);
 }
 
-/// All of it belongs to the controlling thread, but for what the run locks itself.
+/// Belongs to the controlling thread, except for the parts that the run protects itself.
 struct RenderSession::State {
   std::function<void()> on_tiles;
   std::optional<RenderRun> run;
@@ -75,7 +75,7 @@ void RenderSession::restart(Snapshot snapshot) {
   if (state_->paused) run.pause();
   for (int i = 0; i < workers; ++i) {
     state_->workers.emplace_back([&run, beside_window](const std::stop_token& stop) {
-      pthread_setname_np(pthread_self(), "asos render");  // for who watches processes
+      pthread_setname_np(pthread_self(), "asos render");  // name in process monitors
       if (beside_window) give_way_to_window();
       run.work(stop);
     });

@@ -12,64 +12,67 @@
 
 namespace asos {
 
-/// Everything that a render depends on, immutable once handed over.
+/// All inputs of a render; immutable once handed over.
 struct Snapshot {
   std::shared_ptr<const RenderScene> scene;
   Camera camera;  ///< relative to scene->world().origin
   RenderSettings settings;
   bool progressive = true;  ///< coarse passes first (window); false: final pixels only (headless)
-  /// A window shares the machine: see worker_count; and workers have a lower priority.
+  /// The machine is shared with a window: fewer workers (see worker_count), with a lower priority.
   bool beside_window = false;
 };
 
 struct Progress {
   bool running = false;  ///< and not paused
   bool paused = false;
-  bool finished = false;       ///< every pixel is final
-  bool failed = false;         ///< no more will be: the scene's boundaries could not be found
-  double fraction = 0.0;       ///< of the work, 0 to 1, as it is forecast
+  bool finished = false;  ///< every pixel is final
+  /// No more will be final: the search for the scene's boundaries failed.
+  bool failed = false;
+  double fraction = 0.0;       ///< of the work, 0 to 1, as forecast
   double seconds = 0.0;        ///< since restart, without pauses
   double seconds_left = -1.0;  ///< estimate; negative: not known yet
 };
 
-/// How far all pixels of a picture have come at least.
+/// The pass that all pixels of a picture have reached.
 struct Reached {
   enum class Pass { nothing, blocks, quarters, samples, final_pixels };
-  /// A sample for each block, for each quarter of one; so many samples for each pixel.
+  /// One sample per block, per quarter of a block, or per pixel (`samples` of them), or final
+  /// pixels.
   Pass pass = Pass::nothing;
   int samples = 0;           ///< of Pass::samples
   double final_share = 0.0;  ///< of the pixels
 };
 
-/// The workers that RenderSettings::threads asks for: where it is 0, one for each core. Beside a
-/// window one core stays free, but not where there are only two: half of the machine would idle.
+/// Returns the number of workers for RenderSettings::threads; 0: one per core. With a window one
+/// core stays free, except on a machine with two cores, where half of it would idle.
 [[nodiscard]] int worker_count(int threads, bool beside_window = false);
-/// The same on a machine with so many cores.
+/// Returns the same for a machine with this number of cores.
 [[nodiscard]] int worker_count_on(int cores, int threads, bool beside_window);
 
-/// Renders a snapshot with worker threads and publishes finished tiles (design section 9). First a
-/// sample for each 8x8 block, for each 4x4 one, then 1, 2, 4 and so on for each pixel
-/// (SampleRounds): methods that take as many samples in every pixel end so. For others, as soon as
-/// the scene's boundaries are known and more samples are not worth their work, blocks of the
-/// method's own pixels, those first that are furthest from their end (FinalBlocks). The result does
-/// not depend on the number of workers nor on the order of tiles. All members may be called from
-/// one controlling thread; the callback comes from workers and must not call back in.
+/// Renders a snapshot with worker threads and publishes finished tiles (design section 9).
+///
+/// Order: a sample for each 8x8 block, for each 4x4 one, then 1, 2, 4 and so on for each pixel
+/// (SampleRounds). Methods with the same number of samples in every pixel end with these. Other
+/// methods render blocks of their own pixels (FinalBlocks) as soon as the scene's boundaries are
+/// known and more samples would not pay off; blocks with the largest changes come first.
+///
+/// The result does not depend on the number of workers or on the order of tiles. All members may be
+/// called from one controlling thread; the callback comes from workers and must not call back in.
 ///
 /// With a crop, tiles are relative to the crop's top left corner, and a picture of the crop's size
 /// holds them all; their pixels equal that part of the whole picture's. A snapshot without a scene,
 /// or with settings that `validated` refuses, renders nothing and is finished at once.
 class RenderSession {
  public:
-  /// `on_tiles` is called (from a worker) when tiles wait that did not before, and at the end.
+  /// `on_tiles` is called from a worker when the first new tile is waiting, and at the end.
   explicit RenderSession(std::function<void()> on_tiles = {});
   ~RenderSession();
   RenderSession(const RenderSession&) = delete;
   RenderSession& operator=(const RenderSession&) = delete;
 
-  /// Cancels what runs, waits until no worker touches it, and starts anew: a blocking handshake.
+  /// Cancels the present render, waits until no worker uses it, and starts the new one.
   void restart(Snapshot snapshot);
-  /// Lets the final pass rest or go on; the coarse ones go on meanwhile. Holds for later snapshots
-  /// as well.
+  /// Pauses or resumes the final pass; the coarse passes continue. Also applies to later snapshots.
   void pause();
   void resume();
   /// Stops and waits. Published tiles stay.
@@ -77,15 +80,16 @@ class RenderSession {
   /// Waits for the end of the render.
   void wait();
 
-  /// The size of the picture that tiles go into: the crop's, or all.
+  /// Returns the part of the picture that tiles cover: the crop, or all.
   [[nodiscard]] PixelRect visible() const;
 
-  /// Tiles finished since the last call, oldest first. Never tiles of an older snapshot.
+  /// Returns the tiles finished since the last call, oldest first. Never tiles of an older
+  /// snapshot.
   [[nodiscard]] std::vector<FinishedTile> take_finished();
   [[nodiscard]] Progress progress() const;
-  /// Of the tiles published so far.
+  /// Returns the pass that the tiles published so far have reached.
   [[nodiscard]] Reached reached() const;
-  /// The statistics of the final pass so far; complete and reproducible once finished.
+  /// Returns the statistics of the final pass so far; complete and reproducible once finished.
   [[nodiscard]] RenderStatistics statistics() const;
 
  private:
@@ -93,9 +97,9 @@ class RenderSession {
   std::unique_ptr<State> state_;
 };
 
-/// Renders all of a snapshot and returns the picture, the crop's part of it where there is one: the
-/// headless form, without coarse passes, of a scene that its boundaries can be found of.
-/// `on_progress` is called about ten times a second from the calling thread, and once at the end.
+/// Renders all of a snapshot and returns the picture, or the crop's part of it: the headless form,
+/// without coarse passes, for a scene whose boundaries can be found. `on_progress` is called about
+/// ten times a second from the calling thread, and once at the end.
 struct RenderResult {
   Film film;
   RenderStatistics statistics;

@@ -36,7 +36,7 @@ void RunClock::begin_forecast() {
 void RunClock::count_block(std::size_t pass, std::size_t block, double seconds) {
   const std::lock_guard lock(mutex_);
   forecast_.add(pass, block, seconds);
-  // Keep the pace of the last seconds: how many processors there are to have.
+  // Records the pace of the last seconds, which reflects the processors that are available.
   const Clock::time_point now = Clock::now();
   if (now - pace_.back().time < pace_step) return;
   pace_.push_back({now, forecast_.seconds_done()});
@@ -74,7 +74,7 @@ void RunClock::resume() {
   {
     const std::lock_guard lock(mutex_);
     if (!paused_) return;
-    // The clock and the pace go on from where they stood.
+    // The clock and the pace continue from their values at the pause.
     const Clock::duration rest = Clock::now() - paused_since_;
     rested_ += rest;
     for (Pace& pace : pace_) pace.time += rest;

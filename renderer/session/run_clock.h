@@ -17,26 +17,26 @@
 
 namespace asos {
 
-/// The time that a run takes: how long it has lasted without its rests, how fast its blocks come,
-/// and when all will be there. Any thread.
+/// Measures a run: its duration without pauses, the pace of its blocks, and the estimated end. Any
+/// thread.
 class RunClock {
  public:
-  /// Starts. See CostForecast.
+  /// Starts the clock. `growth`: see CostForecast.
   explicit RunClock(std::size_t blocks, std::vector<double> growth = {})
       : forecast_(blocks, std::move(growth)) {}
 
   /// See CostForecast.
   void leave_out(std::size_t pass);
   void set_likeness(std::span<const double> values);
-  /// The first pass that is forecast begins; only the first call counts.
+  /// Starts the first pass that is forecast; only the first call counts.
   void begin_forecast();
-  /// A block of a pass is finished, which took a worker's processor so long.
+  /// Records a finished block of a pass, and the worker's processor time for it.
   void count_block(std::size_t pass, std::size_t block, double seconds);
-  /// All pixels are final. Time stands still from here, as after `close`.
+  /// Call when all pixels are final. Stops the clock, as `close` does.
   void complete();
-  /// No more pixels will be final. Time stands still from here, too.
+  /// Call when no more pixels will become final. Stops the clock, too.
   void fail();
-  /// The workers have ended.
+  /// Call when the workers have ended.
   void close();
 
   void pause();
@@ -50,7 +50,7 @@ class RunClock {
   using Clock = std::chrono::steady_clock;
   struct Pace {
     Clock::time_point time;
-    double seconds;  // of processors
+    double seconds;  // processor time of all workers
   };
 
   /// The forecast when it was last made: it looks at every block, and progress is asked for several

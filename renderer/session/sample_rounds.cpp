@@ -42,8 +42,8 @@ SampleRounds::SampleRounds(const PlannedRender& render)
       done_(rounds_.size()),
       order_(render.group_order) {}
 
-// All rounds of a group up to this one. A thread that is late finds that others have taken its
-// round.
+// Renders all rounds of a group up to this one. Does nothing if other threads have already rendered
+// this round.
 std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, std::size_t group,
                                                  int samples, double& seconds,
                                                  const std::stop_token& stop) {

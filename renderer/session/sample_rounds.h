@@ -16,42 +16,42 @@
 
 namespace asos {
 
-/// The rounds of point samples that a picture begins with, group by group: 1, 2, 4 and so on a
-/// pixel, by the method's own samples where it takes as many in every pixel (MethodRow::places),
-/// and else by Sobol points. Methods of the first kind end with them. Any number of threads.
+/// The rounds of point samples that a picture begins with, group by group: 1, 2, 4 and so on per
+/// pixel. A method with the same number of samples in every pixel uses its own samples
+/// (MethodRow::places), and its picture is complete after the rounds. For other methods they are
+/// Sobol points. Any number of threads.
 class SampleRounds {
  public:
-  /// Rounds that a method may begin with which does not end so: up to 2^10 samples a pixel, while
-  /// nothing better is to be had.
+  /// Maximal number of rounds before the blocks of a method: up to 2^10 samples per pixel, while
+  /// nothing better is available.
   static constexpr int most_rounds = 11;
 
   explicit SampleRounds(const PlannedRender& render);
 
-  /// Whether they end with the picture's final pixels.
+  /// Returns whether the rounds produce the final pixels.
   [[nodiscard]] bool make_the_picture() const { return own_; }
-  /// Samples of a pixel after each round.
+  /// Returns the samples per pixel after each round.
   [[nodiscard]] const std::vector<int>& rounds() const { return rounds_; }
 
-  /// From now on, groups come in the order in which their pixels moved in the latest round, those
-  /// first that moved most. Once that is there, and before the next one; only the first call counts
-  /// of those of a round.
+  /// Orders the groups of later rounds by the changes of their pixels in the latest round, largest
+  /// first. To be called between two rounds; only the first call for a round counts.
   void put_what_moves_first(std::size_t next_round);
-  /// Takes groups of a round, by its place in `rounds`, until none is left or `stop` is requested.
-  /// Times count for pass `pass`. True if this finished the picture.
+  /// Renders groups of a round, given by its index in `rounds`, until none is left or `stop` is
+  /// requested. Times count for pass `pass`. Returns true if this finished the picture.
   bool work(const PlannedRender& render, std::size_t round, std::size_t pass, TileCollector& tiles,
             RunClock& clock, const std::stop_token& stop);
-  /// Waits until all groups of a round are there; false once `stop` is requested.
+  /// Waits until all groups of a round are done; false once `stop` is requested.
   [[nodiscard]] bool wait_for(std::size_t round, const std::stop_token& stop);
 
-  /// The processor's seconds of all rounds up to this one, once all of it is there.
+  /// Returns the processor time, in seconds, of all rounds up to this one, which must be complete.
   [[nodiscard]] double seconds_up_to(std::size_t round) const;
-  /// Frees the sums of all groups. Once no thread works on a round or asks for `moved`.
+  /// Frees the sums of all groups. Only when no thread works on a round or calls `moved`.
   void release();
-  /// Memory of the sums that are kept.
+  /// Returns the memory of the kept sums.
   [[nodiscard]] std::size_t bytes() const;
 
-  /// How far the pixels of each block of the plan moved in their latest round: the sum of
-  /// PixelSamples::moved. What moved much is far from its end.
+  /// Returns, for each block of the plan, how much its pixels changed in their latest round: the
+  /// sum of PixelSamples::moved. Blocks with large changes are far from converged.
   [[nodiscard]] std::vector<double> moved(const WorkPlan& plan) const;
 
  private:
@@ -67,7 +67,7 @@ class SampleRounds {
     std::size_t groups = 0;
     double seconds = 0.0;
   };
-  /// Nothing where the group is done: another thread has taken a later round.
+  /// Returns none if the group is done: another thread has rendered a later round.
   [[nodiscard]] std::optional<BlockResult> advance(const PlannedRender& render, std::size_t group,
                                                    int samples, double& seconds,
                                                    const std::stop_token& stop);
@@ -81,7 +81,7 @@ class SampleRounds {
   mutable std::mutex mutex_;
   std::condition_variable_any finished_;
   std::vector<Done> done_;          // of each round
-  std::size_t ordered_round_ = 0;   // the one that order_ was last changed for
+  std::size_t ordered_round_ = 0;   // round of the last change of order_
   std::vector<std::size_t> order_;  // of groups
 };
 

@@ -10,7 +10,7 @@
 namespace asos {
 namespace {
 
-/// Whole groups, so that none is rendered for two strips.
+/// Whole groups, so that no group is rendered for two strips.
 int rows_of(int width, int strip_pixels) {
   return std::max(1, strip_pixels / width / group_size) * group_size;
 }
@@ -27,7 +27,7 @@ Result<StripsEnd> render_strips(const Snapshot& snapshot, PictureWriter& writer,
   FilmRender render;
   const int bottom = whole.y + whole.height;
   for (int y = whole.y; y < bottom;) {
-    // Strips end where groups do, whatever the crop begins with.
+    // Strips end at the ends of groups, whatever row the crop begins with.
     const int rows = rows_of(whole.width, strip_pixels);
     const PixelRect strip{whole.x, y, whole.width, std::min(bottom, (y / rows + 1) * rows) - y};
     Snapshot part = snapshot;

@@ -12,9 +12,9 @@ namespace asos {
 enum class StripsEnd { finished, stopped };
 
 /// Renders a snapshot into a file from top to bottom, in strips of at most about a million pixels,
-/// so that the memory it takes does not grow with the picture. The same pixels as in one piece.
-/// `on_progress` is told the finished share, about ten times a second. Leaves `writer` to be
-/// finished, or dropped where it was stopped. Errors: settings out of range, and the writer's.
+/// so that the memory does not grow with the picture. The pixels are the same as in one piece.
+/// `on_progress` gets the finished fraction about ten times a second. The caller finishes `writer`,
+/// or drops it if the render was stopped. Errors: settings out of range, and the writer's.
 [[nodiscard]] Result<StripsEnd> render_strips(const Snapshot& snapshot, PictureWriter& writer,
                                               const std::stop_token& stop,
                                               const std::function<void(double)>& on_progress = {},

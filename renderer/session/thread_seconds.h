@@ -4,7 +4,7 @@
 
 namespace asos {
 
-/// The calling thread's own processor time: what others do meanwhile does not count.
+/// Returns the processor time of the calling thread, in seconds; unaffected by other threads.
 [[nodiscard]] inline double thread_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

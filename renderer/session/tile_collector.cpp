@@ -107,7 +107,7 @@ bool TileCollector::finish_block(std::size_t block, BlockResult&& result) {
   bool first = false, last = false;
   {
     const std::lock_guard lock(mutex_);
-    // Integers add up in any order.
+    // Kept by block: unlike integers, its sum depends on the order.
     unresolved_area_[block] = std::exchange(result.statistics.unresolved_area, 0.0);
     totals_ += result.statistics;
     GroupState& state = groups_[index];

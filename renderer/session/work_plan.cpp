@@ -25,7 +25,7 @@ std::vector<PixelRect> squares(PixelRect area, int side, PixelRect picture) {
   return rects;
 }
 
-// How far along a Hilbert curve through a square of `side` x `side`, a power of two, a place is.
+// Returns the position along a Hilbert curve through a square of `side` x `side`, a power of two.
 std::uint64_t along_hilbert_curve(std::uint64_t side, std::uint64_t x, std::uint64_t y) {
   std::uint64_t along = 0;
   for (std::uint64_t half = side / 2; half > 0; half /= 2) {
@@ -38,7 +38,7 @@ std::uint64_t along_hilbert_curve(std::uint64_t side, std::uint64_t x, std::uint
   return along;
 }
 
-// Places that are close on a Hilbert curve are close in the picture, unlike those on a ring.
+// Neighbours on a Hilbert curve are neighbours in the picture, unlike those on a ring.
 template <typename Pieces>
 std::vector<std::size_t> spread_over(const Pieces& pieces, int side) {
   constexpr std::uint64_t squares = 1u << 13;  // of 8 pixels, in the largest picture and more
@@ -65,7 +65,7 @@ std::vector<std::size_t> spread_order(std::size_t count) {
     const double turns = golden_section * static_cast<double>(i);
     at[i] = turns - std::floor(turns);
   }
-  // Who comes when lies where: its rank among all multiples.
+  // The order of the multiples of the golden section: each place's rank among all of them.
   std::vector<std::size_t> by_place(count);
   std::iota(by_place.begin(), by_place.end(), std::size_t{0});
   std::sort(by_place.begin(), by_place.end(), [&](std::size_t x, std::size_t y) {
@@ -81,7 +81,7 @@ WorkPlan::WorkPlan(const RenderSettings& settings) : visible(settings.visible())
   const int side = block_side(settings);
   std::vector<PixelRect> rects = squares(visible, group_size, picture);
 
-  // Twice the squared distance from the middle, in integers.
+  // Twice the squared distance from the centre, in integers.
   const auto distance = [&](const PixelRect& r) {
     const std::int64_t dx = 2 * r.x + r.width - (2 * visible.x + visible.width);
     const std::int64_t dy = 2 * r.y + r.height - (2 * visible.y + visible.height);

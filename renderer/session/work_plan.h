@@ -20,10 +20,10 @@ struct BlockGroup {
   std::size_t block_count = 0;
 };
 
-/// How a picture, or the part of it that a crop touches, is cut into work. Blocks are aligned to
-/// block_side(settings) in the whole picture, whatever the crop, so that a crop's pixels are the
-/// picture's. Groups run from the middle of what is visible outwards; the order is the same on
-/// every machine.
+/// The division of a picture, or of the part that a crop touches, into work. Blocks are aligned to
+/// block_side(settings) in the whole picture, independent of the crop, so that a crop's pixels
+/// equal those of the whole picture. Groups are ordered from the centre of the visible part
+/// outwards; the order is the same on every machine.
 struct WorkPlan {
   struct Block {
     PixelRect rect;
@@ -36,15 +36,15 @@ struct WorkPlan {
   WorkPlan() = default;
   explicit WorkPlan(const RenderSettings& settings);
 
-  /// All blocks, or groups, by index, in an order that is spread evenly over the picture from the
-  /// first to the last, so that what is done tells what is left (CostForecast).
+  /// Returns the indices of all blocks, or groups, in an order whose beginnings are evenly spread
+  /// over the picture, so that finished work predicts the remaining work (CostForecast).
   [[nodiscard]] std::vector<std::size_t> spread_blocks() const;
   [[nodiscard]] std::vector<std::size_t> spread_groups() const;
-  /// The blocks of groups in that order.
+  /// Returns the blocks of groups in that order.
   [[nodiscard]] std::vector<std::size_t> blocks_of(const std::vector<std::size_t>& order) const;
 };
 
-/// The numbers below `count` in an order of which any first few are spread evenly over all: by the
+/// Returns the numbers below `count` in an order whose beginnings are evenly spread: by the
 /// multiples of the golden section.
 [[nodiscard]] std::vector<std::size_t> spread_order(std::size_t count);
 

@@ -4,28 +4,28 @@
 
 namespace asos {
 
-/// What the eye sees where no surface is. Mirrors, volumes of glass and lights see the environment
-/// (RenderSettings::sky), whatever it is.
+/// The background that eye rays see beyond all surfaces. Reflections, glass volumes and lighting
+/// always use the environment (RenderSettings::sky).
 enum class BackgroundKind {
   environment,
-  blurred,     ///< the environment's mean around each direction
-  colours,     ///< a gradient down the picture, or one colour
-  transparent  ///< nothing: pixels tell how much of them surfaces cover
+  blurred,     ///< the environment, averaged around each direction
+  colours,     ///< a vertical gradient, or one colour
+  transparent  ///< none: pixels have coverage
 };
 
-/// What pixels hold. All but `light` are for passes of their own, without any light.
+/// The content of pixels. All but `light` are for separate passes without lighting.
 enum class PixelContent {
   light,
-  coverage,      ///< the share that surfaces cover: see render_block
-  unlit_share,   ///< the share that unlit surfaces cover, as the eye sees them: see add_unlit
-  unlit_colour,  ///< the colour of these times their share
+  coverage,      ///< fraction covered by surfaces: see render_block
+  unlit_share,   ///< fraction covered by directly visible unlit surfaces: see add_unlit
+  unlit_colour,  ///< colour of these surfaces times their fraction
 };
 
 struct Background {
   static constexpr float brightest = 1e6f;
 
   BackgroundKind kind = BackgroundKind::environment;
-  /// Of colours: linear radiance at the picture's upper and lower border, 0 to `brightest`.
+  /// For `colours`: linear radiance at the picture's top and bottom, 0 to `brightest`.
   glm::vec3 top{0.35f};
   glm::vec3 bottom{0.35f};
   PixelContent content = PixelContent::light;

@@ -2,11 +2,10 @@
 
 namespace asos {
 
-// The values that settings choose among.
+// Enumerations of the settings.
 
-/// How pixels are rendered: by a row of method_table (renderer/comparison/method.h).
-/// asos_published: asos with cone detection, point leaves and the published rule, whatever the
-/// settings below say.
+/// The rendering method: a row of method_table (renderer/comparison/method.h). asos_published: asos
+/// with cone detection, point leaves and the published rule, whatever the settings below are.
 enum class Method {
   asos,
   asos_published,
@@ -27,58 +26,59 @@ inline constexpr Method last_method = Method::mask;
 
 enum class LeafKind { exact, point };
 
-/// When the marginal cells of a level need not be split any further.
+/// The condition that ends the subdivision of marginal cells.
 enum class StoppingRule {
-  unresolved,  ///< M / 2^2K <= EPS: the area of all marginal cells bounds the error, whatever is
-               ///< seen
-  published,   ///< L / 2^2K <= EPS for each object by itself (CGF'98 sections 3.1 and 6.2)
+  unresolved,  ///< M / 2^2K <= EPS: the area of all marginal cells bounds the error
+  published,   ///< L / 2^2K <= EPS for each object separately (CGF'98 sections 3.1 and 6.2)
 };
 
-/// How it is found out whether a boundary passes through a (sub-)pyray: by its exact square, or by
-/// the circular cone that surrounds it, as published (CGF'98 section 3). The cone takes boundaries
-/// for near that miss the pyray by up to a fifth of its side (more where it is seen askew): more
-/// marginal pyrays, no less accuracy, for samples lie in the square all the same.
+/// The test that decides if a boundary crosses a pyray: with its exact square cross-section, or
+/// with the circumscribed cone, as published (CGF'98 section 3). The cone also accepts boundaries
+/// that miss the pyray by up to a fifth of its side (more at oblique angles). This makes more
+/// pyrays marginal, and no less accurate, since samples stay inside the square.
 enum class Detection { square, cone };
 
-/// How the shadow of a light of some size is found over the patch that a leaf shows (CGF'98
-/// sections 4.2 to 4.3.4, whose names these are, but for the first).
+/// The method for the shadow of an area light over the patch of a leaf (CGF'98 sections 4.2 to
+/// 4.3.4, which define the names except for the first).
 enum class ShadowQuality {
-  refined,            ///< one pyray from the leaf's sample; leaves are split where its shadow would
-                      ///< be off the mean of the patch
+  refined,            ///< one pyray from the leaf's sample; leaves are split if its shadow would
+                      ///< differ from the mean of the patch
   centre,             ///< one pyray from the leaf's sample (4.2)
   supersampling,      ///< pyrays from n x n jittered points of the patch (4.3.1)
-  forced,             ///< from the middles of n x n parts of the patch (4.3)
+  forced,             ///< pyrays from the centres of n x n parts of the patch (4.3)
   extended,           ///< one pyray from behind the surface, through as much of the patch as the
                       ///< light's projection covers (4.3.2)
   extended_divided,   ///< the same for each of n x n parts (4.3.3)
-  extended_adaptive,  ///< parts until each lies inside the light's projection; then a pyray that
-                      ///< holds the part, of which only what passes through it counts (4.3.4)
+  extended_adaptive,  ///< splits the patch until each part lies inside the light's projection;
+                      ///< then a pyray around the part; only its rays through the part count
+                      ///< (4.3.4)
 };
 
-/// How the light of what is seen of a light is summed up.
+/// The formula for the light received from the visible part of a light.
 enum class LightRule {
   physical,   ///< closed forms: the projected solid angle times radiance
-  published,  ///< I A cos(theta) with inverse square at a leaf's middle; without the cosine for
+  published,  ///< I A cos(theta) with inverse square at a leaf's centre; without the cosine for
               ///< balls; points along linear lights (CGF'98 section 4.2; GI'93 "Distributed Light
               ///< Sources")
 };
 
-/// How the reflection of a pyray by a curved surface is made (CGF'98 section 5.2).
+/// The construction of the pyray that a curved surface reflects (CGF'98 section 5.2).
 enum class CurvedMirror {
   approximate,  ///< the pyramid nearest to the reflected corner rays (5.2.1)
   tangent,      ///< as by the tangent plane at the pyray's axis (5.2.2)
-  supersample,  ///< the same, each pyray split down to MAX first (5.2.3)
-  adaptive,     ///< the same, split where the reflected corners diverge too much (5.2.4)
+  supersample,  ///< the same, with each pyray split down to MAX first (5.2.3)
+  adaptive,     ///< the same, split if the reflected corners diverge too much (5.2.4)
 };
 
-/// footprint: textures, and highlights where the normal turns, are averaged over what a sample
-/// stands for; point: they are looked up where its ray hits.
+/// Texture lookup. footprint: textures, and highlights on normal maps, are averaged over the
+/// footprint of a sample; point: at the hit point only.
 enum class TextureFilter { footprint, point };
 
-/// What the scene stands on: nothing, a plate that shows shadows, or one that mirrors, too.
+/// The ground under the scene: none, a plate that receives shadows, or one that also reflects.
 enum class Ground { off, on, mirror };
 
-/// The features that a person asks for: those that the scene needs, or all, for the same picture.
+/// The features that a picture is rendered with: those of the scene, or all of them. The picture is
+/// the same.
 enum class NeedsChoice { scene, all };
 
 }  // namespace asos

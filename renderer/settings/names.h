@@ -8,8 +8,8 @@
 
 namespace asos {
 
-/// The name of a choice on the command line, in statistics and in pictures' texts. Methods' names
-/// are in their own table (renderer/comparison/method.h).
+/// The name of a value on the command line, in statistics and in pictures' texts. The names of
+/// methods are in method_table (renderer/comparison/method.h).
 template <typename T>
 struct Named {
   const char* name;
@@ -91,7 +91,7 @@ inline constexpr std::array needs_names{
     Named<NeedsChoice>{"all", NeedsChoice::all},
 };
 
-/// The name of `value` among `names`.
+/// Returns the name of `value` in `names`.
 template <typename Names, typename T>
 [[nodiscard]] constexpr const char* name_in(const Names& names, T value) {
   for (const auto& named : names)

@@ -68,7 +68,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
         {"line-width", s.line_width, RenderSettings::max_line_width},
         {"filter-width", s.filter_width, RenderSettings::max_filter_width, 1.0},
         {"contrast-scale", s.sampling.contrast_scale, SamplingSettings::max_contrast_scale}}) {
-    // The comparison is written so that NaN fails it.
+    // This form of the comparison is false for NaN.
     if (!(r.value >= r.lo && r.value <= r.hi)) {
       return unexpected(Error{r.name, fmt::format("{} is not from {} to {}", r.value, r.lo, r.hi)});
     }
@@ -123,7 +123,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   const PixelRect c = s.crop;
   const auto name = [&] { return fmt::format("{},{},{},{}", c.x, c.y, c.width, c.height); };
   if (c.empty()) return unexpected(Error{"crop", name() + " is empty"});
-  // Written as differences, which cannot overflow.
+  // As differences, which cannot overflow.
   if (c.x < 0 || c.y < 0 || c.width > s.width - c.x || c.height > s.height - c.y) {
     return unexpected(Error{"crop", fmt::format("{} does not lie within the picture of {} x {}",
                                                 name(), s.width, s.height)});

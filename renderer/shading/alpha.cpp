@@ -25,16 +25,16 @@ float base_alpha_at(const World& world, const Material& material, std::uint32_t 
   return std::clamp(alpha, 0.0f, 1.0f);
 }
 
-/// All that a material may say of how much goes through.
+/// The features of a material that affect transmission.
 constexpr SceneNeeds needs_of_passage() {
   SceneNeeds needs;
   needs.textures = needs.vertex_colors = needs.metals = true;
   return needs;
 }
 
-/// Beer and Lambert's coefficients.
+/// Returns the extinction coefficients of Beer and Lambert's law.
 glm::vec3 extinction_of(const Volume& volume) {
-  // What lets nothing through does so after a millionth of its distance.
+  // Limit for colours of 0: the medium is opaque after a millionth of its attenuation distance.
   constexpr float opaque = 1e6f;
   glm::vec3 extinction(0.0f);
   if (!std::isfinite(volume.attenuation_distance)) return extinction;

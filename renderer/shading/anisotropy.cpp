@@ -20,7 +20,7 @@ float floored_alpha(float roughness) {
 SurfaceAnisotropy anisotropy_of(const Anisotropy& material, glm::vec3 texel) {
   SurfaceAnisotropy at;
   at.strength = material.strength * texel.b;
-  // As bytes say it, no value of a texel is 0.
+  // With 8 bits, no texel value is exactly 0.
   constexpr float nothing = 1.5f / 255.0f;
   glm::vec2 d = 2.0f * glm::vec2(texel) - 1.0f;
   if (std::abs(d.x) < nothing) d.x = 0.0f;
@@ -35,7 +35,7 @@ SurfaceAnisotropy anisotropy_of(const Anisotropy& material, glm::vec3 texel) {
 LobeStretch lobe_stretch(const World& world, const Hit& hit, const SurfaceAnisotropy& anisotropy,
                          float roughness, glm::vec3 normal, glm::vec3 to_viewer) {
   const Material& material = world.material_of(hit.triangle);
-  // The directions are those of the front, whichever side is seen.
+  // Tangents belong to the front, even where the back is visible.
   const std::array<glm::vec3, 3> corners = corner_normals(world, hit);
   const glm::vec3 front = HitTriangle(world, hit).mix(corners[0], corners[1], corners[2]);
   const float side = glm::dot(front, normal) < 0.0f ? -1.0f : 1.0f;

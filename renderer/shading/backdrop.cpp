@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-/// Of the square of directions that a blurred environment is the mean of, one unit ahead: some 50
+/// Width of the square of directions over which an environment is blurred, one unit ahead: some 50
 /// degrees.
 constexpr float blurred_width = 0.95f;
 

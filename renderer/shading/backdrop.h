@@ -12,19 +12,19 @@ namespace asos {
 
 class Sky;
 
-/// The background of a picture, as its camera sees it.
+/// The background of a picture behind all surfaces.
 class Backdrop {
  public:
-  /// The environment.
+  /// Uses the environment as background.
   Backdrop() = default;
   Backdrop(const Background& chosen, const View& view);
 
-  /// Linear radiance along an eye ray that meets nothing, averaged over a square of `side` pixels
-  /// where there is a `spacing`; a null sky is the neutral one. Colours are a linear function of
-  /// the place, whose mean over a square is that of its middle.
+  /// Returns the linear radiance along an eye ray that hits nothing. With a `spacing` it is
+  /// averaged over a square of `side` pixels. A null sky is the neutral one. Colour backgrounds are
+  /// linear in the place, so their mean over a square is the value at its centre.
   [[nodiscard]] glm::vec3 radiance(const Sky* sky, const Ray& ray, const PixelSpacing* spacing,
                                    float side) const;
-  /// The same, where it is one for all rays.
+  /// Returns the radiance if it is the same for all rays.
   [[nodiscard]] std::optional<glm::vec3> everywhere(const Sky* sky) const;
 
   [[nodiscard]] PixelContent content() const { return chosen_.content; }
@@ -33,7 +33,7 @@ class Backdrop {
  private:
   Background chosen_;
   std::optional<Frame> picture_;  // of a gradient
-  glm::vec3 right_{0.0f};  // the square of directions that is blurred over, along the picture
+  glm::vec3 right_{0.0f};         // the square of directions for the blur, along the picture
   glm::vec3 down_{0.0f};
 };
 

@@ -11,15 +11,15 @@
 
 namespace asos {
 
-/// std::floor where an integer can hold the result: without SSE 4.1 that is a call.
+/// std::floor for results that fit an integer. Without SSE 4.1, std::floor is a function call.
 inline float floor_near(float x) {
   if (!(std::abs(x) < 8388608.0f)) return std::floor(x);
   const auto whole = static_cast<float>(static_cast<int>(x));
   return whole > x ? whole - 1.0f : whole;
 }
 
-/// Takes a coordinate to [0, 1], before it is scaled to texels. Done in this order, and not on
-/// texel indices, so that no coordinate overflows an integer.
+/// Wraps a coordinate to [0, 1]. This comes before the scaling to texels, so that no coordinate
+/// overflows an integer.
 inline float wrapped(float x, Wrap wrap) {
   if (!std::isfinite(x)) return 0.0f;
   switch (wrap) {
@@ -35,11 +35,11 @@ inline float wrapped(float x, Wrap wrap) {
   return std::clamp(x, 0.0f, 1.0f);
 }
 
-/// A texel's index that may lie one step outside 0..size-1, as bilinear neighbours do.
+/// Wraps a texel's index that lies at most one step outside 0..size-1, as bilinear neighbours do.
 inline int wrapped_neighbour(int i, int size, Wrap wrap) {
   if (i >= 0 && i < size) return i;
   if (wrap == Wrap::repeat) return i < 0 ? size - 1 : 0;
-  return i < 0 ? 0 : size - 1;  // a mirror shows the edge texel again
+  return i < 0 ? 0 : size - 1;  // mirroring repeats the edge texel
 }
 
 template <typename Level>
@@ -50,7 +50,7 @@ glm::vec4 nearest(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
                   std::min(static_cast<int>(y), level.height - 1));
 }
 
-/// The four texels around a place and how far it lies from the first to the last of them.
+/// The four texels around a place, and the place between the first and the last of them.
 struct TexelPlace {
   int left, right, top, bottom;
   float fx, fy;
@@ -77,8 +77,7 @@ glm::vec4 bilinear(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
                   glm::mix(level.at(p.left, p.bottom), level.at(p.right, p.bottom), p.fx), p.fy);
 }
 
-/// The direction that a normal map's value, as unsigned as its bytes, stands for; of no length
-/// where it has none.
+/// Decodes a normal map's unsigned value to a unit direction; 0 where it has none.
 inline glm::vec3 unit_normal(glm::vec4 texel) {
   const glm::vec3 n = 2.0f * glm::vec3(texel) - 1.0f;
   const float length = glm::length(n);

@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// glTF 2.0's metallic-roughness reflection (appendix B): Lambert and a GGX lobe with Schlick's
+/// The metallic-roughness BRDF of glTF 2.0 (appendix B): Lambert and a GGX lobe with Schlick's
 /// Fresnel term and height-correlated Smith shadowing. Angles are cosines to the shading normal.
 struct BrdfAngles {
   float n_dot_l = 0.0f;
@@ -15,84 +15,88 @@ struct BrdfAngles {
   float v_dot_h = 0.0f;
 };
 
-/// Below this a highlight from a punctual light is a few pixels wide at most and hundreds of times
-/// brighter than white: point samples would meet it or miss it by chance, and no method could
-/// antialias it. A perfect mirror is shown with this roughness instead.
+/// Smallest roughness of highlights. Below it, the highlight of a punctual light is a few pixels
+/// wide and hundreds of times brighter than white. Point samples would hit or miss it by chance,
+/// and no method could antialias it. A perfect mirror is shown with this roughness instead.
 inline constexpr float roughness_floor = 0.1f;
-/// From here on a highlight is some 40 degrees wide and varies hardly more than diffuse light does:
-/// one sample of a pixel settles it.
+/// Smallest roughness of broad highlights. They are some 40 degrees wide and vary little more than
+/// diffuse reflection, so one sample per pixel is enough.
 inline constexpr float least_broad_roughness = 0.6f;
 
 /// Reflectance at normal incidence of KHR_materials_clearcoat's coat, whose index is 1.5.
 inline constexpr float coat_f0 = 0.04f;
 
-/// The values of a material that do not depend on the light: made once a point.
+/// Values of a material that depend on the viewer but not on the light; computed once per point.
 struct ViewedMaterial {
-  glm::vec3 diffuse;   ///< albedo of the Lambert part, for light that comes from the viewer
-  glm::vec3 specular;  ///< share of a constant environment that the GGX lobe returns
+  glm::vec3 diffuse;   ///< albedo of the Lambert part, for light from the viewer's direction
+  glm::vec3 specular;  ///< fraction of a constant environment that the GGX lobe reflects
   glm::vec3 f0;
   float roughness;
   glm::vec3 f90{1.0f};
-  float falloff = 0.0f;  ///< of `diffuse`: by this share of it, times Schlick's (1 - v.h)^5
-  /// Share of a constant environment that the Lambert part returns, less the material's occlusion.
+  float falloff = 0.0f;  ///< fraction of `diffuse` that is lost, times Schlick's (1 - v.h)^5
+  /// Fraction of a constant environment that the Lambert part reflects, times the material's
+  /// occlusion.
   glm::vec3 ambient{0.0f};
-  /// Share of it that the lobe of what is no metal leaves to what lies below.
+  /// Fraction of it that the dielectric's lobe transmits to the layers below.
   float below = 1.0f;
-  float sheen = 0.0f;        ///< roughness of Charlie's lobe, which then is the lobe; 0: it is GGX
-  LobeStretch stretch = {};  ///< of the GGX lobe, whose `roughness` is that across
+  float sheen = 0.0f;        ///< roughness of Charlie's lobe; 0: the lobe is GGX
+  LobeStretch stretch = {};  ///< of the GGX lobe; `roughness` is that across the stretch
 };
 
-/// The diffuse part is weighted by 1 - F(v.h) of the dielectric's largest colour, as appendix B and
-/// KHR_materials_specular say. Of light from all around it returns what the specular lobe leaves
-/// *for this viewer*: by glTF's weight a white surface seen at a grazing angle would return up to
-/// 1.5 times the light. The lobe is that of the part that is no metal: appendix B mixes what two
-/// materials return, and the metal has nothing below. A transmissive surface reflects nothing
-/// diffusely of the share that it lets through.
+/// Computes the values for a viewer. The diffuse part is weighted by 1 - F(v.h) of the dielectric's
+/// largest colour (glTF appendix B, KHR_materials_specular). Under light from all around it
+/// reflects the rest of the specular lobe *for this viewer*: with glTF's weight, a white surface at
+/// a grazing angle would reflect up to 1.5 times the light. The lobe is the dielectric's, since
+/// appendix B mixes two materials and the metal has no layer below. The transmitted fraction has no
+/// diffuse reflection.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v);
 
-/// What shines through it diffusely (KHR_materials_diffuse_transmission), as its other side's
-/// diffuse part: weighed as its own is, for a viewer who is mirrored by the surface.
+/// Computes the values for diffuse transmission (KHR_materials_diffuse_transmission), as the
+/// diffuse part of the other side. It is weighted like the front's, for a viewer reflected by the
+/// surface.
 [[nodiscard]] ViewedMaterial viewed_from_behind(SurfaceMaterial material, float n_dot_v);
 
-/// The same without its specular lobe, which keeps what it takes from the diffuse part.
+/// Returns the same material without its specular lobe; the diffuse part is still reduced by that
+/// lobe.
 [[nodiscard]] ViewedMaterial diffuse_part(ViewedMaterial material);
 
-/// KHR_materials_clearcoat's layer by itself: a lobe without a diffuse part, whose Fresnel term is
-/// that of an index of 1.5 for the viewer's own angle, whatever the light's.
+/// Computes the values of KHR_materials_clearcoat's layer: a lobe without a diffuse part. Its
+/// Fresnel term is that of an index of 1.5 for the viewer's angle, independent of the light's.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceCoat& coat, float n_dot_v);
 
-/// KHR_materials_sheen's layer by itself: Charlie's lobe in the sheen's colour. Of light from all
-/// around it returns `ambient`, the colour times the lobe's albedo for the viewer; a smooth lobe
-/// that would return more than it gets, as it does at grazing angles, is lessened to return all.
+/// Computes the values of KHR_materials_sheen's layer: Charlie's lobe in the sheen's colour. Its
+/// `ambient` is the colour times the lobe's albedo for the viewer. At grazing angles a smooth lobe
+/// would reflect more light than arrives, so it is scaled to reflect all of it.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceSheen& sheen, float n_dot_v);
 
-/// The share of light, seen at this angle, that goes through a surface that transmits: what its
-/// layers and its lobe leave, of what is no metal; without the base colour. Of an unlit one all
-/// that it transmits.
+/// Returns the fraction of light that passes a transmissive surface at this angle: the rest of its
+/// layers and of the dielectric's lobe. The base colour is not included. An unlit surface passes
+/// all that it transmits.
 [[nodiscard]] float transmitted_share(const SurfaceMaterial& material, float n_dot_v);
 
 /// Schlick's (1 - v.h)^5 between two unit directions.
 [[nodiscard]] float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light);
 
-/// Radiance per irradiance of the diffuse part alone, where `schlick` is the mean of Schlick's
-/// weight over the irradiance.
+/// Returns the diffuse part's radiance per irradiance. `schlick` is the mean of Schlick's weight
+/// over the irradiance.
 [[nodiscard]] glm::vec3 diffuse_brdf(const ViewedMaterial& material, float schlick);
 
-/// The light from one direction that the surface reflects: radiance per irradiance (1 / sr), so
-/// that the cosine is the caller's.
+/// Returns radiance per irradiance (1 / sr) for light from one direction. The caller multiplies by
+/// the cosine.
 [[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles);
-/// The specular part alone of a lobe that need not be the material's own: its D * V.
+/// Returns the specular part alone, for any lobe's D * V.
 [[nodiscard]] glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles,
                                       float lobe);
 
-/// The material's own lobe without Fresnel: GGX's, where it is round, or, of sheen, Charlie's.
+/// Returns the material's own lobe without Fresnel: isotropic GGX, or Charlie's for sheen.
 [[nodiscard]] float lobe_of(const ViewedMaterial& material, const BrdfAngles& angles);
 
-/// Only the GGX lobe's part without Fresnel: D * V, in 1 / sr.
+/// Returns D * V of the GGX lobe, without Fresnel, in 1 / sr.
 [[nodiscard]] float ggx_lobe(float roughness, const BrdfAngles& angles);
 
-/// The share of a constant environment that the lobe returns: its integral times the cosine over
-/// all directions (lobe_norms); of a mirror, whose roughness is 0, Schlick's Fresnel term.
+/// Returns the fraction of a constant environment that the lobe reflects: its integral times the
+/// cosine over all directions (lobe_norms). For a mirror, of roughness 0, that is Schlick's Fresnel
+/// term.
 [[nodiscard]] glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v,
                                              glm::vec3 f90 = glm::vec3(1.0f));
 

@@ -11,7 +11,7 @@
 namespace asos {
 namespace {
 
-/// A side's linear texels.
+/// The linear texels of one side of a cube.
 struct LinearSide {
   int size = 0;
   std::vector<glm::vec3> texels;
@@ -32,7 +32,7 @@ struct LinearSide {
     const auto column = static_cast<std::size_t>(std::clamp(x, 0, size - 1));
     return texels[row * static_cast<std::size_t>(size) + column];
   }
-  /// Bilinear, at places from 0 to 1 to the right and down.
+  /// Returns the bilinear value at a place from 0 to 1 to the right and down.
   [[nodiscard]] glm::vec3 at(double right, double down) const {
     const double x = right * size - 0.5, y = down * size - 0.5;
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
@@ -42,12 +42,12 @@ struct LinearSide {
   }
 };
 
-/// What a direction in the cube's own axes shows.
+/// Returns the radiance from a direction in the cube's own axes.
 glm::vec3 shown(const std::vector<LinearSide>& sides, glm::dvec3 d) {
   const glm::dvec3 size = glm::abs(d);
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const bool negative = d[axis] < 0.0;
-  // To the right and up, as a camera in the middle sees that side.
+  // Right and up, from a camera in the centre that looks at that side.
   glm::dvec3 right, up(0, 1, 0);
   if (axis == 0) {
     right = {0, 0, negative ? -1 : 1};
@@ -76,7 +76,7 @@ SkyMap sky_map_of(const Surroundings& surroundings) {
       glm::vec3 sum(0.0f);
       for (const double dy : {0.25, 0.75}) {
         for (const double dx : {0.25, 0.75}) {
-          // SkyRows: the left edge is +Z, and on from there by way of -X.
+          // As in SkyRows, column 0 is at +Z and columns continue through -X.
           const double turn = 2.0 * std::numbers::pi * (x + dx) / width;
           const double fall = std::numbers::pi * (y + dy) / height;
           const glm::dvec3 d(-std::sin(turn) * std::sin(fall), std::cos(fall),

@@ -5,9 +5,9 @@
 
 namespace asos {
 
-/// A cube's pictures as an equirectangular one: four times as wide as a side, up to 4096 texels,
-/// each of which is the mean of four places. A texel that its alpha of 0 would make infinite is
-/// black.
+/// Converts a cube's pictures to an equirectangular one. It is four times as wide as a side, up to
+/// 4096 texels, and each texel is the mean of four places. A texel whose alpha of 0 would make it
+/// infinite is black.
 [[nodiscard]] SkyMap sky_map_of(const Surroundings& surroundings);
 
 }  // namespace asos

@@ -10,7 +10,7 @@
 namespace asos {
 namespace {
 
-// Written so that NaN stays what it is.
+// Written so that NaN stays NaN.
 double in_range(double ratio) {
   if (ratio < least_dfr) return least_dfr;
   return ratio > 1.0 ? 1.0 : ratio;
@@ -37,7 +37,7 @@ std::array<double, 3> dfr_at(const Dfr& dfr, double cosine, std::uint64_t bits) 
 std::uint64_t place_bits(glm::vec3 position) {
   std::uint64_t bits = 0;
   for (int k = 0; k < 3; ++k) {
-    // Adding 0 makes one zero of the two.
+    // Adding 0 turns -0 into 0.
     bits = mix_bits(bits ^ std::bit_cast<std::uint32_t>(position[k] + 0.0f));
   }
   return bits;

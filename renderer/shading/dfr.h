@@ -12,19 +12,19 @@
 
 namespace asos {
 
-/// The ratio used instead of smaller ones: at 0 the pyray would fill a half-space and its source
-/// would lie in the surface. A pyray of 2 degrees widens to 173.
+/// The ratio used instead of smaller ones. At 0 the pyray would fill a half-space and its source
+/// would lie in the surface. With this one, a pyray of 2 degrees widens to 173.
 inline constexpr double least_dfr = 1.0 / 1024.0;
 
 /// DFRMIN + (DFRMAX - DFRMIN) sin(alpha)^N at the incidence angle alpha of this cosine (of either
 /// sign), least_dfr to 1. With N = 0 it is DFRMAX everywhere, for sin(0)^0 is 1. NaN stays NaN.
 [[nodiscard]] double dfr_at(const DfrCurve& curve, double cosine);
 
-/// The same by colour, perturbed: all three are multiplied by one number, uniform in 1 -
-/// perturbation to 1 + perturbation, that `bits` give. A product above 1 is 1, a mirror.
+/// The same by colour, with a perturbation: all three are multiplied by one number from `bits`,
+/// uniform in 1 - perturbation to 1 + perturbation. A product above 1 is 1, a mirror.
 [[nodiscard]] std::array<double, 3> dfr_at(const Dfr& dfr, double cosine, std::uint64_t bits);
 
-/// Random bits that are a function of the place alone: the same from every side and thread.
+/// Returns random bits that depend on the place alone, not on side or thread.
 [[nodiscard]] std::uint64_t place_bits(glm::vec3 position);
 
 /// tan(gamma / 2) of a pyray of tan(beta / 2) = `half_tangent` that is defocused by `dfr`.
@@ -34,12 +34,12 @@ inline constexpr double least_dfr = 1.0 / 1024.0;
 /// 100 (gamma - beta) / beta, the degree of fuzziness of table 1 and figure 7; beta above 0.
 [[nodiscard]] double percentage_increase(double beta_rad, double dfr);
 
-/// Full width, as twice the tangent of its half angle, of a square of directions around the
-/// mirrored one that is as wide as the GGX lobe of this perceptual roughness, 0 to 1. With alpha =
-/// roughness^2, facets of a slope up to r reflect the share r^2 / (alpha^2 + r^2) of the light,
-/// half of it up to r = alpha, which mirrors to the tangent 2 alpha. A uniform disk holds half of
-/// its light within 1 / sqrt(2) of its radius: of the radius sqrt(8) alpha, it is as wide as the
-/// lobe, and so is the square of its area, 2 sqrt(2 pi) alpha wide.
+/// Returns the full width of a square of directions around the mirrored one that is as wide as the
+/// GGX lobe. The width is twice the tangent of its half angle; `roughness` is perceptual, 0 to 1.
+/// With alpha = roughness^2, facets of a slope up to r reflect the fraction r^2 / (alpha^2 + r^2)
+/// of the light: half of it up to r = alpha, whose reflection has the tangent 2 alpha. A uniform
+/// disk has half of its light within 1 / sqrt(2) of its radius. So a disk of radius sqrt(8) alpha
+/// is as wide as the lobe, and the square of the same area is 2 sqrt(2 pi) alpha wide.
 [[nodiscard]] double lobe_width(double roughness);
 
 }  // namespace asos

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int picture_width = 1024;
 
-/// A rectangle around the scene that faces it. Azimuths are about +Y from +Z.
+/// A rectangle around the scene that faces its centre. Azimuths are about +Y from +Z.
 struct Panel {
   double azimuth_deg, elevation_deg;
   double half_width, half_height;  ///< at a distance of 1
@@ -24,13 +24,13 @@ struct Panel {
   int columns = 1, rows = 1;  ///< panes between bars
 };
 
-/// Walls and floor, linear in the height of a direction, and what hangs on them.
+/// A room: walls and floor, linear in the height of a direction, with its panels.
 struct Room {
   glm::dvec3 nadir, floor, wall, zenith;
   std::span<const Panel> panels;
 };
 
-// Lights of the default lighting are seen in mirrors by themselves: these panels come beside them.
+// The default lights are visible in mirrors by themselves; these panels are additional.
 constexpr Panel soft_boxes[] = {
     {0.0, 90.0, 0.55, 0.42, glm::dvec3(1.4)},   {-78.0, 24.0, 0.30, 0.44, glm::dvec3(1.8)},
     {60.0, 20.0, 0.10, 0.55, glm::dvec3(1.8)},  {84.0, 20.0, 0.10, 0.55, glm::dvec3(1.8)},
@@ -51,7 +51,7 @@ constexpr Room soft_box_room{glm::dvec3(0.24), glm::dvec3(0.33), glm::dvec3(0.46
 constexpr Room window_room{
     {0.10, 0.075, 0.05}, {0.26, 0.20, 0.145}, {0.46, 0.44, 0.40}, {0.62, 0.62, 0.62}, room_windows};
 
-/// 1 within `half`, 0 beyond; the edge goes over a little more than a texel.
+/// Returns 1 within `half` and 0 beyond, with an edge a little wider than a texel.
 double within(double distance, double half) {
   constexpr double edge = 0.012;
   return std::clamp(0.5 + (half - distance) / edge, 0.0, 1.0);
@@ -70,7 +70,7 @@ struct PlacedPanel {
     up = glm::cross(forward, right);
   }
 
-  /// How much of a direction's light comes from the panel, 0 to 1.
+  /// Returns the panel's coverage of a direction, 0 to 1.
   [[nodiscard]] double cover(glm::dvec3 d) const {
     const double ahead = glm::dot(forward, d);
     if (ahead < 0.05) return 0.0;
@@ -118,7 +118,7 @@ std::shared_ptr<const SkyMap> painted(const Room& of) {
   texels.reserve(static_cast<std::size_t>(picture_width) * height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < picture_width; ++x) {
-      // SkyRows: the left edge is +Z, and on from there by way of -X.
+      // As in SkyRows, column 0 is at +Z and columns continue through -X.
       const double turn = 2.0 * std::numbers::pi * (x + 0.5) / picture_width;
       const double fall = std::numbers::pi * (y + 0.5) / height;
       const glm::dvec3 d(-std::sin(turn) * std::sin(fall), std::cos(fall),

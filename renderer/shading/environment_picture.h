@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// The equirectangular picture of an environment that has panels, windows or walls; null for one
-/// that its gradient describes. Painted at the first call and shared from then on. Any thread.
+/// Returns the equirectangular picture of an environment with panels, windows or walls; null for
+/// one that a gradient describes. It is painted at the first call and then shared. Any thread.
 [[nodiscard]] std::shared_ptr<const SkyMap> environment_picture(Environment environment);
 
 /// Radiance of an environment from a unit direction, without its picture: for thumbnails.

@@ -11,8 +11,8 @@
 
 namespace asos {
 
-/// An environment: its name, its hint, and its colours as linear radiance, unless it has a picture
-/// (environment_picture.h). environment_lights.h has the lights that come with it.
+/// An environment: its name, hint and colours as linear radiance, unless it has a picture
+/// (environment_picture.h). Its lights are in environment_lights.h.
 struct EnvironmentRow {
   const char* name;
   Environment value;
@@ -33,7 +33,8 @@ inline constexpr std::array environments{
                     {0.315f, 0.315f, 0.315f},
                     {0.245f, 0.245f, 0.245f},
                     {0.155f, 0.155f, 0.155f}},
-                   // The usual view is towards the least radiance, so that mirrors show more.
+                   // The usual view looks at the darkest side, so that reflections have more
+                   // contrast.
                    {0.05, 15.0, -0.04, 5.0}},
     EnvironmentRow{
         "daylight",

@@ -30,8 +30,9 @@ glm::vec3 ior_of(glm::vec3 f0) {
   return (1.0f + root) / (1.0f - root);
 }
 
-/// The linear RGB of a spectrum that is a cosine of the wave number, of this optical path
-/// difference and phases: the Fourier transform of the eye's sensitivities, as sums of Gaussians.
+/// Returns the linear RGB of a spectrum that is a cosine of the wave number, with this optical path
+/// difference and phases. It is the Fourier transform of the eye's sensitivities, as sums of
+/// Gaussians.
 glm::vec3 sensitivity(float path_nm, glm::vec3 shift) {
   constexpr glm::vec3 value(5.4856e-13f, 4.4201e-13f, 5.2481e-13f);
   constexpr glm::vec3 position(1.6810e6f, 1.7953e6f, 2.2084e6f);
@@ -55,14 +56,14 @@ glm::vec3 sensitivity(float path_nm, glm::vec3 shift) {
 
 glm::vec3 film_fresnel(const SurfaceFilm& film, glm::vec3 base_f0, float cosine) {
   constexpr float air = 1.0f;
-  // A film that vanishes becomes air.
+  // A film with vanishing thickness becomes air.
   constexpr float vanishing_nm = 0.03f;
   const float ior = glm::mix(air, film.ior, glm::smoothstep(0.0f, vanishing_nm, film.thickness_nm));
   const float inner_cosine2 = 1.0f - squared(air / ior) * (1.0f - squared(cosine));
   if (inner_cosine2 < 0.0f) return glm::vec3(1.0f);  // total reflection
   const float inner_cosine = std::sqrt(inner_cosine2);
 
-  // The film's two sides; the denser side turns the phase.
+  // Reflectance at the film's two sides. Reflection at the denser side turns the phase.
   const float r12 = schlick(f0_between(ior, air), cosine);
   const float t121 = 1.0f - r12;
   const glm::vec3 base_ior = ior_of(base_f0);
@@ -71,7 +72,7 @@ glm::vec3 film_fresnel(const SurfaceFilm& film, glm::vec3 base_f0, float cosine)
   const glm::vec3 phi23 =
       glm::mix(glm::vec3(0.0f), glm::vec3(pi_f), glm::lessThan(base_ior, glm::vec3(ior)));
 
-  // What is reflected without interference, and what each further round adds.
+  // The reflectance without interference, and then the term of each further round.
   const float path_nm = 2.0f * ior * film.thickness_nm * inner_cosine;
   const glm::vec3 phi = phi21 + phi23;
   const glm::vec3 r123_squared = glm::clamp(r12 * r23, 0.0f, 0.9999f);

@@ -12,62 +12,63 @@
 #include <cstdint>
 #include <limits>
 
-// The extent that a sample stands for: a square of the picture, and the patch of surface that it
-// shows.
+// The extent of a sample: a square of the picture, and the patch of surface that it covers.
 
 namespace asos {
 
-/// One pixel's steps in a picture, as ray differentials need them (Igehy 1999): of a ray's target
-/// one unit ahead of the eye, or of its origin where the rays are parallel.
+/// One pixel's steps in a picture, for ray differentials (Igehy 1999). They move a ray's target one
+/// unit ahead of the eye, or its origin where the rays are parallel.
 struct PixelSpacing {
   bool perspective = true;
   glm::vec3 forward{0, 0, -1};  ///< unit
-  glm::vec3 right{0.0f};        ///< world units a pixel
+  glm::vec3 right{0.0f};        ///< world units per pixel
   glm::vec3 down{0.0f};
-  float start = 0.0f;  ///< of the rays from the eye: View::start
+  float start = 0.0f;  ///< start of the rays, measured from the eye: View::start
 
   [[nodiscard]] static PixelSpacing of(const View& view);
 
-  /// From where the rays' lines meet to what is `t` along one of them; infinite where they do not.
+  /// Returns the distance from the common point of the rays' lines to the point at `t` along a ray;
+  /// infinite for parallel rays.
   [[nodiscard]] float distance(float t) const {
     return perspective ? start + t : std::numeric_limits<float>::infinity();
   }
 };
 
-/// The shape of the part of the picture that a sample stands for, beside a square of the same area
-/// around it: a parallelogram with the part's centroid and covariance. In sides of that square.
+/// The shape of the part of the picture that a sample represents, relative to a square of the same
+/// area around it. It is a parallelogram with the part's centroid and covariance, in sides of that
+/// square.
 struct PartShape {
-  glm::vec2 offset{0.0f};  ///< of the centroid from the sample
+  glm::vec2 offset{0.0f};  ///< from the sample to the centroid
   glm::vec2 right{1.0f, 0.0f};
   glm::vec2 down{0.0f, 1.0f};
 };
 
-/// One of several such parts that make up a whole.
+/// One of several parts that make up a whole.
 struct SharedShape {
-  PartShape shape;     ///< in sides of the square that has the whole's area
-  float share = 1.0f;  ///< of the whole's area
+  PartShape shape;     ///< in sides of the square with the whole's area
+  float share = 1.0f;  ///< fraction of the whole's area
 };
 
-/// The square itself. Copied from here, it takes no waiting for what was just written.
+/// The square itself. Copying this constant avoids a stall on values that were just written.
 inline constexpr PartShape square_part{};
 
-/// A parallelogram on a surface by its edges, in world units. A default one is a point.
+/// A parallelogram on a surface, by its edges, in world units. The default is a point.
 struct Patch {
   glm::vec3 right{0.0f};
   glm::vec3 down{0.0f};
 };
 
-/// Where rays are this steep or steeper a patch is exact, to first order; below it is no longer
-/// than it would be there, 64 times its width. An edge-on surface would make it infinite.
+/// Limits the length of patches. Where rays are at least this steep, a patch is exact to first
+/// order. For flatter rays it is as long as at this slope, 64 times its width, since an edge-on
+/// surface would make it infinite.
 inline constexpr float steepest_patch = 1.0f / 64.0f;
 
-/// The patch of the plane with unit `normal` that a square of `side` pixels shows around a ray of
-/// unit `direction` that hits it at `distance` from where the ray starts. Not finite where the
-/// input is not.
+/// Returns the patch of a plane with unit `normal` that a square of `side` pixels covers around a
+/// ray of unit `direction` that hits it at `distance`. Not finite where the input is not.
 [[nodiscard]] inline Patch patch_on_plane(const PixelSpacing& spacing, glm::vec3 direction,
                                           float distance, glm::vec3 normal, float side) {
-  // A target T + x R gives the point O + s(x) (T + x R) of the plane, so that, at x = 0, the point
-  // moves by s (R - T (n.R) / (n.T)) a pixel. Parallel rays: the same with s = 1.
+  // A target T + x R corresponds to the point O + s(x) (T + x R) of the plane. At x = 0 the point
+  // moves by s (R - T (n.R) / (n.T)) per pixel. For parallel rays s is 1.
   const float scale = side * (spacing.perspective ? (spacing.start + distance) *
                                                         glm::dot(direction, spacing.forward)
                                                   : 1.0f);
@@ -79,22 +80,22 @@ inline constexpr float steepest_patch = 1.0f / 64.0f;
   return {moved(spacing.right), moved(spacing.down)};
 }
 
-/// A patch in a triangle's own coordinates: how far (b1, b2) of its hit go along the patch's edges.
+/// A patch in a triangle's own coordinates: the change of (b1, b2) along the patch's edges.
 struct Footprint {
   glm::vec2 right{0.0f};
   glm::vec2 down{0.0f};
-  glm::vec2 offset{0.0f};  ///< of its middle from the hit
-  float side =
-      1.0f;  ///< of the square that shows it, in pixels: how much what is seen there counts
-  float colours = 1.0f;  ///< times as wide as colours are averaged over
+  glm::vec2 offset{0.0f};  ///< from the hit to its centre
+  /// Side of the square that shows it, in pixels. It determines how finely textures are averaged.
+  float side = 1.0f;
+  float colours = 1.0f;  ///< factor of the width over which colours are averaged
 
   [[nodiscard]] bool point() const { return right == glm::vec2(0.0f) && down == glm::vec2(0.0f); }
 };
 
-/// The footprint of the patch on the plane with the edges e1 and e2. A point for a patch that is
-/// not finite and for edges that span no area.
+/// Returns the footprint of a patch on the plane with the edges e1 and e2. It is a point for a
+/// patch that is not finite, and for edges that span no area.
 [[nodiscard]] inline Footprint footprint_between(glm::vec3 e1, glm::vec3 e2, const Patch& patch) {
-  // The duals of the edges in the triangle's plane, by Gram's matrix.
+  // The dual basis of the edges in the triangle's plane, by Gram's matrix.
   const float g11 = glm::dot(e1, e1);
   const float g12 = glm::dot(e1, e2);
   const float g22 = glm::dot(e2, e2);
@@ -124,24 +125,24 @@ struct Footprint {
   return footprint_between(world.positions[v.y] - p0, world.positions[v.z] - p0, patch);
 }
 
-/// What colours are averaged over.
+/// Returns the footprint over which colours are averaged.
 [[nodiscard]] inline Footprint of_colours(const Footprint& f) {
   return {f.colours * f.right, f.colours * f.down, f.offset, f.colours * f.side};
 }
 
-/// A square's footprint, shown by a part of another shape instead.
+/// Returns the footprint of a part of the square with another shape.
 [[nodiscard]] inline Footprint shaped(const Footprint& square, const PartShape& part) {
   const auto along = [&](glm::vec2 p) { return p.x * square.right + p.y * square.down; };
   return {along(part.right), along(part.down), along(part.offset), square.side, square.colours};
 }
 
-/// The same of a patch.
+/// Returns the patch of a part of the square with another shape.
 [[nodiscard]] inline Patch shaped(const Patch& square, const PartShape& part) {
   const auto along = [&](glm::vec2 p) { return p.x * square.right + p.y * square.down; };
   return {along(part.right), along(part.down)};
 }
 
-/// How far what is linear over a triangle goes along the footprint's edges, from its values at the
+/// Changes of a linear function over a triangle along the footprint's edges, from its values at the
 /// corners.
 template <typename T>
 struct Steps {

@@ -14,18 +14,20 @@ struct Gloss {
   float roughness = 1.0f;
 };
 
-/// Whether a lobe of this roughness has highlights that are no reflections, and vary faster than
-/// diffuse light does.
+/// Returns whether a lobe of this roughness has highlights that are no reflections and vary faster
+/// than diffuse reflection.
 [[nodiscard]] inline bool has_highlights(float roughness) {
   return roughness >= roughness_floor && roughness < least_broad_roughness;
 }
 
-/// The roughness of the smoothest of a material's layers, without textures, which only lessen it.
+/// Returns the roughness of the smoothest layer of a material, without textures, which can only
+/// reduce it.
 [[nodiscard]] inline float least_roughness(const Material& m) {
   return m.coat.factor > 0.0f ? std::min(m.roughness, m.coat.roughness) : m.roughness;
 }
 
-/// The same of those that may mirror: what anisotropy draws out goes by its rougher direction.
+/// Returns the roughness of the smoothest layer that may reflect sharply. An anisotropic layer
+/// counts with its rougher direction.
 [[nodiscard]] inline float least_mirror_roughness(const Material& m) {
   if (!m.anisotropy.used() || m.anisotropy.texture.used()) return least_roughness(m);
   const float across = m.roughness * m.roughness, strength = m.anisotropy.strength;
@@ -33,13 +35,13 @@ struct Gloss {
   return m.coat.factor > 0.0f ? std::min(base, m.coat.roughness) : base;
 }
 
-/// The share of its base colour that it may reflect diffusely: none where a volume's boundary lets
-/// all through.
+/// Returns the largest fraction of its base colour that is reflected diffusely. It is less where a
+/// volume's boundary transmits light.
 [[nodiscard]] inline float diffuse_share(const Material& m) {
   return bounds_volume(m) && !m.transmission_texture.used() ? 1.0f - m.transmission : 1.0f;
 }
 
-/// Whether highlights on it vary faster than diffuse light does.
+/// Returns whether its highlights vary faster than diffuse reflection.
 [[nodiscard]] inline bool may_be_glossy(const Material& m) {
   return m.metallic_roughness_texture.used() || least_roughness(m) < least_broad_roughness;
 }

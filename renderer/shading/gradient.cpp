@@ -7,14 +7,14 @@
 namespace asos {
 namespace {
 
-/// The mean of max(0, x) over x from `middle` - `half_range` to `middle` + `half_range`.
+/// Returns the mean of max(0, x) over x from `middle` - `half_range` to `middle` + `half_range`.
 template <typename T>
 T mean_above_0(T middle, T half_range) {
   if (std::abs(middle) >= half_range) return std::max(T(0), middle);
   return (middle + half_range) * (middle + half_range) / (T(4) * half_range);
 }
 
-/// The mean over the same range of what goes from 0 at -ramp to 1 at ramp.
+/// Returns the mean over the same range of a ramp from 0 at -ramp to 1 at ramp.
 template <typename T>
 T mean_of_step(T middle, T half_range) {
   constexpr T ramp = static_cast<T>(Gradient::ramp);
@@ -31,7 +31,7 @@ float log_share(float x) {
   return std::log(1.0f + x) / x;
 }
 
-/// The arc cosine within 2e-8 (Abramowitz and Stegun 4.4.46), at a third of its price.
+/// Returns the arc cosine within 2e-8 (Abramowitz and Stegun 4.4.46), at a third of the cost.
 double angle_of_cosine(double cosine) {
   const double x = std::abs(cosine);
   const double angle =
@@ -48,8 +48,8 @@ double angle_of_cosine(double cosine) {
 }  // namespace
 
 DiskMoments DiskMoments::of(float width) {
-  // Points of a disk of radius r, one unit ahead, are on average 2 / (1 + sqrt(1 + r^2)) along the
-  // direction once they are unit directions, and their squares ln(1 + r^2) / r^2 of it.
+  // For unit directions to the points of a disk of radius r, one unit ahead, the mean component
+  // along the axis is 2 / (1 + sqrt(1 + r^2)). The mean of its square is ln(1 + r^2) / r^2.
   const float square = width * width * std::numbers::inv_pi_v<float>;
   return {2.0f / (1.0f + std::sqrt(1.0f + square)), log_share(square)};
 }
@@ -84,14 +84,14 @@ glm::dvec3 Gradient::mean(double height, double half_range) const {
 }
 
 glm::dvec3 Gradient::around(double height, double width) const {
-  // The rest of the squares is shared by the two directions across.
-  // In single precision, for each sample of a surface asks.
+  // The rest of the squares is shared equally by the two directions across. Single precision, since
+  // it is computed for every sample of a surface.
   const auto y = static_cast<float>(height);
   const auto [along, squared] = DiskMoments::of(static_cast<float>(width));
   const float variance =
       (squared - along * along) * y * y + 0.5f * (1.0f - squared) * (1.0f - y * y);
   const float middle = along * y, half_range = std::sqrt(3.0f * std::max(0.0f, variance));
-  // Of what is above 0 and what is below, the difference is the whole.
+  // The part above 0 minus the part below 0 is the whole value.
   const float up = mean_above_0(middle, half_range);
   glm::vec3 sum = colours_.below + up * (colours_.zenith - colours_.above) +
                   (up - middle) * (colours_.nadir - colours_.below);
@@ -100,11 +100,11 @@ glm::dvec3 Gradient::around(double height, double width) const {
 }
 
 glm::dvec3 Gradient::irradiance_over_pi(glm::dvec3 normal) const {
-  // The integral over the sphere of the product of two clamped cosines whose axes are theta apart
-  // is 2/3 (sin(theta) + (pi - theta) cos(theta)) (the arc-cosine kernel of Cho and Saul 2009). The
-  // axis of the lower half is pi - theta away. Of what lies above a height t a surface sees the
-  // share (1 + cos(theta)) / 2 - 2 sin(theta) t / pi - cos(theta) t^2 / 2 + ..., here its mean over
-  // the ramp.
+  // The integral over the sphere of the product of two clamped cosines with axes theta apart is 2/3
+  // (sin(theta) + (pi - theta) cos(theta)) (the arc-cosine kernel of Cho and Saul 2009). The axis
+  // of the lower half is pi - theta away. The visible fraction of directions above a height t is (1
+  // + cos(theta)) / 2 - 2 sin(theta) t / pi - cos(theta) t^2 / 2 + ..., here averaged over the
+  // ramp.
   const double y = normal.y;
   const double sine = std::sqrt(std::max(0.0, 1.0 - y * y));
   const double theta = angle_of_cosine(y);

@@ -4,8 +4,8 @@
 
 namespace asos {
 
-/// Means over the unit directions of a disk around one, of the area of a square of a width, one
-/// unit ahead: of their component along it, and of its square.
+/// Moments of the unit directions to the points of a disk, one unit ahead, that has the area of a
+/// square of some width: the mean component along the axis, and the mean of its square.
 struct DiskMoments {
   float along = 1.0f;
   float squared = 1.0f;
@@ -13,9 +13,9 @@ struct DiskMoments {
   [[nodiscard]] static DiskMoments of(float width);
 };
 
-/// Radiance by the height of a direction, the sine of its elevation (+Y is up): linear from the
-/// horizon to the zenith, and from there to the nadir. Where what is above the horizon differs from
-/// what is below, one goes over into the other over heights from -`ramp` to `ramp`. Immutable.
+/// Radiance as a function of a direction's height, the sine of its elevation (+Y is up). It is
+/// linear from the horizon to the zenith, and from the horizon to the nadir. A step at the horizon
+/// is smoothed over heights from -`ramp` to `ramp`. Immutable.
 class Gradient {
  public:
   struct Colours {
@@ -25,37 +25,37 @@ class Gradient {
     glm::vec3 nadir{0.0f};
     bool operator==(const Colours&) const = default;
   };
-  /// Half of the height over which a studio's wall becomes its floor: 3.4 degrees up and down.
+  /// Half of the height over which a studio's wall blends into its floor: 3.4 degrees up and down.
   static constexpr double ramp = 0.06;
 
   Gradient() = default;
   explicit Gradient(const Colours& colours);
 
-  /// The mean over directions about a unit one whose heights are as far from its own as those of a
-  /// range of twice `half_range`: exact for a range of heights.
+  /// Returns the mean over directions around a unit one whose heights have the spread of a range of
+  /// twice `half_range`. Exact for a range of heights.
   [[nodiscard]] glm::dvec3 mean(double height, double half_range) const;
 
-  /// The mean around a unit direction of this height, over a disk of the area of a square of
-  /// `width`, one unit ahead; what is not linear in the height as if heights were spread evenly:
-  /// within two hundredths of the brightest. See Sky::around.
+  /// Returns the mean around a unit direction of this height, over a disk with the area of a square
+  /// of `width`, one unit ahead. Non-linear parts assume evenly distributed heights; their error is
+  /// within 2 % of the brightest value. See Sky::around.
   [[nodiscard]] glm::dvec3 around(double height, double width) const;
 
-  /// The irradiance over pi of a surface with this unit normal under the whole of it: closed form
-  /// (but for the third order of the ramp).
+  /// Returns the irradiance over pi of a surface with this unit normal under the whole gradient.
+  /// Closed form, up to the third order of the ramp.
   [[nodiscard]] glm::dvec3 irradiance_over_pi(glm::dvec3 normal) const;
 
-  /// Whether it is the same all over.
+  /// Returns whether it is constant.
   [[nodiscard]] bool constant() const;
-  /// Whether it is linear in the height where heights differ from this one by no more than `reach`.
+  /// Returns whether it is linear for heights within `reach` of this one.
   [[nodiscard]] bool linear_near(double height, double reach) const;
-  /// The colour at the zenith.
+  /// Returns the colour at the zenith.
   [[nodiscard]] glm::vec3 zenith() const { return colours_.zenith; }
 
  private:
-  /// Of what the gradient is the sum of, how much there is.
+  /// Weights of the components of the gradient.
   struct Parts {
-    double up = 0.0;    ///< of what the zenith is above the horizon
-    double down = 0.0;  ///< of what the nadir is below it
+    double up = 0.0;    ///< of the zenith's difference from the horizon
+    double down = 0.0;  ///< of the nadir's difference from the horizon
     double over = 0.0;  ///< of the step at the horizon, 0 to 1
   };
   [[nodiscard]] Parts parts_at(double height, double half_range) const;

@@ -26,8 +26,9 @@ glm::vec3 viewer_from(const GlossyPatch& glossy, glm::vec3 offset) {
              : glossy.to_viewer;
 }
 
-// No ray of the lobe meets a line: samples are places along it, of which those count that lie in
-// the lobe, brighter by as much as they are few.
+// Returns the factor by which the samples of a line light differ. No ray of the lobe hits a line,
+// so samples are places along it. Only those within the lobe contribute, and their weight grows as
+// their number falls.
 float spread_of_samples(const PreparedLight& line, const GlossyPatch& glossy, float alpha) {
   const auto length = 2.0f * static_cast<float>(glm::length(line.half_u));
   const float in_lobe = 4.0f * alpha * light_distance(line, glossy.point.position);
@@ -37,7 +38,7 @@ float spread_of_samples(const PreparedLight& line, const GlossyPatch& glossy, fl
 }  // namespace
 
 bool turns(const GlossyPatch& glossy) {
-  // Schlick's term bends by no more than this, per radian squared.
+  // Bound on the second derivative of Schlick's term, per radian squared.
   constexpr float steepest = 20.0f, invisible = 1.0f / 4096.0f;
   float turn2 =
       glm::dot(glossy.turn.right, glossy.turn.right) + glm::dot(glossy.turn.down, glossy.turn.down);
@@ -75,7 +76,7 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const glm::vec3 sum = nearest.direction + glossy.to_viewer;
   const float length = glm::length(sum);
   if (!(length > 0.0f)) return {};
-  // Bound it by the lobe where the patch is nearest to the light.
+  // Bound the highlight by the lobe at the place of the patch that is nearest to the light.
   const glm::vec3 half = sum / length;
   const float rough = std::max(glossy.roughness, roughness_floor);
   const float alpha = rough * rough;
@@ -84,7 +85,7 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const NormalSpread spread = spread_about_half(glossy.turn, glossy.patch, sight);
   float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
   if (!glossy.stretch.none()) {
-    // A ridge that turns sweeps over what lies along it.
+    // A rotating ridge sweeps over the directions along it.
     const float along = glm::dot(half, glm::normalize(glossy.stretch.along));
     spread2 += along * along * glm::dot(glossy.stretch_turn, glossy.stretch_turn);
   }
@@ -93,7 +94,8 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const float width2 = alpha * alpha + least_away * least_away;
   const float m = 1.0f - std::clamp(glm::dot(half, glossy.to_viewer), 0.0f, 1.0f);
   const float fresnel = glossy.f0 + (1.0f - glossy.f0) * m * m * m * m * m;
-  // A segment's power is candela a metre: it looks as bright as one as wide as the lobe.
+  // A segment's power is in candela per metre: it looks as bright as one that is as wide as the
+  // lobe.
   const float brightest =
       light.shape == PreparedLight::Shape::segment
           ? largest(light.power) / (alpha * light_distance(light, glossy.point.position))
@@ -113,9 +115,10 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const glm::vec3 down = spread.down / static_cast<float>(parts->down);
   const float part2 =
       parts->right * parts->down == 1 ? spread2 : glm::dot(right, right) + glm::dot(down, down);
-  // Of two points along each edge of a part (h^4 / 270 of the fourth derivative, beside the
-  // middle's h^2 / 6 of the second, h half of an edge), where a GGX lobe has 72 / width^4 for the
-  // one, 4 / width^2 for the other; and twice that, for patches bend along both edges.
+  // Estimate the error of two-point quadrature along each edge of a part: h^4 / 270 of the fourth
+  // derivative, where the centre's is h^2 / 6 of the second, with h half of an edge. A GGX lobe has
+  // 72 / width^4 for the fourth derivative and 4 / width^2 for the second. The error is doubled,
+  // because patches are curved along both edges.
   const float of_part = std::min(glossy.white, radiance) * std::min(1.0f, part2 / (6.0f * width2));
   return {of_part * std::min(1.0f, 0.2f * part2 / width2), contrast};
 }

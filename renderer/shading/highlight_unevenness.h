@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// A patch of a glossy surface around a point, as a viewer sees it.
+/// A patch of a glossy surface around a point, with its viewer.
 struct GlossyPatch {
   const SurfacePoint& point;
   NormalSpread turn;  ///< of the shading normal along the patch's edges
@@ -21,26 +21,27 @@ struct GlossyPatch {
   float roughness = 0.0f;
   LobeStretch stretch = {};
   glm::vec2 stretch_turn{0.0f};  ///< tangent_turn of the patch
-  float white = 1.0f;            ///< radiance of it that makes the pixel white, which shows no more
+  float white = 1.0f;            ///< radiance of the patch at which the pixel is white and clamped
 };
 
-/// Whether normals and directions to the viewer turn so far across the patch that its reflectance
-/// may be uneven.
+/// Returns whether normals and view directions vary enough across the patch to vary its
+/// reflectance.
 [[nodiscard]] bool turns(const GlossyPatch& glossy);
 
-/// By how much the share of light from all around that a patch mirrors (environment_specular) may
-/// differ on average from that at its middle: Fresnel's term rises steeply towards grazing angles,
-/// which a wide pyray holds many of. Simpson's rule beside the midpoint's.
+/// Returns the average error of a patch's reflectance of uniform light (environment_specular) when
+/// it is taken at the patch's centre. Fresnel's term rises steeply at grazing angles, and a wide
+/// pyray contains many of them. Compares Simpson's rule with the midpoint rule.
 [[nodiscard]] float reflectance_error(const GlossyPatch& glossy);
 
-/// What a patch shows of a light in its highlight.
+/// Error and contrast of a light's highlight on a patch.
 struct HighlightError {
-  float error = 0.0f;     ///< of its mean display intensity (0 to 1), beside that at its middle
-  float contrast = 0.0f;  ///< by how much samples of it differ, about; 1 is white
+  float error = 0.0f;     ///< error of the centre as the mean display intensity (0 to 1)
+  float contrast = 0.0f;  ///< approximate contrast of its samples; 1 is white
 };
 
-/// A bound for what ReflectedLights makes of the patch's highlight of a light with a size, by the
-/// physical rule: of the mean (PatchBend), or where the patch is too wide for that of the middle.
+/// Returns a bound for the error of the patch's highlight of a light with an extent in
+/// ReflectedLights, by the physical rule. It is the error of the mean (PatchBend), or that of the
+/// centre where the patch is too wide.
 [[nodiscard]] HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& glossy);
 
 }  // namespace asos

@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// What a hit lies on: a triangle, or the plane that touches a face of an analytic shape
-/// (HitPlane), with the hit's weights.
+/// The surface of a hit, with the hit's weights: a triangle, or the plane that touches an analytic
+/// shape there (HitPlane).
 struct HitTriangle {
   bool face;
   glm::uvec3 v{0};  ///< vertices of a triangle
@@ -27,7 +27,7 @@ struct HitTriangle {
   }
 };
 
-/// `v` made unit, or `fallback` where it has no direction.
+/// Returns `v` normalized, or `fallback` if it has no direction.
 [[nodiscard]] inline glm::vec3 normalized_or(glm::vec3 v, glm::vec3 fallback) {
   const float length2 = glm::dot(v, v);
   return length2 > 0.0f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;

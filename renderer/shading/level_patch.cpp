@@ -7,32 +7,32 @@
 namespace asos {
 namespace {
 
-// Less than this is not seen, and keeps areas above 0.
+// Shorter edges are invisible; this length keeps areas above 0.
 constexpr float thinnest = 1.0f / 32.0f;
-// Nearest texels end at once, however large they are in the picture; by less the places of larger
-// textures are not told apart.
+// Nearest texels have sharp borders, however large they appear in the picture. Places closer than
+// this do not differ in large textures.
 constexpr float least_of_nearest = 1e-4f;
-// Longer edges are all the same, for every texture repeats itself along them; the fourth powers of
-// these are finite.
+// Longer edges make no difference, since every texture repeats along them. Their fourth powers are
+// still finite.
 constexpr float longest_edge = 1e9f;
 
-/// An edge as long as it has to be for the variance along it, w^2 / 12, to be right: a tent of
-/// texels that are boxes themselves adds 1/4 to it, the finest level's own tent would have added
-/// 1/6 of its texels.
+/// Shortens an edge so that the variance along it, w^2 / 12, is right. A tent of texels that are
+/// boxes themselves adds 1/4 to the variance; the finest level's own tent would have added 1/6 of
+/// its texels.
 glm::vec2 less_of_texels(glm::vec2 edge, float texels) {
   const float length2 = glm::dot(edge, edge);
-  if (!(length2 > 1e-30f)) return {};  // what it would be divided by is no number
+  if (!(length2 > 1e-30f)) return {};  // avoids a division by zero
   const float left2 = length2 + 2.0f / (texels * texels) - 3.0f;
   return edge * std::sqrt(std::max(left2, thinnest * thinnest) / length2);
 }
 
-/// About how many texels count for it.
+/// Returns about how many texels the patch covers.
 float held(const TexelPatch& patch) {
   return (glm::length(patch.right) + 2.0f) * (glm::length(patch.down) + 2.0f);
 }
 
-/// The patch with both edges long enough for an area, and short enough for the number of texels
-/// where not even the coarsest level is coarse enough: there it repeats itself.
+/// Returns the patch with both edges long enough for an area, and short enough for the number of
+/// texels. The latter matters where even the coarsest level is too fine: there the texture repeats.
 TexelPatch bounded(TexelPatch patch, float least, float most) {
   const float longest = held(patch) > most ? std::sqrt(most) : most;
   const auto within = [&](glm::vec2 edge, glm::vec2 other) {

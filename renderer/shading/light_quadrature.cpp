@@ -11,8 +11,9 @@
 namespace asos {
 namespace {
 
-// Cells are divided while they span more than this, in radians from their middle to a corner, or
-// than the larger of a share of the way to the mirrored view and the lobe.
+// Cells are divided while they span more than this. The limits are an angle in radians from centre
+// to corner, and the larger of a fraction of the way to the mirrored view and a fraction of the
+// lobe.
 struct Widest {
   float cell;
   float share_of_way;
@@ -21,9 +22,9 @@ struct Widest {
 constexpr Widest widest_of(Reflectance reflectance) {
   return reflectance == Reflectance::high ? Widest{0.3f, 0.4f, 1.4f} : Widest{1.0f, 0.7f, 2.0f};
 }
-// The integrand bends at the horizon.
+// The integrand has a kink at the horizon.
 constexpr float share_across_horizon = 0.4f;
-// A round light that reaches no further than this share of what a cell may is one.
+// A round light is one cell if its extent is within this fraction of a cell's limit.
 constexpr float share_of_small = 0.35f;
 constexpr int deepest = 10;
 constexpr int most_cells = 2048;
@@ -54,7 +55,7 @@ LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer,
 float LightQuadrature::way_to_peak(glm::vec3 direction) const {
   const float to_mirrored = glm::length(mirrored_ - direction);
   if (across_ridge_ == glm::vec3(0.0f)) return to_mirrored;
-  // A stretched lobe is bright where the half vector is nearly square to this.
+  // A stretched lobe is bright where the half vector is nearly perpendicular to this.
   return std::min(to_mirrored, std::abs(glm::dot(across_ridge_, to_viewer_ + direction)));
 }
 
@@ -85,7 +86,7 @@ float LightQuadrature::widest_at(glm::vec3 middle) const {
   return std::min(widest_, std::max(narrowest_, share_of_way_ * way_to_peak(middle)));
 }
 
-// Parts share their corners: directions cost as much as a cell.
+// Parts share their corners, because computing directions costs as much as a cell.
 void LightQuadrature::add_square(const LightPatch& patch, const LightPatch::Square& square,
                                  const Corners& corners, int depth) {
   const float half = 0.5f * square.side;
@@ -143,14 +144,14 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
       form[i] = cosine > 0.0f ? form[i] : 0.0f;
     }
   }
-  // Plain enough for the compiler to take several nodes at a time.
+  // Simple enough for the compiler to vectorize over nodes.
   for (std::size_t i = 0; i < count; ++i) {
     const float x = cell.x[i], y = cell.y[i], z = cell.z[i];
     const float n_dot_l = n.x * x + n.y * y + n.z * z;
     const float v_dot_l = v.x * x + v.y * y + v.z * z;
     const float nl = n_dot_l > grazing_cosine ? n_dot_l : grazing_cosine;
-    // The half vector's square, and its parts along the normal and across; the latter by itself,
-    // for a narrow lobe is a matter of its last bits.
+    // The squared half vector, and its parts along the normal and across it. The part across is
+    // computed separately, because a narrow lobe depends on its last bits.
     const float square = 2.0f + 2.0f * v_dot_l;
     const float half2 = square > 1e-12f ? square : 1e-12f;
     const float hx = v.x + x, hy = v.y + y, hz = v.z + z;
@@ -193,8 +194,8 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
   }
 }
 
-// By the angle at the receiver, which takes up the square of the distance; the sine of the angle to
-// the line is there the cosine to its foot.
+// Substitutes the angle at the receiver, which cancels the squared distance. The sine of the angle
+// to the line is then the cosine to its foot.
 void LightQuadrature::add_segment(const PreparedLight& light) {
   const glm::dvec3 to_middle = light.position - receiver_.position;
   const double half = glm::length(light.half_u);
@@ -205,7 +206,7 @@ void LightQuadrature::add_segment(const PreparedLight& light) {
   const double height = glm::length(foot);
   if (!(height > 0.0)) return;
   double begin = std::atan2(s0, height), end = std::atan2(s0 + 2.0 * half, height);
-  // Only the part above both horizons, where the integrand is smooth.
+  // Use only the part above both horizons, where the integrand is smooth.
   for (const glm::dvec3& up : {receiver_.normal, receiver_.geometric}) {
     const double at_foot = glm::dot(foot, up) / height, rising = glm::dot(along, up);
     const double horizon = std::atan2(-at_foot, std::abs(rising));
@@ -219,7 +220,7 @@ void LightQuadrature::add_segment(const PreparedLight& light) {
                                         0.9305681557970263};
   constexpr std::array<double, 4> weights{0.1739274225687269, 0.3260725774312731,
                                           0.3260725774312731, 0.1739274225687269};
-  // Four parts to a cell.
+  // Four parts per cell.
   LightPatch::Cell cell;
   std::size_t used = 0;
   double from = begin;
@@ -227,7 +228,7 @@ void LightQuadrature::add_segment(const PreparedLight& light) {
     double part = std::min(end - from, static_cast<double>(widest_));
     const double way = static_cast<double>(share_of_way_ * way_to_peak(glm::vec3(direction(from))));
     const double least = static_cast<double>(narrowest_);
-    // No part may jump over the peak.
+    // No part may skip the peak.
     part = std::min(part, std::max(least, 0.5 * way));
     for (std::size_t i = 0; i < 4; ++i) {
       const double angle = from + part * nodes[i];

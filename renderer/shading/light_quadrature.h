@@ -12,39 +12,39 @@
 
 namespace asos {
 
-/// What a surface makes of a light with nothing in the way, per power of the PreparedLight: the
-/// specular part's radiance is f0 * lobe + (f90 - f0) * fresnel; what the diffuse part sends on is
-/// the irradiance less its falloff times `scattered`, each over pi.
+/// Integrals of a surface's reflection of an unshadowed light, per power of the PreparedLight. The
+/// specular radiance is f0 * lobe + (f90 - f0) * fresnel. The diffuse part reflects the irradiance
+/// less its falloff times `scattered`, each over pi.
 struct ReflectedIntegral {
   double lobe = 0.0;
   double fresnel = 0.0;
   double scattered = 0.0;  ///< the irradiance times Schlick's (1 - v.h)^5
 };
 
-/// How much of the light a surface's lobe returns that is seen square on.
+/// The reflectance of a surface's lobe at normal incidence, which determines the accuracy.
 enum class Reflectance {
   high,  ///< a metal's
-  low,   ///< a dielectric's, a tenth at most: its lobe's sum may be as much less exact
+  /// A dielectric's, at most a tenth, so the error of its lobe's sum may be larger by that factor.
+  low,
 };
 
-/// Sums of the BRDF itself over lights that have a size, by the physical rule, above both of a
-/// receiver's horizons. A light is divided until its parts are small beside their angle to the
-/// mirrored view, or beside the lobe there, and is summed up there at Gauss and Legendre's nodes:
-/// up to 75 degrees of view within 0.02 % on average over lights in all places, 0.2 % for a
-/// dielectric. At 85 degrees lobes of roughness 0.1, bent and cut by the horizon, are off by up to
-/// 2 % on average.
+/// Integrates the BRDF over lights with an extent, by the physical rule, above both of a receiver's
+/// horizons. A light is divided until its parts are small compared with their angle to the mirrored
+/// view, or with the lobe there. Each part is integrated at Gauss-Legendre nodes. Up to 75 degrees
+/// of view the average error over lights in all places is 0.02 %, or 0.2 % for a dielectric. At 85
+/// degrees it is up to 2 % for lobes of roughness 0.1, which are bent and cut by the horizon.
 class LightQuadrature {
  public:
-  /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine.
-  /// `sheen` is ViewedMaterial's, `stretch` its LobeStretch's `along`.
+  /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine. `sheen` is that
+  /// of ViewedMaterial, and `stretch` is `along` of its LobeStretch.
   LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
                   double sheen = 0.0, glm::vec3 stretch = glm::vec3(0.0f),
                   Reflectance reflectance = Reflectance::high);
 
-  /// 0 for a light that has no size.
+  /// Returns 0 for a light without an extent.
   [[nodiscard]] ReflectedIntegral operator()(const PreparedLight& light);
 
-  /// The cells that the light was summed up over, last.
+  /// Returns the number of cells of the last integral.
   [[nodiscard]] int cells() const { return cells_; }
 
  private:
@@ -55,13 +55,14 @@ class LightQuadrature {
   void add_patch(const LightPatch& patch);
   void add_square(const LightPatch& patch, const LightPatch::Square& square, const Corners& corners,
                   int depth);
-  /// Where patches_ are the quarters of a round light that is small beside the lobe.
+  /// Integrates one cell if patches_ are the quarters of a round light that is small compared with
+  /// the lobe. Returns whether it did.
   bool add_as_one_cell();
   void add_cell(const LightPatch::Cell& cell);
   void add_segment(const PreparedLight& light);
-  /// How far a cell may reach whose middle this is.
+  /// Returns the largest extent of a cell with this centre.
   [[nodiscard]] float widest_at(glm::vec3 middle) const;
-  /// How far a direction is from where the lobe is brightest: a point, or a ridge.
+  /// Returns the distance of a direction from the lobe's peak, which is a point or a ridge.
   [[nodiscard]] float way_to_peak(glm::vec3 direction) const;
 
   Receiver receiver_;
@@ -69,12 +70,12 @@ class LightQuadrature {
   float n_dot_v_;
   float alpha2_;
   float viewer_root_;  // of Smith's term
-  float widest_;       // cells may span
+  float widest_;       // largest width of a cell
   float share_of_way_;
   float narrowest_;  // the lobe's width
   float sheen_;
   PatchLobe stretched_;           // where it is wider()
-  glm::vec3 across_ridge_{0.0f};  // unit, square to the stretch; 0: round
+  glm::vec3 across_ridge_{0.0f};  // unit, perpendicular to the stretch; 0: isotropic
   int cells_ = 0;
   Sums sums_;
   std::vector<LightPatch> patches_;

@@ -22,97 +22,100 @@ class Sky;
           glm::dvec3(point.horizon())};
 }
 
-/// The lights that a reflection of a point shows: there the lobe has no highlights of them.
+/// The lights that are visible in a point's reflection. The lobe has no highlights of these.
 enum class MirroredLights {
-  none,       ///< it shows none, or there is no reflection
-  patterned,  ///< those whose surface does not shine evenly
-  all,        ///< all that have a surface
+  none,       ///< none, or there is no reflection
+  patterned,  ///< those whose surface emits unevenly
+  all,        ///< all with a surface
 };
 
-/// A point and all lights that may shine on it, before any of them was looked at.
+/// A point and all lights that may illuminate it, before any of them is evaluated.
 struct LitPoint {
   std::span<const PreparedLight> lights;  ///< the same for all points of a picture
   const ViewedPoint& view;
   const ViewedMaterial& material;
   MirroredLights mirrored = MirroredLights::none;
-  glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
-  bool shadows = true;    ///< the same for all points of a picture: whether lights cast any
+  glm::vec3 share{1.0f};  ///< weight of the point's radiance in that of its ray
+  bool shadows = true;    ///< whether lights cast shadows; the same for all points of a picture
 };
 
-/// A point on which the sky may shine.
+/// A point that the sky may illuminate.
 struct SkyLitPoint {
   const Sky* sky = nullptr;  ///< null: the neutral one
   const ViewedPoint& view;
   const ViewedMaterial& material;
-  bool mirrors = false;   ///< its lobe is a reflection
-  glm::vec3 share{1.0f};  ///< of the point's radiance in that of its ray
+  bool mirrors = false;   ///< a traced reflection replaces its lobe
+  glm::vec3 share{1.0f};  ///< weight of the point's radiance in that of its ray
 };
 
-/// A light that shines on a point, and what the point makes of it.
+/// A light that illuminates a point, and the point's reflection of it.
 struct Illumination {
   const PreparedLight& light;
   std::uint32_t index = 0;  ///< of the light in Lighting::lights
   const SurfacePoint& point;
-  glm::vec3 unshadowed{0.0f};     ///< irradiance with nothing in the way
+  glm::vec3 unshadowed{0.0f};     ///< irradiance without occlusion
   glm::vec3 reflected{0.0f};      ///< radiance towards the viewer per irradiance
-  int layer = 0;                  ///< surfaces that are seen through before the point
-  const LitPoint* lit = nullptr;  ///< the point as it is seen, for who samples the light
-  float highlight = 0.0f;         ///< radiance of what a narrow lobe shows of a light with a size
+  int layer = 0;                  ///< number of surfaces in front of the point
+  const LitPoint* lit = nullptr;  ///< the point with its viewer, for methods that sample the light
+  /// Radiance of a narrow lobe's highlight of a light with an extent.
+  float highlight = 0.0f;
 };
 
-/// Lights that were gathered.
+/// The lights that `gather` takes over.
 struct TakenLights {
-  std::span<const std::uint8_t> taken{};  ///< one a light, by index, 0: not taken; empty: none is
+  std::span<const std::uint8_t> taken{};  ///< by light index, 0: not taken; empty: none is
   bool all = false;                       ///< none is left
 
   [[nodiscard]] bool holds(std::size_t light) const { return !taken.empty() && taken[light] != 0; }
 };
 
-/// The part of the scene that a surface mirrors, or shows through it: what its GGX lobe shows, or
-/// the mean radiance over a square of directions around the mirrored or refracted one.
+/// The part of the scene that is visible in a surface by reflection or refraction. It is blurred by
+/// the GGX lobe, or as the mean radiance over a square of directions around the mirrored or
+/// refracted one.
 struct Reflection {
-  const ViewedRay& seen;      ///< that meets the surface
-  const SurfacePoint& point;  ///< where it does so
+  const ViewedRay& seen;      ///< the ray that hits the surface
+  const SurfacePoint& point;  ///< where it hits the surface
   const Hit& hit;
-  glm::vec3 width{0.0f};      ///< of the square, one unit ahead, by colour; 0: a mirror
+  glm::vec3 width{0.0f};      ///< width of the square, one unit ahead, by colour; 0: a mirror
   glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per mean radiance
-  int layer = 0;              ///< surfaces that are seen through before the point
-  bool shows_lights = true;   ///< also those that shine evenly
-  float ratio = 0.0f;  ///< of the indices before and behind a surface that refracts; 0: mirrors
+  int layer = 0;              ///< number of surfaces in front of the point
+  bool shows_lights = true;   ///< lights that emit evenly are visible, too
+  /// Ratio of the indices before and behind a refracting surface; 0: reflection.
+  float ratio = 0.0f;
   VolumePath passage = {};               ///< of the ray that leaves
-  const ViewedMaterial* lobe = nullptr;  ///< whose lobe blurs it; null: the square does, if any
-  glm::vec3 share{1.0f};                 ///< of what the lobe shows in the ray's radiance
+  const ViewedMaterial* lobe = nullptr;  ///< lobe that blurs it; null: the square does, if any
+  glm::vec3 share{1.0f};                 ///< weight of the lobe's radiance in that of the ray
 
-  /// ViewedRay's, of what is mirrored.
+  /// Returns ViewedRay::throughput of the reflected ray.
   [[nodiscard]] float throughput() const {
     return seen.throughput * std::max({reflected.x, reflected.y, reflected.z});
   }
-  /// The one width of all colours that are reflected, or none.
+  /// Returns whether all reflected colours have the same width, or none.
   [[nodiscard]] bool one_width() const { return width.x == width.y && width.y == width.z; }
 };
 
-/// Finds out how much of a light, and what of a reflection, reaches a point: what the methods
-/// differ in, while all else about shading is the same for all.
+/// Computes the visibility of lights and the radiance of reflections at a point. Methods differ
+/// only in this class; all other shading is the same.
 class LightTransport {
  public:
   virtual ~LightTransport() = default;
 
-  /// Takes lights of a point, to add later what the viewer sees of them; `add` gets those others
-  /// that cast shadows, one after the other.
+  /// Takes over some lights of a point, to add their contribution later. `add` is called for the
+  /// others that cast shadows, one after the other.
   virtual TakenLights gather(const LitPoint& /*point*/) { return {}; }
 
-  /// Adds to `radiance` what the viewer sees of the light by way of the point, now or later.
+  /// Adds to `radiance` the light's contribution at the point, now or later.
   virtual void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) = 0;
 
-  /// Adds what reaches the viewer of the sky by way of the point, now or later; false, and nothing
-  /// is added, where all of the sky is to be taken for open.
+  /// Adds the sky's contribution at the point, now or later. Returns false, without adding
+  /// anything, if the sky counts as unoccluded.
   virtual bool add_sky(const SkyLitPoint& /*point*/, glm::vec3& /*radiance*/,
                        RenderStatistics& /*counts*/) {
     return false;
   }
 
-  /// Adds what the viewer sees of the scene in the surface, now or later; false, and nothing is
-  /// added, where reflections are not followed.
+  /// Adds the reflection's contribution, now or later. Returns false, without adding anything, if
+  /// reflections are not followed.
   virtual bool reflect(const Reflection& /*reflection*/, glm::vec3& /*radiance*/,
                        RenderStatistics& /*counts*/) {
     return false;

@@ -7,9 +7,9 @@
 namespace asos {
 namespace {
 
-// The variance of a turn that is spread evenly over the patch's edge.
+// Variance of a turn that is distributed evenly over the patch's edge.
 constexpr float box_variance = 1.0f / 12.0f;
-// A share of a lobe's squared roughness; an addition below it changes the highlight by as little.
+// Fraction of a lobe's squared roughness below which an addition has no visible effect.
 constexpr float least_added = 1e-3f;
 
 }  // namespace
@@ -36,8 +36,8 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
                      glm::vec3 stretch) {
   const bool stretched = stretch != glm::vec3(0.0f);
   if (spread.flat() && !stretched) return;
-  // A map's normals are spread like a lobe's and not like a box: twice their variance in each of
-  // the two directions (Toksvig 2005, Olano and Baker 2010), of which each has half.
+  // A map's normals are distributed like a lobe and not like a box: twice their variance in two
+  // directions (Toksvig 2005, Olano and Baker 2010), half of it in each.
   const float turned =
       (glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down)) * box_variance;
   const float added = turned + 2.0f * spread.variance;
@@ -70,7 +70,7 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
 }
 
 float PatchLobe::round_roughness() const {
-  // The determinant is the fourth power of the round lobe's alpha, its roughness squared.
+  // The determinant is the fourth power of the isotropic lobe's alpha, its squared roughness.
   const float alpha = std::sqrt(std::sqrt(std::max(0.0f, xx_ * yy_ - xy_ * xy_)));
   return std::min(1.0f, std::sqrt(alpha));
 }

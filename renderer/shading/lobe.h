@@ -8,8 +8,8 @@
 
 namespace asos {
 
-/// Unit directions from a point to who looks at it and to the light, and how far they are: infinite
-/// where the directions are the same all over a patch.
+/// Unit directions from a point to its viewer and to the light, with distances. A distance is
+/// infinite where the direction is the same all over a patch.
 struct LobeSight {
   glm::vec3 to_viewer;
   float viewer_distance;
@@ -17,33 +17,33 @@ struct LobeSight {
   float light_distance;
 };
 
-/// How a patch's normals are spread about the half vector, which turns across the patch too where
-/// viewer or light are near: what a highlight sees of the patch, also of a flat one.
+/// Returns the spread of a patch's normals about the half vector. The half vector turns across the
+/// patch, too, where viewer or light are near, even on a flat patch.
 [[nodiscard]] NormalSpread spread_about_half(const NormalSpread& normals, const Patch& patch,
                                              const LobeSight& sight);
 
-/// The GGX lobe of a patch whose normals differ: what a highlight smaller than the patch is on
-/// average ("geometric specular antialiasing", Kaplanyan et al. 2016). The squared slopes of the
-/// lobe, a 2x2 matrix in the tangent plane, grow by the normals' own, anisotropic where they turn
-/// one way (Tokuyoshi and Kaplanyan 2021): a normal that turns by d along an edge adds its variance
-/// over the patch, d d^T / 12. Wider lobes (d d^T / pi keeps the peak of a box of normals) put
-/// light where no highlight is, for a GGX lobe's tails are long, and were measured worse for every
-/// method.
+/// The GGX lobe of a patch with varying normals: the mean of a highlight smaller than the patch
+/// ("geometric specular antialiasing", Kaplanyan et al. 2016). The lobe's squared slopes, a 2x2
+/// matrix in the tangent plane, grow by those of the normals. They become anisotropic where normals
+/// turn in one direction (Tokuyoshi and Kaplanyan 2021). A normal that turns by d along an edge
+/// adds its variance over the patch, d d^T / 12. Wider lobes were measured worse for every method:
+/// d d^T / pi keeps the peak of a box of normals, but the long tails of a GGX lobe put light where
+/// there is no highlight.
 class PatchLobe {
  public:
-  /// Squared roughness that a patch adds at most, over both directions. Beyond, the normals at hand
-  /// (the derivatives of one triangle) do not tell what the patch shows.
+  /// Largest squared roughness that a patch adds over both directions. Beyond it, the derivatives
+  /// of one triangle's normals do not represent the patch.
   static constexpr float most_added = 0.18f;
 
-  /// `stretch`: LobeStretch's `along`, of a lobe that is not round by itself.
+  /// `stretch`: LobeStretch::along, for an anisotropic lobe.
   PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal,
             glm::vec3 stretch = glm::vec3(0.0f));
 
-  /// False where the lobe is round, and the patch's normals differ too little to show: ggx_lobe is
-  /// the lobe.
+  /// Returns false where the lobe is isotropic and the patch's normals vary too little to matter;
+  /// then ggx_lobe is the lobe.
   [[nodiscard]] bool wider() const { return wider_; }
 
-  /// Only of a wider one: the roughness of the round lobe with the same peak.
+  /// Returns the roughness of the isotropic lobe with the same peak. Only for a wider one.
   [[nodiscard]] float round_roughness() const;
 
   /// D * V in 1 / sr, as ggx_lobe; all directions unit.

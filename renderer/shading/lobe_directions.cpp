@@ -56,8 +56,8 @@ std::optional<LobeDirections::Direction> LobeDirections::mirrored(glm::dvec2 pla
   const glm::vec3 half = visible_normal(viewer_, alpha_, glm::vec2(place));
   const glm::vec3 light = glm::reflect(-viewer_, half);
   if (!(light.z > 0.0f)) return std::nullopt;
-  // Fresnel's term, and of the masked facets that the viewer sees those that the light meets: the
-  // height-correlated G2 over G1.
+  // The weight is Fresnel's term times the height-correlated G2 over G1: the fraction of the facets
+  // visible to the viewer that the light reaches.
   const float by_viewer = light.z * glm::length(glm::vec3(alpha_, 1.0f) * viewer_);
   const float by_light = viewer_.z * glm::length(glm::vec3(alpha_, 1.0f) * light);
   const float met = (by_viewer + light.z * viewer_.z) / (by_viewer + by_light);

@@ -19,11 +19,11 @@ double fifth(double x) {
   return x * x * x * x * x;
 }
 
-/// Integrates over normals as the viewer sees them, by spherical caps (Dupuy and Benyoub 2023):
-/// then only the masking of the light's side and Fresnel's term are left, which are smooth.
+/// Integrates over visible normals by spherical caps (Dupuy and Benyoub 2023). Only the masking of
+/// the light's side and Fresnel's term remain, which are smooth.
 Norms integrate(double n_dot_v, double alpha) {
   constexpr int caps = 40;
-  constexpr int turns = 10;  // of a half turn: both sides of the plane of view are the same
+  constexpr int turns = 10;  // of a half turn: both sides of the plane of view are equal
   if (alpha == 0.0) return {1.0, fifth(1.0 - n_dot_v)};
   const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
   const double a2 = alpha * alpha;
@@ -33,14 +33,14 @@ Norms integrate(double n_dot_v, double alpha) {
   const double view_z = n_dot_v / scale;
   Norms sum;
   for (int i = 0; i < caps; ++i) {
-    // Closer together where the normals are steep: there a narrow lobe's light is cut off.
+    // Nodes are denser where the normals are steep, since a narrow lobe's light is cut off there.
     const double t = (i + 0.5) / caps;
     const double weight = 2.0 * t;
     const double z = t * t * (1.0 + view_z) - view_z;
     const double radius = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
     for (int k = 0; k < turns; ++k) {
       const double angle = std::numbers::pi * (k + 0.5) / turns;
-      // The normal, what it mirrors, and how much of that is masked.
+      // Compute the normal, the reflected direction and its masking.
       const double hx = alpha * (radius * std::cos(angle) + view_x);
       const double hy = alpha * radius * std::sin(angle);
       const double hz = z + view_z;
@@ -57,8 +57,8 @@ Norms integrate(double n_dot_v, double alpha) {
   return {sum.lobe / (caps * turns), sum.fresnel / (caps * turns)};
 }
 
-/// The same where the squared roughness is `along` in the direction x and `across` in y; the viewer
-/// is turned by `turn` from x.
+/// Integrates an anisotropic lobe with the squared roughness `along` in the direction x and
+/// `across` in y. The viewer's azimuth is `turn` from x.
 Norms integrate(double n_dot_v, double along, double across, double turn) {
   constexpr int caps = 24, turns = 16;
   const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
@@ -88,7 +88,8 @@ Norms integrate(double n_dot_v, double along, double across, double turn) {
   return {sum.lobe / (caps * turns), sum.fresnel / (caps * turns)};
 }
 
-/// The place of a value from 0 to 1 in a table's row: the value below, and the way to the next.
+/// The place of a value from 0 to 1 in a table's row: the index below, and the fraction to the
+/// next.
 struct Between {
   Between(float value, std::size_t count) {
     const auto last = static_cast<float>(count - 1);
@@ -108,7 +109,7 @@ StretchedNormTable make_stretched_table() {
   auto table = std::make_unique<T>();
   std::size_t at = 0;
   for (std::size_t r = 0; r < T::roughnesses; ++r) {
-    // A mirror's lobe is as narrow as the least that is shown.
+    // A mirror's lobe counts as the narrowest that is rendered.
     const double across = std::max(1e-4, std::pow(step(r, T::roughnesses), 2.0));
     for (std::size_t s = 0; s < T::stretches; ++s) {
       const double along = glm::mix(across, 1.0, std::pow(step(s, T::stretches), 2.0));

@@ -5,30 +5,33 @@
 
 namespace asos {
 
-/// The integrals over all directions of brdf.h's GGX lobe times the cosine, of one viewer: what it
-/// returns of a constant environment is f0 * lobe + (f90 - f0) * fresnel.
+/// Integrals over all directions of the GGX lobe in brdf.h times the cosine, for one viewer. The
+/// lobe reflects f0 * lobe + (f90 - f0) * fresnel of a constant environment.
 struct LobeNorms {
   float lobe = 1.0f;
-  float fresnel = 0.0f;  ///< of the lobe times Schlick's (1 - v.h)^5
+  float fresnel = 0.0f;  ///< integral of the lobe times Schlick's (1 - v.h)^5
 };
 
-/// Both by quadrature, once, at equal steps of sqrt(n.v) and of roughness, each from 0 to 1.
-/// Between them linear: within 3e-3 of the integrals from n.v 0.02 on, 5e-3 from 0.01. A mirror's,
-/// of roughness 0, are 1 and (1 - n.v)^5.
+/// A table of both integrals by quadrature, at equal steps of sqrt(n.v) and of roughness, each from
+/// 0 to 1. Interpolation is linear; its error is 3e-3 from n.v 0.02 on and 5e-3 from 0.01. A
+/// mirror, of roughness 0, has 1 and (1 - n.v)^5.
 struct LobeNormTable {
   static constexpr std::size_t cosines = 48;
   static constexpr std::size_t roughnesses = 40;
-  /// Roughness by roughness, in each by n.v.
+  /// Rows are roughnesses, and columns n.v.
   std::array<float, cosines * roughnesses> lobe{};
   std::array<float, cosines * roughnesses> fresnel{};
 };
 [[nodiscard]] const LobeNormTable& lobe_norm_table();
 
-/// The same of a lobe whose squared roughness differs by direction: at equal steps of sqrt(n.v), of
-/// the roughness across, of sqrt((at - ab) / (1 - ab)) for the squared roughness `at` along and
-/// `ab` across, and of the square root of the angle between the viewer and the direction across,
-/// near which they change most; see stretched_lobe_norms. Made when it is first asked for, in about
-/// 0.2 s.
+/// The same table for an anisotropic lobe with the squared roughness `at` along and `ab` across. It
+/// has equal steps of four quantities:
+/// - sqrt(n.v)
+/// - the roughness across
+/// - sqrt((at - ab) / (1 - ab))
+/// - the square root of the angle between the viewer and the direction across, near which the
+///   integrals change most
+/// See stretched_lobe_norms. It is computed at first use, in about 0.2 s.
 struct StretchedNormTable {
   static constexpr std::size_t cosines = 24;
   static constexpr std::size_t roughnesses = 12;
@@ -38,13 +41,13 @@ struct StretchedNormTable {
 };
 [[nodiscard]] const StretchedNormTable& stretched_norm_table();
 
-/// Of the table, linear in each: `seen_along2` is the squared cosine of the angle, in the tangent
-/// plane, between the viewer and the direction of `alpha_along`. Out of range as below.
+/// Interpolates the table linearly in each quantity. `seen_along2` is the squared cosine of the
+/// angle, in the tangent plane, between the viewer and the direction of `alpha_along`. Values out
+/// of range are handled as in lobe_norms.
 [[nodiscard]] LobeNorms stretched_lobe_norms(float n_dot_v, float roughness, float alpha_along,
                                              float seen_along2);
 
-/// Of the table. What lies outside of 0 to 1 counts as the nearer end; what is no number stays
-/// none.
+/// Interpolates the table. Values outside of 0 to 1 count as the nearer end; NaN stays NaN.
 [[nodiscard]] LobeNorms lobe_norms(float n_dot_v, float roughness);
 
 }  // namespace asos

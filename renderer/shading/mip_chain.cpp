@@ -12,14 +12,14 @@
 namespace asos {
 namespace {
 
-/// The k-th of n x n places all over a texel.
+/// Returns the k-th of n x n places that cover a texel evenly.
 glm::vec2 place_in_texel(const Texels& texels, int x, int y, int k, int n) {
   const glm::vec2 in_texel = (glm::vec2(k % n, k / n) + 0.5f) / static_cast<float>(n);
   return (glm::vec2(x, y) + in_texel) / glm::vec2(texels.width, texels.height);
 }
 
-/// The mean of a texel's unit normals at n x n places all over it; of borders as those of a clamped
-/// texture are, which every wrapping one has but at its very edge.
+/// Returns the mean of the unit normals at n x n places in a texel. At borders it clamps; a
+/// wrapping texture differs only at its very edge.
 glm::vec3 mean_normal(const Texels& texels, int x, int y, int n) {
   glm::vec3 sum(0.0f);
   for (int k = 0; k < n * n; ++k) {
@@ -29,11 +29,12 @@ glm::vec3 mean_normal(const Texels& texels, int x, int y, int n) {
   return sum / static_cast<float>(n * n);
 }
 
-/// What is seen of a texel of a normal map: its mean and its variance. Between texels lie no
-/// mixtures of their normals, but normals of their own.
+/// Returns mean and variance of the normals within a texel of a normal map. Places between texels
+/// have unit normals, not mixtures of the texels' normals.
 glm::vec4 normals_of_texel(const Image& image, int x, int y) {
   constexpr int few = 2, many = 4;
-  constexpr float even = 1.0f - 1e-3f;  // cosine to the texel's own of those that are like it
+  // Cosine to the texel's own normal above which normals count as equal.
+  constexpr float even = 1.0f - 1e-3f;
   const Texels texels(image, Encoding::linear);
   glm::vec3 mean = mean_normal(texels, x, y, few);
   if (glm::dot(mean, unit_normal(texels.at(x, y))) < even) mean = mean_normal(texels, x, y, many);
@@ -62,7 +63,7 @@ glm::vec4 first_level_texel(const Image& image, TexelKind kind, int x, int y) {
   return bytes;
 }
 
-/// Adds texels up by their share of a box, and averages them as their kind asks.
+/// The weighted mean of texels, according to their kind; the weights are fractions of a box.
 class Mean {
  public:
   explicit Mean(TexelKind kind) : kind_(kind) {}
@@ -94,8 +95,8 @@ class Mean {
   float second_moment_ = 0.0f;
 };
 
-/// Which texels of a row of `from` fall into texel `i` of a row of `to`, and how far: up to three,
-/// for an odd size is halved to the whole number below.
+/// The texels of a row of `from` that fall into texel `i` of a row of `to`, with their fractions.
+/// There are up to three, since an odd size is halved and rounded down.
 struct TexelSpan {
   int first;
   int last;

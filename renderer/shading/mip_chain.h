@@ -13,25 +13,25 @@
 
 namespace asos {
 
-/// The meaning of an image's texels, and so of their mean.
+/// The meaning of an image's texels, which determines how they are averaged.
 enum class TexelKind {
   color,   ///< sRGB with linear alpha: averaged as light
-  cover,   ///< the same where alpha cuts or blends: colours count by their alpha
+  cover,   ///< the same with an alpha that cuts or blends: colours are weighted by alpha
   data,    ///< four independent linear values
-  normal,  ///< a normal map's directions; the mean is shorter than 1, and the rest is variance
+  normal,  ///< directions of a normal map; the mean is shorter than 1, and the rest is variance
 };
 inline constexpr std::size_t texel_kinds = 4;
 
-/// An image averaged over boxes of 2^level by 2^level texels, or what comes nearest to that in
-/// whole texels: the borders never move, whatever the size.
+/// An image averaged over boxes of 2^level by 2^level texels, or the nearest to that in whole
+/// texels. The image's borders stay in place, whatever the size.
 struct MipLevel {
   int width = 0;
   int height = 0;
-  std::vector<std::uint16_t> rgba;  ///< linear, of 65535; see MipChain for normals
+  std::vector<std::uint16_t> rgba;  ///< linear, of 65535; see `at` for normals
 
-  /// For normals (x, y, z) as in the map, unsigned like its bytes, and the variance around them:
-  /// the mean squared distance from the mean, 0 to 1; both of what a bilinear look-up shows, as
-  /// unit normals.
+  /// Returns a texel. For normals, xyz is the mean, encoded like the map's bytes. The last is the
+  /// variance: the mean squared distance from the mean, 0 to 1. Both are those of a bilinear
+  /// look-up with unit normals.
   [[nodiscard]] glm::vec4 at(int x, int y) const {
     const std::uint16_t* p = texel(x, y);
     return glm::vec4(p[0], p[1], p[2], p[3]) * unit;
@@ -44,32 +44,32 @@ struct MipLevel {
   }
 };
 
-/// Levels 1, 2, ... of an image down to a single texel; level 0 is the image itself. Averages are
-/// kept to 16 bits, so that dark ones stay exact. Empty for images of one texel or none.
+/// Levels 1, 2, ... of an image down to a single texel; level 0 is the image itself. Averages have
+/// 16 bits, so that dark ones stay exact. Empty for images of one texel or none.
 using MipChain = std::vector<MipLevel>;
 [[nodiscard]] MipChain make_mip_chain(const Image& image, TexelKind kind);
 
-/// The chains of a world's images, each in the kinds that materials on triangles use it as. A small
-/// value: copies share the chains.
+/// The chains of a world's images, for each kind of use by a material on a triangle. A small value:
+/// copies share the chains.
 class MipChains {
  public:
   MipChains() = default;
-  /// `known`: those of a world with the same images, which are not made again; null: none.
+  /// `known`: the chains of a world with the same images, which are reused; null: none.
   MipChains(const World& world, const SceneNeeds& needs, const MipChains* known = nullptr);
 
-  /// Empty where nothing uses `image` as `kind`.
+  /// Returns the chain, which is empty if no material uses `image` as `kind`.
   [[nodiscard]] const MipChain& chain(int image, TexelKind kind) const;
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
-  using Shared = std::shared_ptr<const MipChain>;        // null: nothing uses it
+  using Shared = std::shared_ptr<const MipChain>;        // null: not used
   std::vector<std::array<Shared, texel_kinds>> chains_;  // by image
 };
 
 /// The kind of a material's base colour texture.
 [[nodiscard]] TexelKind base_color_kind(const Material& material);
-/// That of its emissive texture: where it is the base colour's, which says how much is there, what
-/// it sends out counts by its alpha, too.
+/// Returns the kind of its emissive texture. If it is also the base colour's texture, whose alpha
+/// is coverage, its emission is weighted by alpha, too.
 [[nodiscard]] TexelKind emissive_kind(const Material& material);
 
 }  // namespace asos

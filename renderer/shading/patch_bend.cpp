@@ -44,22 +44,22 @@ PatchBend::OfMiddle PatchBend::of_middle(const ViewedPoint& view, const ViewedMa
   const float alpha = rough * rough;
   const bool line = light.shape == PreparedLight::Shape::segment;
   const float shown = alpha + (line ? 0.0f : 0.5f * highlight.half_angle_tangent);
-  // What rises or sets across the patch is bent by its horizon.
+  // The horizon adds a kink if the highlight rises or sets within the patch.
   const float turn2 = glm::dot(turn.right, turn.right) + glm::dot(turn.down, turn.down);
   const float height = glm::dot(view.point.shading_normal, highlight.direction);
   const bool sets = height < std::sqrt(turn2);
   const glm::vec3 half = glm::normalize(highlight.direction + view.to_viewer);
   const float away = away_from_peak(view.point.shading_normal, half, material.stretch, rough);
   const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
-  // In its tails a lobe changes over as much as it is away from its peak.
+  // In a lobe's tails, the length scale is the distance from its peak.
   OfMiddle of{1.0f, parts_for(spread, std::hypot(shown, nearest))};
   if (!of.parts || sets) return of;
   of.error = std::min(1.0f, spread2 / (6.0f * (alpha * alpha + nearest * nearest)));
   return of;
 }
 
-// A surface that is round lies below the tangent plane by half of place * normal, so that the
-// viewer's rays meet it farther on.
+// A curved surface lies below its tangent plane by half of place * normal, so that the viewer's
+// rays hit it farther away.
 PatchBend::Step PatchBend::step(const ViewedPoint& view, float u, float v) const {
   const glm::vec3 right = view.patch.right, down = view.patch.down;
   Step step{u * right + v * down, u * turn.right + v * turn.down};
@@ -86,7 +86,7 @@ PatchBend::Point PatchBend::point(const ViewedPoint& view, const ViewedMaterial&
   surface.shading_normal = glm::normalize(surface.shading_normal + from_middle.normal);
   if (surface.smooth_normal != glm::vec3(0.0f))
     surface.smooth_normal = glm::normalize(surface.smooth_normal + from_middle.normal);
-  // It is a point: what the patch turns by lies between it and the others.
+  // It is a point, since the patch's turn is resolved by the several points.
   surface.spread.right = surface.spread.down = glm::vec3(0.0f);
   if (rounded) {
     surface.geometric_normal = surface.shading_normal;

@@ -12,36 +12,36 @@
 
 namespace asos {
 
-/// How the patch that a point stands for is bent, to look at more of it than its middle: at Gauss
-/// and Legendre's two points along each edge of each of its parts, whose mean is exact for what is
-/// cubic across a part, as the middle is for what is linear.
+/// The curvature of the patch that a point represents. It evaluates the patch at several points: at
+/// two Gauss-Legendre points along each edge of each of its parts. Their mean is exact for cubic
+/// functions over a part; the centre is exact only for linear ones.
 struct PatchBend {
   NormalSpread turn;             ///< of the shading normal along the edges
-  glm::vec2 stretch_turn{0.0f};  ///< of the lobe's stretch about the normal, in radians
-  bool rounded = false;          ///< the surface itself bends as its normals do
-  float negligible = 0.0f;       ///< radiance by which the middle may differ from the mean
+  glm::vec2 stretch_turn{0.0f};  ///< turn of the lobe's stretch about the normal, in radians
+  bool rounded = false;          ///< the surface itself is curved as its normals are
+  float negligible = 0.0f;       ///< radiance by which the centre may differ from the mean
 
-  /// That of the patch of `view`, where `hit` is its middle.
+  /// Returns the curvature of the patch of `view`, with `hit` at its centre.
   [[nodiscard]] static PatchBend at(const World& world, const Hit& hit, const ViewedPoint& view,
                                     const ViewedMaterial& material, float negligible);
 
-  /// The patch's squared width, in those of a highlight, up to which so few points tell its mean
-  /// better than a lobe that is widened.
+  /// Largest squared width of a part, in squared highlight widths. Up to it these points give a
+  /// better mean than a widened lobe.
   static constexpr float most_bent = 3.0f;
 
-  /// Into how many parts along its edges a patch is divided so that none is wider than that.
+  /// Number of parts along a patch's edges, so that no part is wider than that.
   struct Parts {
     int right = 1, down = 1;
   };
   static constexpr int most_parts = 4;  ///< along an edge
-  /// Those of a patch across which the lobe's half vector turns by `spread`, where what the lobe
-  /// shows changes over `shown`, in radians; none: it takes more.
+  /// Returns the parts of a patch across which the lobe's half vector turns by `spread`; the
+  /// highlight's length scale is `shown`, in radians. Returns none if there would be too many.
   [[nodiscard]] static std::optional<Parts> parts_for(const NormalSpread& spread, float shown);
 
-  /// What the middle tells of a light.
+  /// How well the centre represents the patch for a light.
   struct OfMiddle {
-    /// About by which share of it the middle's radiance may differ from the mean: by the second
-    /// derivative of the lobe that shows the highlight.
+    /// Relative error of the centre's radiance as the mean, from the second derivative of the
+    /// highlight's lobe.
     float error = 0.0f;
     std::optional<Parts> parts;  ///< none: the patch is too wide for most_parts
   };
@@ -54,11 +54,11 @@ struct PatchBend {
     glm::vec3 to_viewer;  ///< unit
     ViewedMaterial material;
   };
-  /// Calls `look` with each of those whose mean counts.
+  /// Calls `look` with each of the points for the mean.
   template <typename Look>
   void for_each_point(const ViewedPoint& view, const ViewedMaterial& material, const Parts& parts,
                       const Look& look) const {
-    constexpr float node = 0.28867513f;  // 1 / sqrt(12) of an edge from a part's middle
+    constexpr float node = 0.28867513f;  // 1 / sqrt(12) of an edge from a part's centre
     const auto along = [](int i, int count) {
       return (static_cast<float>(i / 2) + 0.5f + (i % 2 == 0 ? -node : node)) /
                  static_cast<float>(count) -
@@ -70,7 +70,7 @@ struct PatchBend {
   }
 
  private:
-  /// From the middle, to second order.
+  /// Change from the centre, to second order.
   struct Step {
     glm::vec3 place;
     glm::vec3 normal;

@@ -9,18 +9,18 @@
 
 namespace asos {
 
-/// What shading a batch of points has to know of a material.
+/// Data of a material for shading batches of points.
 struct PlainMaterial {
-  SurfaceMaterial surface;  ///< where nothing is looked up
-  bool plain = false;       ///< opaque where it is met, lit, of one layer, and finite
-  bool looked_up = false;   ///< textures or vertex colours vary it
+  SurfaceMaterial surface;  ///< without textures and vertex colours
+  bool plain = false;       ///< opaque at every hit, lit, of one layer, and finite
+  bool looked_up = false;   ///< textures or vertex colours change it
   bool normal_map = false;
-  bool textured = false;  ///< in any way: the patch that is seen matters
-  bool shiny = false;     ///< with highlights so narrow that it matters where normals turn
+  bool textured = false;  ///< in any way: the patch matters
+  bool shiny = false;     ///< with highlights so narrow that curvature matters
   bool own_dfr = false;   ///< a defocusing ratio
 };
 
-/// The materials of a world once more, in few bytes each, by what is on its triangles. Immutable.
+/// Compact copies of the materials on a world's triangles, for the SIMD path. Immutable.
 class PlainMaterials {
  public:
   PlainMaterials(const World& world, const SceneNeeds& needs, const MaterialDfrs& dfrs);

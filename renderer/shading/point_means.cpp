@@ -8,8 +8,8 @@
 namespace asos {
 namespace {
 
-/// Visits a grid of points of a patch, half a texel apart and `fewest` along each edge at least, by
-/// how far they lie from its middle in a texture of that size; how many they are.
+/// Visits a grid of points of a patch, half a texel apart and at least `fewest` along each edge. A
+/// point is its offset from the patch's centre, in a texture of that size. Returns their number.
 template <typename Visit>
 int for_each_point(const TexelPatch& patch, int fewest, glm::vec2 size, const Visit& visit) {
   const auto count = [fewest](glm::vec2 edge) {

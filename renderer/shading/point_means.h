@@ -7,20 +7,22 @@
 
 #include <glm/glm.hpp>
 
-// Means over a patch of the finest level by points half a texel apart, of a bilinear texture: where
-// what lies between texels is no mixture of them, or the patch lies aslant over few of them.
+// Means over a patch of a bilinear texture's finest level, by points half a texel apart. Used where
+// values between texels are no mixture of texels, or where the patch is oblique and covers few
+// texels.
 
 namespace asos {
 
-/// Of all of it.
+/// Returns the mean over the whole patch.
 [[nodiscard]] glm::vec4 mean_of_points(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
                                        const Texture& texture);
 
-/// The mean colour of what is seen, and the mean alpha; nothing is seen: the mean of all.
+/// Returns the mean colour of the visible part and the mean alpha; if nothing is visible, the mean
+/// of all.
 [[nodiscard]] glm::vec4 mean_of_seen(const Texels& texels, const TexelUse& use, glm::vec2 uv,
                                      const TexelPatch& patch, const Texture& texture);
 
-/// The mean of a map's unit normals, and the variance about it.
+/// Returns the mean of a map's unit normals and their variance.
 [[nodiscard]] MeanNormal mean_of_normals(const Texels& texels, glm::vec2 uv,
                                          const TexelPatch& patch, const Texture& texture);
 

@@ -10,11 +10,11 @@
 namespace asos {
 namespace {
 
-// Of what a highlight shows, however dark: the middle may be off by so much of it. Looking at more
-// of a patch costs next to nothing beside finding what hides the light.
+// Allowed error of a highlight's centre as its mean, relative to the highlight, however dark.
+// Evaluating more of a patch is cheap compared with computing the light's visibility.
 constexpr float negligible_share = 1.0f / 1024.0f;
 
-/// How far a light is, as its highlight goes.
+/// Returns the distance of a light for its highlight.
 float distance_of(const PreparedLight& light, glm::vec3 position) {
   using LightShape = PreparedLight::Shape;
   if (light.shape == LightShape::distant || light.shape == LightShape::sun)
@@ -29,20 +29,20 @@ PatchLobe patch_lobe(const ViewedMaterial& seen, const ViewedPoint& view, glm::v
           view.point.shading_normal, seen.stretch.along};
 }
 
-/// The same, as if it were round, of what shows a light with a size: a highlight that is wider than
-/// the patch is seen by parts of it where it is uneven, and has not the tails that widening would
-/// give it.
+/// Returns the lobe of a patch for a light with an extent, as an isotropic one. A highlight wider
+/// than the patch is resolved by parts of the patch where needed, so its lobe is not widened.
+/// Widening would add tails that the highlight does not have.
 PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
                            const Highlight& highlight, const PreparedLight& light,
                            Widening widening) {
-  constexpr float widest = 0.5f;  // the patch's share of the highlight that needs no widening
+  constexpr float widest = 0.5f;  // patch width over highlight width that needs no widening
   const bool line = light.shape == PreparedLight::Shape::segment;
   const float light_distance = distance_of(light, view.point.position);
   const LobeSight sight{view.to_viewer, view.distance, highlight.direction, light_distance};
   NormalSpread spread = spread_about_half(view.point.spread, view.patch, sight);
   const float alpha =
       std::max(seen.roughness, roughness_floor) * std::max(seen.roughness, roughness_floor);
-  // A line is as narrow as the lobe across itself.
+  // Across a line, the highlight is only as wide as the lobe.
   const float light_width = line ? 0.0f : 0.5f * highlight.half_angle_tangent;
   const float shown = widest * (alpha + light_width);
   if (widening == Widening::by_bumps ||
@@ -52,7 +52,7 @@ PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
   return {spread, seen.roughness, view.point.shading_normal};
 }
 
-/// The specular part, below whose horizon there is none.
+/// Returns the specular part; 0 below the horizon.
 glm::vec3 shine_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 l,
                    float light_distance) {
   const glm::vec3 n = view.point.shading_normal;
@@ -154,7 +154,7 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   if (light.extended() && light.rule == LightRule::physical) {
     share = of_extended(light, highlight, irradiance, Widening::by_patch);
   } else if (shows(point_.mirrored, light)) {
-    // Reflections show the lights that have an area: those are their highlights.
+    // A light with an area that a reflection contains has no highlight besides it.
     share.reflected = diffuse_towards(point_.material, point_.view, highlight.direction);
   } else {
     share.reflected = reflected_share(light, point_.material, point_.view, highlight);
@@ -163,7 +163,7 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   if (!bend_ || !light.extended() || light.rule != LightRule::physical) return share;
   const auto [error, parts] = bend_->of_middle(point_.view, point_.material, light, highlight);
   if (!parts) return share;
-  // No verdict asks for broad lobes to be split, so that nothing but their mean makes them better.
+  // Broad lobes never split a leaf, so only their own mean improves them.
   const bool broad = point_.material.roughness >= least_broad_roughness;
   const float negligible = (broad ? 0.1f : 1.0f) * bend_->negligible;
   const float radiance = largest(share.reflected * irradiance);
@@ -173,7 +173,8 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
       if (irradiance[c] > 0.0f) share.reflected[c] = found[c] / irradiance[c];
     }
   } else if (error > 0.0f) {
-    // The middle is as good; a lobe that is widened by the patch has tails that it has not.
+    // The centre is accurate enough. A lobe widened by the patch would have tails that the
+    // highlight does not have.
     share.reflected =
         point_.share * of_extended(light, highlight, irradiance, Widening::by_bumps).reflected;
   }
@@ -200,7 +201,8 @@ ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
   const bool mirrored = shows(point_.mirrored, light);
   if (mirrored && (seen.falloff == 0.0f || seen.diffuse == glm::vec3(0.0f)))
     return {diffuse_brdf(seen, 0.0f)};
-  // Power over irradiance is the same for all colours: that of the strongest has the most digits.
+  // The ratio of power to irradiance is the same for all colours; the strongest one has the most
+  // digits.
   int strongest = 0;
   for (int i = 1; i < 3; ++i) {
     if (irradiance[i] > irradiance[strongest]) strongest = i;

@@ -13,46 +13,45 @@
 
 namespace asos {
 
-/// Radiance towards the viewer per irradiance from a light without a size; by the published rule
-/// also from those with one: the lobe's part is that of the light's representative point, made as
-/// broad as the light by the ratio of what its width was to what it would be (Karis 2013), of the
-/// whole light, whatever is visible of it.
+/// Returns the radiance towards the viewer per irradiance from a point light, or by the published
+/// rule from any light. The specular part uses the light's representative point and is normalized
+/// by the ratio of its width without and with the light's extent (Karis 2013). It is that of the
+/// whole light, whatever part is visible.
 [[nodiscard]] glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
                                         const ViewedPoint& view, const Highlight& highlight);
 
-/// Radiance towards the viewer per irradiance that comes from one direction: the BRDF, of the patch
-/// that the point stands for. `to_light` is unit.
+/// Returns the radiance towards the viewer per irradiance from one direction: the BRDF of the
+/// point's patch. `to_light` is unit.
 [[nodiscard]] glm::vec3 reflected_towards(const ViewedMaterial& seen, const ViewedPoint& view,
                                           glm::vec3 to_light, float light_distance);
 
-/// Radiance towards the viewer per irradiance by a sample of the light; by the published rule that
-/// of the whole light.
+/// Returns the radiance towards the viewer per irradiance from a sample of the light; by the
+/// published rule, that of the whole light.
 [[nodiscard]] glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample);
 
-/// Whether the lobe that makes its highlight is too broad for one: it goes on over all of the
-/// light, and beyond.
+/// Returns whether the highlight's lobe is too broad for a highlight: it extends over the whole
+/// light and beyond.
 [[nodiscard]] bool is_broad(const Illumination& lit);
 
-/// By how much the radiance that all of a light would make, were it where its middle is or where
-/// one of its corners is, differs: what is seen of it in part may make so much more or less of what
-/// is hidden.
+/// Returns by how much the light's contribution would differ if the whole light were at its centre
+/// or at one of its corners. It bounds the error of a partially occluded light's contribution.
 [[nodiscard]] float spread_over(const Illumination& lit);
 
-/// The least that a reflection shows for the light to be among it; nothing for a light without a
-/// surface: lines and points are too thin, and suns too bright.
+/// Returns the least value of MirroredLights that includes the light. Returns nothing for a light
+/// without a surface, since lines and points are too thin, and for suns, which are too bright.
 [[nodiscard]] std::optional<MirroredLights> shown_from(const PreparedLight& light);
 [[nodiscard]] inline bool shows(MirroredLights mirrored, const PreparedLight& light) {
   const auto least = shown_from(light);
   return least && mirrored >= *least;
 }
 
-/// What makes a point's lobe wider than its roughness does: how its patch bends, too, or bumps
-/// that are narrower than it alone.
+/// The cause that widens a point's lobe beyond its roughness: also the curvature of its patch, or
+/// only bumps smaller than it.
 enum class Widening { by_patch, by_bumps };
 
-/// What one point makes of its lights, with nothing in the way; or, where that may differ by more
-/// than the bend's `negligible`, the mean over its patch, of lights with a size, by the physical
-/// rule.
+/// Unshadowed contributions of the lights to one point. For lights with an extent, by the physical
+/// rule, it is the mean over the point's patch where the two may differ by more than
+/// PatchBend::negligible.
 class ReflectedLights {
  public:
   /// `point` has to outlive this.
@@ -62,9 +61,9 @@ class ReflectedLights {
     glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per irradiance
     float highlight = 0.0f;     ///< see Illumination
   };
-  /// `irradiance`: of the whole light, not 0. Of lights with a size, by the physical rule, the BRDF
-  /// is summed up over the light (LightQuadrature), of a lobe that is as much wider, and round, as
-  /// the middle of the highlight finds the patch to make it.
+  /// Returns the reflection of a light. `irradiance` is that of the whole light, not 0. For a light
+  /// with an extent, by the physical rule, the BRDF is integrated over the light (LightQuadrature).
+  /// Its lobe is isotropic and as wide as the patch makes it at the highlight's centre.
   [[nodiscard]] Share of(const PreparedLight& light, glm::vec3 irradiance);
 
  private:

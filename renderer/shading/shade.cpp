@@ -15,7 +15,7 @@
 namespace asos {
 namespace {
 
-/// A volume's boundary that no light leaves at this angle.
+/// The material of a volume's boundary at total reflection.
 SurfaceMaterial total_reflector(SurfaceMaterial material) {
   material.f0 = glm::vec3(1.0f);
   material.f90 = material.dielectric_f0 = material.dielectric_f90 = 1.0f;
@@ -23,7 +23,7 @@ SurfaceMaterial total_reflector(SurfaceMaterial material) {
   return material;
 }
 
-/// What all of a sample's square shows of a surface, whatever part of it the sample stands for.
+/// Returns the footprint of a sample's whole square, whichever part of it the sample represents.
 Footprint square_footprint(const World& world, const SampleExtent& extent, const Ray& ray,
                            const Hit& hit, const SurfacePoint& point) {
   Footprint square = footprint_on(
@@ -37,7 +37,7 @@ bool shows_only_unlit(PixelContent content) {
   return content == PixelContent::unlit_share || content == PixelContent::unlit_colour;
 }
 
-/// For who wants no light.
+/// Ignores all light.
 class NoTransport final : public LightTransport {
  public:
   void add(const Illumination&, glm::vec3&, RenderStatistics&) override {}
@@ -129,8 +129,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   ViewedPoint view = viewed_point;
   const SurfacePoint& point = view.point;
   const glm::vec3 to_viewer = view.to_viewer;
-  // What is drawn out is no mirror where it is as rough in one direction as those are that are
-  // none.
+  // An anisotropic lobe is no mirror if its rougher direction is too rough for one.
   const float blur = round_roughness(seen);
   const bool drawn_out = !seen.stretch.none() && !own_dfr(point.triangle) &&
                          widest_roughness(seen) > settings_.roughest_mirror;
@@ -220,11 +219,11 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
   const bool only_unlit = shows_only_unlit(settings_.backdrop.content());
   glm::vec3 sum{0.0f};
   glm::vec3 left_out{0.0f};
-  glm::vec3 share{1.0f};  // of what lies behind the layers so far
+  glm::vec3 share{1.0f};  // weight of the surfaces behind the layers so far
   SurfaceWalk walk(rays_, seen.ray, seen.hit, settings_.faces);
   std::uint32_t last = Hit::none;
   VolumePath passage = seen.passage;
-  float passed = seen.ray.t_near;  // so far the share is attenuated
+  float passed = seen.ray.t_near;  // attenuation is included up to here
   const glm::vec3 to_viewer = -seen.ray.direction;
   const auto light = seen.reflected() && !seen.hides_lights
                          ? nearest_light_without_geometry(seen.ray)
@@ -240,12 +239,12 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
     const bool blended = needs_.alpha_blend &&
                          surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
     const auto boundary = blended ? VolumeBoundary::met(world_, hit, ray, passage) : std::nullopt;
-    // The inner side of a boundary tells of what lies before it, wherever the ray started.
+    // The inner side of a boundary gives the medium in front of it, wherever the ray started.
     if (boundary && !boundary->entering) passage = boundary->incident(passage);
     if (passage.in_medium()) share *= passage.left_after(hit.t - passed);
     passed = hit.t;
 
-    // A face of an analytic shape may be met twice, in front and at its back.
+    // A face of an analytic shape may be hit twice, at its front and its back.
     if (boundary && boundary->hidden()) {
       passage = boundary->passed(passage);
       count.add_layer();
@@ -279,12 +278,12 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
         }
       }
       if (!blended) return {sum};
-      // Glass that bends or blurs is followed, and covers all.
+      // Refracting or blurring glass is followed and has full coverage.
       const bool frosted =
           !boundary && material.transmission > 0.0f && material.roughness > 0.0f && !material.unlit;
       if ((boundary || frosted) && !settings_.backdrop.shows_light() && settings_.reflections > 0)
         return {sum};
-      // It tints what shines through it by its base colour.
+      // The base colour tints the transmitted light.
       if (!material.unlit) left *= 1.0f - material.metallic;
       glm::vec3 through =
           share * material.opacity * left * material.transmission * material.base_color;
@@ -304,7 +303,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
       count.add_layer();
     }
 
-    // Go on behind it.
+    // Continue behind the surface.
     walk.go_on(point);
     ++(seen.bounces > 0 ? counts.reflection_rays : counts.eye_rays);
   }

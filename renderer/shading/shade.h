@@ -24,132 +24,138 @@ namespace asos {
 
 class Sky;
 
-/// Opacity of a triangle's material at a point (base colour alpha times texture times vertex
-/// colour, times what transmission leaves), 0 to 1; the RayScene's alpha test. A masked material's
-/// is the value that its cut-off is compared with.
+/// Returns the opacity of a triangle's material at a point, 0 to 1: the base colour's alpha times
+/// texture, vertex colour and (1 - transmission). It is the RayScene's alpha test. For a masked
+/// material it is the value that is compared with the cut-off.
 [[nodiscard]] float alpha_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
-/// The same without transmission, and with a masked material's cut-off applied: 0 or 1.
+/// Returns the same without transmission, and with a masked material's cut-off applied: 0 or 1.
 [[nodiscard]] float opacity_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
-/// What the light that goes straight through a blended surface becomes: its opacity lets the rest
-/// pass, and of that which meets it the layers' and Fresnel's terms leave the transmitted share,
-/// tinted by the base colour; at a volume's boundary, too, which bends nothing here. The RayScene's
-/// PassageAt.
+/// Returns the transmittance of a blended surface without deflection; it is the RayScene's
+/// PassageAt. It has two parts: the fraction that the opacity leaves, and the transmitted fraction
+/// after layers and Fresnel's term, tinted by the base colour. A volume's boundary does not deflect
+/// here, either.
 [[nodiscard]] StraightPassage passage_at(const World& world, const Hit& hit, glm::vec3 direction);
 
-/// The choice of what is shaded and what is left out.
+/// Selects what shading includes.
 struct ShadingSettings {
   bool shadows = true;       ///< lights cast shadows
-  bool sky_shadows = false;  ///< and so does the sky; else it is open
-  bool bounces = false;      ///< what hides the sky sends light instead; only with sky_shadows
+  bool sky_shadows = false;  ///< the sky is shadowed, too; else it is unoccluded
+  /// Occluders of the sky contribute bounced light; only with sky_shadows.
+  bool bounces = false;
   LightRule light_rule = LightRule::physical;
-  Culling faces = Culling::none;  ///< which surfaces lie behind blended ones
-  /// The mip chains by which textures, and highlights on surfaces that turn, are averaged over the
-  /// extent that a sample stands for; null: every sample is a point.
+  Culling faces = Culling::none;  ///< which surfaces are visible behind blended ones
+  /// The mip chains for averaging textures and highlights over a sample's extent; null: every
+  /// sample is a point.
   const MipChains* mips = nullptr;
   PixelSpacing spacing;                ///< of the picture; only with mips
   const Sky* sky = nullptr;            ///< the surroundings of the world; null: the neutral one
-  int reflections = 0;                 ///< bounces that are followed
+  int reflections = 0;                 ///< largest number of bounces
   float roughest_mirror = 0.35f;       ///< see RenderSettings
-  const Dfr* dfr = nullptr;            ///< of all that mirrors; null: of each material its own
-  const MaterialDfrs* dfrs = nullptr;  ///< the materials' own; null: none has any
-  /// Display intensity by which a pixel's middle may differ from its mean before lights are summed
-  /// up over its patch; 1: never.
+  const Dfr* dfr = nullptr;            ///< for all reflections; null: each material's own
+  const MaterialDfrs* dfrs = nullptr;  ///< the materials' own; null: there are none
+  /// Display intensity by which a pixel's centre may differ from its mean before lights are
+  /// integrated over its patch; 1: never.
   float bend = 1.0f;
-  Backdrop backdrop{};  ///< what eye rays see behind all surfaces
+  Backdrop backdrop{};  ///< background of eye rays behind all surfaces
 };
 
-/// Samples the light that a scene sends along rays: every method shades through this one class.
-/// Keeps references and copies nothing; thread-safe.
+/// Computes the radiance of a scene along rays; every method shades with this class. It stores
+/// references only; thread-safe.
 class Shader {
  public:
   Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
          const Lighting& lighting, ShadingSettings settings = {});
 
-  /// Linear radiance arriving along a ray. Blended surfaces are composited in depth order. Lights
-  /// that cast shadows, and reflections, go by way of `transport`. Counts the rays that go on
-  /// behind a blended surface. Results that are not finite are returned as they are; the caller
-  /// drops and counts them. Where the backdrop holds coverage: what share of the ray surfaces hide,
-  /// by colour; a volume's boundary and frosted glass hide all where they are followed, for what is
-  /// seen in them is the environment. Where it holds what is unlit: the share of unlit layers or
-  /// their colour. What is seen in mirrors and in such glass is light, unlit surfaces included.
-  /// Behind LayerCount::most surfaces the rest is dropped, and counted where it may be seen.
+  /// Returns the linear radiance that arrives along a ray. Blended surfaces are composited in depth
+  /// order. Lights that cast shadows and reflections are computed by `transport`. Rays that
+  /// continue behind a blended surface are counted. Results that are not finite are returned
+  /// unchanged; the caller drops and counts them.
+  /// Some backdrops ask for other values:
+  /// - Coverage: the fraction of the ray that surfaces hide, by colour. Volume boundaries and
+  ///   frosted glass have full coverage where they are followed, since they contain the
+  ///   environment.
+  /// - Unlit surfaces: the fraction of unlit layers, or their colour. Reflections and such glass
+  ///   count as lit, even those of unlit surfaces.
+  /// Behind LayerCount::most surfaces the rest is dropped, and counted if it may be visible.
   [[nodiscard]] glm::vec3 radiance(const ViewedRay& seen, LightTransport& transport,
                                    RenderStatistics& counts) const;
-  /// Along an eye ray.
+  /// Returns the radiance along an eye ray.
   [[nodiscard]] glm::vec3 radiance(const Ray& ray, const Hit& hit, float side,
                                    LightTransport& transport, RenderStatistics& counts) const;
 
-  /// The surfaces along a ray that let light straight through, in depth order, and the one behind
-  /// them, as far as anything of it is seen. Counts the rays that go on.
+  /// Returns the transparent surfaces along a ray, in depth order, and the surface behind them, as
+  /// long as they are visible. Counts the rays that continue.
   [[nodiscard]] std::vector<SeenLayer> layers(const ViewedRay& seen,
                                               RenderStatistics& counts) const;
 
-  /// An eye ray whose nearest hit is `hit`, for the square of `side` pixels that it stands for.
+  /// Returns the eye ray with the nearest hit `hit`, for a square of `side` pixels.
   [[nodiscard]] ViewedRay eye_ray(const Ray& ray, const Hit& hit, float side) const;
 
-  /// A pixel's steps in the picture.
+  /// Returns the spacing of the picture's pixels.
   [[nodiscard]] const PixelSpacing& spacing() const { return settings_.spacing; }
   [[nodiscard]] int reflections() const { return settings_.reflections; }
   [[nodiscard]] const ShadingSettings& settings() const { return settings_; }
-  /// Lights that reflections show although no surface of the scene does, by index into lights().
+  /// Returns the lights that are visible in reflections without a surface in the scene, by index
+  /// into lights().
   [[nodiscard]] std::span<const std::uint32_t> lights_without_geometry() const {
     return lighting_.lights_without_geometry;
   }
-  /// The first of them on a ray, if any, whatever else lies on it.
+  /// Returns the first of them along a ray, if any, ignoring all surfaces.
   [[nodiscard]] std::optional<LightHit> nearest_light_without_geometry(const Ray& ray) const;
-  /// By how much the surface blurs what it mirrors, as Reflection::width; nothing where it is not
-  /// followed.
+  /// Returns the blur width of a surface's reflection, as Reflection::width; nothing if the
+  /// reflection is not followed.
   [[nodiscard]] std::optional<glm::vec3> mirror_width(const ViewedRay& seen,
                                                       const SurfacePoint& point, float roughness,
                                                       glm::vec3 reflected) const;
 
-  /// What the reflection of a material shows of lights. Those of a lobe are its highlights, which
-  /// are summed up over the light, down to roughness_floor. By a defocusing ratio, and by the
-  /// published rule, highlights are the mirrored lights (CGF'98 section 5.1).
+  /// Returns the lights that a material's reflection contains. Lights in a GGX lobe are its
+  /// highlights, integrated over the light, down to roughness_floor. With a defocusing ratio, or by
+  /// the published rule, the reflection contains the lights themselves (CGF'98 section 5.1).
   [[nodiscard]] MirroredLights mirrored_lights(std::uint32_t triangle, float roughness) const;
 
-  /// Whether a ray shows what a surface emits; `hides_lights` is ViewedRay's.
+  /// Returns whether a surface's emission is visible to a ray; `hides_lights` is that of ViewedRay.
   [[nodiscard]] bool shows_emission(bool hides_lights, std::uint32_t triangle) const {
     return !(hides_lights && lighting_.shows_even_light[world_.triangle_part[triangle]] != 0);
   }
 
-  /// Hands what the nearest surface on a ray mirrors to `transport`, where it is followed.
+  /// Passes the reflection of a ray's nearest surface to `transport`, if it is followed.
   [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point,
                              const ViewedMaterial& material, LightTransport& transport,
                              glm::vec3& radiance, RenderStatistics& counts) const {
     return add_mirrored(seen, point, material, {glm::vec3(1.0f), 0, seen.hit, seen.passage},
                         transport, radiance, counts);
   }
-  /// Whether what such a surface mirrors is what its lobe shows, and not the mean over a square of
-  /// directions, as a defocusing ratio makes it (CGF'98 section 5.1).
+  /// Returns whether the reflection is blurred by the GGX lobe. A defocusing ratio uses a square of
+  /// directions instead (CGF'98 section 5.1).
   [[nodiscard]] bool mirrors_by_lobe(std::uint32_t triangle, float roughness) const;
 
-  /// The scene's, by the rule of the settings.
+  /// Returns the scene's lights, by the rule of the settings.
   [[nodiscard]] std::span<const PreparedLight> lights() const { return lights_; }
 
  private:
-  /// What surfaces on a ray send along it, and how much of the backdrop is seen behind them.
+  /// Radiance of the surfaces along a ray, and the weight of the background behind them.
   struct Layers {
     glm::vec3 radiance{0.0f};
     glm::vec3 behind{0.0f};
   };
-  /// The colour of an unlit layer where it is opaque; 1 where pixels hold the share of unlit
-  /// surfaces.
+  /// Returns the colour of an unlit layer where it is opaque; 1 where pixels contain the fraction
+  /// of unlit surfaces.
   [[nodiscard]] glm::vec3 unlit_colour(const SurfaceMaterial& material) const;
   [[nodiscard]] Layers look_along(const ViewedRay& seen, const SampleExtent& extent,
                                   LightTransport& transport, RenderStatistics& counts) const;
-  /// A layer that a ray meets: its share of the ray's radiance, and how many lie before it.
+  /// A surface along a ray, with its weight in the ray's radiance and the number of surfaces in
+  /// front of it.
   struct Layer {
     glm::vec3 share{1.0f};
     int number = 0;
     Hit hit;
-    VolumePath passage;  ///< of what it reflects
+    VolumePath passage;  ///< the volumes at the start of its reflections
     const VolumeBoundary* boundary = nullptr;
   };
-  /// All that a material shows: what it emits and reflects, layer by layer. Returns the share of
-  /// what lies below its layers that they let through; a volume's boundary is one of them.
+  /// Adds the emission and reflection of a material, layer by layer. A volume's boundary is one of
+  /// the layers. Returns the fraction of light that passes the layers.
   float add_material(const ViewedRay& seen, const SurfacePoint& point,
                      const SurfaceMaterial& material, const Layer& layer, const MipChains* mips,
                      LightTransport& transport, glm::vec3& radiance,
@@ -161,9 +167,9 @@ class Shader {
                                   const ViewedMaterial& material, const Layer& layer,
                                   LightTransport& transport, glm::vec3& radiance,
                                   RenderStatistics& counts) const;
-  /// Hands what shines through a volume's boundary, or blurred through a rough thin wall, to
-  /// `transport`, where it is followed; `through` is its share of the ray's radiance. Returns what
-  /// is left of that. A thin wall's lobe is the mirrored one, on its other side
+  /// Passes the refraction at a volume's boundary, or the transmission of a rough thin wall, to
+  /// `transport`, if it is followed. `through` is its weight in the ray's radiance. Returns the
+  /// weight that is left. A thin wall's lobe is the mirrored one on its other side
   /// (KHR_materials_transmission, "Transmission BTDF").
   [[nodiscard]] glm::vec3 add_refracted(const ViewedRay& seen, const SurfacePoint& point,
                                         float roughness, const Layer& layer, glm::vec3 through,
@@ -178,7 +184,7 @@ class Shader {
   const Lighting& lighting_;
   ShadingSettings settings_;
   std::span<const PreparedLight> lights_;
-  bool sums_patches_ = false;  // some light is summed up over a patch
+  bool sums_patches_ = false;  // some light is integrated over a patch
 };
 
 }  // namespace asos

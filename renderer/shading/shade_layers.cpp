@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-// Surfaces that are seen one through the other, and what is lost where they are seen by the means
-// of what each lets through.
+// Transparent surfaces along a ray, and the error of multiplying their mean transmittances.
 
 namespace asos {
 
 float unevenness_of(std::span<const SeenLayer> layers) {
-  // The mean of what all layers so far let through, and of its square, as if each were by itself.
+  // Mean transmittance of the layers so far, and the mean of its square, as if they were
+  // independent.
   float mean = 1.0f, mean_square = 1.0f, unevenness = 0.0f;
   for (const SeenLayer& layer : layers) {
-    // What is there in part may be all of it here, and nothing there.
+    // An opacity in between may be the mean of 0 and 1 at different points.
     const float variance = layer.varies ? layer.opacity * (1.0f - layer.opacity) : 0.0f;
     const float variance_before = std::max(0.0f, mean_square - mean * mean);
     unevenness += std::sqrt(variance_before * variance);

@@ -6,18 +6,18 @@
 #include <array>
 #include <cmath>
 
-// What a surface mirrors and lets through: how that is blurred, and whether it is followed.
+// Reflection and transmission: their blur, and whether they are followed.
 
 namespace asos {
 namespace {
 
-// Lobes that are less rough are as narrow as a mirror's edge is sharp.
+// Less rough lobes are as narrow as the sharpest mirror image.
 constexpr float least_lobe_roughness = 1.0f / 64.0f;
 
 }  // namespace
 
 bool Shader::follows(const ViewedRay& seen, glm::vec3 share) const {
-  // A reflection that no 8-bit picture shows is not worth a ray, whatever the light.
+  // A reflection that is invisible in any 8-bit picture is not worth a ray, whatever the light.
   constexpr float least_reflected = 1.0f / 256.0f;
   const float most = seen.throughput * std::max({share.x, share.y, share.z});
   return seen.bounces < settings_.reflections && most >= least_reflected;
@@ -26,7 +26,7 @@ bool Shader::follows(const ViewedRay& seen, glm::vec3 share) const {
 std::optional<glm::vec3> Shader::mirror_width(const ViewedRay& seen, const SurfacePoint& point,
                                               float roughness, glm::vec3 reflected) const {
   if (!follows(seen, reflected)) return std::nullopt;
-  // The bumps that a normal map's mean leaves out blur, too: the squared slopes add up.
+  // Bumps below the resolution of a normal map's mean add to the blur: squared slopes add up.
   const double bumps = static_cast<double>(point.spread.variance);
   const Dfr* own = own_dfr(point.triangle);
   const bool rough = !(roughness <= settings_.roughest_mirror);
@@ -107,8 +107,8 @@ glm::vec3 Shader::add_refracted(const ViewedRay& seen, const SurfacePoint& point
     ++beyond.refractions;
     return follow(1.0f, mirrored, beyond, only, through) ? glm::vec3(0.0f) : through;
   }
-  // A facet that is turned by an angle turns the refracted ray by |1 - ratio| of it, and a mirrored
-  // one by twice the angle.
+  // A facet that is turned by an angle turns the refracted ray by |1 - ratio| of it, and a
+  // reflected one by twice the angle.
   const VolumeBoundary& boundary = *layer.boundary;
   const VolumePath beyond = boundary.refracted(layer.passage);
   const auto bend = [&](float ratio, int colour, glm::vec3 share) {

@@ -10,15 +10,16 @@
 
 namespace asos {
 
-/// The ray from a point to a point of a light, of unit direction: from clear of the surface to
-/// shortly before the light, whose own glass does not shade it. Coordinates err by some units in
-/// their last place, and so does where the light is met.
+/// Returns the ray of unit direction from a point to a point of a light. It starts clear of the
+/// surface and ends shortly before the light, so that the light's own glass does not shade it. The
+/// end has a tolerance of some units in the last place of the coordinates.
 [[nodiscard]] inline Ray shadow_ray(const SurfacePoint& point, const LightSample& at) {
   Ray ray;
   ray.direction = glm::vec3(at.direction);
   if (!std::isfinite(at.distance)) {
-    // Surfaces under suns are often large, and so is the height that clears them: beside its way
-    // the ray would meet shadows that lie beside.
+    // Surfaces under suns are often large, and so is the height that clears them. Starting straight
+    // above the point would move the ray sideways into other shadows, so it starts along its own
+    // direction.
     ray.origin = point.lit_position() +
                  clear_way(clear_height(point), point.to_edge, point.horizon(), ray.direction);
     return ray;

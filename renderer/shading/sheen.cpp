@@ -17,8 +17,8 @@ T charlie(T alpha, T sine2) {
          T(0.5);
 }
 
-/// Smith's Lambda for it, which has no closed form: the paper's fit, L(x) up to a cosine of a half,
-/// and mirrored about it from there.
+/// Smith's Lambda for this distribution. It has no closed form; L(x) is the paper's fit, used up to
+/// a cosine of 0.5 and mirrored about it beyond.
 template <typename T>
 T lambda(T alpha, T cosine) {
   const T t = (T(1) - alpha) * (T(1) - alpha);
@@ -32,10 +32,10 @@ T lambda(T alpha, T cosine) {
   return std::exp(cosine < half ? fit(cosine) : T(2) * fit(half) - fit(T(1) - cosine));
 }
 
-/// The integral over the hemisphere, its directions closer together at the horizon.
+/// Integrates over the hemisphere, with denser nodes at the horizon.
 double integrated_albedo(double n_dot_v, double alpha) {
   constexpr int heights = 32;
-  constexpr int turns = 16;  // of a half turn: both sides of the plane of view are the same
+  constexpr int turns = 16;  // of a half turn: both sides of the plane of view are equal
   const double sine_v = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
   const double lambda_v = lambda(alpha, n_dot_v);
   double sum = 0.0;
@@ -57,11 +57,11 @@ double integrated_albedo(double n_dot_v, double alpha) {
   return 2.0 * std::numbers::pi * sum / (heights * turns);
 }
 
-/// At equal steps of sqrt(n.v) from 0 and of roughness from its floor, each to 1.
+/// The albedo at equal steps of sqrt(n.v) from 0 to 1 and of roughness from its floor to 1.
 struct AlbedoTable {
   static constexpr std::size_t cosines = 40;
   static constexpr std::size_t roughnesses = 32;
-  /// Roughness by roughness, in each by n.v.
+  /// Rows are roughnesses, and columns n.v.
   std::array<float, cosines * roughnesses> albedo{};
 
   AlbedoTable() {

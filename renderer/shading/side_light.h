@@ -6,13 +6,13 @@
 
 namespace asos {
 
-/// The part of a sky's radiance that varies with the azimuth: grey, of mean 0, the spherical
-/// harmonics of degrees 1 and 2 without height. Azimuths are about +Y from +Z, in degrees. All
-/// means are closed forms. Immutable.
+/// The part of a sky's radiance that varies with the azimuth. It is grey, has mean 0, and consists
+/// of the spherical harmonics of degrees 1 and 2 that do not depend on height. Azimuths are about
+/// +Y from +Z, in degrees. All means are closed forms. Immutable.
 class SideLight {
  public:
-  /// `one` towards one azimuth, the opposite away from it; `two` towards both ends of another, the
-  /// opposite across.
+  /// `one` is the value at one azimuth, and its negative is on the opposite side. `two` is the
+  /// value at both ends of another axis, and its negative is across it.
   struct Amounts {
     double one = 0.0, one_deg = 0.0;
     double two = 0.0, two_deg = 0.0;
@@ -23,7 +23,7 @@ class SideLight {
 
   [[nodiscard]] bool none() const { return none_; }
 
-  /// The mean over a small patch around a unit direction; the steps are across it.
+  /// Returns the mean over a small patch around a unit direction; the steps are across it.
   [[nodiscard]] double mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const {
     return linear(direction) + square(direction) + (square(right) + square(down)) / 12.0;
   }

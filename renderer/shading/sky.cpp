@@ -19,8 +19,8 @@ namespace {
 
 constexpr double sqrt2 = std::numbers::sqrt2;
 
-/// A patch is looked at in parts of no more than this, in radians, and as wide as they are high,
-/// unless that would be more than so many a side.
+/// A patch is integrated in parts of at most this size, in radians, about as wide as high. There
+/// are at most `most_parts` per side.
 constexpr double widest_part = 0.25;
 constexpr int most_parts = 8;
 constexpr int most_parts_of_long = 16;
@@ -30,7 +30,7 @@ std::string colours(glm::vec3 zenith, glm::vec3 horizon) {
   return zenith == horizon ? text(zenith) : text(zenith) + ":" + text(horizon);
 }
 
-/// A step from a direction, less what of it is along the direction.
+/// Returns the part of a step perpendicular to a direction.
 glm::dvec3 across(glm::dvec3 direction, glm::dvec3 step) {
   return step - glm::dot(step, direction) * direction;
 }
@@ -53,9 +53,10 @@ Parts parts_of(double right, double down) {
   return {parts(right), parts(down)};
 }
 
-/// What a stretched lobe is brightest towards, each part of which is as wide as it is across:
-/// facets whose slopes along the stretch are those below which equal shares of the lobe's facets
-/// are (the slopes of GGX, by one coordinate, are distributed as a / (2 (a^2 + x^2)^(3/2)).
+/// Returns the mean radiance around the ridge of a stretched lobe, sampled by facets. Each facet's
+/// part is as wide as the lobe is across. Their slopes along the stretch divide the lobe's facets
+/// into equal fractions (a GGX lobe's slopes along one coordinate have the density a^2 / (2 (a^2 +
+/// x^2)^(3/2))).
 glm::vec3 around_ridge(const Sky& sky, const ViewedMaterial& seen, glm::vec3 normal,
                        glm::vec3 to_viewer) {
   constexpr int facets = 9;
@@ -109,7 +110,7 @@ Sky Sky::brightened(double times) const {
   return sky;
 }
 
-/// Makes the gradient of an environment without a picture follow its turn and brightness.
+/// Applies turn and brightness to the gradient of an environment without a picture.
 void Sky::follow_environment() {
   if (map_ || !choice_.environment) return;
   const EnvironmentRow& row = row_of(*choice_.environment);
@@ -142,7 +143,7 @@ glm::vec3 Sky::radiance(glm::vec3 direction, glm::vec3 right, glm::vec3 down) co
   if (constant()) return gradient_.zenith();
   const glm::dvec3 middle(direction), r(right), s(down);
   const double width = glm::length(across(middle, r)), height = glm::length(across(middle, s));
-  // A small patch on one side of a gradient's horizon, as nearly all pixels are.
+  // Fast path: a small patch on one side of a gradient's horizon, as in nearly all pixels.
   if (!map_ && std::max(width, height) <= widest_part &&
       gradient_.linear_near(middle.y, width + height)) {
     const glm::dvec3 mean = gradient_.mean(middle.y, 0.0);
@@ -183,7 +184,7 @@ glm::dvec3 Sky::mean_of_parts(const Directions& all, int across_right, int acros
 
 glm::dvec3 Sky::part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const {
   const glm::dvec3 r = across(direction, right), s = across(direction, down);
-  // A square, or a range of heights, of the variance of the part.
+  // Use a square, or a range of heights, with the variance of the part.
   if (map_)
     return brightness_ * glm::dvec3(map_->mean(in_map(direction),
                                                std::hypot(glm::length(r), glm::length(s)) / sqrt2));
@@ -230,7 +231,7 @@ SkyChoice choice_of(const Sky* sky) {
 
 glm::vec3 background(const Sky* sky, glm::vec3 direction, const PixelSpacing* spacing, float side) {
   if (!sky) return background_radiance;
-  // Parallel rays all see one point of what is infinitely far away.
+  // Parallel rays all reach the same point at infinity.
   if (!spacing || !spacing->perspective) return sky->radiance(direction);
   const float scale = side * glm::dot(direction, spacing->forward);
   return sky->radiance(direction, scale * spacing->right, scale * spacing->down);

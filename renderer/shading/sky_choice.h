@@ -12,11 +12,11 @@ namespace asos {
 
 class Sky;
 
-/// Surroundings that the program brings along; see environments.h.
+/// Surroundings that are part of the program; see environments.h.
 enum class Environment { softboxes, windows, studio, daylight, dusk, white, grey };
 
-/// The surroundings of a scene, as a person asks for them: nothing but the neutral grey, two
-/// colours, a file, an environment.
+/// The user's choice of a scene's surroundings: the neutral grey, two colours, a file or an
+/// environment.
 struct SkyChoice {
   struct Colours {
     glm::vec3 zenith{0.0f};  ///< linear
@@ -25,7 +25,7 @@ struct SkyChoice {
   };
   std::optional<Colours> colours;
   std::string file;  ///< empty: none
-  /// Turn of a file or an environment about +Y, counter-clockwise as seen from above.
+  /// Turn of a file or an environment about +Y, counter-clockwise seen from above.
   double turn_deg = 0.0;
   /// Factor of the radiance of a file or an environment, 0 to most_brightness.
   double brightness = 1.0;
@@ -35,9 +35,9 @@ struct SkyChoice {
   bool operator==(const SkyChoice&) const = default;
 };
 
-/// The sky that was chosen, null for the neutral one; a file is read. Errors name it.
+/// Makes the chosen sky, null for the neutral one. Reads the file if there is one; errors name it.
 [[nodiscard]] Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice);
-/// The choice that a sky was made from; of null, the neutral one.
+/// Returns the choice from which a sky was made; for null, the neutral one.
 [[nodiscard]] SkyChoice choice_of(const Sky* sky);
 
 }  // namespace asos

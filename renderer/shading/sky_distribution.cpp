@@ -9,16 +9,16 @@
 namespace asos {
 namespace {
 
-// The radiance of a texel counts for this much of the mean at least: what is looked up between
-// texels is not black where one of them is.
+// Smallest weight of a texel, relative to the mean, since the interpolation with its neighbours may
+// make a black texel brighter.
 constexpr double least_share = 0.01;
 
 double brightness(glm::vec3 radiance) {
   return static_cast<double>(std::max({radiance.x, radiance.y, radiance.z}));
 }
 
-// Of a texel as it is looked up, which mixes it with its neighbours: the mean of its four quarters'
-// middles.
+// Returns the brightness of a texel after interpolation with its neighbours: the mean of the
+// centres of its four quarters.
 double brightness_in(const SkyRows& rows, std::size_t row, std::size_t column,
                      std::size_t columns) {
   double sum = 0.0;
@@ -73,7 +73,7 @@ SkyDirection SkyDistribution::at(glm::dvec2 place) const {
   const double before = texel > 0 ? cumulative_[texel - 1] : 0.0;
   const double share = cumulative_[texel] - before;
   const double along = share > 0.0 ? std::clamp((place.x - before) / share, 0.0, 1.0) : 0.5;
-  // Evenly over its solid angle: in the angle about +Y and in the height.
+  // Distribute evenly over the solid angle: evenly in azimuth and in height.
   const auto rows = static_cast<double>(solid_angle_.size());
   const double top = std::cos(std::numbers::pi * static_cast<double>(row) / rows);
   const double bottom = std::cos(std::numbers::pi * static_cast<double>(row + 1) / rows);

@@ -8,29 +8,30 @@ namespace asos {
 
 struct SkyRows;
 
-/// A direction, and how densely such are taken there.
+/// A sampled direction with its density.
 struct SkyDirection {
   glm::dvec3 direction{0.0, 1.0, 0.0};  ///< unit
   double density = 0.0;                 ///< per steradian
 };
 
-/// Directions of a sky's picture, distributed as its radiance is (Pharr, Jakob, Humphreys,
-/// "Physically Based Rendering", section 12.5): by texel, evenly over each one's solid angle.
+/// Samples directions in proportion to the radiance of a sky's picture (Pharr, Jakob, Humphreys,
+/// "Physically Based Rendering", section 12.5): by texel, and evenly over each texel's solid angle.
 class SkyDistribution {
  public:
-  /// Of rows whose texels are means of their solid angles. Black all over: even over the sphere.
+  /// Uses rows whose texels are means over their solid angles. A black picture is sampled evenly
+  /// over the sphere.
   explicit SkyDistribution(const SkyRows& rows);
 
-  /// The direction of a place in the unit square.
+  /// Returns the direction of a place in the unit square.
   [[nodiscard]] SkyDirection at(glm::dvec2 place) const;
-  /// The density of a unit direction, per steradian.
+  /// Returns the density of a unit direction, per steradian.
   [[nodiscard]] double density(glm::dvec3 direction) const;
 
  private:
   [[nodiscard]] double density_of(std::size_t texel, std::size_t row) const;
 
   std::vector<std::size_t> start_;   // of each row in texels, and the end
-  std::vector<double> cumulative_;   // of all texels, in their order; the last is 1
+  std::vector<double> cumulative_;   // of all texels, in order; the last is 1
   std::vector<double> solid_angle_;  // of a texel of each row
 };
 

@@ -15,10 +15,12 @@ namespace asos {
 namespace {
 
 constexpr std::int64_t most_texels = std::int64_t{1} << 26;
-// Of an .exr, whose texels take 15 bytes, beside one for 5 bytes of the file; more are made fewer.
+// Limits of an .exr, whose texels take 15 bytes: this number is free, and one more is allowed per 5
+// bytes of the file. Larger pictures are reduced.
 constexpr std::int64_t free_exr_texels = std::int64_t{1} << 24;
 constexpr std::int64_t most_exr_texels = std::int64_t{1} << 27;
-// The sun has 2e9 nits. Squares of what is this bright, and brightened, are finite.
+// Limit of radiance; the sun has 2e9 nits. Squares of this value stay finite, even with the largest
+// brightness.
 constexpr float most_radiance = 1e15f;
 
 struct SkyPicture {

@@ -31,8 +31,8 @@ glm::vec3 by_cosine(glm::vec2 place) {
   return {r * std::cos(angle), r * std::sin(angle), std::sqrt(std::max(0.0f, 1.0f - place.x))};
 }
 
-/// The mean of Schlick's weight over all directions to the light by their cosine, by n.v: a table
-/// with a value for each 64th of it, within 1e-4.
+/// Returns the mean of Schlick's weight over all directions to the light, weighted by their cosine,
+/// for this n.v. Interpolates a table in steps of 1/64, within 1e-4.
 float mean_schlick(float n_dot_v) {
   constexpr int steps = 64;
   static const std::array<float, steps + 1> table = [] {
@@ -55,14 +55,14 @@ float mean_schlick(float n_dot_v) {
   return glm::mix(table[below], table[below + 1], at - static_cast<float>(below));
 }
 
-/// D * V of a stretched lobe, of directions in its own frame.
+/// Returns D * V of a stretched lobe, for directions in its own frame.
 float stretched_lobe(glm::vec2 alpha, glm::vec3 half, glm::vec3 to_light, glm::vec3 to_viewer) {
   const PatchLobe lobe({}, std::sqrt(alpha.y), {0.0f, 0.0f, 1.0f},
                        {std::sqrt(alpha.x * alpha.x - alpha.y * alpha.y), 0.0f, 0.0f});
   return lobe.value(half, to_light, to_viewer, {to_light.z, to_viewer.z, half.z, 0.0f});
 }
 
-/// The density of what `visible_normal` mirrors, per steradian.
+/// Returns the density of reflections at visible normals (`visible_normal`), per steradian.
 float lobe_density(glm::vec3 v, glm::vec3 half, glm::vec2 alpha) {
   if (alpha.x != alpha.y) {
     const float slopes = (half.x * half.x) / (alpha.x * alpha.x) +
@@ -94,7 +94,7 @@ SkySampler::SkySampler(const SkyLitPoint& point)
   const SurfacePoint& surface = point.view.point;
   const glm::vec3 horizon = surface.horizon();
   if (horizon != surface.shading_normal && horizon != glm::vec3(0.0f)) horizon_ = local(horizon);
-  // The share of each kind of direction.
+  // Fractions of the samples by the cosine, by the lobe and by the picture.
   const float by_diffuse = largest(sheen_ ? material_.ambient : material_.diffuse);
   const float by_lobe = point.mirrors ? 0.0f : largest(material_.specular);
   const float by_picture = picture_ ? by_diffuse + by_lobe : 0.0f;
@@ -103,8 +103,8 @@ SkySampler::SkySampler(const SkyLitPoint& point)
   if (reflects_) share_ = {by_diffuse / sum, by_lobe / sum, by_picture / sum};
 }
 
-// Chooses one of the kinds, and a direction of it, in the surface's frame. None: it carries
-// nothing.
+// Chooses one of the strategies and samples a direction, in the surface's frame. Returns none if
+// the direction contributes nothing.
 std::optional<glm::vec3> SkySampler::direction_of(glm::dvec2 place) const {
   auto first = static_cast<float>(place.x);
   const auto second = static_cast<float>(place.y);
@@ -119,7 +119,7 @@ std::optional<glm::vec3> SkySampler::direction_of(glm::dvec2 place) const {
         (place.x - static_cast<double>(share_[0] + share_[1])) / static_cast<double>(share_[2]);
     const SkyDirection bright = sky_->bright_direction({std::clamp(rest, 0.0, 1.0), place.y});
     found = local(glm::vec3(bright.direction));
-    // The sky below the surface does not shine on it.
+    // The part of the sky below the surface does not illuminate it.
     if (!(glm::dot(found, horizon_) > 0.0f)) return std::nullopt;
   }
   return found.z > 0.0f ? std::optional(found) : std::nullopt;
@@ -141,8 +141,8 @@ SkySampler::Reflected SkySampler::reflected_from(glm::vec3 direction) const {
   return found;
 }
 
-// Adds what the sample carries from a direction of the shading normal's hemisphere. A picture
-// shines from where the ray goes: its sun does not shine through the surface.
+// Adds the contribution from a direction in the shading normal's hemisphere. A picture's radiance
+// is that of the ray's own direction, so that its sun does not shine through the surface.
 void SkySampler::add(glm::vec3 direction, glm::vec3 brdf, float density, SkySample& sample) const {
   const glm::vec3 from = picture_ ? sample.direction : world(direction);
   const glm::vec3 radiance = sky_ ? sky_->radiance(from) : background_radiance;
@@ -160,7 +160,7 @@ std::optional<SkySample> SkySampler::at(glm::dvec2 place) const {
   SkySample sample;
   sample.direction = world(above_plane(*direction, horizon_));
 
-  // Its light over the density of all of them, with that of the direction on the other side of the
+  // Divide by the density of all strategies, including that of the direction mirrored at the
   // surface's plane.
   const glm::vec3 other_side = glm::reflect(*direction, horizon_);
   const bool folded = other_side.z > 0.0f;

@@ -10,30 +10,31 @@
 
 namespace asos {
 
-/// Which of a sample's lobes tells the directions to the sky.
+/// Number of the lobe in a sample's sequence that gives the directions to the sky.
 inline constexpr int lobe_of_sky = 0x1001;
 
-/// A direction in which a point looks at the sky.
+/// A sampled direction from a point to the sky.
 struct SkySample {
   glm::vec3 direction{0.0f};  ///< unit
-  glm::vec3 weight{0.0f};     ///< of the radiance from there in that towards the viewer
-  glm::vec3 carried{0.0f};    ///< radiance towards the viewer, if nothing lies in the direction
-  glm::vec3 matte{0.0f};      ///< the same of the diffuse part alone, as if it did not fall off
+  /// Weight of the radiance from there in the radiance towards the viewer.
+  glm::vec3 weight{0.0f};
+  glm::vec3 carried{0.0f};  ///< unoccluded contribution: radiance towards the viewer
+  glm::vec3 matte{0.0f};    ///< the same of the diffuse part alone, without falloff
 };
 
-/// Directions of a surface's whole reflection of the sky: the mean over places in the unit square
-/// is the integral of radiance, BRDF and cosine over the hemisphere. Directions come by the cosine,
-/// by the lobe (visible normals: Heitz 2018) and of pictures by their radiance, weighed by the
-/// balance heuristic (Veach and Guibas 1995). A direction of the shading normal's hemisphere that
-/// leads below the surface itself is reflected back above it, so that no light is lost. Keeps what
-/// does not depend on the place, for repeated use.
+/// Samples the directions of a surface's whole reflection of the sky. The mean over places in the
+/// unit square is the integral of radiance, BRDF and cosine over the hemisphere. Directions are
+/// sampled by the cosine, by the lobe (visible normals: Heitz 2018), and for pictures by radiance.
+/// They are weighted by the balance heuristic (Veach and Guibas 1995). A direction in the shading
+/// normal's hemisphere that leads below the surface is mirrored above it, so that no light is lost.
+/// Stores all that does not depend on the place, for repeated use.
 class SkySampler {
  public:
   explicit SkySampler(const SkyLitPoint& point);
 
-  /// Whether the surface reflects anything of the sky.
+  /// Returns whether the surface reflects any of the sky.
   [[nodiscard]] bool reflects() const { return reflects_; }
-  /// That of a place. None: it carries nothing.
+  /// Returns the sample of a place; none: it contributes nothing.
   [[nodiscard]] std::optional<SkySample> at(glm::dvec2 place) const;
 
  private:
@@ -46,7 +47,7 @@ class SkySampler {
   [[nodiscard]] std::optional<glm::vec3> direction_of(glm::dvec2 place) const;
   struct Reflected {
     glm::vec3 brdf{0.0f};
-    float density = 0.0f;  ///< of the cosine's and the lobe's directions
+    float density = 0.0f;  ///< density of directions by the cosine and the lobe
   };
   [[nodiscard]] Reflected reflected_from(glm::vec3 direction) const;
   void add(glm::vec3 direction, glm::vec3 brdf, float density, SkySample& sample) const;
@@ -54,27 +55,28 @@ class SkySampler {
   const Sky* sky_;
   ViewedMaterial material_;
   glm::vec3 factor_;
-  glm::vec3 right_, up_, normal_;  ///< of its own frame
-  glm::vec3 viewer_;               ///< in it
-  glm::vec3 horizon_{0, 0, 1};     ///< normal of the surface itself, in it
+  glm::vec3 right_, up_, normal_;  ///< axes of its own frame
+  glm::vec3 viewer_;               ///< direction to the viewer, in this frame
+  glm::vec3 horizon_{0, 0, 1};     ///< normal of the surface itself, in this frame
   glm::vec2 alpha_;
   bool reflects_ = false;
   bool picture_ = false;
   bool sheen_ = false;
-  std::array<float, 3> share_{};  ///< of directions by the cosine, the lobe, the picture
+  /// Fractions of the directions by the cosine, the lobe, the picture.
+  std::array<float, 3> share_{};
 };
 
-/// The sampler's direction of one place.
+/// Returns the sampler's direction for one place.
 [[nodiscard]] std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place);
 
-/// From the surface in the sample's direction.
+/// Returns the ray from the surface in the sample's direction.
 [[nodiscard]] Ray sky_ray(const SurfacePoint& point, const SkySample& sample);
 
-/// The mean of `carried` of all samples, hidden ones too, where a closed form is known: of skies
-/// that are the same all over (the lobe's part as exact as lobe_norms), and of what is
-/// not shiny under gradients.
+/// Returns the mean of `carried` over all samples, including occluded ones, where a closed form
+/// exists. It exists for constant skies (with the accuracy of lobe_norms) and for matte surfaces
+/// under gradients.
 [[nodiscard]] std::optional<glm::vec3> open_sky(const SkyLitPoint& point);
-/// The mean of `matte`, where a closed form is known.
+/// Returns the mean of `matte`, where a closed form exists.
 [[nodiscard]] std::optional<glm::vec3> open_sky_of_matte(const SkyLitPoint& point);
 
 }  // namespace asos

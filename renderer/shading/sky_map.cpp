@@ -13,16 +13,16 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The irradiance is found from texels of some 3 degrees, and kept for normals 6 degrees apart.
+/// The irradiance is computed from texels of some 3 degrees and stored for normals 6 degrees apart.
 constexpr int irradiance_source_rows = 64;
 constexpr int irradiance_rows = 32;
-/// A picture of so many texels has the second level made where it is looked at, which would take
-/// two thirds of its radiance's memory again.
+/// For a picture with more texels than this, the second level is computed on access. Storing it
+/// would take another two thirds of the picture's memory.
 constexpr std::size_t large_picture = std::size_t{1} << 23;
-/// Directions are taken by texels of half a degree.
+/// Directions are sampled by texels of half a degree.
 constexpr int distribution_rows = 360;
 
-/// Rows of even numbers of columns, without texels yet.
+/// Makes rows with an even number of columns, without texels.
 template <typename ColumnsOf>
 SkyRows empty_rows(int rows, const ColumnsOf& columns_of) {
   SkyRows level;
@@ -40,7 +40,7 @@ SkyRows reduced_rows(int rows, int most_columns) {
   });
 }
 
-/// The sum, over u from `lo` to `hi` turns, of a row of `n` texels.
+/// Returns the sum of a row of `n` texels over u from `lo` to `hi` turns.
 template <typename Texel>
 glm::dvec3 row_integral(int n, double lo, double hi, const Texel& texel) {
   const double from = lo * n, to = hi * n;
@@ -61,21 +61,22 @@ void find_poles(SkyRows& level) {
   level.nadir = row_integral(level, level.rows() - 1, 0.0, 1.0);
 }
 
-/// A texel of the rows that are as many as the picture's: the mean of those that it covers.
+/// Returns a texel of a level with as many rows as the picture: the mean of the texels that it
+/// covers.
 glm::vec3 mean_in_row(const SkyRows& picture, int row, int column, int columns) {
   const double lo = static_cast<double>(column) / columns;
   const double hi = static_cast<double>(column + 1) / columns;
   return row_integral(picture, row, lo, hi) / (hi - lo);
 }
 
-/// Whether a row of so many columns is made where it is looked at, and not kept.
+/// Returns whether a row with so many columns is computed on access instead of stored.
 bool is_made_anew(int columns, int picture_columns) {
   constexpr int most_covered = 8;
   return most_covered * columns >= picture_columns;
 }
 
-/// The rows of a large picture's second level that are kept, which are those near the poles: the
-/// others have no texels.
+/// Returns the stored rows of a large picture's second level, which are those near the poles. The
+/// other rows have no texels.
 SkyRows polar_rows(const SkyRows& picture, const SkyRows& shape) {
   const int width = picture.columns(0);
   SkyRows kept;
@@ -89,7 +90,8 @@ SkyRows polar_rows(const SkyRows& picture, const SkyRows& shape) {
   return kept;
 }
 
-/// Fills `coarse` with means of `fine` by solid angle, whose texels `texel(row, column)` says.
+/// Fills `coarse` with means of `fine` by solid angle. `texel(row, column)` returns the texels of
+/// `fine`.
 template <typename Texel>
 void fill_with_means(const SkyRows& fine, SkyRows& coarse, const Texel& texel) {
   const int rows = coarse.rows();
@@ -117,8 +119,8 @@ void fill_with_means(const SkyRows& fine, SkyRows& coarse, const Texel& texel) {
   find_poles(coarse);
 }
 
-/// A texel's radiance, its solid angle, and the mean of its directions, which is no unit vector:
-/// with it the cosine to a normal is exact where all of the texel is above the horizon.
+/// A texel's radiance, its solid angle, and the mean of its directions, which is no unit vector.
+/// With this mean, the cosine to a normal is exact for a texel above the horizon.
 struct SkyPatch {
   glm::dvec3 radiance;
   glm::dvec3 direction;
@@ -154,8 +156,8 @@ glm::dvec3 irradiance_over_pi_of(const std::vector<SkyPatch>& patches, glm::dvec
     sum += w * patch.radiance;
     weight += w;
   }
-  // The weights add up to pi but for texels on the horizon: divided by their sum, a constant sky
-  // stays what it is. Of a single texel all around nothing is above the horizon.
+  // The weights add up to pi, except for texels at the horizon. Dividing by their sum keeps
+  // constant skies exact. A sky of a single texel has nothing above the horizon.
   return weight > 0.0 ? sum / weight : patches.front().radiance;
 }
 
@@ -171,7 +173,8 @@ SkyRows find_irradiance(const SkyRows& level) {
                                           -std::sin(theta) * std::cos(angle)}));
     }
   }
-  // Not their neighbours' mean: floors and ceilings are what there is most of.
+  // Compute the poles instead of averaging their neighbours, since floors and ceilings are the most
+  // frequent normals.
   found.zenith = irradiance_over_pi_of(patches, {0, 1, 0});
   found.nadir = irradiance_over_pi_of(patches, {0, -1, 0});
   return found;
@@ -253,8 +256,9 @@ glm::vec3 SkyMap::mean(glm::dvec3 direction, double side) const {
   const auto [u, v] = sky_place(direction);
   const SkyRows& picture = levels_.front();
   if (!(side > 0.0)) return picture.at(u, v);
-  // In heights of the picture's rows. Below one, rows near the poles go over to fewer columns. A
-  // bilinear look at texels of side s has a variance of s^2 / 4, a box of side w has w^2 / 12.
+  // The texel size is in heights of the picture's rows. Below one, rows near the poles blend to
+  // fewer columns. A bilinear look-up of texels of side s has a variance of s^2 / 4, and a box of
+  // side w has w^2 / 12.
   const double texel = side / std::numbers::sqrt3 * picture.rows() / pi;
   if (texel < 1.0) {
     const glm::dvec3 sharp = picture.at(u, v);

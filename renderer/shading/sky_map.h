@@ -12,22 +12,22 @@
 
 namespace asos {
 
-/// A direction in an equirectangular picture: turns from its left edge, and 0 at the zenith to 1 at
-/// the nadir.
+/// A direction in an equirectangular picture: u in turns from its left edge, v from 0 at the zenith
+/// to 1 at the nadir.
 struct SkyPlace {
   double u = 0.0;
   double v = 0.0;
 };
-/// Of a unit direction.
+/// Returns the place of a unit direction.
 [[nodiscard]] SkyPlace sky_place(glm::dvec3 direction);
 
-/// Rows of texels from the zenith to the nadir, all of the same height in angle and each divided
-/// into columns of its own number. Column 0 starts at +Z and they go on by way of -X, so that the
-/// middle of a row is -Z and right of it is +X, as a camera that looks along -Z sees them.
+/// Rows of texels from the zenith to the nadir. All rows have the same height in angle, and each
+/// has its own number of columns. Column 0 starts at +Z and columns continue through -X. So the
+/// centre of a row is -Z with +X on its right, as seen by a camera that looks along -Z.
 struct SkyRows {
-  std::vector<std::uint32_t> start;  ///< of each row in texels, and the end
+  std::vector<std::uint32_t> start;  ///< start of each row in texels, and the end
   SkyTexels texels;
-  glm::dvec3 zenith{0.0};  ///< at v = 0; of a picture, the mean of the first row
+  glm::dvec3 zenith{0.0};  ///< at v = 0; for a picture, the mean of the first row
   glm::dvec3 nadir{0.0};   ///< at v = 1
 
   [[nodiscard]] int rows() const { return static_cast<int>(start.size()) - 1; }
@@ -38,28 +38,30 @@ struct SkyRows {
   [[nodiscard]] glm::vec3 texel(int row, int column) const {
     return texels[start[static_cast<std::size_t>(row)] + static_cast<std::size_t>(column)];
   }
-  /// The bilinear mean at `u` turns (any number) and `v`, 0 at the zenith to 1 at the nadir: across
-  /// the seam, and between the poles and the rows next to them. NaN where they are not finite.
+  /// Returns the bilinear value at `u` turns (any number) and `v`, 0 at the zenith to 1 at the
+  /// nadir. It interpolates across the seam, and between the poles and the rows next to them. NaN
+  /// if a coordinate is not finite.
   [[nodiscard]] glm::vec3 at(double u, double v) const;
 };
 
-/// An equirectangular picture of all directions, and means of it over ever larger patches. Their
-/// rows have as many texels as make them square on the sphere, not in the picture ("reduced
-/// grids" of weather models), so that one size fits all directions, and each is the exact mean of
-/// its solid angle.
+/// An equirectangular picture of all directions, and means of it over larger and larger patches.
+/// The number of texels of each row makes them square on the sphere, not in the picture ("reduced
+/// grids" of weather models). One size therefore fits all directions, and each texel is the exact
+/// mean of its solid angle.
 class SkyMap {
  public:
-  /// `texels`: linear radiance, finite, row by row from the zenith down; `width` and `height` at
-  /// least 1, their product at most that of 32-bit numbers.
+  /// `texels` are linear and finite radiance, row by row from the zenith down. `width` and `height`
+  /// are at least 1, and their product fits 32 bits.
   SkyMap(int width, int height, SkyTexels texels);
 
-  /// The mean around a unit direction of a patch whose sides are `side` radians; 0: a point.
+  /// Returns the mean around a unit direction over a patch with sides of `side` radians; 0: a
+  /// point.
   [[nodiscard]] glm::vec3 mean(glm::dvec3 direction, double side) const;
 
-  /// Irradiance over pi of a surface with this unit normal that sees half of the sky.
+  /// Returns the irradiance over pi of a surface with this unit normal, from its half of the sky.
   [[nodiscard]] glm::vec3 irradiance_over_pi(glm::dvec3 normal) const;
 
-  /// Directions as its light comes from them, within texels of half a degree.
+  /// Returns the sampler of directions in proportion to radiance, with texels of half a degree.
   [[nodiscard]] const SkyDistribution& distribution() const { return *distribution_; }
 
   [[nodiscard]] std::size_t memory_bytes() const;
@@ -68,9 +70,9 @@ class SkyMap {
   [[nodiscard]] glm::vec3 level_at(std::size_t level, double u, double v) const;
   [[nodiscard]] glm::vec3 second_texel(int row, int column) const;
 
-  // The picture; then rows of its height, half its height, ..., 1. Of a large picture the second
-  // has no texels of its own: `polar_` has those of its rows near the poles, the others, means of
-  // few texels of the picture, are made where they are looked at.
+  // The picture, then rows of its height, half its height, ..., 1. A large picture's second level
+  // is not stored: `polar_` has its rows near the poles. The others are means of few texels of the
+  // picture and are computed on access.
   std::vector<SkyRows> levels_;
   SkyRows polar_;
   SkyRows irradiance_;  // over pi, by normal

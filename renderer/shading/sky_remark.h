@@ -4,8 +4,8 @@
 
 namespace asos {
 
-/// What of a sky's file (.hdr or .exr) read_sky does not show: that it is shown with fewer pixels
-/// than it has. As it may be printed; empty: nothing, or it cannot be read.
+/// Returns a warning if read_sky reduces the number of pixels of a sky's file (.hdr or .exr). It is
+/// safe to print. Empty if there is none, or if the file is not readable.
 [[nodiscard]] std::string sky_remark(const std::string& path);
 
 }  // namespace asos

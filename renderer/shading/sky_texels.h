@@ -10,13 +10,13 @@
 
 namespace asos {
 
-/// Texels of linear radiance: as numbers, or as a Radiance picture has them, which takes a third of
-/// the memory and is the same radiance.
+/// Texels of linear radiance: as floats, or packed as in a Radiance picture, which takes a third of
+/// the memory for the same radiance.
 class SkyTexels {
  public:
   SkyTexels() = default;
   SkyTexels(std::vector<glm::vec3> radiance) : radiance_(std::move(radiance)) {}
-  /// `scale` times the radiance of `packed`.
+  /// The radiance is that of `packed` times `scale`.
   SkyTexels(std::vector<Rgbe> packed, glm::vec3 scale = glm::vec3(1.0f))
       : packed_(std::move(packed)), scale_(scale) {}
 

@@ -44,8 +44,8 @@ MappedNormal mapped_normal(const World& world, const Hit& hit, const TextureUse&
       std::min(1.0f, mean.variance * use.scale * use.scale)};
 }
 
-/// How the interpolated normal turns along the footprint's edges; `length` is that of the
-/// interpolated vector before it became the unit `normal`.
+/// Returns the turn of the interpolated normal along the footprint's edges. `length` is the length
+/// of the interpolated vector before it became the unit `normal`.
 NormalSpread interpolated_spread(const std::array<glm::vec3, 3>& normals,
                                  const Footprint& footprint, glm::vec3 normal, float length) {
   const auto& [n0, n1, n2] = normals;
@@ -54,8 +54,9 @@ NormalSpread interpolated_spread(const std::array<glm::vec3, 3>& normals,
   return {turn(steps.right), turn(steps.down)};
 }
 
-/// Whether a footprint on the triangle changes what is seen: where textures are, and highlights on
-/// normals that turn. Elsewhere none is made, for it takes as long as half of the shading.
+/// Returns whether a footprint on the triangle has a visible effect: where there are textures, or
+/// highlights on curved surfaces. Elsewhere the footprint is not computed, since it takes half as
+/// long as shading.
 bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t triangle,
                      const Triangle& t) {
   const Material& m = world.material_of(triangle);
@@ -71,18 +72,19 @@ bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t 
          world.normals[t.v.x] != world.normals[t.v.z];
 }
 
-/// Turns the shading normal by a map of normals; see map_normal.
+/// Turns the shading normal by a normal map; see map_normal.
 void turn_by_map(const World& world, const Hit& hit, const TextureUse& map, const MipChains* mips,
                  float side, SurfacePoint& point) {
   const MappedNormal mapped =
       mapped_normal(world, hit, map, side * point.shading_normal, point.footprint, mips);
   point.spread.variance = mapped.variance;
-  // A map that tilts the normal below the surface is not followed that far.
+  // A mapped normal that points below the surface is ignored.
   if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
     point.shading_normal = side * mapped.normal;
 }
 
-/// The smooth surface above the triangle, if any; before the shading normal is turned by a map.
+/// Computes the smooth surface above the triangle, if any. Must be called before a map turns the
+/// shading normal.
 void find_smooth_surface(const World& world, const Triangle& t,
                          const std::array<glm::vec3, 3>& normals, float side, SurfacePoint& point) {
   const SmoothTriangle smooth{
@@ -92,7 +94,8 @@ void find_smooth_surface(const World& world, const Triangle& t,
   if (point.lift != glm::vec3(0.0f)) point.smooth_normal = point.shading_normal;
 }
 
-/// The shading normal, on the geometric normal's side whatever the winding, and its spread.
+/// Computes the shading normal, on the side of the geometric normal for any winding, and its
+/// spread.
 void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, const Triangle& t,
                   const TextureUse& map, const MipChains* mips, SurfacePoint& point) {
   point.shading_normal = point.geometric_normal;
@@ -109,20 +112,21 @@ void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, c
   if (needs.normal_maps && map.used()) turn_by_map(world, hit, map, mips, side, point);
 }
 
-/// Place and geometric normal on a triangle.
+/// Computes position and geometric normal on a triangle.
 void place_on_triangle(const World& world, const Triangle& t, SurfacePoint& point) {
   const glm::vec3 p0 = world.positions[t.v.x];
   const glm::vec3 p1 = world.positions[t.v.y];
   const glm::vec3 p2 = world.positions[t.v.z];
 
-  // Position from the corners: its error is bounded by their size alone, not by the distance that
-  // the ray came.
+  // The position is computed from the corners, so that its error is bounded by their size alone,
+  // not by the ray's length.
   point.position = t.b0 * p0 + t.b1 * p1 + t.b2 * p2;
   point.error = gamma_bound(7) * (glm::abs(t.b0 * p0) + glm::abs(t.b1 * p1) + glm::abs(t.b2 * p2));
   const glm::vec3 size = glm::max(p0, glm::max(p1, p2)) - glm::min(p0, glm::min(p1, p2));
   point.extent = std::max({size.x, size.y, size.z});
 
-  // The geometric normal in double: slivers cancel badly, and shadows hang on it.
+  // The geometric normal needs double precision: the cross product of a sliver cancels badly, and
+  // shadows depend on the normal.
   const glm::dvec3 cross =
       glm::cross(glm::dvec3(p1) - glm::dvec3(p0), glm::dvec3(p2) - glm::dvec3(p0));
   const double length = glm::length(cross);
@@ -131,8 +135,9 @@ void place_on_triangle(const World& world, const Triangle& t, SurfacePoint& poin
       std::min({t.b0, t.b1, t.b2}) * static_cast<float>(length) / (longest_side * point.extent);
 }
 
-/// The ribbon of a lit line faces the viewer, but lights reach the line from where its normals
-/// point. They are taken on the viewer's side, as those of double-sided surfaces are.
+/// Orients the ribbon of a lit line by the line's normals. The ribbon faces the viewer, but light
+/// arrives from where the normals point. Normals are taken on the viewer's side, as for
+/// double-sided surfaces.
 void face_along_normals(const World& world, const Hit& hit, const Triangle& t, glm::vec3 to_viewer,
                         SurfacePoint& point) {
   const std::array<glm::vec3, 3> normals = corner_normals(world, hit);
@@ -141,8 +146,8 @@ void face_along_normals(const World& world, const Hit& hit, const Triangle& t, g
   point.geometric_normal = glm::dot(normal, to_viewer) < 0.0f ? -normal : normal;
 }
 
-/// On a face of an analytic shape: only the last rounding, to single precision, moves the point off
-/// it, and rays are tested against it in double precision.
+/// Computes position and normal on a face of an analytic shape. Only the final rounding to single
+/// precision moves the point off the shape, since rays are tested in double precision.
 void place_on_face(const World& world, const Hit& hit, SurfacePoint& point) {
   const ShapeFace& face = world.face(hit.triangle);
   const FacePoint at = face_point(face, hit.b1, hit.b2);
@@ -153,7 +158,7 @@ void place_on_face(const World& world, const Hit& hit, SurfacePoint& point) {
                 static_cast<float>(rounding_in_double * face.size);
 }
 
-/// A material whose base colour is found, and whose other textures `sample(use, kind)` looks up.
+/// Makes a material from its base colour; `sample(use, kind)` looks up the other textures.
 template <typename Sample>
 SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs, glm::vec4 base,
                               const Sample& sample) {
@@ -166,7 +171,7 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
   if (material.alpha_mode == AlphaMode::blend) {
     surface.opacity = std::clamp(base.a, 0.0f, 1.0f);
   } else if (material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
-    // Without transmission RayScene has applied the cut-off already.
+    // Without transmission, RayScene has applied the cut-off already.
     surface.opacity = base.a >= material.alpha_cutoff ? 1.0f : 0.0f;
   }
   const auto emission = [&] {
@@ -192,7 +197,7 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
     surface.occlusion = 1.0f + material.occlusion_texture.scale * (seen - 1.0f);
   }
   const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
-  // KHR_materials_specular. An index of 0 stands for an infinite one: all is reflected.
+  // KHR_materials_specular. An index of 0 means an infinite one: everything is reflected.
   glm::vec3 specular_color = material.specular_color;
   float specular = material.specular;
   if (needs.textures && material.specular_color_texture.used())
@@ -310,12 +315,13 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   const bool tinted = needs.vertex_colors && !world.colors.empty();
   const glm::vec4 tint =
       tinted ? vertex_color(world, hit.triangle, hit.b1, hit.b2) : glm::vec4(1.0f);
-  // The texture's alpha from which on a mask shows its colours.
+  // The texture's alpha from which on a mask is opaque.
   std::optional<float> seen_from;
   if (material.alpha_mode == AlphaMode::mask)
     seen_from = material.alpha_cutoff / (material.base_color.a * tint.a);
   const auto sample = [&](const TextureUse& use, TexelKind kind) {
-    // What alpha goes with is no sum: of layers, each other's holes show.
+    // Textures with alpha keep their size: averaged over more than the footprint, each layer would
+    // show the holes of others.
     const Footprint shown = kind == TexelKind::color ? of_colours(footprint) : footprint;
     if (mips)
       return filtered_texture(world, *mips, use, {kind, seen_from},
@@ -327,7 +333,7 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   glm::vec4 base = material.base_color;
   if (needs.textures && material.base_color_texture.used()) {
     glm::vec4 texel = sample(material.base_color_texture, base_color_kind(material));
-    // A cut-off is a point's, as that of rays is.
+    // The cut-off is tested at a point, as rays do.
     if (mips && material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
       texel.a = sample_texture(world, material.base_color_texture, hit.triangle, hit.b1, hit.b2,
                                Encoding::srgb)
@@ -343,7 +349,7 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
 void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit,
                      const Footprint& square, std::span<const SharedShape> parts,
                      const MipChains& mips, SurfaceMaterial& material) {
-  // What blends counts by how much it covers.
+  // With alpha blending, colours are weighted by opacity.
   const bool blends = world.material_of(hit.triangle).alpha_mode == AlphaMode::blend;
   glm::vec3 color(0.0f), emission(0.0f);
   float opacity = 0.0f;
@@ -389,7 +395,7 @@ glm::vec4 vertex_color(const World& world, std::uint32_t triangle, float b1, flo
   if (world.is_face(triangle)) return glm::vec4(1.0f);
   const glm::uvec3 v = world.triangles[triangle];
   const glm::vec4 c = world.colors[v.x];
-  // A hit at an edge may lie beyond it by a rounding error; light is not negative for that.
+  // A hit at an edge may lie beyond it by a rounding error; the result must not be negative.
   return glm::max(c + b1 * (world.colors[v.y] - c) + b2 * (world.colors[v.z] - c), 0.0f);
 }
 
@@ -406,8 +412,8 @@ NormalSpread normal_turn(const World& world, const Hit& hit, const Patch& patch,
 }
 
 float clear_height(const SurfacePoint& point) {
-  // The test of a ray against the triangle works on corners relative to the ray's origin: a dozen
-  // operations on lengths of up to the triangle's extent.
+  // The ray-triangle test uses corners relative to the ray's origin: a dozen operations on lengths
+  // of up to the triangle's extent.
   return 2.0f *
          (glm::dot(glm::abs(point.geometric_normal), point.error) + gamma_bound(12) * point.extent);
 }

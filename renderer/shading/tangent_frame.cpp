@@ -21,8 +21,8 @@ Edges edges_of(const World& world, const Hit& hit, const HitTriangle& t) {
   return {world.positions[t.v.y] - p0, world.positions[t.v.z] - p0};
 }
 
-/// The tangent (w: handedness) of a triangle without authored tangents: the direction in which the
-/// looked-up u grows. Zero where the coordinates do not span the triangle.
+/// Returns the tangent (w: handedness) of a triangle without authored tangents: the direction in
+/// which the texture coordinate u grows. Zero where the coordinates do not span the triangle.
 glm::vec4 tangent_from_texcoords(const World& world, const Hit& hit, const HitTriangle& t,
                                  const TextureUse& use, glm::vec3 normal) {
   if (use.texcoord < 0 || use.texcoord > 1) return {};
@@ -36,8 +36,8 @@ glm::vec4 tangent_from_texcoords(const World& world, const Hit& hit, const HitTr
   const float sign = det < 0.0f ? -1.0f : 1.0f;
   const glm::vec3 along_u = sign * (e1 * d2.y - e2 * d1.y);
   const glm::vec3 along_v = sign * (e2 * d1.x - e1 * d2.x);
-  // glTF's v runs down the image and a normal map's green points up it: against v. Judged by the
-  // normal, not by the triangle's winding.
+  // glTF's v runs down the image, and a normal map's green points up it, against v. The handedness
+  // depends on the normal, not on the triangle's winding.
   const bool mirrored = glm::dot(glm::cross(normal, along_u), along_v) > 0.0f;
   return {along_u, mirrored ? -1.0f : 1.0f};
 }

@@ -11,19 +11,18 @@
 
 namespace asos {
 
-/// The integral of a texture of nearest texels over a parallelogram, as weights of the texels that
-/// it meets: each one's area within it. Exact, and dearer than a TexelWindow, which is so along the
-/// texels' rows alone.
+/// The integral of a texture of nearest texels over a parallelogram: the area of each texel inside
+/// it. It is exact, but slower than a TexelWindow, which is exact only along the texels' rows.
 class TexelAreas {
  public:
-  /// `centre` in texels, whose own centres lie at whole numbers.
+  /// `centre` is in texels, with texel centres at whole numbers.
   TexelAreas(glm::vec2 centre, const TexelPatch& patch) {
     const glm::vec2 r = 0.5f * patch.right, d = 0.5f * patch.down;
     for (const glm::vec2 corner : {centre - r - d, centre + r - d, centre + r + d, centre - r + d})
       all_.add(corner);
   }
 
-  /// Calls visit(x, y, area) for every texel that counts, row by row. Indices are not wrapped.
+  /// Calls visit(x, y, area) for every texel with an area, row by row. Indices are not wrapped.
   template <typename Visit>
   void for_each(const Visit& visit) const {
     for_each_part(all_, 1, [&](int y, const Polygon& row) {
@@ -35,7 +34,7 @@ class TexelAreas {
   }
 
  private:
-  /// Convex: a parallelogram that is cut by four lines.
+  /// A convex polygon: a parallelogram cut by four lines.
   struct Polygon {
     std::array<glm::vec2, 8> corners{};
     std::size_t count = 0;
@@ -49,7 +48,7 @@ class TexelAreas {
       }
       return 0.5f * std::abs(twice);
     }
-    /// What lies where `sign` times a coordinate is at least that of `bound`.
+    /// Returns the part where `sign` times a coordinate is at least `sign` times `bound`.
     [[nodiscard]] Polygon beyond(int axis, float bound, float sign) const {
       Polygon part;
       for (std::size_t i = 0; i < count; ++i) {
@@ -62,7 +61,7 @@ class TexelAreas {
     }
   };
 
-  // Cuts a polygon where texels end along an axis.
+  // Cuts a polygon at the borders of texels along an axis.
   template <typename Visit>
   static void for_each_part(const Polygon& all, int axis, const Visit& visit) {
     if (all.count < 3) return;

@@ -19,10 +19,10 @@ struct TexelPatch {
   [[nodiscard]] float area() const { return std::abs(right.x * down.y - right.y * down.x); }
 };
 
-/// The rectangle with a parallelogram's covariance: what stands for one that is far from
-/// rectangular, or spans no area.
+/// Returns the rectangle with a parallelogram's covariance. It represents parallelograms that are
+/// far from rectangular, or have no area.
 [[nodiscard]] inline TexelPatch principal_axes(const TexelPatch& p) {
-  // Eigenvalues and the larger one's eigenvector of right right^T + down down^T.
+  // Eigenvalues of right right^T + down down^T, and the eigenvector of the larger one.
   const float xx = p.right.x * p.right.x + p.down.x * p.down.x;
   const float yy = p.right.y * p.right.y + p.down.y * p.down.y;
   const float xy = p.right.x * p.right.y + p.down.x * p.down.y;
@@ -36,15 +36,15 @@ struct TexelPatch {
   return {longer * unit, shorter * glm::vec2(-unit.y, unit.x)};
 }
 
-/// The value between texels: the bilinear mean, or the nearest one.
+/// The interpolation between texels: bilinear (tent) or nearest (box).
 enum class TexelShape { tent, box };
 
-/// The integral of a texture over a parallelogram, as weights of the texels around it: exact where
-/// its edges run along the texels' rows; else each texel's own extent along either edge is one
-/// whose variance is right. Constants are kept, and by tents ramps.
+/// The integral of a texture over a parallelogram, as weights of texels. It is exact where the
+/// edges are parallel to the texels' rows. Elsewhere each texel has an extent along each edge with
+/// the right variance. Constants are preserved, and with tents also linear ramps.
 class TexelWindow {
  public:
-  /// `centre` in texels, whose own centres lie at whole numbers. The patch spans some area.
+  /// `centre` is in texels, with texel centres at whole numbers. The patch has an area.
   TexelWindow(glm::vec2 centre, const TexelPatch& patch, TexelShape shape)
       : centre_(centre), box_(shape == TexelShape::box) {
     const float per_area = 1.0f / (patch.right.x * patch.down.y - patch.right.y * patch.down.x);
@@ -56,14 +56,14 @@ class TexelWindow {
     height_ = reach_.x * std::abs(patch.right.y) + reach_.y * std::abs(patch.down.y);
   }
 
-  /// Calls visit(x, y, weight) for every texel that counts, row by row. Indices are not wrapped.
+  /// Calls visit(x, y, weight) for every texel with a weight, row by row. Indices are not wrapped.
   template <typename Visit>
   void for_each(const Visit& visit) const {
     const int first = floor_int(centre_.y - height_) + 1;
     const int last = floor_int(centre_.y + height_);
     for (int y = first; y <= last; ++y) {
       const float dy = static_cast<float>(y) - centre_.y;
-      // Where both coordinates are within reach.
+      // Find where both coordinates are within reach.
       glm::vec2 lo(-1e30f), hi(1e30f);
       narrow(across_right_, reach_.x, dy, lo.x, hi.x);
       narrow(across_down_, reach_.y, dy, lo.y, hi.y);
@@ -81,7 +81,7 @@ class TexelWindow {
  private:
   static int floor_int(float x) { return static_cast<int>(floor_near(x)); }
 
-  // The interval of x - centre.x where |coordinate| < reach, in a row.
+  // Narrows lo..hi to the x - centre.x with |coordinate| < reach, in a row.
   static void narrow(glm::vec2 gradient, float reach, float dy, float& lo, float& hi) {
     const float middle = gradient.y * dy;
     if (gradient.x == 0.0f) {
@@ -93,12 +93,12 @@ class TexelWindow {
     lo = std::min(a, b), hi = std::max(a, b);
   }
 
-  // How much of a texel `at` along an edge that runs from -1/2 to 1/2 lies within it.
+  // Returns the fraction of a texel at `at` that lies within an edge from -1/2 to 1/2.
   [[nodiscard]] float share(float at, float width) const {
     return below((0.5f - at) / width) - below((-0.5f - at) / width);
   }
 
-  // How much of a tent from -1 to 1, or of a box from -1/2 to 1/2, lies below t.
+  // Returns the fraction of a tent from -1 to 1, or of a box from -1/2 to 1/2, below t.
   [[nodiscard]] float below(float t) const {
     if (box_) return std::clamp(t + 0.5f, 0.0f, 1.0f);
     t = std::clamp(t, -1.0f, 1.0f);
@@ -108,7 +108,7 @@ class TexelWindow {
   glm::vec2 centre_;
   bool box_;
   glm::vec2 across_right_{0.0f}, across_down_{0.0f};  // gradients of the edges' coordinates
-  glm::vec2 wide_{0.0f};                              // a texel along them
+  glm::vec2 wide_{0.0f};                              // width of a texel along them
   glm::vec2 reach_{0.0f};
   float height_ = 0.0f;
 };

@@ -10,13 +10,13 @@
 
 namespace asos {
 
-/// The meaning of the RGB values of an image where it is looked up. Alpha is always linear.
+/// The encoding of an image's RGB values. Alpha is always linear.
 enum class Encoding { srgb, linear };
 
-/// The linear value of an sRGB-encoded byte.
+/// Returns the linear value of an sRGB-encoded byte.
 [[nodiscard]] float srgb_byte_to_linear(std::uint8_t byte);
 
-/// An image's texels, linear. The image has to outlive them.
+/// Linear access to an image's texels. The image has to outlive this.
 class Texels {
  public:
   Texels(const Image& image, Encoding encoding);
@@ -37,30 +37,32 @@ class Texels {
 
   const std::uint8_t* bytes_;
   const std::uint8_t* low_;  // null: texels of 8 bits
-  const float* color_;       // by byte, or by value of 16 bits
+  const float* color_;       // by byte, or by 16-bit value
   const float* alpha_;
 };
 
-/// A texture at (u, v): the nearest texel, or the bilinear mean of four *linear* values (decoded
-/// before they are mixed). Coordinates of any size wrap; those that are not finite read as 0. White
-/// where texture or image is missing or empty. Point-sampled; filtered_texture averages.
+/// Looks up a texture at (u, v): the nearest texel, or the bilinear mean of four *linear* values
+/// (decoded before mixing). Coordinates of any size wrap; those that are not finite read as 0.
+/// Returns white if the texture or image is missing or empty. Point-sampled; filtered_texture
+/// averages.
 [[nodiscard]] glm::vec4 sample_texture(const World& world, int texture, glm::vec2 uv,
                                        Encoding encoding);
 
-/// The same at a point of a triangle, through a material's use of it: picks the set of coordinates
-/// and applies the use's transform. `use.used()` must hold.
+/// Looks up a texture at a point of a triangle through a material's use of it: selects the set of
+/// coordinates and applies the use's transform. `use.used()` must hold.
 [[nodiscard]] glm::vec4 sample_texture(const World& world, const TextureUse& use,
                                        std::uint32_t triangle, float b1, float b2,
                                        Encoding encoding);
 
-/// Texture coordinates of a surface's corners, or of the points (0, 0), (1, 0) and (0, 1) of a face
-/// of an analytic shape; 0 where the set is missing.
+/// Texture coordinates of a triangle's corners, or of the points (0, 0), (1, 0) and (0, 1) of an
+/// analytic face; 0 where the set is missing.
 struct CornerTexcoords {
   glm::vec2 at_0{0.0f}, at_1{0.0f}, at_2{0.0f};
 };
 [[nodiscard]] CornerTexcoords corner_texcoords(const World& world, int set, std::uint32_t triangle);
 
-/// Texture coordinates of a triangle's point, before any transform; 0 where the set is missing.
+/// Returns the texture coordinates of a triangle's point, before any transform; 0 where the set is
+/// missing.
 [[nodiscard]] glm::vec2 texcoord_at(const World& world, int set, std::uint32_t triangle, float b1,
                                     float b2);
 

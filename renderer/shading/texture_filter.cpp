@@ -19,7 +19,8 @@ struct Axis {
   int size;
   Wrap wrap;
 
-  /// A coordinate of any size in texels, near the level: what is that far outside is all the same.
+  /// Converts a coordinate of any size to texels near the level. Places farther outside give the
+  /// same texel.
   [[nodiscard]] float place(float u) const {
     if (!std::isfinite(u)) u = 0.0f;
     if (wrap == Wrap::repeat) u -= floor_near(u);
@@ -45,11 +46,11 @@ bool aslant(const TexelPatch& patch) {
   return turned(patch.right) || turned(patch.down);
 }
 
-// Up to so many texels a patch of nearest ones is cut where they end: of more of them, where each
-// lies shows less than that costs.
+// Patches of nearest texels up to this size, in texels, are integrated exactly. In larger ones the
+// exact areas cost more than they improve.
 constexpr float longest_in_areas = 8.0f;
 
-/// The mean over a patch around `uv` of a level's texels.
+/// Returns the mean of a level's texels over a patch around `uv`.
 template <typename Level>
 glm::vec4 mean_of(const Level& level, glm::vec2 uv, const TexelPatch& patch, TexelShape shape,
                   const Texture& texture) {
@@ -69,7 +70,7 @@ glm::vec4 mean_of(const Level& level, glm::vec2 uv, const TexelPatch& patch, Tex
   return weight > 0.0f ? sum / weight : bilinear(level, uv, texture.wrap_u, texture.wrap_v);
 }
 
-/// Whether a patch shows one of the nearest texels only, as most small ones do.
+/// Returns whether a patch lies within a single nearest texel, as most small ones do.
 bool in_one_texel(const Image& image, glm::vec2 uv, const TexelPatch& patch,
                   const Texture& texture) {
   const glm::vec2 half = 0.5f * (glm::abs(patch.right) + glm::abs(patch.down));
@@ -90,11 +91,11 @@ glm::vec2 lookup_uv(const World& world, const TextureUse& use, const TexturePlac
   return {use.uv_transform * glm::vec3(uv, 1.0f)};
 }
 
-// Up to so many texels a patch's edges are looked at by points.
+// Patches up to this size, in texels, are sampled by points.
 constexpr float longest_by_points = 2.0f;
 
-/// Whether a window over the texels would take a rotated tent for each: right for how wide what is
-/// seen comes out, but not for where texels lie, which shows in patches of few of them.
+/// Returns whether TexelWindow would use a rotated tent for each texel. That gives the right width,
+/// but not the right places of texels, which is visible in patches with few of them.
 bool by_points(const TexelPatch& patch) {
   return patch.longest() <= longest_by_points && aslant(patch);
 }
@@ -114,7 +115,7 @@ LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse
                   TexelBudget::of(place.footprint.side));
 }
 
-/// A level of colours, each times what is seen of it, which comes last.
+/// A level of colours multiplied by their coverage, which is the last component.
 template <typename Level>
 struct Premultiplied {
   const Level& level;
@@ -129,8 +130,8 @@ struct Premultiplied {
   }
 };
 
-/// The mean of a level's texels; where alpha blends or cuts, the colour is that of what is seen,
-/// for the rest has a colour, too.
+/// Returns the mean of a level's texels. With alpha blending or cut-off, colours are weighted by
+/// coverage, since invisible texels have a colour, too.
 template <typename Level>
 glm::vec4 mean_of(const Level& level, const TexelUse& texels, glm::vec2 uv, const TexelPatch& patch,
                   TexelShape shape, const Texture& texture) {
@@ -145,7 +146,7 @@ glm::vec4 mean_of(const Level& level, const TexelUse& texels, glm::vec2 uv, cons
   return mean_of(level, uv, patch, shape, texture);
 }
 
-/// A level of normals as moments: the mean and, last, the mean square, so that they may be mixed.
+/// A level of normals as moments that can be averaged: the mean and, last, the mean square.
 struct Moments {
   const MipLevel& level;
   int width = level.width;
@@ -158,13 +159,13 @@ struct Moments {
   }
 };
 
-// Up to so many texels what is no mean of texels is looked at by points: between them lie no
-// mixtures of their normals, nor of what alpha shows of them, but normals and colours of their own,
-// which bend, so that one point is not their mean.
+// Patches up to these sizes, in texels, are sampled at several points if their values are not
+// linear between texels. Unit normals are not, and colours weighted by coverage are not, so one
+// point is not their mean.
 constexpr float longest_normals_by_points = 4.0f;
 constexpr float longest_seen_by_points = 16.0f;
 
-/// The finest level's, each of length 1.
+/// The finest level of normals, each of length 1.
 struct UnitNormals {
   Texels texels;
   int width = texels.width;
@@ -217,7 +218,7 @@ MeanNormal filtered_normal(const World& world, const MipChains& mips, const Text
     const Texels finest(*image_of(world, use.texture), Encoding::linear);
     if (found.patch.longest() <= longest_normals_by_points)
       return mean_of_normals(finest, uv, found.patch, texture);
-    // The next level knows what lies between the texels of this one.
+    // The next level includes the values between this one's texels.
     found = coarser(found, chain, finest);
   }
   const TexelShape shape = shape_of(texture, found.level);

@@ -11,7 +11,7 @@
 namespace asos {
 namespace {
 
-/// What textures say of a place that matters for what is seen of it.
+/// Values of a surface's textures at a place that affect its look.
 struct Look {
   glm::vec3 color{0.0f}, emission{0.0f};
   float opacity = 0.0f, metallic = 0.0f, roughness = 0.0f, occlusion = 0.0f;
@@ -26,7 +26,7 @@ struct Look {
         occlusion(m.occlusion) {}
 };
 
-/// What is seen of it in even light as bright as white.
+/// Returns the radiance in uniform light as bright as white.
 glm::vec3 shown(const Look& at, const SurfaceMaterial& material, float roughest_mirror) {
   const float open = 0.5f + 0.5f * at.occlusion;
   const float mirrored = at.roughness <= roughest_mirror ? 1.0f : mirrored_visibility(at.roughness);
@@ -35,7 +35,7 @@ glm::vec3 shown(const Look& at, const SurfaceMaterial& material, float roughest_
   return at.opacity * (open * matte * at.color + mirrored * f0 + at.emission);
 }
 
-/// Places that were looked at.
+/// Values at the sampled places.
 class Looks {
  public:
   explicit Looks(const Material& material)
@@ -59,7 +59,8 @@ class Looks {
     sum_.occlusion += look.occlusion;
   }
 
-  /// Whether two things differ that are multiplied, or how rough a surface is that mirrors much.
+  /// Returns whether two factors vary that are multiplied, or the roughness of a strongly
+  /// reflecting surface.
   [[nodiscard]] bool differ() const {
     constexpr float much = 0.1f;
     const bool colour = differs(0) || differs(1) || differs(2);
@@ -69,7 +70,7 @@ class Looks {
     return differing >= 2 || (differs(9) && most_metal_ > much);
   }
 
-  /// Their means, of colours by how much of them is there, as footprints find them.
+  /// Returns the means; colours are weighted by coverage, as in footprints.
   [[nodiscard]] Look mean() const {
     Look mean;
     const float there = std::max(sum_.opacity, std::numeric_limits<float>::min());
@@ -101,8 +102,8 @@ class Looks {
   Look sum_;
 };
 
-/// The k-th of 16 places all over a footprint: one in each sixteenth of both edges, and each
-/// elsewhere in its own, so that no stripes hide between them; the first eight are so by eighths.
+/// Returns the k-th of 16 places in a footprint: one in each sixteenth of both edges, jittered so
+/// that no stripes are missed. The first eight places have one in each eighth.
 glm::vec2 place(std::size_t k) {
   constexpr std::array<int, 16> sixteenth{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
   constexpr glm::vec2 step(0.618034f, 0.7548777f);

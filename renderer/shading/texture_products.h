@@ -4,15 +4,14 @@
 
 namespace asos {
 
-/// Whether several of a material's textures are multiplied where it is shaded, or one of them tells
-/// how it mirrors: what it shows is no mean of what they show each by itself.
+/// Returns whether shading multiplies several of a material's textures, or a texture affects its
+/// reflections. Then the mean of the shading is not the shading of the textures' means.
 [[nodiscard]] bool multiplies_textures(const Material& material, const SceneNeeds& needs);
 
-/// By how much the display intensity of what a footprint shows of a material may differ from that
-/// of a material that has the footprint's mean of each of its textures: by 16 points all over it
-/// and their means, in even light half as bright as white, by half the sky's. Surfaces rougher than
-/// `roughest_mirror` show a share of the sky, all others all of it. 0 where the first eight of the
-/// points do not differ in two things.
+/// Returns the error of a footprint's display intensity if shading uses the mean of each texture.
+/// It compares 16 points of the footprint with their means, in uniform light that is half as bright
+/// as white, with half of the sky. Surfaces rougher than `roughest_mirror` reflect a fraction of
+/// the sky, and others all of it. Returns 0 if the first eight points do not differ in two factors.
 [[nodiscard]] float product_error(const World& world, const SceneNeeds& needs, const Hit& hit,
                                   const Footprint& footprint, float roughest_mirror);
 

@@ -14,20 +14,20 @@
 namespace asos {
 namespace {
 
-/// How a patch's normals differ, and from where it is seen.
+/// Variation of a patch's normals, and its viewer.
 struct Bend {
   glm::vec3 normal{0, 0, 1};  // the shading normal, unit, on the viewer's side
   NormalSpread spread;
   Patch patch;
   float viewer_distance = std::numeric_limits<float>::infinity();
 
-  /// How far they turn along its edges, squared and summed. An even turn along an edge has a
-  /// twelfth of its square for a variance.
+  /// Returns the squared turns of the normals along the patch's edges, summed. A uniform turn along
+  /// an edge has a variance of 1/12 of its square.
   [[nodiscard]] static float turn2(const NormalSpread& spread) {
     return glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down) +
            12.0f * spread.variance;
   }
-  /// The same about the half vector of a light, which turns as well.
+  /// Returns the same about the half vector of a light, which turns as well.
   [[nodiscard]] float turn2_about_half(glm::vec3 to_viewer, glm::vec3 to_light,
                                        float light_distance) const {
     return turn2(
@@ -45,7 +45,7 @@ Bend bend_of(const World& world, const Hit& hit, const Patch& patch, glm::vec3 t
   return {normal, normal_turn(world, hit, patch, normal), patch, viewer_distance};
 }
 
-/// The gloss of a surface where it was hit, by its textures.
+/// Returns the gloss of a surface at a hit, from its textures.
 Gloss gloss_of(const World& world, const Hit& hit, const Material& material) {
   float roughness = material.roughness, metallic = material.metallic;
   const TextureUse& use = material.metallic_roughness_texture;
@@ -59,7 +59,7 @@ Gloss gloss_of(const World& world, const Hit& hit, const Material& material) {
   return {glm::mix(0.04f, std::max({c.x, c.y, c.z}), metallic), roughness};
 }
 
-/// How its lobe is drawn out there.
+/// Returns the anisotropic stretch of the lobe at a hit.
 LobeStretch stretch_of(const World& world, const Hit& hit, const Material& material,
                        float roughness, glm::vec3 normal, const Ray& ray) {
   if (!material.anisotropy.used()) return {};
@@ -73,9 +73,9 @@ LobeStretch stretch_of(const World& world, const Hit& hit, const Material& mater
   return lobe_stretch(world, hit, at, roughness, towards, -ray.direction);
 }
 
-// The error that a light's highlight can add. A GGX lobe of width alpha is
-// peak / (1 + (x / alpha)^2)^2 at x from its middle, where it is bent by 4 / alpha^2 of its peak;
-// farther out its width is what it has fallen over.
+// Returns the error of the centre due to a light's highlight. A GGX lobe of width alpha is peak /
+// (1 + (x / alpha)^2)^2 at x from its centre, where its second derivative is 4 / alpha^2 of its
+// peak. Farther out its length scale is the distance from the centre.
 float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, glm::vec3 position,
                       glm::vec3 to_viewer, const LobeStretch& stretch = {},
                       float stretch_turn2 = 0.0f) {
@@ -90,8 +90,8 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   }
   const float least_roughness = std::max(gloss.roughness, roughness_floor);
   const float alpha = least_roughness * least_roughness;
-  // The peak, where the normal is the half vector: light from behind grazes, and nearly all of it
-  // is mirrored there (Schlick's Fresnel term, Smith's shadowing).
+  // The peak, where the normal is the half vector. Light from behind is at a grazing angle there
+  // and is reflected almost completely (Schlick's Fresnel term, Smith's shadowing).
   const glm::vec3 half = glm::normalize(to_light + to_viewer);
   const float along = std::clamp(glm::dot(half, to_viewer), 0.0f, 1.0f);
   const float grazing = std::pow(1.0f - along, 5.0f);
@@ -100,11 +100,11 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   const float peak =
       irradiance * fresnel /
       (4.0f * std::numbers::pi_v<float> * a2 * std::sqrt(along * along * (1.0f - a2) + a2));
-  // How far the patch's nearest normal is from the half vector, and the lobe there.
+  // The distance of the patch's nearest normal from the half vector, and the lobe there.
   const float away = away_from_peak(bend.normal, half, stretch, least_roughness);
   float turn2 = bend.turn2_about_half(to_viewer, to_light, distance);
   if (stretch_turn2 > 0.0f) {
-    // A ridge that turns sweeps over what lies along it.
+    // A rotating ridge sweeps over the directions along it.
     const float aside = glm::dot(half, glm::normalize(stretch.along));
     turn2 += aside * aside * stretch_turn2;
   }
@@ -126,7 +126,7 @@ bool has_size(const Light& light) {
   }
 }
 
-// The patch's squared size over the squared distance of the nearest light that has a place.
+// Returns the patch's squared size over the squared distance of the nearest light with a position.
 float nearness2(std::span<const Light> lights, glm::vec3 position, const Patch& patch) {
   const float size2 = glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down);
   float nearest = 0.0f;
@@ -151,8 +151,8 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   const Bend bend = bend_of(world, hit, patch, -ray.direction, viewer_distance);
   const glm::vec3 position = ray.at(hit.t);
   const float turn2 = Bend::turn2(bend.spread);
-  // The middle of a bend is off by a 24th of its squared turn, but by up to an eighth of the turn
-  // where light grazes a part of it, and none of the rest: a third of the square is between.
+  // The error of a bend's centre is 1/24 of the squared turn. Where a part of the patch is beyond
+  // grazing, it is up to 1/8 of the turn. A third of the square is in between.
   float error = reflected * (turn2 / 3.0f + nearness2(lights, position, patch) / 4.0f);
   const auto add_highlights = [&](const Gloss& lobe, const LobeStretch& stretch,
                                   float stretch_turn2) {
@@ -188,7 +188,8 @@ float glint_error(std::span<const Light> lights, const Material& material, float
 
 float falloff_error(const PreparedLight& light, const Receiver& receiver, const Patch& patch) {
   if (light.shape == PreparedLight::Shape::sun) return 0.0f;
-  // Farther away than this, in patches, a light's irradiance bends by less than a thousandth.
+  // Beyond this distance, in patch sizes, the second-order change of a light's irradiance is below
+  // a thousandth.
   constexpr double near = 16.0;
   const double reach = glm::length(light.half_u) + glm::length(light.half_v) + light.radius;
   const double size = static_cast<double>(glm::length(patch.right) + glm::length(patch.down));
@@ -199,7 +200,7 @@ float falloff_error(const PreparedLight& light, const Receiver& receiver, const 
     const glm::vec3 e = unshadowed_irradiance(light, beside);
     return std::min(1.0f, std::max({e.x, e.y, e.z}) * std::numbers::inv_pi_v<float>);
   };
-  // Simpson's rule beside the midpoint's.
+  // Compare Simpson's rule with the midpoint rule.
   const float middle = shown(glm::dvec3(0.0));
   float error = 0.0f;
   for (const glm::vec3& edge : {patch.right, patch.down}) {
@@ -216,7 +217,7 @@ float cone_error(const PreparedLight& light, const Receiver& receiver, const Pat
   if (!(distance > 0.0)) return 0.0f;
   const double cosine = glm::dot(to_light, light.towards) / distance;
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-  // As seen from the light the patch's corners are this far from its middle at most.
+  // Largest angle of the patch's corners from its centre, seen from the light.
   const double angle =
       static_cast<double>(glm::length(patch.right) + glm::length(patch.down)) / (2.0 * distance);
   const double reach = angle * (sine + 0.5 * angle);
@@ -226,7 +227,7 @@ float cone_error(const PreparedLight& light, const Receiver& receiver, const Pat
   };
   const double least = inside(cosine - reach), most = inside(cosine + reach);
   if (least == most) return 0.0f;
-  // Simpson's rule beside the midpoint's; that tells nothing of a rim that is narrower.
+  // Compare Simpson's rule with the midpoint rule, unless the rim is narrower than the patch.
   const bool whole_rim = least == 0.0 && most == 1.0;
   const double bend = whole_rim ? 1.0 : std::abs(least - 2.0 * inside(cosine) + most);
   const glm::vec3 power = light.power;

@@ -10,36 +10,37 @@
 
 namespace asos {
 
-/// By how much the mean display intensity (0 to 1) of a patch of surface may differ from that at
-/// its middle, where a hit lies: the midpoint rule's error, to second order, of what shading does
-/// across the patch. The shading normal turns (its cosine to a light errs by turn^2 / 24 along each
-/// edge), near a light the inverse square of the distance falls off (6 / 24 of the squared ratio of
-/// edge to distance), both times what the material reflects at most; and a smooth surface may hold
-/// a light's highlight, narrower than the patch, where it is bent or the half vector turns across
-/// it (by the physical rule that of a light without a size; of others see highlight_error). The
-/// ray's direction is unit; `viewer_distance` in world units, infinite for parallel rays. Surfaces
-/// beyond a boundary, shadows and textures are not looked at. 0 for flat shading under distant
-/// lights, for unlit materials, and for patches that are not finite, which splitting would not make
-/// so.
+/// Returns the error of the hit's display intensity (0 to 1) as the mean of the patch around it:
+/// that of the midpoint rule, to second order. It has three causes:
+/// - The shading normal turns: its cosine to a light errs by turn^2 / 24 along each edge.
+/// - Near a light, the inverse square of the distance falls off: 6 / 24 of the squared ratio of
+///   edge to distance. Both are multiplied by the largest reflectance.
+/// - A smooth surface may contain a light's highlight narrower than the patch, where it is curved
+///   or the half vector turns. Covers point lights by the physical rule; for others see
+///   highlight_error.
+/// The ray's direction is unit; `viewer_distance` is in world units, infinite for parallel rays.
+/// Surfaces beyond a boundary, shadows and textures are ignored. Returns 0 for flat shading under
+/// distant lights, for unlit materials, and for patches that are not finite, since splitting would
+/// not help them.
 [[nodiscard]] float midpoint_error(const World& world, std::span<const Light> lights,
                                    const Ray& ray, const Hit& hit, const Patch& patch,
                                    float viewer_distance, LightRule rule = LightRule::physical);
 
-/// The same for what the lights' highlights do across a patch whose normals have the variance of
-/// the point's spread about its shading normal, as those of a normal map have: 0 for materials
-/// without narrow highlights. `roughness` is what textures leave of it, `to_viewer` is unit.
+/// Returns the same for highlights on a patch whose normals vary by the point's spread, as those of
+/// a normal map do; 0 for materials without narrow highlights. `roughness` includes textures;
+/// `to_viewer` is unit.
 [[nodiscard]] float glint_error(std::span<const Light> lights, const Material& material,
                                 float roughness, const SurfacePoint& point, glm::vec3 to_viewer);
 
-/// The same for the irradiance that a light of some size gives unshadowed, which falls off steeply
-/// beside it: relative to what white would show of it. 0 for lights that are not near, compared
+/// Returns the same for the unshadowed irradiance of a light with an extent, which falls off
+/// steeply near it: the error of a white surface. Returns 0 for lights that are distant compared
 /// with the patch's size.
 [[nodiscard]] float falloff_error(const PreparedLight& light, const Receiver& receiver,
                                   const Patch& patch);
 
-/// The same for the rim of a spot's cone (its soft edge, KHR_lights_punctual), which may be
-/// narrower than the patch: relative to what white would show inside the cone. 0 for other lights,
-/// and where the patch lies wholly inside or outside, or the rim is about linear across it.
+/// Returns the same for the soft rim of a spot's cone (KHR_lights_punctual), which may be narrower
+/// than the patch: the error of a white surface inside the cone. Returns 0 for other lights, for
+/// patches entirely inside or outside, and where the rim is about linear across the patch.
 [[nodiscard]] float cone_error(const PreparedLight& light, const Receiver& receiver,
                                const Patch& patch);
 

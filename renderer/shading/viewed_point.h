@@ -10,25 +10,25 @@
 
 namespace asos {
 
-/// A smooth normal may turn away from the viewer near a mesh's outline, where no real surface
-/// could. The lobe's denominator needs a positive angle; one this small is within a tenth of a
-/// degree.
+/// Smallest cosine to the viewer. A smooth normal may turn away from the viewer near a mesh's
+/// outline, which a real surface cannot. The lobe's denominator needs a positive cosine; this one
+/// is within a tenth of a degree.
 inline constexpr float grazing_cosine = 1.0f / 512.0f;
 
-/// A unit direction to the viewer in the frame of a shading normal, z, raised to a grazing one
-/// where the normal turns away.
+/// Returns a unit direction to the viewer in the frame of a shading normal, z. It is raised to
+/// grazing_cosine where the normal turns away.
 [[nodiscard]] inline glm::vec3 viewer_above(glm::vec3 local) {
   if (local.z >= grazing_cosine) return local;
   local.z = grazing_cosine;
   return glm::normalize(local);
 }
 
-/// A point of a surface as it is seen.
+/// A surface point with its viewer.
 struct ViewedPoint {
   const SurfacePoint& point;
   glm::vec3 to_viewer;
   float n_dot_v;     ///< at least grazing_cosine
-  Patch patch = {};  ///< of the surface that it stands for; a point where that does not matter
+  Patch patch = {};  ///< patch of surface that it represents; a point where that does not matter
   float distance = std::numeric_limits<float>::infinity();  ///< of the viewer; parallel rays
 };
 
@@ -37,11 +37,11 @@ struct ViewedPoint {
   return {point, to_viewer, n_dot_v};
 }
 
-/// Mirrored directions rise at least so much, of their length, above the surface.
+/// Reflected unit directions rise at least this far above the surface.
 inline constexpr float least_mirrored_rise = 1.0f / 1024.0f;
 
-/// How far a direction that the shading normal mirrors rises above the surface itself; of a surface
-/// that mirrors by its own normal, the least that is enough.
+/// Returns how far the direction reflected at the shading normal rises above the surface itself.
+/// For a surface without another shading normal, that is the least required.
 [[nodiscard]] inline float mirrored_rise(const SurfacePoint& point, glm::vec3 to_viewer) {
   if (point.shading_normal == point.geometric_normal) return least_mirrored_rise;
   const float cosine = glm::dot(point.shading_normal, to_viewer);
@@ -49,8 +49,8 @@ inline constexpr float least_mirrored_rise = 1.0f / 1024.0f;
          glm::dot(to_viewer, point.geometric_normal);
 }
 
-/// The normal that a lobe mirrors about: the shading normal, or, where that mirrors the viewer
-/// below the surface, the one next to it that does not (as Cycles'
+/// Returns the normal at which a lobe reflects: the shading normal. If that reflects the viewer
+/// below the surface, returns the nearest normal that does not (as Cycles'
 /// ensure_valid_specular_reflection).
 [[nodiscard]] inline glm::vec3 mirroring_normal(const SurfacePoint& point, glm::vec3 to_viewer) {
   const float rise = mirrored_rise(point, to_viewer);
@@ -61,7 +61,7 @@ inline constexpr float least_mirrored_rise = 1.0f / 1024.0f;
   return glm::normalize(to_viewer + raised);
 }
 
-/// Its cosine to the viewer, at least grazing_cosine.
+/// Returns the cosine between that normal and the viewer, at least grazing_cosine.
 [[nodiscard]] inline float mirroring_cosine(const ViewedPoint& view) {
   const SurfacePoint& point = view.point;
   const float rise = mirrored_rise(point, view.to_viewer);

@@ -12,7 +12,7 @@ const Material& material_of(const World& world, std::uint32_t part) {
   return world.materials[world.parts[part].material];
 }
 
-// A box's volume, the less of which comes first; infinite where it is not known.
+// Returns a box's volume, by which nested volumes are sorted; infinite if unknown.
 double size_of(const World& world, std::uint32_t part) {
   const Box& box = world.parts[part].bounds;
   if (box.empty()) return std::numeric_limits<double>::infinity();
@@ -20,7 +20,7 @@ double size_of(const World& world, std::uint32_t part) {
   return size.x * size.y * size.z;
 }
 
-// Whether a box holds a point, within how far single precision moves that.
+// Returns whether a box contains a point, within the rounding error of single precision.
 bool holds(const World& world, std::uint32_t part, glm::vec3 p) {
   constexpr float rounding = 1e-5f;
   const Box& box = world.parts[part].bounds;
@@ -52,7 +52,7 @@ void add(NestedVolumes& volumes, const World& world, std::uint32_t part) {
   *at = part;
 }
 
-// Which of the volumes is left where a ray meets the inner side of a part's boundary.
+// Returns the volume that a ray leaves at the inner side of a part's boundary.
 std::uint32_t left_by(const NestedVolumes& volumes, const World& world, std::uint32_t part) {
   const auto& parts = volumes.parts;
   if (std::find(parts.begin(), parts.end(), part) != parts.end()) return part;
@@ -126,7 +126,7 @@ void VolumeBoundary::set_reflectance(SurfaceMaterial& seen) const {
   const float n1 = indices_in(before, *world).y, n2 = indices_in(behind, *world).y;
   const float between = reflectance_between(n1, n2);
   const float scale = to_air > 0.0f ? between / to_air : 0.0f;
-  // Metals reflect the same whatever is around them.
+  // Metals reflect the same in any medium.
   const float dielectric = 1.0f - seen.metallic;
   seen.f0 *= 1.0f - dielectric * (1.0f - scale);
   seen.dielectric_f0 *= scale;
@@ -134,7 +134,7 @@ void VolumeBoundary::set_reflectance(SurfaceMaterial& seen) const {
     seen.f0 += dielectric * between * seen.dielectric_f90;
     seen.dielectric_f0 = between * seen.dielectric_f90;
   }
-  // What has the same index on both sides is not there.
+  // A boundary between equal indices is invisible.
   if (n1 == n2) seen.f90 *= 1.0f - dielectric, seen.dielectric_f90 = 0.0f;
 }
 

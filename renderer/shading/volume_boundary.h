@@ -11,42 +11,43 @@
 
 namespace asos {
 
-/// The indices of refraction of a volume for red, green and blue: the material's own for green, and
-/// half of nF - nC = (n - 1) / V less and more (KHR_materials_dispersion, "Implementation"). At
-/// least 1; of an infinite index, which lets nothing in, 1.
+/// Returns the indices of refraction of a volume for red, green and blue. Green has the material's
+/// own; the others are half of nF - nC = (n - 1) / V less and more (KHR_materials_dispersion,
+/// "Implementation"). At least 1; 1 for an infinite index, since no light enters.
 [[nodiscard]] glm::vec3 indices_of(const Material& material);
 
-/// A ray at the boundary of a volume, and the volumes on both of its sides. What is in none is air.
+/// A ray at the boundary of a volume, and the volumes on both sides. Outside of all is air.
 struct VolumeBoundary {
   const World* world = nullptr;
   const Material* material = nullptr;
   std::uint32_t part = 0;  ///< index into World::parts
-  bool entering = true;    ///< the ray meets its outer side
-  NestedVolumes before;    ///< that the ray comes through
+  bool entering = true;    ///< the ray hits its outer side
+  NestedVolumes before;    ///< those that the ray comes from
   NestedVolumes behind;
-  glm::vec3 ratio{1.0f};  ///< of the indices before and behind it, by colour
+  glm::vec3 ratio{1.0f};  ///< ratio of the indices before and behind it, by colour
 
-  /// Where the material bounds a volume. A volume that was entered, and whose box the boundary is
-  /// not in, was open and is left; one that is left and was not entered held the ray's start, or is
-  /// another part of the same material's.
+  /// Returns the boundary, if the material bounds a volume. If the ray entered a volume and this
+  /// boundary is outside of its box, that volume was open and counts as left. A volume that the ray
+  /// leaves without having entered it either contained the ray's start or is another part with the
+  /// same material.
   [[nodiscard]] static std::optional<VolumeBoundary> met(const World& world, const Hit& hit,
                                                          const Ray& ray, const VolumePath& passage);
 
-  /// Whether the medium is the same on both sides: another volume's, in which this one has no say.
-  /// Nothing is seen of the boundary then.
+  /// Returns whether the medium is the same on both sides, because another volume has priority.
+  /// Then the boundary is invisible.
   [[nodiscard]] bool hidden() const { return before.medium() == behind.medium(); }
 
-  /// The ratio for what a ray brings, in short for green.
+  /// Returns the ratio for the ray's colour, or that of green if it has all.
   [[nodiscard]] float ratio_of(const VolumePath& passage) const {
     return ratio[passage.colour < 0 ? 1 : passage.colour];
   }
-  /// The cosine by which Schlick's Fresnel term goes: on the side of the lower index. Nothing where
-  /// all is reflected.
+  /// Returns the cosine for Schlick's Fresnel term, on the side of the lower index. Returns nothing
+  /// at total reflection.
   [[nodiscard]] std::optional<float> fresnel_cosine(float n_dot_v, const VolumePath& passage) const;
-  /// What the surface reflects between the two media, where one of them is not air.
+  /// Sets the reflectance between the two media, if neither is air.
   void set_reflectance(SurfaceMaterial& seen) const;
 
-  /// What the ray comes through, of what becomes of it that is reflected, and that is refracted.
+  /// Returns the path in the medium in front, after reflection, and after refraction.
   [[nodiscard]] VolumePath incident(const VolumePath& passage) const { return in(passage, before); }
   [[nodiscard]] VolumePath reflected(const VolumePath& passage) const {
     return leaving(passage, before, !entering);
@@ -56,7 +57,7 @@ struct VolumeBoundary {
     ++next.refractions;
     return next;
   }
-  /// Of what goes on through one that is hidden.
+  /// Returns the path behind a hidden boundary.
   [[nodiscard]] VolumePath passed(const VolumePath& passage) const { return in(passage, behind); }
 
  private:

@@ -11,9 +11,9 @@
 
 namespace asos {
 
-/// The volumes that a place lies in, by their parts (World::parts), the one that is the medium
-/// there first: KHR_materials_volume says nothing of volumes in each other, so the smallest box is.
-/// No more than `most`; the largest are forgotten.
+/// The volumes that contain a point, by their parts (World::parts). The first is the medium there:
+/// KHR_materials_volume does not define nested volumes, so the one with the smallest box is used.
+/// Holds at most `most`; the largest are dropped.
 struct NestedVolumes {
   static constexpr std::uint32_t nothing = 0xffffffffu;
   static constexpr std::size_t most = 4;
@@ -24,20 +24,22 @@ struct NestedVolumes {
   bool operator==(const NestedVolumes&) const = default;
 };
 
-/// Where a ray is among the volumes that surfaces bound (KHR_materials_volume).
+/// The position of a ray among the volumes that surfaces bound (KHR_materials_volume).
 struct VolumePath {
   static constexpr std::uint32_t nothing = NestedVolumes::nothing;
 
-  std::uint32_t part = nothing;  ///< index into World::parts: the boundary that the ray left last
-  bool inside = false;           ///< on its inner side
-  int colour = -1;               ///< of red, green and blue, the only one that it brings; -1: all
-  int refractions = 0;           ///< on its way, among ViewedRay's bounces
-  bool straight = false;         ///< it has come in unbent, and leaves so
-  NestedVolumes around;          ///< what it is in
+  std::uint32_t part = nothing;  ///< index into World::parts: the last boundary that the ray left
+  bool inside = false;           ///< the ray is on the inner side of that boundary
+  /// 0 to 2: the only colour of the ray, red, green or blue; -1: all.
+  int colour = -1;
+  int refractions = 0;                ///< along the path, among ViewedRay's bounces
+  bool straight = false;              ///< it entered without deflection, and leaves so
+  NestedVolumes around;               ///< the enclosing volumes
   glm::vec3 attenuation_color{1.0f};  ///< the medium's
   float attenuation_distance = std::numeric_limits<float>::infinity();
 
-  /// The share of light that is left of it over a finite way in the medium (Beer and Lambert).
+  /// Returns the fraction of light that remains after a finite distance in the medium (Beer and
+  /// Lambert).
   [[nodiscard]] glm::vec3 left_after(float length) const {
     return glm::pow(attenuation_color, glm::vec3(length / attenuation_distance));
   }

@@ -11,18 +11,18 @@
 namespace asos {
 namespace {
 
-// A light that cannot be cut along its boundaries, nor its quarters, is sampled: more levels of
-// pyrays cost more than rays that look from all over the patch.
+// If neither a light nor its quarters can be cut along their boundaries, the light is sampled. More
+// levels of pyrays cost more than rays from all over the patch.
 constexpr int window_levels = 1;
-// A light whose square holds more groups of boundaries is saturated.
+// A light whose square contains more groups of boundaries is saturated.
 constexpr std::size_t most_entries = 400;
 
-// By rays where they cost less, or tell more, than a pyray from the patch's middle.
+// Uses rays where they cost less, or represent the patch better, than a pyray from its centre.
 Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
                           const Receiver& middle, RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
-  // Rays from all over a leaf that was not split for its penumbra are better than a pyray from its
-  // centre.
+  // Rays from the whole leaf are better than a pyray from its centre if it was not split for its
+  // penumbra.
   const LightView view = query.leaf.view_of(query.lit.index);
   const bool by_rays = block.rules.allowance.samples_suffice(query.leaf.weight, query.intensity(),
                                                              Prices::light_window) ||
@@ -40,7 +40,7 @@ Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
   const Receiver middle = receiver_above(query.lit.point, query.lit.light);
   const AreaShadows* published = block.rules.area_shadows;
   if (query.lit.layer > 0) {
-    // Nothing is known of how even the surface behind another one is lit.
+    // There is no data on how evenly a surface behind another one is lit.
     return !published && has_patch(block, query.lit)
                ? sampled_shadow(block, query, counts)
                : point_area_shadow(block, query, middle, counts);
@@ -54,7 +54,7 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   const auto window = LightWindow::of(query.lit.light, receiver);
   if (!window) return ray_visibility(block, query, counts);
 
-  // The pyray goes through the light's square, between the surface and the light.
+  // Make the pyray: through the light's square, between the surface and the light.
   SubdivisionRules rules = shadow_rules(block.rules, query);
   rules.most_entries = most_entries;
   const bool refined = !block.rules.area_shadows;
@@ -67,8 +67,8 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   pyray.outline = window->boundaries();
   pyray.seed = query.leaf.seed;
 
-  // Visibility that varies between outlines is sampled; the paper's qualities split the light for
-  // it.
+  // Visibility that varies between outlines is sampled. The paper's qualities split the light
+  // instead.
   WindowCaster& caster = block.work->window_caster;
   caster.start(*block.scene, block.rules.see_through, query.lit.light, *window, refined);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);

@@ -4,8 +4,7 @@
 
 namespace asos {
 
-/// Another way to find the mean visibility of a light of some size over the patch that a leaf
-/// shows.
+/// A replacement for the computation of an extended light's mean visibility over a leaf's patch.
 class AreaShadows {
  public:
   virtual ~AreaShadows() = default;
@@ -13,13 +12,13 @@ class AreaShadows {
                                             RenderStatistics& counts) const = 0;
 };
 
-/// The mean visibility of a light of some size over the patch that the leaf shows, in the way that
-/// the rules name.
+/// Returns the mean visibility of an extended light over the leaf's patch, by the method in the
+/// rules.
 [[nodiscard]] Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
                                      RenderStatistics& counts);
 
-/// The visibility of a light of some size from one point: a pyray from there through the rectangle
-/// around the light (CGF'98 section 4.2).
+/// Returns the visibility of an extended light from one point, by a pyray from the point through a
+/// rectangle around the light (CGF'98 section 4.2).
 [[nodiscard]] Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
                                            const Receiver& receiver, RenderStatistics& counts);
 

@@ -4,11 +4,11 @@
 
 namespace asos {
 
-// What a light that is seen in part makes of a broad lobe, such as that of rough metal, which is
-// no highlight of one place of the light but another at each: more than the share of it that is
-// seen tells where the brighter part is seen.
+// Partially occluded lights in broad lobes, such as those of rough metal. The highlight of a broad
+// lobe extends over the whole light, so it depends on which part of the light is visible and not
+// only on the visible fraction.
 
-/// Whether it may show, were that share of the light seen.
+/// Returns whether that matters visibly for this visible fraction.
 [[nodiscard]] bool lobe_tells_apart(const ShadowContext& block, const Illumination& lit,
                                     const Visibility& seen);
 

@@ -10,8 +10,8 @@
 namespace asos {
 namespace {
 
-// Whether the surface leaves the patch's plane by more than the 64th of its size, by which edges of
-// shadows on it would be out of place.
+// Returns whether the surface deviates from the patch's plane by more than a 64th of the patch's
+// size. Then shadow edges on the plane would be displaced.
 bool bent(const ShadowPatch& patch, double deviation) {
   const auto& p = patch.corners;
   const double size = std::min(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
@@ -22,20 +22,20 @@ bool bent(const ShadowPatch& patch, double deviation) {
 
 Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowPatch patch,
                        RenderStatistics& counts) {
-  // Frame the patch as the light sees it.
+  // Frame the patch as seen from the light.
   const Illumination& lit = query.lit;
   const bool parallel = lit.light.shape == PreparedLight::Shape::distant;
   const auto frame =
       parallel ? PatchCaster::frame_along(lit.light.towards, world_reach(block.scene->world), patch)
                : PatchCaster::frame_from(lit.light.position, patch);
   if (!frame) return ray_visibility(block, query, counts);
-  // A smooth surface may still see a light that stands below the patch's plane.
+  // A smooth surface may still receive light that is below the patch's plane.
   const glm::dvec3 to_light =
       parallel ? lit.light.towards : lit.light.position - glm::dvec3(lit.point.lit_position());
   if (!(glm::dot(to_light, patch.plane.normal) > 0.0)) return sampled_shadow(block, query, counts);
 
-  // A part that is known well enough by a few rays takes them: at once, if they cost less than to
-  // ask whether anything bounds its shadow.
+  // A part that a few rays determine well enough takes them immediately, if they cost less than a
+  // search for boundaries.
   const Allowance& allowance = block.rules.allowance;
   const bool refined = !block.rules.area_shadows;
   const auto rays_suffice = [&](double price) {
@@ -53,7 +53,8 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   pyray.bounds.beyond_first = patch.lift;
   pyray.seed = query.leaf.seed;
   const bool bounded = block.work->tracer.search(block.scene->features, pyray, rules);
-  // Nothing bounds the shadow: the visibility from its sample is that from all of the leaf.
+  // The shadow has no boundaries, so the visibility from the leaf's sample is that of the whole
+  // leaf.
   if (!bounded && !block.rules.see_through) return ray_visibility(block, query, counts);
   if (rays_suffice(Prices::patch) || (refined && bent(patch, off_plane)))
     return sampled_shadow(block, query, counts);

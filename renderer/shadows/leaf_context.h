@@ -13,35 +13,35 @@
 
 namespace asos {
 
-/// The share of a light that arrives, 0 to 1 by colour.
+/// The visible fraction of a light, 0 to 1 by colour.
 using Visibility = glm::dvec3;
 
-/// A part of a smooth surface over which no shadow of a light of some size varies by more than the
-/// tolerance: the visibility of each light from its middle, found when first asked for, holds for
-/// all of it. That of a light without size does where it is all or nothing.
+/// A part of a smooth surface over which no soft shadow varies by more than the tolerance. The
+/// visibility of each light from its centre, computed at first use, holds for all of it. For point
+/// lights that is true if the visibility is 0 or 1.
 struct EvenPatch {
   SurfacePoint middle;
   Square square;                         ///< in the viewer's frame
-  std::vector<Visibility> visibilities;  ///< of each light; negative: not known yet
-  LightViews views{};                    ///< of its middle
+  std::vector<Visibility> visibilities;  ///< of each light; negative: not computed yet
+  LightViews views{};                    ///< from its centre
 };
 
-/// A leaf of an eye pyray, or of a mirrored one, as shadows and reflections see it while it is
-/// shaded.
+/// A leaf of an eye pyray or a reflected one, with the data that shadows and reflections need while
+/// it is shaded.
 struct LeafContext {
   LeafRegion region;                  ///< in the viewer's frame
   float root_side = 1.0f;             ///< side of the leaf's root in that frame
-  double weight = 1.0;                ///< the leaf's share of the root's area
-  glm::vec2 at{0.5f};                 ///< its sample, in that frame
-  std::uint64_t seed = 0;             ///< its own
-  EvenPatch* even = nullptr;          ///< that it is a part of, if any
-  const LightViews* views = nullptr;  ///< of its sample, as far as they were found
+  double weight = 1.0;                ///< the leaf's fraction of the root's area
+  glm::vec2 at{0.5f};                 ///< place of its sample, in that frame
+  std::uint64_t seed = 0;             ///< of the leaf's random numbers
+  EvenPatch* even = nullptr;          ///< the evenly lit patch around it, if any
+  const LightViews* views = nullptr;  ///< those of its sample that were computed
   ObservedLeaf observed;
 
   [[nodiscard]] LightView view_of(std::uint32_t light) const {
     return views ? views->of(light) : LightView{light};
   }
-  /// How many times its root was split to get it.
+  /// Returns how many times its root was split to get it.
   [[nodiscard]] int level() const {
     return static_cast<int>(std::lround(std::log2(root_side / region.square.side)));
   }

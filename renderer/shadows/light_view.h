@@ -7,27 +7,27 @@
 
 namespace asos {
 
-/// A leaf's view of a light of some size.
+/// A leaf's view of an extended light.
 struct LightView {
   std::uint32_t light = 0;
-  /// Bound on what the edges of the light's shadow make the leaf's centre differ from its mean, in
-  /// display intensity.
+  /// Bound on the error of the leaf's centre due to edges of the light's shadow, in display
+  /// intensity.
   double penumbra = 0.0;
-  /// Too many boundaries lie between for anything but rays.
+  /// There are so many boundaries in between that only rays are useful.
   bool saturated = false;
 };
 
-/// A leaf's view of the lights, found once, when its estimator is chosen: only what is worth
-/// noting, lights in ascending order.
+/// A leaf's views of the lights, computed once when its estimator is chosen. Stores only views that
+/// are not the default, with lights in ascending order.
 class LightViews {
  public:
   void clear() { views_.clear(); }
-  /// `view`: of another light than before.
+  /// `view` must be of a light that was not added before.
   void add(const LightView& view) {
     if (view.penumbra > 0.0 || view.saturated) views_.push_back(view);
   }
   [[nodiscard]] bool empty() const { return views_.empty(); }
-  /// The view of a light; by default nothing lies between.
+  /// Returns the view of a light; by default it has no boundaries.
   [[nodiscard]] LightView of(std::uint32_t light) const {
     const auto found = std::find_if(views_.begin(), views_.end(),
                                     [&](const LightView& view) { return view.light == light; });

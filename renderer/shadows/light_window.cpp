@@ -11,14 +11,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Where shadow pyrays end before a light, in distances to it: its own surface does not shade it.
+// Distance of the end of shadow pyrays from a light, relative to its distance. The light's own
+// surface must not shade it.
 constexpr double before_light = 1e-5;
 
 struct Rectangle {
-  glm::dvec3 middle, half_u, half_v;  // the middle from the receiver
+  glm::dvec3 middle, half_u, half_v;  // centre relative to the receiver
 };
 
-// The circle in which a cone from the receiver touches a ball.
+// Returns the circle in which a cone from the receiver touches a ball.
 std::optional<Rectangle> rim_of_ball(glm::dvec3 to_centre, double radius) {
   const double d2 = glm::dot(to_centre, to_centre);
   const double tangent2 = d2 - radius * radius;
@@ -47,15 +48,16 @@ std::optional<Rectangle> rectangle_around(const PreparedLight& light, glm::dvec3
   }
 }
 
-// A point of a flat light's plane in its window.
+// Returns a point of a flat light's plane in its window.
 glm::vec2 in_window(const PreparedLight& light, glm::dvec3 p) {
   const glm::dvec3 from_corner = p - (light.position - light.half_u - light.half_v);
   return {glm::dot(from_corner, light.half_u) / (2.0 * glm::dot(light.half_u, light.half_u)),
           glm::dot(from_corner, light.half_v) / (2.0 * glm::dot(light.half_v, light.half_v))};
 }
 
-// A point of the disk by which an arc of its rim is told to lie in a region or not: just inside of
-// the arc's middle, since the rim itself touches the square's sides, which may bound the region.
+// Returns a point of the disk that decides whether an arc of its rim is inside a region. It is just
+// inside of the arc's centre, since the rim itself touches the square's sides, which may bound the
+// region.
 glm::dvec2 within_arc(double from, double to) {
   constexpr double most = 1e-6;  // of the radius
   const double sagitta = 1.0 - std::cos(std::min(0.5 * (to - from), pi));
@@ -79,7 +81,7 @@ LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, c
   between_[0] = {up, glm::dot(up, frame_.apex())};
   const glm::dvec3 back = orientation_ * glm::normalize(face);
   const double distance = -glm::dot(back, middle);
-  // The outlines of what passes through the light meet the line where it does so.
+  // The outlines of objects that pass through the light are on the light itself.
   const double way = light.intersections.empty() ? 1.0 - before_light : 1.0;
   between_[1] = {back, glm::dot(back, frame_.apex()) - distance * way};
 
@@ -102,7 +104,7 @@ std::optional<LightWindow> LightWindow::of(const PreparedLight& light, const Rec
                      2.0 * around->half_u, 2.0 * around->half_v));
 }
 
-// The horizon is a straight line of the square, if it meets it.
+// Adds the horizon, which is a straight line of the square, if it crosses the square.
 void LightWindow::add_horizon(glm::dvec3 normal) {
   const glm::dvec3 line(glm::dot(normal, frame_.base_u()), glm::dot(normal, frame_.base_v()),
                         glm::dot(normal, frame_.base_corner()));
@@ -158,8 +160,8 @@ double LightWindow::form(const LeafRegion& region) const {
   return std::max(0.0, orientation_ * sum);
 }
 
-// The contour sum along the disk's rim between two angles, counter-clockwise: half of the integral
-// of n . (dr x r) / r^2, by Gauss and Legendre's eight points on each sixth of the circle.
+// Returns the contour sum along the disk's rim between two angles, counter-clockwise: half of the
+// integral of n . (dr x r) / r^2, by eight Gauss-Legendre points on each sixth of the circle.
 double LightWindow::arc(double from, double to) const {
   static constexpr double node[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                                      0.9602898564975363};
@@ -182,19 +184,20 @@ double LightWindow::arc(double from, double to) const {
   return 0.5 * half * sum;
 }
 
-// The region's sides as far as they lie in the disk, and the rim as far as it lies in the region.
+// Returns the contour sum of a disk: over the region's sides inside the disk, and over the rim
+// inside the region.
 double LightWindow::round_form(const LeafRegion& region) const {
   constexpr std::size_t most_crossings = 64;
   std::array<double, most_crossings> angles;
   std::size_t count = 0;
   double sum = 0.0;
-  // Sum up the sides inside the disk, and note where they cross the rim.
+  // Sum up the sides inside the disk, and record where they cross the rim.
   region.for_each_edge([&](const BorderEdge& side) {
     const glm::dvec2 p = glm::dvec2(side.from) - 0.5;
     const glm::dvec2 d = glm::dvec2(side.to) - glm::dvec2(side.from);
     const double a = glm::dot(d, d), b = glm::dot(p, d), c = glm::dot(p, p) - 0.25;
     const double under = b * b - a * c;
-    // A side that just touches the rim, as those of the whole square do, cuts nothing off.
+    // A side that only touches the rim, as those of the whole square do, cuts nothing off.
     if (!(under > 1e-12 * a)) return;
     const double root = std::sqrt(under);
     const double enter = (-b - root) / a, leave = (-b + root) / a;

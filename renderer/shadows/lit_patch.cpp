@@ -8,7 +8,7 @@
 namespace asos {
 namespace {
 
-// Whether the plane of a point's triangle is its surface for as far as a leaf goes.
+// Returns whether the surface is the plane of the point's triangle within a leaf.
 bool flat(const ShadowContext& block, const SurfacePoint& point) {
   return block.scene->features.deviation(point.triangle) <= 0.0f;
 }
@@ -37,7 +37,7 @@ const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& qu
   }
   place(query.leaf.region, first, end);
   if (!flat(block, point)) {
-    // The plane of a bent surface leaves it within the patch.
+    // A curved surface deviates from its plane within the patch.
     const std::uint32_t sheet = block.scene->features.sheet(point.triangle);
     block.view->look(places_, seen_, counts);
     for (std::size_t k = 0; k < places_.size(); ++k) {
@@ -49,7 +49,7 @@ const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& qu
     }
     return points_;
   }
-  // Where the viewer sees the patch.
+  // Place the points on the patch that the viewer sees.
   const glm::dvec3 middle(point.lit_position());
   const PlaneCrossings plane(*block.frame,
                              HalfSpace::through(middle, glm::dvec3(point.geometric_normal)));
@@ -76,7 +76,7 @@ const LightPlaceBatch& LitPatch::on_light(std::uint32_t light) {
   return on_light_;
 }
 
-// The points' places in the leaf.
+// Computes the points' places in the leaf.
 void LitPatch::place(const LeafRegion& region, std::uint32_t first, std::uint32_t end) {
   const Bounds2 box = bounds_of(region);
   places_.clear();
@@ -92,7 +92,7 @@ void LitPatch::place(const LeafRegion& region, std::uint32_t first, std::uint32_
 void LitPatch::add(const ShadowQuery& query, const SurfacePoint& at) {
   if (by_ == AimedBy::radiance) {
     const LitPoint& lit = *query.lit.lit;
-    // The points are all over the patch, and do not stand for it.
+    // The points are distributed over the patch; none of them represents it.
     const ViewedPoint view = viewed_point(at, lit.view.to_viewer);
     points_.add({lit.lights, view, lit.material, lit.mirrored, lit.share, lit.shadows},
                 glm::vec3(1.0f));

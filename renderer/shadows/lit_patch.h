@@ -18,22 +18,21 @@ namespace asos {
 struct ShadowContext;
 struct ShadowQuery;
 
-/// Points from all over the patch that a leaf shows, as kernels take them, and where on a light
-/// each of them looks: well distributed on both together (SobolPixel). They have the leaf's
-/// material where its lobe is a broad one, which makes more of some parts of a light than of
-/// others.
+/// Points from the whole patch of a leaf, in batches for kernels, with their places on a light.
+/// They are well distributed over patch and light together (SobolPixel). If the leaf's lobe is
+/// broad, they have its material, since such a lobe weights the parts of a light unequally.
 class LitPatch {
  public:
-  /// Before another leaf or light is asked about.
+  /// Must be called before the leaf or light changes.
   void start(const ShadowContext& block, const ShadowQuery& query);
 
-  /// Those of the points number `first` to `end` - 1, up to LitBatch::size of them, that lie on the
-  /// patch.
+  /// Returns those of the points `first` to `end` - 1, at most LitBatch::size of them, that lie on
+  /// the patch.
   const LitBatch& look(const ShadowContext& block, const ShadowQuery& query, std::uint32_t first,
                        std::uint32_t end, RenderStatistics& counts);
-  /// What rays from the points are weighed by.
+  /// Returns the weight of rays from the points.
   [[nodiscard]] AimedBy aimed_by() const { return by_; }
-  /// Where those look.
+  /// Returns the points' places on a light.
   const LightPlaceBatch& on_light(std::uint32_t light);
 
  private:

@@ -6,8 +6,8 @@
 namespace asos {
 
 std::optional<Frame> PatchCaster::frame_from(glm::dvec3 light, const ShadowPatch& patch) {
-  // Base vectors through four given directions d: c = s0 d0, c + a = s1 d1, c + b = s2 d2 and
-  // c + a + b = d3, so that s1 d1 + s2 d2 - s0 d0 = d3.
+  // Solve for base vectors through the four directions d: c = s0 d0, c + a = s1 d1, c + b = s2 d2
+  // and c + a + b = d3. So s1 d1 + s2 d2 - s0 d0 = d3.
   glm::dvec3 d[4];
   for (std::size_t i = 0; i < 4; ++i) d[i] = patch.corners[i] - light;
   const double det = glm::dot(d[1], glm::cross(d[2], d[0]));
@@ -29,7 +29,7 @@ std::optional<Frame> PatchCaster::frame_along(glm::dvec3 towards, double reach,
   const double det = glm::dot(a, glm::cross(b, towards));
   if (!(std::abs(det) > 1e-12 * glm::length(a) * glm::length(b))) return std::nullopt;
   const glm::dvec3 middle = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-  // How far the corners reach out beside the light's way, in the parallelogram's edges.
+  // Extent of the corners perpendicular to the light's direction, in the parallelogram's edges.
   double u = 0.0, v = 0.0;
   for (const glm::dvec3& corner : p) {
     const glm::dvec3 d = corner - middle;
@@ -53,8 +53,8 @@ std::optional<Ray> PatchCaster::ray_at(glm::vec2 p) const {
   if (!patch_->border.empty() && !winds_around(patch_->border, p)) return std::nullopt;
   const auto target = frame_->on_plane(glm::dvec2(p), patch_->plane);
   if (!target) return std::nullopt;
-  // Clear of the surface along the way to the light, so that the ray stays in its place of the
-  // square; at most 64 times as far for light that grazes.
+  // Start clear of the surface along the direction to the light, so that the ray keeps its place in
+  // the square; at most 64 times as far for grazing light.
   const glm::dvec3 towards =
       frame_->parallel() ? -frame_->direction() : glm::normalize(frame_->apex() - *target);
   const double cosine = std::max(glm::dot(towards, patch_->plane.normal), 1.0 / 64.0);
@@ -71,7 +71,7 @@ std::optional<Ray> PatchCaster::ray_at(glm::vec2 p) const {
 
 double PatchCaster::measure(double weight, const LeafRegion& region) const {
   if (!viewer_) return weight;
-  // The region as the viewer sees it.
+  // Project the region to the viewer's frame.
   const auto seen = [&](glm::vec2 p) {
     const auto at = frame_->on_plane(glm::dvec2(p), patch_->plane);
     const FramePoint q = viewer_->project(viewer_->homogeneous(at.value_or(patch_->corners[0])));

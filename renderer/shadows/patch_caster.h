@@ -10,31 +10,31 @@
 
 namespace asos {
 
-/// The patch of a surface that a leaf of a parent pyray shows: the four corners on the surface's
-/// plane of the leaf's square, in the order (0,0), (1,0), (0,1), (1,1), and the part of the square
-/// that the leaf covers.
+/// The patch of a surface that a leaf of a parent pyray covers. It has the four corners of the
+/// leaf's square on the surface's plane, in the order (0,0), (1,0), (0,1), (1,1), and the leaf's
+/// part of the square.
 struct ShadowPatch {
   std::array<glm::dvec3, 4> corners;
-  HalfSpace plane;                     ///< above: the side that is seen
-  std::span<const BorderEdge> border;  ///< in units of the square; empty: all of it
-  double lift = 0.0;                   ///< how far above the plane rays have to end
+  HalfSpace plane;                     ///< above: the visible side
+  std::span<const BorderEdge> border;  ///< in units of the square; empty: the whole square
+  double lift = 0.0;                   ///< height above the plane at which rays end
 };
 
-/// From a light that is a point, or infinitely far, over a patch (CGF'98 section 4.1). A leaf is
-/// worth its share of the patch as the viewer sees it: the square that the light sees through the
-/// patch's corners has the parent's own coordinates, for both see one plane.
+/// Casts from a point light, or a distant light, over a patch (CGF'98 section 4.1). A leaf's weight
+/// is its fraction of the patch in the viewer's frame. The square that the light sees through the
+/// patch's corners has the parent's own coordinates, since both see the same plane.
 class PatchCaster final : public ShadowCaster {
  public:
-  /// The frame from a point light; nothing where the light lies in the patch's plane or the corners
-  /// do not go around it.
+  /// Returns the frame from a point light. Returns nothing if the light lies in the patch's plane,
+  /// or if the corners do not surround a solid angle.
   [[nodiscard]] static std::optional<Frame> frame_from(glm::dvec3 light, const ShadowPatch& patch);
-  /// The frame of parallel light that comes from `towards`, unit, and starts `reach` away: over a
-  /// parallelogram around the patch.
+  /// Returns the frame of parallel light from the unit direction `towards`, over a parallelogram
+  /// around the patch. It starts `reach` away.
   [[nodiscard]] static std::optional<Frame> frame_along(glm::dvec3 towards, double reach,
                                                         const ShadowPatch& patch);
 
-  /// All have to outlive the pyray. `viewer`: the frame by whose areas leaves are weighed, if its
-  /// coordinates are not this frame's own.
+  /// All arguments have to outlive the pyray. `viewer` is the frame for the weights of leaves, if
+  /// it has other coordinates than this frame.
   void start(const ShadowScene& scene, bool see_through, const Frame& frame,
              const ShadowPatch& patch, const Frame* viewer, std::int32_t ignored_part);
 

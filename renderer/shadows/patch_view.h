@@ -10,13 +10,13 @@
 
 namespace asos {
 
-/// A viewer, as shadow pyrays ask it for more of the patch that a leaf shows.
+/// A viewer that gives shadow pyrays more points of a leaf's patch.
 class PatchView {
  public:
   virtual ~PatchView() = default;
 
-  /// The points that are seen through points of the viewer's square, in their order; nothing is one
-  /// whose triangle is Hit::none.
+  /// Computes the surface points visible through points of the viewer's square, in their order.
+  /// Where there is none, the triangle is Hit::none.
   virtual void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
                     RenderStatistics& counts) = 0;
 };

@@ -14,13 +14,14 @@ glm::dvec3 middle_of(const Frame& window) {
   return window.base_corner() + 0.5 * (window.base_u() + window.base_v());
 }
 
-/// A patch around a receiver in units of a window's edges, along the way to the light's middle.
+/// The size of a patch around a receiver in units of a window's edges, along the direction to the
+/// light's centre.
 struct PatchInWindow {
   double u = 0.0, v = 0.0;  ///< full widths
 };
 
-// How large the patch is beside the light's projection onto it (CGF'98 section 4.3.4): the edges of
-// both, seen along the line that joins their middles, in the basis of the light's.
+// Returns the patch's size relative to the light's projection onto it (CGF'98 section 4.3.4). Both
+// sizes are measured along the line between their centres, in the basis of the light's edges.
 PatchInWindow patch_in_window(const Frame& window, const Patch& patch) {
   const glm::dvec3 a = window.base_u(), b = window.base_v();
   const glm::dvec3 m = middle_of(window);
@@ -31,8 +32,8 @@ PatchInWindow patch_in_window(const Frame& window, const Patch& patch) {
           std::abs(along_v(patch.right)) + std::abs(along_v(patch.down))};
 }
 
-// The frame around the light. One that is infinitely far is put farther than all that could shade
-// the patch.
+// Returns the frame around the light. A distant light is placed farther than everything that could
+// shade the patch.
 std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& receiver,
                                   double reach) {
   const auto window = LightWindow::of(light, receiver);
@@ -43,8 +44,8 @@ std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& re
                         scale * frame.base_v());
 }
 
-/// The part of a line that lies in the window, or `beyond` it by no more than that: a step of a
-/// long boundary may pass it and have both ends, and its middle, far away. Nothing if none does.
+/// Returns the part of a line within `beyond` of the window, if any. Part of a long boundary may
+/// cross the window while its ends and its centre are far away.
 std::optional<std::pair<glm::dvec2, glm::dvec2>> near_window(glm::dvec2 p, glm::dvec2 q,
                                                              glm::dvec2 beyond) {
   // Clip by Liang and Barsky.
@@ -63,8 +64,8 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> near_window(glm::dvec2 p, glm::
   return std::pair(p + t0 * d, p + t1 * d);
 }
 
-/// Where boundaries that lie over the patch throw their shadows on it: those that its middle has
-/// behind it, on the way to the light, but others of its places have before them.
+/// The shadows on the patch of boundaries above it. Such boundaries are behind the patch's centre,
+/// seen towards the light, but in front of other points of the patch.
 class ShadowOnPatch {
  public:
   ShadowOnPatch(const Frame& window, const HalfSpace& plane, glm::dvec3 middle, const Patch& patch)
@@ -78,8 +79,9 @@ class ShadowOnPatch {
     spread_ = 0.5 * (glm::abs(u) + glm::abs(v));
   }
 
-  /// How long the shadow is of a straight piece of a boundary, in sides of the patch, with what is
-  /// as near to it as its penumbra is wide. Nothing of what lies on the surface.
+  /// Returns the length of the shadow of a straight piece of a boundary, in sides of the patch. It
+  /// includes the surroundings within the width of its penumbra. Boundaries on the surface itself
+  /// count as 0.
   [[nodiscard]] double length(glm::dvec3 p, glm::dvec3 q) const {
     constexpr double least = 1e-6;  // of the way to the light
     const double all = plane_.height(light_);
@@ -97,7 +99,7 @@ class ShadowOnPatch {
   [[nodiscard]] glm::dvec2 in_patch(glm::dvec3 v) const {
     return {glm::dot(v, across_), glm::dot(v, along_)};
   }
-  // A step beside the light as it shows on the surface.
+  // Projects a step at the light onto the surface, along the light's direction.
   [[nodiscard]] glm::dvec3 fallen(glm::dvec3 step) const {
     const glm::dvec3 up = plane_.normal, way = light_ - middle_;
     return step - way * (glm::dot(up, step) / glm::dot(up, way));
@@ -105,14 +107,16 @@ class ShadowOnPatch {
 
   HalfSpace plane_;
   glm::dvec3 middle_, light_;
-  glm::dvec3 across_{0.0}, along_{0.0};  // by which a step over the patch is told in its sides
-  glm::dvec2 spread_{0.0};               // half the light's, as seen from its place, in them
+  // Basis in which steps on the patch are in units of its sides.
+  glm::dvec3 across_{0.0}, along_{0.0};
+  // Half of the light's extent, seen from its place, in that basis.
+  glm::dvec2 spread_{0.0};
 };
 
-/// How the visibility of the light bends within the patch, summed over boundaries.
+/// The error of the visibility at the patch's centre as its mean, summed over boundaries.
 class VisibilityCurvature {
  public:
-  /// `line`: the light is the window's middle line, along u.
+  /// `line`: the light is the window's centre line, along u.
   VisibilityCurvature(const Frame& window, PatchInWindow patch, bool line,
                       std::span<const LightIntersection> cuts, const ShadowOnPatch& over)
       : frame_(window), patch_(patch), line_(line), over_(over) {
@@ -125,7 +129,7 @@ class VisibilityCurvature {
 
   // Adds a straight piece of a boundary, in the world.
   void add(glm::dvec3 p, glm::dvec3 q) {
-    // Nearness changes along it: a few steps.
+    // Nearness changes along it, so use a few steps.
     constexpr int steps = 4;
     const glm::dvec3 hp = frame_.homogeneous(p), hq = frame_.homogeneous(q);
     if (line_) return add_to_line(hp, hq);
@@ -141,13 +145,13 @@ class VisibilityCurvature {
     }
   }
 
-  /// The midpoint rule's error of the visibility, 0 to 1/2 and more.
+  /// Returns the midpoint rule's error of the visibility, 0 to 1/2 and more.
   [[nodiscard]] double sum() const { return sum_; }
 
  private:
-  // A boundary that crosses the whole band that the line sweeps over moves along the line as the
-  // receiver moves, evenly; one that ends in the band, or runs along it, hides or shows at once the
-  // length that it has.
+  // A line light sweeps over a band as the receiver moves. A boundary that crosses the whole band
+  // moves evenly along the line. One that ends in the band, or runs along it, hides or reveals its
+  // whole length suddenly.
   void add_to_line(glm::dvec3 hp, glm::dvec3 hq) {
     if (!(hp.z > 0.0) || !(hq.z > 0.0)) {
       sum_ += 0.5;
@@ -171,7 +175,7 @@ class VisibilityCurvature {
   void add_step(glm::dvec3 hp, glm::dvec3 hq) {
     const double w = 0.5 * (hp.z + hq.z);
     if (w >= 1.0) return;
-    // How far the boundary moves to either side across the window while the receiver moves over the
+    // Movement of the boundary to either side across the window as the receiver moves over the
     // patch.
     const double eu = 0.5 * patch_.u * (1.0 / w - 1.0), ev = 0.5 * patch_.v * (1.0 / w - 1.0);
     const auto near = near_window({hp.x / hp.z, hp.y / hp.z}, {hq.x / hq.z, hq.y / hq.z}, {eu, ev});
@@ -184,14 +188,15 @@ class VisibilityCurvature {
     if (!(length > 0.0)) return;
     const glm::dvec2 across = glm::dvec2(std::abs(q.y - p.y), std::abs(q.x - p.x)) / length;
     const double e = eu * across.x + ev * across.y;
-    // A blocker that hangs from a surface in the light hides the one side of it or the other: its
-    // boundary bends the visibility twice as much.
+    // A blocker attached to a surface in the light hides one side of that surface or the other, so
+    // its boundary has twice the effect.
     if (std::any_of(cuts_.begin(), cuts_.end(),
                     [&](const Cut& cut) { return distance(cut, middle) < e; }))
       sum_ += std::min(0.5, 0.5 * e) * std::min(1.0, length);
     if (well_in) return;
-    // A boundary that passes the light's rim bends the visibility, linear on both sides, in the
-    // patch's middle at worst: a quarter of what it moves by.
+    // At a boundary that crosses the light's rim, the visibility has a kink between two linear
+    // parts. In the worst case the kink is at the patch's centre; the error is then a quarter of
+    // the movement.
     sum_ += std::min(0.5, 0.25 * e) * std::min(1.0, length);
   }
 
@@ -212,15 +217,16 @@ class VisibilityCurvature {
   double sum_ = 0.0;
 };
 
-/// The extended pyray around a patch: its apex lies behind the surface, so that it holds both the
-/// patch and the light. Nothing where the view of the light has no extent.
+/// The extended pyray around a patch. Its apex lies behind the surface, so that it contains both
+/// the patch and the light. Nothing if the view of the light has no extent.
 struct PatchPyray {
   glm::dvec3 middle;  ///< of the patch, above the surface
-  Frame light_frame;  ///< the light as the patch's middle sees it
+  Frame light_frame;  ///< the light as seen from the patch's centre
   PatchInWindow size;
   Frame frame;
-  HalfSpace between[2];    ///< the surface, and where boundaries move by too little to matter
-  double deviation = 0.0;  ///< how far the surface itself may rise above its plane
+  /// The surface, and the plane beyond which boundaries move too little to matter.
+  HalfSpace between[2];
+  double deviation = 0.0;  ///< largest height of the surface itself above its plane
 };
 
 std::optional<PatchPyray> pyray_around(const ShadowContext& block, const PenumbraQuery& query,
@@ -236,11 +242,11 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
   const double widest = std::max(size.u, size.v);
   if (!(widest > 0.0) || !std::isfinite(widest)) return std::nullopt;
 
-  // Boundaries matter up to where the quarter of what they move by is the tolerance, so far along
-  // the way to the light.
+  // Boundaries matter up to this fraction of the way to the light, where a quarter of their
+  // movement equals the tolerance.
   const double highest = 1.0 / (1.0 + 8.0 * tolerance / widest);
-  // The apex lies `back` ways to the light behind the surface. Where the patch is larger than half
-  // the light, it is aimed at a larger rectangle.
+  // The apex lies behind the surface, by `back` times the way to the light. For patches larger than
+  // half of the light, the pyray covers a larger rectangle.
   const double larger_u = std::max(1.0, 2.0 * size.u), larger_v = std::max(1.0, 2.0 * size.v);
   const double covered = std::max(size.u / larger_u, size.v / larger_v);
   const double back = covered / (1.0 - covered);
@@ -264,7 +270,7 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
 
 Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
                        RenderStatistics& counts) {
-  // Nothing lies between, or it does not matter.
+  // Nothing is in between, or it does not matter.
   const float tolerance = penumbra_tolerance(block.rules.allowance);
   if (block.rules.area_shadows) return {};
   const glm::vec3 around = 0.5f * (glm::abs(query.patch.right) + glm::abs(query.patch.down));
@@ -301,8 +307,8 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   // Linear lights have no samples to fall back on.
   if (!boundaries) return line ? Penumbra{1.0f, false} : Penumbra{0.0f, true};
 
-  // What lies no higher than a bent surface may rise itself: whether it shades the patch is for
-  // rays to say.
+  // Boundaries that are no higher than the surface itself may or may not shade the patch; rays
+  // decide.
   const HalfSpace& plane = around_patch->between[0];
   const auto low = [&](const Segment& s) {
     const auto height = [&](float u, float v, float nearness) {
@@ -315,7 +321,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
       std::any_of(boundaries->begin(), boundaries->end(), low))
     return {0.0f, true};
 
-  // Sum up how each bends the visibility.
+  // Sum up the effects of the boundaries.
   const ShadowOnPatch over(around_patch->light_frame, plane, around_patch->middle, query.patch);
   VisibilityCurvature curvature(around_patch->light_frame, around_patch->size, line,
                                 query.light.intersections, over);

@@ -16,7 +16,7 @@ struct SampledRays {
   ShadowRayBatch rays;
   std::vector<glm::vec3> transmittances;  ///< fraction of each that arrives
 
-  /// Irradiance that a ray carries if nothing blocks it.
+  /// Returns the unshadowed irradiance of a ray.
   [[nodiscard]] float weight(std::size_t ray) const { return rays.carried[0][ray]; }
   /// Traces the batch. `own_part`: see RayScene.
   void trace(const RayScene& scene, std::int32_t own_part);

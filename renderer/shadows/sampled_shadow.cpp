@@ -15,20 +15,19 @@
 namespace asos {
 namespace {
 
-// Rays of the first round, for each further one of which their number doubles, and at most.
+// Number of rays in the first round. Each further round doubles it, up to a maximum.
 constexpr double first_rays_a_root = 16.0;
 constexpr std::uint32_t least_rays = 8;
-// Rays of a part that deserves few of them, and how many times more than it deserves it takes:
-// where they start and what they are aimed at costs more than they do, so that they cost next to
-// nothing.
+// Rays of a part that needs only few: their least number, and the factor over the number needed.
+// Setting up origins and targets costs more than such rays, so additional ones are almost free.
 constexpr std::uint32_t fewest_rays = 4;
 constexpr double rays_for_one = 4.0;
-// Points drawn at most for each ray that is asked for: where parts and lights fill less of their
-// boxes, what was found stands.
+// Largest number of points drawn per requested ray. Where parts and lights fill less of their
+// bounding boxes, the result uses fewer rays.
 constexpr std::uint32_t most_points_a_ray = 16;
 constexpr std::uint32_t most_at_a_time = LitBatch::size;
 
-// The light, with as much power as is safe to sum up.
+// Returns the light's constants, with its power scaled so that sums are safe.
 LightConstants constants_of(const PreparedLight& light) {
   LightConstants constants(light);
   constants.power /= largest(constants.power);
@@ -37,14 +36,14 @@ LightConstants constants_of(const PreparedLight& light) {
 
 }  // namespace
 
-// Rays from all over the patch, in rounds until their mean is known as well as the leaf's weight
-// deserves.
+// Estimates the visibility by rays from the whole patch, in rounds until the mean has the accuracy
+// that the leaf's weight needs.
 Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
                           RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
   const Allowance& allowance = block.rules.allowance;
   const LeafContext& leaf = query.leaf;
-  // Find how many rays the leaf is worth, and the error to reach.
+  // Find the number of rays for the leaf, and the target error.
   const double intensity = query.intensity();
   const double worth = allowance.samples(leaf.weight, intensity);
   const auto most_rays = std::bit_floor(static_cast<std::uint32_t>(
@@ -54,7 +53,8 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   const std::uint32_t first_round =
       std::min(most_rays, std::bit_ceil(std::max(few ? fewest_rays : least_rays,
                                                  static_cast<std::uint32_t>(first_rays))));
-  // So few all count: to end once they agree would favour what most of them see.
+  // So few rays are never stopped early, since stopping when they agree would be biased towards the
+  // majority.
   const std::uint32_t most = few ? first_round : most_rays;
   const LightConstants constants = constants_of(light);
   LitPatch& patch = block.work->patch;
@@ -65,8 +65,8 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   SequentialMean found;
   std::uint32_t drawn = 0;
   for (std::uint32_t wanted = goal.least;; wanted = goal.after_next_round(wanted)) {
-    // Send the round's rays, and others instead of those that miss the patch or the light: a mean
-    // over those of a fixed number of points that hit would favour the parts that they hit surely.
+    // Send the round's rays, with replacements for those that miss the patch or the light. Without
+    // replacements, parts that are hit reliably would have too much weight.
     while (found.count() < wanted && drawn < most_points_a_ray * wanted) {
       const std::uint32_t first = drawn;
       drawn += std::min(wanted - found.count(), most_at_a_time);
@@ -78,8 +78,8 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
         found.add(Visibility(sampled.transmittances[i]), static_cast<double>(sampled.weight(i)));
       counts.shadow_rays += sampled.rays.count;
     }
-    // End once the mean is converged, or too few points hit. Samples that agree by chance would end
-    // it too early, in favour of the majority: their error is at least that of two samples.
+    // End once the mean is converged, or if too few points hit. Samples that agree by chance would
+    // end it too early, biased towards the majority, so the error is at least that of two samples.
     const double error = std::max(found.standard_error(), 2.0 / std::max(1u, found.count()));
     if (goal.met(wanted, error) || found.count() < wanted) break;
   }

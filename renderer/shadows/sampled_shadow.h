@@ -2,15 +2,15 @@
 
 #include "renderer/shadows/shadow_context.h"
 
-// Shadows by rays, where so much lies between a patch and a light that its boundaries cost more
-// than rays do (design section 5, "Saturation"): well distributed rays, each from another part of
-// the patch to another part of the light, so that what is narrower than the patch is averaged over
-// it. They are those of the samplers' kernels, weighed by what they would carry.
+// Shadows by rays, used where there are so many boundaries between a patch and a light that they
+// cost more than rays (design section 5, "Saturation"). Each ray goes from another part of the
+// patch to another part of the light, so that shadows narrower than the patch are averaged. The
+// rays come from the samplers' kernels and are weighted by their unshadowed contributions.
 
 namespace asos {
 
-/// The mean visibility of a light over the leaf's patch: of one with a size, or of one without over
-/// a patch whose plane is not its surface.
+/// Returns the mean visibility of a light over the leaf's patch. The light has an extent, or it is
+/// a point light and the patch is curved.
 [[nodiscard]] Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
                                         RenderStatistics& counts);
 

@@ -12,8 +12,8 @@
 namespace asos {
 namespace {
 
-// A leaf of less than this share of a finest cell, whose sample stands for as little as no marginal
-// leaf's does, is served by a ray like one.
+// Leaves below this fraction of a finest cell are served by a single ray, as marginal leaves are,
+// since their samples represent less than any marginal leaf's.
 constexpr double small_leaf = 0.25;
 
 Box box_of(const ShadowPatch& patch) {
@@ -22,8 +22,8 @@ Box box_of(const ShadowPatch& patch) {
   return box;
 }
 
-// What is known of all of the way, if it is. That nothing bounds the shadow does not rule out what
-// stands in the light itself.
+// Returns the visibility if it is known for the whole passage. A passage without boundaries does
+// not exclude objects that touch the light itself.
 std::optional<Visibility> told_visibility(const ShadowKnowledge& known,
                                           const PreparedLight& light) {
   if (known.passage == ShadowKnowledge::Passage::open || !light.intersections.empty())
@@ -31,7 +31,7 @@ std::optional<Visibility> told_visibility(const ShadowKnowledge& known,
   return Visibility(known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0);
 }
 
-// What the block knows of the way to a light, or what one ray meets.
+// Returns the visibility that the block knows for the passage to a light, or else that of one ray.
 Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
                             const LeafContext& leaf, RenderStatistics& counts) {
   Box around;
@@ -45,12 +45,12 @@ Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
 Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
                            const LeafContext& leaf, RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
-  // A leaf that is marginal or tiny is worth a ray.
+  // A marginal or tiny leaf is worth one ray.
   const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.allowance.max_level);
   if (leaf.region.marginal || leaf.weight < least_weight)
     return ray_visibility(block, query, counts);
 
-  // Ask what is known of the way to the light.
+  // Use the block's data on the passage to the light.
   const auto patch = has_patch(block, lit)
                          ? patch_of(block, lit.point, leaf.region, leaf.region.square)
                          : std::nullopt;
@@ -72,8 +72,9 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
   return patch ? hard_shadow(block, query, *patch, counts) : ray_visibility(block, query, counts);
 }
 
-// The visibility of a light of some size from the middle of an even patch is that from all of it;
-// and all of it is in a hard shadow, or in none, where nothing bounds one.
+// Returns the visibility for a leaf in an evenly lit patch. An extended light's visibility from the
+// patch's centre holds for the whole patch. For a point light that is true if the shadow has no
+// boundaries, so the patch is either fully lit or fully in shadow.
 Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
                            const LeafContext& leaf, RenderStatistics& counts) {
   EvenPatch& even = *leaf.even;
@@ -83,13 +84,13 @@ Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
   };
   if (visibility.x < 0.0) {
     const glm::vec3 there = unshadowed_irradiance(lit.light, receiver_at(even.middle));
-    // The light has set for the patch's middle, but not for this leaf.
+    // The light is below the horizon of the patch's centre, but not of this leaf.
     if (there == glm::vec3(0.0f)) return leaf_visibility(block, lit, leaf, counts);
     LeafContext middle = leaf;
     middle.region = {even.square, {}};
     middle.weight = std::pow(even.square.side / leaf.root_side, 2.0f);
     middle.views = &even.views;
-    // Its lobe is that of the leaf, which is nearby.
+    // The lobe is that of the leaf, which is nearby.
     const Illumination of_middle{lit.light,     lit.index, even.middle, there,
                                  lit.reflected, lit.layer, lit.lit,     lit.highlight};
     visibility = leaf_visibility(block, of_middle, middle, counts);
@@ -107,8 +108,8 @@ void light_visibilities(const ShadowContext& block, std::span<const LitLeaf> bat
 
 Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
                             const LeafContext& leaf, RenderStatistics& counts) {
-  // A ray tells enough of lights so weak that all of them together stay below EPS. Without any they
-  // would shine through walls.
+  // One ray is enough for lights so weak that all of them together stay below EPS. Without any ray
+  // they would shine through walls.
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   const double weakest = block.rules.allowance.eps / static_cast<double>(block.lights);
   if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest))
@@ -120,7 +121,7 @@ Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
 
 Visibility ray_visibility(const ShadowContext& block, const ShadowQuery& query,
                           RenderStatistics& counts) {
-  // A point of the light that stands below the horizon tells nothing of what is hidden.
+  // Skip points of the light below the horizon, since they say nothing about occlusion.
   constexpr int most_points = 32;
   const Illumination& lit = query.lit;
   const Receiver receiver = receiver_at(lit.point);

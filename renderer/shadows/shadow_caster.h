@@ -14,41 +14,43 @@
 
 namespace asos {
 
-/// How much of the way to a light a shadow ray goes: its own surface does not shade it.
+/// Fraction of the way to a light that a shadow ray covers, so that the light's own surface does
+/// not shade it.
 inline constexpr float most_of_the_way = 1.0f - 1e-5f;
 
-/// The engine's Caster for shadow pyrays: finds the visibility of a light over a square, by a
-/// measure that derived classes choose. One object serves one pyray after another and keeps its
-/// memory.
+/// The engine's Caster for shadow pyrays: computes the visibility of a light over a square, with
+/// the measure of a derived class. One object serves one pyray after another and reuses its memory.
 class ShadowCaster : public Caster {
  public:
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
   [[nodiscard]] Cover cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
-  /// What shines through, and some cut-outs, have outlines that are no boundaries.
+  /// Splits leaves on transparent surfaces, and on some cut-outs, since their outlines are not
+  /// boundaries.
   [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
                                     bool may_split) override;
   void take(std::span<const PyrayLeaf> leaves) override;
-  /// The visibility of the light from a sample.
+  /// Returns the visibility of the light from a sample.
   [[nodiscard]] glm::vec3 result(SampleId sample) const override {
     return samples_[sample].counts ? samples_[sample].blocker.transmittance : glm::vec3(0.0f);
   }
 
-  /// The light's visibility, once all leaves are in. Nothing where no sample met what was
-  /// asked for.
+  /// Returns the light's visibility after all leaves were taken. Returns nothing if no sample
+  /// counts.
   [[nodiscard]] std::optional<Visibility> visibility() const;
   [[nodiscard]] std::uint64_t rays_cast() const { return cast_; }
-  /// Whether some sample met what lets more or less light through from place to place.
+  /// Returns whether a sample hit a surface with varying transmittance.
   [[nodiscard]] bool met_see_through() const;
 
  protected:
-  /// All have to outlive the pyray. `see_through`: see ShadowRules.
+  /// All arguments have to outlive the pyray. `see_through`: see ShadowRules.
   void start(const ShadowScene& scene, bool see_through, const Frame& frame,
              std::int32_t ignored_part);
 
-  /// The ray whose blockers shade a point of the square; nothing for points that do not count.
+  /// Returns the ray whose blockers shade a point of the square; nothing for points that do not
+  /// count.
   [[nodiscard]] virtual std::optional<Ray> ray_at(glm::vec2 p) const = 0;
-  /// How much a leaf that counts is worth.
+  /// Returns the weight of a leaf that counts.
   [[nodiscard]] virtual double measure(double weight, const LeafRegion& region) const = 0;
 
  private:

@@ -9,12 +9,13 @@
 namespace asos {
 namespace {
 
-// The limits for cutting a light, or a patch: a part costs a ray, and leaves no error.
+// Limits for cutting a light or a patch: each part costs a ray, and the result is exact.
 constexpr int most_boundaries = 24;
 constexpr int most_pieces = 64;
-// Groups of boundaries in a light's square, beyond which no part of it is free of boundaries.
+// Number of groups of boundaries in a light's square beyond which no part of it is free of
+// boundaries.
 constexpr int most_groups = 400;
-// Outlines are drawn at least as finely as in a pixel at MAX 3, so that they can be cut along.
+// Outlines are at least as detailed as in a pixel at MAX 3, so that lights can be cut along them.
 constexpr int finest_detail = 3;
 
 }  // namespace
@@ -28,7 +29,7 @@ Receiver receiver_above(const SurfacePoint& point, const PreparedLight& light) {
   Receiver receiver = receiver_at(point);
   const double height = static_cast<double>(clear_height(point));
   const bool far = light.shape == Kind::distant || light.shape == Kind::sun;
-  // The middle of a sun that stands partly above the horizon may lie below it.
+  // The centre of a sun that is partly above the horizon may lie below it.
   const bool risen = far && glm::dot(receiver.geometric, light.towards) > 0.0;
   receiver.position += risen ? clear_way(height, static_cast<double>(point.to_edge),
                                          receiver.geometric, light.towards)
@@ -36,7 +37,7 @@ Receiver receiver_above(const SurfacePoint& point, const PreparedLight& light) {
   return receiver;
 }
 
-// Well mixed bits (Steele, Lea and Flood 2014).
+// Hashes to well-mixed bits (Steele, Lea and Flood 2014).
 glm::dvec2 unit_pair_of(std::uint64_t bits) {
   const RandomPair pair = unit_pair(mix_bits(bits));
   return {pair.u, pair.v};
@@ -73,7 +74,8 @@ bool has_patch(const ShadowContext& block, const Illumination& lit) {
 std::optional<ShadowPatch> patch_of(const ShadowContext& block, const SurfacePoint& point,
                                     const LeafRegion& region, const Square& s) {
   ShadowPatch patch;
-  // As high above the triangle all over: the smooth surface's own plane may dip below it.
+  // Use the same height above the triangle everywhere: the smooth surface's own plane may dip below
+  // it.
   patch.plane =
       HalfSpace::through(glm::dvec3(point.lit_position()), glm::dvec3(point.geometric_normal));
   for (std::size_t i = 0; i < 4; ++i) {

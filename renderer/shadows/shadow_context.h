@@ -22,18 +22,18 @@ namespace asos {
 
 class AreaShadows;
 
-/// The rules that shadows of a viewer's leaves go by.
+/// The rules for shadows on a viewer's leaves.
 struct ShadowRules {
-  /// Replaces shadows of lights of some size; null: as exact as the allowance asks.
+  /// Replaces the shadows of extended lights; null: as exact as the allowance.
   const AreaShadows* area_shadows = nullptr;
-  Allowance allowance;  ///< of the viewer's pyrays; those of shadows get what its levels leave
-  const SubdivisionVariant* variant = nullptr;  ///< of shadow pyrays; null: the engine's own way
-  /// Some surfaces of the scene let more light through here than there, or have holes, without
-  /// boundaries that tell where (FeatureSet::opacity_unbounded).
+  Allowance allowance;  ///< for the viewer's pyrays; those of shadows get the remaining levels
+  const SubdivisionVariant* variant = nullptr;  ///< for shadow pyrays; null: the engine's own way
+  /// Some surfaces of the scene have varying transmittance, or holes, without boundaries
+  /// (FeatureSet::opacity_unbounded).
   bool see_through = true;
 };
 
-/// Memory of shadow pyrays that is worth keeping. Holds no result.
+/// Scratch memory of shadow pyrays. Holds no result.
 struct ShadowWorkspace {
   Tracer tracer;
   WindowCaster window_caster;
@@ -44,61 +44,62 @@ struct ShadowWorkspace {
   SampledRays sampled;
 };
 
-/// The surroundings that the shadows of one viewer's block share. Keeps pointers.
+/// The surroundings that the shadows of one viewer's block share. Stores pointers.
 struct ShadowContext {
   const ShadowScene* scene = nullptr;
   ShadowRules rules;
   std::size_t lights = 1;        ///< in the scene
-  const Frame* frame = nullptr;  ///< of the viewer's block
+  const Frame* frame = nullptr;  ///< that of the viewer's block
   PatchView* view = nullptr;
   ShadowGroups* groups = nullptr;
   ShadowWorkspace* work = nullptr;
 };
 
-/// The question to a shadow: how much of a light reaches the leaf's point?
+/// A query for the visibility of a light from a leaf.
 struct ShadowQuery {
   const Illumination& lit;
   const LeafContext& leaf;
   SearchBounds found;  ///< where boundaries between the leaf and the light may be
 
-  /// The light's full contribution in display units, at most 1.
+  /// Returns the light's unshadowed contribution in display units, at most 1.
   [[nodiscard]] double intensity() const;
 };
 
-/// The receiver of a light: clear of the surface, and of a light that is infinitely far on the way
-/// to its middle, so that shadows stay in their place.
+/// Returns the receiver of a light: a point clear of the surface. For a distant light it is on the
+/// way to the light's centre, so that shadows stay in place.
 [[nodiscard]] Receiver receiver_above(const SurfacePoint& point, const PreparedLight& light);
 
-/// Two numbers in [0, 1).
+/// Returns two numbers in [0, 1).
 [[nodiscard]] glm::dvec2 unit_pair_of(std::uint64_t bits);
 
-/// The rules of a leaf's shadow pyrays: the levels that its parent left and EPS of what it
-/// contributes (Allowance::nested).
+/// Returns the rules for a leaf's shadow pyrays: the levels that its parent left, and EPS of its
+/// contribution (Allowance::nested).
 [[nodiscard]] SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query);
 
-/// The levels that a leaf leaves to its shadow pyrays, 1 at least.
+/// Returns the levels that a leaf leaves to its shadow pyrays, at least 1.
 [[nodiscard]] int levels_left(const ShadowRules& rules, const LeafContext& leaf);
 
-/// The largest hit list before samples cost less than the search.
+/// Returns the length of a hit list above which samples cost less than the search.
 [[nodiscard]] std::size_t most_entries_for_samples(int levels);
 
-/// Whether all that a leaf shows of a lit point's surface is known: that of the nearest surface,
-/// and of a flat one that is seen straight through others.
+/// Returns whether the surface of a lit point is known over the whole leaf. This is true for the
+/// nearest surface, and for a flat one that is visible through others without deflection.
 [[nodiscard]] bool has_patch(const ShadowContext& block, const Illumination& lit);
 
-/// The patch on the point's plane that a square of the viewer's frame shows, with the border of the
-/// leaf in units of that square. Nothing where the plane does not cross the frame's rays. The
-/// border lives in the workspace until the next call.
+/// Returns the patch on the point's plane that a square of the viewer's frame covers, with the
+/// leaf's border in units of that square. Returns nothing if the plane does not cross the frame's
+/// rays. The border is valid in the workspace until the next call.
 [[nodiscard]] std::optional<ShadowPatch> patch_of(const ShadowContext& block,
                                                   const SurfacePoint& point,
                                                   const LeafRegion& region, const Square& s);
 
-/// How far the surface may leave a patch's plane, up to its corners, in world units.
+/// Returns the largest deviation of the surface from a patch's plane, up to its corners, in world
+/// units.
 [[nodiscard]] double deviation(const ShadowContext& block, const SurfacePoint& point,
                                const ShadowPatch& patch);
 
-/// Traces a shadow pyray whose search has begun (Tracer::search) or begins now, counts its rays and
-/// tells observers.
+/// Traces a shadow pyray, whose search may have begun (Tracer::search). Counts its rays and informs
+/// observers.
 Trace trace_shadow(const ShadowContext& block, const ShadowQuery& query, const Pyray& pyray,
                    const SubdivisionRules& rules, ShadowCaster& caster, RenderStatistics& counts,
                    std::optional<std::span<const BorderEdge>> searched = std::nullopt);

@@ -10,10 +10,10 @@
 namespace asos {
 namespace {
 
-// Nodes that a cut may hold. More cost every pyray of the block more than walking there from the
-// root does.
+// Largest number of nodes in a cut. More cost every pyray of the block more than a walk from the
+// root.
 constexpr std::size_t most_nodes = 24;
-// Boxes of parts that are looked at to save a ray.
+// Largest number of parts whose boxes are tested to save a ray.
 constexpr std::size_t most_boxes = 256;
 
 }  // namespace
@@ -65,7 +65,7 @@ void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, con
     group.stood_upon.reset();
   }
   Group& group = groups_[i];
-  // Grow it by the patch, half as far again as that goes to first order.
+  // Grow it by the patch, half as far again as its first-order extent.
   const glm::vec3 around = 0.75f * (glm::abs(patch.right) + glm::abs(patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return;
   for (const glm::vec3 at : {position, position + lift}) {
@@ -83,7 +83,7 @@ ShadowGroups::Group* ShadowGroups::group_of(const SurfacePoint& point, const Box
   for (std::size_t i = 0; i < used_; ++i) {
     Group& group = groups_[i];
     if (group.sheet != sheet) continue;
-    // Patches that are smaller than the rounding of their places lie where they lie.
+    // Allow for patches smaller than the rounding error of their positions.
     const glm::vec3 slack = 2.0f * point.error;
     const bool inside = glm::all(glm::lessThanEqual(group.box.lo - slack, patch.lo)) &&
                         glm::all(glm::lessThanEqual(patch.hi, group.box.hi + slack));
@@ -92,8 +92,8 @@ ShadowGroups::Group* ShadowGroups::group_of(const SurfacePoint& point, const Box
   return nullptr;
 }
 
-// A box around a light; of one that is infinitely far, around where lines from the box to it leave
-// the world.
+// Returns a box around a light. For a distant light it is a box around the points where lines from
+// `from` to the light leave the world.
 Box ShadowGroups::light_box(const PreparedLight& light, const Box& from) const {
   using LightShape = PreparedLight::Shape;
   Box box;
@@ -120,7 +120,7 @@ Box ShadowGroups::light_box(const PreparedLight& light, const Box& from) const {
   return box;
 }
 
-// Whether all of a light stands above a group's plane.
+// Returns whether the whole light is above a group's plane.
 bool ShadowGroups::rises_above(const PreparedLight& light, const Group& group) const {
   const Box box = light_box(light, group.box);
   const glm::dvec3 n = group.plane.normal;
@@ -148,8 +148,8 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
     answer.passage = Passage::lit;
     return;
   }
-  // Nothing bounds what shades these points: what one of them sees of the light, all do. Some point
-  // of the light lies above the horizon.
+  // The shadow on these points has no boundaries, so their visibility is the same and one ray
+  // decides. Use a point of the light above the horizon.
   for (const double u : {0.5, 0.05, 0.95}) {
     for (const double v : {0.5, 0.05, 0.95}) {
       const LightSample at = sample_light(light, receiver_at(point), u, v);
@@ -166,13 +166,13 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
   }
 }
 
-// Whether something stands on the group, or passes through it: shade that begins there has no
-// boundary above the plane, and the block may show both sides of it, for the eye looks through the
-// backs of single-sided surfaces, and through holes.
+// Returns whether an object stands on the group or passes through it. Its shadow has no boundary
+// above the plane. The block may also contain both sides of the plane, since the eye sees through
+// the backs of single-sided surfaces and through holes.
 bool ShadowGroups::stood_upon(Group& group) const {
   if (!group.stood_upon) {
     const FeatureSet& features = scene_.features;
-    // The edges of the group's own surface, beside which it does not go on.
+    // The edges of the group's own surface where it ends.
     const auto its_border = [&](const FeatureEdge& e) {
       const bool own = e.left_sheet == group.sheet || e.right_sheet == group.sheet;
       const bool of_several = e.kind == FeatureKind::open && e.right_sheet != FeatureEdge::none;
@@ -184,7 +184,8 @@ bool ShadowGroups::stood_upon(Group& group) const {
   return *group.stood_upon;
 }
 
-// Whether the boxes of the scene's parts prove it. With very many parts a ray costs less.
+// Returns whether the boxes of the scene's parts prove that nothing is in between. With very many
+// parts a ray costs less.
 bool ShadowGroups::nothing_between(const PreparedLight& light, const Shaft& shaft) const {
   const std::vector<Part>& parts = scene_.world.parts;
   if (scene_.world.solid_parts() > most_boxes) return false;
@@ -202,10 +203,10 @@ ShadowKnowledge ShadowGroups::ask(const PreparedLight& light, std::uint32_t inde
                                   std::uint64_t& rays_cast) {
   Group* group = group_of(point, patch);
   if (!group) return {};
-  // A group knows nothing of the other side of its surface, which light shines through diffusely.
+  // A group has no data for the other side of its surface, which diffuse transmission needs.
   const bool other_side = glm::dot(glm::dvec3(point.geometric_normal), group->plane.normal) < 0.0;
   if (group->planar && other_side) return {};
-  // Nor of what lies below its plane, where a smooth surface may still see the light.
+  // It has no data below its plane either, where a smooth surface may still see the light.
   if (group->planar && point.lift != glm::vec3(0.0f) && !rises_above(light, *group)) return {};
   Answer& answer = group->answers[index];
   if (!answer.known) find(light, point, *group, answer, rays_cast);

@@ -16,30 +16,30 @@
 
 namespace asos {
 
-/// The passage of light between some points and a light, as far as it is known.
+/// The known part of the passage of light between some points and a light.
 struct ShadowKnowledge {
   enum class Passage : std::uint8_t { open, lit, shaded };
 
-  Passage passage = Passage::open;  ///< for all of the points and all of the light
+  Passage passage = Passage::open;  ///< for all points and the whole light
   const FeatureCut* cut = nullptr;  ///< open: where boundaries may be; null: anywhere
 };
 
-/// The surfaces that a block of pixels shows, one group for each smooth piece, with what lies
-/// between each and the lights: found once and handed to all shadow pyrays that start there. Nodes
-/// are shared, not edges: the silhouettes that the block's points see together are many more than
-/// any one of them sees (design section 12).
+/// The surfaces visible in a block of pixels, one group for each smooth surface, with the feature
+/// cut between each and the lights. It is computed once and passed to all shadow pyrays that start
+/// there. Nodes are shared, but not edges: all points of the block together see many more
+/// silhouettes than any one of them (design section 12).
 class ShadowGroups {
  public:
   explicit ShadowGroups(const ShadowScene& scene);
 
-  /// Starts a block, whose pixels are seen to show these patches around these hits.
+  /// Starts a block.
   void reset(std::size_t lights);
-  /// A point that the block shows, and the patch of its pixel; `lift`: SurfacePoint's.
+  /// Adds a visible point of the block with the patch of its pixel; `lift` is that of SurfacePoint.
   void add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch,
            glm::vec3 lift = glm::vec3(0.0f));
 
-  /// The passage from a patch around `point` to a light, as far as it is known. Rays cast to find
-  /// out are added to `rays_cast`. The cut lives until the next call of `reset`.
+  /// Returns the known part of the passage from a patch around `point` to a light. Adds the rays
+  /// cast for it to `rays_cast`. The cut is valid until the next call of `reset`.
   [[nodiscard]] ShadowKnowledge ask(const PreparedLight& light, std::uint32_t index,
                                     const SurfacePoint& point, const Box& patch,
                                     std::uint64_t& rays_cast);
@@ -55,9 +55,9 @@ class ShadowGroups {
     Box box;
     HalfSpace plane;  // of the first point
     bool planar = true;
-    double tolerance = 0;  // how far from the plane points may lie by rounding
+    double tolerance = 0;  // largest distance of points from the plane by rounding
     std::vector<Answer> answers;
-    std::optional<bool> stood_upon;  // once it is asked
+    std::optional<bool> stood_upon;  // computed at first use
   };
 
   [[nodiscard]] Group* group_of(const SurfacePoint& point, const Box& patch);
@@ -75,11 +75,10 @@ class ShadowGroups {
   std::size_t used_ = 0;
 };
 
-/// Farther than anything in the world is from anything else: where light from infinitely far
-/// starts.
+/// Returns a distance larger than any in the world, at which light from infinity starts.
 [[nodiscard]] double world_reach(const World& world);
 
-/// Vertices of the light's own surface, which does not shade it.
+/// Returns bounds that ignore the vertices of the light's own surface, which does not shade it.
 [[nodiscard]] SearchBounds own_part_ignored(const World& world, const PreparedLight& light);
 
 }  // namespace asos

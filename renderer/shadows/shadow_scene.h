@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// The scene as shadow pyrays look at it.
+/// The scene data that shadow pyrays need.
 struct ShadowScene {
   const World& world;
   const FeatureSet& features;

@@ -9,7 +9,7 @@
 namespace asos {
 namespace {
 
-// Single precision in the tests below errs by a few units of the largest coordinate.
+// Error of single precision in the tests below: a few units of the largest coordinate.
 constexpr float relative_error = 16.0f * std::numeric_limits<float>::epsilon();
 
 }  // namespace
@@ -25,8 +25,8 @@ Shaft::Shaft(const Box& from, const Box& to) {
   add_bevels(from, to, 1, 2);
 }
 
-// In the plane of axes i and j the hull of two rectangles has, besides their own sides, the lines
-// that join like corners with everything on one side of them.
+// In the plane of axes i and j, the hull of two rectangles has their own sides and the lines
+// between like corners that have everything on one side.
 void Shaft::add_bevels(const Box& from, const Box& to, int i, int j) {
   const auto corner = [&](const Box& box, int c) {
     return glm::dvec2((c & 1) ? box.hi[i] : box.lo[i], (c & 2) ? box.hi[j] : box.lo[j]);
@@ -74,7 +74,7 @@ unsigned Shaft::met_children(const FeatureNode& node) const {
     for (int c = 0; c < width; ++c)
       met[c] = met[c] & (bevel.first * first[c] + bevel.second * second[c] >= bevel.offset);
   }
-  // Keep those that reach into the half-space, too.
+  // Keep those that also reach into the half-space.
   unsigned kept = 0;
   for (unsigned c = 0; c < node.child_count; ++c) {
     if (!met[c]) continue;
@@ -143,8 +143,8 @@ void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBo
     }
     return false;
   };
-  // Breadth first, so that what is left unopened is as small as can be. `next` runs ahead of what
-  // has been opened; opened nodes keep only the runs of edges that they hold.
+  // Breadth first, so that unopened nodes are as small as possible. `next` is the node to open;
+  // opened nodes keep only the runs of edges that they contain.
   FeatureCut& cut = found.cut;
   const auto meet = [&](std::uint32_t node) {
     const unsigned children = shaft.met_children(features.node(node, room));
@@ -156,7 +156,7 @@ void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBo
       found.complete = false;
       break;
     }
-    // `meet` takes the room for others.
+    // `meet` overwrites `room`, so this needs its own.
     FeatureNode own_room;
     const FeatureNode& node = features.node(cut[next].node, own_room);
     unsigned leaves = 0;

@@ -12,20 +12,20 @@
 
 namespace asos {
 
-/// The convex hull of two boxes, as their bounding box and the planes that bevel it (Haines and
-/// Wallace 1991): everything that can lie between a point of one and a point of the other.
+/// The convex hull of two boxes, as their bounding box and bevel planes (Haines and Wallace 1991).
+/// It contains everything that can lie between a point of one and a point of the other.
 class Shaft {
  public:
   Shaft(const Box& from, const Box& to);
 
-  /// Leaves out what lies outside of a half-space as well.
+  /// Also excludes everything outside of a half-space.
   void keep_within(const HalfSpace& half) { half_ = half; }
 
-  /// The children of a node whose boxes meet the shaft, bit by bit; conservative.
+  /// Returns the children of a node whose boxes meet the shaft, as bits; conservative.
   [[nodiscard]] unsigned met_children(const FeatureNode& node) const;
-  /// Whether a box may meet it; conservative.
+  /// Returns whether a box may meet it; conservative.
   [[nodiscard]] bool meets(const Box& box) const;
-  /// Whether a straight edge may meet it; conservative.
+  /// Returns whether a straight edge may meet it; conservative.
   [[nodiscard]] bool meets(glm::vec3 a, glm::vec3 b) const;
 
  private:
@@ -42,18 +42,18 @@ class Shaft {
   std::optional<HalfSpace> half_;
 };
 
-/// Where to look for boundaries in a shaft.
+/// Where to search for boundaries in a shaft.
 struct ShaftSearch {
   FeatureCut cut;
-  bool complete = false;  ///< every edge was looked at: an empty cut proves that there are none
+  bool complete = false;  ///< every edge was tested: an empty cut proves that there are none
 };
 
-/// Finds the part of the feature hierarchy that lies in a shaft, opened until `most` nodes hold it.
-/// Edges that `ignored` ignores do not count.
+/// Finds the part of the feature hierarchy in a shaft, opened up to `most` nodes. Edges that
+/// `ignored` ignores do not count.
 void search_shaft(const FeatureSet& features, const Shaft& shaft, const SearchBounds& ignored,
                   std::size_t most, ShaftSearch& found);
 
-/// Whether some edge that meets a shaft is one of those asked for.
+/// Returns whether an edge that meets a shaft satisfies `asked_for`.
 [[nodiscard]] bool any_edge(const FeatureSet& features, const Shaft& shaft,
                             const std::function<bool(const FeatureEdge&)>& asked_for);
 

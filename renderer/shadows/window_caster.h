@@ -5,13 +5,13 @@
 
 namespace asos {
 
-/// From a point of a surface to a light of some size (CGF'98 section 4.2). A leaf is worth the
-/// irradiance that it gives: its projected solid angle, or by the published rule its area times the
+/// Casts from a point of a surface to an extended light (CGF'98 section 4.2). A leaf's weight is
+/// its irradiance: its projected solid angle. By the published rule, it is its area times the
 /// cosine at the light over the squared distance, both at its sample.
 class WindowCaster final : public ShadowCaster {
  public:
-  /// All have to outlive the pyray. `gives_up`: once a sample meets what lets more or less light
-  /// through from place to place.
+  /// All arguments have to outlive the pyray. `gives_up`: gives up once a sample hits a surface
+  /// with varying transmittance.
   void start(const ShadowScene& scene, bool see_through, const PreparedLight& light,
              const LightWindow& window, bool gives_up);
 

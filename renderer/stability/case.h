@@ -9,46 +9,46 @@
 
 namespace asos::stability {
 
-/// The measurement of a case: one line of the report.
+/// The result of a case: one line of the report.
 struct Outcome {
-  std::string quantity;  ///< the name of the figure, with its unit
+  std::string quantity;  ///< name of the quantity, with its unit
   double expected = 0.0;
   double got = 0.0;
   double error = 0.0;
   double bound = 0.0;                  ///< tolerance on the error
-  std::string reason;                  ///< where the bound comes from
-  std::uint64_t rejected_samples = 0;  ///< not finite, left out of their pixels by the renderer
-  std::uint64_t bad_pixels = 0;        ///< pixels of the pictures rendered that are not finite
+  std::string reason;                  ///< derivation of the bound
+  std::uint64_t rejected_samples = 0;  ///< left out by the renderer, because they are not finite
+  std::uint64_t bad_pixels = 0;        ///< pixels of the rendered pictures that are not finite
 };
 
-/// A stiff or extreme scene or setting, and how to measure it. `run` may be called from any thread;
-/// an error means that there is no figure, which breaks the case.
+/// A stiff or extreme scene or setting, and its measurement. `run` may be called from any thread.
+/// An error means that there is no result, and the case fails.
 struct Case {
   std::string name;
   std::string group;
-  bool quick = true;  ///< belongs to the part that takes less than a minute in all
+  bool quick = true;  ///< belongs to the part that takes less than a minute in total
   std::function<Result<Outcome>()> run;
 };
 
-/// A case that was run.
+/// A case with its result.
 struct Finding {
   std::string name;
   std::string group;
   Outcome outcome;
-  std::string fault;  ///< why there is no figure; empty where there is one
+  std::string fault;  ///< why there is no result; empty if there is one
   double seconds = 0.0;
 };
 
-/// Whether the error is within the bound (NaN never is) and no pixel was anything but finite.
+/// Returns whether the error is within the bound (NaN never is) and all pixels are finite.
 [[nodiscard]] bool holds(const Finding& finding);
 
-/// Runs a case and takes its time. Lack of memory is a fault.
+/// Runs a case and measures its time. Lack of memory counts as a fault.
 [[nodiscard]] Finding run_case(const Case& item);
 
-/// All cases, group by group; the quick ones alone where asked. No two share group and name.
+/// Returns all cases, group by group, or only the quick ones. No two have the same group and name.
 [[nodiscard]] std::vector<Case> all_cases(bool quick_only);
 
-// One function a group.
+// One function per group.
 [[nodiscard]] std::vector<Case> scale_cases();
 [[nodiscard]] std::vector<Case> mesh_cases();
 [[nodiscard]] std::vector<Case> overlap_cases();

@@ -39,8 +39,8 @@ std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, glm::dve
 }
 
 double coverage(const PictureView& view, const std::vector<glm::dvec3>& polygon, int x, int y) {
-  // Into pixels from the pixel's own middle: (u, v, 1) w, w being the depth, or 1 for parallel
-  // rays.
+  // Transform to pixels relative to the pixel's centre: (u, v, 1) w, where w is the depth, or 1 for
+  // parallel rays.
   const glm::dmat4 m = view.camera.world_from_camera;
   const bool perspective = view.camera.type == Camera::Type::perspective;
   const double scale = view.pixels_per_unit();

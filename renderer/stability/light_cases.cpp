@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Lights of no size, of huge size, in awkward places, too weak, too strong, too many.
+// Lights without size, of huge size, at unusual places, too weak, too strong, too many.
 
 namespace asos::stability {
 namespace {
@@ -36,7 +36,7 @@ Light disk(double height, double radius) {
 }
 
 Light ball(glm::dvec3 position, double radius) {
-  // So that its radiance is one nit.
+  // Scale so that its radiance is one nit.
   Light light = light_at(Light::Type::point, position,
                          static_cast<float>(radius > 0.0 ? pi * radius * radius : 1.0));
   light.radius = radius;
@@ -110,7 +110,7 @@ void add_cones(std::vector<Case>& cases) {
     const double below_1 = 2.0 * std::sin(0.5 * outer) * std::sin(0.5 * outer);  // 1 - cos(outer)
     const double share = std::min(1.0, below_1 / 0.001);
     const double cosine_rounding = 2.0 * std::numeric_limits<double>::epsilon() / below_1;
-    // Beside the axis, 2 above, the cosine is less by half the squared angle.
+    // Off the axis, 2 above, the cosine is less by half the squared angle.
     constexpr double half_side = 1e-3;
     const double beside = 16.0 * rounding * half_side / 2.0;
     cases.push_back(

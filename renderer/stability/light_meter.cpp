@@ -9,7 +9,7 @@
 namespace asos::stability {
 namespace {
 
-/// So bright that faint lights are above the smallest numbers of float32.
+/// Large enough that faint lights are above the smallest numbers of float32.
 constexpr float albedo = 1 << 20;
 
 Light sun() {
@@ -25,17 +25,18 @@ Result<Outcome> LightMeter::measure(const Measure& measure, double lux) const {
   const double h = floor_half;
   Scene scene = scene_of({}, parallel({0, 8, 0}, {0, 0, 0}, 1e-9));
   Material chalk = matte(albedo);
-  chalk.specular = 0.0f;  // which would take from what is reflected diffusely
+  chalk.specular = 0.0f;  // it would reduce the diffuse reflection
   place(scene, mesh_of({{-h, 0, h}, {h, 0, h}, {h, 0, -h}, {-h, 0, -h}}), chalk);
   RenderSettings settings = settings_of(1, 1, max_level);
-  settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));  // a faint light is all there is
+  // So that the light is the only source.
+  settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   if (change) settings = change(settings);
   scene.lights = {sun()};
   const auto one_lux = render(scene, settings);
   if (!one_lux) return unexpected(one_lux.error());
   const double per_lux = one_lux->at(0, 0);
 
-  // Blockers stand beside the pixel, not before it.
+  // Blockers are not in front of the pixel, so it stays visible.
   for (const Face& face : blockers) place(scene, mesh_of(face.corners), matte(0.0f));
   scene.lights = lights;
   Measure told = measure;

@@ -9,9 +9,9 @@
 
 namespace asos::stability {
 
-/// Measures light as a photographer would: a matte floor in the plane y = 0, of which the picture's
-/// only pixel shows a speck around the origin from above, is rendered in the dark under the lights
-/// and under one lux, which give the illuminance at the origin.
+/// Measures light as a photographer would. A matte floor in the plane y = 0 is rendered from above
+/// in a picture of one pixel around the origin. The picture under the lights relative to the
+/// picture under one lux is the illuminance at the origin.
 struct LightMeter {
   std::vector<Light> lights;
   std::vector<Face> blockers;
@@ -19,8 +19,8 @@ struct LightMeter {
   int max_level = 3;
   RenderSettings (*change)(RenderSettings) = nullptr;  ///< applied to settings_of's result
 
-  /// The case's figure: lux at the origin. The measure's bound is a share of `lux`, and comes on
-  /// top of what float32 costs the two pictures.
+  /// Returns the case's result: lux at the origin. The measure's bound is relative to `lux`; the
+  /// float32 error of the two pictures is added.
   [[nodiscard]] Result<Outcome> measure(const Measure& measure, double lux) const;
 };
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// Materials with factors that no author meant, light that overflows, and layers without end.
+// Materials with unintended factors, overflowing light, and endless layers.
 
 namespace asos::stability {
 namespace {
@@ -29,7 +29,7 @@ Scene wall(const Material& material) {
   return scene;
 }
 
-/// A scene whose every sample is not finite: they are dropped and counted, and pixels are black.
+/// A scene whose samples are all not finite: they are dropped and counted, and pixels are black.
 Case overflowing(const std::string& name, const std::function<Scene()>& make) {
   return {name, material_group, true, [make] {
             return one_value(
@@ -85,7 +85,7 @@ void add_overflow(std::vector<Case>& cases) {
                    }});
 }
 
-/// A material under the sky alone: the share of its light that comes back.
+/// A material under the sky alone, against the fraction of light that it reflects.
 Case under_sky(const std::string& name, const Material& material, double share,
                const Measure& measure, double fov_deg = 50.0) {
   return {name, material_group, true, [=] {
@@ -99,7 +99,7 @@ Case under_sky(const std::string& name, const Material& material, double share,
           }};
 }
 
-// White metal that is smooth returns all of the sky.
+// Smooth white metal reflects the whole sky.
 Case mirrors_sky(std::string name, const Material& material) {
   return {std::move(name), material_group, true, [material] {
             Scene scene = wall(material);
@@ -155,7 +155,7 @@ void add_factors(std::vector<Case>& cases) {
                    }});
 }
 
-/// `count` unlit layers of one opacity before the background.
+/// `count` unlit layers of the same opacity before the background.
 Case layers(const std::string& name, int count, float opacity, AlphaMode mode, double expected,
             const Measure& measure) {
   return {name, material_group, true, [=] {

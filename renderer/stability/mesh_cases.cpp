@@ -16,14 +16,14 @@
 #include <utility>
 #include <vector>
 
-// Meshes as they should not be: slivers, degenerate triangles, bad normals, too many parts.
+// Invalid and extreme meshes: slivers, degenerate triangles, bad normals, too many parts.
 
 namespace asos::stability {
 namespace {
 
 constexpr const char* mesh_group = "meshes";
 
-/// A mesh that covers the tilted card and nothing else, against the card's closed form.
+/// Compares a mesh that covers exactly the tilted card with the card's closed form.
 Result<Outcome> card_of(const Mesh& mesh, const std::string& more = "") {
   const PictureView view{card_camera(), picture_side, picture_side};
   Scene scene = scene_of({}, view.camera);
@@ -63,7 +63,7 @@ Mesh with_zero_areas() {
   return mesh;
 }
 
-/// A side of one triangle is split by vertices that its neighbour knows nothing of.
+/// A triangle's side is split by vertices that its neighbour does not share.
 Mesh t_junctions(double step) {
   const std::vector<glm::dvec3> c = tilted_card().corners;
   Mesh mesh;
@@ -129,7 +129,7 @@ void add_triangles(std::vector<Case>& cases) {
                    }});
 }
 
-/// The still life's meshes with the normals that `normal` makes of a flat face's own.
+/// The still life's meshes, with normals computed by `normal` from a flat face's own.
 Scene with_normals(const std::function<glm::vec3(glm::vec3)>& normal) {
   Scene scene = still_life();
   for (Mesh& mesh : scene.meshes) {
@@ -167,7 +167,7 @@ void add_normals(std::vector<Case>& cases) {
                    [compare] { return compare([](glm::vec3) { return glm::vec3(0.0f); }); }});
 }
 
-/// A mesh of one colour by ASOS, against exact visibility of another.
+/// Compares a mesh of one colour by ASOS with exact visibility of another mesh.
 Result<Outcome> against_beam(const Mesh& expected, const Mesh& mesh, bool double_sided) {
   const PictureView view{look_at({1.5, 2.0, 4.0}, {0, 0, 0}, 40.0), picture_side, picture_side};
   const auto picture = [&](const Mesh& shown, Method method) {
@@ -264,7 +264,7 @@ Result<Outcome> ball_in_a_pixel(int n, int max_level) {
   builtin::add_sphere(ball, {0.03f, 0.02f, 0.0f}, 0.4f, n);
   place(scene, std::move(ball), unlit(1.0f));
   const double finest = std::ldexp(1.0, -max_level);
-  // Four chords a quarter of 4 n segments: the polygon's area is less by (2 pi / 4 n)^2 / 6.
+  // Each chord is a quarter of 4 n segments, so the polygon's area is less by (2 pi / 4 n)^2 / 6.
   const double chord = 2.0 * std::numbers::pi / (4.0 * n);
   const double disk = std::numbers::pi * 0.16;
   return one_value(

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-// Mirrors: defocusing ratios at their ends, bounces without end, angles and shapes that leave a
-// reflected pyray without a width or an apex.
+// Mirrors: extreme defocusing ratios, endless bounces, and angles and shapes that leave a reflected
+// pyray without width or apex.
 
 namespace asos::stability {
 namespace {
@@ -23,7 +23,7 @@ namespace {
 constexpr const char* mirror_group = "mirrors";
 constexpr const char* worst_of_small = "radiance of the worst of 8x8 pixels";
 
-/// The surroundings, which stand for what is mirrored where no bounce follows.
+/// The surroundings replace the reflection where no bounce follows.
 constexpr double unfollowed = background;
 
 const Measure all_of_the_sky{worst_of_small, 64.0 * rounding,
@@ -39,24 +39,24 @@ Scene floor_mirror(const Material& material, const Camera& camera, double half =
   return scene;
 }
 
-/// At the mirror's middle, at an angle to its normal, through so narrow a view that all rays meet
-/// it at nearly that one angle.
+/// Looks at the mirror's centre, at an angle to its normal, with a view so narrow that all rays hit
+/// it at nearly that angle.
 Camera narrow_at(double degrees, double fov_y_deg) {
   const double a = glm::radians(degrees);
   return look_at({0.0, 4.0 * std::cos(a), 4.0 * std::sin(a)}, {0, 0, 0}, fov_y_deg);
 }
 
-/// Dark to the left of x = 0 above the mirror, as far as can be seen. Rays know its edge to 2^-24
-/// of `far`.
+/// A dark half-plane to the left of x = 0 above the mirror, as far as is visible. Rays resolve its
+/// edge to 2^-24 of `far`.
 Face dark_half(double height, double far = 1 << 20) {
   return {{{-far, height, far}, {0, height, far}, {0, height, -far}, {-far, height, -far}}, 0.0f};
 }
 
-/// A card that stands before a mirror shows twice.
+/// A card in front of a mirror appears twice.
 void add_plane(std::vector<Case>& cases) {
   cases.push_back(
       {"a card in a mirror", mirror_group, true, [] {
-         // The camera looks at the mirror, in which it sees the card behind it.
+         // The camera looks at the mirror and sees the card behind it there.
          Face card = tilted_card();
          for (glm::dvec3& p : card.corners) p.z += 6.0;
          Face image = card;
@@ -94,7 +94,7 @@ void add_plane(std::vector<Case>& cases) {
        }});
 }
 
-/// The one pixel of a mirror under a half-plane of which one edge is above its middle.
+/// Renders one pixel of a mirror under a half-plane whose edge is above the mirror's centre.
 Result<Outcome> half_dark(const DfrCurve& curve, double bound, const std::string& why) {
   Scene scene = floor_mirror(mirror(curve), narrow_at(0.0, 1.0));
   add(scene, curve.min < 1.0 ? dark_half(6.0) : dark_half(6.0, 1024.0));
@@ -104,7 +104,7 @@ Result<Outcome> half_dark(const DfrCurve& curve, double bound, const std::string
 
 constexpr double blur_view_deg = 0.01;
 
-/// Two curves of which each should mirror as the other at the angle of a view.
+/// Compares two curves that should give the same reflection at the angle of a view.
 Case same_blur(const std::string& name, double degrees, const DfrCurve& curve,
                const DfrCurve& other, const Measure& measure) {
   return {name, mirror_group, true, [=] {
@@ -160,7 +160,7 @@ void add_ratios(std::vector<Case>& cases) {
   }
 }
 
-/// Two mirrors that face each other, 2 apart, seen from between.
+/// Two mirrors that face each other, 2 apart, seen from between them.
 Scene facing(float reflected, double half) {
   const Camera camera = look_at({0, 0, 0.5}, {0.01, 0.005, -1}, 0.5);
   Scene scene = scene_of({}, camera);
@@ -248,7 +248,7 @@ void add_curved(std::vector<Case>& cases) {
                                    {"adaptive", CurvedMirror::adaptive}}) {
     cases.push_back(
         {fmt::format("a dish seen from its focus, {}", name), mirror_group, true, [kind = kind] {
-           // Rays from the focus leave it parallel: half of them meet the dark half.
+           // Rays from the focus are parallel after reflection: half of them hit the dark half.
            Scene scene = dish(look_at({0, 1, 0}, {0, 0, 0}, 30.0));
            add(scene, dark_half(1e4));
            RenderSettings settings = settings_of(picture_side, picture_side);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// Surfaces in one place, nearly in one place, and through each other.
+// Surfaces at the same place, nearly at the same place, and through each other.
 
 namespace asos::stability {
 namespace {
@@ -24,7 +24,7 @@ Face lifted(Face face, double z, float colour) {
   return face;
 }
 
-/// Faces in the scene, against the faces that are seen.
+/// Compares the scene of some faces with exact visibility of those that should be visible.
 Result<Outcome> seen(const std::vector<Face>& faces, const std::vector<Face>& visible, int edges,
                      double more_bound = 0.0, const std::string& more = "") {
   const PictureView view{card_camera(), picture_side, picture_side};
@@ -35,7 +35,7 @@ Result<Outcome> seen(const std::vector<Face>& faces, const std::vector<Face>& vi
       [&](int x, int y) { return faces_radiance(view, visible, x, y); });
 }
 
-/// Two faces so near each other that either may be seen, pixel by pixel, but no mixture of both.
+/// Two faces so near each other that each pixel may show either of them, but no mixture.
 Result<Outcome> either_seen(const Face& first, const Face& second, const std::string& reason) {
   const PictureView view{card_camera(), picture_side, picture_side};
   const auto picture =
@@ -85,8 +85,8 @@ void add_near(std::vector<Case>& cases) {
   for (const double gap : {1e-3, 1e-4, 1e-5}) {
     cases.push_back(
         {fmt::format("a white face {:g} before a black one", gap), overlap_group, true, [gap] {
-           // Drawn first and last: the order must not decide. Perspective shows a strip
-           // of the farther one that is thinner by the gap.
+           // Drawn first and last, since the order must not matter. Perspective shrinks the
+           // farther face by the ratio of the gap to the distance.
            const Face white = lifted(tilted_card(), gap, 1.0f);
            return seen({tilted_card(0.0f), white}, {white}, 2, gap,
                        "; the gap is more than the 12 roundings of a distance of 4; "
@@ -114,7 +114,8 @@ void add_near(std::vector<Case>& cases) {
        }});
 }
 
-/// Two boxes stand on a floor, `deep` in it; only their tops and fronts are seen besides it.
+/// Two boxes on a floor, `deep` below its surface. Only their tops and fronts are visible besides
+/// the floor.
 Result<Outcome> sunk_box(double deep) {
   const PictureView view{parallel({0, 4, 4}, {0, 0, 0}, 3.0), picture_side, picture_side};
   Scene scene = scene_of({{{{-8, 0, 8}, {8, 0, 8}, {8, 0, -8}, {-8, 0, -8}}, 0.0f}}, view.camera);
@@ -141,7 +142,7 @@ void add_through(std::vector<Case>& cases) {
       {"a box that touches a floor", overlap_group, true, [] { return sunk_box(0.0); }});
   cases.push_back(
       {"two cards through each other", overlap_group, true, [] {
-         // One leans left, one right; each shows its nearer half.
+         // One leans left, one right; the nearer half of each is visible.
          const double a = 0.8;
          const Face one{{{-a, -0.7, -a}, {a, -0.7, a}, {a, 0.7, a}, {-a, 0.7, -a}}, 1.0f};
          const Face other{{{-a, -0.7, a}, {a, -0.7, -a}, {a, 0.7, -a}, {-a, 0.7, a}}, 0.0f};
@@ -157,7 +158,7 @@ void add_through(std::vector<Case>& cases) {
          const Face other{{{-a, -0.7, z}, {a, -0.7, -z}, {a, 0.7, -z}, {-a, 0.7, z}}, 0.0f};
          const Face right{{{0, -0.7, 0}, {a, -0.7, z}, {a, 0.7, z}, {0, 0.7, 0}}, 1.0f};
          const Face left{{{-a, -0.7, z}, {0, -0.7, 0}, {0, 0.7, 0}, {-a, 0.7, z}}, 0.0f};
-         // Depth errs by 12 roundings of 4; the faces part by 2e-4 a unit.
+         // Depth has an error of 12 roundings of 4; the faces diverge by 2e-4 per unit.
          const PictureView view{card_camera(), picture_side, picture_side};
          const double smear = 12.0 * rounding * 4.0 / 1e-4 * view.pixels_per_unit() / 4.0;
          return seen({one, other}, {left, right}, 3, smear + 1e-4,

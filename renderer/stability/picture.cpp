@@ -13,10 +13,10 @@
 namespace asos::stability {
 namespace {
 
-// Of tests alone.
+// Set by tests only.
 thread_local std::optional<Disturbance> next_disturbance;
 
-/// The camera from which everything is seen moved.
+/// Moves the camera so that the picture moves by `pixels`.
 Camera moved(Camera camera, glm::dvec2 pixels, int height) {
   glm::dmat4& world = camera.world_from_camera;
   if (camera.type == Camera::Type::orthographic) {
@@ -72,7 +72,7 @@ Result<Picture> render(const Scene& scene, const RenderSettings& settings) {
   const Disturbance wrong = std::exchange(next_disturbance, std::nullopt).value_or(Disturbance{});
   const Camera camera = moved((*prepared)->world().cameras.front(), wrong.pixels, settings.height);
   RenderResult rendered = render_to_end({*prepared, camera, settings, false});
-  // Light is additive: what all lights are brighter by the picture is.
+  // Light is additive: brighter lights scale the picture.
   for (glm::vec3& c : rendered.film.radiance) c *= static_cast<float>(wrong.light);
   Picture picture{std::move(rendered.film), std::move(rendered.statistics), 0};
   for (const glm::vec3& c : picture.film.radiance) {
@@ -91,7 +91,7 @@ Result<Outcome> worst_pixel(const Measure& measure, const Result<Picture>& pictu
       const double wanted = expected(x, y);
       const double got = picture->at(x, y);
       const double error = std::abs(got - wanted);
-      // Written so that NaN is the worst of all, and stays it.
+      // Written so that NaN counts as the worst error.
       if (error <= outcome.error || std::isnan(outcome.error)) continue;
       outcome.expected = wanted;
       outcome.got = got;

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// Scale and place: the picture of a scene does not depend on its units nor on where its origin is.
+// Scale and place: a scene's picture depends neither on its units nor on its origin.
 
 namespace asos::stability {
 namespace {
@@ -22,7 +22,7 @@ const char* const scaled_rounding_reason =
     "16 roundings of float32 (vertex, eye, ray and its test) move each of the edges in a pixel; "
     "the length of an edge there is at most the diagonal";
 
-/// The tilted card under a similarity, against its closed form at unit scale.
+/// Compares the tilted card under a similarity with its closed form at unit scale.
 Result<Outcome> placed_card(const glm::dmat4& similarity, double scale, double more,
                             const std::string& why) {
   const Face card = tilted_card();
@@ -34,7 +34,7 @@ Result<Outcome> placed_card(const glm::dmat4& similarity, double scale, double m
                      [&](int x, int y) { return faces_radiance(view, {card}, x, y); });
 }
 
-/// The lit still life under a similarity, against itself.
+/// Compares the lit still life under a similarity with the original.
 Result<Outcome> placed_still_life(const glm::dmat4& similarity, double scale,
                                   const Measure& measure) {
   const RenderSettings settings = settings_of(24, picture_side, 5);
@@ -82,7 +82,7 @@ void add_moves(std::vector<Case>& cases) {
   for (const int power : {3, 6, 9}) {
     cases.push_back({fmt::format("a card moved by 1e{}", power), scale_group, true, [power] {
                        const double distance = std::pow(10.0, power);
-                       // Coordinates of the author's are doubles: three sums of them in a row.
+                       // The author's coordinates are doubles; three of them are added up.
                        const PictureView view{card_camera(), picture_side, picture_side};
                        const double more = 2.0 * std::sqrt(2.0) * 3.0 * distance * 1.2e-16 *
                                            view.pixels_per_unit() / 2.5;
@@ -114,11 +114,11 @@ void add_moves(std::vector<Case>& cases) {
        }});
 }
 
-/// The card before a ground that is far larger: what the card covers, it hides.
+/// A card before a far larger ground, which it hides partly.
 Result<Outcome> card_on_ground(const Face& ground) {
   const Face card = tilted_card();
   const PictureView view{card_camera(), picture_side, picture_side};
-  // The ground adds its light where the card does not hide it.
+  // The ground contributes where the card does not hide it.
   const auto expected = [&](int x, int y) {
     const double hidden = coverage(view, card.corners, x, y);
     return hidden * static_cast<double>(card.colour) +
@@ -147,7 +147,7 @@ void add_sizes(std::vector<Case>& cases) {
                    }});
 }
 
-/// A card seen by a camera elsewhere.
+/// Renders a card with another camera.
 Result<Outcome> card_from(const Face& card, const Camera& camera, const RoundingCase& rounded) {
   const PictureView view{camera, picture_side, picture_side};
   return worst_pixel({"radiance of the worst of 16x16 pixels", rounding_bound(view, rounded),

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// Settings at the ends of their ranges and beyond, and what must not change a picture.
+// Settings at and beyond the ends of their ranges, and settings that must not change a picture.
 
 namespace asos::stability {
 namespace {
@@ -56,7 +56,8 @@ void add_refusals(std::vector<Case>& cases) {
   cases.push_back(refused("0 samples", "spp", [](S& s) { s.sampling.spp = 0; }));
 }
 
-/// A face under settings, against exact areas; `more` of a pixel's area may be off besides.
+/// Compares a face under some settings with exact areas; `more` is an additional error, as a
+/// fraction of a pixel's area.
 Result<Outcome> face_under(const Face& face, const RenderSettings& settings, double more,
                            const std::string& why) {
   const PictureView view{card_camera(), settings.width, settings.height};
@@ -67,12 +68,12 @@ Result<Outcome> face_under(const Face& face, const RenderSettings& settings, dou
       [&](int x, int y) { return faces_radiance(view, {face}, x, y); });
 }
 
-/// Its one edge within the picture crosses it askew.
+/// A face with one oblique edge within the picture.
 Face half_plane() {
   return {{{-0.5, -3, 0}, {4, -3, 0}, {4, 3, 0}, {0.5, 3, 0}}, 1.0f};
 }
 
-/// Teeth and gaps in turn, `teeth` of them across the only pixel.
+/// Alternating teeth and gaps, `teeth` of them across the only pixel.
 Scene comb(int teeth) {
   Scene scene = scene_of({}, parallel({0, 0, 1}, {0, 0, 0}, 1.0));
   Mesh mesh;
@@ -134,7 +135,7 @@ void add_alternating(std::vector<Case>& cases) {
          [max]() -> Result<Outcome> {
            const auto picture = render(comb(1024), settings_of(1, 1, max));
            if (!picture) return unexpected(picture.error());
-           // Half the contrast is the deviation of one sample.
+           // The standard deviation of one sample is half the contrast.
            const double most = 0.325 * (max == 0 ? 1.0 : 4.0 * std::ldexp(1.0, -(max + 1)));
            return one_value(
                {"radiance of the pixel", most + rounding_bound({}, {}),

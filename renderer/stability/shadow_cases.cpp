@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// Shadows: blockers in contact, too thin, too near the light, and none at all.
+// Shadows: blockers in contact, too thin, too near the light, and none.
 
 namespace asos::stability {
 namespace {
@@ -27,7 +27,7 @@ Light panel() {
   return light;
 }
 
-/// The part of the panel from x = begin to x = end, in lux.
+/// Illuminance in lux from the part of the panel from x = begin to x = end.
 double strip_lux(double begin, double end) {
   return contour_illuminance({{begin, 2, -1}, {end, 2, -1}, {end, 2, 1}, {begin, 2, 1}});
 }
@@ -42,22 +42,22 @@ const char* const straight =
     "for "
     "the edge's place";
 
-/// An edge that is 16 roundings of `lengths` off, seen at height y.
+/// The measure for an edge with an error of 16 roundings of `lengths`, seen at height y.
 Measure edge_measure(double lengths, double y) {
   return {"illuminance at the origin, lux", 2.0 * 16.0 * rounding * lengths * 2.0 / y,
           fmt::format("{}: 16 roundings of {:g}, 2 / {:g} times that on the light, of two edges",
                       straight, lengths, y)};
 }
 
-/// Hides the panel from x = 1/8 on, at height y: everything shrinks with y, so that float32 does
-/// too.
+/// Hides the panel from x = 1/8 on, at height y. All sizes scale with y, so the error of float32
+/// does, too.
 Result<Outcome> edge_above(double y) {
   LightMeter meter{{panel()}, {}, 4.0 * y};
   meter.blockers = {{{{y / 16, y, -y}, {y, y, -y}, {y, y, y}, {y / 16, y, y}}, 0.0f}};
   return meter.measure(edge_measure(4.0 * y, y), strip_lux(-1.0, 0.125));
 }
 
-/// A wall that stands on the floor beside the point, up to a height.
+/// A wall that stands on the floor next to the point, up to a height.
 Result<Outcome> wall_beside(double x, double height, double seen_from) {
   const LightMeter meter{{panel()},
                          {{{{x, 0, -8}, {x, 0, 8}, {x, height, 8}, {x, height, -8}}, 0.0f}}};
@@ -86,8 +86,7 @@ void add_thin(std::vector<Case>& cases) {
         {fmt::format("a wire {:g} wide before a light", width), shadow_group, true, [width] {
            const LightMeter meter{{panel()}, {strip(0.25, 0.25 + width, 1.0)}};
            const double lux = strip_lux(-1.0, 1.0) - strip_lux(0.5, 0.5 + 2.0 * width);
-           // The wire's length does not move its edges, which lie within 1 of the
-           // middle.
+           // The wire's length does not move its edges, which lie within 1 of the centre.
            return meter.measure(edge_measure(1.0, 1.0), lux);
          }});
   }
@@ -122,7 +121,7 @@ void add_full(std::vector<Case>& cases) {
   cases.push_back(
       {"a light wholly hidden by what stands 1e-3 above", shadow_group, true, [] {
          LightMeter meter{{panel()}, {}};
-         // Beside the pixel, which the camera sees; the light does not.
+         // Next to the pixel, so that the camera sees it and the light does not.
          meter.lights[0].position.x = 4.0;
          meter.blockers = {strip(0.0001220703125, 8.0, 0.0009765625)};
          return meter.measure(

@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-// Analytic shapes of extreme sizes and proportions, seen from near, far and inside.
+// Analytic shapes of extreme sizes and proportions, from near, far and inside.
 
 namespace asos::stability {
 namespace {
 
 constexpr const char* shape_group = "shapes";
 
-/// The area in pixels that white shapes cover of a picture whose background is the sky.
+/// Returns the area, in pixels, that white shapes cover in a picture with the sky as background.
 double covered_pixels(const Picture& picture) {
   double sum = 0.0;
   for (const glm::vec3& c : picture.film.radiance)
@@ -27,8 +27,8 @@ double covered_pixels(const Picture& picture) {
   return sum;
 }
 
-/// A picture of 16 x 16 pixels by parallel rays along -Z, `height` high: its shape's area against
-/// the closed form, in pixels. Outlines cross some 60 pixels.
+/// Compares a shape's area with the closed form, in pixels. The picture has 16 x 16 pixels by
+/// parallel rays along -Z and is `height` high. Outlines cross some 60 pixels.
 Result<Outcome> area_case(const Shape& shape, const glm::dmat4& placed, double height, double area,
                           double bound) {
   Scene scene = scene_of({}, parallel({0.013 * height, -0.007 * height, 4.0 * height},
@@ -85,7 +85,8 @@ void add_proportions(std::vector<Case>& cases) {
                      return area_case(cylinder_shape(2.0, 1e-3, 1e-3), glm::dmat4(1.0), 3.0,
                                       4.0 * 1e-3, outline_bound);
                    }});
-  // From far they would cover less than an outline may be off by. They cross the whole picture.
+  // From a distance they would cover less than the error of an outline. They cross the whole
+  // picture.
   cases.push_back({"a ball squeezed to a needle of 1e-6, from close by", shape_group, true, [] {
                      return area_case(ball_shape(1.0), stretched(1.0, 1e-6, 1e-6), 3e-6,
                                       2e-6 * 3e-6, outline_bound);

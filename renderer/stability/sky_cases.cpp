@@ -19,14 +19,14 @@
 #include <utility>
 #include <vector>
 
-// The surroundings of a scene: too dark, too bright, of one texel, of texels that are no light.
+// Surroundings: too dark, too bright, with one texel, with invalid texels.
 
 namespace asos::stability {
 namespace {
 
 constexpr const char* sky_group = "sky";
 using SharedSky = std::shared_ptr<const Sky>;
-/// Of cases most are listed only: skies are made when one runs.
+/// Makes a sky when its case runs, since most cases are only listed.
 using MakeSky = std::function<SharedSky()>;
 
 SharedSky picture_sky(int height, std::vector<glm::vec3> texels, double turn_deg = 0.0) {
@@ -54,11 +54,11 @@ RenderSettings under_this(const SharedSky& sky) {
   return settings;
 }
 
-/// All of the picture has one radiance, relative to `scale`.
+/// Compares a whole picture with one radiance, relative to `scale`.
 Case even_sky(const std::string& name, const Scene& scene, const MakeSky& make_sky, double expected,
               double roundings, const char* reason) {
   return {name, sky_group, true, [=] {
-            // Relative to what is expected, so that no scale hides an error.
+            // Relative to the expected value, so that the scale hides no error.
             const double unit = expected > 0.0 ? expected : 1.0;
             return one_value(
                 {expected > 0.0 ? "radiance of the worst of 8x8 pixels, relative"
@@ -78,7 +78,7 @@ Case even_sky(const std::string& name, const Scene& scene, const MakeSky& make_s
 
 Scene nothing() {
   Scene scene = scene_of({}, look_at({0, 0, 4}, {0, 0.5, 0}, 50.0));
-  // Far behind the camera, for a scene is not empty.
+  // A face far behind the camera, since a scene must not be empty.
   add(scene, {{{-1, -1, 99}, {1, -1, 99}, {0, 1, 99}}, 1.0f});
   return scene;
 }
@@ -121,14 +121,15 @@ void add_contrast(std::vector<Case>& cases) {
     cases.push_back(
         {fmt::format("one texel of {:g} in the dark, on a wall that faces it", radiance), sky_group,
          true, [radiance] {
-           // The wall at the origin faces +Z; turned, so that the texel lies before it.
+           // The wall at the origin faces +Z; the sky is turned so that the texel is in front of
+           // it.
            const double texel = 2.0 * std::numbers::pi / 128.0;
            const double height =
                std::cos(std::numbers::pi * 32.0 / 64.0) - std::cos(std::numbers::pi * 33.0 / 64.0);
            const double solid_angle = std::abs(height) * texel;
            const double lux = static_cast<double>(radiance) * solid_angle;
            Scene scene = wall_of(matte(1.0f));
-           // It lies at -Z, half a texel off: the wall is seen from behind.
+           // The texel is at -Z, half a texel off, and the wall is seen from behind.
            scene.cameras[0] = look_at({0, 0, -4}, {0, 0, 0}, 50.0);
            const double expected = static_cast<double>(sky_visibility) * lux / std::numbers::pi;
            return one_value({"radiance of the worst of 8x8 pixels, relative", 0.01,
@@ -178,7 +179,8 @@ void add_contrast(std::vector<Case>& cases) {
                    }});
 }
 
-/// A picture of a sky with one odd texel, as a file: refused, and not shown as black or NaN.
+/// A sky picture with one invalid texel, as a file: it must be rejected, not displayed as black or
+/// NaN.
 Case refused_texel(const std::string& name, float odd) {
   return {name, sky_group, true, [odd]() -> Result<Outcome> {
             namespace fs = std::filesystem;

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-// Textures of extreme sizes, and coordinates and transforms that single out no texel.
+// Textures of extreme sizes, and coordinates and transforms that define no single texel.
 
 namespace asos::stability {
 namespace {
@@ -63,7 +63,7 @@ struct Textured {
   }
 };
 
-/// One radiance all over the picture.
+/// Compares a whole picture with one radiance.
 Case level(const std::string& name, const Textured& textured, double expected,
            const Measure& measure) {
   return {name, texture_group, true, [=] {
@@ -167,14 +167,14 @@ void add_coordinates(std::vector<Case>& cases) {
   cases.push_back(
       level("coordinates that are infinite", {two, glm::vec2(infinite)}, middle_grey, any_mean));
   cases.push_back({"coordinates moved by 1024 repeats", texture_group, true, [] {
-                     // A ramp that returns to where it began; 8 texels under each pixel.
+                     // A ramp that returns to its start; 8 texels per pixel.
                      std::vector<std::uint8_t> ramp;
                      for (int i = 0; i < 64; ++i)
                        ramp.push_back(static_cast<std::uint8_t>(i < 32 ? 8 * i : 8 * (63 - i)));
                      Textured at_zero{row(ramp)};
                      Textured moved = at_zero;
                      moved.from = glm::vec2(1024.0f, 0.0f);
-                     // A byte's step is at most 2.4 / 1.055 * 8 / 255 of radiance a texel.
+                     // A byte's step is at most 2.4 / 1.055 * 8 / 255 of radiance per texel.
                      const double bound = 8.0 * rounding * 1024.0 * 64.0 * 0.0714;
                      return worst_difference(
                          {"radiance of the pixel that differs most", bound + 2.0 / 65536.0,
@@ -187,7 +187,7 @@ void add_coordinates(std::vector<Case>& cases) {
 
 void add_transforms(std::vector<Case>& cases) {
   const Image two = row({188, 255});
-  // All of the picture shows one point: the middle of the white texel.
+  // The whole picture shows one point: the centre of the white texel.
   glm::mat3 to_white(0.0f);
   to_white[2] = glm::vec3(0.75f, 0.5f, 1.0f);
   cases.push_back(level("a transform that squeezes all to one point",

@@ -26,7 +26,7 @@ struct Shot {
   std::string reason = rounding_reason;
 };
 
-/// Faces of which none hides another, against their exact areas in every pixel.
+/// Compares faces that do not hide each other with their exact areas in every pixel.
 Result<Outcome> shoot(const Shot& shot) {
   const PictureView view{shot.camera, shot.settings.width, shot.settings.height};
   const PixelRect part = shot.settings.visible();
@@ -37,7 +37,7 @@ Result<Outcome> shoot(const Shot& shot) {
                      });
 }
 
-/// A level ground, from `near` behind the camera to `far` before it.
+/// A level ground, from `near` behind the camera to `far` in front of it.
 Face ground(double near, double far, float colour = 1.0f) {
   return {{{-far, 0, near}, {far, 0, near}, {far, 0, -far}, {-far, 0, -far}}, colour};
 }
@@ -48,8 +48,8 @@ void add_grazing(std::vector<Case>& cases) {
                      true, [degrees] {
                        const double a = glm::radians(degrees);
                        const glm::dvec3 eye = 4.0 * glm::dvec3(0.0, std::sin(a), std::cos(a));
-                       // Zoomed in until the card's apparent height is some pixels, or an eighth of
-                       // a degree fills one: beyond that floats do not tell rays apart.
+                       // Zoom in until the card is some pixels high, or until an eighth of a degree
+                       // fills one pixel: beyond that, floats do not resolve rays.
                        const double fov = std::max(std::cos(a), 0.02);
                        Shot shot{{tilted_card()},
                                  look_at(eye, {0, 0, 0}, glm::degrees(fov)),
@@ -89,8 +89,9 @@ void add_grazing(std::vector<Case>& cases) {
 void add_fields(std::vector<Case>& cases) {
   for (const double fov : {0.001, 0.1, 150.0, 179.0, 179.9}) {
     cases.push_back({fmt::format("a field of view of {} degrees", fov), view_group, true, [fov] {
-                       // The card's height is two thirds of the picture's. Rays from far away start
-                       // within twice the scene's size, and lose no more than that has digits.
+                       // The card's height is two thirds of the picture's. Rays from a large
+                       // distance start within twice the scene's size, so they lose no more digits
+                       // than that costs.
                        const double distance = 1.5 / std::tan(0.5 * glm::radians(fov));
                        return shoot({{tilted_card()},
                                      look_at({0, 0, distance}, {0, 0, 0}, fov),
@@ -140,7 +141,7 @@ void add_view_sizes(std::vector<Case>& cases) {
                    }});
 }
 
-/// Square cards in a grid within the only pixel, of which they cover 25/64.
+/// Square cards in a grid within the only pixel; they cover 25/64 of it.
 Scene grid_of_cards(int per_side) {
   Scene scene = scene_of({}, parallel({0, 0, 1}, {0, 0, 0}, 1.0));
   const double step = 1.0 / per_side;
@@ -162,7 +163,7 @@ double only_pixel(const Picture& picture) {
   return picture.at(0, 0);
 }
 
-/// A built-in scene from so far that one pixel holds it all, against points.
+/// Compares a built-in scene, from so far that it lies within one pixel, with point samples.
 Result<Outcome> boxes() {
   Result<Scene> scene = builtin_scene("boxes");
   if (!scene) return unexpected(scene.error());
@@ -174,7 +175,7 @@ Result<Outcome> boxes() {
   settings.sampling.spp = 16384;
   const auto points = render(*scene, settings);
   if (!asos) return unexpected(asos.error());
-  // The deviation of points of a radiance from 0 to 1 is at most 1/2.
+  // The standard deviation of points with a radiance from 0 to 1 is at most 1/2.
   const double deviation = 0.5 * std::sqrt(2.72 / 16384.0);
   return worst_difference(
       {"radiance of the pixel", 4.0 * deviation + asos->statistics.unresolved_area + 1.0 / 2048.0,

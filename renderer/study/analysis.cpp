@@ -11,11 +11,11 @@ namespace {
 
 constexpr const char* subject = "asos";
 
-/// How many times longer than it was measured a rival's last step is taken to go on.
+/// Largest extrapolation of a rival's last step, as a factor of its longest measured time.
 constexpr double furthest = 16.0;
 
-// A method that keeps this much of its error over two doublings of its time has levelled off.
-// Random samples keep a half.
+// A method has levelled off if two doublings of its time leave at least this fraction of its error.
+// For random samples it is a half.
 constexpr double levelled_share = 0.9;
 
 template <typename Get>
@@ -25,7 +25,7 @@ double median_of(const std::vector<Cost>& costs, Get get) {
   return values.empty() ? 0.0 : median(std::move(values));
 }
 
-/// Points that may be quoted, of those that `wanted` picks.
+/// Returns the quotable points that satisfy `wanted`.
 template <typename Wanted>
 std::vector<CurvePoint> quotable(const SceneStudy& study, Wanted wanted) {
   std::vector<CurvePoint> points;
@@ -40,7 +40,7 @@ std::vector<CurvePoint> front_of(const SceneStudy& study, const std::string& met
       quotable(study, [&](const StudyPoint& p) { return p.rung.method == method; }));
 }
 
-/// Without repeats, in order.
+/// Returns the names without repeats, in order.
 template <typename Get>
 std::vector<std::string> names_in(const SceneStudy& study, Get get) {
   std::vector<std::string> names;
@@ -60,7 +60,7 @@ void mark_best(SceneStudy& study) {
   }
 }
 
-/// Whether the best error of a method hardly falls over the last two doublings of its time.
+/// Returns whether the best error of a method hardly falls over the last two doublings of its time.
 bool levels_off(const SceneStudy& study, const std::string& method) {
   const auto points = quotable(study, [&](const StudyPoint& p) { return p.rung.method == method; });
   double longest = 0.0;
@@ -85,7 +85,7 @@ std::optional<OwnBias> bias_of(const SceneStudy& study) {
                  levels_off(study, subject), best->rung.setting};
 }
 
-/// A method's best settings, and whether more time would help it.
+/// A method's best settings, and whether its error has levelled off.
 struct Rival {
   std::vector<CurvePoint> front;
   bool levelled = false;
@@ -99,8 +99,8 @@ struct Read {
   Reading reading = Reading::measured;
 };
 
-/// A rival's seconds at an error. Where its quickest setting is better already, that one's time:
-/// no sampling goes below it.
+/// Returns a rival's seconds at an error. If its quickest setting is already better, returns that
+/// setting's time, since no setting is quicker.
 std::optional<Read> rival_seconds(const Rival& rival, double error) {
   const std::vector<CurvePoint>& front = rival.front;
   if (!front.empty() && front.front().error <= error)
@@ -114,8 +114,8 @@ std::optional<Read> rival_seconds(const Rival& rival, double error) {
   return Read{value->value, value->beyond ? Reading::extrapolated : Reading::measured};
 }
 
-/// A rival's error in so many seconds. Nothing where all that was measured takes longer, or
-/// a fraction of that time only.
+/// Returns a rival's error at a time in seconds. Returns nothing if all measured settings take
+/// longer, or if all take only a small fraction of the time.
 std::optional<Read> rival_error(const std::vector<CurvePoint>& front, double seconds) {
   if (front.empty() || seconds < front.front().seconds || seconds > furthest * front.back().seconds)
     return std::nullopt;
@@ -148,7 +148,7 @@ void compare(SceneStudy& study, const std::string& name) {
   }
 }
 
-/// At the ends of `sobol` by 1, 4, 16 and 64 samples.
+/// Compares at the times when `sobol` finishes 1, 4, 16 and 64 samples.
 std::vector<AtMoment> moments_of(const SceneStudy& study) {
   std::vector<AtMoment> moments;
   const auto asos = std::find_if(study.while_rendering.begin(), study.while_rendering.end(),

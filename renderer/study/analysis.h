@@ -14,41 +14,41 @@ namespace asos {
 /// The cost of one run of a setting.
 struct Cost {
   double wall_seconds = 0.0;
-  double cpu_seconds = 0.0;  ///< of all threads together
+  double cpu_seconds = 0.0;  ///< over all threads together
   double memory_mb = 0.0;
 };
 
-/// A setting of a method with all that is known of it.
+/// A setting of a method with all its measurements.
 struct StudyPoint {
   Rung rung;
-  std::vector<Cost> costs;  ///< one a repetition
+  std::vector<Cost> costs;  ///< one per repetition
   std::uint64_t rays = 0;
   std::uint64_t pyrays = 0;
   std::uint64_t rejected_samples = 0;
   Measures measures;
   RegionErrors regions{};
-  bool under_floor = false;  ///< its error is hardly known: not quoted
-  bool same_picture = true;  ///< all repetitions made the same bits
+  bool under_floor = false;  ///< its error is dominated by the reference's noise: not quoted
+  bool same_picture = true;  ///< all repetitions gave the same bits
   bool best = false;         ///< no setting of its method is both quicker and better
 
-  /// Processor seconds: the median, and half the range over it.
+  /// Returns the median processor seconds. spread() returns half of their range divided by it.
   [[nodiscard]] double seconds() const;
   [[nodiscard]] double spread() const;
   [[nodiscard]] double wall_seconds() const;
   [[nodiscard]] double memory_mb() const;
 };
 
-/// How a number of a comparison was come by.
+/// How a value of a comparison was obtained.
 enum class Reading {
-  measured,      ///< between two settings of the rival
-  cheapest,      ///< the rival's quickest setting is better already: taken at that
-  extrapolated,  ///< the rival was not measured so far; as its last step goes on
-  unreached,     ///< nor would it get there soon: its longest time stands for it, a lower bound
-  levelled,      ///< nor at all: its last doublings hardly gained; its longest time stands for it
+  measured,      ///< interpolated between two settings of the rival
+  cheapest,      ///< the rival's quickest setting is already better: its time is used
+  extrapolated,  ///< beyond the rival's measurements: its last step is continued
+  unreached,     ///< too far beyond: the rival's longest time is used as a lower bound
+  levelled,      ///< never: its last doublings hardly gained; its longest time is used
 };
 [[nodiscard]] const char* name_of(Reading reading);
 
-/// A setting of ASOS beside what a rival does at the same error, or in the same time.
+/// A setting of ASOS compared with a rival at the same error, or in the same time.
 struct EqualError {
   std::string setting;
   std::string method;  ///< the rival
@@ -72,15 +72,16 @@ struct EqualTime {
 
 struct Slope {
   std::string curve;
-  double slope = 0.0;  ///< of log RMSE over log seconds
+  double slope = 0.0;  ///< slope of log RMSE over log seconds
   int points = 0;      ///< above the floor
 };
 
-/// What no time takes away of ASOS's error: its own bias, beside a reference that is the rendering
-/// equation. Known from above only, by the best of its settings, without the reference's noise.
+/// ASOS's own bias: the error that more time does not reduce, relative to a reference that solves
+/// the rendering equation. Only an upper bound is known: the error of the best setting without the
+/// reference's noise.
 struct OwnBias {
   double at_most = 0.0;     ///< RMSE
-  bool levels_off = false;  ///< more time hardly helped: about as much is bias
+  bool levels_off = false;  ///< more time hardly helped, so the bias is about as large
   std::string setting;      ///< the best one
 };
 
@@ -88,18 +89,18 @@ struct OwnBias {
 struct RenderCurve {
   std::string method;
   std::string setting;
-  bool finished = false;  ///< else its end was not waited for
+  bool finished = false;  ///< else it was stopped early
   std::vector<CurvePoint> points;
 };
 
-/// The picture of ASOS while it renders, at the moment at which a setting of `sobol` has finished.
+/// The picture of ASOS during rendering, at the time when a setting of `sobol` finishes.
 struct AtMoment {
   std::string setting;   ///< of `sobol`
-  double seconds = 0.0;  ///< its time
+  double seconds = 0.0;  ///< time that this setting takes
   double sobol_rmse = 0.0;
   double asos_rmse = 0.0;    ///< of the latest picture
-  double ratio = 0.0;        ///< of ASOS's error over that of `sobol`; below 1: ASOS is better
-  bool under_floor = false;  ///< one of the errors is hardly known
+  double ratio = 0.0;        ///< ASOS's error over that of `sobol`; below 1: ASOS is better
+  bool under_floor = false;  ///< one of the errors is dominated by noise
 };
 
 /// The results for one scene.
@@ -113,44 +114,44 @@ struct SceneStudy {
   std::vector<Slope> slopes;
   std::vector<RenderCurve> while_rendering;
   std::vector<AtMoment> at_moments;
-  std::optional<OwnBias> bias;  ///< nothing where all that is better known lies under the floor
+  std::optional<OwnBias> bias;  ///< nothing if all better settings are under the floor
 };
 
-/// The time that `rival` takes to reach the error of a point, at the best of its settings above the
-/// floor. Nothing where the point is under the floor, or the rival was not measured.
+/// Returns the time that `rival` takes to reach the error of a point, with the best of its settings
+/// above the floor. Returns nothing if the point is under the floor, or the rival was not measured.
 [[nodiscard]] std::optional<EqualError> at_equal_error(const SceneStudy& study,
                                                        const StudyPoint& point,
                                                        const std::string& rival);
 
-/// How many settings of ASOS there are, and how many of them have errors under the floor, so that
-/// nothing is known of them.
+/// The number of ASOS's settings, and of those with errors under the floor, which cannot be
+/// compared.
 struct Incomparable {
   int settings = 0;
   int under_floor = 0;
 
-  /// Whether more than a quarter of them are.
+  /// Returns whether more than a quarter of them are under the floor.
   [[nodiscard]] bool too_many() const { return 4 * under_floor > settings; }
 };
 [[nodiscard]] Incomparable incomparable(const SceneStudy& study);
 
-/// Marks points under the floor and the best ones, and compares: fills all but scene, points, noise
-/// and while_rendering.
+/// Marks the points under the floor and the best ones, and compares. Sets all members except scene,
+/// points, noise and while_rendering.
 void analyse(SceneStudy& study);
 
-/// Differences below this share count as even.
+/// Relative differences below this count as even.
 inline constexpr double even_band = 0.05;
 
-/// Whom a rival's rows favour.
+/// The outcome of the comparison with one rival.
 struct Verdict {
   std::string method;  ///< the rival
   int wins = 0;        ///< of ASOS's best settings
   int evens = 0;
   int losses = 0;
-  // Rows beyond what was measured of the rival, by their reading: counted in none of those.
+  // Rows beyond the rival's measurements, by their reading; not included in the counts above.
   int extrapolated = 0;
   int unreached = 0;
   int levelled = 0;
-  double beyond_median = 0.0;  ///< of the extrapolated ones
+  double beyond_median = 0.0;  ///< of the extrapolated rows
   double median = 0.0;
   double least = 0.0;
   double most = 0.0;
@@ -158,7 +159,8 @@ struct Verdict {
   [[nodiscard]] int measured() const { return wins + evens + losses; }
   [[nodiscard]] int beyond() const { return extrapolated + unreached + levelled; }
 };
-/// By rival, over ASOS's best settings above the floor; without rows for rivals that have none.
+/// Returns the outcome for each rival, over ASOS's best settings above the floor. Rivals without
+/// rows are left out.
 [[nodiscard]] std::vector<Verdict> verdicts(const std::vector<EqualError>& rows);
 [[nodiscard]] std::vector<Verdict> verdicts(const std::vector<EqualTime>& rows);
 

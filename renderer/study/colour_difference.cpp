@@ -17,12 +17,12 @@ double pow7(double x) {
   return std::pow(x, 7.0);
 }
 
-/// The weight that high chroma has: (C^7 / (C^7 + 25^7))^1/2.
+/// Returns the weight of high chroma: (C^7 / (C^7 + 25^7))^1/2.
 double chroma_share(double chroma) {
   return std::sqrt(pow7(chroma) / (pow7(chroma) + pow7(25.0)));
 }
 
-/// In degrees, 0 to 360; 0 for a grey.
+/// Returns the hue in degrees, 0 to 360; 0 for a grey.
 double hue_of(double a, double b) {
   if (a == 0.0 && b == 0.0) return 0.0;
   const double hue = std::atan2(b, a) / radians;
@@ -34,8 +34,8 @@ struct Hues {
   double mean = 0.0;        ///< degrees
 };
 
-/// Equations 10 and 14: the difference the short way round, and the mean of that arc. A grey has no
-/// hue and takes the other colour's.
+/// Equations 10 and 14: the difference along the shorter arc, and the mean of that arc. A grey has
+/// no hue and takes the other colour's.
 Hues compare_hues(double first, double second, bool grey) {
   if (grey) return {0.0, first + second};
   const double plain = second - first;
@@ -91,7 +91,7 @@ double ciede2000(const Lab& first, const Lab& second) {
   const double l = d_lightness / s_lightness;
   const double c = d_chroma / s_chroma;
   const double h = d_hue / s_hue;
-  // Rounding may leave a tiny negative sum for equal colours.
+  // Rounding may give a tiny negative sum for equal colours.
   return std::sqrt(std::fmax(0.0, l * l + c * c + h * h + rotation * c * h));
 }
 

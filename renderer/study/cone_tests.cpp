@@ -9,7 +9,7 @@
 namespace asos {
 namespace {
 
-// Below 0 inside the double cone: |d x axis|^2 - sine^2 |d|^2.
+// Returns |d x axis|^2 - sine^2 |d|^2, which is below 0 inside the double cone.
 double outside(const PyrayCone& cone, glm::dvec3 d) {
   const double along = glm::dot(d, cone.axis);
   return glm::dot(d, d) * cone.cosine * cone.cosine - along * along;
@@ -19,8 +19,8 @@ bool ahead(const PyrayCone& cone, glm::dvec3 d) {
   return glm::dot(d, cone.axis) > 0.0;
 }
 
-// Whether the cone holds a point of a segment between offsets from the apex: the least of a
-// quadratic, or an end where that lies behind.
+// Returns whether the cone contains a point of a segment between offsets from the apex. Tests the
+// minimum of a quadratic, and the ends.
 bool near_segment(const PyrayCone& cone, glm::dvec3 a, glm::dvec3 b) {
   if (outside(cone, a) < 0.0 && ahead(cone, a)) return true;
   if (outside(cone, b) < 0.0 && ahead(cone, b)) return true;
@@ -36,14 +36,15 @@ bool near_segment(const PyrayCone& cone, glm::dvec3 a, glm::dvec3 b) {
   return outside(cone, p) < 0.0 && ahead(cone, p);
 }
 
-/// A circle around the apex: where it is nearest to the cone's axis.
+/// Finds where a circle is nearest to the cone's axis, seen from the apex.
 class RingTest {
  public:
   RingTest(const PyrayCone& cone, const EllipseArc& ring)
       : cone_(cone), ring_(ring), centre_(ring.centre - cone.apex) {}
 
-  /// Whether the cone holds a point of it. Downhill from the points that look nearest: from where
-  /// the axis passes the circle's plane, straight outwards and along the way that looks shortest.
+  /// Returns whether the cone contains a point of the circle. Searches downhill from the points
+  /// that look nearest. These are straight outwards from where the axis crosses the circle's plane,
+  /// and where the circle crosses the axis' projection.
   [[nodiscard]] bool near() const {
     const double radius2 = glm::dot(ring_.cosine, ring_.cosine);
     const glm::dvec3 n = glm::normalize(glm::cross(ring_.cosine, ring_.sine));
@@ -64,8 +65,8 @@ class RingTest {
  private:
   static constexpr double edge_on = 0.02;
 
-  // Whether the circle is farther from where the axis passes its plane than the ellipse that the
-  // cone cuts out there reaches: a triangle with the cone's half angle at the apex.
+  // Returns whether the cone's section with the circle's plane, an ellipse, does not reach the
+  // circle. Its extent follows from a triangle with the cone's half angle at the apex.
   [[nodiscard]] bool far(double t, double slant, glm::dvec3 q, double radius2) const {
     const double upright =
         std::abs(slant) * cone_.cosine - std::sqrt(std::max(0.0, 1.0 - slant * slant)) * cone_.sine;
@@ -74,7 +75,8 @@ class RingTest {
     return std::abs(glm::length(q) - std::sqrt(radius2)) > reach;
   }
 
-  // From the circle's point in a direction, by Newton's steps for d . d cosine^2 - (d . axis)^2.
+  // Searches from the circle's point in a direction, by Newton's steps for d . d cosine^2 - (d .
+  // axis)^2.
   [[nodiscard]] bool descends(glm::dvec3 towards) const {
     double angle = std::atan2(glm::dot(towards, ring_.sine), glm::dot(towards, ring_.cosine));
     const double c2 = cone_.cosine * cone_.cosine;
@@ -108,7 +110,7 @@ bool axis_meets(const PyrayCone& cone, const ShapeFace& face) {
 }
 
 bool axis_meets_polygon(const PyrayCone& cone, std::span<const glm::dvec3> corners) {
-  // The axis passes all sides on the same hand.
+  // The axis has all sides on the same hand.
   double sign = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3 a = corners[i] - cone.apex;
@@ -127,14 +129,14 @@ ConeMeeting meeting(bool boundary, bool inside) {
 
 }  // namespace
 
-// The sphere is seen under a half angle b, its centre at the angle a from the axis: a > b + c is
-// outside, a < b - c inside of it, c being the cone's half angle.
+// With the sphere's half angle b and its centre at the angle a from the axis, a > b + c is outside
+// and a < b - c inside of it, where c is the cone's half angle.
 ConeMeeting meet_sphere(const PyrayCone& cone, glm::dvec3 centre, double radius) {
   const glm::dvec3 d = centre - cone.apex;
   const double distance2 = glm::dot(d, d);
   const double tangent2 = distance2 - radius * radius;
   if (!(tangent2 > 0.0)) return ConeMeeting::marginal;
-  // All times the distance.
+  // All terms are multiplied by the distance.
   const double along = glm::dot(d, cone.axis), cosine = std::sqrt(tangent2);
   if (along < cosine * cone.cosine - radius * cone.sine) return ConeMeeting::none;
   const bool wider = radius * cone.cosine > cosine * cone.sine;
@@ -161,7 +163,7 @@ ConeMeeting meet_cylinder(const PyrayCone& cone, const ShapeFace& side) {
   const glm::dvec3 a = side.unit(cone.apex);
   const double radius = side.radius_at(a.y), distance = std::hypot(a.x, a.z);
   if (distance > std::abs(radius)) {
-    // The lines whose tangent planes hold the apex (side_outline of feature_curve.cpp).
+    // The lines whose tangent planes contain the apex (side_outline of feature_curve.cpp).
     const double x = a.x / distance, z = a.z / distance;
     const double c = radius / distance, s = std::sqrt((1.0 - c) * (1.0 + c));
     for (const double turn : {s, -s}) {
@@ -186,7 +188,7 @@ ConeMeeting meet_cylinder(const PyrayCone& cone, const ShapeFace& side) {
 ConeMeeting meet_box(const PyrayCone& cone, glm::dvec3 lo, glm::dvec3 hi) {
   if (meet_sphere(cone, 0.5 * (lo + hi), 0.5 * glm::length(hi - lo)) == ConeMeeting::none)
     return ConeMeeting::none;
-  // Which faces look at the apex, by axis: the low one, the high one.
+  // Whether the apex is in front of each face, by axis: the low one, the high one.
   bool faces[3][2];
   for (int k = 0; k < 3; ++k) {
     faces[k][0] = cone.apex[k] < lo[k];

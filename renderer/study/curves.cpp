@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-/// Reads y at x off a curve along which x falls or grows; `fields` picks x and y.
+/// Reads y at x from a curve along which x falls or grows; `fields` selects x and y.
 template <typename X, typename Y>
 std::optional<CurveValue> read_off(std::span<const CurvePoint> curve, double x, X x_of, Y y_of) {
   if (curve.size() < 2) return std::nullopt;

@@ -12,7 +12,7 @@ std::string setting_of(const Job& job) {
 void GivenUp::add(const Job& job) {
   if (job.kind != JobKind::point) return;
   settings_.insert(setting_of(job));
-  // Later on, the ones before have shown that their curve goes on.
+  // In later repetitions, the earlier ones have shown that the curve continues.
   if (job.repetition == 1) curves_.insert(job.rung.curve);
 }
 

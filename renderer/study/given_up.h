@@ -7,11 +7,11 @@
 
 namespace asos {
 
-/// The settings of one scene that took longer than the plan allows: their other repetitions, and
-/// what comes after them on their curves, need not be tried.
+/// The settings of one scene that exceeded the plan's time limit. Their other repetitions, and the
+/// later settings of their curves, need not be tried.
 class GivenUp {
  public:
-  // Other jobs than points are neither added nor held.
+  // Only jobs for points are added or found.
   void add(const Job& job);
   [[nodiscard]] bool holds(const Job& job) const;
 

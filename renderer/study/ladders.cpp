@@ -32,7 +32,7 @@ Rungs levels(const std::string& method, const RenderSettings& base, double eps) 
   return rungs;
 }
 
-/// EPS from 1/8 to 1/2048 at the default MAX.
+/// Returns EPS from 1/8 to 1/2048 at the default MAX.
 Rungs asos_rungs(const std::string& method, const RenderSettings& base) {
   Rungs rungs;
   const int max_level = AsosSettings{}.max_level;
@@ -58,8 +58,8 @@ Rungs one_rung(const std::string& method, const RenderSettings& base) {
   return {rung};
 }
 
-/// Where corners differ by less and less, squares are split deeper and deeper; without and with the
-/// enlarged bounding spheres.
+/// Returns steps in which smaller and smaller differences between corners split squares deeper and
+/// deeper; with and without the enlarged bounding spheres.
 Rungs whitted_rungs(const std::string& method, const RenderSettings& base) {
   Rungs rungs;
   for (const bool spheres : {false, true}) {
@@ -77,14 +77,14 @@ Rungs whitted_rungs(const std::string& method, const RenderSettings& base) {
   return rungs;
 }
 
-/// Four samples are where its two levels begin.
+/// More than four samples, since the first level takes four.
 Rungs two_level_rungs(const std::string& method, const RenderSettings& base) {
   Rungs rungs;
   for (const int spp : {8, 16, 32, 64, 256}) rungs.push_back(sampling_rung(method, base, spp));
   return rungs;
 }
 
-/// The error asked for halves; MAX is beyond what the first of these need.
+/// Returns steps that halve the allowed error. MAX is larger than the first of these need.
 Rungs adaptive_rungs(const std::string& method, const RenderSettings& base) {
   Rungs rungs;
   for (const double inverse : {8.0, 16.0, 32.0, 64.0, 128.0, 256.0})
@@ -93,7 +93,8 @@ Rungs adaptive_rungs(const std::string& method, const RenderSettings& base) {
   return rungs;
 }
 
-/// A method, how its ladder is made, and whether a study that names no methods has it.
+/// A method, the function that makes its ladder, and whether a study without named methods includes
+/// it.
 struct Ladder {
   const char* method;
   MakeRungs make;

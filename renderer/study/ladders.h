@@ -8,33 +8,34 @@
 
 namespace asos {
 
-/// One setting of a method, a step of its ladder from quick to good.
+/// One setting of a method: a step of its ladder from quick to good.
 struct Rung {
   std::string method;   ///< as on the command line
   std::string setting;  ///< in words, such as "MAX 3 EPS 1/256" or "16 spp"
-  std::string curve;    ///< which steps make one line: the method, and for some what they share
+  std::string curve;    ///< steps of one line: the method, and for some also a common setting
   RenderSettings settings;
 };
 
-/// The methods that have a ladder and that this program has: all, or those of a study that names
-/// none.
+/// Returns the methods that have a ladder and that this program has: all, or those of a study
+/// without named methods.
 [[nodiscard]] std::vector<std::string> ladder_methods();
 [[nodiscard]] std::vector<std::string> default_methods();
 
-/// The ladder of a method; `base` gives what is the same for all. An error if it has none.
+/// Returns the ladder of a method; `base` has the settings common to all. An error if it has none.
 [[nodiscard]] Result<std::vector<Rung>> ladder_of(const std::string& method,
                                                   const RenderSettings& base);
 
-/// The step of a method's ladder whose render a study watches: ASOS at the program's default EPS
-/// and MAX, else the last step of at most 256 samples, or the last one where none are counted.
+/// Returns the step of a method's ladder whose progress a study records. For ASOS, it has the
+/// program's default EPS and MAX. For others, it is the last step with at most 256 samples, or the
+/// last one if steps have no sample counts.
 [[nodiscard]] Result<Rung> watched_rung(const std::string& method, const RenderSettings& base);
 
-/// A step that is in no ladder, for a published comparison.
+/// Returns a step outside of the ladders, for a published comparison.
 [[nodiscard]] Rung asos_rung(const std::string& method, const RenderSettings& base, int max_level,
                              double eps);
 [[nodiscard]] Rung sampling_rung(const std::string& method, const RenderSettings& base, int spp);
 
-/// "0", "1/256", or the number where it is no such fraction.
+/// Returns "0", "1/256", or the number if it is no such fraction.
 [[nodiscard]] std::string eps_text(double eps);
 
 }  // namespace asos

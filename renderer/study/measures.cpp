@@ -13,7 +13,7 @@ bool is_finite(glm::vec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Written so that NaN becomes white or black, whichever is farther from what it is compared with.
+// Written so that NaN becomes white or black, whichever is farther from the other value.
 glm::vec3 shown(glm::vec3 v, glm::vec3 beside) {
   glm::vec3 clipped;
   for (int c = 0; c < 3; ++c)
@@ -21,7 +21,7 @@ glm::vec3 shown(glm::vec3 v, glm::vec3 beside) {
   return clipped;
 }
 
-/// The value that a share of all do not exceed, by nearest rank.
+/// Returns the value that a fraction of all do not exceed, by nearest rank.
 double percentile(const std::vector<double>& sorted, double share) {
   const auto count = static_cast<double>(sorted.size());
   const auto rank = static_cast<std::size_t>(std::max(1.0, std::ceil(share * count)));

@@ -9,35 +9,35 @@
 
 namespace asos {
 
-/// How far a picture is from another. Radiance is linear; but for `rmse_raw` it is clipped to 0..1,
-/// as a display at exposure 0 shows it. A pixel's own error is the root mean square over its three
-/// channels. A value that is not a number counts as an error of 1, and in `rmse_raw` makes the
-/// whole infinite, so that it never passes unseen.
+/// The difference between two pictures. Radiance is linear and clipped to 0..1, as on a display at
+/// exposure 0, except for `rmse_raw`. A pixel's own error is the root mean square over its three
+/// channels. NaN counts as an error of 1, and makes `rmse_raw` infinite, so that it is always
+/// noticed.
 struct Measures {
   double rmse = 0.0;          ///< root mean square, over pixels and channels
   double rmse_raw = 0.0;      ///< the same without clipping
   double mae = 0.0;           ///< mean absolute, over pixels and channels
-  double p99 = 0.0;           ///< pixels' error, 99th percentile by nearest rank
+  double p99 = 0.0;           ///< of pixel errors: 99th percentile by nearest rank
   double p999 = 0.0;          ///< 99.9th percentile
   double max = 0.0;           ///< the worst pixel's error
   double rmse_display = 0.0;  ///< root mean square after the sRGB curve
   double perceptual = 0.0;    ///< mean CIEDE2000 over pixels
 };
 
-/// How far `a` is above `b`, channel by channel, both clipped to 0..1. Where `a` is not a number it
-/// counts as white or black, whichever is farther.
+/// Returns how far `a` is above `b`, channel by channel, both clipped to 0..1. NaN in `a` counts as
+/// white or black, whichever is farther.
 [[nodiscard]] glm::dvec3 clipped_difference(glm::vec3 a, glm::vec3 b);
 
-/// The mean of the three channels' squared differences, `clipped` to 0..1 or not.
+/// Returns the mean of the three channels' squared differences, `clipped` to 0..1 or not.
 [[nodiscard]] double squared_error(glm::vec3 a, glm::vec3 b, bool clipped);
 
-/// Root of the mean squared error over all pixels and channels.
+/// Returns the root of the mean squared error over all pixels and channels.
 [[nodiscard]] double root_mean_square(const Film& film, const Film& reference, bool clipped);
 
-/// Both films are of one size, which is not 0.
+/// Both films have the same size, which is not 0.
 [[nodiscard]] Measures measure(const Film& film, const Film& reference);
 
-/// The part that one region has in a picture's error.
+/// The contribution of one region to a picture's error.
 struct RegionError {
   std::size_t pixels = 0;
   double rmse = 0.0;   ///< clipped, over the region's pixels

@@ -7,25 +7,26 @@
 
 namespace asos {
 
-/// A row of CGF'98 table 2 (section 7.5), or an image of its section 7.4: what was rendered, how
-/// long it took there, and what it is measured on here.
+/// A row of CGF'98 table 2 (section 7.5), or an image of its section 7.4: its settings and times
+/// there, and the scene that represents it here.
 struct PaperCase {
   const char* figure;
   const char* image;
-  const char* settings;  ///< as sections 7.1 to 7.4 give them
-  const char* quality;   ///< of ASOS's picture, in its authors' words; empty: none in table 2
+  const char* settings;  ///< as in sections 7.1 to 7.4
+  const char* quality;   ///< of ASOS's picture, in the authors' words; empty: none in table 2
   double asos_minutes;
   double rival_minutes = 0.0;  ///< stochastic sampling; 0: none published
-  int rival_spp = 0;           ///< of the stochastic picture that was called comparable; 0: none
-  const char* source;          ///< the built-in scene: the paper's in kind only
+  /// Samples of the stochastic picture that was called comparable; 0: none.
+  int rival_spp = 0;
+  const char* source;  ///< the built-in scene: similar in kind to the paper's
   int max_level;
   double eps;
   int texture_resolution = 1;
-  int bounces = 0;             ///< 0: as many as the program usually follows
-  double blur_exponent = 0.0;  ///< N, with DFRMIN 0.05 and DFRMAX 1; 0: as the materials say
+  int bounces = 0;             ///< 0: the program's default
+  double blur_exponent = 0.0;  ///< N, with DFRMIN 0.05 and DFRMAX 1; 0: the materials' own
 };
 
-/// In the paper's order. Times: table 2; of figures 20 and 21 section 7.4. Settings and samples:
+/// In the paper's order. Times: table 2; for figures 20 and 21 section 7.4. Settings and samples:
 /// section 7.1 (office), 7.2 (textures), 7.3 (reflections), 7.4 (secondary reflections).
 inline constexpr std::array paper_cases{
     PaperCase{.figure = "10",
@@ -132,7 +133,8 @@ inline constexpr std::array paper_cases{
               .bounces = 6},
 };
 
-/// The true picture that a case is measured on, and its setting of a method of ASOS.
+/// Returns the scene and look for a case's reference. asos_rung() returns its setting of an ASOS
+/// method.
 [[nodiscard]] StudyScene scene_of(const PaperCase& row);
 [[nodiscard]] Rung asos_rung(const PaperCase& row, const std::string& method,
                              const RenderSettings& base);

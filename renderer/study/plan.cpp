@@ -14,7 +14,7 @@
 namespace asos {
 namespace {
 
-// The seeds of the reference's two halves; any render asks for smaller ones.
+// The seeds of the reference's two halves; all renders use smaller ones.
 constexpr std::array half_seeds{1'000'003, 1'500'007};
 
 RenderSettings base_settings(const StudyPlan& plan, const StudyLook& look) {
@@ -64,12 +64,12 @@ void add_paper_rungs(Ladders& ladders, const StudyScene& scene, const RenderSett
     if (row.rival_spp > 0) add_rung(ladders, sampling_rung("stochastic", base, row.rival_spp));
   }
   if (!any) return;
-  // All of the rival's ladder: its time at equal error cannot be told from one setting.
+  // The rival's whole ladder, since its time at equal error needs several settings.
   for (const int spp : {1, 4, 16, 64, 256})
     add_rung(ladders, sampling_rung("stochastic", base, spp));
 }
 
-/// The plan's own scenes, each in the plan's look.
+/// Returns the plan's own scenes, each in the plan's look.
 std::vector<StudyScene> own_scenes(const StudyPlan& plan) {
   std::vector<StudyScene> scenes;
   for (const std::string& source : plan.scenes) scenes.push_back({source, plan.look});
@@ -118,8 +118,8 @@ Job reference_job(const StudyPlan& plan, const StudyScene& scene, int pass, int 
   job.pass = pass;
   job.half = half;
   job.rung = sampling_rung("sobol", base_settings(plan, scene.look), reference_samples(pass));
-  // Points of their own for each half and pass; every sample looked up as a point, so that nothing
-  // but the pixel's own filter is averaged.
+  // Each half and pass has its own samples. Textures are sampled at points, so that only the
+  // pixel's own filter averages.
   job.rung.settings.seed = half_seeds[static_cast<std::size_t>(half)] + pass;
   job.rung.settings.texture.filter = TextureFilter::point;
   return job;

@@ -17,7 +17,7 @@ namespace asos {
 namespace {
 
 constexpr std::size_t pyray_count = 20'000;
-constexpr double pyray_width = 0.002;  // one unit ahead
+constexpr double pyray_width = 0.002;  // at unit distance
 
 std::vector<PyrayCone> random_cones() {
   std::mt19937 random(5);
@@ -35,7 +35,7 @@ std::vector<PyrayCone> random_cones() {
   return all;
 }
 
-/// Nanoseconds a call; `sum` keeps the work from being left out.
+/// Returns nanoseconds per call; `sum` keeps the compiler from removing the work.
 template <typename Test>
 double nanoseconds_each(const std::vector<PyrayCone>& pyrays, Test& test, long& sum) {
   const auto start = std::chrono::steady_clock::now();
@@ -150,7 +150,7 @@ PrimitiveCost box_cost(PrimitiveCost cost, int rounds) {
   return cost;
 }
 
-/// In table 3's words, with its factor.
+/// Returns a row of table 3, with its wording and factor.
 PrimitiveCost table_row(const char* name, double published) {
   PrimitiveCost cost;
   cost.name = name;

@@ -9,7 +9,7 @@
 namespace asos {
 namespace {
 
-// Between two looks at a render, in seconds.
+// Time between two checks of a render, in seconds.
 constexpr double shortest_wait = 1e-4;
 constexpr double longest_wait = 1e-2;
 
@@ -19,7 +19,7 @@ double clock_seconds(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The CPU time of all threads but the calling one.
+/// Returns the CPU time of all threads except the calling one.
 double others_seconds() {
   return clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - clock_seconds(CLOCK_THREAD_CPUTIME_ID);
 }
@@ -48,7 +48,7 @@ WatchedRender watch_render(const Snapshot& snapshot, double factor,
   session.restart(snapshot);
   Film film(session.visible().width, session.visible().height);
   while (!watched.finished && !(stop && stop())) {
-    // Asked before the tiles are taken: then these include the last ones of a finished picture.
+    // Query this before taking the tiles, so that they include the last ones of a finished picture.
     const Progress progress = session.progress();
     const double now = others_seconds() - start;
     if (progress.failed) break;
@@ -59,7 +59,7 @@ WatchedRender watch_render(const Snapshot& snapshot, double factor,
     const Reached reached = session.reached();
     for (const FinishedTile& tile : session.take_finished()) film.put(tile);
     watched.finished = progress.finished;
-    // All pixels can be final a moment before the render says that it is finished.
+    // All pixels may be final shortly before the render reports that it is finished.
     const bool between =
         reached.pass != Reached::Pass::nothing && reached.pass != Reached::Pass::final_pixels;
     if (progress.finished || between) {

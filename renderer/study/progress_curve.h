@@ -21,15 +21,15 @@ struct WatchedRender {
   bool finished = false;  ///< the last picture is the final one
 };
 
-/// The factor between the times of the pictures that a study keeps.
+/// Ratio between the times of successive pictures of a study.
 inline constexpr double study_factor = 1.5;
 
-/// Renders a snapshot and keeps pictures on the way: the first that covers the whole picture,
+/// Renders a snapshot and keeps intermediate pictures: the first that covers the whole picture,
 /// further ones each time the CPU time has grown by `factor`, and the final one. Without the passes
-/// of a progressive render it keeps the final one only. Once `stop` returns true the render ends;
-/// the pictures so far stay. Times are those of all threads of the process but the calling one:
-/// nothing else in the process should work at the same time. Except for the choice of moments, the
-/// result does not depend on the machine.
+/// of a progressive render it keeps the final one only. The render ends once `stop` returns true;
+/// its pictures so far are kept. Times are those of all threads of the process except the calling
+/// one, so nothing else in the process should work at the same time. Apart from the selection of
+/// moments, the result does not depend on the machine.
 [[nodiscard]] WatchedRender watch_render(const Snapshot& snapshot, double factor,
                                          const std::function<bool()>& stop = {});
 

@@ -14,10 +14,10 @@
 namespace asos {
 namespace {
 
-/// Points of a light, along a side, that are looked at to tell whether it is seen in part.
+/// Points along a side of a light that are tested for partial occlusion.
 constexpr int light_grid = 4;
 
-/// Looks at what single pixels show.
+/// Classifies the content of single pixels.
 class Looker {
  public:
   explicit Looker(const Snapshot& snapshot)
@@ -34,7 +34,7 @@ class Looker {
     const SurfacePoint point = surface_point(scene_.world(), scene_.needs, hit, -ray.direction);
     if (point.geometric_normal == glm::vec3(0.0f)) return Region::rest;
     const SurfaceMaterial material = surface_material(scene_.world(), scene_.needs, hit);
-    // A metal shows no shadows, but what it mirrors.
+    // A metal shows reflections instead of shadows.
     const bool mirrors = in_mirror(ray, hit, point, material);
     if (mirrors && material.metallic > 0.5f) return Region::reflections;
     if (settings_.shadow.cast && !material.unlit && in_penumbra(point)) return Region::penumbrae;

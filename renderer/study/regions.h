@@ -10,11 +10,11 @@
 
 namespace asos {
 
-/// The content of a pixel, as far as it matters for antialiasing; where several hold, the first.
+/// The content of a pixel that matters for antialiasing. If several apply, the first counts.
 enum class Region : std::uint8_t {
   outlines,     ///< ASOS splits it for an outline, a crease, an intersection or a cut-out
-  penumbrae,    ///< a shadow's edge splits it, or a light of some size is seen in part
-  reflections,  ///< an edge in a mirror splits it, or a surface that mirrors
+  penumbrae,    ///< a shadow's edge splits it, or an extended light is partially occluded
+  reflections,  ///< an edge in a mirror splits it, or the surface reflects
   textures,     ///< a textured surface
   rest,
 };
@@ -22,7 +22,7 @@ inline constexpr std::size_t region_count = 5;
 inline constexpr std::array<const char*, region_count> region_names{
     "outlines", "penumbrae", "reflections", "textures", "rest"};
 
-/// A region for each pixel, and the split map that they come from.
+/// A region for each pixel, and the split map from which they follow.
 struct RegionMap {
   int width = 0;
   int height = 0;
@@ -31,10 +31,10 @@ struct RegionMap {
   std::vector<SplitCause> cause;
 };
 
-/// The settings that the regions are found at: ASOS with MAX 4 and EPS 1/256.
+/// Returns the settings for finding the regions: ASOS with MAX 4 and EPS 1/256.
 [[nodiscard]] RenderSettings region_settings(RenderSettings settings);
 
-/// The regions of a picture that `film` is the rendering of, at `region_settings`. A pixel's
+/// Returns the regions of a picture; `film` is its rendering with `region_settings`. A pixel's
 /// content is that at its centre.
 [[nodiscard]] RegionMap find_regions(const Snapshot& snapshot, const Film& film);
 

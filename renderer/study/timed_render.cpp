@@ -11,7 +11,7 @@
 namespace asos {
 namespace {
 
-// Linux keeps the largest resident set of a process and forgets it on request (proc(5)).
+// Linux records the peak resident set of a process and resets it on request (proc(5)).
 void forget_peak_memory() {
   std::ofstream("/proc/self/clear_refs") << "5";
 }

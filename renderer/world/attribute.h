@@ -13,8 +13,8 @@
 namespace asos {
 
 /// The values of all vertices, or triangles, of a world: its own in an array, then those of placed
-/// meshes, which are computed where they are read. Reads like a vector of all of them; what changes
-/// it concerns its own alone.
+/// meshes, which are computed on access. It reads like one vector; changes are possible for its own
+/// values only.
 template <typename T>
 class Attribute {
  public:
@@ -36,12 +36,12 @@ class Attribute {
     if (!placed_ || i < own_.size()) return own_[i];
     return placed_(*places_, static_cast<std::uint32_t>(i - own_.size()));
   }
-  /// A value of its own, to be changed; throws std::out_of_range beyond.
+  /// Returns one of its own values, for changes; throws std::out_of_range beyond.
   [[nodiscard]] T& operator[](std::size_t i) { return own_.at(i); }
   [[nodiscard]] std::size_t size() const { return own_.size() + placed_count_; }
   [[nodiscard]] bool empty() const { return size() == 0; }
 
-  /// Reads all values in their order.
+  /// Iterates over all values in order.
   class Iterator {
    public:
     using value_type = T;
@@ -67,7 +67,7 @@ class Attribute {
   [[nodiscard]] Iterator begin() const { return {this, 0}; }
   [[nodiscard]] Iterator end() const { return {this, size()}; }
 
-  /// The same own values, and the same places of the same meshes.
+  /// Returns whether both have the same own values, and the same places of the same meshes.
   [[nodiscard]] friend bool operator==(const Attribute& a, const Attribute& b) {
     return a.own_ == b.own_ && a.places_ == b.places_ && a.placed_count_ == b.placed_count_;
   }
@@ -75,14 +75,14 @@ class Attribute {
   [[nodiscard]] const std::vector<T>& own() const { return own_; }
   [[nodiscard]] std::vector<T>& own() { return own_; }
 
-  /// Adds the values of `count` vertices or triangles that are placed, as `placed` computes them.
+  /// Adds the values of `count` placed vertices or triangles, which `placed` computes.
   void set_placed(std::shared_ptr<const Placements> places, std::size_t count, Placed placed) {
     places_ = std::move(places);
     placed_count_ = count;
     placed_ = places_ ? placed : nullptr;
   }
 
-  // Of its own values:
+  // The following concern its own values.
   [[nodiscard]] auto begin() { return own_.begin(); }
   [[nodiscard]] auto end() { return own_.end(); }
   [[nodiscard]] T& back() { return own_.back(); }

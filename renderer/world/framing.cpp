@@ -12,8 +12,8 @@ namespace asos {
 
 namespace {
 
-// Beyond so many triangles the corners of objects have to do: looking at all corners of all
-// triangles would be felt.
+// With more triangles, the corners of objects' boxes are used, since visiting the corners of all
+// triangles would be noticeable.
 constexpr std::size_t most_triangles_framed = 4'000'000;
 
 /// The largest and smallest value of a function of the points seen.
@@ -32,8 +32,8 @@ glm::dvec3 corner_of(const Box& box, int corner) {
           (corner & 4) ? box.hi.z : box.lo.z};
 }
 
-/// How far points reach in a camera's axes: right, up, and back to the eye; and the planes through
-/// them that lie as the sides of a picture whose half sides are `tangent` do.
+/// The extent of points in a camera's axes: right, up, and back to the eye. It also has the planes
+/// through them that are parallel to the sides of a picture with the half sides `tangent`.
 class Reach {
  public:
   Reach(const Camera& camera, glm::dvec3 middle, glm::dvec2 tangent)
@@ -59,16 +59,16 @@ class Reach {
   }
   [[nodiscard]] bool any() const { return x_.lo <= x_.hi; }
 
-  /// The nearest eye from which all points lie between the four planes, in the camera's axes about
-  /// the middle: two opposite planes meet in a line where both touch a point, and the farther one
-  /// of the two lines decides. In the other direction the planes are equally far from the points.
+  /// Returns the nearest eye with all points between the four planes, in the camera's axes about
+  /// the centre. Two opposite planes that touch a point each meet in a line, and the farther one of
+  /// the two lines decides. In the other direction, the planes are equally far from the points.
   [[nodiscard]] glm::dvec3 perspective_eye(double least_gap) const {
     const double across = 0.5 * (right_plane_ + left_plane_) / tangent_.x;
     const double down = 0.5 * (upper_plane_ + lower_plane_) / tangent_.y;
     return {0.5 * (right_plane_ - left_plane_), 0.5 * (upper_plane_ - lower_plane_),
             std::max({across, down, z_.hi + least_gap})};
   }
-  /// Before all points, opposite their middle.
+  /// Returns an eye in front of all points, opposite their centre.
   [[nodiscard]] glm::dvec3 parallel_eye(double gap) const {
     return {0.5 * (x_.lo + x_.hi), 0.5 * (y_.lo + y_.hi), z_.hi + gap};
   }
@@ -84,7 +84,7 @@ class Reach {
   double left_plane_ = right_plane_, upper_plane_ = right_plane_, lower_plane_ = right_plane_;
 };
 
-/// The room that points take which turn about a vertical: each moves on a circle.
+/// The space of points that turn about a vertical axis, each on a circle.
 class TurningReach {
  public:
   TurningReach(const Camera& camera, glm::dvec3 pivot, glm::dvec2 tangent)
@@ -97,8 +97,8 @@ class TurningReach {
   void add(glm::dvec3 point) {
     const glm::dvec3 d = point - pivot_;
     const double radius = std::hypot(d.x, d.z);
-    // At the angle a from the eye the point is at (radius sin a, d.y cosine - radius cos a sine) in
-    // the picture's plane, and d.y sine + radius cos a cosine before it.
+    // At the angle a from the eye, the point is at (radius sin a, d.y cosine - radius cos a sine)
+    // in the picture's plane, and at depth d.y sine + radius cos a cosine.
     const double aside = radius * std::sqrt(cosine_ * cosine_ + 1.0 / (tangent_.x * tangent_.x));
     distance_ = std::max(distance_, d.y * sine_ + aside);
     for (const double side : {-1.0, 1.0}) {
@@ -124,7 +124,7 @@ class TurningReach {
   double distance_ = 0.0, half_width_ = 0.0, half_height_ = 0.0;
 };
 
-// What is seen decides, not the bounds, whose corners are empty in most scenes.
+// Adds the visible points. The bounds are not used, since their corners are empty in most scenes.
 template <typename Points>
 void add_surfaces(const World& world, Points& reach) {
   // Lines and points come last, and the ground before them.
@@ -138,7 +138,7 @@ void add_surfaces(const World& world, Points& reach) {
     for (std::size_t v = world.positions.own().size(); v < world.positions.size(); ++v)
       reach.add(glm::dvec3(world.positions[v]));
   }
-  // Not what they are drawn as, which depends on the picture.
+  // Use the strokes themselves, since the triangles that draw them depend on the picture.
   for (const auto* strokes : {&world.strokes.segments, &world.strokes.points}) {
     for (const Stroke& stroke : *strokes)
       reach.add(glm::dvec3(stroke.a)), reach.add(glm::dvec3(stroke.b));

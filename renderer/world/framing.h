@@ -4,30 +4,30 @@
 
 namespace asos {
 
-/// The share of the tighter of its two directions that a scene takes in a picture that frames it.
+/// The fraction of the tighter direction of a picture that a framed scene fills.
 inline constexpr double framed_share = 0.9;
 
 /// A camera that frames a whole scene.
 struct FramedView {
   Camera camera;
-  double subject_distance = 1.0;  ///< from its eye to the depth of the scene's middle; above 0
+  double subject_distance = 1.0;  ///< from its eye to the depth of the scene's centre; above 0
 };
 
-/// Moves `camera`, without turning it, so that what its picture of this shape shows of all of
-/// `world` is in the picture's middle and takes `framed_share` of it across or down, whichever is
-/// tighter. An orthographic camera gets the height that does it, too. A scene without extent is
-/// framed as if it were a unit cube; an aspect ratio that is none counts as 1.
+/// Moves `camera`, without turning it, so that `world` is centred in its picture and fills
+/// `framed_share` of it across or down, whichever is tighter. For an orthographic camera, sets the
+/// height, too. A scene without extent is framed as if it were a unit cube; an invalid aspect ratio
+/// counts as 1.
 [[nodiscard]] FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio);
 
-/// How far from `pivot` a perspective camera that looks at it has to be, or how high the picture of
-/// an orthographic one, for all of `world` to stay within `framed_share` of the picture while the
-/// camera turns about the vertical (+Y) through `pivot`: exactly, whatever the angle.
+/// Returns the distance from `pivot` of a perspective camera that looks at it, or the height of an
+/// orthographic one's picture. It keeps all of `world` within `framed_share` of the picture while
+/// the camera turns about the vertical axis (+Y) through `pivot`. Exact for all angles.
 [[nodiscard]] double room_to_turn(const World& world, const Camera& camera, glm::dvec3 pivot,
                                   double aspect_ratio);
 
-/// Adds the surfaces of `other`, which has the same origin, to those that framing `world` looks at:
-/// the scene at several times is framed as one. `world` is good for nothing else then. Neither may
-/// have placed meshes.
+/// Adds the surfaces of `other`, which has the same origin, to those that framing `world` uses, so
+/// that a scene at several times is framed as one. `world` is unusable for other purposes
+/// afterwards. Neither may have placed meshes.
 void frame_also(World& world, const World& other);
 
 }  // namespace asos

@@ -15,12 +15,13 @@ Material ground_material(Ground ground) {
   Material material;
   material.name = ground_name;
   material.metallic = 0.0f;
-  // White and black models stand out on it.
+  // A grey on which white and black models stand out.
   material.base_color = {0.38f, 0.38f, 0.38f, 1.0f};
   material.specular = 0.0f;
   material.double_sided = true;
   if (ground != Ground::mirror) return material;
-  // Like varnish: a tenth of the light at normal incidence, sharp where it grazes.
+  // Like varnish: it reflects a tenth of the light at normal incidence, and sharply at grazing
+  // angles.
   material.base_color = {0.22f, 0.22f, 0.22f, 1.0f};
   material.specular = 1.0f;
   material.ior = 1.9f;
@@ -38,7 +39,7 @@ void add_vertex(World& world, glm::vec3 position) {
   if (!world.colors.empty()) world.colors.emplace_back(1.0f);
 }
 
-/// Null where there is none.
+/// Returns the ground plate; null where there is none.
 const Part* plate_of(const World& world) {
   if (world.solid_parts() == 0 || world.materials.empty()) return nullptr;
   const Part& last = world.parts[world.solid_parts() - 1];
@@ -49,7 +50,7 @@ const Part* plate_of(const World& world) {
   return made_here ? &last : nullptr;
 }
 
-/// Lets the parts of lines and points begin so many later.
+/// Moves the first part of lines and points by `parts`.
 void shift_strokes(World& world, std::uint32_t parts) {
   if (world.strokes.empty()) return;
   world.strokes.first_part += parts;
@@ -125,7 +126,7 @@ void put_on_ground(World& world, Ground ground, std::optional<double> floor) {
   part.material = static_cast<std::uint32_t>(world.materials.size());
   world.materials.push_back(ground_material(ground));
 
-  // A fan, so that no triangle is longer than the plate is wide.
+  // Make a fan, so that no triangle is longer than the plate is wide.
   const double height = floor.value_or(lo.y) - below_in_radii * scene_radius;
   const glm::dvec3 middle(0.5 * (lo.x + hi.x), height, 0.5 * (lo.z + hi.z));
   add_vertex(world, glm::vec3(middle));

@@ -7,26 +7,26 @@
 
 namespace asos {
 
-/// Puts the surfaces of a world whose lines and points are not drawn on this ground, in place of
-/// the one that they stand on: a round plate under the middle of their bounds, ground_radii of
-/// their bounding sphere wide. It lies below the lowest point by so little that what ends there is
-/// not mistaken for it. A mirroring plate blurs by a defocusing ratio: sharp at grazing angles. It
-/// is the last of the parts that are not of lines and points, and its material the last one. A
-/// world without extent stays as it is. `floor`: height in place of that of the lowest point.
+/// Puts a world on this ground in place of its present one; its lines and points must not be drawn.
+/// The ground is a round plate under the centre of the bounds. Its width is ground_radii of their
+/// bounding sphere. It lies slightly below the lowest point, so that surfaces that end there are
+/// not coplanar with it. A reflecting plate blurs by a defocusing ratio: sharp at grazing angles.
+/// It is the last part before those of lines and points, and its material is the last one. A world
+/// without extent stays as it is. `floor` is a height to use instead of the lowest point's.
 void put_on_ground(World& world, Ground ground, std::optional<double> floor = std::nullopt);
 
 inline constexpr double ground_radii = 10.0;
 
-/// What it stands on.
+/// Returns the present ground.
 [[nodiscard]] Ground ground_of(const World& world);
 
-// The world without its ground, for all that is told of it.
+// The scene without its ground, for descriptions.
 
-/// Without lines and points, too, whose surfaces follow the camera.
+/// Also without lines and points, whose surfaces follow the camera.
 [[nodiscard]] Box bounds_without_ground(const World& world);
 [[nodiscard]] std::size_t materials_without_ground(const World& world);
 [[nodiscard]] std::size_t triangles_without_ground(const World& world);
-/// The materials' own; see dfrs_of.
+/// Returns the materials' own ratios; see dfrs_of.
 [[nodiscard]] MaterialDfrs dfrs_without_ground(const World& world);
 
 }  // namespace asos

@@ -9,15 +9,15 @@
 
 namespace asos {
 
-/// The plane of the surface that a ray met, in the coordinates (b1, b2) of its hit: the point is
-/// corner + b1 * edge1 + b2 * edge2. For a triangle it is its own plane; for a face of an analytic
-/// shape the one that touches it at (b1, b2), where the point is on the face to double precision.
+/// The plane of a hit's surface in the hit's coordinates (b1, b2): the point is corner + b1 * edge1
+/// + b2 * edge2. For a triangle it is its own plane. For a face of an analytic shape it is the
+/// tangent plane at (b1, b2), where the point is on the face to double precision.
 struct HitPlane {
   glm::dvec3 corner{0.0};
   glm::dvec3 edge1{0.0};
   glm::dvec3 edge2{0.0};
 
-  /// The normal, of any length, and of 0 for a triangle without area. A triangle's corners run
+  /// Returns the normal, of any length, and 0 for a triangle without area. A triangle's corners run
   /// counter-clockwise around it; a face's points outwards or inwards.
   [[nodiscard]] glm::dvec3 normal() const { return glm::cross(edge1, edge2); }
   [[nodiscard]] glm::dvec3 point(float b1, float b2) const {

@@ -77,7 +77,8 @@ bool emits(const Material& m) {
   return m.emissive_strength > 0.0f && std::max({m.emissive.x, m.emissive.y, m.emissive.z}) > 0.0f;
 }
 
-/// A texture may make it smoother anywhere. A material that reflects nothing mirrors nothing.
+/// Returns whether a material may be a mirror. A texture may make it smooth anywhere. A material
+/// without reflection is none.
 bool may_mirror(const Material& m, const std::optional<Dfr>& dfr) {
   const bool reflects = m.metallic > 0.0f || m.specular > 0.0f || m.film.used();
   const bool smooth = static_cast<double>(m.roughness) <= usual_roughest_mirror ||
@@ -88,7 +89,7 @@ bool may_mirror(const Material& m, const std::optional<Dfr>& dfr) {
   return (reflects && smooth) || smooth_coat;
 }
 
-/// By index. Only materials that some surface shows count: files often bring along more.
+/// Returns the indices of visible materials. Files often contain unused ones.
 std::vector<std::size_t> shown_materials(const World& world) {
   std::vector<bool> seen(world.materials.size(), false);
   std::vector<std::size_t> shown;
@@ -103,7 +104,7 @@ std::vector<std::size_t> shown_materials(const World& world) {
 std::vector<bool> images_of_shown_materials(const World& world) {
   std::vector<bool> used(world.images.size(), false);
   for (const std::size_t material : shown_materials(world)) {
-    // Used or not: where surfaces differ is judged by all of them.
+    // Includes unused textures, since all of them affect whether surfaces differ.
     for (const TextureUse* use : texture_uses(world.materials[material])) {
       if (!use->used() || static_cast<std::size_t>(use->texture) >= world.textures.size()) continue;
       const int image = world.textures[static_cast<std::size_t>(use->texture)].image;
@@ -120,7 +121,7 @@ void add_material(SceneNeeds& needs, const Material& m) {
   needs.alpha_blend |= m.alpha_mode == AlphaMode::blend || m.transmission > 0.0f;
   needs.alpha_mask |= m.alpha_mode == AlphaMode::mask;
   needs.culling |= !shows_both_sides(m);
-  if (m.unlit) {  // it uses its base colour, of strokes its emission, and nothing else
+  if (m.unlit) {  // it uses only its base colour, and strokes their emission
     needs.emission |= m.stroke && emits(m);
     needs.textures |= m.stroke && emits(m) && m.emissive_texture.used();
     return;
@@ -167,7 +168,7 @@ void add_light(SceneNeeds& needs, const Light& light) {
   needs.soft_shadows |= light.casts_shadows && sized;
 }
 
-/// Whether the colours' alpha differs within a part.
+/// Returns whether the colours' alpha differs within a part.
 bool alpha_differs(const World& world, const Part& part) {
   if (world.colors.empty() || part.vertex_count == 0) return false;
   const float a = world.colors[part.first_vertex].a;
@@ -229,7 +230,7 @@ std::vector<SceneFeature> features_left_out(const SceneNeeds& needs) {
 bool opacity_varies(const World& world, const Part& part) {
   const Material& m = world.materials[part.material];
   if (part.shows_nothing()) return false;
-  // What is attenuated goes by the way in the volume.
+  // Attenuation depends on the length of the way in the volume.
   if (m.transmission > 0.0f &&
       (m.base_color_texture.used() || m.transmission_texture.used() || bounds_volume(m)))
     return true;

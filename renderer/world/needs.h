@@ -10,50 +10,50 @@
 
 namespace asos {
 
-/// The features that a scene needs (design section 8). Those that it does not need cost nothing. A
-/// default one needs nothing.
+/// The features that a scene needs (design section 8). Unneeded features cost nothing. The default
+/// is none.
 struct SceneNeeds {
   bool textures = false;
   bool mip_chains = false;
-  bool unused_images = false;  ///< true as well where the file brings none along
+  bool unused_images = false;  ///< also true if the file contains none
   bool normal_maps = false;
   bool vertex_colors = false;
   bool alpha_mask = false;
-  bool alpha_blend = false;  ///< transmission, too
-  /// An opacity that differs from place to place. It says how shadows are looked for, not only
-  /// whether: where it is not so, forcing it would give another picture.
+  bool alpha_blend = false;  ///< includes transmission
+  /// Opacity that varies over a surface. It changes how shadows are found, and not only whether, so
+  /// forcing it would change the picture.
   bool varying_opacity = false;
   bool culling = false;  ///< of the backs of single-sided materials
   bool metals = false;
-  bool mirrors = false;  ///< up to usual_roughest_mirror, or with defocusing ratios of their own
+  bool mirrors = false;  ///< up to usual_roughest_mirror, or with their own defocusing ratios
   bool shapes = false;   ///< analytic ones
   bool emission = false;
-  bool punctual_lights = false;   ///< of no size: point, spot, directional
+  bool punctual_lights = false;   ///< without extent: point, spot, directional
   bool rectangle_lights = false;  ///< and polygons
   bool disk_lights = false;
   bool ball_lights = false;
   bool linear_lights = false;
   bool suns = false;
   bool shadows = false;       ///< some light casts them
-  bool soft_shadows = false;  ///< some light of a size casts them
+  bool soft_shadows = false;  ///< a light with an extent casts them
   bool intersections = false;
-  /// A picture of what surrounds the scene, which no scene has: it comes with the settings.
+  /// A picture as surroundings. No scene needs it; it comes with the settings.
   bool sky_picture = false;
 
-  /// All that can be asked for without need and without changing the picture: all but
-  /// varying_opacity and sky_picture.
+  /// Returns all features that can be forced without changing the picture: all but varying_opacity
+  /// and sky_picture.
   [[nodiscard]] static SceneNeeds all();
 
-  /// Whether there is any light, of whatever kind.
+  /// Returns whether there are lights of any kind.
   [[nodiscard]] bool lights() const {
     return punctual_lights || rectangle_lights || disk_lights || ball_lights || linear_lights ||
            suns;
   }
 
-  /// The features that either of the two needs.
+  /// Returns the features that at least one of the two needs.
   [[nodiscard]] SceneNeeds with(const SceneNeeds& other) const;
 
-  /// The features that were left out, with the reason and the saving, in a sentence each.
+  /// Returns the unneeded features, with the reason and the saving, in one sentence each.
   [[nodiscard]] std::vector<std::string> left_out() const;
 
   bool operator==(const SceneNeeds&) const = default;
@@ -63,42 +63,42 @@ struct SceneNeeds {
   return choice == NeedsChoice::all ? SceneNeeds::all() : SceneNeeds{};
 }
 
-/// One of SceneNeeds' features in words. The last four name what is left out with it and are empty
-/// where there is nothing of that sort.
+/// Descriptions of one of SceneNeeds' features. The last four name the savings without it; they are
+/// empty if there are none.
 struct SceneFeature {
   bool SceneNeeds::*needed;
   const char* name;
-  const char* reason;  ///< why it can be left out
+  const char* reason;  ///< why it is not needed
   const char* stages;
   const char* memory;
   const char* controls;
   const char* rows;
 };
 
-/// Each member of SceneNeeds once.
+/// Returns the descriptions of all members of SceneNeeds.
 [[nodiscard]] std::span<const SceneFeature> scene_features();
 
-/// The features that were left out.
+/// Returns the unneeded features.
 [[nodiscard]] std::vector<SceneFeature> features_left_out(const SceneNeeds& needs);
 
-/// The features that the surfaces of `world` and their materials need. `intersections` is true:
-/// whether surfaces pass through each other is known only once FeatureSet has looked.
+/// Returns the features that the surfaces of `world` and their materials need. `intersections` is
+/// true, since only FeatureSet finds out whether surfaces pass through each other.
 [[nodiscard]] SceneNeeds find_needs(const World& world);
 
-/// Whether the opacity of a part that is not opaque may differ from place to place.
+/// Returns whether the opacity of a non-opaque part may vary.
 [[nodiscard]] bool opacity_varies(const World& world, const Part& part);
 
-/// The features that lights need beyond those.
+/// Returns the features that lights need in addition.
 [[nodiscard]] SceneNeeds find_needs(std::span<const Light> lights);
 
-/// SceneNeeds::mirrors where the materials have these defocusing ratios instead of their own.
+/// Returns SceneNeeds::mirrors for materials with these defocusing ratios instead of their own.
 [[nodiscard]] bool needs_mirrors(const World& world, const MaterialDfrs& dfrs);
 
-/// Releases the texels of images that no shown material names.
+/// Releases the texels of images that no visible material uses.
 void release_unused_images(World& world);
 
-/// Fills the vertices' arrays that `forced` asks for and no material needs, with what changes
-/// nothing: white, no tangent, the texture's corner.
+/// Fills the vertices' arrays that are forced but not needed with neutral values: white, no
+/// tangent, the texture's corner.
 void fill_forced_attributes(World& world, const SceneNeeds& forced);
 
 }  // namespace asos

@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-// The vertex of a part that has the largest distance2.
+// Returns the vertex of a part with the largest distance2.
 template <typename Distance2>
 glm::dvec3 farthest(std::span<const glm::vec3> vertices, Distance2 distance2) {
   double most = -1.0;
@@ -48,7 +48,7 @@ std::vector<ObjectSphere> spheres_of_meshes(const World& world) {
   return spheres;
 }
 
-/// The sphere of a shared mesh around one of its places.
+/// Returns the sphere of a shared mesh at one of its places.
 ObjectSphere placed_sphere(const Placements& all, const Placement& place, ObjectSphere sphere) {
   sphere.centre = glm::dvec3(all.world_from_mesh(place) * glm::dvec4(sphere.centre, 1.0));
   sphere.radius *= place.most_growth;

@@ -9,17 +9,17 @@
 
 namespace asos {
 
-/// The sphere around an object, which is one part of the world, and how thick the object is.
+/// The bounding sphere of an object, which is one part of the world, and the object's thickness.
 struct ObjectSphere {
   glm::dvec3 centre{0.0};
   double radius = 0.0;
-  /// How far the object strays from its longest line; between half of its width across that line
-  /// and all of it.
+  /// Largest distance of the object from its longest line. It is between half of the width across
+  /// that line and the whole width.
   double thickness = 0.0;
   std::uint32_t part = 0;
 };
 
-/// The spheres of all parts that have a vertex.
+/// Returns the spheres of all parts with vertices.
 [[nodiscard]] std::vector<ObjectSphere> object_spheres(const World& world);
 
 }  // namespace asos

@@ -5,10 +5,11 @@
 namespace asos {
 namespace {
 
-// Rounding may move a part's corners by this share of its size before another origin is looked for.
+// Largest rounding error of a part's corners, relative to its size, that keeps the origin at the
+// centre.
 constexpr double let_pass = 1.0 / 1024.0;
 
-/// How far a float's rounding moves a part's corners, as a share of its size.
+/// Returns the rounding error of a part's corners in single precision, relative to its size.
 double loss(const PlacedBox& part, glm::dvec3 origin) {
   constexpr double half_ulp = 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon());
   const double size = part.extent();

@@ -14,13 +14,13 @@ struct PlacedBox {
 
   void grow(glm::dvec3 p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
   [[nodiscard]] glm::dvec3 middle() const { return 0.5 * lo + 0.5 * hi; }
-  /// Its longest side.
+  /// Returns its longest side.
   [[nodiscard]] double extent() const;
 };
 
-/// Where positions of single precision are relative to: the `middle` of everything; or that of a
-/// small part that would lose its shape to rounding there, if all parts keep theirs far better then
-/// (a house at the corner of a planet). There is at least one part.
+/// Returns the origin for positions in single precision: the `middle` of everything. If a small
+/// part would lose its shape to rounding there, returns that part's centre, provided all parts keep
+/// their shapes far better then (a house at the corner of a planet). There is at least one part.
 [[nodiscard]] glm::dvec3 choose_origin(const std::vector<PlacedBox>& parts, glm::dvec3 middle);
 
 }  // namespace asos

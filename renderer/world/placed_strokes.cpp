@@ -20,7 +20,7 @@ const Mesh* strokes_of(const Scene& scene, const Instance& instance) {
   return mesh.has_strokes() ? &mesh : nullptr;
 }
 
-/// Calls `visit` with the vertices that strokes of a mesh use.
+/// Calls `visit` with the vertices that a mesh' lines and points use.
 template <typename Visit>
 void each_vertex(const Mesh& mesh, Visit visit) {
   for (const glm::uvec2 s : mesh.segments) visit(s.x), visit(s.y);
@@ -31,7 +31,8 @@ glm::dvec3 placed(const Instance& instance, glm::vec3 position) {
   return glm::dvec3(instance.world_from_mesh * glm::dvec4(position, 1.0));
 }
 
-/// A material's colour and emission, for lines and points without normals to be lit by.
+/// Returns an unlit material with the same colour and emission, for lines and points without
+/// normals.
 Material unlit_material(const Material& material) {
   Material unlit;
   unlit.name = material.name;
@@ -50,7 +51,7 @@ Material unlit_material(const Material& material) {
   return unlit;
 }
 
-/// A material for lines and points with normals: they have no inside, and no tangents.
+/// Returns a material for lines and points with normals: they have no inside, and no tangents.
 Material lit_material(const Material& material) {
   Material lit = material;
   lit.stroke = true;
@@ -134,7 +135,7 @@ class Placer {
     }
   }
 
-  /// Lit by normals or not.
+  /// Returns the number of the world's material, for strokes with or without normals.
   std::uint32_t material(int of_scene, bool has_normals) {
     const auto [known, is_new] = materials_.try_emplace(
         {of_scene, has_normals}, static_cast<std::uint32_t>(world_.materials.size()));
@@ -150,7 +151,8 @@ class Placer {
 
   const Scene& scene_;
   World& world_;
-  std::map<std::pair<int, bool>, std::uint32_t> materials_;  // the world's, by the scene's
+  // The world's materials, by the scene's.
+  std::map<std::pair<int, bool>, std::uint32_t> materials_;
 };
 
 }  // namespace

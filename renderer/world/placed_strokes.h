@@ -7,16 +7,16 @@
 
 #include <string>
 
-// The lines and points of a scene's meshes, which go into its World once their surfaces are there.
+// The lines and points of a scene's meshes. They are added to the World after its surfaces.
 
 namespace asos {
 
-/// The middle of a scene's lines and points; 0 where that is none.
+/// Returns the centre of a scene's lines and points; 0 if that is not finite.
 [[nodiscard]] glm::dvec3 origin_of_strokes(const Scene& scene);
 
-/// Places the scene's lines and points in the world, which has its origin and all of its materials
-/// by now, with parts and unlit materials of their own. Returns what is wrong with one, or nothing:
-/// it is not finite, or farther away than single precision reaches.
+/// Adds the scene's lines and points to the world, with their own parts and unlit materials. The
+/// world must have its origin and all of its materials. Returns an error if one is not finite, or
+/// farther away than single precision allows; else an empty string.
 [[nodiscard]] std::string add_strokes(const Scene& scene, World& world);
 
 }  // namespace asos

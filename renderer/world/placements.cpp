@@ -26,7 +26,7 @@ glm::vec3 position_of(const Placements& all, const PlacedVertex& v, std::uint32_
   return placed_point(all, v.place, v.mesh.positions.own()[vertex]);
 }
 
-// As of a mesh that is not shared: from positions that are rounded already.
+// As for a mesh that is not shared: from rounded positions.
 glm::vec3 flat_normal(const Placements& all, const PlacedVertex& v) {
   const glm::uvec3 corners = v.mesh.triangles.own()[v.vertex / 3];
   const glm::dvec3 a(position_of(all, v, corners.x));
@@ -80,7 +80,7 @@ Distortion distortion_of(const glm::dmat3& linear) {
   const double growth = std::sqrt(squares);
   constexpr double equal = 1e-9;
   if (skew <= equal * squares) return {growth / std::sqrt(3.0), 1.0};
-  // Two of the three growths multiply to half of the sum of squares at most.
+  // The product of two of the three growths is at most half of the sum of squares.
   const double least = std::abs(glm::determinant(linear)) / (0.5 * squares);
   const bool invertible = least > 0.0 && std::isfinite(growth);
   return {growth, invertible ? growth / least : std::numeric_limits<double>::infinity()};
@@ -138,7 +138,7 @@ glm::vec4 placed_color(const Placements& all, std::uint32_t vertex) {
 glm::uvec3 placed_triangle(const Placements& all, std::uint32_t triangle) {
   const Placement& place = all.places[all.by_triangle.find(triangle)];
   glm::uvec3 t = all.mesh_of(place).triangles.own()[triangle - place.first_triangle];
-  // A mirror turns triangles inside out; glTF keeps the front side in front.
+  // Mirroring turns triangles inside out; glTF keeps the front side in front.
   if (place.mirrored) std::swap(t.y, t.z);
   return t + (all.own_vertices + place.first_vertex);
 }

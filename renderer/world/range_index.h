@@ -7,12 +7,13 @@
 
 namespace asos {
 
-/// Finds the one of many consecutive ranges that holds a number, in constant time where the ranges
-/// are about as long as each other.
+/// Finds the range that contains a number among many consecutive ranges. Takes constant time if the
+/// ranges have similar lengths.
 class RangeIndex {
  public:
   RangeIndex() = default;
-  /// `first`: where each range begins, the first one at 0; none is empty. `end`: of the last one.
+  /// `first` is where each range begins, starting with 0; none is empty. `end` is the end of the
+  /// last one.
   RangeIndex(std::vector<std::uint32_t> first, std::uint32_t end) : first_(std::move(first)) {
     if (first_.empty()) return;
     while ((end >> shift_) > 2 * first_.size()) ++shift_;
@@ -24,7 +25,7 @@ class RangeIndex {
     of_block_.push_back(static_cast<std::uint32_t>(first_.size() - 1));
   }
 
-  /// The index of the range that holds `number`, which is below the end.
+  /// Returns the index of the range that contains `number`, which is below the end.
   [[nodiscard]] std::size_t find(std::uint32_t number) const {
     const std::uint32_t block = number >> shift_;
     const auto from = first_.begin() + of_block_[block];

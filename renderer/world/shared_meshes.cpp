@@ -13,7 +13,7 @@ namespace {
 // A place takes as much memory as some triangles.
 constexpr std::size_t fewest_triangles = 32;
 constexpr double most_anisotropy = 32.0;
-// Rays meet a mesh in single precision and in its own space.
+// Rays are traced in the mesh's own space, in single precision.
 constexpr float smallest_extent = 1.0f / 1024.0f;
 constexpr float largest_extent = 1e6f;
 constexpr double farthest_in_extents = 1024.0;
@@ -25,7 +25,7 @@ bool has_plain_material(const Scene& scene, const Mesh& mesh) {
   return surface_kind(m) == SurfaceKind::opaque && !shines;
 }
 
-/// Whether a mesh has a size, and is as near to its own origin, as single precision asks for.
+/// Returns whether a mesh' size and distance from its own origin suit single precision.
 bool has_moderate_size(const Mesh& mesh) {
   Box box;
   for (const glm::uvec3 t : mesh.triangles)
@@ -85,7 +85,7 @@ std::shared_ptr<const World> shared_mesh(const Scene& scene, int mesh) {
   Instance& instance = alone.instances.emplace_back();
   instance.name = own.name;
   instance.mesh = 0;
-  // What was fit for the scene is fit here.
+  // The mesh is valid, since it was valid in the scene.
   World world =
       std::move(flatten(alone, most_triangles, glm::dvec3(0.0), never_shared).value().world);
   world.flat = own.normals.empty();

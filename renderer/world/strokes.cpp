@@ -12,7 +12,7 @@
 namespace asos {
 namespace {
 
-// Up to this width, in pixels, an eighth of a disk's outline is as good as straight.
+// Points up to this width, in pixels, are octagons.
 constexpr double small_point = 2.0;
 constexpr int small_corners = 8;
 constexpr int large_corners = 16;
@@ -21,7 +21,7 @@ int corners_of(double width) {
   return width <= small_point ? small_corners : large_corners;
 }
 
-/// A camera's axes, in which x and y of a place over its depth are its place in the picture, one
+/// A camera's axes, in which a place's x and y over its depth are its place in the picture, one
 /// unit ahead.
 class Eye {
  public:
@@ -36,12 +36,12 @@ class Eye {
     width_ = picture.width * tall / picture.height;
   }
 
-  /// To the right, up, and ahead.
+  /// Returns a place in the camera's axes: right, up, and ahead.
   [[nodiscard]] glm::dvec3 seen(glm::dvec3 world) const {
     const glm::dvec3 d = world - eye_;
     return {glm::dot(d, right_), glm::dot(d, up_), -glm::dot(d, back_)};
   }
-  /// The place in the world of one that is seen, nearer by a width.
+  /// Returns the place in the world of one in the camera's axes, moved nearer by one width.
   [[nodiscard]] glm::vec3 drawn(glm::dvec3 seen) const {
     if (perspective_)
       seen *= std::max(0.5, 1.0 - width_);
@@ -53,7 +53,7 @@ class Eye {
   [[nodiscard]] glm::dvec2 projected(glm::dvec3 seen) const {
     return perspective_ ? glm::dvec2(seen) / seen.z : glm::dvec2(seen);
   }
-  /// Of half of a line at a place that is seen, across the line of sight.
+  /// Returns half of a line's width at a place in the camera's axes, across the line of sight.
   [[nodiscard]] double half_width(glm::dvec3 seen) const {
     return 0.5 * width_ * (perspective_ ? std::abs(seen.z) : 1.0);
   }
@@ -62,12 +62,12 @@ class Eye {
  private:
   glm::dvec3 right_, up_, back_, eye_;
   bool perspective_;
-  double width_ = 0.0;  // one unit ahead, or anywhere where rays are parallel
+  double width_ = 0.0;  // one unit ahead; for parallel rays, anywhere
 };
 
 class Drawer {
  public:
-  /// `textured`: which sets of texture coordinates vertices have.
+  /// `textured`: the sets of texture coordinates that vertices have.
   Drawer(World& world, const StrokePicture& picture, bool coloured, std::array<bool, 2> textured)
       : world_(world),
         eye_(picture),
@@ -75,7 +75,7 @@ class Drawer {
         coloured_(coloured),
         textured_(textured) {}
 
-  // One part after the other, for its triangles are consecutive.
+  // Draws one part after the other, since a part's triangles are consecutive.
   void run() {
     std::size_t segment = 0, point = 0;
     const Strokes& strokes = world_.strokes;
@@ -100,7 +100,7 @@ class Drawer {
   }
 
  private:
-  // What lies nearer than this share of the farther end's depth has no place in a picture.
+  // Places nearer than this fraction of the farther end's depth cannot be projected.
   static constexpr double nearest_share = 1e-6;
 
   [[nodiscard]] static StrokeLook look_of(const std::vector<StrokeLook>& looks, std::size_t i) {
@@ -112,7 +112,7 @@ class Drawer {
     if (!eye_.perspective()) return add_ribbon(stroke, a, b, 0.0, 1.0);
     const double near = nearest_share * std::max(std::abs(a.z), std::abs(b.z));
     for (const double side : {1.0, -1.0}) {
-      // The stretch from t0 to t1 whose depth times `side` is `near` or more.
+      // The segment's range from t0 to t1 whose depth times `side` is at least `near`.
       const double za = side * a.z - near, zb = side * b.z - near;
       if (za < 0.0 && zb < 0.0) continue;
       const double cut = za / (za - zb);
@@ -179,11 +179,11 @@ class Drawer {
   int corners_;
   bool coloured_;  // vertices have colours
   std::array<bool, 2> textured_;
-  StrokeLook look_;  // of the stroke that is drawn
+  StrokeLook look_;  // of the current stroke
   Part* part_ = nullptr;
 };
 
-/// Takes the surfaces of another picture away.
+/// Removes the surfaces for another picture.
 void clear_strokes(World& world) {
   Strokes& strokes = world.strokes;
   if (!strokes.drawn()) return;
@@ -206,7 +206,7 @@ void clear_strokes(World& world) {
   strokes.triangle_count = strokes.vertex_count = 0;
 }
 
-/// The sets of texture coordinates that strokes' materials use.
+/// Returns the sets of texture coordinates that the strokes' materials use.
 std::array<bool, 2> textured_sets(const World& world) {
   std::array<bool, 2> sets{};
   for (const Part& part : world.parts) {
@@ -229,7 +229,7 @@ StrokeSize size_of_strokes(const World& world, const StrokePicture& picture) {
   const auto corners = static_cast<std::uint64_t>(corners_of(picture.width));
   const std::uint64_t segments = world.strokes.segments.size();
   const std::uint64_t points = world.strokes.points.size();
-  // A segment may pass the camera, and has a ribbon on either side then.
+  // A segment may pass the camera, and then has a ribbon on each side.
   return {4 * segments + (corners - 2) * points, 8 * segments + corners * points};
 }
 

@@ -12,7 +12,7 @@ namespace asos {
 
 struct World;
 
-/// A segment of a line, or a point, whose two ends are one, relative to World::origin.
+/// A segment of a line, or a point, whose two ends are equal, relative to World::origin.
 struct Stroke {
   glm::vec3 a;
   glm::vec3 b;
@@ -23,20 +23,20 @@ struct Stroke {
 
 /// Normals and texture coordinates at the ends of a stroke. A point's ends are the same.
 struct StrokeLook {
-  glm::vec3 normals[2]{};       ///< unit, by end; 0: there is none, and it faces the eye
+  glm::vec3 normals[2]{};       ///< unit, by end; 0: none, so the stroke faces the eye
   glm::vec2 texcoords[2][2]{};  ///< by set and end
 };
 
-/// The lines and points of a world. They are surfaces only as long as somebody looks at them: see
-/// draw_strokes. Their parts are the last ones, and so are their triangles and vertices.
+/// The lines and points of a world. They have surfaces only for a certain picture: see
+/// draw_strokes. Their parts, triangles and vertices are the last ones.
 struct Strokes {
   std::vector<Stroke> segments;
   std::vector<Stroke> points;
-  /// One a segment and one a point; empty where none has normals or texture coordinates.
+  /// One per segment and per point; empty if none has normals or texture coordinates.
   std::vector<StrokeLook> segment_looks, point_looks;
-  Box bounds;  ///< of all of them
+  Box bounds;  ///< of all segments and points
   std::uint32_t first_part = 0;
-  // As they are drawn:
+  // The following describe the drawn strokes.
   std::uint32_t first_triangle = 0;
   std::uint32_t triangle_count = 0;
   std::uint32_t first_vertex = 0;
@@ -44,7 +44,7 @@ struct Strokes {
   Box others;  ///< World::bounds without them
 
   [[nodiscard]] bool empty() const { return segments.empty() && points.empty(); }
-  /// Whether a triangle of the world, or one of its vertices, draws one of them.
+  /// Returns whether a triangle of the world, or one of its vertices, belongs to a stroke.
   [[nodiscard]] bool has_triangle(std::uint32_t triangle) const {
     return triangle - first_triangle < triangle_count;
   }
@@ -54,27 +54,26 @@ struct Strokes {
   [[nodiscard]] bool drawn() const { return vertex_count > 0; }
 };
 
-/// The picture that lines and points are drawn for.
+/// The picture in which lines and points appear.
 struct StrokePicture {
   Camera camera;       ///< relative to World::origin
   int height = 1;      ///< pixels
-  double width = 1.0;  ///< of lines, and the diameter of points, in pixels; 0: there are none
+  double width = 1.0;  ///< width of lines and diameter of points, in pixels; 0: there are none
 };
 
-/// The triangles, and vertices, that `draw_strokes` would add.
+/// The number of triangles and vertices that `draw_strokes` would add.
 struct StrokeSize {
   std::uint64_t triangles = 0;
   std::uint64_t vertices = 0;
 };
 [[nodiscard]] StrokeSize size_of_strokes(const World& world, const StrokePicture& picture);
 
-/// Makes surfaces that face the camera of a world's lines and points, in place of those for another
-/// picture: of each segment the ribbon whose picture is the rectangle of that width around the
-/// segment's, with butt ends; of each point a regular polygon with the area of its disk. They are
-/// as far away as what they stand for, but for one width of theirs, so that lines upon a surface
-/// are not buried in it. What is behind the camera, for mirrors to show, is as wide as if it were
-/// before it. Needs 32 bits for triangles and vertices (size_of_strokes). Leaves what is without
-/// extent in the picture out.
+/// Draws a world's lines and points as surfaces that face the camera, in place of those for another
+/// picture. A segment becomes a ribbon whose picture is the rectangle of that width around the
+/// segment's picture, with butt ends. A point becomes a regular polygon with the area of its disk.
+/// The surfaces are nearer by one of their widths, so that lines on a surface are not buried in it.
+/// Strokes behind the camera, which mirrors may show, are as wide as in front of it. Needs 32 bits
+/// for triangles and vertices (size_of_strokes). Omits strokes without extent in the picture.
 void draw_strokes(World& world, const StrokePicture& picture);
 
 }  // namespace asos

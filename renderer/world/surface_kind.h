@@ -6,15 +6,15 @@
 
 namespace asos {
 
-/// How rays meet a material's surfaces.
+/// How rays interact with a material's surfaces.
 enum class SurfaceKind : std::uint8_t {
-  opaque,   ///< always met, and blocks all light
-  masked,   ///< met where its opacity reaches the material's cut-off
-  blended,  ///< always met, and lets the light through that its opacity leaves
+  opaque,   ///< always hit; blocks all light
+  masked,   ///< hit where its opacity reaches the material's cut-off
+  blended,  ///< always hit; transmits light by its opacity
 };
 
-/// Transmission (KHR_materials_transmission, thin) is transparency of its own, whatever the alpha
-/// mode; a masked material that transmits has its cut-off applied within alpha_at.
+/// Transmission (KHR_materials_transmission, thin) is a separate transparency for any alpha mode.
+/// For a masked material with transmission, alpha_at applies the cut-off.
 [[nodiscard]] inline SurfaceKind surface_kind(const Material& material) {
   if (material.alpha_mode == AlphaMode::blend || material.transmission > 0.0f) {
     return SurfaceKind::blended;

@@ -4,7 +4,7 @@
 
 namespace asos {
 
-/// A texture's image; null where it is missing or empty.
+/// Returns a texture's image; null if it is missing or empty.
 [[nodiscard]] const Image* image_of(const World& world, int texture);
 
 }  // namespace asos

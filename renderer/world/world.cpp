@@ -88,8 +88,7 @@ class Flattener {
     shared_ = shared_instances(scene_, fewest_copied_);
   }
 
-  /// Chooses whether a shape is drawn as faces or as triangles of its own. Lamps are found among
-  /// triangles.
+  /// Decides whether a shape becomes faces or triangles. Emitters need triangles.
   void choose_shapes() {
     faces_.resize(scene_.instances.size());
     for (const Instance& instance : scene_.instances) {
@@ -111,7 +110,7 @@ class Flattener {
     return m.emissive != glm::vec3(0.0f) && m.emissive_strength > 0.0f && !m.unlit;
   }
 
-  /// The origin, of which all positions are as near as their floats need: see choose_origin.
+  /// Finds the origin, near enough to all positions for their floats: see choose_origin.
   std::string find_origin() {
     std::vector<PlacedBox> boxes;
     PlacedBox all;
@@ -195,7 +194,7 @@ class Flattener {
     world_.bounds.grow(part.bounds);
     for (glm::uvec3 t : placed.triangles()) {
       t += part.first_vertex;
-      // A mirror turns triangles inside out; glTF keeps the front side in front.
+      // Mirroring turns triangles inside out; glTF keeps the front side in front.
       if (mirrored) std::swap(t.y, t.z);
       world_.triangles.push_back(t);
       world_.triangle_part.push_back(static_cast<std::uint32_t>(world_.parts.size()));
@@ -225,7 +224,8 @@ class Flattener {
     return part;
   }
 
-  /// A part of a mesh that is kept once. Its bounds are those of its vertices, rounded alike.
+  /// Adds a part of a mesh that is stored once. Its bounds are those of its vertices, with the same
+  /// rounding.
   void add_place(const Instance& instance, Part part) {
     const PlacedBox& box = shared_boxes_[placements_.places.size()];
     part.bounds.grow(glm::vec3(box.lo - world_.origin));
@@ -289,7 +289,8 @@ class Flattener {
     bool all_known = true;
     for (std::size_t i = 0; i < placed.vertex_count(); ++i) {
       const glm::vec3 n = placed.mesh->normals[placed.vertex(i)];
-      // A singular matrix leaves a normal no direction; the author's own is the best guess.
+      // After a singular matrix, the normal may have no direction; the author's own is the best
+      // guess.
       const glm::vec3 unit =
           unit_or(cofactors * glm::dvec3(n), unit_or(glm::dvec3(n), glm::vec3(0.0f)));
       all_known &= unit != glm::vec3(0.0f);
@@ -298,7 +299,8 @@ class Flattener {
     if (!all_known) replace_unknown_normals(part);
   }
 
-  /// Gives vertices whose normal is zero or not finite that of their triangles, weighted by area.
+  /// Replaces vertex normals that are zero or not finite by those of their triangles, weighted by
+  /// area.
   void replace_unknown_normals(const Part& part) {
     std::vector<glm::dvec3> sums(part.vertex_count, glm::dvec3(0.0));
     for (std::uint32_t t = 0; t < part.triangle_count; ++t) {
@@ -374,14 +376,14 @@ class Flattener {
   const std::optional<glm::dvec3> given_origin_;
   const std::uint64_t fewest_copied_;
   World world_;
-  std::vector<std::uint8_t> shared_;         // by instance, 1: its mesh is kept once; or empty
+  std::vector<std::uint8_t> shared_;         // by instance, 1: its mesh is stored once; or empty
   std::vector<PlacedBox> shared_boxes_;      // of these instances
   std::map<int, std::size_t> mesh_numbers_;  // of their meshes in placements_
   Placements placements_;
-  std::vector<std::vector<ShapeFace>> faces_;       // one an instance; empty: drawn as triangles
+  std::vector<std::vector<ShapeFace>> faces_;       // one per instance; empty: drawn as triangles
   std::vector<std::unique_ptr<Mesh>> own_meshes_;   // of shapes drawn as triangles
   std::map<std::size_t, PlacedMesh> shape_meshes_;  // by instance
-  std::vector<PlacedMesh> placed_;  // one a mesh; `mesh` is null where nothing shows it
+  std::vector<PlacedMesh> placed_;  // one per mesh; `mesh` is null where no instance is visible
   Attributes keep_;
 };
 

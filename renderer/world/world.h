@@ -25,8 +25,8 @@ struct Part {
   std::uint32_t vertex_count = 0;
   std::uint32_t material = 0;    ///< index into World::materials, always valid
   bool shows_light = false;      ///< as Instance's
-  bool coloured = false;         ///< a vertex of it has another colour than white
-  Box bounds;                    ///< of the positions that its triangles use; empty: not known
+  bool coloured = false;         ///< whether any vertex of it is not white
+  Box bounds;                    ///< of the positions that its triangles use; empty: unknown
   std::uint32_t face_count = 0;  ///< faces of an analytic shape; such a part has no triangles
   bool strokes = false;          ///< of lines or points, which are drawn for each picture
 
@@ -37,23 +37,23 @@ struct Part {
 
 /// A scene's surfaces flattened into one indexed triangle soup, placed in the world and recentred
 /// in double precision (design section 10): `position + origin` is the author's coordinate.
-/// Immutable once shared. Arrays of attributes that no material needs are empty (design section 8).
-/// Large meshes with several instances are kept once (Placements); their triangles and vertices
-/// come after all others.
+/// Immutable once shared. Arrays of unused attributes are empty (design section 8). Large meshes
+/// with several instances are stored once (Placements); their triangles and vertices come after all
+/// others.
 struct World {
   glm::dvec3 origin{0.0};
-  Attribute<glm::vec3> positions;          ///< capacity for one more saves the rays a copy
-  Attribute<glm::vec3> normals;            ///< unit, one a vertex
-  Attribute<glm::vec4> tangents;           ///< or empty; 0 for meshes that have none of their own
-  Attribute<glm::vec2> texcoords[2];       ///< or empty
-  Attribute<glm::vec4> colors;             ///< linear RGBA, or empty
-  Attribute<glm::uvec3> triangles;         ///< into positions
-  std::vector<ShapeFace> faces;            ///< of analytic shapes; none with placed meshes
-  Attribute<std::uint32_t> triangle_part;  ///< the part of each triangle, then of each face
+  Attribute<glm::vec3> positions;                ///< capacity for one more avoids a copy for rays
+  Attribute<glm::vec3> normals;                  ///< unit, one a vertex
+  Attribute<glm::vec4> tangents;                 ///< or empty; 0 for meshes without tangents
+  Attribute<glm::vec2> texcoords[2];             ///< or empty
+  Attribute<glm::vec4> colors;                   ///< linear RGBA, or empty
+  Attribute<glm::uvec3> triangles;               ///< into positions
+  std::vector<ShapeFace> faces;                  ///< of analytic shapes; none with placed meshes
+  Attribute<std::uint32_t> triangle_part;        ///< the part of each triangle, then of each face
   std::shared_ptr<const Placements> placements;  ///< see set_placements; null: none
-  bool flat = false;  ///< of a shared mesh: it has no normals, and three vertices a triangle
+  bool flat = false;  ///< for a shared mesh: it has no normals, and three vertices per triangle
   std::vector<Part> parts;
-  /// The scene's, then glTF's default material, then those that lines and points have.
+  /// The scene's materials, then glTF's default material, then those of lines and points.
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Image> images;
@@ -61,8 +61,8 @@ struct World {
   Box bounds;                   ///< of the positions that triangles use; empty if none
   Strokes strokes;              ///< the lines and points
 
-  /// Every surface that a ray meets has one number: a triangle's index, or that of a face of an
-  /// analytic shape behind them all.
+  /// Every surface has one number: a triangle's index, or that of a face of an analytic shape,
+  /// which come after all triangles.
   [[nodiscard]] bool is_face(std::uint32_t surface) const { return surface >= triangles.size(); }
   [[nodiscard]] const ShapeFace& face(std::uint32_t surface) const {
     return faces[surface - triangles.size()];
@@ -70,26 +70,26 @@ struct World {
   [[nodiscard]] std::uint32_t surface_count() const {
     return static_cast<std::uint32_t>(triangles.size() + faces.size());
   }
-  /// The parts that are not of lines and points come first.
+  /// Returns the number of parts without those of lines and points, which come last.
   [[nodiscard]] std::size_t solid_parts() const {
     return strokes.empty() ? parts.size() : strokes.first_part;
   }
-  /// So do the triangles that are not of lines and points.
+  /// Returns the number of triangles without those of lines and points, which come last.
   [[nodiscard]] std::size_t solid_triangles() const {
     return triangles.size() - strokes.triangle_count;
   }
-  /// Whether a picture can show anything of it.
+  /// Returns whether no picture can show anything of it.
   [[nodiscard]] bool shows_nothing() const { return surface_count() == 0 && strokes.empty(); }
 
-  /// Whether a triangle is one of a mesh that is kept once for several instances.
+  /// Returns whether a triangle belongs to a mesh that is stored once for several instances.
   [[nodiscard]] bool is_placed(std::uint32_t triangle) const {
     return placements && triangle >= triangles.own().size();
   }
-  /// Shows meshes in many places, after all that the world has of its own, which may have grown
-  /// since they were set last. Null: none.
+  /// Adds placed meshes after everything that the world has of its own, which may have grown since
+  /// the last call. Null: none.
   void set_placements(std::shared_ptr<const Placements> placed);
 
-  /// The index of a surface's material in `materials`.
+  /// Returns the index of a surface's material in `materials`.
   [[nodiscard]] std::uint32_t material_index(std::uint32_t surface) const {
     return parts[triangle_part[surface]].material;
   }
@@ -98,42 +98,43 @@ struct World {
   }
 };
 
-/// How each material of a world blurs what it mirrors, by index in World::materials; none: by its
+/// The defocusing ratios of a world's materials, by index in World::materials; none: blurred by
 /// roughness.
 using MaterialDfrs = std::vector<std::optional<Dfr>>;
 
-/// The materials' own.
+/// Returns the materials' own ratios.
 [[nodiscard]] MaterialDfrs dfrs_of(const World& world);
 
-/// A scene after flattening: its surfaces, and its lights relative to World::origin.
+/// A flattened scene: its surfaces, and its lights relative to World::origin.
 struct FlattenedScene {
   World world;
   std::vector<Light> lights;
 };
 
-/// The memory of a world's geometry, without textures.
+/// Returns the memory of a world's geometry, without textures.
 [[nodiscard]] std::size_t geometry_bytes(const World& world);
 
-/// The same world without the parts of placed meshes, whose entries stay and are empty.
+/// Returns the world without the parts of placed meshes, whose entries stay and are empty.
 [[nodiscard]] World without_placements(const World& world);
 
-/// What `flatten` refuses by default.
+/// The default limit of `flatten`.
 inline constexpr std::uint64_t most_triangles = 60'000'000;
-/// A mesh is kept once where copies for its instances would have so many triangles.
+/// A mesh is stored once if copies for its instances would have at least this many triangles.
 inline constexpr std::uint64_t fewest_copied_triangles = 100'000;
 inline constexpr std::uint64_t never_shared = ~std::uint64_t{0};
 
-/// Flattens `scene`. Shapes become faces, but for boxes and for what shines or has no inverse,
-/// which become triangles. Refuses a scene with more triangles than `max_triangles`, and one whose
-/// placed positions do not fit a float. Zero-area triangles are kept: rays miss them, and their
-/// edges bound nothing. `origin`: that of the world, in place of one that suits its positions best.
-/// Meshes whose copies would have `fewest_copied` triangles or more are kept once (Placements).
+/// Flattens `scene`. Shapes become faces, except boxes, emitters and shapes without an inverse
+/// matrix, which become triangles. Errors: more triangles than `max_triangles`, or positions that
+/// do not fit a float. Zero-area triangles are kept: rays miss them, and their edges are no
+/// boundaries. `origin` replaces the one that suits the positions best. Meshes whose copies would
+/// have `fewest_copied` triangles or more are stored once (Placements).
 [[nodiscard]] Result<FlattenedScene> flatten(const Scene& scene,
                                              std::uint64_t max_triangles = most_triangles,
                                              std::optional<glm::dvec3> origin = std::nullopt,
                                              std::uint64_t fewest_copied = fewest_copied_triangles);
 
-/// The camera that frames all of `world` when the file has none: from front, right and above.
+/// Returns a camera that frames all of `world`, for files without cameras: from front, right and
+/// above.
 [[nodiscard]] Camera default_camera(const World& world, double aspect_ratio);
 
 }  // namespace asos

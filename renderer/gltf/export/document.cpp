@@ -10,7 +10,8 @@ using nlohmann::json;
 
 namespace {
 
-/// Names may hold bytes that are not UTF-8; they must not keep a scene from being saved.
+/// Converts to text. Names may contain bytes that are not UTF-8; they are replaced, so that the
+/// scene can be saved.
 std::string dump(const json& root) {
   return root.dump(-1, ' ', false, json::error_handler_t::replace);
 }

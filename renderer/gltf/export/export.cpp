@@ -18,7 +18,7 @@ bool ends_with(const std::string& path, const std::string& ending) {
 }  // namespace
 
 Result<void> export_gltf(const Scene& scene, const std::string& path) {
-  // Refuse before anything is written.
+  // Check everything before writing.
   const bool binary = ends_with(path, ".glb");
   if (!binary && !ends_with(path, ".gltf")) {
     return unexpected(Error{path, "a scene is written as .glb or .gltf"});
@@ -27,7 +27,7 @@ Result<void> export_gltf(const Scene& scene, const std::string& path) {
     return unexpected(Error{path, why});
   }
 
-  // Collect the document, then write it in one go.
+  // Collect the document, then write it as a whole.
   exporting::GltfDocument document;
   if (!scene.name.empty()) document.root["scenes"][0]["name"] = scene.name;
   if (Result<void> images = exporting::write_images(scene, path, document); !images) {

@@ -14,8 +14,8 @@
 
 namespace asos::exporting {
 
-/// A glTF document in the making: its JSON and its one binary buffer. Members that add something
-/// return its index in the document.
+/// A glTF document under construction: its JSON and its one binary buffer. Members that add
+/// something return its index in the document.
 class GltfDocument {
  public:
   GltfDocument();
@@ -24,7 +24,7 @@ class GltfDocument {
   /// attributes, 34963 for indices, 0 for neither.
   int add_view(std::span<const std::uint8_t> bytes, int target);
 
-  /// An accessor over all of `values`, whose members are floats or 32-bit integers.
+  /// Adds an accessor over all of `values`, whose members are floats or 32-bit integers.
   template <typename T>
   int add_accessor(const std::vector<T>& values, const char* type, int component_type, int target) {
     const auto* first = reinterpret_cast<const std::uint8_t*>(values.data());
@@ -42,7 +42,7 @@ class GltfDocument {
 
   nlohmann::json root;
 
-  /// The whole file. Errors: too large for the container.
+  /// Returns the whole file. Errors: too large for the container.
   [[nodiscard]] Result<std::string> as_glb(const std::string& path);
   [[nodiscard]] std::string as_gltf();
 
@@ -53,28 +53,28 @@ class GltfDocument {
   std::vector<std::uint8_t> binary_;
 };
 
-/// A node to be filled, with its name where there is one.
+/// Returns a new node, with its name if there is one.
 [[nodiscard]] nlohmann::json named_node(const std::string& name);
 
-/// Why `scene` cannot be written as glTF, naming the part; empty when it can.
+/// Returns why `scene` cannot be written as glTF, naming the part; empty if it can.
 [[nodiscard]] std::string why_not_exportable(const Scene& scene);
 
-/// KHR_texture_transform's translation * rotation * scale for `uv_transform`; nullopt where it
-/// shears or projects, which the extension cannot say.
+/// KHR_texture_transform's translation * rotation * scale for `uv_transform`. It is nullopt if the
+/// matrix shears or projects, which the extension cannot express.
 struct TextureTransform {
   glm::dvec2 offset{0.0};
-  double rotation_rad = 0.0;  ///< counter-clockwise as the picture is seen, v running downwards
+  double rotation_rad = 0.0;  ///< counter-clockwise in the picture, with v pointing down
   glm::dvec2 scale{1.0};
 };
 [[nodiscard]] std::optional<TextureTransform> decompose(const glm::mat3& uv_transform);
 
-// Each writes one kind of thing; indices in the document are those in the scene.
+// Each function writes one kind of element; indices in the document are those in the scene.
 [[nodiscard]] Result<void> write_images(const Scene& scene, const std::string& path,
                                         GltfDocument& document);
-/// One more image, without its alpha where that is not asked for.
+/// Writes one more image, with its alpha only if `alpha` is set.
 [[nodiscard]] Result<int> write_image(const Image& image, bool alpha, const std::string& path,
                                       GltfDocument& document);
-/// After the images.
+/// Must be called after write_images.
 [[nodiscard]] Result<void> write_surroundings(const Scene& scene, const std::string& path,
                                               GltfDocument& document);
 void write_materials(const Scene& scene, GltfDocument& document);
@@ -82,7 +82,8 @@ void write_meshes(const Scene& scene, GltfDocument& document);
 void write_lights(const Scene& scene, GltfDocument& document);
 void write_cameras(const Scene& scene, GltfDocument& document);
 
-/// Writes all of `bytes` beside `path` and renames it to `path`, so that nobody sees half a file.
+/// Writes `bytes` to a temporary file next to `path` and renames it to `path`, so that no
+/// incomplete file is visible.
 [[nodiscard]] Result<void> write_atomically(const std::string& path, const std::string& bytes);
 
 }  // namespace asos::exporting

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-// How each kind of light is written: gltf/LIGHTS.md. Everything is placed by nodes without
-// scale, so that sizes are written as they are.
+// The encoding of each kind of light is in gltf/LIGHTS.md. Lights are placed by nodes without
+// scale, so that sizes are written unchanged.
 
 namespace asos::exporting {
 
@@ -23,16 +23,17 @@ json quaternion_json(const glm::dquat& q) {
   return json::array({q.x, q.y, q.z, q.w});
 }
 
-/// The turn that takes -Z to the unit `direction`, as glTF's (x, y, z, w).
+/// Returns the rotation from -Z to the unit `direction`, as glTF's (x, y, z, w).
 json rotation_json(const glm::dvec3& direction) {
   const glm::dvec3 away(0.0, 0.0, -1.0);
-  // Straight back, every half turn about an axis across -Z does; elsewhere the shortest turn.
+  // For the opposite direction, any half turn about an axis perpendicular to -Z works; otherwise
+  // use the shortest rotation.
   const double w = 1.0 + glm::dot(away, direction);
   return quaternion_json(w < 1e-12 ? glm::dquat(0.0, 0.0, 1.0, 0.0)
                                    : glm::normalize(glm::dquat(w, glm::cross(away, direction))));
 }
 
-/// The turn that takes -Z to a rectangle's direction and X to its half_u.
+/// Returns the rotation from -Z to a rectangle's direction and from X to its half_u.
 json rectangle_rotation_json(const Light& light) {
   const glm::dvec3 z = -glm::normalize(light.direction);
   const glm::dvec3 x = glm::normalize(light.half_u - glm::dot(light.half_u, z) * z);
@@ -56,11 +57,11 @@ json punctual_json(const Light& light) {
     if (std::isfinite(light.range)) out["range"] = light.range;
   }
   if (light.type == Light::Type::spot) {
-    // glTF wants the inner cone smaller than the outer one, if only by a hair.
+    // glTF requires an inner cone smaller than the outer one.
     const double inner = std::min(light.inner_cone_rad, light.outer_cone_rad * (1.0 - 1e-12));
     out["spot"] = {{"innerConeAngle", inner}, {"outerConeAngle", light.outer_cone_rad}};
   }
-  // glTF has no words for these; other programs keep extras and do not mind them.
+  // glTF has no properties for these; other programs preserve extras.
   if (!light.casts_shadows) out["extras"]["casts_shadows"] = false;
   if (light.type == Light::Type::directional) {
     if (light.angular_diameter_rad > 0.0) {
@@ -74,9 +75,9 @@ json punctual_json(const Light& light) {
 
 // --- EXT_lights_area and extras ---------------------------------------------------------------
 
-/// Every property is written, since programs differ in what they take for the defaults.
+/// Writes every property, since programs have different defaults.
 json ext_area_json(const Light& light) {
-  // The extension's colours end at 1; what is brighter goes into the intensity.
+  // The extension's colours are at most 1; the excess is moved into the intensity.
   const float brightest = std::max({light.color.x, light.color.y, light.color.z, 1.0f});
   json out{{"color", vector_json(light.color / brightest)},
            {"intensity", static_cast<double>(light.intensity) * static_cast<double>(brightest)}};
@@ -92,7 +93,7 @@ json ext_area_json(const Light& light) {
   return out;
 }
 
-/// Lists of numbers without lists in them, which is what all programs keep.
+/// Writes flat lists of numbers, since some programs drop nested lists.
 void add_corners(const Light& light, json& out) {
   out["corners"] = json::array();
   for (const std::vector<glm::dvec3>& outline : light.outlines) {
@@ -129,7 +130,7 @@ json extras_json(const Light& light) {
   return out;
 }
 
-/// Lists the light under an extension and makes the node refer to it.
+/// Adds the light to an extension's list and makes the node refer to it.
 void add_to_extension(const char* name, json light, json& node, GltfDocument& document) {
   document.use_extension(name);
   json& lights = document.root["extensions"][name]["lights"];

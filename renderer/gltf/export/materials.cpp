@@ -26,7 +26,7 @@ json texture_info(const TextureUse& use, GltfDocument& document) {
 }
 
 void write_emission(const Material& material, json& out, GltfDocument& document) {
-  // glTF's factor ends at 1; what is brighter goes into the strength.
+  // glTF's factor is at most 1; the excess is moved into the strength.
   const float brightest =
       std::max({material.emissive.x, material.emissive.y, material.emissive.z, 1.0f});
   const glm::vec3 factor = material.emissive / brightest;
@@ -38,7 +38,7 @@ void write_emission(const Material& material, json& out, GltfDocument& document)
   }
 }
 
-/// Three numbers, or one where they are the same.
+/// Returns three numbers, or one if they are equal.
 json by_colour(const Dfr& dfr, double DfrCurve::*value) {
   const double r = dfr.rgb[0].*value, g = dfr.rgb[1].*value, b = dfr.rgb[2].*value;
   return r == g && g == b ? json(r) : json{r, g, b};
@@ -125,7 +125,7 @@ void write_volume(const Volume& volume, json& out, GltfDocument& document) {
     json& written = out["extensions"]["KHR_materials_volume"];
     written = {{"thicknessFactor", volume.thickness},
                {"attenuationColor", numbers(volume.attenuation_color)}};
-    // Without a distance it is infinite, for which JSON has no number.
+    // An infinite distance is the default, and JSON has no number for it.
     if (std::isfinite(volume.attenuation_distance))
       written["attenuationDistance"] = volume.attenuation_distance;
     if (volume.thickness_texture.used())
@@ -210,7 +210,7 @@ std::optional<TextureTransform> decompose(const glm::mat3& uv_transform) {
   if (m[0].z != 0.0 || m[1].z != 0.0 || m[2].z != 1.0) return std::nullopt;
   const glm::dvec2 x(m[0]), y(m[1]);
   const double sx = glm::length(x), sy = glm::length(y);
-  // The columns are sx (cos, -sin) and sy (sin, cos): at right angles, up to a float's rounding.
+  // The columns are sx (cos, -sin) and sy (sin, cos): perpendicular up to a float's rounding.
   if (std::abs(glm::dot(x, y)) > 1e-5 * sx * sy) return std::nullopt;
   TextureTransform t;
   t.offset = glm::dvec2(m[2]);

@@ -10,7 +10,7 @@ constexpr int float_type = 5126, uint_type = 5125;
 constexpr int points_mode = 0, lines_mode = 1;
 constexpr int vertex_target = 34962, index_target = 34963;
 
-/// Doubles are written with as many digits as they have, so nothing is rounded.
+/// Writes doubles with all their digits, so that nothing is rounded.
 json matrix_json(const glm::dmat4& m) {
   json out = json::array();
   for (int column = 0; column < 4; ++column) {
@@ -42,7 +42,7 @@ json mesh_json(const Mesh& mesh, GltfDocument& document) {
   attribute("TEXCOORD_0", mesh.texcoords[0], "VEC2");
   attribute("TEXCOORD_1", mesh.texcoords[1], "VEC2");
   attribute("COLOR_0", mesh.colors, "VEC4");
-  // The indices go out as the plain numbers that the triangles, or lines or points, are made of.
+  // Write the indices as plain numbers, for triangles, lines or points.
   std::vector<std::uint32_t> indices = mesh.points;
   indices.reserve(3 * mesh.triangles.size());
   for (const glm::uvec3& t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
@@ -83,7 +83,7 @@ json camera_json(const Camera& camera) {
   return out;
 }
 
-/// The sizes of a shape by their names in KHR_implicit_shapes, and in extras.
+/// Returns the sizes of a shape by their names in KHR_implicit_shapes and in extras.
 json sizes_json(const Shape& shape) {
   switch (shape.type) {
     case Shape::Type::sphere:
@@ -113,7 +113,7 @@ const char* type_name(Shape::Type type) {
   return "cylinder";
 }
 
-/// Writes the shapes that KHR_implicit_shapes knows; the index there of each, or -1.
+/// Writes the shapes that KHR_implicit_shapes supports. Returns each shape's index there, or -1.
 std::vector<int> write_shapes(const Scene& scene, GltfDocument& document) {
   std::vector<int> index_of;
   for (const Shape& shape : scene.shapes) {
@@ -136,7 +136,7 @@ json named_node(const std::string& name) {
 }
 
 void write_meshes(const Scene& scene, GltfDocument& document) {
-  // glTF has no empty meshes: one that shows nothing is left out, and its instances stay as nodes.
+  // glTF has no empty meshes: a mesh without content is omitted, and its instances stay as nodes.
   std::vector<int> mesh_of(scene.meshes.size(), -1);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (scene.meshes[i].triangles.empty() && !scene.meshes[i].has_strokes()) continue;

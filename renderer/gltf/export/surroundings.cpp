@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-// EXT_lights_image_based: the sides as they were read, and what the extension asks for beside them,
-// the diffuse irradiance as spherical harmonics of three bands (Ramamoorthi and Hanrahan 2001).
+// EXT_lights_image_based: the sides as they were read, and the diffuse irradiance that the
+// extension requires, as spherical harmonics of three bands (Ramamoorthi and Hanrahan 2001).
 
 namespace asos::exporting {
 
@@ -21,7 +21,7 @@ namespace {
 constexpr const char* extension_name = "EXT_lights_image_based";
 constexpr std::size_t coefficients = 9;
 
-/// The real spherical harmonics of a unit direction.
+/// Returns the real spherical harmonics of a unit direction.
 std::array<double, coefficients> harmonics(const glm::dvec3& d) {
   return {0.282095,
           0.488603 * d.y,
@@ -34,13 +34,14 @@ std::array<double, coefficients> harmonics(const glm::dvec3& d) {
           0.546274 * (d.x * d.x - d.y * d.y)};
 }
 
-/// A clamped cosine's share of each: what turns radiance into irradiance.
+/// Returns the coefficient of a clamped cosine, which converts radiance to irradiance.
 double cosine_share(std::size_t coefficient) {
   constexpr double pi = std::numbers::pi;
   return coefficient == 0 ? pi : coefficient < 4 ? 2.0 * pi / 3.0 : pi / 4.0;
 }
 
-/// Where a place of side `side` lies, whose middle is at distance 1; `right` and `up` from -1 to 1.
+/// Returns a place on side `side`, whose centre is at distance 1; `right` and `up` are from -1 to
+/// 1.
 glm::dvec3 place_of(std::size_t side, double right, double up) {
   switch (side) {
     case 0:
@@ -69,7 +70,7 @@ glm::dvec3 radiance(const Surroundings::Side& side, std::size_t texel) {
   return p[3] > 0 ? linear * (255.0 / p[3]) : glm::dvec3(0.0);
 }
 
-/// Of the cube in its own axes, without its intensity.
+/// Returns the coefficients of the cube in its own axes, without its intensity.
 json irradiance_coefficients(const Surroundings& surroundings) {
   std::array<glm::dvec3, coefficients> sums{};
   double sphere = 0.0;
@@ -104,7 +105,7 @@ Result<void> write_surroundings(const Scene& scene, const std::string& path,
   const Surroundings& all = *scene.surroundings;
   json sides = json::array();
   for (const Surroundings::Side& side : all.sides) {
-    // Whether there is an alpha says whether colours are divided by it.
+    // The presence of an alpha channel decides whether colours are divided by it.
     const Result<int> image = write_image(side.image, side.divided, path, document);
     if (!image) return unexpected(image.error());
     sides.push_back(*image);

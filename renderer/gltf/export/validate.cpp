@@ -171,7 +171,7 @@ std::string camera_fault(const Camera& camera) {
   return camera.height > 0.0 && std::isfinite(camera.height) ? "" : "has no positive height";
 }
 
-/// "mesh 3 'lamp' has ..." for the first element of a list that has a fault.
+/// Returns "mesh 3 'lamp' has ..." for the first element of a list with a fault.
 template <typename List, typename Fault>
 std::string first_fault(const char* what, const List& list, Fault fault) {
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -2,9 +2,9 @@
 
 #include "renderer/gltf/pictures/picture.h"
 
-// One reader a format; is_png is that of renderer/film/image_text.h. Each is given bytes that begin
-// as its pictures do; `head` is what its
-// `..._head` has said of them. None prints or lets an exception or a jump of its library out.
+// One reader per format; is_png is in renderer/film/image_text.h. Each gets bytes that begin like
+// its format; `head` is the result of its `..._head`. None prints, or lets an exception or a
+// library's jump escape.
 
 namespace asos {
 

@@ -17,16 +17,16 @@ namespace asos {
 namespace jpeg {
 namespace {
 
-// Progressive pictures have about ten scans. Each goes over the whole picture, however few bytes it
-// has, so that thousands of them would take hours.
+// Progressive pictures have about ten scans. Each passes over the whole picture, even with few
+// bytes, so thousands of them would take hours.
 constexpr int most_scans = 200;
 
-/// libjpeg's error handler, which comes back by a jump.
+/// libjpeg's error handler, which returns by a jump.
 struct Errors {
   jpeg_error_mgr base;
   std::jmp_buf back;
   char message[JMSG_LENGTH_MAX];
-  char damage[JMSG_LENGTH_MAX];  ///< the first that the data has; empty: none
+  char damage[JMSG_LENGTH_MAX];  ///< the first damage of the data; empty: none
 };
 
 Errors& errors_of(j_common_ptr info) {
@@ -41,7 +41,7 @@ Errors& errors_of(j_common_ptr info) {
 
 void note(j_common_ptr info, int level) {
   Errors& errors = errors_of(info);
-  // Others are of no consequence, such as bytes between the parts.
+  // Other warnings have no effect, such as bytes between the parts.
   const int code = errors.base.msg_code;
   const bool damaged = level < 0 && (code == JWRN_HIT_MARKER || code == JWRN_HUFF_BAD_CODE ||
                                      code == JWRN_JPEG_EOF || code == JWRN_MUST_RESYNC ||
@@ -59,7 +59,7 @@ void end_endless_scans(j_common_ptr info) {
   }
 }
 
-/// A row of inks as Adobe writes them, upside down, in place of which its colours are put.
+/// Converts a row of Adobe's inverted inks to colours, in place.
 void make_rgba(std::span<std::uint8_t> row, bool inverted) {
   for (std::size_t i = 0; i < row.size(); i += 4) {
     const auto ink = [&](std::size_t c) {
@@ -72,7 +72,8 @@ void make_rgba(std::span<std::uint8_t> row, bool inverted) {
   }
 }
 
-/// One picture's decoder. What calls libjpeg holds nothing that has to be destroyed.
+/// Decodes one picture. Functions that call libjpeg have no objects with destructors, because of
+/// its jumps.
 class Decoder {
  public:
   Decoder() {
@@ -98,7 +99,8 @@ class Decoder {
     return true;
   }
 
-  /// Bytes of coefficients that are held until the last scan; 0 where rows come one by one.
+  /// Returns the bytes of coefficients that are in memory until the last scan; 0 if rows are
+  /// decoded one by one.
   [[nodiscard]] std::uint64_t held_bytes() {
     if (jpeg_has_multiple_scans(&info_) == FALSE) return 0;
     std::uint64_t blocks = 0;
@@ -108,7 +110,7 @@ class Decoder {
     return blocks * DCTSIZE2 * sizeof(JCOEF);
   }
 
-  /// The decoder itself makes up to 8 x 8 pixels one.
+  /// The decoder itself can reduce up to 8 x 8 pixels to one.
   [[nodiscard]] bool start(int shrink) {
     if (setjmp(errors_.back) != 0) return false;
     const bool inks = info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK;
@@ -119,7 +121,7 @@ class Decoder {
     return true;
   }
 
-  /// False where it failed; then `rows_left` tells whether there were any to come.
+  /// Reads a row. Returns false if it failed; then `rows_left` returns whether any were left.
   [[nodiscard]] bool read_row(std::uint8_t* row) {
     if (setjmp(errors_.back) != 0) return false;
     return jpeg_read_scanlines(&info_, &row, 1) == 1;

@@ -16,7 +16,8 @@ tl::unexpected<std::string> fault(std::string reason) {
   return tl::unexpected<std::string>(std::move(reason));
 }
 
-/// Names a picture by its first bytes, to say what is not supported.
+/// Returns the name of a picture's format by its first bytes, for a message that it is not
+/// supported.
 const char* other_format_of(PictureBytes bytes) {
   const auto begins = [&](std::size_t at, const char* magic) {
     const std::size_t n = std::strlen(magic);
@@ -30,7 +31,7 @@ const char* other_format_of(PictureBytes bytes) {
   return nullptr;
 }
 
-/// Why a picture that claims this size is not to be read from so many bytes.
+/// Returns why a picture of this size is not read from so many bytes.
 std::string fault_of_size(const PictureHead& head, std::size_t bytes) {
   // Deflate expands at most 1032 times, and a byte may be a whole pixel of a palette.
   constexpr std::uint64_t most_pixels_per_byte = 1100;

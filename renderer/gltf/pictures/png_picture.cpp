@@ -18,17 +18,17 @@ tl::unexpected<std::string> broken(const PngInput& input) {
 }
 
 void read_info(png_structp png, png_infop info) {
-  // Sizes are judged by what they are told of.
+  // Sizes are checked elsewhere, from the head.
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  // Text, profiles and the like take memory and time, and nothing is made of them here.
+  // Text, profiles and the like cost memory and time, and are not used.
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-  // Pictures with wrong sums are seen all the same, as in other programs.
+  // Pictures with wrong checksums are displayed nevertheless, as in other programs.
   png_set_crc_action(png, PNG_CRC_QUIET_USE, PNG_CRC_QUIET_USE);
   png_set_option(png, PNG_IGNORE_ADLER32, PNG_OPTION_ON);
   png_read_info(png, info);
 }
 
-/// Whatever the file has becomes RGBA, of 16 bits where `wide`, else of 8.
+/// Converts any format to RGBA, with 16 bits if `wide`, else with 8.
 void ask_for_rgba(png_structp png, png_infop info, bool wide) {
   png_set_expand(png);
   if (!wide) png_set_scale_16(png);
@@ -38,7 +38,7 @@ void ask_for_rgba(png_structp png, png_infop info, bool wide) {
   png_read_update_info(png, info);
 }
 
-/// The image with texels of 16 bits that rows of them make, upper byte first; of 8 where that
+/// Makes an image with 16-bit texels from rows with the upper byte first; with 8-bit texels if that
 /// loses nothing.
 Image split_bytes(Image wide) {
   Image image;
@@ -52,7 +52,7 @@ Image split_bytes(Image wide) {
   for (std::size_t i = 0; i + 1 < both.size(); i += 2) {
     high.push_back(both[i]);
     low.push_back(both[i + 1]);
-    same = same && both[i] == both[i + 1];  // 257 times a value of 8 bits
+    same = same && both[i] == both[i + 1];  // 257 times an 8-bit value
   }
   image.rgba = SharedBytes(std::move(high));
   if (!same) image.low = SharedBytes(std::move(low));
@@ -61,7 +61,7 @@ Image split_bytes(Image wide) {
 
 }  // namespace
 
-// Of the first chunk alone, so that what claims too much is judged whatever follows.
+// Reads only IHDR, so that oversized images are rejected before decoding.
 PictureResult<PictureHead> png_head(PictureBytes bytes) {
   constexpr std::size_t width_at = 16, height_at = 20, depth_at = 24, interlaced_at = 28, end = 33;
   if (bytes.size() < end || std::memcmp(bytes.data() + 12, "IHDR", 4) != 0)
@@ -95,7 +95,7 @@ PictureResult<Picture> read_png_picture(PictureBytes bytes, const PictureHead& h
   if (wide) row *= 2;
   if (width != static_cast<png_uint_32>(head.width) || made != row)
     return tl::unexpected<std::string>("its pixels are of no known kind");
-  // Of an interlaced picture all rows are held until the last has come.
+  // All rows of an interlaced picture stay in memory until the last one is read.
   const std::size_t rows_held = head.held_bytes > 0 ? static_cast<std::size_t>(head.height) : 1;
   std::vector<std::uint8_t> pixels(row * rows_held);
   if (rows_held > 1) {

@@ -8,17 +8,17 @@
 
 namespace asos {
 
-/// Makes an image of the rows of a larger one, from top to bottom: each texel is the mean of shrink
-/// by shrink pixels, channel by channel as they are stored, at the right and lower border of those
-/// that there are.
+/// Makes an image from the rows of a larger one, from top to bottom. Each texel is the mean of
+/// shrink by shrink pixels, channel by channel as stored, or of those that exist at the right and
+/// lower border.
 class RowMeans {
  public:
   /// `shrink`: 1 to 4096, so that sums stay below 2^32.
   RowMeans(int width, int height, int shrink);
 
-  /// The next row: 4 * width bytes.
+  /// Adds the next row: 4 * width bytes.
   void add(std::span<const std::uint8_t> rgba);
-  /// The image; of rows that never came, black without alpha.
+  /// Returns the image; missing rows are black without alpha.
   [[nodiscard]] Image take();
 
  private:

@@ -17,7 +17,7 @@ void place_box(Stage& stage, const std::string& name, glm::vec3 size, glm::dvec3
 
 }  // namespace
 
-// Flat-coloured boxes before a picket fence: the smallest scene, where nearly every boundary is a
+// Flat-coloured boxes in front of a picket fence: the smallest scene. Nearly every boundary is a
 // straight edge between large faces.
 Scene make_boxes() {
   Stage stage("boxes");

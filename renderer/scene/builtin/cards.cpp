@@ -17,7 +17,7 @@ glm::vec3 at_depth(glm::vec2 seen, float z) {
   return {scale * seen.x, scale * seen.y, z};
 }
 
-// A quad with these corners as the eye sees them, counter-clockwise.
+// A quad with these corners in the picture, counter-clockwise.
 Mesh card(const std::array<glm::vec2, 4>& seen, float z) {
   Mesh mesh;
   add_quad(mesh, at_depth(seen[0], z), at_depth(seen[1], z), at_depth(seen[2], z),
@@ -33,22 +33,22 @@ int plain(Stage& stage, const char* name, std::uint32_t srgb) {
 
 }  // namespace
 
-// The argument against methods that only know fractions of a pixel (CGF'98 sections 2.7 and 2.8):
-// cards whose edges coincide for the eye, one behind the other and side by side; wires thinner than
-// a pixel; a thin bar and its shadow.
+// Counterexamples for methods that only track covered fractions of a pixel (CGF'98 sections 2.7 and
+// 2.8): cards with coinciding edges, one behind the other and side by side; wires thinner than a
+// pixel; a thin bar and its shadow.
 Scene make_cards() {
   Stage stage("cards");
   const int black = plain(stage, "black", 0x000000), red = plain(stage, "red", 0xff3b30);
   const int green = plain(stage, "green", 0x30d158), white = plain(stage, "white", 0xffffff);
   stage.add("wall", card({{{-6, -4}, {6, -4}, {6, 4}, {-6, 4}}}, -4.0f), black);
 
-  // The green card is hidden behind the red one: nothing of it is seen.
+  // The green card is completely hidden by the red one.
   const std::array<glm::vec2, 4> upper_left{
       {{-2.7f, 0.15f}, {-1.6f, 0.15f}, {-1.3f, 1.5f}, {-2.5f, 1.5f}}};
   stage.add("front", card(upper_left, 0.0f), red);
   stage.add("hidden", card(upper_left, -1.0f), green);
 
-  // Together these two hide the wall: nothing of it is seen between them.
+  // Together these two hide the wall completely.
   stage.add("left", card({{{0.2f, 0.15f}, {1.2f, 0.15f}, {1.5f, 1.5f}, {0.4f, 1.5f}}}, 0.0f), red);
   stage.add("right", card({{{1.2f, 0.15f}, {2.5f, 0.15f}, {2.6f, 1.5f}, {1.5f, 1.5f}}}, -1.0f),
             green);

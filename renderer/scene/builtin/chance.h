@@ -6,7 +6,7 @@
 
 namespace asos::builtin {
 
-/// Numbers that look random, the same every time.
+/// Pseudo-random numbers, the same in every run.
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : bits_(mix_bits(seed)) {}

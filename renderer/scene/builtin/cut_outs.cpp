@@ -10,7 +10,7 @@ namespace asos::builtin {
 namespace {
 
 constexpr int side_texels = 128;
-// Alpha falls from 1 to 0 over so many texels around an outline.
+// Width of the fall of alpha from 1 to 0 around an outline, in texels.
 constexpr double softness = 6.0;
 
 struct Look {
@@ -40,7 +40,7 @@ double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
   return glm::distance(p, a + std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0) * d);
 }
 
-// Two arcs of circles from stalk to tip: as far as both disks reach.
+// The intersection of two disks: two arcs from stalk to tip.
 double leaf(glm::dvec2 p, glm::dvec2 stalk, glm::dvec2 tip, double width) {
   const glm::dvec2 middle = 0.5 * (stalk + tip), way = tip - stalk;
   const double half = 0.5 * glm::length(way);
@@ -54,7 +54,7 @@ double leaf(glm::dvec2 p, glm::dvec2 stalk, glm::dvec2 tip, double width) {
 
 Image wrought_iron() {
   return painted_shapes("wrought iron", [](glm::dvec2 p) {
-    // Bars run through the image's corners, so that they repeat.
+    // Bars pass through the image's corners, so that the image can be repeated.
     const glm::dvec2 from_bar = glm::abs(p - glm::round(p));
     const glm::dvec2 q = glm::abs(p - 0.5);
     const double bars = std::min(from_bar.x, from_bar.y) - 0.035;

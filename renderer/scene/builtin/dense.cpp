@@ -50,7 +50,7 @@ Blob urchin() {
 
 }  // namespace
 
-// 1.2 million triangles, nearly all of them in four smooth closed meshes: the outlines are long,
+// 1.2 million triangles, nearly all of them in four smooth closed meshes. The silhouettes are long,
 // but few of the triangles lie on them.
 Scene make_dense() {
   Stage stage("dense");

@@ -71,15 +71,15 @@ void add_rod_rail(Mesh& mesh, glm::vec3 from, glm::vec3 to, int rods) {
 
 }  // namespace
 
-// Hair-thin poles and wires from arm's length to the horizon, some far thinner than a pixel: what
-// point samples break into dashes.
+// Very thin poles and wires from close by to the horizon, some far thinner than a pixel. Point
+// samples break them into dashes.
 Scene make_fence() {
   Stage stage("fence");
   Mesh ground;
   add_quad(ground, {-4000, 0, 4000}, {4000, 0, 4000}, {4000, 0, -4000}, {-4000, 0, -4000});
   stage.add("ground", std::move(ground), stage.paint("grass", 0x9db36a, 1.0f));
 
-  Mesh road;  // a hand's breadth above the ground: nothing is coplanar
+  Mesh road;  // slightly above the ground, so that nothing is coplanar
   add_box(road, {-2.2f, 0.0f, -1500.0f}, {2.2f, 0.05f, 30.0f});
   stage.add("road", std::move(road), stage.paint("road", 0xb9b2a6, 0.95f));
 
@@ -102,7 +102,7 @@ Scene make_fence() {
   add_rod_rail(rail, {-3.4f, 0.0f, 0.4f}, {-3.2f, 0.0f, -6.0f}, 70);
   stage.add("rod rail", std::move(rail), stage.paint("iron", 0x2e3238, 0.5f));
 
-  // Masts on the horizon, with guys.
+  // Masts on the horizon, with guy wires.
   Mesh masts;
   for (const glm::vec3 foot :
        {glm::vec3(-95, 0, -260), glm::vec3(-210, 0, -600), glm::vec3(60, 0, -900)}) {

@@ -12,7 +12,7 @@ namespace asos::builtin {
 
 namespace {
 
-// A twig's card from its foot outwards, turned about its own way.
+// Appends a twig's card from its foot outwards, turned about its own axis.
 void add_twig(Mesh& mesh, glm::vec3 foot, glm::vec3 way, float size, float turn) {
   const glm::vec3 up = glm::normalize(way);
   const glm::vec3 side = glm::normalize(glm::cross(up, glm::vec3(0.31f, 0.2f, 0.93f)));
@@ -22,8 +22,8 @@ void add_twig(Mesh& mesh, glm::vec3 foot, glm::vec3 way, float size, float turn)
 
 }  // namespace
 
-// A young tree whose leaves are cards, each with a twig's leaves cut out by one image; and its
-// shadow on the lawn.
+// A young tree whose leaves are cards, and its shadow on the lawn. One image cuts out the leaves of
+// each card.
 Scene make_foliage() {
   Stage stage("foliage");
   Mesh lawn;
@@ -35,7 +35,7 @@ Scene make_foliage() {
   add_frustum(trunk, {0, -0.02f, 0}, {0, 1.5f, 0}, 0.075f, 0.03f, 12);
   constexpr int boughs = 11, twigs = 11;
   for (int i = 0; i < boughs; ++i) {
-    // Golden angles around the trunk; the higher, the shorter and the steeper.
+    // Golden angles around the trunk. Higher twigs are shorter and steeper.
     const float height = 0.55f + 0.085f * static_cast<float>(i);
     const float angle = 2.399963f * static_cast<float>(i);
     const float reach = 0.75f - 0.045f * static_cast<float>(i);

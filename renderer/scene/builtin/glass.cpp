@@ -36,14 +36,14 @@ int paint_glass(Stage& stage, const std::string& name, float index) {
 
 }  // namespace
 
-// Volumes of glass on a chequered floor: a ball, which turns round what is behind it, a green slab,
-// whose colour is that of the way through it, and a prism, which parts the colours.
+// Volumes of glass on a chequered floor: a ball, which inverts the image behind it; a green slab,
+// whose tint depends on the path length; and a prism, which disperses the colours.
 Scene make_glass() {
   Stage stage("glass");
   stage.add("dark squares", chequers(0), stage.paint("dark", 0x3d4654, 0.9f));
   stage.add("light squares", chequers(1), stage.paint("light", 0xe8e2d4, 0.9f));
 
-  // Faces in one plane would be met in any order.
+  // The faces are slightly apart, since the hit order of coplanar faces is undefined.
   constexpr double clear = 0.004;
   glm::dmat4 place(1.0);
   place[3] = {-0.35, 0.5 + clear, 0.0, 1.0};

@@ -9,12 +9,12 @@ namespace asos::builtin {
 
 namespace {
 
-// The house stands along x, its front towards +z; the ridge runs along x too.
+// The house stands along x with its front towards +z; the ridge runs along x, too.
 constexpr float half_length = 4.2f, half_width = 3.0f, wall_height = 4.4f, ridge_height = 6.7f;
 
 void add_walls(Stage& stage) {
   Mesh walls, base;
-  // Outline in the yz plane, extruded along x: the prism's x is -z, its z is x.
+  // The outline lies in the yz plane and is extruded along x: the prism's x is -z, its z is x.
   const std::array<glm::vec2, 5> gable{{{-half_width, 0.3f},
                                         {half_width, 0.3f},
                                         {half_width, wall_height},
@@ -79,7 +79,7 @@ void add_front_door(Stage& stage) {
   stage.add("door knob", std::move(knob), stage.paint("brass", 0xc9a24a, 0.4f));
 }
 
-/// The house with its porch, and the gazebo: all but what they stand on.
+/// Adds the house with its porch and the gazebo, without the ground.
 void add_house(Stage& stage) {
   add_walls(stage);
   add_main_roof(stage);
@@ -103,7 +103,7 @@ void add_sun(Stage& stage) {
   stage.sun("sun", sun_travel, sun_srgb, sun_lux, sun_diameter_rad);
 }
 
-/// The soft light from the sky and from behind the camera.
+/// Adds the soft fill light from the sky and from behind the camera.
 void add_fill(Stage& stage) {
   stage.sun("sky", {0.25, -1.0, 0.1}, 0xcfe0ff, 0.5f);
   stage.sun("fill", {-0.29, -0.05, -1.0}, 0xe6edff, 0.75f);
@@ -112,7 +112,7 @@ void add_fill(Stage& stage) {
 }  // namespace
 
 // About 2,800 polygons, after the house of CGF'98 section 7.2 and GI'93: thin balusters, mullions
-// and rows of tiles beside large walls, on a large plane.
+// and rows of tiles next to large walls, on a large plane.
 Scene make_house() {
   Stage stage("house");
   add_plane(stage, "ground", stage.paint("grass", 0x93ad68, 1.0f));
@@ -144,8 +144,8 @@ Scene make_house_textured() {
   stage.cover("boards", planks, 2.0f);
   stage.cover("gazebo floor", planks, 2.0f);
 
-  // As far away as the sun's stand-in has to be for its light to be even over the garden, and so
-  // large that penumbrae are a twentieth of the way from an edge to its shadow.
+  // The ball replaces the sun. It is far enough to light the garden evenly, and so large that a
+  // penumbra's width is a twentieth of the distance from the edge to its shadow.
   constexpr double distance = 150.0;
   stage.ball("ball", -distance * glm::normalize(sun_travel), 0.025 * distance, sun_srgb,
              sun_lux * static_cast<float>(distance * distance));
@@ -155,8 +155,8 @@ Scene make_house_textured() {
   return stage.take();
 }
 
-// CGF'98 figures 16 to 19: on a mirror, without textures and shadows. The camera is so low that the
-// house and its reflection each fill half of the picture.
+// CGF'98 figures 16 to 19: the house on a mirror, without textures and shadows. The camera is so
+// low that the house and its reflection each fill half of the picture.
 Scene make_house_mirror() {
   Stage stage("house-mirror");
   add_plane(stage, "mirror", stage.paint("mirror", 0xffffff, 0.0f, 1.0f));

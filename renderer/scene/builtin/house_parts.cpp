@@ -34,8 +34,8 @@ void add_railing(Mesh& mesh, glm::vec3 from, glm::vec3 to, int balusters) {
 
 void add_tiled_slope(Mesh& mesh, glm::vec2 eave, glm::vec2 ridge, float half_length, float side,
                      int courses) {
-  // The outline goes down the underside, from the ridge to the eave, and back up over the tiles,
-  // each course thick at its lower end and thin at its upper one.
+  // The outline runs down the underside, from the ridge to the eave, and back up over the tiles.
+  // Each course is thick at its lower end and thin at its upper end.
   const auto n = static_cast<std::uint32_t>(courses);
   const glm::vec2 along = (ridge - eave) / static_cast<float>(courses);
   const glm::vec2 out = glm::normalize(glm::vec2(along.y, -along.x));
@@ -126,7 +126,7 @@ void add_porch(Stage& stage, float x0, float x1, float wall) {
 
 void add_sand(Mesh& mesh) {
   constexpr int columns = 30, rows = 19;
-  // The lines of the grid are the farther apart the farther out they are.
+  // The spacing of the grid's lines grows outwards.
   const auto line = [](int i, int count, double reach) {
     const double t = 2.0 * i / count - 1.0;
     return reach * std::sinh(6.0 * t) / std::sinh(6.0);

@@ -5,8 +5,8 @@
 
 namespace asos::builtin {
 
-// About 50 thousand triangles: smooth outlines (a sphere and a torus knot, finely tessellated),
-// straight edges (boxes) and thin ones (a fence) in one picture.
+// About 50 thousand triangles with all kinds of boundaries: smooth silhouettes (a sphere and a
+// torus knot, finely tessellated), straight edges (boxes) and thin objects (a fence).
 Scene make_mixed() {
   Stage stage("mixed");
   Mesh ground;

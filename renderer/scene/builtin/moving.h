@@ -9,18 +9,18 @@
 #include <string>
 #include <vector>
 
-// Built-in scenes of which something moves.
+// Animated built-in scenes.
 
 namespace asos::builtin {
 
-/// Where one instance of a scene is placed at a time of its animation, in seconds.
+/// The placement of one instance as a function of animation time, in seconds.
 struct Motion {
   std::size_t instance = 0;  ///< index into Scene::instances
   std::function<glm::dmat4(double seconds)> world_from_mesh;
 };
 
-/// The scene with an animation of this name, `seconds` long, and a rig that poses it. At rest it is
-/// as at the beginning; after its end it stands still.
+/// Returns the scene with an animation of this name, `seconds` long, and a rig that poses it. The
+/// rest pose is that at time 0; after the end nothing moves.
 [[nodiscard]] Scene with_animation(Scene scene, std::string name, double seconds,
                                    std::vector<Motion> motions);
 

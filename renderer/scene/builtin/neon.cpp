@@ -55,8 +55,8 @@ std::vector<Stroke> strokes_of(char letter) {
   }
 }
 
-/// A word in glass tubes: where its first letter stands, and the ways along the line and up, each
-/// as long as a letter's unit.
+/// A word in glass tubes: the position of its first letter, and the directions along the line and
+/// up, each as long as a letter's unit.
 struct Word {
   std::string_view letters;
   glm::vec3 from;
@@ -65,7 +65,7 @@ struct Word {
   bool downwards = false;
 };
 
-// Strokes end short of each other, so that each tube is a solid of its own.
+// Strokes end before they meet, so that each tube is a separate solid.
 void add_word(Mesh& tubes, Mesh& holders, const Word& word) {
   constexpr float gap = 0.09f;
   const float unit = glm::length(word.along), radius = 0.055f * unit;
@@ -150,7 +150,7 @@ void add_flat_window(WindowParts& parts, glm::vec2 at, int light) {
 
 void add_windows_of_front(Stage& stage) {
   WindowParts parts;
-  // Which light burns in each: none, warm, cold or a television's.
+  // The kind of light in each window: none, warm, cold or a television's.
   constexpr std::array<std::array<int, 6>, 2> lights{{{0, -1, 0, -1, 1, 0}, {-1, 1, -1, 2, -1, 0}}};
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 6; ++column) {
@@ -195,7 +195,7 @@ void add_front(Stage& stage) {
   stage.add("awning", std::move(awning), stage.paint("awning", 0x6e1f2c, 0.8f));
 }
 
-/// The shop windows beside the door, their light box and what stands in them.
+/// Adds the shop windows on both sides of the door, their light box and the goods in them.
 void add_shop(Stage& stage) {
   Mesh frames, panes, bottles;
   for (const float x : {-4.0f, 4.0f}) {
@@ -223,7 +223,7 @@ void add_shop(Stage& stage) {
   stage.add("bottles", std::move(bottles), stage.paint("bottle", 0x1e3a2a, 0.4f));
 }
 
-/// The houses at both sides, and the sky above.
+/// Adds the houses on both sides, and the sky above.
 void add_backdrop(Stage& stage) {
   Mesh left, right, sky;
   add_box(left, {-26.0f, 0.0f, -0.9f}, {-front_half - 0.2f, 8.2f, -0.25f});

@@ -16,7 +16,7 @@ constexpr float left = -2.6f, right = 2.6f, back = -2.0f, front = 3.0f, ceiling 
 constexpr float window_y0 = 0.95f, window_y1 = 2.2f, window_z0 = -1.25f, window_z1 = 0.45f;
 constexpr float wall_depth = 0.22f;
 
-/// Floor, ceiling and walls, seen from inside; the left wall has the window's opening.
+/// Adds floor, ceiling and walls, which face inwards. The left wall has the opening of the window.
 void add_room(Stage& stage) {
   Mesh floor, top, walls;
   add_quad(floor, {left, 0, front}, {right, 0, front}, {right, 0, back}, {left, 0, back});
@@ -49,7 +49,7 @@ void add_room(Stage& stage) {
   stage.add("skirting", std::move(skirting), stage.paint("skirting", 0xf0eee6, 0.6f));
 }
 
-/// Frame and mullions in the opening, a sill, and what is seen outside.
+/// Adds frame and mullions in the opening, a sill, and the view outside.
 void add_window(Stage& stage) {
   const glm::vec2 half(0.5f * (window_z1 - window_z0), 0.5f * (window_y1 - window_y0));
   const glm::vec3 centre(left - 0.14f, 0.5f * (window_y0 + window_y1),
@@ -59,7 +59,7 @@ void add_window(Stage& stage) {
   add_frame(frame, half, half - 0.05f, 0.07f, placement);
   add_box(frame, {0.045f, 2.0f * half.y - 0.1f, 0.05f},
           glm::translate(placement, glm::vec3(0.0f, 0.0f, 0.035f)));
-  const float bar = half.x - 0.05f - 0.0225f;  // from the middle mullion to the frame
+  const float bar = half.x - 0.05f - 0.0225f;  // from the centre mullion to the frame
   for (const float side : {-1.0f, 1.0f}) {
     for (const float y : {-0.19f, 0.19f}) {
       const glm::vec3 at(side * (0.0225f + 0.5f * bar), y, 0.035f);
@@ -73,7 +73,7 @@ void add_window(Stage& stage) {
           {left + 0.16f, window_y0, window_z1 + 0.06f});
   stage.add("window sill", std::move(sill), stage.paint("sill", 0xe9e5da, 0.5f));
 
-  // The sun passes over the sky's screen, which stands low and far away.
+  // The sky's screen stands low and far away, so that the sun passes over it.
   Mesh sky, lawn, hedge, leaves, trunk;
   add_quad(sky, {-14, -0.6f, 14}, {-14, -0.6f, -22}, {-14, 5.5f, -22}, {-14, 5.5f, 14});
   add_quad(lawn, {-14, -0.4f, 14}, {-3.2f, -0.4f, 14}, {-3.2f, -0.4f, -22}, {-14, -0.4f, -22});
@@ -83,7 +83,7 @@ void add_window(Stage& stage) {
   add_frustum(trunk, {-10.4f, -0.4f, -4.6f}, {-10.4f, 1.3f, -4.6f}, 0.1f, 0.08f, 24);
   add_frustum(trunk, {-11.2f, -0.4f, -8.4f}, {-11.2f, 1.4f, -8.4f}, 0.1f, 0.08f, 24);
   stage.add("sky", std::move(sky), stage.glow("sky", 0xbcd8f5, 1.0f));
-  stage.show_light();  // the light "sky over the garden" is what it gives
+  stage.show_light();  // its light is the sun "sky over the garden"
   stage.add("lawn", std::move(lawn), stage.paint("lawn", 0x7fa650, 1.0f));
   stage.add("hedge", std::move(hedge), stage.paint("hedge", 0x4f7a3c, 1.0f));
   stage.add("tree", std::move(leaves), stage.paint("leaves", 0x6c9a45, 1.0f));
@@ -162,9 +162,9 @@ void add_whiteboard(Stage& stage) {
   stage.add("drawing", std::move(writing), stage.paint("marker", 0x2b4f95, 0.8f));
 }
 
-/// The luminous panel under the ceiling: what shines is a rectangle a hair below the panel that one
-/// sees, which would shade it otherwise. The panel is shown just brighter than white: with all of
-/// its radiance its outline could only be clipped, and would look jagged whatever the method.
+/// Adds the luminous panel under the ceiling. The light is a rectangle slightly below the visible
+/// panel, which would shadow it otherwise. The panel is displayed just brighter than white: at its
+/// full radiance its outline would be clipped and look jagged with every method.
 void add_ceiling_light(Stage& stage) {
   const glm::vec3 centre(0.1f, ceiling, -0.15f);
   const glm::mat4 facing_down =
@@ -192,7 +192,7 @@ void furnish_office(Stage& stage) {
   add_waste_bin(stage, {1.2, 0.0, -0.35});
 
   stage.sun("sun", {0.78, -0.6, 0.3}, 0xffe9c4, 5.0f);
-  stage.sun("sky over the garden", {-0.6, -0.5, 0.1}, 0xe8f1ff, 2.4f);  // the room shuts it out
+  stage.sun("sky over the garden", {-0.6, -0.5, 0.1}, 0xe8f1ff, 2.4f);  // the room blocks it
   stage.lamp("fill", {0.9, 1.75, 2.85}, 0xeaf0ff, 5.0f);
   stage.spot("bounce", {0.7, 1.45, 2.9}, {0.0, 2.7, 0.6}, 0xffefdc, 14.0f, 62.0);
 }
@@ -209,8 +209,8 @@ Scene make_office() {
   return stage.take();
 }
 
-// CGF'98 figure 20: from nearer the desk, whose metal blurs the whiteboard that it reflects; the
-// whiteboard reflects the ceiling's light. The camera is between the chair's back and the desk.
+// CGF'98 figure 20: nearer to the desk, whose metal blurs the reflected whiteboard; the whiteboard
+// reflects the ceiling light. The camera is between the chair's back and the desk.
 Scene make_office_metal() {
   Stage stage("office-metal");
   furnish_office(stage);

@@ -57,7 +57,7 @@ void add_screen(Stage& stage, const glm::dmat4& placement) {
       stage.keep("picture", std::move(picture), stage.glow("picture", 0x4f86b8, 0.8f));
   stage.place("screen", body_mesh, placement);
   stage.place("picture", picture_mesh, placement);
-  stage.show_light();  // too dim beside the panel to be a light of its own
+  stage.show_light();  // too dim compared with the panel to be a light
 }
 
 /// A mug at the origin, with a wall and a handle.
@@ -196,7 +196,7 @@ void add_shelf(Stage& stage, glm::dvec3 place) {
   stage.place("shelf", stage.keep("shelf", std::move(wood), stage.paint("shelf", 0xb79064, 0.6f)),
               placement);
 
-  // Books of many sizes and five colours; a plain generator makes them the same every time.
+  // Books of many sizes and five colours, from a fixed pseudo-random sequence.
   std::uint32_t state = 12345;
   const auto random = [&state](float from, float to) {
     state = state * 1664525u + 1013904223u;

@@ -33,7 +33,7 @@ class Tree {
 
   static constexpr int deepest = 7;
 
-  // Some direction at `angle` from `way`, at `turn` around it.
+  // Returns a direction at `angle` from `way`, rotated by `turn` around it.
   static glm::vec3 bent(glm::vec3 way, float angle, float turn) {
     const glm::vec3 aside =
         std::abs(way.y) > 0.9f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
@@ -41,7 +41,7 @@ class Tree {
     return std::cos(angle) * way + std::sin(angle) * (std::cos(turn) * u + std::sin(turn) * v);
   }
 
-  // Grows in a few pieces, each of which leans up a little and starts inside the one before it.
+  // Adds a stem in a few pieces. Each leans upwards a little and starts inside the previous one.
   Branch stem(const Branch& branch, int depth) {
     const int pieces = depth < 5 ? 3 : 2;
     const int sides = std::max(4, 12 - 2 * depth);
@@ -68,7 +68,7 @@ class Tree {
     const int forks = depth == 0 ? 4 : chance_.between(0.0f, 1.0f) < 0.3f ? 3 : 2;
     const float first_turn = chance_.between(0.0f, glm::two_pi<float>());
     for (int i = 0; i < forks; ++i) {
-      // One goes on, thicker and straighter; the others leave it.
+      // One branch continues the stem, thicker and straighter; the others fork off.
       const bool leader = i == 0 && depth > 0;
       const float turn = first_turn + glm::two_pi<float>() *
                                           (static_cast<float>(i) + chance_.between(-0.2f, 0.2f)) /
@@ -158,7 +158,7 @@ void add_benches(Stage& stage) {
   }
 }
 
-/// Lamps along the way; they are lit, for it is late in the afternoon.
+/// Adds lamps along the path. They are lit, since it is late afternoon.
 void add_globe_lamps(Stage& stage) {
   Mesh post, globe;
   const std::array<glm::vec2, 12> outline{{{0.0f, 0.0f},

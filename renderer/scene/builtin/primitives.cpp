@@ -8,7 +8,7 @@ namespace asos::builtin {
 
 namespace {
 
-/// The lamp's place, its colour and its candela, whatever its shape.
+/// The lamp's position, colour and candela, for all of its shapes.
 constexpr glm::dvec3 lamp_place(-2.6, 7.5, 3.4);
 constexpr std::uint32_t lamp_srgb = 0xfff4e2;
 constexpr float lamp_candela = 185.0f;
@@ -33,15 +33,15 @@ glm::dmat4 moved(glm::dvec3 to) {
   return glm::translate(glm::dmat4(1.0), to);
 }
 
-// Turns +Y to `up`.
+// Returns the rotation from +Y to `up`, followed by the move to `position`.
 glm::dmat4 facing(glm::dvec3 position, glm::dvec3 up) {
   const glm::dvec3 y = glm::normalize(up), z = glm::normalize(glm::cross(glm::dvec3(1, 0, 0), y));
   return {glm::dvec4(glm::cross(y, z), 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0),
           glm::dvec4(position, 1.0)};
 }
 
-// The shapes of GI'93 figure 6 with their shadows: sphere, cylinder, cone, truncated cone, box and
-// disk over a plane. All but the main light.
+// Adds the shapes of GI'93 figure 6 with their shadows: sphere, cylinder, cone, truncated cone, box
+// and disk over a plane. Adds all but the main light.
 void furnish(Stage& stage) {
   Mesh plane;
   add_quad(plane, {-300, 0, 300}, {300, 0, 300}, {300, 0, -300}, {-300, 0, -300});
@@ -61,7 +61,7 @@ void furnish(Stage& stage) {
   box.size = {1.2, 0.9, 0.8};
   stage.add("box", box, turned({-0.75, 0.45, 0.75}, 28.0), stage.paint("violet", 0x7d5ba6, 0.7f));
 
-  // Tilted, above the plane: its shadow is an ellipse that touches nothing.
+  // Tilted above the plane, so that its shadow is an ellipse that touches nothing.
   const int disk_paint = stage.paint("orange", 0xe07b39, 0.6f);
   stage.make_double_sided(disk_paint);
   stage.add("disk", round(Shape::Type::disk, 0.6), facing({0.85, 0.5, 1.2}, {-0.3, 1.0, 0.35}),
@@ -82,8 +82,8 @@ Scene make_primitives() {
   return stage.take();
 }
 
-// The lights of figure 6 have about a quarter of their distance in size, and all give the same
-// light where the shapes stand.
+// The lights of figure 6 have a size of about a quarter of their distance. All give the same
+// illuminance at the shapes.
 
 Scene make_primitives_ball() {
   Stage stage("primitives-ball");
@@ -102,7 +102,8 @@ Scene make_primitives_linear() {
 
 Scene make_primitives_rectangle() {
   Stage stage("primitives-rectangle");
-  // It hangs level; seen from the origin, its outline shrinks by a cosine, which the nits make up.
+  // It hangs level, so its outline as seen from the origin shrinks by a cosine; a higher luminance
+  // compensates for that.
   constexpr double side = 2.0;
   const double cosine = lamp_place.y / glm::length(lamp_place);
   const double nits = static_cast<double>(lamp_candela) / (side * side * cosine);
@@ -112,8 +113,8 @@ Scene make_primitives_rectangle() {
   return stage.take();
 }
 
-// CGF'98 figure 21: mirrors of three tints, so close together that each shows the others and what
-// they show, on a plane that reflects nothing.
+// CGF'98 figure 21: mirrors of three tints, so close together that there are reflections of
+// reflections, on a plane that reflects nothing.
 Scene make_solids() {
   Stage stage("solids");
   Mesh plane;
@@ -129,8 +130,8 @@ Scene make_solids() {
   stage.add("cylinder", cone(2.2, 0.65, 0.65), moved({0.3, 1.1, -0.85}), mirror("green", 0xb9e6c0));
   stage.add("cone", cone(1.9, 0.8, 0.0), moved({0.95, 0.95, 0.6}), mirror("copper", 0xf0a583));
 
-  // The lamp of the other scenes' size as seen from here, but so far away that the plane which the
-  // mirrors show is lit evenly.
+  // The lamp has the apparent size of that in the other scenes, but is far enough that the plane
+  // reflected in the mirrors is lit evenly.
   constexpr double farther = 5.0;
   stage.ball("ball", farther * lamp_place, farther * 0.8, lamp_srgb,
              static_cast<float>(farther * farther) * lamp_candela);

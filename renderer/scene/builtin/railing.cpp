@@ -7,8 +7,8 @@
 
 namespace asos::builtin {
 
-// A railing of wrought iron along a terrace: a few cards whose bars, rings and lozenges are cut out
-// by one repeated image, and their shadows.
+// A wrought-iron railing along a terrace: a few cards and their shadows. One repeated image cuts
+// out the bars, rings and lozenges.
 Scene make_railing() {
   Stage stage("railing");
   Mesh ground;
@@ -17,7 +17,7 @@ Scene make_railing() {
 
   Mesh iron;
   constexpr float height = 1.0f, length = 2.0f;
-  // As many whole squares as fit into a panel, which ends with a bar.
+  // As many whole squares as fit into a panel, and a bar at its end.
   const glm::vec2 uv_lo(-0.03f), uv_hi(4.03f, 2.03f);
   for (int i = 0; i < 3; ++i) {
     const float x = -3.2f + 2.1f * static_cast<float>(i);

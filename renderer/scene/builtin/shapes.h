@@ -24,8 +24,8 @@ namespace asos::builtin {
 /// run counter-clockwise.
 void add_quad(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d);
 
-/// The plane rectangle between `outer` and `inner`, both counter-clockwise and starting at the
-/// same corner: a wall around its window, a frame around its picture. Open.
+/// The plane area between the rectangles `outer` and `inner`, both counter-clockwise and starting
+/// at the same corner: for instance a wall around a window. Open.
 void add_rim(Mesh& mesh, std::span<const glm::vec3, 4> outer, std::span<const glm::vec3, 4> inner);
 
 /// An axis-parallel box, flat-shaded: 12 triangles.
@@ -39,8 +39,8 @@ void add_box(Mesh& mesh, glm::vec3 size, const glm::mat4& placement);
 void add_beam(Mesh& mesh, glm::vec3 from, glm::vec3 to, float width, float height,
               glm::vec3 up = {0.0f, 1.0f, 0.0f});
 
-/// Gives all of a flat-shaded mesh its first texture coordinates: metres along each face, u along
-/// the level and v down; along x and towards +z on a level one.
+/// Gives a whole flat-shaded mesh its first texture coordinates, in metres along each face: u along
+/// the horizontal and v downwards; on a horizontal face along x and towards +z.
 void add_texcoords(Mesh& mesh);
 
 /// An outline in the xy plane, counter-clockwise, extruded from z = 0 to `depth` and placed by a
@@ -57,9 +57,9 @@ void add_prism(Mesh& mesh, std::span<const glm::vec2> outline, float depth,
 void add_frame(Mesh& mesh, glm::vec2 outer, glm::vec2 inner, float depth,
                const glm::mat4& placement = glm::mat4(1.0f));
 
-/// A polyline of (radius, height) turned about the axis that starts at `base`. The outline runs
+/// A polyline of (radius, height) rotated about the axis that starts at `base`. The outline runs
 /// counter-clockwise (outwards along the bottom, up, inwards along the top); it is a closed solid
-/// when it starts and ends at radius 0. Corners of less than 35 degrees are smooth.
+/// if it starts and ends at radius 0. Corners of less than 35 degrees are smooth.
 void add_lathe(Mesh& mesh, glm::vec3 base, glm::vec3 axis, std::span<const glm::vec2> outline,
                int sides);
 
@@ -71,8 +71,8 @@ void add_frustum(Mesh& mesh, glm::vec3 base, glm::vec3 top, float base_radius, f
 /// A flat disk, open.
 void add_disk(Mesh& mesh, glm::vec3 centre, glm::vec3 normal, float radius, int sides);
 
-/// Directions spread evenly over the unit sphere and joined to 8 n^2 triangles of nearly equal
-/// size: row k of each half holds 4 k points, so there are neither slivers nor seams.
+/// Directions evenly distributed over the unit sphere, joined to 8 n^2 triangles of nearly equal
+/// size: row k of each half has 4 k points, so there are neither slivers nor seams.
 struct UnitSphere {
   std::vector<glm::vec3> directions;
   std::vector<glm::uvec3> triangles;
@@ -82,9 +82,9 @@ struct UnitSphere {
 /// A smooth sphere of 8 n^2 triangles with exact normals.
 void add_sphere(Mesh& mesh, glm::vec3 centre, float radius, int n);
 
-/// A tube of constant radius along an open polyline, with flat ends: smooth around, and smooth
-/// along the path, whose points should be close enough for that. Does not fold at corners as long
-/// as the radius is small beside the path's curvature.
+/// A tube of constant radius along an open polyline, with flat ends. It is smooth around and along
+/// the path, whose points should be dense enough for that. It does not self-intersect if `radius`
+/// is small compared with the path's radius of curvature.
 void add_tube(Mesh& mesh, std::span<const glm::vec3> path, float radius, int sides);
 
 /// A tube along the torus knot that winds `p` times around the axis (+Y through `centre`) and `q`
@@ -98,7 +98,7 @@ struct TorusKnot {
 };
 void add_torus_knot(Mesh& mesh, glm::vec3 centre, const TorusKnot& knot, int segments, int sides);
 
-/// The surface r(d) d over directions d, r being 1 plus the sum of the bumps and ripples, stretched
+/// The surface r(d) d over directions d, where r is 1 plus the sum of the bumps and ripples, scaled
 /// by `size` and moved to `centre`: star-shaped, closed, smooth, with exact normals; 8 n^2
 /// triangles.
 struct Blob {

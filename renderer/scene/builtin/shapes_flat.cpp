@@ -10,7 +10,7 @@ namespace {
 /// A planar convex polygon, flat-shaded, as a fan from its first corner.
 void add_polygon(Mesh& mesh, std::span<const glm::vec3> corners) {
   assert(corners.size() >= 3);
-  // Newell's sum is exact enough for long thin faces, where one cross product might not be.
+  // Newell's sum is precise enough for long thin faces, unlike a single cross product.
   glm::dvec3 twice_area(0.0);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3 a(corners[i] - corners[0]);

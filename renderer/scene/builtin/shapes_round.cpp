@@ -49,7 +49,7 @@ std::vector<SegmentNormals> outline_normals(std::span<const glm::vec2> outline) 
   }
   std::vector<SegmentNormals> normals;
   for (std::size_t i = 0; i < flat.size(); ++i) {
-    // At the axis the outline meets its own mirror image.
+    // At the axis the neighbouring segment is the outline's own mirror image.
     const glm::dvec2 mirrored(-flat[i].x, flat[i].y);
     const bool from_axis = i == 0 && outline[0].x == 0.0f;
     const bool to_axis = i + 1 == flat.size() && outline.back().x == 0.0f;
@@ -61,8 +61,8 @@ std::vector<SegmentNormals> outline_normals(std::span<const glm::vec2> outline) 
   return normals;
 }
 
-/// One ring of `sides` vertices. At the axis all have one position, and normals halfway to the
-/// next side, where the one triangle of that side needs it.
+/// Appends one ring of `sides` vertices. At the axis all have one position, and normals halfway to
+/// the next side, as the single triangle of that side needs.
 std::uint32_t add_ring(Mesh& mesh, glm::dvec3 base, const Basis& basis, glm::dvec2 point,
                        glm::dvec2 normal, int sides) {
   const std::uint32_t first = vertex_count(mesh);
@@ -76,8 +76,8 @@ std::uint32_t add_ring(Mesh& mesh, glm::dvec3 base, const Basis& basis, glm::dve
   return first;
 }
 
-/// Joins two rings of `sides` vertices, the second ahead of the first (outside on the left of the
-/// direction around). A ring that lies in one point takes one triangle a side.
+/// Joins two rings of `sides` vertices, the second ahead of the first (the outside is on the left
+/// of the direction around). A ring that is a single point gets one triangle per side.
 void join_rings(Mesh& mesh, std::uint32_t first, std::uint32_t second, int sides,
                 bool first_is_point = false, bool second_is_point = false) {
   const auto n = static_cast<std::uint32_t>(sides);
@@ -133,7 +133,7 @@ UnitSphere unit_sphere(int n) {
   sphere.directions.reserve(4u * n * n + 2u);
   sphere.triangles.reserve(8u * n * n);
 
-  // Rows from the north pole to the south pole; each is remembered by its first vertex.
+  // Rows from the north pole to the south pole, each by the index of its first vertex.
   std::vector<std::uint32_t> row_start;
   for (int row = 0; row <= 2 * n; ++row) {
     row_start.push_back(static_cast<std::uint32_t>(sphere.directions.size()));
@@ -150,8 +150,8 @@ UnitSphere unit_sphere(int n) {
     }
   }
 
-  // Between two rows each quarter turn has `wide` edges on the row nearer the equator and one less
-  // on the other: a strip of triangles that alternate.
+  // Between two rows each quarter turn has `wide` edges on the row nearer to the equator and one
+  // fewer on the other: a strip of alternating triangles.
   const auto at = [&row_start, n](int row, int i) {
     const int count = 4 * std::min(row, 2 * n - row);
     return row_start[row] + static_cast<std::uint32_t>(count == 0 ? 0 : i % count);
@@ -237,7 +237,7 @@ void add_tube(Mesh& mesh, std::span<const glm::vec3> path, float radius, int sid
   Basis basis(tangent(0));
   std::uint32_t previous = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    // Carry the frame along by the least turn, so that the tube does not twist.
+    // Rotates the frame by the smallest angle, so that the tube does not twist.
     basis.axis = tangent(i);
     basis.x = glm::normalize(basis.x - glm::dot(basis.x, basis.axis) * basis.axis);
     basis.z = glm::cross(basis.x, basis.axis);

@@ -11,31 +11,31 @@
 
 namespace asos::builtin {
 
-/// Collects a built-in scene. Colours are given as people write them, 0xRRGGBB in sRGB.
+/// Collects a built-in scene. Colours are 0xRRGGBB in sRGB.
 ///
 /// Brightness: a white diffuse surface under an illuminance of pi lux has radiance 1, which is
-/// display white at exposure 0. So suns have 2 to 3 lux, lamps the candela and panels the nits that
-/// give about as much where they matter. There is no ambient light: each scene has a weak fill
-/// light from near its camera, whose shadows the subject itself hides, or from the sky.
+/// display white at exposure 0. So suns have 2 to 3 lux; the candela of lamps and the nits of
+/// panels give about as much at the subject. There is no ambient light. Each scene has a weak fill
+/// light, from the sky or from near its camera, where the subject hides its shadows.
 class Stage {
  public:
   explicit Stage(const std::string& name);
 
   int paint(const std::string& name, std::uint32_t srgb, float roughness = 0.8f,
             float metallic = 0.0f);
-  /// A surface that shines with `nits` times its colour and reflects nothing.
+  /// A surface that emits `nits` times its colour and reflects nothing.
   int glow(const std::string& name, std::uint32_t srgb, float nits);
   void make_double_sided(int material) { scene_.materials[material].double_sided = true; }
-  /// The first material that was painted under this name, which has to be one: for scenes that
-  /// differ from others in what something is made of.
+  /// Returns the first material that was painted under this name, which must exist. For variants of
+  /// scenes with other materials.
   [[nodiscard]] Material& material(std::string_view name);
-  /// Keeps an image as a texture; the index is for a material. `wrap`: beyond its sides.
+  /// Keeps an image as a texture, and returns its index for a material. `wrap`: beyond its sides.
   int keep_texture(Image image, Wrap wrap = Wrap::repeat);
-  /// Makes a texture the colour of the material of this name, and gives its flat-shaded meshes
-  /// texture coordinates. The image covers squares whose side is `metres`.
+  /// Makes a texture the colour of the material of this name, and gives the flat-shaded meshes of
+  /// the material texture coordinates. The image covers squares of side `metres`.
   void cover(std::string_view material, int texture, float metres);
 
-  /// Keeps a mesh to be placed, perhaps often; the index is for `place`.
+  /// Keeps a mesh for one or more instances, and returns its index for `place`.
   int keep(const std::string& name, Mesh mesh, int material);
   void place(const std::string& name, int mesh, const glm::dmat4& world_from_mesh);
   /// Keeps a mesh that is built in world coordinates and places it there.
@@ -43,33 +43,34 @@ class Stage {
   /// Places an analytic shape.
   void add(const std::string& name, const Shape& shape, const glm::dmat4& world_from_shape,
            int material);
-  /// Makes what was placed last the visible stand-in of a light, which is no light itself.
+  /// Marks the last instance as the visible surface of a light. It emits no light itself.
   void show_light() { scene_.instances.back().shows_light = true; }
 
-  /// `travel`: the way the light goes; any length. `diameter_rad`: of the sun's disk in the sky, 0
-  /// for light from one direction only.
+  /// `travel`: the direction in which the light travels; any length. `diameter_rad`: of the sun's
+  /// disk in the sky, 0 for light from a single direction.
   void sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux,
            double diameter_rad = 0.0);
   void lamp(const std::string& name, glm::dvec3 position, std::uint32_t srgb, float candela);
   void spot(const std::string& name, glm::dvec3 position, glm::dvec3 target, std::uint32_t srgb,
             float candela, double outer_cone_deg);
-  /// A lamp that is a ball with a radius, in metres.
+  /// A spherical lamp; radius in metres.
   void ball(const std::string& name, glm::dvec3 position, double radius, std::uint32_t srgb,
             float candela);
   /// A straight tube between two ends; `candela` of the whole, seen square on.
   void tube(const std::string& name, glm::dvec3 from, glm::dvec3 to, std::uint32_t srgb,
             float candela);
-  /// A rectangle around `centre`, `size.x` wide along the level and `size.y` high, which shines
-  /// towards `target` only. One that faces straight up or down is wide along x.
+  /// A rectangle around `centre`, with `size.x` along the horizontal and `size.y` along the
+  /// vertical, which emits towards `target` only. One that faces straight up or down has its width
+  /// along x.
   void panel(const std::string& name, glm::dvec3 centre, glm::dvec3 target, glm::dvec2 size,
              std::uint32_t srgb, float nits);
-  /// The soft counterpart of a sun: a square panel at `distance` against `travel` from `target`,
-  /// whose side is 0.3 of that, so that penumbrae are 0.3 of the way from an edge to its shadow. It
-  /// gives `lux` at the target to a surface that faces it.
+  /// The soft counterpart of a sun: a square panel at `distance` from `target` against `travel`.
+  /// Its side is 0.3 of the distance, so the width of a penumbra is 0.3 of the distance from the
+  /// edge to its shadow. It gives `lux` at the target on a surface that faces it.
   void soft_sun(const std::string& name, glm::dvec3 target, glm::dvec3 travel, double distance,
                 std::uint32_t srgb, float lux);
 
-  /// Lets the lights that are there shine through everything.
+  /// Makes the existing lights cast no shadows.
   void cast_no_shadows();
 
   /// An upright perspective camera; fov is the full vertical angle.
@@ -81,11 +82,12 @@ class Stage {
   Scene scene_;
 };
 
-/// The illuminance in lux that a rectangle of `size` and one nit gives at `distance` before its
-/// middle to a surface that faces it: the closed form of its projected solid angle.
+/// Returns the illuminance, in lux, of a rectangle of `size` and one nit on a surface that faces
+/// it, at `distance` in front of its centre: the closed form of the projected solid angle.
 [[nodiscard]] double illuminance_before(glm::dvec2 size, double distance);
 
-/// A use of a texture whose coordinates are metres and whose image covers squares of this side.
+/// Returns the use of a texture with coordinates in metres, whose image covers squares of this
+/// side.
 [[nodiscard]] TextureUse by_metres(int texture, float metres);
 
 /// A sun's diameter in the sky, as seen from the earth.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int texels = 512;
 
-/// 0 to 1 for each point of a lattice, without a pattern that shows.
+/// Returns a pseudo-random value, 0 to 1, for each point of a lattice.
 double lattice_value(glm::uvec2 at, std::uint32_t seed) {
   std::uint32_t h = at.x * 0x9e3779b1u ^ at.y * 0x85ebca77u ^ seed * 0xc2b2ae3du;
   h = (h ^ (h >> 15)) * 0x2c1b3c6du;
@@ -21,7 +21,7 @@ double lattice_value(glm::uvec2 at, std::uint32_t seed) {
   return static_cast<double>(h ^ (h >> 15)) / 4294967296.0;
 }
 
-/// Smooth noise over the unit square, 0 to 1, from a lattice of `cells` points that repeats.
+/// Smooth noise over the unit square, 0 to 1, from a repeating lattice of `cells` points.
 double noise(glm::dvec2 uv, glm::uvec2 cells, std::uint32_t seed) {
   const glm::dvec2 p = glm::fract(uv) * glm::dvec2(cells), low = glm::floor(p), t = p - low;
   const glm::dvec2 blend = t * t * (3.0 - 2.0 * t);
@@ -31,14 +31,14 @@ double noise(glm::dvec2 uv, glm::uvec2 cells, std::uint32_t seed) {
   return glm::mix(top, bottom, blend.y);
 }
 
-/// The mean of `noise` and of two finer ones of half the weight each time.
+/// The weighted mean of `noise` and two finer octaves, each of half the previous weight.
 double rough_noise(glm::dvec2 uv, glm::uvec2 cells, std::uint32_t seed) {
   return (4.0 * noise(uv, cells, seed) + 2.0 * noise(uv, 2u * cells, seed + 1) +
           noise(uv, 4u * cells, seed + 2)) /
          7.0;
 }
 
-/// An image of `colour` (0 to 1) at the middle of each texel.
+/// Makes an image from `colour` (0 to 1) at the centre of each texel.
 template <typename Colour>
 Image painted(const std::string& name, Colour colour) {
   Image image{name, texels, texels, {}};
@@ -56,20 +56,20 @@ Image painted(const std::string& name, Colour colour) {
   return image;
 }
 
-/// The tangent-space normals of heights in metres, on a square whose side is `metres`.
+/// Returns the tangent-space normals of a height field in metres, on a square of side `metres`.
 template <typename Height>
 Image normals_of(const std::string& name, double metres, Height height) {
   return painted(name, [&](glm::dvec2 uv) {
     constexpr double step = 0.5 / texels;
     const glm::dvec2 u(step, 0.0), v(0.0, step);
     const double rise_u = height(uv + u) - height(uv - u), rise_v = height(uv + v) - height(uv - v);
-    // Green points up the image, which is against v.
+    // Green points up the image, so against v.
     const glm::dvec3 normal(-rise_u, rise_v, 2.0 * step * metres);
     return 0.5 + 0.5 * glm::normalize(normal);
   });
 }
 
-/// Where a place is within rows of boards that are as long as the image is wide.
+/// A point in rows of boards that are as long as the image is wide.
 struct Board {
   std::uint32_t row = 0;
   double along = 0.0;  ///< 0 to 1 from one joint to the next
@@ -91,7 +91,7 @@ Image wood_planks() {
   return painted("wood planks", [&](glm::dvec2 uv) {
     const Board board = board_at(uv, 16, 7);
     if (board.down < 0.07 || board.along < 0.004) return 0.3 * dark;
-    // The rings of a trunk, cut lengthwise: bands that waver along the plank, each a plank's own.
+    // The rings of a trunk, cut lengthwise: wavy bands along the plank, different for each plank.
     const glm::dvec2 place(board.along, uv.y);
     const double waver = rough_noise(place, {3, 24}, 11 + board.row);
     const double ring = glm::fract(3.0 * board.down + 4.0 * waver);
@@ -114,7 +114,7 @@ Image clapboards() {
 }
 
 Image sand_normals(double metres) {
-  // Heights in metres: ripples across v that waver, of uneven height, and single grains.
+  // Heights in metres: wavy ripples across v, of varying height, and single grains.
   const auto height = [](glm::dvec2 uv) {
     const double waver = rough_noise(uv, {4, 4}, 5);
     const double ripple = std::sin(2.0 * std::numbers::pi * (20.0 * uv.y + 3.0 * waver));
@@ -125,8 +125,8 @@ Image sand_normals(double metres) {
 }
 
 Image hammered_normals(double metres) {
-  // Heights in metres: overlapping dents, one in each cell of a lattice, the deepest of which
-  // counts.
+  // Heights in metres: overlapping dents, one in each cell of a lattice. The deepest dent
+  // determines the height.
   constexpr int cells = 24;
   const double depth = 0.06 * metres / cells;
   const auto height = [depth](glm::dvec2 uv) {
@@ -149,7 +149,7 @@ Image hammered_normals(double metres) {
 }
 
 Image brushed_normals(double metres) {
-  // Heights in metres: scratches along u of many lengths, as fine as the texels across it.
+  // Heights in metres: scratches along u of many lengths, one texel wide.
   const double depth = 0.00035 * metres;
   const auto height = [depth](glm::dvec2 uv) {
     return depth * (noise(uv, {3, 128}, 61) + 0.7 * noise(uv, {7, 256}, 62) +

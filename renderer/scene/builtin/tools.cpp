@@ -219,7 +219,7 @@ void add_gear(Mesh& mesh, glm::vec3 centre, float radius, int teeth) {
       {{0.9f * root, -half}, {radius, -0.6f * half}, {radius, 0.6f * half}, {0.9f * root, half}}};
   for (int i = 0; i < teeth; ++i) {
     const float angle = glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(teeth);
-    // The outline's plane is laid flat: its z becomes up.
+    // The outline's plane becomes horizontal: its z becomes up.
     glm::mat4 place(1.0f);
     place[0] = {std::cos(angle), 0.0f, -std::sin(angle), 0.0f};
     place[1] = {-std::sin(angle), 0.0f, -std::cos(angle), 0.0f};
@@ -244,11 +244,11 @@ void add_round_texcoords(Mesh& mesh, std::uint32_t first, glm::vec3 base, glm::v
     const glm::vec3 p = mesh.positions[i] - base;
     const float out_x = glm::dot(p, x), out_z = glm::dot(p, z);
     const float turn = std::atan2(out_z, out_x) / glm::two_pi<float>() + 0.5f;
-    // Down the outline, as far as it goes outwards and along the axis together.
+    // The sum of the horizontal and the axial distance, which grows along the outline.
     const float down = glm::dot(p, up) + std::sqrt(out_x * out_x + out_z * out_z);
     mesh.texcoords[0][i] = flat_end(i) ? glm::vec2(out_x, out_z) : glm::vec2(turn * around, -down);
   }
-  // A triangle over the seam gets vertices of its own where the turn is small.
+  // Triangles across the seam get copies of their vertices with small u, one turn further.
   for (glm::uvec3& t : mesh.triangles) {
     if (t.x < first || flat_end(t.x)) continue;
     const auto u = [&](std::uint32_t i) { return mesh.texcoords[0][i].x; };

@@ -10,7 +10,7 @@
 
 namespace asos::builtin {
 
-/// What tools are made of, mesh by mesh.
+/// The parts of tools by material.
 struct ToolMeshes {
   Mesh blades;   ///< flat steel
   Mesh rods;     ///< round steel
@@ -19,7 +19,7 @@ struct ToolMeshes {
   Mesh cast;  ///< painted cast iron
 };
 
-// Tools hang down on a board towards +z, their upper end at `at`, `length` metres long.
+// Tools hang on a board and face +z, with their upper end at `at`, `length` metres long.
 void add_spanner(ToolMeshes& tools, glm::vec3 at, float length);
 void add_screwdriver(ToolMeshes& tools, glm::vec3 at, float length);
 void add_hammer(ToolMeshes& tools, glm::vec3 at, float length);
@@ -34,12 +34,12 @@ void add_vice(ToolMeshes& tools, glm::vec3 foot);
 /// A bowl, or a vase, that stands at `foot`: `size` is its largest radius.
 void add_vessel(Mesh& mesh, glm::vec3 foot, float size, bool tall);
 
-/// A gear that lies flat.
+/// A gear with a vertical axis.
 void add_gear(Mesh& mesh, glm::vec3 centre, float radius, int teeth);
 
-/// Gives the vertices from `first` on, a surface turned about an axis, texture coordinates in
-/// metres: u around it, as long as at `radius`, and v along the outline; flat ends as seen along
-/// the axis. Vertices at the seam become two.
+/// Gives the vertices from `first` on, which form a surface of revolution, texture coordinates in
+/// metres: u around the axis, measured at `radius`, and v along the outline. Flat ends get their
+/// coordinates along the axis. Vertices at the seam are doubled.
 void add_round_texcoords(Mesh& mesh, std::uint32_t first, glm::vec3 base, glm::vec3 axis,
                          float radius);
 

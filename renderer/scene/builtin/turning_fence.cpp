@@ -6,8 +6,8 @@
 
 namespace asos::builtin {
 
-// Pickets that are a few pixels wide where they face the viewer and a fraction of one where they
-// stand edgewise, and whose outlines creep over the pixels as the fence turns about its middle.
+// A fence that turns about its centre. Its pickets are a few pixels wide where they face the viewer
+// and a fraction of a pixel where they are seen edge-on, so their outlines creep over the pixels.
 Scene make_turning_fence() {
   constexpr double seconds_a_turn = 30.0;
   Stage stage("turning-fence");

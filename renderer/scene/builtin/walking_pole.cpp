@@ -7,7 +7,7 @@
 
 namespace asos::builtin {
 
-// A pole, half a pixel wide in a picture of 180 rows, that walks by a quarter of such a pixel in a
+// A pole, half a pixel wide in a picture of 180 rows, that moves by a quarter of such a pixel in a
 // 24th of a second. It leans, so that it enters pixels one by one.
 Scene make_walking_pole() {
   constexpr double seconds = 10.0, metres_a_second = 0.1;

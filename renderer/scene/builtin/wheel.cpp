@@ -13,10 +13,10 @@ namespace asos::builtin {
 
 namespace {
 
-// The wheel turns about an axis along z; all is symmetric to the plane z = 0.
+// The wheel turns about an axis along z; everything is symmetric about the plane z = 0.
 constexpr glm::vec3 hub(0.0f, 9.4f, 0.0f);
 constexpr float rim_radius = 7.6f, inner_radius = 6.9f, ring_radius = 3.2f;
-constexpr float half_gap = 0.85f;  // from the middle to either rim
+constexpr float half_gap = 0.85f;  // from the centre to either rim
 constexpr int cabins = 12, fields = 48;
 
 glm::vec3 on_wheel(float turn, float radius, float z) {
@@ -41,7 +41,7 @@ void add_hoop(Mesh& mesh, glm::vec3 centre, float radius, float tube_radius, int
   add_lathe(mesh, centre, {0.0f, 0.0f, 1.0f}, outline, sides);
 }
 
-/// Two rims, each of two hoops with a lattice between them, and what keeps the rims apart.
+/// Adds two rims, each of two hoops with a lattice between them, and the spacers between the rims.
 void add_rims(Stage& stage) {
   Mesh hoops, lattice;
   for (const float z : {-half_gap, half_gap}) {
@@ -152,7 +152,7 @@ CabinMeshes keep_cabin(Stage& stage) {
   return meshes;
 }
 
-// Cabins hang upright wherever the wheel stands; it stands a bit off the top.
+// Cabins hang upright at every position of the wheel, which is rotated by a small angle.
 void add_cabins(Stage& stage) {
   const CabinMeshes cabin = keep_cabin(stage);
   for (int i = 0; i < cabins; ++i) {
@@ -177,7 +177,7 @@ void add_rod_railing(Mesh& mesh, glm::vec3 from, glm::vec3 to, int rods) {
     add_frustum(mesh, end, end + 1.12f * up, 0.035f, 0.035f, 10);
 }
 
-/// The platform where people get on, with steps, railings and a booth.
+/// Adds the boarding platform, with steps, railings and a booth.
 void add_platform(Stage& stage) {
   Mesh deck, rails, booth, roof, counter;
   add_box(deck, {-3.0f, 0.0f, -2.0f}, {3.0f, 0.34f, 2.0f});
@@ -203,7 +203,7 @@ void add_platform(Stage& stage) {
   stage.add("booth roof", std::move(roof), stage.paint("awning", 0xc94f4a, 0.8f));
 }
 
-/// Strings of bulbs' wires from the top of the legs to masts, and flags.
+/// Adds light strings from the top of the legs to masts, and flags.
 void add_masts(Stage& stage) {
   Mesh masts, wires;
   for (const glm::vec3 foot : {glm::vec3(-9.5f, 0.0f, 3.0f), glm::vec3(9.8f, 0.0f, 1.5f)}) {
@@ -226,7 +226,7 @@ void add_masts(Stage& stage) {
 
 }  // namespace
 
-// Hundreds of rods as thin as a pixel, which cross each other and their own shadows.
+// Hundreds of rods one pixel thick, which cross each other and their own shadows.
 Scene make_wheel() {
   Stage stage("wheel");
   Mesh ground, paving;

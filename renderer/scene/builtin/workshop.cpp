@@ -18,7 +18,7 @@ namespace {
 // The bench stands along the wall z = 0; its top is one metre above the floor.
 constexpr float bench_half = 2.1f, bench_depth = 0.85f, bench_top = 0.95f;
 
-/// A metal whose roughness is such that it shows the lamps and not the room.
+/// Adds a metal that is rough enough to reflect only the lamps recognizably, not the room.
 int paint_metal(Stage& stage, const std::string& name, std::uint32_t srgb, float roughness,
                 int normals = -1, float metres = 1.0f) {
   const int index = stage.paint(name, srgb, roughness, 1.0f);
@@ -40,7 +40,7 @@ void add_workshop(Stage& stage) {
   stage.add("board edge", std::move(edge), stage.paint("pale wood", 0xc9a777, 0.7f));
 }
 
-/// A wooden bench whose top is covered with a hammered sheet, with drawers under it.
+/// Adds a wooden bench with a hammered sheet on its top, and drawers under it.
 void add_bench(Stage& stage, int hammered) {
   Mesh wood, sheet, drawers, knobs;
   add_box(wood, {-bench_half, bench_top - 0.08f, 0.05f},
@@ -132,7 +132,7 @@ void add_pipes(Stage& stage, int brushed) {
   stage.add("brackets", std::move(brackets), paint_metal(stage, "bracket", 0x8c9094, 0.5f));
 }
 
-/// What is being made: bowls and a vase beaten from sheet, and gears.
+/// Adds the workpieces: bowls and a vase beaten from sheet, and gears.
 void add_work(Stage& stage, int hammered, int brushed) {
   struct Vessel {
     const char* name;
@@ -188,7 +188,7 @@ void add_tools(Stage& stage, int brushed) {
   stage.add("vice", std::move(tools.cast), stage.paint("blue paint", 0x2f5a86, 0.5f));
 }
 
-/// A lamp of two tubes above the bench, and one beside it, as panels in their housings.
+/// Adds a lamp of two tubes above the bench, and one beside it, as panels in their housings.
 void add_panel_lamps(Stage& stage) {
   Mesh housing, panels, chains;
   for (const float x : {-1.15f, 1.15f}) {
@@ -203,7 +203,7 @@ void add_panel_lamps(Stage& stage) {
   stage.add("lamp chains", std::move(chains), stage.paint("chain", 0x6a6c70, 0.6f));
   stage.add("lamp panels", std::move(panels), stage.glow("lamp light", 0xfff3dc, 1.2f));
   stage.show_light();
-  // A strip under the tool board, whose shine the bench shows.
+  // A strip light under the tool board, whose highlight is visible on the bench.
   Mesh strip, strip_panel;
   add_box(strip, {-1.7f, 1.165f, 0.05f}, {1.7f, 1.2f, 0.11f});
   add_box(strip_panel, {-1.66f, 1.158f, 0.06f}, {1.66f, 1.17f, 0.1f});
@@ -216,7 +216,7 @@ void add_panel_lamps(Stage& stage) {
 
 }  // namespace
 
-// Sheets, pipes and tools whose shine breaks up in a map of normals, under lamps of some size.
+// Sheets, pipes and tools under area lamps. A normal map breaks up their highlights.
 Scene make_workshop() {
   Stage stage("workshop");
   const int hammered = stage.keep_texture(hammered_normals(1.0));
