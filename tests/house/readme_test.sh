@@ -12,7 +12,20 @@ program=$2
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 mkdir "$work/bin"
-ln -s -- "$program" "$work/bin/asos"
+# Documents ask for pictures that people look at. Here a quarter of the width and height will do, but
+# where a command names places in the picture.
+cat >"$work/bin/asos" <<END
+#!/usr/bin/env bash
+arguments=("\$@")
+if [[ \${1-} == render && " \$* " != *' --crop '* ]]; then
+  for ((i = 1; i < \$#; ++i)); do
+    [[ \${arguments[i]} == --size && \${arguments[i + 1]} =~ ^([0-9]+)x([0-9]+)\$ ]] || continue
+    arguments[i + 1]=\$((BASH_REMATCH[1] / 4))x\$((BASH_REMATCH[2] / 4))
+  done
+fi
+exec $(printf '%q' "$program") "\${arguments[@]}"
+END
+chmod +x "$work/bin/asos"
 
 # checked_blocks DOCUMENT PREFIX: writes one file per block, PREFIX1 and so on.
 checked_blocks() {
