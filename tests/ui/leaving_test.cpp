@@ -212,6 +212,7 @@ TEST_F(LeavingTest, AFinishedSaveIsShownThoughNobodyMoves) {
 
 // The panel about a pixel is laid out in full though nobody moves while it is found out.
 TEST_F(LeavingTest, APixelsPanelIsCompleteThoughNobodyMoves) {
+  rig.set_blind(false);  // what the last frame showed is asked for
   rig.set_pixel_size(1);
   EXPECT_TRUE(rig.settle());
   rig.move_to({170, 300});

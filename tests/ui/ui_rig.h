@@ -45,7 +45,7 @@ class UiRig {
   [[nodiscard]] bool frames_until(const std::function<bool()>& done, double limit_seconds = 600.0);
   /// Draws as the window does: only frames that are due. The rig's time jumps from one to the next.
   /// True once none is due any more; false after `limit_seconds` of that time.
-  [[nodiscard]] bool sleeps(double limit_seconds = 600.0);
+  [[nodiscard]] bool sleeps(double limit_seconds = 36000.0);
   /// Frames until the render is finished and shown and the input is used up.
   [[nodiscard]] bool settle();
   void resize(glm::ivec2 size);
