@@ -54,7 +54,24 @@ void add_rung(Ladders& ladders, Rung rung) {
   ladders.push_back({std::move(rung)});
 }
 
+// The scene of the papers' argument against methods that know only fractions of a pixel, and the
+// methods that it is shown with.
+const StudyScene& argument_scene() {
+  static const StudyScene scene{"builtin:cards", {}};
+  return scene;
+}
+constexpr std::array argument_methods{"asos", "sobol", "cone", "covers", "mask"};
+
+void add_argument_rungs(Ladders& ladders, const RenderSettings& base) {
+  for (const char* method : argument_methods) {
+    auto ladder = ladder_of(method, base);
+    if (!ladder) continue;
+    for (Rung& rung : *ladder) add_rung(ladders, std::move(rung));
+  }
+}
+
 void add_paper_rungs(Ladders& ladders, const StudyScene& scene, const RenderSettings& base) {
+  if (scene == argument_scene()) return add_argument_rungs(ladders, base);
   bool any = false;
   for (const PaperCase& row : paper_cases) {
     if (!(scene == scene_of(row))) continue;
@@ -230,6 +247,7 @@ std::vector<StudyScene> scenes_of(const StudyPlan& plan) {
   if (!plan.paper) return scenes;
   for (const PaperCase& row : paper_cases)
     if (const StudyScene scene = scene_of(row); !contains(scenes, scene)) scenes.push_back(scene);
+  if (!contains(scenes, argument_scene())) scenes.push_back(argument_scene());
   return scenes;
 }
 

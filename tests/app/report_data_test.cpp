@@ -1,6 +1,7 @@
 #include "app/report/report_data.h"
 
 #include "app/report/html_page.h"
+#include "app/report/method_faults.h"
 #include "app/report/plots.h"
 #include "app/report/subdivision_tables.h"
 #include "tests/app/run_asos.h"
@@ -116,8 +117,29 @@ TEST(HtmlPaper, CountsWinsInWordsAndHasGi93sTables) {
   EXPECT_TRUE(contains(text, "faster here in <strong>2</strong>"));
   EXPECT_TRUE(contains(text, "by the published ratio or more in <strong>0</strong>"));
   EXPECT_TRUE(contains(text, "23.65 / 73.70"));
+  EXPECT_TRUE(contains(text, "<th>covers</th><th>mask</th>"));
   for (const char* primitive : {"sphere", "polygon", "disk", "box", "cone", "cylinder"})
     EXPECT_TRUE(contains(text, "<tr><td class=\"t\">" + std::string(primitive) + "</td>"));
+}
+
+// The papers' argument in numbers, by method: asos, sobol, cone, covers, mask.
+TEST(MethodFaults, AreThoseThatThePapersDescribe) {
+  const auto faults = method_faults();
+  ASSERT_TRUE(faults) << faults.error().message();
+  ASSERT_EQ(faults->size(), 5u);
+  const auto error = [&](const char* method, std::size_t subject) {
+    for (const MethodFaults& of : *faults)
+      if (of.method == method) return of.errors[subject];
+    ADD_FAILURE() << method;
+    return 0.0;
+  };
+  for (const std::size_t subject : {0u, 1u})  // cards behind each other and side by side
+    for (const char* fractions : {"cone", "covers"})
+      EXPECT_GT(error(fractions, subject), 5.0 * error("asos", subject)) << fractions << subject;
+  for (std::size_t subject = 0; subject < fault_subjects.size(); ++subject)
+    for (const char* other : {"sobol", "cone", "covers", "mask"})
+      EXPECT_LT(error("asos", subject), error(other, subject)) << other << ' ' << subject;
+  EXPECT_GT(error("mask", 4), 3.0 * error("asos", 4)) << "wires between the points of masks";
 }
 
 TEST(SubdivisionTables, CountAsPublished) {

@@ -213,6 +213,7 @@ TEST_F(LeavingTest, AFinishedSaveIsShownThoughNobodyMoves) {
 
 // The pixel panel is laid out completely without any input while its report is computed.
 TEST_F(LeavingTest, APixelsPanelIsCompleteThoughNobodyMoves) {
+  rig.set_blind(false);  // what the last frame showed is asked for
   rig.set_pixel_size(1);
   EXPECT_TRUE(rig.settle());
   rig.move_to({170, 300});

@@ -31,9 +31,10 @@ class TourEndTest : public PanelsTest {
       for (int i = 0; i < 3; ++i) rig.frame();
       rig.click("Next");
     }
-    for (int i = 0; i < 3; ++i) rig.frame();
+    const char* slider = "Tolerance (EPS)";
+    ASSERT_TRUE(rig.frames_until([&] { return rig.content().controls().all().contains(slider); }));
     const double before = settings().asos.eps;
-    slide("Tolerance (EPS)", 0.6f, 0.05f);
+    slide(slider, 0.6f, 0.05f);
     ASSERT_NE(settings().asos.eps, before);
     rest();
   }

@@ -67,8 +67,7 @@ class TourOf {
   }
   [[nodiscard]] bool found() {
     const auto begin = std::chrono::steady_clock::now();
-    const bool found =
-        opened_ && rig.frames_until([&] { return state().tour.found.has_value(); }, 10.0);
+    const bool found = opened_ && rig.frames_until([&] { return state().tour.found.has_value(); });
     took_ = std::chrono::steady_clock::now() - begin;
     return found;
   }

@@ -46,7 +46,7 @@ class UiRig {
   [[nodiscard]] bool frames_until(const std::function<bool()>& done, double limit_seconds = 600.0);
   /// Draws only the frames that are due, like the window; the rig's time jumps from one to the
   /// next. Returns true once none is due any more, false after `limit_seconds` of that time.
-  [[nodiscard]] bool sleeps(double limit_seconds = 600.0);
+  [[nodiscard]] bool sleeps(double limit_seconds = 36000.0);
   /// Draws frames until the render is finished and displayed and all input is processed.
   [[nodiscard]] bool settle();
   void resize(glm::ivec2 size);

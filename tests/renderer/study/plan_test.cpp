@@ -131,6 +131,10 @@ TEST(Plan, ThePapersCasesBringTheirOwnScenesAndSettings) {
                                "stochastic 16 spp", "stochastic 64 spp"})
     EXPECT_EQ(points.count(expected), 1u) << expected;
   EXPECT_EQ(points.count("sobol 16 spp"), 0u);
+  std::set<std::string> argued;
+  for (const Job& job : *jobs)
+    if (job.kind == JobKind::point && job.scene == "builtin:cards") argued.insert(job.rung.method);
+  EXPECT_EQ(argued, (std::set<std::string>{"asos", "cone", "covers", "mask", "sobol"}));
 }
 
 TEST(Plan, EveryPublishedCaseIsMeasuredOnATruePictureOfItsOwn) {
@@ -165,7 +169,7 @@ TEST(Plan, EveryPublishedCaseIsMeasuredOnATruePictureOfItsOwn) {
   EXPECT_EQ(settings_of("builtin:solids bounces 6", "stochastic", "64 spp")->mirror.bounces, 6);
   EXPECT_EQ(settings_of("builtin:house-textured", "asos", "MAX 2 EPS 0 TR 4")->texture.resolution,
             4);
-  EXPECT_EQ(scenes_of(plan).size(), 7u) << "one true picture each, with its own reference";
+  EXPECT_EQ(scenes_of(plan).size(), 8u) << "seven true pictures of cases, and the cards";
   for (const Job& job : *jobs)
     if (job.kind == JobKind::reference && job.scene == "builtin:house-mirror DFR 0.05,1,64") {
       EXPECT_EQ(job.rung.settings.mirror.dfr->rgb[0].exponent, 64.0) << job.title();
