@@ -1,6 +1,6 @@
 #pragma once
 
-namespace asos {
+namespace asos::ui {
 
 /// The parts of a scene's look that were asked for, and stay for scenes that are opened. The others
 /// follow the scene: see default_look and default_background. The ground stays with a sky.
@@ -10,4 +10,4 @@ struct ChosenLook {
   bool background = false;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -3,7 +3,7 @@
 #include "renderer/film/split_map.h"
 #include "renderer/film/tone.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// How a finished picture is shown. Nothing here restarts a render but the tone curve, by which EPS
 /// judges what shows (judged_by).
@@ -24,4 +24,4 @@ struct DisplaySettings {
   bool operator==(const DisplaySettings&) const = default;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

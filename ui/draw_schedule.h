@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Decides when the window draws: what a person does is followed at once; tiles that arrive are
 /// shown less often, because showing them takes time from rendering them; and while nothing
@@ -33,4 +33,4 @@ class DrawSchedule {
   bool settling_ = false;  // the frame being drawn shows it
 };
 
-}  // namespace asos
+}  // namespace asos::ui

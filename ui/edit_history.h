@@ -7,7 +7,7 @@
 #include <deque>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Undo and redo of what a person edits: settings, lights, camera and display. What belongs
 /// together, as a drag or turns of the wheel, is one step: a step ends when nothing has changed for
@@ -56,4 +56,4 @@ class EditHistory {
   std::optional<std::size_t> group_;  // steps that were there when it began
 };
 
-}  // namespace asos
+}  // namespace asos::ui

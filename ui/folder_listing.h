@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A folder, or a file that can be opened: a model, or a saved picture.
 struct FolderEntry {
@@ -55,4 +55,4 @@ struct NextModel {
 /// is alone there, in the folders beside it. None: it is no file, or the only model.
 [[nodiscard]] std::optional<NextModel> next_model(const std::string& file, int step);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 
 #include <malloc.h>
 
-namespace asos {
+namespace asos::ui {
 
 /// Gives what has been freed back to the system, on a thread of its own: glibc keeps it, in as many
 /// heaps as threads have worked, and after a few scenes that is several times what is in use.
@@ -27,4 +27,4 @@ class FreeMemory {
   LatestJob<int, int> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// Shows a film in the current OpenGL context: display bytes and split map as two RGBA8 textures.
 /// Tone mapping runs on the processor for changed pixels only, and only cells that changed are
@@ -132,4 +132,4 @@ class GlDisplay {
   Layer error_layer_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

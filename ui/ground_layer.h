@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-namespace asos {
+namespace asos::ui {
 
 /// Puts the open scene on the ground that the settings ask for, on a thread of its own. All members
 /// are for one thread.
@@ -36,4 +36,4 @@ class GroundLayer {
   LatestJob<Request, Built> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

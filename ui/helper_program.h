@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The path of a program on $PATH; empty: it is not installed.
 [[nodiscard]] std::string find_program(const std::string& name);
@@ -19,4 +19,4 @@ namespace asos {
                                        const std::string& input_file,
                                        const std::function<bool()>& stop);
 
-}  // namespace asos
+}  // namespace asos::ui

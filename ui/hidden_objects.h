@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// Takes objects out of a scene that was loaded: `hidden` are their places among those that show
 /// something, ascending, in the order of World::parts. Others, and places beyond the last, do
@@ -15,4 +15,4 @@ void leave_out(Scene& scene, const std::vector<int>& hidden);
 /// out.
 [[nodiscard]] int place_among_all(int shown, const std::vector<int>& hidden);
 
-}  // namespace asos
+}  // namespace asos::ui

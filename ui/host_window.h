@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A window of the system as the loop that draws into it knows it; an OpenGL context belongs to it.
 /// Main thread only.
@@ -39,4 +39,4 @@ class HostWindow {
   [[nodiscard]] virtual Happened take_happened() = 0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 /// Whether the outcome of a request that a newer one overtook while it was worked on still counts.
 enum class Overtaken { dropped, kept };
@@ -79,4 +79,4 @@ class LatestJob {
   std::jthread thread_;  // last: stops before what it uses goes
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Keeps the exposure of the window as DisplaySettings::auto_exposure asks. Switches that on for a
 /// scene whose lights would whiten too much of the picture (usual_exposure). Meters on a thread of
@@ -39,4 +39,4 @@ class MeteredExposure {
   LatestJob<Request, Metering> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A material that can mirror, with those that look like it: they are edited as one, because no
 /// boundary is looked for where they meet.
@@ -23,4 +23,4 @@ struct MirrorMaterial {
 /// Index of the one that `material` belongs to; -1: none.
 [[nodiscard]] int find_mirror(const std::vector<MirrorMaterial>& mirrors, std::uint32_t material);
 
-}  // namespace asos
+}  // namespace asos::ui

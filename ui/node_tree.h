@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A scene's nodes that show surfaces, or have nodes below that do, as a tree. Objects are counted
 /// as in SceneContents::object_nodes, hidden ones included.
@@ -55,4 +55,4 @@ class NodeTree {
   std::vector<int> order_;  // the objects, so that those below a node stand together
 };
 
-}  // namespace asos
+}  // namespace asos::ui

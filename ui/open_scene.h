@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The scene that is open, and how another one is opened in the background. Like a pointer to the
 /// scene it is null before there is one. One thread; loading happens on another.
@@ -112,4 +112,4 @@ class OpenScene {
   SceneLoader loader_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

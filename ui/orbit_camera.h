@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace asos {
+namespace asos::ui {
 
 /// A camera that circles a pivot: azimuth, elevation and roll about it, and a distance. Every file
 /// camera can be taken over exactly. +Y is up; at the poles the picture's right stays defined by
@@ -74,4 +74,4 @@ class OrbitCamera {
   std::uint64_t revision_ = 0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

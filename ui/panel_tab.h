@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace asos {
+namespace asos::ui {
 
 /// Tabs of the panel.
 enum class PanelTab {
@@ -15,4 +15,4 @@ enum class PanelTab {
 /// The names in the file of settings, in the order of the values.
 inline constexpr std::array panel_tab_names{"antialias", "scene", "measure", "all"};
 
-}  // namespace asos
+}  // namespace asos::ui

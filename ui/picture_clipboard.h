@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The program and arguments that put a PNG onto the clipboard: wl-copy under Wayland, xclip under
 /// X11, which read `file` as their input. The error says what is to be installed.
@@ -19,4 +19,4 @@ using ClipboardJob = StoppableJob<Result<void>>;
 /// one.
 [[nodiscard]] Result<void> copy_picture(ClipboardJob& job, RgbImage image);
 
-}  // namespace asos
+}  // namespace asos::ui

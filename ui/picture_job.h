@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-namespace asos {
+namespace asos::ui {
 
 /// A picture to be rendered into a file.
 struct PictureOrder {
@@ -63,4 +63,4 @@ class PictureJob {
   std::jthread thread_;  // last: stops before what it uses goes
 };
 
-}  // namespace asos
+}  // namespace asos::ui

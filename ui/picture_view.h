@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 /// Where the picture lies in the area of the window that shows it: zoom and pan of finished pixels.
 /// All lengths are framebuffer pixels, y down, from the area's top left. A picture of the area's
@@ -37,4 +37,4 @@ class PictureView {
   glm::vec2 offset_{0.0f};
 };
 
-}  // namespace asos
+}  // namespace asos::ui

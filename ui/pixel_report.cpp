@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -188,4 +188,4 @@ PixelReport PixelInspector::work(const Request& request) {
   return report;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

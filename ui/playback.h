@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// Plays the animations of the open scene: a clock, and the scene posed at its time in the
 /// background, on the stage of the one at rest. The next pose is asked for when the last one has
@@ -122,4 +122,4 @@ class Playback {
   LatestJob<Request, Pose> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

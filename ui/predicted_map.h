@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The split map of a film while its pixels are rendered again with another EPS or MAX: what each
 /// pixel told when it was last final, and the level and cause predicted from it (LevelPrediction).
@@ -46,4 +46,4 @@ class PredictedMap {
   RenderSettings asked_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The render of what the window shows, and its picture: begun anew whenever what it is of changes,
 /// resting when its refinement says so. One thread; rendering happens on others.
@@ -100,4 +100,4 @@ class PreviewRender {
   RenderSession session_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -17,7 +17,7 @@
 #include <functional>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// The model that the window works on: the open scene, what a person edits of it, the viewpoint,
 /// and the render of it all with its refinement. Knows neither OpenGL nor ImGui. One thread;
@@ -85,4 +85,4 @@ class Previewer {
   bool holds_free_memory_ = false;  // loading has left some
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Until when a render refines. Nothing here restarts one: a limit that is raised lets it go on.
 struct RefinementLimits {
@@ -54,4 +54,4 @@ class Refinement {
   Rest rest_ = Rest::none;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

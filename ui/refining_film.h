@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The picture that the window shows while a render refines it: first coarse tiles, then final
 /// ones, over the picture of the render before. All members are for one thread.
@@ -52,4 +52,4 @@ class RefiningFilm {
   std::int64_t pixels_finished_ = 0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A scene's lights, and how its materials blur what they mirror, as a person has edited them. The
 /// revisions grow with every edit.
@@ -61,4 +61,4 @@ class Relighter {
   LatestJob<Request, Relit> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 /// The same view in a picture of another size, as the camera would show it, whose vertical field of
 /// view stays: scaled by the heights about the middle. Each pixel is the mean of what it covers;
@@ -14,4 +14,4 @@ namespace asos {
 /// The part of such a picture that `film` shows.
 [[nodiscard]] PixelRect resampled_area(const Film& film, glm::ivec2 size);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// A person's choice of what to save, and how.
 struct SaveChoice {
@@ -37,4 +37,4 @@ struct SaveChoice {
   }
 };
 
-}  // namespace asos
+}  // namespace asos::ui

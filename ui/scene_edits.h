@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A person's edits of the open scene: the settings that it is rendered with, its lights and its
 /// materials' defocusing ratios (DFR). Lights and ratios reach the scene in the background. All
@@ -98,4 +98,4 @@ class SceneEdits {
   Relighter relighter_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

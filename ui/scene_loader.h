@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// What to open: "builtin:NAME" or a path, which it stands for, and what of it is shown.
 struct SceneSource {
@@ -68,4 +68,4 @@ class SceneLoader {
   std::chrono::steady_clock::time_point since_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

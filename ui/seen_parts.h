@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A convex piece of a pyray's square, 0 to 1 across it, and the radiance that its sample has.
 struct SeenPart {
@@ -21,4 +21,4 @@ struct SeenPart {
 /// The parts of finished cells, each with its exact sides, as pieces that can be filled.
 [[nodiscard]] std::vector<SeenPart> seen_parts(std::span<const TracedCell> cells);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 /// One piece of work at a time on a thread of its own, which tells what it found meanwhile and can
 /// be asked to end. Only the destructor waits for it. All members are for one controlling thread.
@@ -59,4 +59,4 @@ class StoppableJob {
   std::jthread thread_;  // last: stops before what it uses goes
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Lets the open scene's lines and points follow the camera: draws them anew, on a thread of its
 /// own, as soon as the camera rests; while it moves they stay as they were. Scenes without any cost
@@ -60,4 +60,4 @@ class StrokeDrawer {
   LatestJob<Request, Drawn> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

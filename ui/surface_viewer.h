@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 
@@ -57,4 +57,4 @@ class SurfaceViewer {
 /// where no surface is.
 [[nodiscard]] std::string surface_names(const Previewer& previewer, glm::ivec2 pixel);
 
-}  // namespace asos
+}  // namespace asos::ui

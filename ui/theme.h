@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace asos::theme {
+namespace asos::ui::theme {
 
 /// Sizes are in units of the text's height, so that everything follows the screen's scale; at scale
 /// 1 they, and all spacing, are multiples of 4 units.
@@ -78,4 +78,4 @@ void apply(const Appearance& appearance);
 void push_title();
 void pop_title();
 
-}  // namespace asos::theme
+}  // namespace asos::ui::theme

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// `display_bytes` for one exposure, about ten times as fast: the smallest radiance that gives each
 /// byte is found once, by bisection of `display_bytes` itself, so both agree bit for bit. That the
@@ -28,4 +28,4 @@ class ToneTable {
   std::vector<std::uint8_t> guess_;  // by the leading bits of a float: byte of the bucket's start
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Circles what the camera looks at, counter-clockwise as seen from above, for as long as it is
 /// left alone: whoever turns the camera otherwise stops it; moving closer or aside does not. The
@@ -32,4 +32,4 @@ class Turntable {
   double stepped_seconds_ = 0.0;       // when that was
 };
 
-}  // namespace asos
+}  // namespace asos::ui

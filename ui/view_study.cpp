@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// One study: what its thread does, and what of it others may see.
 class ViewStudy::Work {
@@ -335,4 +335,4 @@ ViewStudy::State ViewStudy::state() const {
   return shown_ ? shown_->state() : State{};
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace asos {
+namespace asos::ui {
 
 /// A study (renderer/study) of one view of an open scene, on a thread of its own: the jobs that
 /// `asos report` runs, with their films kept in memory. The first pass of the reference comes
@@ -77,4 +77,4 @@ class ViewStudy {
   std::jthread thread_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

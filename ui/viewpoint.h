@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// From where the open scene is seen, and in a picture of which size: the width and height of the
 /// render settings. All members are for one thread.
@@ -107,4 +107,4 @@ class Viewpoint {
   std::optional<PendingSize> pending_size_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

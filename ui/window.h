@@ -12,7 +12,7 @@
 
 struct GLFWwindow;
 
-namespace asos {
+namespace asos::ui {
 
 /// A window with an OpenGL 3.3 core context, current on the calling thread; collects what the user
 /// does. Main thread only, but for `wake`.
@@ -49,4 +49,4 @@ class Window final : public HostWindow {
   Happened happened_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

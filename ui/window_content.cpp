@@ -14,7 +14,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -375,4 +375,4 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   return due;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace asos {
+namespace asos::ui {
 
 WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool show_bar) {
   // Beside the panel, the picture has half of the panel's width at least.
@@ -53,4 +53,4 @@ float fitting_text_scale(float asked, float window_width) {
   return std::min(asked, std::max(1.0f, std::floor(steps * fits) / steps));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

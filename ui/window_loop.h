@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Decides when a window is drawn and when it sleeps: nothing is drawn while nothing changes, and
 /// between two frames it always hears what has happened. Main thread only.
@@ -41,4 +41,4 @@ class WindowLoop {
   DrawSchedule schedule_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

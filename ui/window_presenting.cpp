@@ -10,7 +10,7 @@
 
 // The part of WindowContent that shows and saves the picture.
 
-namespace asos {
+namespace asos::ui {
 
 // Another EPS or MAX shows its own picture again.
 void WindowContent::update_display() {
@@ -122,4 +122,4 @@ void WindowContent::save_window(const FrameInput& in) {
       state_.display));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,6 +10,7 @@
 // Files outside of a scene's asset root are read once a button allows it.
 
 namespace asos::test::asset_root_test {
+using namespace ui;
 namespace {
 
 class AssetRootTest : public testing::Test {

@@ -11,6 +11,7 @@
 #include <utility>
 
 namespace asos::test {
+using namespace ui;
 
 /// A file of which a list in the panel shows one thing or another.
 class ChoiceTest : public testing::Test {

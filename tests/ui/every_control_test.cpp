@@ -21,6 +21,7 @@
 // fails the test.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

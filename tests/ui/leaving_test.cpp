@@ -9,6 +9,7 @@
 // How the window is left: never by Escape, and never without a word about what would be lost.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

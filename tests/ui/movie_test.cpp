@@ -16,6 +16,7 @@
 // Turntables and clips as frames, and as MP4 by a program in ffmpeg's place.
 
 namespace asos::test::movie_test {
+using namespace ui;
 namespace {
 
 namespace fs = std::filesystem;

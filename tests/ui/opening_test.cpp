@@ -3,6 +3,7 @@
 // How scenes replace each other, and what becomes of those that cannot be opened.
 
 namespace asos::test::opening_test {
+using namespace ui;
 namespace {
 
 class OpeningTest : public PreviewerTest {};

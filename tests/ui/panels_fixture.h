@@ -11,6 +11,7 @@
 #include <string>
 
 namespace asos::test {
+using namespace ui;
 
 /// A window beside whose picture there is room for the whole panel, which shows all of its tabs,
 /// with a scene open. Blind, and of nine of the window's pixels to one of the picture where a test

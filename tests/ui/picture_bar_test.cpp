@@ -8,6 +8,7 @@
 // The bar under the picture, and the picture of the EPS and MAX before.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 class PictureBarTest : public test::PanelsTest {

@@ -15,6 +15,7 @@
 #include <thread>
 
 namespace asos::test {
+using namespace ui;
 
 /// Knows "red", "green", "slow" (green, after `release`), "lines" (red, and one), "wide" (red, seen
 /// by a camera three times as wide as high) and "many" (of triangles); all else is an error.

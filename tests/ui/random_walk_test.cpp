@@ -15,6 +15,7 @@
 // there are no reports.
 
 namespace asos::test::random_walk_test {
+using namespace ui;
 namespace {
 
 constexpr int actions = sanitized ? 2000 : 1000;

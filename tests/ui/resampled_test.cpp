@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 /// A plane: red grows to the right, green downwards, by 1 over the height each.

@@ -17,6 +17,7 @@
 // Saved scenes, the clipboard, the legend of a saved split map.
 
 namespace asos::test::save_more_test {
+using namespace ui;
 namespace {
 
 /// An environment variable that is put back.

@@ -13,6 +13,7 @@
 #include <vector>
 
 namespace asos::test::theme_test {
+using namespace ui;
 namespace {
 
 glm::dvec3 linear(std::uint32_t rgb) {

@@ -17,6 +17,7 @@
 // The tour, the answers to "?", and why a pixel is as it is.
 
 namespace asos::test::tour_test {
+using namespace ui;
 namespace {
 
 class TourTest : public PanelsTest {

@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace asos::test {
+using namespace ui;
 
 /// How the window shows pictures unless it is told otherwise.
 inline const DisplayTransform usual_display = DisplaySettings{}.transform();

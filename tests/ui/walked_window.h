@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace asos::test {
+using namespace ui;
 
 /// A window in memory that a script uses: each time that the loop hears what has happened, one step
 /// of the script happens. Counts what the loop does between two of these times.

@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace asos::test {
+using namespace ui;
 
 /// Scenes of several sorts, some of which take a moment to load, and some of which do not.
 [[nodiscard]] Result<Scene> load_some(const SceneSource& asked);

@@ -10,6 +10,7 @@
 // A camera that moves fast never leaves parts of two poses in one picture.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 /// A camera between a red wall and a green one.

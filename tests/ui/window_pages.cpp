@@ -20,6 +20,7 @@
 // MODELS (its scenes/NAME/NAME.glb) as they open. Fails where a picture shows nothing.
 
 namespace asos::test {
+using namespace ui;
 namespace {
 
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 // a context in memory (OSMesa). The names live in a namespace because plain global variables of
 // these names would stand in for libGL's functions at link time.
 
-namespace asos::gl {
+namespace asos::ui::gl {
 
 using Function = void (*)();
 using GetFunction = Function (*)(const char* name);
@@ -77,4 +77,4 @@ extern PFNGLUSEPROGRAMPROC glUseProgram;
 extern PFNGLVERTEXATTRIBPOINTERPROC glVertexAttribPointer;
 extern PFNGLVIEWPORTPROC glViewport;
 
-}  // namespace asos::gl
+}  // namespace asos::ui::gl

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace asos::gl {
+namespace asos::ui::gl {
 
 /// An OpenGL name that is deleted with its owner. The context has to be current then.
 template <void (*destroy)(GLuint)>
@@ -48,4 +48,4 @@ using VertexArray = Object<delete_vertex_array>;
 /// Compiles and links; the error holds the driver's message.
 [[nodiscard]] Result<Program> make_program(const char* vertex_source, const char* fragment_source);
 
-}  // namespace asos::gl
+}  // namespace asos::ui::gl

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Plots a defocusing ratio and how much a pyray widens by it against the angle of incidence, with
 /// points to drag and numbers to type, and shows what the mirror makes of a bar. `usual`: what a
@@ -13,4 +13,4 @@ namespace asos {
 bool dfr_editor(Controls& controls, Dfr& dfr, DfrChannel& channel, const Dfr& usual,
                 std::optional<double> incidence_rad);
 
-}  // namespace asos
+}  // namespace asos::ui

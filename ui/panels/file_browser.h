@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// What a person looks through to find a file. What is typed filters the folder; with a slash it is
 /// a path, whose folder is looked through in place of the one shown.
@@ -39,4 +39,4 @@ struct FileBrowser {
 /// The field, the folder and what lies in it. Returns the file that was chosen, or nothing.
 [[nodiscard]] std::string browse_files(Controls& controls, FileBrowser& browser, float height);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The step of a grid under something of this radius: 1, 2 or 5 times a power of ten, so that there
 /// are some ten squares across it; 0 where it has none.
@@ -37,4 +37,4 @@ class GridOverlay {
   std::array<glm::dvec3, 3> tips_{};
 };
 
-}  // namespace asos
+}  // namespace asos::ui

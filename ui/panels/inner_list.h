@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 /// A list with a height of its own within a panel, while it lives. The wheel scrolls the panel
 /// until the list is clicked, so that lists do not catch it on the way.
@@ -14,4 +14,4 @@ class InnerList {
   InnerList& operator=(const InnerList&) = delete;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -3,7 +3,7 @@
 #include "ui/panels/controls.h"
 #include "ui/previewer.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// What the section Lens waits for.
 struct LensState {
@@ -13,4 +13,4 @@ struct LensState {
 /// Depth of field of a perspective camera.
 void lens_panel(Controls& controls, Previewer& previewer, LensState& choice);
 
-}  // namespace asos
+}  // namespace asos::ui

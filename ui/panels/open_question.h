@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A person's wish to open another scene, or to load the open one again.
 struct OpenChoice {
@@ -18,4 +18,4 @@ struct OpenChoice {
 void open_question(Controls& controls, OpenScene& scene, OpenChoice& choice,
                    const std::vector<std::string>& losses);
 
-}  // namespace asos
+}  // namespace asos::ui

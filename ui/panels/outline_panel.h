@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The person's choice among the scene's objects.
 struct OutlineChoice {
@@ -37,4 +37,4 @@ struct OutlineChoice {
 [[nodiscard]] std::string outline_panel(Controls& controls, Previewer& previewer,
                                         OutlineChoice& choice, std::optional<glm::ivec2> picked);
 
-}  // namespace asos
+}  // namespace asos::ui

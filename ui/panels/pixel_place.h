@@ -10,7 +10,7 @@
 
 // What explains a pixel must not lie on it. All in window coordinates.
 
-namespace asos {
+namespace asos::ui {
 
 /// Where a panel that explains a pixel stands, and how high it may grow.
 struct PixelPlace {
@@ -33,4 +33,4 @@ struct PixelPlace {
 [[nodiscard]] std::optional<PixelPlace> picked_place(const UiState& state, const PictureArea& area,
                                                      float em);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace asos {
+namespace asos::ui {
 
 /// Between world, picture and window.
 class Projection {
@@ -66,4 +66,4 @@ class Projection {
   const PictureArea& area_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

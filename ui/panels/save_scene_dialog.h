@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// A person's choice of where to write the scene.
 struct SaveSceneChoice {
@@ -15,4 +15,4 @@ struct SaveSceneChoice {
 
 void save_scene_dialog(Controls& controls, SaveSceneChoice& choice);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Keeps what lies under the pointer there while rows above it come and go, by scrolling the window
 /// that they are in: who aims at a button hits it. At the ends of what can be scrolled they move.
@@ -27,4 +27,4 @@ class ScrollAnchor {
   bool moved_ = false;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

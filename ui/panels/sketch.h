@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-namespace asos {
+namespace asos::ui {
 
 /// A small drawing in the current Dear ImGui window and look, 16 units wide and 6 high; y down.
 class Sketch {
@@ -35,4 +35,4 @@ class Sketch {
 /// A pixel's pyramid from the eye through the picture to an edge.
 void draw_pyray(const Sketch& sketch);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// The person's choices that the settings' sky does not tell.
 struct SkyEdit {
@@ -38,4 +38,4 @@ void update_sky(SceneEdits& edits, SkyEdit& choice, SkyReader& reader);
 /// The controls of the scene's surroundings.
 void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader& reader);
 
-}  // namespace asos
+}  // namespace asos::ui

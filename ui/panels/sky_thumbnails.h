@@ -3,9 +3,9 @@
 #include "ui/panels/controls.h"
 #include "ui/scene_edits.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// The program's environments as small panoramas. A click chooses one as the sky.
 void sky_thumbnails(Controls& controls, SceneEdits& edits);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 // How long things take, in words that say whose seconds they are: the clock's, which a person
 // waits, or one processor's, of which the workers together spend several in a second.
 
-namespace asos {
+namespace asos::ui {
 
 /// "4.2 s", "1 min 05 s": of the clock, measured.
 [[nodiscard]] std::string duration_words(double seconds);
@@ -37,4 +37,4 @@ struct ProgressFacts {
 /// "about 3.1 % split, 5 s": the whole render's time.
 [[nodiscard]] std::string estimate_words(double split_share, const TimeEstimate& estimate);
 
-}  // namespace asos
+}  // namespace asos::ui

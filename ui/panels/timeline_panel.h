@@ -3,9 +3,9 @@
 #include "ui/panels/controls.h"
 #include "ui/playback.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// Which animation of the file is shown, when, and whether it plays; nothing where it has none.
 void timeline_panel(Controls& controls, Playback& playback);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace asos {
+namespace asos::ui {
 
 /// The text in lines no wider than `room` that are broken between words only: Dear ImGui breaks
 /// behind a full stop, too, and with it numbers. A word that is wider stays whole. `width` measures
@@ -30,4 +30,4 @@ template <typename Width>
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui
