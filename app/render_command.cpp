@@ -22,6 +22,7 @@
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_strokes.h"
 #include "renderer/scene/source_files.h"
+#include "renderer/session/film_render.h"
 #include "renderer/world/ground.h"
 
 #include <CLI/CLI.hpp>
@@ -220,14 +221,14 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   building.reset();
 
   // Render
-  const std::optional<RenderedPicture> rendered = run_render_job(
+  const std::optional<RenderResult> rendered = run_render_job(
       {*prepared, *camera, wanted.settings, false}, bar, interrupt, arguments.time_limit_seconds);
   if (interrupt.interrupted()) return interrupted_error();
   if (!rendered) return tl::unexpected(with_boundaries(*prepared).error());
   if (ready.geometry->boundaries.known()) report.feature_edges = ready.features().counts();
   tell_warnings(report, ready, wanted.sky);
   report.needs = needs_of(ready, wanted.settings);
-  report.threads = rendered->threads;
+  report.threads = worker_count(wanted.settings.threads);
   report.statistics = rendered->statistics;
   warn_of_cut_stacks(report);
   report.render_seconds = rendered->seconds;

@@ -27,16 +27,17 @@ int run_view(const PictureArguments& arguments, bool own_size, const Streams& st
   const Result<RenderSettings> settings = with_sky(arguments);
   if (!settings) return fail(streams, settings.error());
   if (has_display())
-    return run_viewer({{arguments.scene,
-                        arguments.variant,
-                        arguments.scene_of_file,
-                        arguments.clip,
-                        {},
-                        arguments.asset_root},
-                       *settings,
-                       own_size,
-                       {arguments.sky_chosen, arguments.ground_chosen, arguments.background_chosen},
-                       forced_by(arguments.needs)});
+    return ui::run_viewer(
+        {{arguments.scene,
+          arguments.variant,
+          arguments.scene_of_file,
+          arguments.clip,
+          {},
+          arguments.asset_root},
+         *settings,
+         own_size,
+         {arguments.sky_chosen, arguments.ground_chosen, arguments.background_chosen},
+         forced_by(arguments.needs)});
   streams.err << "asos: no display to open a window on. Render to a file instead:\n"
               << "  asos render '" << printable(arguments.scene) << "' -o picture.png\n";
   return exit_bad_input;

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace asos {
+namespace asos::ui {
 
 /// The parts of a scene's look that the command line sets. They stay for every scene opened later;
 /// the other parts follow each scene (default_look, default_background). If the sky is set, the
@@ -11,4 +11,4 @@ struct ChosenLook {
   bool background = false;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

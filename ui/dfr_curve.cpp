@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -74,4 +74,4 @@ glm::vec3 mirrored_bar(const Dfr& dfr, double incidence_rad, double place) {
   return seen;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

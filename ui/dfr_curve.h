@@ -9,7 +9,7 @@
 // Values that the editor of defocusing ratios (CGF'98 section 5.1) plots, and the edits that
 // dragging its points makes.
 
-namespace asos {
+namespace asos::ui {
 
 /// The colour channels that an edit changes.
 enum class DfrChannel { all, red, green, blue };
@@ -40,4 +40,4 @@ void set_curves(Dfr& dfr, DfrChannel channel, double DfrCurve::*member, double v
 inline constexpr double mirrored_bar_width = 12.0;
 [[nodiscard]] glm::vec3 mirrored_bar(const Dfr& dfr, double incidence_rad, double place);
 
-}  // namespace asos
+}  // namespace asos::ui

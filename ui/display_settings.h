@@ -3,7 +3,7 @@
 #include "renderer/film/split_map.h"
 #include "renderer/film/tone.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// How a finished picture is displayed. Only the tone curve restarts a render, because EPS limits
 /// the error of displayed colours (judged_by).
@@ -24,4 +24,4 @@ struct DisplaySettings {
   bool operator==(const DisplaySettings&) const = default;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -38,4 +38,4 @@ void DrawSchedule::bring_forward(double seconds_after_frame) {
   due_ = std::min(due_, drawn_ + seconds_after_frame);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

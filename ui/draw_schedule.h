@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Decides when the window draws. Input is drawn at once. Arriving tiles are drawn less often,
 /// because drawing takes time from rendering. Without changes nothing is drawn. Times are seconds
@@ -33,4 +33,4 @@ class DrawSchedule {
   bool settling_ = false;  // something was noted before the frame being drawn
 };
 
-}  // namespace asos
+}  // namespace asos::ui

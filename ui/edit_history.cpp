@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::optional<double> EditHistory::seconds_to_update(double now_seconds) const {
   return std::max(0.0, changed_seconds_ + step_rest_seconds - now_seconds);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <deque>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Undo and redo of edits: settings, lights, camera and display. A drag, or a series of wheel
 /// turns, is one step: a step ends when nothing has changed for a moment and no button is held.
@@ -56,4 +56,4 @@ class EditHistory {
   std::optional<std::size_t> group_;  // number of steps when the group began
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -380,4 +380,4 @@ std::vector<Light> lights_on(const std::vector<EditedLight>& lights) {
   return on;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A light as the window edits it. A light that is switched off is left out of the scene.
 struct EditedLight {
@@ -87,4 +87,4 @@ void tidy_light(Light& light);
 /// The lights that are on.
 [[nodiscard]] std::vector<Light> lights_on(const std::vector<EditedLight>& lights);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -129,4 +129,4 @@ std::optional<EqualTimeFrame> render_in_time(Snapshot snapshot, Method method, d
                                        : render_by_samples(std::move(snapshot), seconds, tries);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

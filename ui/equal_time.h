@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Another method's picture that took about as much CPU time as the one in the window.
 struct EqualTimeFrame {
@@ -41,4 +41,4 @@ using TellEqualTime = std::function<void(EqualTimeNews)>;
 
 using EqualTimeJob = StoppableJob<EqualTimeNews>;
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace asos {
+namespace asos::ui {
 
 float ErrorScale::share(double steps) {
   if (!(steps > first)) return 0.0f;
@@ -46,4 +46,4 @@ void ErrorReference::update(const Previewer& previewer, const SplitFindings* fin
   ++revision_;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 struct SplitFindings;
@@ -54,4 +54,4 @@ class ErrorReference {
   std::uint64_t revision_ = 0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 FileStamp FileStamp::of(const std::string& path) {
   std::error_code error;
@@ -33,4 +33,4 @@ double FileWatch::seconds_to_look(double now_seconds) const {
   return looked_seconds_ ? std::max(0.0, *looked_seconds_ + period_seconds - now_seconds) : 0.0;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

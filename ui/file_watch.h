@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A file's state at one moment.
 struct FileStamp {
@@ -39,4 +39,4 @@ class FileWatch {
   std::optional<double> looked_seconds_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <system_error>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::optional<NextModel> next_model(const std::string& file, int step) {
                    models.size()};
 }
 
-}  // namespace asos
+}  // namespace asos::ui

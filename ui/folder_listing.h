@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A folder, or a file that can be opened: a model or a saved picture.
 struct FolderEntry {
@@ -54,4 +54,4 @@ struct NextModel {
 /// is alone there, the folders next to it are searched. None: `file` is no file, or the only model.
 [[nodiscard]] std::optional<NextModel> next_model(const std::string& file, int step);
 
-}  // namespace asos
+}  // namespace asos::ui

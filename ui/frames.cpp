@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 bool Frames::store(const Film& film, std::string name, std::string summary) {
   if (stored.size() >= most || film.width <= 0) return false;
@@ -64,4 +64,4 @@ float difference_of(const Film& a, const Film& b, std::size_t pixel,
   return largest(glm::abs(display_rgb(a, pixel, display) - display_rgb(b, pixel, display)));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A snapshot: a picture that was stored for comparison.
 struct StoredFrame {
@@ -75,4 +75,4 @@ struct Frames {
 [[nodiscard]] float difference_of(const Film& a, const Film& b, std::size_t pixel,
                                   const DisplayTransform& display);
 
-}  // namespace asos
+}  // namespace asos::ui

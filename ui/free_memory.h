@@ -4,7 +4,7 @@
 
 #include <malloc.h>
 
-namespace asos {
+namespace asos::ui {
 
 /// Returns freed memory to the system, on its own thread. glibc keeps it in a heap for each thread,
 /// which after a few scenes is several times the memory in use.
@@ -27,4 +27,4 @@ class FreeMemory {
   LatestJob<int, int> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 using namespace gl;
 
@@ -339,4 +339,4 @@ void GlDisplay::Layer::upload() {
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// Shows a film in the current OpenGL context, with its display bytes and its split map as two
 /// RGBA8 textures. Tone mapping runs on the CPU for changed pixels only, and only changed cells are
@@ -132,4 +132,4 @@ class GlDisplay {
   Layer error_layer_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

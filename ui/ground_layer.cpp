@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 GroundLayer::GroundLayer(std::function<void()> wake)
     : job_(
@@ -28,4 +28,4 @@ void GroundLayer::update(OpenScene& scene, Ground wanted, bool busy) {
   job_.ask({scene.shared(), wanted});
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-namespace asos {
+namespace asos::ui {
 
 /// Adds the ground that the settings choose to the open scene, on its own thread. All members must
 /// be called from one thread.
@@ -36,4 +36,4 @@ class GroundLayer {
   LatestJob<Request, Built> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

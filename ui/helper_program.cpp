@@ -20,7 +20,7 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -130,4 +130,4 @@ Result<void> run_program(const std::vector<std::string>& arguments, const std::s
   return unexpected(Error{name, why.empty() ? how : fmt::format("{}: {}", how, why)});
 }
 
-}  // namespace asos
+}  // namespace asos::ui

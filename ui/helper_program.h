@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The path of a program found in $PATH; empty: it is not installed.
 [[nodiscard]] std::string find_program(const std::string& name);
@@ -20,4 +20,4 @@ namespace asos {
                                        const std::string& input_file,
                                        const std::function<bool()>& stop);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -53,4 +53,4 @@ int place_among_all(int shown, const std::vector<int>& hidden) {
   return shown;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

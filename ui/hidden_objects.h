@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// Removes objects from a loaded scene. `hidden` are ascending indices among the objects with
 /// surfaces, in the order of World::parts; indices past the last are ignored. The remaining objects
@@ -15,4 +15,4 @@ void leave_out(Scene& scene, const std::vector<int>& hidden);
 /// (ascending).
 [[nodiscard]] int place_among_all(int shown, const std::vector<int>& hidden);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The window that the drawing loop needs from the system, with its OpenGL context. Main thread
 /// only.
@@ -39,4 +39,4 @@ class HostWindow {
   [[nodiscard]] virtual Happened take_happened() = 0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

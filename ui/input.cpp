@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bitset>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -135,4 +135,4 @@ bool shortcut_pressed(Key key, bool with_ctrl) {
   return ImGui::IsKeyPressed(static_cast<int>(key), false);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -9,7 +9,7 @@
 
 struct ImGuiIO;
 
-namespace asos {
+namespace asos::ui {
 
 /// Keys that the window uses; letters are those printed on the user's keyboard.
 enum class Key : int {
@@ -126,4 +126,4 @@ class InputQueue {
 /// Whether `key` went down in this frame (no repeats) while no text is being typed.
 [[nodiscard]] bool shortcut_pressed(Key key, bool with_ctrl = false);
 
-}  // namespace asos
+}  // namespace asos::ui

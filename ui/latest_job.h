@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 /// Whether the outcome of a request counts if a newer request came while it was computed.
 enum class Overtaken { dropped, kept };
@@ -79,4 +79,4 @@ class LatestJob {
   std::jthread thread_;  // last, so that the thread stops before the members it uses are destroyed
 };
 
-}  // namespace asos
+}  // namespace asos::ui

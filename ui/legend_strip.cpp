@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -193,4 +193,4 @@ void add_legend(RgbImage& image, SplitMapColours colours) {
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

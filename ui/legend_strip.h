@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A colour of a split map and its meaning.
 struct LegendEntry {
@@ -20,4 +20,4 @@ struct LegendEntry {
 /// current Dear ImGui font.
 void add_legend(RgbImage& image, SplitMapColours colours);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 MeteredExposure::MeteredExposure()
     : job_([](const Request& r) { return meter(*r.scene, r.camera, r.settings, r.tone); }, {},
@@ -50,4 +50,4 @@ std::string MeteredExposure::update(const Previewer& previewer, DisplaySettings&
   return said;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Sets the exposure while DisplaySettings::auto_exposure is on. Switches it on for a scene whose
 /// lights would overexpose too much of the picture (usual_exposure). Meters on its own thread.
@@ -39,4 +39,4 @@ class MeteredExposure {
   LatestJob<Request, Metering> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -60,4 +60,4 @@ int find_mirror(const std::vector<MirrorMaterial>& mirrors, std::uint32_t materi
   return -1;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A reflecting material with all materials that look the same. They are edited as one, because no
 /// edge is searched where they meet.
@@ -23,4 +23,4 @@ struct MirrorMaterial {
 /// Index of the entry that contains `material`; -1: none.
 [[nodiscard]] int find_mirror(const std::vector<MirrorMaterial>& mirrors, std::uint32_t material);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -16,7 +16,7 @@
 #include <system_error>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::optional<Result<std::string>> write_movie(const MovieOrder& order, const st
   return fmt::format("{} to {:04}.png", files.frame(0), order.frames - 1);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A turntable or an animation to render and save, frame by frame.
 struct MovieOrder {
@@ -45,4 +45,4 @@ struct MovieOrder {
                                                       const std::string& folder, double fps,
                                                       const std::string& path);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::optional<Light> light_on_face(const RenderScene& scene, std::uint32_t trian
   return light;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// A sphere light halfway between the eye and the subject, bright enough to make a white surface
 /// there half white.
@@ -19,4 +19,4 @@ namespace asos {
 [[nodiscard]] std::optional<Light> light_on_face(const RenderScene& scene, std::uint32_t triangle,
                                                  glm::dvec3 eye);
 
-}  // namespace asos
+}  // namespace asos::ui

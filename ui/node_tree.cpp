@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 NodeTree::NodeTree(const SceneContents& contents) {
   nodes_.resize(contents.nodes.size());
@@ -93,4 +93,4 @@ std::vector<int> NodeTree::above(int node) const {
   return found;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The tree of a scene's nodes that have surfaces, or descendants that have. Objects are indexed as
 /// in SceneContents::object_nodes, with hidden ones included.
@@ -55,4 +55,4 @@ class NodeTree {
   std::vector<int> order_;  // the objects, ordered so that those of a subtree are contiguous
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -142,4 +142,4 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   return Opened{reloaded, moved, std::move(outcome->picture)};
 }
 
-}  // namespace asos
+}  // namespace asos::ui

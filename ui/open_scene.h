@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The open scene, and the loading of another one in the background. Acts like a pointer to the
 /// scene; null before the first one. All members must be called from one thread.
@@ -112,4 +112,4 @@ class OpenScene {
   SceneLoader loader_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

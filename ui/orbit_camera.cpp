@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -159,4 +159,4 @@ OrbitCamera::Basis OrbitCamera::basis() const {
           glm::dvec3(sa * ce, se, ca * ce)};
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace asos {
+namespace asos::ui {
 
 /// A camera that orbits a pivot: azimuth, elevation, roll and distance. Represents every camera of
 /// a file exactly. +Y is up. At the poles the azimuth still defines the right vector, so the view
@@ -76,4 +76,4 @@ class OrbitCamera {
   std::uint64_t revision_ = 0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace asos {
+namespace asos::ui {
 
 /// Tabs of the panel.
 enum class PanelTab {
@@ -15,4 +15,4 @@ enum class PanelTab {
 /// The tabs' names in the settings file, in the order of the enumerators.
 inline constexpr std::array panel_tab_names{"antialias", "scene", "measure", "all"};
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -59,4 +59,4 @@ Result<void> copy_picture(ClipboardJob& job, RgbImage image) {
   return {};
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The program and arguments that copy a PNG to the clipboard: wl-copy under Wayland, xclip under
 /// X11. They read `file` as standard input. The error names the package to install.
@@ -19,4 +19,4 @@ using ClipboardJob = StoppableJob<Result<void>>;
 /// `clipboard_command`.
 [[nodiscard]] Result<void> copy_picture(ClipboardJob& job, RgbImage image);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::optional<Result<std::string>> PictureJob::take_outcome() {
   return std::exchange(outcome_, std::nullopt);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

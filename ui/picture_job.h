@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-namespace asos {
+namespace asos::ui {
 
 /// A picture to render into a file.
 struct PictureOrder {
@@ -63,4 +63,4 @@ class PictureJob {
   std::jthread thread_;  // last, so that the thread stops before the members it uses are destroyed
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::optional<double> PictureSaver::seconds_to_due(double now_seconds) const {
   return due_ ? std::optional(std::max(0.0, due_seconds_ - now_seconds)) : std::nullopt;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

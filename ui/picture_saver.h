@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 class GlDisplay;
 class Playback;
@@ -58,4 +58,4 @@ class PictureSaver {
   bool movie_ = false;  // the job writes a movie, which does not contain the edits
 };
 
-}  // namespace asos
+}  // namespace asos::ui

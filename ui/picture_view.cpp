@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -64,4 +64,4 @@ void PictureView::keep_inside() {
   offset_ = glm::round(offset_);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 /// Zoom and pan of the finished picture in its area of the window. All lengths are framebuffer
 /// pixels, y down, from the area's top left. A picture of the area's size fills it at zoom 1; one
@@ -37,4 +37,4 @@ class PictureView {
   glm::vec2 offset_{0.0f};
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -187,4 +187,4 @@ PixelReport PixelInspector::work(const Request& request) {
   return report;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

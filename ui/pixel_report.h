@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 
@@ -85,4 +85,4 @@ class PixelInspector {
   LatestJob<Request, PixelReport> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

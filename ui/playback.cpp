@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -200,4 +200,4 @@ void Playback::take_pose() {
   prepare_seconds_ = pose->prepare_seconds;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

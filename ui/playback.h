@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// Plays the animations of the open scene: a clock, and poses of the scene computed in the
 /// background with the default lighting of the scene at rest. The next pose is requested once the
@@ -123,4 +123,4 @@ class Playback {
   LatestJob<Request, Pose> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -124,4 +124,4 @@ void PredictedMap::complete(FinishedTile& coarse, const Film& film) const {
   });
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The split map of a film while its pixels are rendered again with another EPS or MAX. Keeps the
 /// data of each pixel from when it was last final, and predicts level and cause from them
@@ -47,4 +47,4 @@ class PredictedMap {
   RenderSettings asked_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -114,4 +114,4 @@ PictureDescription PreviewRender::description(const PictureDisplay& display) con
   return describe(*rendered_.scene, rendered_.camera, rendered_.settings, display);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

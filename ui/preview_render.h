@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The window's render and its picture: restarted whenever its subject changes, paused when the
 /// refinement says so. Not thread-safe; rendering happens on other threads.
@@ -99,4 +99,4 @@ class PreviewRender {
   RenderSession session_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
   return due;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -17,7 +17,7 @@
 #include <functional>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// The window's model: the open scene, its edits, the viewpoint, and the render with its
 /// refinement. Independent of OpenGL and ImGui. Not thread-safe; loading, relighting and rendering
@@ -84,4 +84,4 @@ class Previewer {
   bool holds_free_memory_ = false;  // loading has left some
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 std::optional<double> Refinement::seconds_to_limit(const Progress& progress) const {
   if (!progress.running || limits_.seconds <= 0.0) return std::nullopt;
@@ -35,4 +35,4 @@ void Refinement::begin() {
   if (rest_ != Rest::paused) rest_ = Rest::none;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

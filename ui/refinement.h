@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Limits for refining a picture. Changing one does not restart the render; raising one resumes it.
 struct RefinementLimits {
@@ -53,4 +53,4 @@ class Refinement {
   Rest rest_ = Rest::none;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

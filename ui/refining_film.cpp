@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::int64_t RefiningFilm::pixels() const {
   return static_cast<std::int64_t>(film_.width) * film_.height;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

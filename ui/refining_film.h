@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The window's picture during a render: first coarse tiles, then final ones, drawn over the
 /// picture of the previous render. All members must be called from one thread.
@@ -52,4 +52,4 @@ class RefiningFilm {
   std::int64_t pixels_finished_ = 0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

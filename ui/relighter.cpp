@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 Relighter::Relighter(std::function<void()> wake) : job_(relit, std::move(wake), Overtaken::kept) {}
 
@@ -50,4 +50,4 @@ void Relighter::update(OpenScene& scene, const SceneLook& look) {
   job_.ask(std::move(request));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

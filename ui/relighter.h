@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A scene's lights and its materials' defocusing ratios, as edited. Each edit increases the
 /// revision.
@@ -61,4 +61,4 @@ class Relighter {
   LatestJob<Request, Relit> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

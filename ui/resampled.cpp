@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -78,4 +78,4 @@ Film resampled(const Film& film, glm::ivec2 size) {
   return result;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 /// Resamples a picture to another size for the same vertical field of view: it is scaled by the
 /// ratio of heights about the centre. Each pixel is a box average; pixels beyond the left and right
@@ -14,4 +14,4 @@ namespace asos {
 /// The area of the resampled picture that `film` covers.
 [[nodiscard]] PixelRect resampled_area(const Film& film, glm::ivec2 size);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// The user's choice of content, format and path to save.
 struct SaveChoice {
@@ -37,4 +37,4 @@ struct SaveChoice {
   }
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -175,4 +175,4 @@ void SceneEdits::set_all_but_size(RenderSettings settings) {
   now_.settings = std::move(settings);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A person's edits of the open scene: its render settings, its lights and its materials'
 /// defocusing ratios (DFR). Lights and ratios are applied to the scene in the background. All
@@ -97,4 +97,4 @@ class SceneEdits {
   Relighter relighter_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -70,4 +70,4 @@ Result<std::string> export_edited(const SceneOrder& order) {
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

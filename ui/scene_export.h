@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 
@@ -30,4 +30,4 @@ struct SceneOrder {
 
 using SceneExportJob = StoppableJob<Result<std::string>>;
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::optional<SceneLoader::Loading> SceneLoader::loading() const {
   return Loading{source_, seconds_since(since_)};
 }
 
-}  // namespace asos
+}  // namespace asos::ui

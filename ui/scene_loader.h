@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The scene to open, "builtin:NAME" or a path, and which part of it. Converts to its path.
 struct SceneSource {
@@ -68,4 +68,4 @@ class SceneLoader {
   std::chrono::steady_clock::time_point since_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <system_error>
 
-namespace asos {
+namespace asos::ui {
 
 std::filesystem::path screenshot_folder() {
   std::error_code ignored;
@@ -81,4 +81,4 @@ Result<std::string> save_screenshot(const RgbImage& image, const std::filesystem
   return write_png(path, image).map([&] { return path; });
 }
 
-}  // namespace asos
+}  // namespace asos::ui

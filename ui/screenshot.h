@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 struct DisplaySettings;
@@ -40,4 +40,4 @@ void show_as(const PictureDisplay& described, DisplaySettings& display);
                                                   const std::filesystem::path& folder,
                                                   const std::string& name);
 
-}  // namespace asos
+}  // namespace asos::ui

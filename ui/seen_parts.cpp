@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::vector<SeenPart> seen_parts(std::span<const TracedCell> cells) {
   return parts;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A convex piece of a pyray's unit square, and the radiance of its sample.
 struct SeenPart {
@@ -21,4 +21,4 @@ struct SeenPart {
 /// Converts the parts of finished cells, which have exact borders, to convex pieces for drawing.
 [[nodiscard]] std::vector<SeenPart> seen_parts(std::span<const TracedCell> cells);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -56,4 +56,4 @@ void ShownProgress::update(const Progress& progress, std::optional<TimeEstimate>
   fraction_ += share * std::max(0.0, limit - fraction_);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

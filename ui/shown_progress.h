@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 struct Forecast;
 class Previewer;
@@ -41,4 +41,4 @@ class ShownProgress {
   double fraction_ = 0.0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Reads sky images on its own thread; a newer request replaces an older one.
 class SkyReader {
@@ -35,4 +35,4 @@ class SkyReader {
   LatestJob<std::string, Outcome> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace asos {
+namespace asos::ui {
 
 std::string snapshot_name(const RenderSettings& settings, double cpu_seconds) {
   const MethodRow& method = row_of(settings.method);
@@ -22,4 +22,4 @@ std::string snapshot_name(const RenderSettings& settings, double cpu_seconds) {
   return name;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

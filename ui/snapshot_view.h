@@ -4,7 +4,7 @@
 #include "renderer/geometry/view.h"
 #include "renderer/session/render_session.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// The picture's view, as its render uses it.
 [[nodiscard]] inline View view_of(const Snapshot& picture) {
@@ -13,4 +13,4 @@ namespace asos {
               radius_around_origin(picture.scene->world().bounds));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -177,4 +177,4 @@ void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm, b
       });
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 
@@ -84,4 +84,4 @@ class SplitCheck {
   StoppableJob<SplitFindings> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

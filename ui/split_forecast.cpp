@@ -9,7 +9,7 @@
 #include <ctime>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -109,4 +109,4 @@ const Forecast* SplitForecast::of(const Previewer& previewer) const {
   return current ? &told_->forecast : nullptr;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

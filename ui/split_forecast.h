@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 
@@ -52,4 +52,4 @@ class SplitForecast {
   std::uint64_t camera_ = 0;  // camera revision of the request
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -206,4 +206,4 @@ SplitPixelSearch::Found SplitPixelSearch::work(const Request& request) const {
   return found;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 
@@ -67,4 +67,4 @@ class SplitPixelSearch {
   LatestJob<Request, Found> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

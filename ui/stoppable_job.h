@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 /// Runs one piece of work at a time on its own thread. The work can publish intermediate results
 /// and can be asked to stop. Only the destructor waits for it. All members must be called from one
@@ -60,4 +60,4 @@ class StoppableJob {
   std::jthread thread_;  // last, so that the thread stops before the members it uses are destroyed
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -14,7 +14,7 @@
 #include <optional>
 #include <system_error>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -196,4 +196,4 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
   return write_file_atomically(path.string(), {text.begin(), text.end()});
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The settings that the window remembers between runs.
 struct StoredSettings {
@@ -51,4 +51,4 @@ struct StoredSettings {
 [[nodiscard]] Result<void> save_settings(const std::filesystem::path& path,
                                          const StoredSettings& settings);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 namespace {
 
 // Lines and points are drawn again once the camera has been still for this time.
@@ -69,4 +69,4 @@ std::optional<double> StrokeDrawer::seconds_to_update(double now_seconds) const 
   return std::max(0.0, *due_ - now_seconds);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

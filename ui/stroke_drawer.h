@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Redraws the open scene's lines and points for the current camera on its own thread, once the
 /// camera is still; while it moves they stay as they were. Scenes without lines and points cost
@@ -59,4 +59,4 @@ class StrokeDrawer {
   LatestJob<Request, Drawn> job_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::string surface_names(const Previewer& previewer, glm::ivec2 pixel) {
          name_or_number(world.materials[material].name, "Material", material);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 
@@ -56,4 +56,4 @@ class SurfaceViewer {
 /// The names of the object and the material at a pixel, as "object, material"; empty: no surface.
 [[nodiscard]] std::string surface_names(const Previewer& previewer, glm::ivec2 pixel);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-namespace asos::theme {
+namespace asos::ui::theme {
 
 namespace {
 
@@ -184,4 +184,4 @@ void pop_title() {
   ImGui::PopFont();
 }
 
-}  // namespace asos::theme
+}  // namespace asos::ui::theme

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace asos::theme {
+namespace asos::ui::theme {
 
 /// Sizes are in units of the text's height, so that they scale with the screen; at scale 1 all
 /// sizes and spacings are multiples of 4 units.
@@ -76,4 +76,4 @@ void apply(const Appearance& appearance);
 void push_title();
 void pop_title();
 
-}  // namespace asos::theme
+}  // namespace asos::ui::theme

@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::uint8_t ToneTable::byte(float radiance) const {
   return static_cast<std::uint8_t>(b);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// `display_bytes` for one exposure, about ten times as fast. For each byte the smallest radiance
 /// that gives it is found once, by bisection of `display_bytes`, so both agree exactly. Requires
@@ -28,4 +28,4 @@ class ToneTable {
   std::vector<std::uint8_t> guess_;  // by a float's leading bits: byte of the bucket's start
 };
 
-}  // namespace asos
+}  // namespace asos::ui

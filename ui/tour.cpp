@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -119,4 +119,4 @@ DisplaySettings display_with_card(const UiState& state, DisplaySettings display)
   return display;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

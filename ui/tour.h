@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 class Previewer;
 struct UiState;
@@ -70,4 +70,4 @@ void end_tour(UiState& state, Previewer& previewer);
 /// The display settings with the changes of the current card.
 [[nodiscard]] DisplaySettings display_with_card(const UiState& state, DisplaySettings display);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -36,4 +36,4 @@ void Turntable::update(OrbitCamera& camera, bool seen, double now_seconds) {
   stepped_seconds_ = now_seconds;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Circles the camera's pivot, counter-clockwise seen from above, until the user rotates the
 /// camera; dolly and pan do not stop it. A step is taken once the last picture has been displayed
@@ -31,4 +31,4 @@ class Turntable {
   double stepped_seconds_ = 0.0;       // when that was
 };
 
-}  // namespace asos
+}  // namespace asos::ui

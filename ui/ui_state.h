@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The window's own state; scene and settings are in the previewer.
 struct UiState {
@@ -76,4 +76,4 @@ struct UiState {
   double message_until_seconds = 0.0;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-namespace asos {
+namespace asos::ui {
 
 UnsavedWork::Edits UnsavedWork::edits_of(const Previewer& previewer) {
   const SceneEdits::State& state = previewer.edits().state();
@@ -53,4 +53,4 @@ std::vector<std::string> UnsavedWork::lines(const Previewer& previewer, const Fr
   return lines;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

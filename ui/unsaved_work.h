@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 class PictureJob;
 class Previewer;
@@ -40,4 +40,4 @@ class UnsavedWork {
   Edits saved_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// One study: the work of its thread, and the state that other threads may read.
 class ViewStudy::Work {
@@ -336,4 +336,4 @@ ViewStudy::State ViewStudy::state() const {
   return shown_ ? shown_->state() : State{};
 }
 
-}  // namespace asos
+}  // namespace asos::ui

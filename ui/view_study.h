@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace asos {
+namespace asos::ui {
 
 /// A study (renderer/study) of one view of an open scene on its own thread: the jobs of `asos
 /// report`, with the films kept in memory. The first pass of the reference runs first, so that
@@ -76,4 +76,4 @@ class ViewStudy {
   std::jthread thread_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -16,7 +16,7 @@
 #include <cstdio>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -71,4 +71,4 @@ int run_viewer(const ViewerOptions& options) {
   return 0;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include "ui/chosen_look.h"
 #include "ui/scene_loader.h"
 
-namespace asos {
+namespace asos::ui {
 
 struct ViewerOptions {
   SceneSource source{"builtin:office"};  ///< opened in the background
@@ -22,4 +22,4 @@ struct ViewerOptions {
 /// only.
 [[nodiscard]] int run_viewer(const ViewerOptions& options);
 
-}  // namespace asos
+}  // namespace asos::ui

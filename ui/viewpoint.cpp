@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -232,4 +232,4 @@ double Viewpoint::aspect_ratio() const {
   return static_cast<double>(settings_.width) / static_cast<double>(settings_.height);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// The camera of the open scene, and the size of its picture (width and height of the render
 /// settings). All members must be called from one thread.
@@ -108,4 +108,4 @@ class Viewpoint {
   std::optional<PendingSize> pending_size_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

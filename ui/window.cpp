@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -262,4 +262,4 @@ float Window::content_scale() const {
   return std::max(x, y);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -12,7 +12,7 @@
 
 struct GLFWwindow;
 
-namespace asos {
+namespace asos::ui {
 
 /// A window with an OpenGL 3.3 core context that is current on the calling thread; collects input
 /// events. Main thread only, except `wake`.
@@ -49,4 +49,4 @@ class Window final : public HostWindow {
   Happened happened_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -376,4 +376,4 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   return due;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -35,7 +35,7 @@
 
 struct ImGuiContext;
 
-namespace asos {
+namespace asos::ui {
 
 /// The sizes of the window that a frame is drawn into, and its time.
 struct FrameInput {
@@ -148,4 +148,4 @@ class WindowContent {
   int settling_frames_ = 0;  // frames that Dear ImGui still needs to settle after a change
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 
 // The part of WindowContent that opens and watches files, and stores settings.
 
-namespace asos {
+namespace asos::ui {
 
 void WindowContent::open_dropped(const std::string& path) {
   if (!is_sky_file(path)) {
@@ -78,4 +78,4 @@ void WindowContent::follow_files(double now_seconds) {
     previewer_.scene().reload();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace asos {
+namespace asos::ui {
 
 WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool show_bar) {
   // Minimum width of a picture next to the panel, in widths of the panel.
@@ -53,4 +53,4 @@ float fitting_text_scale(float asked, float window_width) {
   return std::min(asked, std::max(1.0f, std::floor(steps * fits) / steps));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

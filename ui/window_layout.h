@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 /// A rectangle of the window, in window coordinates, y down.
 struct WindowRect {
@@ -29,4 +29,4 @@ struct WindowLayout {
 /// less, in steps of an eighth, but at least 1.
 [[nodiscard]] float fitting_text_scale(float asked, float window_width);
 
-}  // namespace asos
+}  // namespace asos::ui

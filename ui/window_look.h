@@ -2,7 +2,7 @@
 
 #include "ui/theme.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// How a person wants the window to look.
 struct WindowLook {
@@ -15,4 +15,4 @@ struct WindowLook {
   bool operator==(const WindowLook&) const = default;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 WindowLoop::WindowLoop(HostWindow& window, Previewer& previewer, WindowContent& content,
                        Hooks hooks)
@@ -76,4 +76,4 @@ void WindowLoop::save() {
     saved_ = std::move(now);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Decides when the window is drawn and when it sleeps. Nothing is drawn while nothing changes.
 /// Events are processed between any two frames. Main thread only.
@@ -40,4 +40,4 @@ class WindowLoop {
   DrawSchedule schedule_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

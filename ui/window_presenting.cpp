@@ -10,7 +10,7 @@
 
 // The part of WindowContent that displays and saves the picture.
 
-namespace asos {
+namespace asos::ui {
 
 // A change of EPS or MAX ends the display of the previous picture.
 void WindowContent::update_display() {
@@ -122,4 +122,4 @@ void WindowContent::save_window(const FrameInput& in) {
       state_.display));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

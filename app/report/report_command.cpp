@@ -4,7 +4,6 @@
 #include "app/option.h"
 #include "app/picture_options.h"
 #include "app/progress_bar.h"
-#include "app/render_job.h"
 #include "app/report/flicker_files.h"
 #include "app/report/flicker_study.h"
 #include "app/report/gnuplot.h"
@@ -13,6 +12,7 @@
 #include "app/report/report_files.h"
 #include "app/report/study_report.h"
 #include "app/scene_argument.h"
+#include "renderer/session/film_render.h"
 #include "renderer/study/given_up.h"
 
 #include <CLI/CLI.hpp>

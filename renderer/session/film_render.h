@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/result.h"
 #include "renderer/session/render_session.h"
 
 #include <condition_variable>
@@ -9,21 +10,25 @@
 
 namespace asos {
 
-/// Renders snapshots without coarse passes, one after the other, each into a film that the calling
-/// thread waits for: what all that render without a window have in common.
+/// Renders snapshots one after the other, each into a film that the calling thread waits for: the
+/// loop of all that render without a window.
 class FilmRender {
  public:
   FilmRender();
 
-  /// The whole picture, or nothing once `go_on`, which is asked some dozens of times a second, says
-  /// no, or where the scene's boundaries could not be found. `on_progress` is called about ten
-  /// times a second, and at the end. Either may be empty; both are called from this thread.
+  /// Returns the whole picture; nullopt once `go_on` returns false, or where the scene's boundaries
+  /// could not be found. `go_on` is called some dozens of times a second, `on_progress` about ten
+  /// times a second and at the end. Either may be empty; both are called from this thread.
+  /// With a limit, in seconds of rendering, the picture comes in passes and is the best of that
+  /// time: at least a sample for each block, which takes a fraction of a second.
   [[nodiscard]] std::optional<RenderResult> render(
       Snapshot snapshot, const std::function<bool()>& go_on,
-      const std::function<void(const Progress&)>& on_progress);
+      const std::function<void(const Progress&)>& on_progress,
+      std::optional<double> time_limit_seconds = {});
 
  private:
   void wait_for_tiles();
+  void collect(Film& film);
 
   // Workers notify these when there are tiles.
   std::mutex mutex_;
@@ -31,5 +36,8 @@ class FilmRender {
   bool knocked_ = false;
   RenderSession session_;
 };
+
+/// Refuses pictures that this machine's memory cannot hold, before anything is allocated.
+[[nodiscard]] Result<void> check_picture_fits(const RenderSettings& settings);
 
 }  // namespace asos

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace asos {
@@ -104,6 +105,8 @@ struct RenderResult {
   Film film;
   RenderStatistics statistics;
   double seconds = 0.0;
+  /// The least progress of all pixels, where a limit of time ended the render.
+  std::optional<Reached> stopped_at;
 };
 [[nodiscard]] RenderResult render_to_end(
     Snapshot snapshot, const std::function<void(const Progress&)>& on_progress = {});

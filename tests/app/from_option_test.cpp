@@ -22,6 +22,8 @@ using test::AsosRun;
 using test::contains;
 using test::run_asos;
 using test::operator+;
+using ui::DisplaySettings;
+using ui::Previewer;
 
 std::vector<std::string> words(const std::string& line) {
   std::istringstream stream(line);

@@ -24,6 +24,7 @@
 namespace asos::bench::latency {
 
 using Clock = std::chrono::steady_clock;
+using ui::Previewer;
 
 struct Settings {
   std::string scene = "builtin:mixed";

@@ -7,5 +7,5 @@ command -v clang-format-14 >/dev/null || {
   echo 'skipped: clang-format-14 is not installed'
   exit 77
 }
-find app renderer ui tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find app examples include renderer ui tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 -r clang-format-14 --dry-run --Werror --ferror-limit=3

@@ -18,7 +18,7 @@ forbid() {
   done < <(grep -rnE --include='*.h' --include='*.cpp' -- "$pattern" "$folder" || true)
 }
 
-count=$(find app renderer ui tests \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null | wc -l)
+count=$(find app include renderer ui tests \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null | wc -l)
 if ((count < 20)); then
   printf 'only %d sources found under %s: this test looks in the wrong place\n' "$count" "$PWD"
   exit 1

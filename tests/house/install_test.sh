@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Packs the build as a Debian package, unpacks it in another place and runs it there: lists the
-# scenes, renders one, and checks that the desktop's files are in their places. The package depends
-# on the libraries that the program is linked with.
+# Packs the build as two Debian packages, unpacks the program's in another place and runs it there:
+# lists the scenes, renders one, and checks that the desktop's files are in their places. The package
+# depends on the libraries that the program is linked with. The other package holds the library's
+# files and no program.
 # Usage: install_test.sh BUILD_DIR
 set -euo pipefail
 build=$1
@@ -26,6 +27,18 @@ depends=$(dpkg-deb --field "$package" Depends)
 for library in libc6 libstdc++6 libembree libglfw3 libopenexr libpng16 libgl1; do
   [[ $depends == *$library* ]] || fail "the package does not depend on $library: $depends"
 done
+
+development=$(echo out/libasos-dev_*.deb)
+[[ -s $development ]] || fail "no package of the library: $(cat pack.log)"
+dpkg-deb --contents "$development" >development.list
+for file in include/asos/asos.h libasos. cmake/asos/asosConfig.cmake pkgconfig/asos.pc \
+  doc/libasos-dev/copyright; do
+  grep -qF -- "$file" development.list || fail "$development lacks $file"
+done
+! grep -q '/bin/' development.list || fail "$development contains the program"
+! dpkg-deb --contents "$package" | grep -qE '/(include|cmake)/' || fail "$package contains headers"
+[[ $(dpkg-deb --field "$development" Depends) == *libembree-dev* || ! $(cat development.list) == *libasos.a* ]] ||
+  fail "$development does not depend on the packages of the static library"
 
 dpkg-deb --extract "$package" root
 run() { env -i HOME="$work" PATH=/usr/bin:/bin LANG=C.UTF-8 "$work/root/usr/bin/asos" "$@"; }

@@ -10,6 +10,7 @@
 // Files outside a scene's asset root are read only after a button allowed it.
 
 namespace asos::test::asset_root_test {
+using namespace ui;
 namespace {
 
 class AssetRootTest : public testing::Test {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using CameraPanelTest = test::PanelsTest;

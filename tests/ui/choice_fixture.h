@@ -11,6 +11,7 @@
 #include <utility>
 
 namespace asos::test {
+using namespace ui;
 
 /// Opens a file that offers choices in a list of the panel.
 class ChoiceTest : public testing::Test {

@@ -10,6 +10,7 @@
 #include <numbers>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 Dfr dfr_of(DfrCurve curve) {

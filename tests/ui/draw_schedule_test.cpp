@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 // Draws the frame that is due at `now`.

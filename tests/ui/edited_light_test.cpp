@@ -12,6 +12,7 @@
 #include <random>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 constexpr std::array all_kinds{LightKind::point,       LightKind::sphere, LightKind::spot,

@@ -8,6 +8,7 @@
 #include <string>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using EqualTimeTest = test::PanelsTest;

@@ -21,6 +21,7 @@
 // missing in the table fails the test.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

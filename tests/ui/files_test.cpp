@@ -12,6 +12,7 @@
 #include <fstream>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 namespace fs = std::filesystem;

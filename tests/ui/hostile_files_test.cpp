@@ -14,6 +14,7 @@
 #include <vector>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::GltfBuilder;

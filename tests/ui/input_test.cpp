@@ -6,6 +6,7 @@
 #include <string>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 class InputTest : public testing::Test {

@@ -9,6 +9,7 @@
 // Quitting: never by Escape, and never without a question if work would be lost.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 class LensPanelTest : public test::PanelsTest {

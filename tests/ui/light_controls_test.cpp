@@ -9,6 +9,7 @@
 // The panel's controls for light, shadows and samples, and its information about lights.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

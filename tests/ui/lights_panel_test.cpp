@@ -7,6 +7,7 @@
 // The lights panel, and the lights' marks in the picture.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

@@ -22,6 +22,7 @@ extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #endif
 
 namespace asos {
+using namespace ui;
 namespace {
 
 /// A wavy square of 2 x side x side triangles.

@@ -16,6 +16,7 @@
 // Turntables and animations as frames, and as MP4 with a program that replaces ffmpeg.
 
 namespace asos::test::movie_test {
+using namespace ui;
 namespace {
 
 namespace fs = std::filesystem;

@@ -8,6 +8,7 @@
 #include <vector>
 
 namespace asos::test::node_tree_test {
+using namespace ui;
 namespace {
 
 /// root - (arm - hand, lamp), and a light without surfaces. Objects: 0 and 3 of the hand, 1 of the

@@ -3,6 +3,7 @@
 // Scenes replace each other; scenes that cannot be opened leave the old one.
 
 namespace asos::test::opening_test {
+using namespace ui;
 namespace {
 
 class OpeningTest : public PreviewerTest {};

@@ -11,6 +11,7 @@
 #include <random>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 constexpr double pi = std::numbers::pi;

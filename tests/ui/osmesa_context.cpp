@@ -8,6 +8,7 @@
 #include <vector>
 
 namespace asos::test {
+using namespace ui;
 
 struct OsmesaContext::Impl {
   OSMesaContext context = nullptr;

@@ -8,6 +8,7 @@
 #include <vector>
 
 namespace asos::test::outline_test {
+using namespace ui;
 namespace {
 
 TEST(HiddenObjects, ArePlacesAmongThoseThatShowSomething) {

@@ -12,6 +12,7 @@
 // Faults of the panel that users reported.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

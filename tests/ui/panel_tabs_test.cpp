@@ -8,6 +8,7 @@
 // The panel's tabs, the search over all of them, and the stored state.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 class PanelTabsTest : public test::PanelsTest {

@@ -11,6 +11,7 @@
 #include <string>
 
 namespace asos::test {
+using namespace ui;
 
 /// A window with an open scene and room for the whole panel next to the picture; the panel shows
 /// all of its tabs. Draws blind, and with a picture of a ninth of the pixels, unless a test changes

@@ -9,6 +9,7 @@
 #include <fstream>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

@@ -8,6 +8,7 @@
 // The bar under the picture, and the display of the picture of the previous EPS and MAX.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 class PictureBarTest : public test::PanelsTest {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 PictureView view_of(glm::ivec2 area, glm::ivec2 picture) {

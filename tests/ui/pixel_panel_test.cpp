@@ -9,6 +9,7 @@
 #include <numeric>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

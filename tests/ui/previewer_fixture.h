@@ -15,6 +15,7 @@
 #include <thread>
 
 namespace asos::test {
+using namespace ui;
 
 /// Loads "red", "green", "slow" (green, after `release`), "lines" (red, with a line), "wide" (red,
 /// with a camera of aspect ratio 3) and "many" (many triangles); any other name is an error.

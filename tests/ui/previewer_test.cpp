@@ -9,6 +9,7 @@
 #include <memory>
 
 namespace asos::test::previewer_test {
+using namespace ui;
 namespace {
 
 TEST_F(PreviewerTest, RendersTheSceneThatItOpens) {

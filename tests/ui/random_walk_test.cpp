@@ -14,6 +14,7 @@
 // actions follow from a seed. Under the sanitizers the walk is longer, and there are no reports.
 
 namespace asos::test::random_walk_test {
+using namespace ui;
 namespace {
 
 constexpr int actions = sanitized ? 2000 : 1000;

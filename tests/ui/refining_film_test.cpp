@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 FinishedTile tile(PixelRect rect, glm::vec3 colour, bool coarse) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 /// A linear ramp: red grows to the right and green downwards, by 1 / height per pixel.

@@ -17,6 +17,7 @@
 // Saving of scenes, the clipboard, and the legend below a saved split map.
 
 namespace asos::test::save_more_test {
+using namespace ui;
 namespace {
 
 /// An environment variable that is restored.

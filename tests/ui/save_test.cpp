@@ -8,6 +8,7 @@
 #include <filesystem>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 class SaveTest : public test::PanelsTest {

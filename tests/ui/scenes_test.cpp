@@ -8,6 +8,7 @@
 #include <string>
 
 namespace asos::test::scenes_test {
+using namespace ui;
 namespace {
 
 /// A scene of one square, and one of two distant squares; the second is the file's default.

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 namespace fs = std::filesystem;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace asos::test::scroll_anchor_test {
+using namespace ui;
 namespace {
 
 class ScrollAnchorTest : public PanelsTest {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace asos::test::seen_lines_test {
+using namespace ui;
 namespace {
 
 // Two triangles, seen from (0, 0, 3). The nearer one, in the plane z = 0, extends from x = -0.479

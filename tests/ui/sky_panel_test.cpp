@@ -10,6 +10,7 @@
 #include <fstream>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

@@ -11,6 +11,7 @@
 #include <cmath>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

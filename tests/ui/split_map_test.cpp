@@ -12,6 +12,7 @@
 // The split map by cause: a wall with a crease, and a card in front of it that casts a hard shadow.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::UiRig;

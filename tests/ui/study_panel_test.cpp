@@ -16,6 +16,7 @@
 #include <thread>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::PanelsTest;

@@ -9,6 +9,7 @@
 #include <string>
 
 namespace asos::test::surface_viewer_test {
+using namespace ui;
 namespace {
 
 class SurfaceViewerTest : public PanelsTest {

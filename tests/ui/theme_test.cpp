@@ -2,6 +2,7 @@
 
 #include "renderer/film/split_cause.h"
 #include "tests/ui/panels_fixture.h"
+#include "ui/panels/study_marks.h"
 #include "ui/panels/study_plot.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <vector>
 
 namespace asos::test::theme_test {
+using namespace ui;
 namespace {
 
 glm::dvec3 linear(std::uint32_t rgb) {

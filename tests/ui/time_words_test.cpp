@@ -12,6 +12,7 @@
 #include <string>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using TimeWordsTest = test::PanelsTest;

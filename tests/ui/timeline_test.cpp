@@ -10,6 +10,7 @@
 #include <set>
 
 namespace asos::test::timeline_test {
+using namespace ui;
 namespace {
 
 /// With a line next to the square, which moves with it.

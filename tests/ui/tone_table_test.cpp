@@ -10,6 +10,7 @@
 #include <random>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 TEST(ToneTable, AgreesWithDisplayBytesForAllFloats) {

@@ -12,6 +12,7 @@
 // The end of the tour, its pixels, and the place of its card.
 
 namespace asos::test::tour_end_test {
+using namespace ui;
 namespace {
 
 class TourEndTest : public PanelsTest {

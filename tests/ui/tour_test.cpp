@@ -17,6 +17,7 @@
 // The tour, the sections' help, and the explanation of a pixel.
 
 namespace asos::test::tour_test {
+using namespace ui;
 namespace {
 
 class TourTest : public PanelsTest {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 constexpr double pi = std::numbers::pi;

@@ -16,6 +16,7 @@
 #include <utility>
 
 namespace asos::test {
+using namespace ui;
 
 namespace {
 

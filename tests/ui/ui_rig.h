@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace asos::test {
+using namespace ui;
 
 /// The window's default display transform.
 inline const DisplayTransform usual_display = DisplaySettings{}.transform();

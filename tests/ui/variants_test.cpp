@@ -8,6 +8,7 @@
 #include <string>
 
 namespace asos::test::variants_test {
+using namespace ui;
 namespace {
 
 using nlohmann::json;

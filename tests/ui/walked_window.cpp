@@ -9,6 +9,7 @@
 #include <thread>
 
 namespace asos::test {
+using namespace ui;
 
 namespace {
 

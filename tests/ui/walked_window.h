@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace asos::test {
+using namespace ui;
 
 /// A window in memory that runs a script: each time the loop processes events, one step of the
 /// script runs. Counts the loop's work between two steps.

@@ -12,6 +12,7 @@
 #include <thread>
 
 namespace asos::test {
+using namespace ui;
 
 Result<Scene> load_some(const SceneSource& asked) {
   const std::string& source = asked.path;

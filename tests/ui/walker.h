@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace asos::test {
+using namespace ui;
 
 /// Test scenes; some take a moment to load.
 [[nodiscard]] Result<Scene> load_some(const SceneSource& asked);

@@ -10,6 +10,7 @@
 // With a fast camera the picture never mixes two poses.
 
 namespace asos {
+using namespace ui;
 namespace {
 
 /// A camera between a red wall and a green one.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace asos::test::whole_words_test {
+using namespace ui;
 namespace {
 
 std::string in_letters(std::string_view text, float room) {

@@ -15,6 +15,7 @@
 #include <thread>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 using test::two_triangles;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace asos {
+using namespace ui;
 namespace {
 
 float area(const WindowRect& rect) {

@@ -20,6 +20,7 @@
 // README.md shows. Fails if a picture is empty.
 
 namespace asos::test {
+using namespace ui;
 namespace {
 
 namespace fs = std::filesystem;

@@ -19,6 +19,7 @@
 // SCENE-eps.png and SCENE-max.png.
 
 namespace asos::test {
+using namespace ui;
 namespace {
 
 namespace fs = std::filesystem;

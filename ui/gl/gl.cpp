@@ -1,6 +1,6 @@
 #include "ui/gl/gl.h"
 
-namespace asos::gl {
+namespace asos::ui::gl {
 
 PFNGLACTIVETEXTUREPROC glActiveTexture = nullptr;
 PFNGLATTACHSHADERPROC glAttachShader = nullptr;
@@ -149,4 +149,4 @@ Result<void> load(GetFunction get) {
   return {};
 }
 
-}  // namespace asos::gl
+}  // namespace asos::ui::gl

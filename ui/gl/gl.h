@@ -8,7 +8,7 @@
 // (OSMesa): no other loader serves both. The names live in a namespace, because global variables of
 // the same names would replace libGL's functions at link time.
 
-namespace asos::gl {
+namespace asos::ui::gl {
 
 using Function = void (*)();
 using GetFunction = Function (*)(const char* name);
@@ -77,4 +77,4 @@ extern PFNGLUSEPROGRAMPROC glUseProgram;
 extern PFNGLVERTEXATTRIBPOINTERPROC glVertexAttribPointer;
 extern PFNGLVIEWPORTPROC glViewport;
 
-}  // namespace asos::gl
+}  // namespace asos::ui::gl

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace asos::gl {
+namespace asos::ui::gl {
 
 VertexArray make_vertex_array() {
   GLuint name = 0;
@@ -66,4 +66,4 @@ Result<Program> make_program(const char* vertex_source, const char* fragment_sou
   return unexpected(Error{"OpenGL program", log});
 }
 
-}  // namespace asos::gl
+}  // namespace asos::ui::gl

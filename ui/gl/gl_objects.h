@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace asos::gl {
+namespace asos::ui::gl {
 
 /// Owns an OpenGL name and deletes it. The context has to be current when it is destroyed.
 template <void (*destroy)(GLuint)>
@@ -48,4 +48,4 @@ using VertexArray = Object<delete_vertex_array>;
 /// Compiles and links; the error is the driver's message.
 [[nodiscard]] Result<Program> make_program(const char* vertex_source, const char* fragment_source);
 
-}  // namespace asos::gl
+}  // namespace asos::ui::gl

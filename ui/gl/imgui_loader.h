@@ -4,4 +4,4 @@
 
 #include "ui/gl/gl.h"
 
-using namespace asos::gl;
+using namespace asos::ui::gl;

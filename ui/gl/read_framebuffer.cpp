@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace asos {
+namespace asos::ui {
 
 std::vector<std::uint8_t> read_framebuffer(const PixelRect& area, int height) {
   const std::size_t row = 3 * static_cast<std::size_t>(area.width);
@@ -22,4 +22,4 @@ std::vector<std::uint8_t> read_framebuffer(const PixelRect& area, int height) {
   return rgb;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -252,4 +252,4 @@ void advanced_panel(Controls& controls, Previewer& previewer) {
                     settings.cull, usual.cull);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -40,4 +40,4 @@ void background_controls(Controls& controls, RenderSettings& settings) {
                   background.bottom, usual.bottom);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -115,4 +115,4 @@ void camera_panel(Controls& controls, Previewer& previewer) {
   turntable_controls(controls, previewer.turntable());
 }
 
-}  // namespace asos
+}  // namespace asos::ui

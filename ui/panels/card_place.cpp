@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -53,4 +53,4 @@ CardPlace card_place(const WindowRect& room, glm::vec2 size, std::span<const Win
   return best;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

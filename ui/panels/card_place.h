@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace asos {
+namespace asos::ui {
 
 /// Position and width of a card, in window coordinates.
 struct CardPlace {
@@ -21,4 +21,4 @@ struct CardPlace {
 [[nodiscard]] CardPlace card_place(const WindowRect& room, glm::vec2 size,
                                    std::span<const WindowRect> taken, float em);
 
-}  // namespace asos
+}  // namespace asos::ui

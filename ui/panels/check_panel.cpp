@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -123,4 +123,4 @@ void check_marks(const SplitFindings* findings, const CheckChoice& choice, const
   if (choice.mark_missed) draw_runs(findings->missed, missed_rgb, view, area);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

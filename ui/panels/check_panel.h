@@ -7,7 +7,7 @@
 #include "ui/previewer.h"
 #include "ui/split_check.h"
 
-namespace asos {
+namespace asos::ui {
 
 struct PictureArea;
 
@@ -27,4 +27,4 @@ void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& ch
 void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,
                  const PictureArea& area);
 
-}  // namespace asos
+}  // namespace asos::ui

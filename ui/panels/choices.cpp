@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -97,4 +97,4 @@ bool Controls::list(const char* name, const char* tooltip, std::span<const std::
   return chosen != before;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

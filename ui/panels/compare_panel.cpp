@@ -15,7 +15,7 @@
 #include <string>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -131,4 +131,4 @@ bool store_frame(Frames& frames, const Previewer& previewer) {
   return frames.store(render.film(), std::move(name), summary_of(previewer));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

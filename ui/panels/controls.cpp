@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -332,4 +332,4 @@ Controls::Handle Controls::handle(const char* name, const char* tooltip, glm::ve
   return handle;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

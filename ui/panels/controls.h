@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 /// Writes four significant digits, with an exponent only for extreme values: "14050", "0.000123",
 /// "1.5e+09".
@@ -183,4 +183,4 @@ class Controls {
   bool tooltip_now_ = false, tooltip_before_ = false;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

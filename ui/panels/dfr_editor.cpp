@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -293,4 +293,4 @@ bool dfr_editor(Controls& controls, Dfr& dfr, DfrChannel& channel, const Dfr& us
   return dfr != before;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 /// Plots a defocusing ratio and the widening of a pyray against the angle of incidence, with
 /// draggable points and editable numbers, and shows a bar reflected by the mirror. `usual`: the
@@ -14,4 +14,4 @@ namespace asos {
 bool dfr_editor(Controls& controls, Dfr& dfr, DfrChannel& channel, const Dfr& usual,
                 std::optional<double> incidence_rad);
 
-}  // namespace asos
+}  // namespace asos::ui

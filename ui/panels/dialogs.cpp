@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -274,4 +274,4 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::escape)) close_something(state, previewer);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

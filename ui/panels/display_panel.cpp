@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -65,4 +65,4 @@ void display_panel(Controls& controls, DisplaySettings& display) {
     display.split_colours = static_cast<SplitMapColours>(colours);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

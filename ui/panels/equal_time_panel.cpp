@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -103,4 +103,4 @@ void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeC
                "CPU time of the finished picture, all threads. The other method gets the same.");
 }
 
-}  // namespace asos
+}  // namespace asos::ui

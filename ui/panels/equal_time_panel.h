@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace asos {
+namespace asos::ui {
 
 /// The method to compare the picture with.
 struct EqualTimeChoice {
@@ -34,4 +34,4 @@ void equal_time_progress(Controls& controls, const EqualTimeChoice& choice);
 void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
                       EqualTimeJob& job, const Frames& frames);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -11,7 +11,7 @@
 #include <array>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -83,4 +83,4 @@ void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect&
   ImGui::PopStyleVar();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::string browse_files(Controls& controls, FileBrowser& browser, float height)
   return opened;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

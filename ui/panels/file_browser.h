@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The state of a file browser. Typed text filters the folder; text with a slash is a path, whose
 /// folder is listed instead.
@@ -39,4 +39,4 @@ struct FileBrowser {
 /// Draws the text field and the folder's entries. Returns the chosen file, or nothing.
 [[nodiscard]] std::string browse_files(Controls& controls, FileBrowser& browser, float height);
 
-}  // namespace asos
+}  // namespace asos::ui

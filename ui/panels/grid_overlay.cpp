@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -116,4 +116,4 @@ void GridOverlay::draw(const Previewer& previewer, const PictureView& view,
     if (!axes_[axis].empty()) draw_axis(on, axes_[axis], tips_[axis], axis);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// Step of a grid under an object of this radius: 1, 2 or 5 times a power of ten, with about ten
 /// squares across it; 0 without a radius.
@@ -37,4 +37,4 @@ class GridOverlay {
   std::array<glm::dvec3, 3> tips_{};
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-namespace asos {
+namespace asos::ui {
 
 InnerList::InnerList(const char* name, glm::vec2 size) {
   ImGuiStorage& of_panel = *ImGui::GetStateStorage();
@@ -17,4 +17,4 @@ InnerList::~InnerList() {
   ImGui::EndChild();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

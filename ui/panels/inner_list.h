@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 /// A list with its own height within a panel, during its lifetime. The wheel scrolls the panel
 /// until the list is clicked, so that passing over a list does not stop the scrolling.
@@ -14,4 +14,4 @@ class InnerList {
   InnerList& operator=(const InnerList&) = delete;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -87,4 +87,4 @@ void lens_panel(Controls& controls, Previewer& previewer, LensState& choice) {
   if (!(lens == camera.lens)) orbit.set_lens(lens);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

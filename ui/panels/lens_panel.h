@@ -3,7 +3,7 @@
 #include "ui/panels/controls.h"
 #include "ui/previewer.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// State of the section Lens.
 struct LensState {
@@ -13,4 +13,4 @@ struct LensState {
 /// Controls of depth of field for a perspective camera.
 void lens_panel(Controls& controls, Previewer& previewer, LensState& choice);
 
-}  // namespace asos
+}  // namespace asos::ui

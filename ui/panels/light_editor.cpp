@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -262,4 +262,4 @@ bool edit_light(Controls& controls, EditedLight& edited, const LightSurroundings
   return LightEditor(controls, edited, around).run();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

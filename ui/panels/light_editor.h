@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 [[nodiscard]] const char* light_kind_name(LightKind kind);
 
@@ -21,4 +21,4 @@ struct LightSurroundings {
 /// changed.
 bool edit_light(Controls& controls, EditedLight& edited, const LightSurroundings& around);
 
-}  // namespace asos
+}  // namespace asos::ui

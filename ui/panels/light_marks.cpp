@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -209,4 +209,4 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
   side_label(frames.compared()->name, {x + 1.5f * grip, top}, 0.0f);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -251,4 +251,4 @@ void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
       choice.show_marks, true);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

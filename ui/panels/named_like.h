@@ -4,7 +4,7 @@
 #include <cctype>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Whether the name contains the letters, ignoring case.
 [[nodiscard]] inline bool named_like(const std::string& name, const std::string& letters) {
@@ -16,4 +16,4 @@ namespace asos {
          std::search(name.begin(), name.end(), letters.begin(), letters.end(), same) != name.end();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -97,4 +97,4 @@ void notices(Controls& controls, OpenScene& scene, const WindowRect& area) {
   if (scene.error()) error_notice(controls, scene, area);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

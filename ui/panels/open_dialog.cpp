@@ -12,7 +12,7 @@
 #include <string>
 #include <system_error>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -126,4 +126,4 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
   ImGui::EndPopup();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -63,4 +63,4 @@ void open_question(Controls& controls, OpenScene& scene, OpenChoice& choice,
   if (stay) choice = {};
 }
 
-}  // namespace asos
+}  // namespace asos::ui

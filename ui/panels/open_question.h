@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A request to open another scene, or to reload the open one.
 struct OpenChoice {
@@ -19,4 +19,4 @@ struct OpenChoice {
 void open_question(Controls& controls, OpenScene& scene, OpenChoice& choice,
                    const std::vector<std::string>& losses);
 
-}  // namespace asos
+}  // namespace asos::ui

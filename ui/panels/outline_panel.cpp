@@ -17,7 +17,7 @@
 #include <numeric>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -328,4 +328,4 @@ std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoic
   return said;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

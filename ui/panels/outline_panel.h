@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The state of the outline panel.
 struct OutlineChoice {
@@ -36,4 +36,4 @@ struct OutlineChoice {
 [[nodiscard]] std::string outline_panel(Controls& controls, Previewer& previewer,
                                         OutlineChoice& choice, std::optional<glm::ivec2> picked);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -11,7 +11,7 @@
 
 #include <glm/glm.hpp>
 
-namespace asos {
+namespace asos::ui {
 
 /// The area of the window that shows the picture.
 struct PictureArea {
@@ -88,4 +88,4 @@ void save_dialog(Controls& controls, SaveChoice& choice, const SaveFacts& facts)
 /// Handles the keys that work while no text is typed.
 void handle_shortcuts(UiState& state, Previewer& previewer);
 
-}  // namespace asos
+}  // namespace asos::ui

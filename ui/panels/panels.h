@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 // One panel per file. Each draws its widgets into the current Dear ImGui window and edits its
 // arguments; the previewer detects changes itself.
@@ -79,4 +79,4 @@ struct StatusLine {
 };
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -148,4 +148,4 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

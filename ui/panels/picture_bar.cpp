@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -228,4 +228,4 @@ void picture_bar(Controls& controls, Previewer& previewer, UiState& state) {
   controls.placed_window("Picture bar");
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -357,4 +357,4 @@ void picked_mark(const PixelReport* report, const UiState& state, const PictureA
   draw.AddRect({lo.x - grow, lo.y - grow}, {hi.x + grow, hi.y + grow}, theme::packed(0xffffff));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::optional<PixelPlace> picked_place(const UiState& state, const PictureArea& 
   return place;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

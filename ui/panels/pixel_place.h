@@ -10,7 +10,7 @@
 
 // Placement of the pixel panel, which must not cover its pixel. All in window coordinates.
 
-namespace asos {
+namespace asos::ui {
 
 /// Position and maximum height of the pixel panel.
 struct PixelPlace {
@@ -33,4 +33,4 @@ struct PixelPlace {
 [[nodiscard]] std::optional<PixelPlace> picked_place(const UiState& state, const PictureArea& area,
                                                      float em);
 
-}  // namespace asos
+}  // namespace asos::ui

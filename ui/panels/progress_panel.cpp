@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -118,4 +118,4 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
       "Under the pointer: object, material, position, linear values, display values, level.");
 }
 
-}  // namespace asos
+}  // namespace asos::ui

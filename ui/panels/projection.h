@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace asos {
+namespace asos::ui {
 
 /// Converts between world, picture and window coordinates.
 class Projection {
@@ -67,4 +67,4 @@ class Projection {
   const PictureArea& area_;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace asos {
+namespace asos::ui {
 
 void quit_dialog(Controls& controls, QuitChoice& choice, const std::vector<std::string>& losses,
                  bool saving) {
@@ -46,4 +46,4 @@ void quit_dialog(Controls& controls, QuitChoice& choice, const std::vector<std::
   ImGui::EndPopup();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A request to quit.
 struct QuitChoice {
@@ -19,4 +19,4 @@ struct QuitChoice {
 void quit_dialog(Controls& controls, QuitChoice& choice, const std::vector<std::string>& losses,
                  bool saving);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 void refinement_panel(Controls& controls, Previewer& previewer) {
   if (!previewer.scene() || !controls.section("Refinement", false)) return;
@@ -46,4 +46,4 @@ void refinement_panel(Controls& controls, Previewer& previewer) {
                "Estimated RMSE of the current picture, extrapolated from finished pixels.");
 }
 
-}  // namespace asos
+}  // namespace asos::ui

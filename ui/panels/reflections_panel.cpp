@@ -12,7 +12,7 @@
 #include <cmath>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -165,4 +165,4 @@ void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoic
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

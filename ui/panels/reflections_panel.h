@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// The state of the reflections panel.
 struct ReflectionChoice {
@@ -29,4 +29,4 @@ struct ReflectionChoice {
 void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoice& choice,
                        std::optional<glm::ivec2> picked);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -15,7 +15,7 @@
 #include <span>
 #include <system_error>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -198,4 +198,4 @@ bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& 
   return stop;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -64,4 +64,4 @@ void save_scene_dialog(Controls& controls, SaveSceneChoice& choice) {
   ImGui::EndPopup();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// The user's choice of the exported scene's path.
 struct SaveSceneChoice {
@@ -15,4 +15,4 @@ struct SaveSceneChoice {
 
 void save_scene_dialog(Controls& controls, SaveSceneChoice& choice);
 
-}  // namespace asos
+}  // namespace asos::ui

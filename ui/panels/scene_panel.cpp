@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -109,4 +109,4 @@ void scene_panel(Controls& controls, const RenderScene& scene, const RenderSetti
   left_out_rows(controls, needs_of(scene, settings));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

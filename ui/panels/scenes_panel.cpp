@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 void scenes_panel(Controls& controls, OpenScene& scene) {
   if (!scene) return;
@@ -23,4 +23,4 @@ void scenes_panel(Controls& controls, OpenScene& scene) {
     scene.show_scene(chosen);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -3,9 +3,9 @@
 #include "ui/open_scene.h"
 #include "ui/panels/controls.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// Lists the scenes of a file that has several, to choose one.
 void scenes_panel(Controls& controls, OpenScene& scene);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace asos {
+namespace asos::ui {
 
 void ScrollAnchor::hold(const Controls& controls) {
   moved_ = false;
@@ -44,4 +44,4 @@ void ScrollAnchor::take(const Controls& controls, glm::vec2 pointer) {
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// Keeps the control under the pointer in place while rows above it come and go, by scrolling its
 /// window. At the ends of the scroll range the control moves after all.
@@ -27,4 +27,4 @@ class ScrollAnchor {
   bool moved_ = false;
 };
 
-}  // namespace asos
+}  // namespace asos::ui

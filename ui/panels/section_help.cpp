@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -323,4 +323,4 @@ void section_help(std::string_view section) {
   ImGui::PopTextWrapPos();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-namespace asos {
+namespace asos::ui {
 
 /// Whether there is help for a section of the panel.
 [[nodiscard]] bool has_section_help(std::string_view section);
@@ -17,4 +17,4 @@ struct SketchedPixel {
 };
 [[nodiscard]] std::span<const SketchedPixel> sketched_pixels();
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace asos {
+namespace asos::ui {
 
 void Controls::row(const char* label_text, const std::string& value, const char* tooltip,
                    const RowStyle& how) {
@@ -97,4 +97,4 @@ void Controls::help_button(const char* section) {
   ImGui::PopID();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

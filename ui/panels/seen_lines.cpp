@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::vector<LinePart> seen_parts(const RayScene& rays, const View& view, Culling
   return parts;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

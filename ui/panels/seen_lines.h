@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A part of a straight line, and whether a surface hides it.
 struct LinePart {
@@ -22,4 +22,4 @@ struct LinePart {
                                                Culling faces, glm::dvec3 a, glm::dvec3 b,
                                                int places = 100);
 
-}  // namespace asos
+}  // namespace asos::ui

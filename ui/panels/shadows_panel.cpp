@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -73,4 +73,4 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
     settings.shadow.light_rule = static_cast<LightRule>(rule);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

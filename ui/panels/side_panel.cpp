@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -180,4 +180,4 @@ void side_panel(Controls& controls, Previewer& previewer, UiState& state, const 
   reset_buttons(controls, previewer, state);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 #include "ui/panels/panels.h"
 #include "ui/ui_state.h"
 
-namespace asos {
+namespace asos::ui {
 
 class SkyReader;
 class SplitCheck;
@@ -22,4 +22,4 @@ struct PanelJobs {
 /// Draws all sections below each other into the current Dear ImGui window.
 void side_panel(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -110,4 +110,4 @@ void draw_pyray(const Sketch& sketch) {
   sketch.words({14.4f, 4.4f}, "scene");
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-namespace asos {
+namespace asos::ui {
 
 /// A small drawing in the current Dear ImGui window with its colours, 16 units wide and 6 high; y
 /// down.
@@ -36,4 +36,4 @@ class Sketch {
 /// A pixel's pyramid from the eye through the picture to an edge.
 void draw_pyray(const Sketch& sketch);
 
-}  // namespace asos
+}  // namespace asos::ui

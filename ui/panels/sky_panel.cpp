@@ -20,7 +20,7 @@
 #include <system_error>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -249,4 +249,4 @@ void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader
   browse_skies(controls, choice, reader);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// State of the sky panel that the settings' sky does not contain.
 struct SkyEdit {
@@ -38,4 +38,4 @@ void update_sky(SceneEdits& edits, SkyEdit& choice, SkyReader& reader);
 /// The controls of sky and background.
 void sky_panel(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader& reader);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -16,7 +16,7 @@
 #include <numbers>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -109,4 +109,4 @@ void sky_thumbnails(Controls& controls, SceneEdits& edits) {
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

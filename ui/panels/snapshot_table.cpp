@@ -10,7 +10,7 @@
 #include <limits>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -104,4 +104,4 @@ void snapshot_table(Controls& controls, const Previewer& previewer, Frames& fram
   ImGui::EndTable();
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -4,7 +4,7 @@
 #include "ui/panels/controls.h"
 #include "ui/previewer.h"
 
-namespace asos {
+namespace asos::ui {
 
 /// Lists the picture and the snapshots with RMSE and PSNR against the chosen snapshot. A click
 /// chooses another one. Only with snapshots.
@@ -16,4 +16,4 @@ void snapshot_table(Controls& controls, const Previewer& previewer, Frames& fram
 /// "32.1 dB", for a peak value of 1; "identical" without any error.
 [[nodiscard]] std::string psnr_words(double rmse);
 
-}  // namespace asos
+}  // namespace asos::ui

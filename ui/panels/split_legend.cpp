@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -229,4 +229,4 @@ const char* words_of(SplitCause cause) {
   return cause_words[static_cast<std::size_t>(cause)];
 }
 
-}  // namespace asos
+}  // namespace asos::ui

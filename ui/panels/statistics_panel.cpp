@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -108,4 +108,4 @@ void statistics_panel(Controls& controls, const RenderStatistics& statistics,
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -147,4 +147,4 @@ Result<std::string> save_study_text(const std::string& folder, const std::string
   return path;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// The plot as an SVG of 800 x 560 units with its legend.
 [[nodiscard]] std::string plot_svg(const StudyPlot& plot, const std::string& title);
@@ -20,4 +20,4 @@ namespace asos {
                                                   const std::string& extension,
                                                   const std::string& text);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::string curve_title(const std::string& curve, const std::string& method) {
   return curve.starts_with(method) ? method_title(method) + curve.substr(method.size()) : curve;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A method's colour in plots: sRGB, 0xRRGGBB. Colour-blind users can distinguish the colours.
 [[nodiscard]] std::uint32_t method_colour(const std::string& method);
@@ -20,4 +20,4 @@ namespace asos {
 /// The title of a curve, whose name begins with the method's name.
 [[nodiscard]] std::string curve_title(const std::string& curve, const std::string& method);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -309,4 +309,4 @@ void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 /// The settings of a study of the view.
 struct StudyChoice {
@@ -37,4 +37,4 @@ void update_study(ViewStudy& study, const Previewer& previewer, bool other_work)
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
                  const Previewer& previewer);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -198,4 +198,4 @@ void draw_plot(const StudyPlot& plot, float height_em) {
   draw_legend(plot);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

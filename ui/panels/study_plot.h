@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 /// A logarithmic axis over whole decades.
 struct LogAxis {
@@ -49,4 +49,4 @@ enum class StudyCurves { finished, while_rendering };
 /// `height_em`: height of the axes with their labels, in heights of text.
 void draw_plot(const StudyPlot& plot, float height_em = 13.0f);
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -42,4 +42,4 @@ void toggle(SurfaceChoice& choice, SurfaceProperty property) {
     choice.property = property;
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace asos {
+namespace asos::ui {
 
 /// The keys of the surface properties, in the order of SurfaceProperty.
 inline constexpr std::array<const char*, surface_properties> surface_keys{"B", "N", "H", "L",
@@ -19,4 +19,4 @@ void surface_panel(Controls& controls, SurfaceChoice& choice);
 /// Shows a property; shows the picture again if that property is shown.
 void toggle(SurfaceChoice& choice, SurfaceProperty property);
 
-}  // namespace asos
+}  // namespace asos::ui

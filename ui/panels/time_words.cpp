@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::string estimate_words(double split_share, const TimeEstimate& estimate) {
                      rough_duration(estimate.all));
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -10,7 +10,7 @@
 // Durations as text. Wall-clock time and CPU time, which all workers add up to, are labelled as
 // such.
 
-namespace asos {
+namespace asos::ui {
 
 /// "4.2 s", "1 min 05 s": measured wall-clock time.
 [[nodiscard]] std::string duration_words(double seconds);
@@ -37,4 +37,4 @@ struct ProgressFacts {
 /// "about 3.1 % split, 5 s": the time of the whole render.
 [[nodiscard]] std::string estimate_words(double split_share, const TimeEstimate& estimate);
 
-}  // namespace asos
+}  // namespace asos::ui

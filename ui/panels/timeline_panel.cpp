@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -68,4 +68,4 @@ void timeline_panel(Controls& controls, Playback& playback) {
                  "Time to pose the scene and to prepare it for rendering.");
 }
 
-}  // namespace asos
+}  // namespace asos::ui

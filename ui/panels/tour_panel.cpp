@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -307,4 +307,4 @@ std::optional<double> seconds_to_card(const UiState& state, double now_seconds) 
   return std::max(0.0, state.tour.since_seconds + Tour::seconds_per_level - now_seconds);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

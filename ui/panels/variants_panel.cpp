@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 void variants_panel(Controls& controls, OpenScene& scene) {
   if (!scene) return;
@@ -24,4 +24,4 @@ void variants_panel(Controls& controls, OpenScene& scene) {
                                    : contents.variants[static_cast<std::size_t>(chosen) - 1]);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

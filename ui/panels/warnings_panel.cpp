@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -54,4 +54,4 @@ void warnings_panel(Controls& controls, const SceneNotes& notes, OpenScene& scen
   asset_root_button(controls, scene, -1.0f);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace asos {
+namespace asos::ui {
 
 /// Breaks text into lines no wider than `room`, between words only; a wider word stays whole. (Dear
 /// ImGui also breaks after a full stop, and so within numbers.) `width` measures a text.
@@ -29,4 +29,4 @@ template <typename Width>
   }
 }
 
-}  // namespace asos
+}  // namespace asos::ui

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace asos {
+namespace asos::ui {
 
 namespace {
 
@@ -47,4 +47,4 @@ void window_panel(Controls& controls, WindowLook& look) {
                     WindowLook{}.show_bar);
 }
 
-}  // namespace asos
+}  // namespace asos::ui

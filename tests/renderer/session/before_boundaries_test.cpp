@@ -13,7 +13,9 @@
 #include <chrono>
 #include <memory>
 #include <new>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -123,6 +125,25 @@ TEST(BeforeBoundaries, ARenderCanBeCancelledAndReplaced) {
   EXPECT_FALSE(session.progress().running);
   session.restart(snapshot_of(held_geometry(closed)));
   // The session is destroyed here, whatever its workers are doing.
+}
+
+// The render cannot finish: its boundaries are not known before the gate opens.
+TEST(BeforeBoundaries, TimeLimitEndsRenderWithSamples) {
+  Gate closed;
+  bool told = false;
+  const std::optional<RenderResult> result =
+      FilmRender().render(snapshot_of(held_geometry(closed)), {}, {}, 0.0);
+  ASSERT_TRUE(result.has_value());
+  ASSERT_TRUE(result->stopped_at.has_value());
+  EXPECT_NE(result->stopped_at->pass, Reached::Pass::nothing);
+  EXPECT_NE(result->stopped_at->pass, Reached::Pass::final_pixels);
+  EXPECT_EQ(result->film.width, 96);
+  EXPECT_TRUE(std::any_of(result->film.radiance.begin(), result->film.radiance.end(),
+                          [](glm::vec3 pixel) { return pixel.g > 0.0f; }));
+
+  // Without a limit it goes on until it is told to stop.
+  const auto go_on = [&] { return !std::exchange(told, true); };
+  EXPECT_FALSE(FilmRender().render(snapshot_of(held_geometry(closed)), go_on, {}).has_value());
 }
 
 TEST(BeforeBoundaries, WithoutThemTheRenderFails) {

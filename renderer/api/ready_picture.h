@@ -1,0 +1,20 @@
+#pragma once
+
+#include "asos/render.h"
+#include "renderer/session/render_session.h"
+
+namespace asos::api {
+
+/// A picture that can be rendered: scene, camera and settings are checked, and the scene has the
+/// light, ground and strokes of the picture.
+struct ReadyPicture {
+  Snapshot snapshot;
+  ToneCurve tone = ToneCurve::neutral;  ///< of saved pictures
+};
+
+[[nodiscard]] Result<ReadyPicture> ready_picture(const Scene& scene, const Camera& camera,
+                                                 const Settings& settings);
+
+[[nodiscard]] Progress progress_of(const asos::Progress& progress);
+
+}  // namespace asos::api
