@@ -57,6 +57,7 @@ struct TextureUse {
     return texture == other.texture && texcoord == other.texcoord &&
            uv_transform == other.uv_transform;
   }
+  bool operator==(const TextureUse&) const = default;
 };
 
 enum class AlphaMode { opaque, mask, blend };
@@ -87,6 +88,8 @@ struct Clearcoat {
   TextureUse texture;            ///< R of `factor`, linear
   TextureUse roughness_texture;  ///< G, linear
   TextureUse normal_texture;     ///< its own: the material's normal map is not the coat's
+
+  bool operator==(const Clearcoat&) const = default;
 };
 
 /// KHR_materials_sheen: fibres that stand on the surface and shine where they are seen from the
@@ -98,6 +101,7 @@ struct Sheen {
   TextureUse roughness_texture;  ///< A, linear
 
   [[nodiscard]] bool used() const { return color != glm::vec3(0.0f); }
+  bool operator==(const Sheen&) const = default;
 };
 
 /// KHR_materials_iridescence: a thin film on the base, whose two sides' reflections interfere.
@@ -110,6 +114,7 @@ struct Iridescence {
   TextureUse thickness_texture;     ///< G, linear: from the minimum to the maximum
 
   [[nodiscard]] bool used() const { return factor > 0.0f; }
+  bool operator==(const Iridescence&) const = default;
 };
 
 /// KHR_materials_anisotropy: the lobe is rougher along a direction of the surface, so that
@@ -120,6 +125,7 @@ struct Anisotropy {
   TextureUse texture;         ///< RG: the direction before that, B of `strength`, linear
 
   [[nodiscard]] bool used() const { return strength > 0.0f; }
+  bool operator==(const Anisotropy&) const = default;
 };
 
 /// KHR_materials_volume and KHR_materials_dispersion: what a closed surface that transmits
@@ -130,6 +136,8 @@ struct Volume {
   float attenuation_distance = std::numeric_limits<float>::infinity();  ///< in the world's units
   glm::vec3 attenuation_color{1.0f};  ///< linear: what white light becomes over that distance
   float dispersion = 0.0f;            ///< 20 / Abbe number, 0 and more
+
+  bool operator==(const Volume&) const = default;
 };
 
 /// KHR_materials_diffuse_transmission: the share of what is not reflected by the lobe that goes
@@ -141,6 +149,7 @@ struct DiffuseTransmission {
   TextureUse color_texture;  ///< sRGB
 
   [[nodiscard]] bool used() const { return factor > 0.0f; }
+  bool operator==(const DiffuseTransmission&) const = default;
 };
 
 /// glTF 2.0 metallic-roughness, with the extensions that the renderer knows. Factors are linear.
@@ -177,6 +186,8 @@ struct Material {
   Volume volume;
   DiffuseTransmission diffuse_transmission;
   std::optional<Dfr> dfr;  ///< how reflections are blurred; none: by roughness
+
+  bool operator==(const Material&) const = default;
 };
 
 /// All textures that a material names, whether it uses them or not.
@@ -286,6 +297,8 @@ struct Light {
   /// Index into World::parts of the surface that shines this light, which does not shade it; -1:
   /// none. Only in a World.
   std::int32_t own_part = -1;
+
+  bool operator==(const Light&) const = default;
 };
 
 /// The parts of the file that are not drawn or not supported, in words for a person.
