@@ -2,6 +2,7 @@
 
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sampled_lights.h"
+#include "renderer/sampling/random.h"
 
 #include <cstdint>
 #include <span>
@@ -29,6 +30,11 @@ class SamplePlaces : public LightPlaces {
   virtual void use_lens() {}
   /// Where the sample under way starts on the camera's lens, in [0, 1) each.
   [[nodiscard]] virtual glm::dvec2 on_lens() const = 0;
+
+  /// From now on samples have times while the shutter is open, too.
+  virtual void use_time() {}
+  /// When the sample under way looks, in [0, 1) from the shutter's opening to its closing.
+  [[nodiscard]] virtual double in_time() const = 0;
 
   using LightPlaces::on_light;
   /// One sample after the other.
@@ -60,9 +66,10 @@ inline constexpr float colour_side = 0.75f;
 /// rounds of PixelSamples. A sample stands for its share of the pixel's area.
 [[nodiscard]] BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples);
 
-/// n x n strata of the pixel, and for the lens and each light another assignment of its own n x n
-/// strata to the samples, seeded by pixel: a sample in the middle of each stratum, or anywhere in
-/// it. Samples go from stratum to stratum so that the first few are spread over the pixel as well.
+/// n x n strata of the pixel and of time, and for the lens and each light another assignment of its
+/// own n x n strata to the samples, seeded by pixel: a sample in the middle of each stratum, or
+/// anywhere in it. Samples go from stratum to stratum so that the first few are spread over the
+/// pixel as well.
 class GridPlaces final : public SamplePlaces {
  public:
   GridPlaces(int n, bool jittered);
@@ -76,9 +83,16 @@ class GridPlaces final : public SamplePlaces {
   using SamplePlaces::on_light;
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override;
   [[nodiscard]] glm::dvec2 on_lens() const override;
+  [[nodiscard]] double in_time() const override;
 
  private:
-  /// A place in the strata, by a stream of random numbers.
+  /// A stratum, by a stream of random numbers, and a place in it.
+  struct Stratum {
+    int cell;
+    RandomPair place;
+  };
+  [[nodiscard]] Stratum stratum(std::uint32_t stream) const;
+  /// A place in the strata, likewise.
   [[nodiscard]] glm::dvec2 in_strata(std::uint32_t stream) const;
 
   int n_;

@@ -66,8 +66,11 @@ class SobolPixel {
   /// Where on the camera's lens sample `index` starts, in [0, 1) each: dimensions 2 and 3, so that
   /// pixel and lens together are a net. Lights then look at `shuffled` indices.
   [[nodiscard]] glm::dvec2 lens(std::uint32_t index) const;
-  /// An order of points for what shares dimensions with the lens; aligned runs of 2^m indices stay
-  /// such runs.
+  /// When sample `index` looks while the shutter is open, in [0, 1): dimension 2, so that pixel and
+  /// time together are a net; `beside_lens`, which has that dimension: of another order of points.
+  [[nodiscard]] double time(std::uint32_t index, bool beside_lens) const;
+  /// An order of points for what shares dimensions with lens or time; aligned runs of 2^m indices
+  /// stay such runs.
   [[nodiscard]] std::uint32_t shuffled(std::uint32_t index) const;
 
   /// What places are scrambled by, for who scrambles many: `pixel` is owen_scramble of
