@@ -16,6 +16,8 @@
 
 namespace asos {
 
+struct Exposure;
+
 /// A scene made ready to render, of three parts that are immutable, shared, and replaced one at a
 /// time: editing a light or a material costs what that part costs. A small value; `assembled` keeps
 /// its needs and its table of plain materials those of its parts.
@@ -27,6 +29,8 @@ struct RenderScene {
   std::shared_ptr<const PlainMaterials> plain;   ///< the materials by what batches of points need
   SceneNeeds forced;                             ///< see prepare
   SceneNeeds needs;                              ///< those of all parts, and what was forced
+  /// It while the shutter is open (`exposed`). Null: not made; edits of the scene drop it.
+  std::shared_ptr<const Exposure> exposure;
 
   [[nodiscard]] const World& world() const { return geometry->world; }
   [[nodiscard]] const RayScene& rays() const { return geometry->rays; }

@@ -99,6 +99,18 @@ struct MirrorSettings {
   bool operator==(const MirrorSettings&) const = default;
 };
 
+/// How long a picture is exposed around its moment of an animation.
+struct ShutterSettings {
+  static constexpr double longest = 3600.0;
+
+  double seconds = 0.0;  ///< 0 to `longest`; 0: the picture shows one moment
+  /// Index of the scene's camera whose motion the picture's camera follows; -1: it stands still.
+  int camera = -1;
+
+  [[nodiscard]] bool blurs() const { return seconds > 0.0; }
+  bool operator==(const ShutterSettings&) const = default;
+};
+
 /// The settings of a rendering. Defaulted and comparable; widgets edit a copy, work takes a copy.
 /// `validated` says what is out of range; nothing is clamped silently.
 struct RenderSettings {
@@ -122,6 +134,7 @@ struct RenderSettings {
   TextureSettings texture;
   ShadowSettings shadow;
   MirrorSettings mirror;
+  ShutterSettings shutter;
   std::shared_ptr<const Sky> sky;  ///< the surroundings of the scene; null: neutral grey
   Background background;           ///< what the eye sees of them
   Ground ground = Ground::off;     ///< see with_ground
