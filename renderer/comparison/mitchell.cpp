@@ -30,7 +30,7 @@ class TwoLevels {
         high_(job.settings.sampling.spp),
         pixels_(static_cast<std::size_t>(block_.width) * static_cast<std::size_t>(block_.height)),
         places_(job.settings.seed),
-        sums_(job.scene, job.view, job.settings, places_) {}
+        sums_(job, places_) {}
 
   // Sum 0 to pixels_ - 1: what the high density adds to a pixel. Then each base sample by itself.
   BlockResult run() {
