@@ -31,6 +31,9 @@ class OpenedScene {
   /// last is kept. Its boundaries may still be looked for.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
                                                               const PictureDescription& picture);
+  /// The same at that moment of a scene that moves; it is not kept.
+  [[nodiscard]] Result<std::shared_ptr<const RenderScene>> posed(
+      const std::optional<ClipTime>& time, const PictureDescription& picture) const;
   /// The scene as the file's nodes place it, where it moves; else as `at` has it.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at_rest(
       const PictureDescription& picture);

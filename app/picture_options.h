@@ -18,6 +18,12 @@ class App;
 
 namespace asos {
 
+/// How long the shutter is open, as typed.
+struct ShutterChoice {
+  double value = 0.0;    ///< seconds, or degrees of a frame's time
+  bool degrees = false;  ///< 360 of them are a whole frame
+};
+
 /// The arguments that the window and `render` share: a scene, how to render it, and from where.
 struct PictureArguments {
   std::string scene = "builtin:office";
@@ -27,10 +33,11 @@ struct PictureArguments {
   RenderSettings settings;
   CameraChoice camera;
   ClipChoice clip;
-  SkyChoice sky;                   ///< until with_sky makes it settings.sky
-  bool sky_chosen = false;         ///< else the scene has that of its default_look
-  bool ground_chosen = false;      ///< else its ground, where the sky is not chosen either
-  bool background_chosen = false;  ///< else it has default_background of the sky
+  std::optional<ShutterChoice> shutter;  ///< until take_shutter makes it settings.shutter
+  SkyChoice sky;                         ///< until with_sky makes it settings.sky
+  bool sky_chosen = false;               ///< else the scene has that of its default_look
+  bool ground_chosen = false;            ///< else its ground, where the sky is not chosen either
+  bool background_chosen = false;        ///< else it has default_background of the sky
   float exposure_ev = 0.0f;
   bool exposure_chosen = false;   ///< else it is usual_exposure
   bool exposure_metered = false;  ///< "auto" was chosen
