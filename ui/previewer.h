@@ -69,6 +69,8 @@ class Previewer {
   /// Whether the present view has been shown for so long, or at a sample for each pixel.
   [[nodiscard]] bool has_shown(double seconds, double now_seconds) const;
   [[nodiscard]] std::optional<Playback::WantedStrokes> wanted_strokes() const;
+  [[nodiscard]] std::optional<Playback::WantedExposure> wanted_exposure() const;
+  [[nodiscard]] int followed_camera() const;
 
   // Each refers to some of those before it.
   OpenScene scene_;

@@ -78,7 +78,7 @@ void antialias_tab(Controls& controls, Previewer& previewer, UiState& state,
 void scene_tab(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   const RenderScene* scene = previewer.scene().get();
   // First, so that what is said of a file at rest does not move its buttons when it plays.
-  timeline_panel(controls, previewer.playback());
+  timeline_panel(controls, previewer.playback(), previewer.edits().settings());
   scenes_panel(controls, previewer.scene());
   variants_panel(controls, previewer.scene());
   lights_panel(controls, previewer, state.lights, state.picked);

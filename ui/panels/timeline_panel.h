@@ -6,6 +6,6 @@
 namespace asos {
 
 /// Which animation of the file is shown, when, and whether it plays; nothing where it has none.
-void timeline_panel(Controls& controls, Playback& playback);
+void timeline_panel(Controls& controls, Playback& playback, RenderSettings& settings);
 
 }  // namespace asos
