@@ -1,6 +1,7 @@
 #include "app/opened_scene.h"
 
 #include "app/scene_argument.h"
+#include "app/shutter_option.h"
 #include "renderer/scene/rig.h"
 #include "renderer/world/framing.h"
 
@@ -19,7 +20,8 @@ std::optional<ClipTime> time_of_from(const PictureArguments& wanted) {
 
 Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
   const std::optional<ClipTime> as_before = time_of_from(wanted);
-  const bool moves = wanted.clip.any() || as_before;
+  const ShutterSettings& shutter = wanted.settings.shutter;
+  const bool moves = wanted.clip.any() || as_before || shutter.blurs();
   LoadOptions options = load_options_of(wanted);
   options.keep_rig = moves;
   Result<Scene> scene = open_scene_argument(wanted.scene, options);
@@ -28,6 +30,8 @@ Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
   opened.at_rest_ = *std::move(scene);
   opened.contents_ = opened.at_rest_.contents;
   opened.cameras_ = opened.at_rest_.cameras.size();
+  if (const auto fits = check_shutter(shutter, opened.contents_, wanted.scene); !fits)
+    return tl::unexpected(fits.error());
   if (!moves) return opened;
 
   opened.time_ = as_before.value_or(ClipTime{});
@@ -79,9 +83,7 @@ Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<C
   if (newest_ && newest_->geometry->time == time) return newest_;
   newest_.reset();
   if (stage_) {
-    const Result<Scene> posed = stage_->geometry->rig->pose(time);
-    if (!posed) return tl::unexpected(posed.error());
-    auto prepared = prepare_posed(*posed, picture, &stage_->geometry->stage);
+    auto prepared = posed(time, picture);
     if (!prepared) return prepared;
     return newest_ = *std::move(prepared);
   }
@@ -90,6 +92,13 @@ Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<C
   // The unprepared scene is no longer needed.
   at_rest_ = Scene{};
   return newest_ = *std::move(prepared);
+}
+
+Result<std::shared_ptr<const RenderScene>> OpenedScene::posed(
+    const std::optional<ClipTime>& time, const PictureDescription& picture) const {
+  const Result<Scene> posed = stage_->geometry->rig->pose(time);
+  if (!posed) return tl::unexpected(posed.error());
+  return prepare_posed(*posed, picture, &stage_->geometry->stage);
 }
 
 Result<std::shared_ptr<const RenderScene>> OpenedScene::at_rest(const PictureDescription& picture) {

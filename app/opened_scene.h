@@ -30,7 +30,10 @@ class OpenedScene {
   /// edges may still be being searched.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
                                                               const PictureDescription& picture);
-  /// Returns the scene at rest if it is animated; otherwise the same as `at`.
+  /// The same at that moment of a scene that moves; it is not kept.
+  [[nodiscard]] Result<std::shared_ptr<const RenderScene>> posed(
+      const std::optional<ClipTime>& time, const PictureDescription& picture) const;
+  /// The scene as the file's nodes place it, where it moves; else as `at` has it.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at_rest(
       const PictureDescription& picture);
   /// Replaces the last scene by this one with its lights and ground; `at` of the same time returns

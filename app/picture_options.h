@@ -18,7 +18,13 @@ class App;
 
 namespace asos {
 
-/// The arguments that the window and `render` share: scene, camera and settings.
+/// How long the shutter is open, as typed.
+struct ShutterChoice {
+  double value = 0.0;    ///< seconds, or degrees of a frame's time
+  bool degrees = false;  ///< 360 of them are a whole frame
+};
+
+/// The arguments that the window and `render` share: a scene, how to render it, and from where.
 struct PictureArguments {
   std::string scene = "builtin:office";
   std::string variant;        ///< material variant, as typed: see load_options_of
@@ -27,10 +33,11 @@ struct PictureArguments {
   RenderSettings settings;
   CameraChoice camera;
   ClipChoice clip;
-  SkyChoice sky;                   ///< with_sky makes it settings.sky
-  bool sky_chosen = false;         ///< false: the sky of default_look
-  bool ground_chosen = false;      ///< false: the ground of default_look, unless the sky is chosen
-  bool background_chosen = false;  ///< false: default_background of the sky
+  std::optional<ShutterChoice> shutter;  ///< until take_shutter makes it settings.shutter
+  SkyChoice sky;                         ///< until with_sky makes it settings.sky
+  bool sky_chosen = false;               ///< else the scene has that of its default_look
+  bool ground_chosen = false;            ///< else its ground, where the sky is not chosen either
+  bool background_chosen = false;        ///< else it has default_background of the sky
   float exposure_ev = 0.0f;
   bool exposure_chosen = false;   ///< false: usual_exposure
   bool exposure_metered = false;  ///< "auto" was chosen

@@ -2,6 +2,7 @@
 #include "app/chosen_exposure.h"
 #include "app/command.h"
 #include "app/exit_code.h"
+#include "app/exposed_scene.h"
 #include "app/frame_list.h"
 #include "app/from_option.h"
 #include "app/interrupt.h"
@@ -15,6 +16,7 @@
 #include "app/render_report.h"
 #include "app/render_warnings.h"
 #include "app/scene_argument.h"
+#include "app/shutter_option.h"
 #include "renderer/comparison/method.h"
 #include "renderer/files/counted.h"
 #include "renderer/prepared/default_look.h"
@@ -196,12 +198,15 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   const Result<Camera> camera = work.scene.camera(**prepared, choice, aspect);
   if (!camera) return tl::unexpected(camera.error());
   take_default_look(arguments.picture, **prepared, *camera);
+  arguments.picture.settings.shutter.camera =
+      followed_camera(choice, (*prepared)->world(), wanted.settings.shutter);
   if (!picture.lights) prepared = lit_under(*prepared, wanted.settings.sky.get());
   if (prepared) prepared = with_ground(*std::move(prepared), wanted.settings.ground);
   if (prepared) work.scene.keep(*prepared);
   if (prepared) prepared = with_strokes(*prepared, stroke_picture(*camera, wanted.settings));
   if (!prepared) return tl::unexpected(prepared.error());
-  const RenderScene& ready = **prepared;
+  const std::shared_ptr<const RenderScene> still = *prepared;
+  const RenderScene& ready = *still;
   if (const auto fits = check_method(ready, wanted.settings); !fits)
     return tl::unexpected(fits.error());
   RenderReport report = report_of(arguments, ready, *camera);
@@ -216,6 +221,10 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   const bool at_once = arguments.time_limit_seconds || !needs_boundaries(wanted.settings.method);
   if (const auto found = at_once ? prepared : with_boundaries(*prepared); !found)
     return tl::unexpected(found.error());
+  prepared = exposed_scene(still, *camera, wanted.settings, picture, work.scene);
+  if (!prepared) return tl::unexpected(prepared.error());
+  for (std::string& note : shutter_remarks(wanted.settings, (*prepared)->exposure.get()))
+    report.camera_notes.push_back(std::move(note));
   report.load_seconds = work.load_seconds;
   report.build_seconds = seconds_since(started);
   building.reset();
@@ -356,6 +365,7 @@ Command add_render_command(CLI::App& program) {
   add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant,
                     arguments->picture.asset_root);
   add_clip_options(*parser, arguments->picture.clip);
+  add_shutter_option(*parser, arguments->picture);
   parser
       ->add_option("--frames", arguments->frames,
                    "Frames A to B (or one, or all N) of a turntable of N frames: OUT-000.png and "
@@ -383,6 +393,8 @@ Command add_render_command(CLI::App& program) {
   parser->footer(render_footer);
   parser->callback([arguments] {
     read_frames(*arguments);
+    const std::optional<ClipFrames>& frames = arguments->clip_frames;
+    take_shutter(arguments->picture, frames ? frames->fps : usual_fps);
     check(*arguments);
   });
   return {parser, [arguments](const Streams& streams) { return run_render(*arguments, streams); }};

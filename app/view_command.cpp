@@ -2,6 +2,7 @@
 #include "app/exit_code.h"
 #include "app/picture_options.h"
 #include "app/scene_argument.h"
+#include "app/shutter_option.h"
 #include "ui/viewer.h"
 
 #include <CLI/CLI.hpp>
@@ -51,6 +52,8 @@ Command add_view_command(CLI::App& program) {
   add_picture_options(*parser, *arguments, false);
   add_scene_choices(*parser, arguments->scene_of_file, arguments->variant, arguments->asset_root);
   add_clip_options(*parser, arguments->clip);
+  add_shutter_option(*parser, *arguments);
+  parser->callback([arguments] { take_shutter(*arguments, usual_fps); });
   parser->footer(
       "Files can also be dropped on the window.\n\nExamples:\n  asos\n  asos model.glb --eps 0.01 "
       "--max 4\n  asos builtin:fence --method stochastic --spp 16");

@@ -60,12 +60,14 @@ class MovieFiles {
 
 Result<Snapshot> frame_snapshot(const MovieOrder& order, int number) {
   Snapshot snapshot = order.snapshot;
+  bool moved = false;
   if (order.animation) {
     const double seconds = number / order.fps;
     auto scene = Playback::scene_at(*snapshot.scene, ClipTime{*order.animation, seconds},
                                     order.lights, order.dfrs, snapshot.settings.ground);
     if (!scene) return unexpected(scene.error());
     snapshot.scene = *std::move(scene);
+    moved = true;
   } else {
     snapshot.camera = turned_camera(snapshot.camera, order.middle, number, order.frames);
   }
@@ -73,6 +75,12 @@ Result<Snapshot> frame_snapshot(const MovieOrder& order, int number) {
     auto drawn = with_strokes(snapshot.scene, stroke_picture(snapshot.camera, snapshot.settings));
     if (!drawn) return unexpected(drawn.error());
     snapshot.scene = *std::move(drawn);
+  }
+  if (moved && snapshot.settings.shutter.blurs()) {
+    auto blurred = Playback::exposed_scene(snapshot.scene, {snapshot.camera, snapshot.settings},
+                                           order.lights, order.dfrs);
+    if (!blurred) return unexpected(blurred.error());
+    snapshot.scene = *std::move(blurred);
   }
   return snapshot;
 }

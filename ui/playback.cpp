@@ -99,7 +99,9 @@ void Playback::adopt_scene(bool again) {
   if (keeps) seek(time_->seconds);
 }
 
-void Playback::update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes) {
+void Playback::update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes,
+                      const std::optional<WantedExposure>& exposure) {
+  exposure_ = exposure;
   const double passed = updated_seconds_ ? now_seconds - *updated_seconds_ : 0.0;
   updated_seconds_ = now_seconds;
   if (!available()) return;
@@ -117,8 +119,15 @@ void Playback::let_time_pass(double seconds) {
 }
 
 bool Playback::posing() const {
-  if (!available() || scene_->geometry->time == time_) return false;
+  if (!available() || (at_wanted_time() && !exposes())) return false;
   return !(has_failed_ && failed_ == time_);
+}
+
+// Whether the pose that the scene is at is to be exposed, or exposed anew.
+bool Playback::exposes() const {
+  if (playing_ || !time_ || !exposure_ || !exposure_->settings.shutter.blurs()) return false;
+  const Exposure* now = scene_->exposure.get();
+  return !now || now->shutter.seconds != exposure_->settings.shutter.seconds;
 }
 
 void Playback::ask(const std::optional<WantedStrokes>& strokes) {
@@ -129,7 +138,8 @@ void Playback::ask(const std::optional<WantedStrokes>& strokes) {
                   edits_.revisions(),
                   scene_.times_opened(),
                   edits_.settings().ground,
-                  strokes};
+                  strokes,
+                  at_wanted_time() ? exposure_ : std::nullopt};
   request.lights = edited_lights();
   request.dfrs = edited_dfrs();
   job_.ask(std::move(request));
@@ -156,11 +166,30 @@ Result<std::shared_ptr<const RenderScene>> Playback::scene_at(
   });
 }
 
+Result<std::shared_ptr<const RenderScene>> Playback::exposed_scene(
+    const std::shared_ptr<const RenderScene>& scene, const WantedExposure& wanted,
+    const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs) {
+  const RenderSettings& settings = wanted.settings;
+  return exposed(scene, wanted.camera, settings, [&](const ClipTime& time) {
+    auto moment = scene_at(*scene, time, lights, dfrs, settings.ground);
+    if (!moment || (*moment)->world().strokes.empty()) return moment;
+    const Camera then =
+        camera_at(wanted.camera, settings.shutter.camera, scene->world(), (*moment)->world());
+    return with_strokes(*moment, stroke_picture(then, settings));
+  });
+}
+
 Playback::Pose Playback::posed(const Request& request) {
   Pose pose{request.from, request.time, request.look, request.opened, 0.0, 0.0, {}};
   const Geometry& geometry = *request.from->geometry;
   const auto start = std::chrono::steady_clock::now();
   try {
+    if (request.exposure) {
+      pose.scene = exposed_scene(request.from, *request.exposure, request.lights, request.dfrs);
+      pose.strokes = request.strokes;
+      pose.exposed = true;
+      return pose;
+    }
     Result<Scene> scene = geometry.rig->pose(request.time);
     pose.pose_seconds = elapsed_since(start);
     if (!scene) {
@@ -196,6 +225,7 @@ void Playback::take_pose() {
   scene_.relight(std::move(*pose->scene));
   edits_.scene_has(pose->look);
   drawn_strokes_ = pose->strokes;
+  if (pose->exposed) return;
   pose_seconds_ = pose->pose_seconds;
   prepare_seconds_ = pose->prepare_seconds;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/prepared/exposure.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/prepared/with_strokes.h"
 #include "renderer/result.h"
@@ -30,8 +31,13 @@ class Playback {
     int follows = -1;  ///< index of the scene's camera that the view follows; -1: the view stays
   };
 
-  /// `scene` and `edits` must outlive the object. `wake` is called from another thread when
-  /// `update` has a result to take.
+  /// The picture that motion is blurred for.
+  struct WantedExposure {
+    Camera camera;
+    RenderSettings settings;
+  };
+
+  /// Both must outlive it. `wake` is called from another thread when `update` has something to do.
   Playback(OpenScene& scene, SceneEdits& edits, std::function<void()> wake);
 
   /// Whether the open scene has animations; without any, all other members do nothing.
@@ -63,10 +69,12 @@ class Playback {
 
   /// Call when a scene was opened. `again`: it is the same file, so the time is kept.
   void adopt_scene(bool again);
-  /// Advances the time, takes the finished pose and requests the next one. `seen`: the last pose
-  /// has been displayed. Call at least once a frame. Lines and points of poses are drawn for
-  /// `strokes`; none: as at rest.
-  void update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes);
+  /// Lets time pass, takes the pose that is finished and asks for the next one. `seen`: the
+  /// picture of the last one has been seen. Call once or more a frame.
+  /// Poses come with their lines and points drawn for `strokes`; none: as they are at rest. A pose
+  /// that does not play is exposed for `exposure` next; none: it shows one moment.
+  void update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes,
+              const std::optional<WantedExposure>& exposure = std::nullopt);
   /// Returns the picture and camera that the last pose's lines and points were drawn for, once.
   [[nodiscard]] std::optional<WantedStrokes> take_drawn_strokes() {
     return std::exchange(drawn_strokes_, std::nullopt);
@@ -77,12 +85,20 @@ class Playback {
       const RenderScene& from, const std::optional<ClipTime>& time,
       const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
       Ground ground);
-  /// The edited lights and materials for `scene_at`; none: they are not edited.
+  /// The scene that `scene_at` made with its exposure, as the settings' shutter asks. Any thread.
+  [[nodiscard]] static Result<std::shared_ptr<const RenderScene>> exposed_scene(
+      const std::shared_ptr<const RenderScene>& scene, const WantedExposure& wanted,
+      const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs);
+  /// The edits of lights and materials that `scene_at` is to keep; none where there are none.
   [[nodiscard]] std::optional<std::vector<Light>> edited_lights() const;
   [[nodiscard]] std::optional<MaterialDfrs> edited_dfrs() const;
-  /// Whether the scene has yet to reach the requested time.
+  /// Whether the scene is not at the wanted time yet, or not exposed as it is wanted.
   [[nodiscard]] bool posing() const;
-  /// Time in seconds that the last pose took: posing, and preparing for rendering.
+  /// The exposure of the scene; null: it shows one moment.
+  [[nodiscard]] const Exposure* exposure() const {
+    return available() ? scene_->exposure.get() : nullptr;
+  }
+  /// What a pose took last, in seconds: posing, and making ready to render.
   [[nodiscard]] double pose_seconds() const { return pose_seconds_; }
   [[nodiscard]] double prepare_seconds() const { return prepare_seconds_; }
 
@@ -96,6 +112,7 @@ class Playback {
     std::uint64_t opened = 0;  // OpenScene::times_opened
     Ground ground = Ground::off;
     std::optional<WantedStrokes> strokes;
+    std::optional<WantedExposure> exposure;  // of `from`, which is at this time
   };
   struct Pose {
     Result<std::shared_ptr<const RenderScene>> scene;
@@ -104,11 +121,14 @@ class Playback {
     std::uint64_t opened = 0;
     double pose_seconds = 0.0, prepare_seconds = 0.0;
     std::optional<WantedStrokes> strokes;
+    bool exposed = false;
   };
   [[nodiscard]] static Pose posed(const Request& request);
   void let_time_pass(double seconds);
   void take_pose();
   void ask(const std::optional<WantedStrokes>& strokes);
+  [[nodiscard]] bool at_wanted_time() const { return scene_->geometry->time == time_; }
+  [[nodiscard]] bool exposes() const;
 
   OpenScene& scene_;
   SceneEdits& edits_;
@@ -117,6 +137,7 @@ class Playback {
   std::optional<ClipTime> failed_;  // posing failed there; it is not tried again
   bool has_failed_ = false;
   bool playing_ = false;
+  std::optional<WantedExposure> exposure_;
   std::optional<double> updated_seconds_;
   double pose_seconds_ = 0.0, prepare_seconds_ = 0.0;
   std::optional<WantedStrokes> drawn_strokes_;

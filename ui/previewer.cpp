@@ -30,7 +30,7 @@ void Previewer::update(double now_seconds) {
   // The next pose is computed while the last one is displayed.
   const double posing_seconds = playback_.pose_seconds() + playback_.prepare_seconds();
   playback_.update(has_shown(view_seconds - posing_seconds, now_seconds), now_seconds,
-                   wanted_strokes());
+                   wanted_strokes(), wanted_exposure());
   viewpoint_.follow_chosen();
   if (scene_ && turntable_.begins()) viewpoint_.make_room_to_turn();
   if (scene_)
@@ -75,8 +75,23 @@ bool Previewer::has_shown(double seconds, double now_seconds) const {
 PreviewRender::Subject Previewer::subject() const {
   if (!scene_ || !viewpoint_.sized()) return {};
   const OrbitCamera& camera = viewpoint_.camera();
-  return {scene_.shared(), camera.revision(), judged_by(edits_.settings(), shown_tone_),
-          camera.camera()};
+  RenderSettings settings = judged_by(edits_.settings(), shown_tone_);
+  settings.shutter.camera = settings.shutter.blurs() ? followed_camera() : -1;
+  return {scene_.shared(), camera.revision(), settings, camera.camera()};
+}
+
+// The scene's camera whose motion is blurred; that of a saved picture until its view is left.
+int Previewer::followed_camera() const {
+  if (viewpoint_.left_chosen()) return -1;
+  const int chosen = viewpoint_.chosen_camera();
+  return chosen >= 0 ? chosen : edits_.settings().shutter.camera;
+}
+
+std::optional<Playback::WantedExposure> Previewer::wanted_exposure() const {
+  PreviewRender::Subject seen = subject();
+  if (!seen.scene || !seen.settings.shutter.blurs()) return std::nullopt;
+  if (!row_of(seen.settings.method).takes_motion) return std::nullopt;
+  return Playback::WantedExposure{seen.camera, std::move(seen.settings)};
 }
 
 std::optional<Playback::WantedStrokes> Previewer::wanted_strokes() const {

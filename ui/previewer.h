@@ -68,6 +68,8 @@ class Previewer {
   /// Whether the present view has been rendered for this long, or has one sample per pixel.
   [[nodiscard]] bool has_shown(double seconds, double now_seconds) const;
   [[nodiscard]] std::optional<Playback::WantedStrokes> wanted_strokes() const;
+  [[nodiscard]] std::optional<Playback::WantedExposure> wanted_exposure() const;
+  [[nodiscard]] int followed_camera() const;
 
   // Order matters: each member refers to earlier ones.
   OpenScene scene_;

@@ -62,7 +62,7 @@ class Neighbourhood {
 BlockResult render_block_average(const BlockJob& job) {
   const PixelRect& block = job.block;
   SobolPlaces places(job.settings.seed);
-  SampleSums sums(job.scene, job.view, job.settings, places);
+  SampleSums sums(job, places);
   const Neighbourhood neighbourhood(block);
   neighbourhood.take(sums, job.stop);
   BlockResult result = sums.block(block);

@@ -1,6 +1,8 @@
 #include "renderer/comparison/method.h"
 
 #include "renderer/asos/asos.h"
+#include "renderer/comparison/over_time.h"
+#include "renderer/comparison/published_motion.h"
 #include "renderer/prepared/focus.h"
 #include "renderer/samples/sobol_places.h"
 
@@ -27,7 +29,8 @@ namespace {
 
 BlockResult render_block_as_published(const BlockJob& job) {
   const RenderSettings published = as_published(job.settings);
-  return render_block_asos({job.scene, job.view, published, job.block, job.stop});
+  return job.motion ? render_published_motion(job.with(published))
+                    : render_block_asos(job.with(published));
 }
 
 /// Renders the same number of samples in every pixel, placed as the method's row says.
@@ -85,7 +88,8 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = fat_side,
      .in_object_space = true,
      .needs_boundaries = true,
-     .takes_filter_width = true},
+     .takes_filter_width = true,
+     .samples_time = true},
     {.value = Method::uniform,
      .name = "uniform",
      .hint = "n x n grid",
@@ -94,6 +98,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_sampled,
      .block_side = large_side,
      .takes_filter_width = true,
+     .samples_time = true,
      .samples = SampleCount::squares,
      .places = uniform_places},
     {.value = Method::stochastic,
@@ -104,6 +109,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_sampled,
      .block_side = large_side,
      .takes_filter_width = true,
+     .samples_time = true,
      .samples = SampleCount::squares,
      .places = stochastic_places},
     {.value = Method::sobol,
@@ -114,6 +120,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_sampled,
      .block_side = large_side,
      .takes_filter_width = true,
+     .samples_time = true,
      .samples = SampleCount::any,
      .places = sobol_places},
     {.value = Method::sobol_adaptive,
@@ -125,7 +132,8 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = large_side,
      .judges_display = true,
      .samples_by_eps = true,
-     .takes_filter_width = true},
+     .takes_filter_width = true,
+     .samples_time = true},
     {.value = Method::whitted,
      .name = "whitted",
      .hint = "adaptive between pixel corners",
@@ -133,7 +141,8 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .about = "Image-space supersampling: samples at pixel corners, split where corners differ.",
      .render = render_block_whitted,
      .block_side = large_side,
-     .judges_display = true},
+     .judges_display = true,
+     .samples_time = true},
     {.value = Method::mitchell,
      .name = "mitchell",
      .hint = "two densities, by contrast",
@@ -142,6 +151,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_mitchell,
      .block_side = usual_side,
      .judges_display = true,
+     .samples_time = true,
      .samples = SampleCount::any},
     {.value = Method::ray_bound,
      .name = "ray-bound",
@@ -151,6 +161,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_ray_bound,
      .block_side = usual_side,
      .needs_boundaries = true,
+     .samples_time = true,
      .samples = SampleCount::squares},
     {.value = Method::average,
      .name = "average",
@@ -158,7 +169,8 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .title = "3 x 3 blur",
      .about = "One sample per pixel, averaged over 3 x 3 pixels.",
      .render = render_block_average,
-     .block_side = large_side},
+     .block_side = large_side,
+     .samples_time = true},
     {.value = Method::beam,
      .name = "beam",
      .hint = "exact, for small scenes",
@@ -167,6 +179,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_beam,
      .block_side = usual_side,
      .takes_lens = false,
+     .takes_motion = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::cone,
@@ -177,6 +190,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_cone,
      .block_side = usual_side,
      .takes_lens = false,
+     .takes_motion = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::covers,
@@ -187,6 +201,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_covers,
      .block_side = usual_side,
      .takes_lens = false,
+     .takes_motion = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::mask,
@@ -197,6 +212,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .render = render_block_mask,
      .block_side = usual_side,
      .takes_lens = false,
+     .takes_motion = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
 }};
@@ -250,16 +266,20 @@ void fill_in(BlockResult& result) {
   }
 }
 
-BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
+BlockResult render_pixels(const BlockJob& job, std::span<const MethodRow> methods) {
   const auto row = std::find_if(methods.begin(), methods.end(), [&](const MethodRow& method) {
     return method.value == job.settings.method;
   });
   assert(row != methods.end());
-  BlockResult result = row->render(job);
+  return job.motion && !row->samples_time ? render_over_time(job, *row) : row->render(job);
+}
+
+BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
+  BlockResult result = render_pixels(job, methods);
   fill_in(result);
   if (shows_coverage(job.settings)) {
     const RenderSettings covered = coverage_of(job.settings);
-    set_coverage(row->render({job.scene, job.view, covered, job.block, job.stop}), result);
+    set_coverage(render_pixels(job.with(covered), methods), result);
   }
   return result;
 }
@@ -280,6 +300,13 @@ Camera viewed_camera(const RenderScene& scene, const Camera& camera,
   Camera pinhole = camera;
   pinhole.lens = {};
   return pinhole;
+}
+
+std::optional<MovingPicture> moving_picture(const RenderScene& scene, const Camera& camera,
+                                            const RenderSettings& settings) {
+  const bool moves = settings.shutter.blurs() && scene.exposure && scene.exposure->moves();
+  if (!moves || !row_of(settings.method).takes_motion) return std::nullopt;
+  return std::make_optional<MovingPicture>(scene, camera, settings);
 }
 
 int samples_a_pixel(const RenderSettings& settings) {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,7 +49,11 @@ struct MethodRow {
   /// Uses MAX and EPS without splitting pyrays: takes samples until EPS is reached.
   bool samples_by_eps = false;
   bool takes_filter_width = false;
-  bool takes_lens = true;  ///< else its cameras are pinholes
+  bool takes_lens = true;    ///< else its cameras are pinholes
+  bool takes_motion = true;  ///< else its pictures show one moment
+  /// It renders all moments of BlockJob::motion by itself: its samples have times. Else they are
+  /// rendered one by one (render_over_time).
+  bool samples_time = false;
   SampleCount samples = SampleCount::none;
   /// Returns the sample placement of a method with the same number of samples in each pixel. These
   /// methods render in rounds (PixelSamples). Null for others.
@@ -105,6 +110,9 @@ void add_unlit(const BlockJob& job, BlockResult& result);
 /// Adds again what `add_unlit` found of a block, to better pixels of it: the colour of a pixel that
 /// shows nothing else is the pixel's own.
 void renew_unlit(std::vector<glm::vec4> unlit, BlockResult& result);
+/// The block as the row of the settings' method renders it, over all moments of the job.
+[[nodiscard]] BlockResult render_pixels(const BlockJob& job,
+                                        std::span<const MethodRow> methods = method_table());
 /// Fills in causes and rays that a method left out.
 void fill_in(BlockResult& result);
 
@@ -122,7 +130,13 @@ void fill_in(BlockResult& result);
 [[nodiscard]] Camera viewed_camera(const RenderScene& scene, const Camera& camera,
                                    const RenderSettings& settings);
 
-/// Returns the side of the aligned blocks of pixels that are the unit of work.
+/// The picture while the shutter is open, as the settings' method shows it; none: the scene has no
+/// exposure, nothing moves, or the method shows one moment. `camera` is a viewed_camera.
+[[nodiscard]] std::optional<MovingPicture> moving_picture(const RenderScene& scene,
+                                                          const Camera& camera,
+                                                          const RenderSettings& settings);
+
+/// Side of the aligned blocks of pixels that are rendered as one piece of work.
 [[nodiscard]] int block_side(const RenderSettings& settings);
 
 /// The largest scene for beam tracing, in triangles. Each block tests every triangle, which takes

@@ -30,7 +30,7 @@ class TwoLevels {
         high_(job.settings.sampling.spp),
         pixels_(static_cast<std::size_t>(block_.width) * static_cast<std::size_t>(block_.height)),
         places_(job.settings.seed),
-        sums_(job.scene, job.view, job.settings, places_) {}
+        sums_(job, places_) {}
 
   // Sums 0 to pixels_ - 1 hold the additional samples of each pixel. The base samples follow, one
   // sum each.

@@ -20,7 +20,7 @@ class BoundedBlock {
         pixels_(static_cast<std::size_t>(job.block.width) *
                 static_cast<std::size_t>(job.block.height)),
         places_(n_, true),
-        sums_(job.scene, job.view, job.settings, places_) {}
+        sums_(job, places_) {}
 
   BlockResult run() {
     sums_.resize(pixels_);
@@ -30,7 +30,7 @@ class BoundedBlock {
       std::vector<Hit> hits;
       for (std::size_t pixel = 0; pixel < pixels_; ++pixel) hits.push_back(sums_.hit(pixel));
       // Blurred edges reach into many pixels.
-      if (job_.view.has_lens())
+      if (job_.view.has_lens() || job_.motion)
         bounded.assign(pixels_, 1);
       else
         bounded = pixels_with_boundaries(job_.scene, job_.view, job_.block, hits);
@@ -90,9 +90,9 @@ class BoundedBlock {
 
 /// Ray bound tracing (Ohta and Maekawa 1990; CGF'98 section 2.9): n x n jittered samples, as many
 /// as `uniform` would take, in pixels with an object's boundary (pixels_with_boundaries), and one
-/// through the centre in the others. With a lens all pixels are supersampled. The centre's sample
-/// is one of the n x n: it stands in for that of a middle stratum. Eye rays only: boundaries of
-/// shadows are not looked for.
+/// through the centre in the others. With a lens or motion blur all pixels are supersampled. The
+/// centre's sample is one of the n x n: it stands in for that of a middle stratum. Eye rays only:
+/// boundaries of shadows are not looked for.
 BlockResult render_block_ray_bound(const BlockJob& job) {
   return BoundedBlock(job).run();
 }

@@ -77,7 +77,7 @@ class SamplesUntilEps {
         pixels_(static_cast<std::size_t>(block_.width) * static_cast<std::size_t>(block_.height)),
         rays_(pixels_.size(), 0.0f),
         places_(job.settings.seed),
-        sums_(job.scene, job.view, job.settings, places_) {
+        sums_(job, places_) {
     for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) active_.push_back(pixel);
   }
 

@@ -61,10 +61,9 @@ void add_unlit_colour(const BlockResult& colour, BlockResult& result) {
 
 void add_unlit(const BlockJob& job, BlockResult& result) {
   const UnlitPasses passes(job.settings);
-  const MethodRow& row = row_of(job.settings.method);
-  add_unlit_share(row.render({job.scene, job.view, passes.share, job.block, job.stop}), result);
+  add_unlit_share(render_pixels(job.with(passes.share)), result);
   if (needs_unlit_colour(result.tile))
-    add_unlit_colour(row.render({job.scene, job.view, passes.colour, job.block, job.stop}), result);
+    add_unlit_colour(render_pixels(job.with(passes.colour)), result);
 }
 
 void renew_unlit(std::vector<glm::vec4> unlit, BlockResult& result) {

@@ -39,7 +39,7 @@ class AdaptiveBlock {
         depth_(job.settings.sampling.depth),
         contrast_(static_cast<float>(job.settings.sampling.contrast)),
         places_(job.settings.seed),
-        sums_(job.scene, job.view, job.settings, places_),
+        sums_(job, places_),
         spheres_(job.settings.sampling.spheres
                      ? std::span<const ObjectSphere>(job.scene.geometry->object_spheres)
                      : std::span<const ObjectSphere>(),

@@ -31,6 +31,7 @@ struct Camera {
     camera.near_depth = camera.far_depth = std::nullopt;
     return camera;
   }
+  bool operator==(const Camera&) const = default;
 };
 
 }  // namespace asos

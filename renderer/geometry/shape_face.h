@@ -37,6 +37,7 @@ struct ShapeFace {
   [[nodiscard]] glm::dvec3 world_normal(glm::dvec3 n) const {
     return glm::transpose(unit_from_world) * n;
   }
+  bool operator==(const ShapeFace&) const = default;
 };
 
 /// A point of a face with its derivatives by u and v, in world units. `normal` points outwards and

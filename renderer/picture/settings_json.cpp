@@ -57,6 +57,8 @@ constexpr const char* line_width_key = "line_width";
 constexpr const char* background_key = "background";
 constexpr const char* ground_key = "ground";
 constexpr const char* judged_tone_key = "judged_tone";
+constexpr const char* shutter_key = "shutter_seconds";
+constexpr const char* shutter_camera_key = "shutter_camera";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -169,6 +171,10 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
   if (settings.ground != Ground::off) fields.named(ground_key, ground_names, settings.ground);
   if (settings.judged_tone != ToneCurve::none)
     fields.named(judged_tone_key, tone_names, settings.judged_tone);
+  if (settings.shutter.blurs()) {
+    fields(shutter_key, settings.shutter.seconds);
+    if (settings.shutter.camera >= 0) fields(shutter_camera_key, settings.shutter.camera);
+  }
   return fields.take();
 }
 
@@ -191,6 +197,10 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
     fields.named(ground_key, ground_names, read.settings.ground);
   if (json.is_object() && json.contains(judged_tone_key))
     fields.named(judged_tone_key, tone_names, read.settings.judged_tone);
+  if (json.is_object() && json.contains(shutter_key))
+    fields(shutter_key, read.settings.shutter.seconds);
+  if (json.is_object() && json.contains(shutter_camera_key))
+    fields(shutter_camera_key, read.settings.shutter.camera);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)

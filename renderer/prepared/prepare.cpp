@@ -171,6 +171,7 @@ Result<std::shared_ptr<const RenderScene>> with_lights(
   }
   try {
     RenderScene relit = *scene;
+    relit.exposure.reset();
     relit.lighting =
         std::make_shared<const Lighting>(prepare_lighting(scene->world(), std::move(lights)));
     return assembled(std::move(relit));
@@ -197,6 +198,7 @@ Result<std::shared_ptr<const RenderScene>> with_dfrs(
   }
   try {
     RenderScene edited = *scene;
+    edited.exposure.reset();
     edited.materials = std::make_shared<const MaterialDfrs>(std::move(dfrs));
     return assembled(std::move(edited));
   } catch (const std::bad_alloc&) {

@@ -16,9 +16,11 @@
 
 namespace asos {
 
-/// A scene that is ready to render. It has three immutable, shared parts that are replaced one at a
-/// time, so that editing a light or a material costs only that part. A small value; `assembled`
-/// derives its needs and its table of plain materials from its parts.
+struct Exposure;
+
+/// A scene made ready to render, of three parts that are immutable, shared, and replaced one at a
+/// time: editing a light or a material costs what that part costs. A small value; `assembled` keeps
+/// its needs and its table of plain materials those of its parts.
 struct RenderScene {
   std::shared_ptr<const Geometry> geometry;
   std::shared_ptr<const MaterialDfrs> materials;  ///< their defocusing ratios, which can be edited
@@ -26,7 +28,9 @@ struct RenderScene {
   std::shared_ptr<const Lighting> own_lighting;  ///< as the scene was prepared, before any edit
   std::shared_ptr<const PlainMaterials> plain;   ///< compact materials for batches of points
   SceneNeeds forced;                             ///< see prepare
-  SceneNeeds needs;                              ///< of all parts, including forced ones
+  SceneNeeds needs;                              ///< those of all parts, and what was forced
+  /// It while the shutter is open (`exposed`). Null: not made; edits of the scene drop it.
+  std::shared_ptr<const Exposure> exposure;
 
   [[nodiscard]] const World& world() const { return geometry->world; }
   [[nodiscard]] const RayScene& rays() const { return geometry->rays; }

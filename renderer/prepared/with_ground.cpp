@@ -29,6 +29,7 @@ Result<std::shared_ptr<const RenderScene>> in_memory(const RenderScene& scene, G
   auto geometry = rebuilt_geometry(scene, std::move(world));
   if (!geometry) return unexpected(geometry.error());
   RenderScene grounded = scene;
+  grounded.exposure.reset();
   grounded.geometry = *std::move(geometry);
   // The materials' ratios may have been edited; the ground has its own.
   MaterialDfrs dfrs = dfrs_of(grounded.world());

@@ -29,6 +29,7 @@ Result<std::shared_ptr<const RenderScene>> draw_in_memory(const RenderScene& sce
   auto geometry = rebuilt_geometry(scene, std::move(world));
   if (!geometry) return unexpected(geometry.error());
   RenderScene drawn = scene;
+  drawn.exposure.reset();
   drawn.geometry = *std::move(geometry);
   return assembled(std::move(drawn));
 }

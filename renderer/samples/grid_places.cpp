@@ -66,7 +66,17 @@ glm::dvec2 GridPlaces::on_lens() const {
   return in_strata(0x40000000u);
 }
 
+double GridPlaces::in_time() const {
+  const Stratum found = stratum(0x20000000u);
+  return (found.cell + found.place.u) / (n_ * n_);
+}
+
 glm::dvec2 GridPlaces::in_strata(std::uint32_t stream) const {
+  const auto [cell, r] = stratum(stream);
+  return {(cell % n_ + r.u) / n_, (cell / n_ + r.v) / n_};
+}
+
+GridPlaces::Stratum GridPlaces::stratum(std::uint32_t stream) const {
   const auto seed = static_cast<std::uint32_t>(pixel_random(x_, y_, stream) >> 32);
   const auto cells = static_cast<std::uint32_t>(n_ * n_);
   const auto cell = static_cast<int>(permuted(static_cast<std::uint32_t>(index_), cells, seed));
@@ -75,7 +85,7 @@ glm::dvec2 GridPlaces::in_strata(std::uint32_t stream) const {
     r = unit_pair(mix_bits(pixel_random(x_, y_, stream) ^
                            (0x100000000ULL + static_cast<std::uint64_t>(index_))));
   }
-  return {(cell % n_ + r.u) / n_, (cell / n_ + r.v) / n_};
+  return {cell, r};
 }
 
 }  // namespace asos

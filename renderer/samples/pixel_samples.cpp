@@ -25,7 +25,7 @@ int PixelSamples::after_round(int taken, int most) {
 
 void PixelSamples::advance(const BlockJob& job, SamplePlaces& places, int end, int footprints) {
   if (end <= taken_) return;
-  SampleSums sums(job.scene, job.view, job.settings, places);
+  SampleSums sums(job, places);
   sums.resize(sums_.size());
   for (std::size_t i = 0; i < sums_.size(); ++i) sums.continue_from(i, sums_[i]);
   const double width = job.settings.filter_width;

@@ -2,6 +2,7 @@
 
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sampled_lights.h"
+#include "renderer/sampling/random.h"
 
 #include <cstdint>
 #include <span>
@@ -30,6 +31,11 @@ class SamplePlaces : public LightPlaces {
   virtual void use_lens() {}
   /// Returns the current sample's place on the camera's lens, in [0, 1) each.
   [[nodiscard]] virtual glm::dvec2 on_lens() const = 0;
+
+  /// From now on samples have times while the shutter is open, too.
+  virtual void use_time() {}
+  /// When the sample under way looks, in [0, 1) from the shutter's opening to its closing.
+  [[nodiscard]] virtual double in_time() const = 0;
 
   using LightPlaces::on_light;
   /// Handles one sample after the other.
@@ -61,9 +67,10 @@ inline constexpr float colour_side = 0.75f;
 /// the rounds of PixelSamples. Each sample represents an equal part of the pixel's area.
 [[nodiscard]] BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples);
 
-/// A grid of n x n strata per pixel, with one sample in the centre of each stratum or jittered
-/// within it. The lens and each light have n x n strata, too, with their own assignment to the
-/// samples, seeded by pixel. The order of strata spreads the first few samples over the pixel.
+/// n x n strata of the pixel and of time, and for the lens and each light another assignment of its
+/// own n x n strata to the samples, seeded by pixel: a sample in the middle of each stratum, or
+/// anywhere in it. Samples go from stratum to stratum so that the first few are spread over the
+/// pixel as well.
 class GridPlaces final : public SamplePlaces {
  public:
   GridPlaces(int n, bool jittered);
@@ -77,9 +84,16 @@ class GridPlaces final : public SamplePlaces {
   using SamplePlaces::on_light;
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override;
   [[nodiscard]] glm::dvec2 on_lens() const override;
+  [[nodiscard]] double in_time() const override;
 
  private:
-  /// Returns a place in the strata, by a stream of random numbers.
+  /// A stratum, by a stream of random numbers, and a place in it.
+  struct Stratum {
+    int cell;
+    RandomPair place;
+  };
+  [[nodiscard]] Stratum stratum(std::uint32_t stream) const;
+  /// A place in the strata, likewise.
   [[nodiscard]] glm::dvec2 in_strata(std::uint32_t stream) const;
 
   int n_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -81,8 +82,32 @@ class OneLobeSample final : public LightTransport {
 
 }  // namespace
 
+/// Made moment by moment, as samples ask for them.
+struct SampleSums::Moving {
+  const MovingPicture* picture;
+  const RenderSettings* settings;
+  std::vector<std::unique_ptr<SampleSums>> at;
+};
+
+SampleSums::~SampleSums() = default;
+
+SampleSums::SampleSums(const BlockJob& job, SamplePlaces& places)
+    : SampleSums(job.scene, job.view, job.settings, places) {
+  if (!job.motion) return;
+  const auto moments = static_cast<std::size_t>(job.motion->steps()) + 1;
+  moving_ = std::make_unique<Moving>();
+  moving_->picture = job.motion;
+  moving_->settings = &job.settings;
+  moving_->at.resize(moments);
+  places.use_time();
+}
+
 SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
                        SamplePlaces& places)
+    : SampleSums(scene, view, settings, places, nullptr) {}
+
+SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
+                       SamplePlaces& places, Totals* totals)
     : own_shader_(shader_of(scene, settings, view)),
       viewer_(Viewer::camera(view, *own_shader_)),
       scene_(&scene),
@@ -91,7 +116,11 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
       reflections_(scene.world(), places),
       bounced_(scene, viewer_.shader, places),
       plain_(scene, viewer_),
-      faces_(culling_of(settings)) {
+      faces_(culling_of(settings)),
+      radiance_(totals ? totals->radiance : own_.radiance),
+      count_(totals ? totals->count : own_.count),
+      hit_(totals ? totals->hit : own_.hit),
+      statistics_(totals ? totals->statistics : own_.statistics) {
   if (view.has_lens()) places.use_lens();
 }
 
@@ -105,8 +134,30 @@ SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
       bounced_(scene, viewer_.shader, places),
       plain_(scene, viewer_),
       faces_(culling_of(settings)),
-      shows_(shows) {
+      shows_(shows),
+      radiance_(own_.radiance),
+      count_(own_.count),
+      hit_(own_.hit),
+      statistics_(own_.statistics) {
   if (viewer.view.has_lens()) places.use_lens();
+}
+
+void SampleSums::widen_colours(float times) {
+  colours_ = times;
+  plain_.widen_colours(times);
+}
+
+bool SampleSums::add_moving(const PointSample& sample) {
+  places_->start_pixel(sample.x, sample.y);
+  places_->start_sample(sample.index);
+  const int moment = moving_->picture->moment_at(places_->in_time());
+  std::unique_ptr<SampleSums>& at = moving_->at[static_cast<std::size_t>(moment)];
+  if (!at) {
+    at.reset(new SampleSums(moving_->picture->scene(moment), moving_->picture->view(moment),
+                            *moving_->settings, *places_, &own_));
+    at->widen_colours(colours_);
+  }
+  return at->add(sample);
 }
 
 void SampleSums::resize(std::size_t count) {
@@ -128,6 +179,11 @@ void SampleSums::add_pairs(std::size_t first, std::size_t count) {
 }
 
 void SampleSums::trace() {
+  if (moving_) {
+    for (const std::unique_ptr<SampleSums>& moment : moving_->at)
+      if (moment && moment->used_ > 0) moment->trace();
+    return;
+  }
   if (!std::exchange(hits_known_, false)) cast_rays();
   if (shows_ == Shows::lobes) {
     gather_lobes();

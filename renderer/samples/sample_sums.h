@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/prepared/viewer.h"
+#include "renderer/samples/block_job.h"
 #include "renderer/samples/bounced_light.h"
 #include "renderer/samples/plain_samples.h"
 #include "renderer/samples/sample_block.h"
@@ -13,14 +14,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace asos {
 
-/// Traces and shades point samples in batches, with packets of rays, and adds them to their sums.
-/// Samples that are not finite are left out and counted. The bits of a sum may depend only on the
-/// samples that were added before.
+/// Point samples, traced and shaded a batch at a time through packets of rays and added up by what
+/// they belong to. Samples that are not finite are left out of their sums and counted. The bits of
+/// a sum may depend on which samples were added before, never on anything else. With a moving
+/// picture each sample looks at the moment of its time.
 class SampleSums {
  public:
   struct Sum {
@@ -32,6 +35,9 @@ class SampleSums {
     }
   };
 
+  /// Samples the job's scene and view, at one moment or while the shutter is open. `job` and
+  /// `places` have to outlive this.
+  SampleSums(const BlockJob& job, SamplePlaces& places);
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              SamplePlaces& places);
@@ -42,13 +48,11 @@ class SampleSums {
              SamplePlaces& places, Shows shows = Shows::all);
   SampleSums(const SampleSums&) = delete;
   SampleSums& operator=(const SampleSums&) = delete;
+  ~SampleSums();
 
   /// Averages the colours of all later samples over squares that are this many times as wide as the
   /// samples' sides.
-  void widen_colours(float times) {
-    colours_ = times;
-    plain_.widen_colours(times);
-  }
+  void widen_colours(float times);
 
   /// Makes room for sums 0 to `count` - 1; new ones are empty. Sums beyond that are dropped, and
   /// none of their samples may be waiting for `trace`.
@@ -58,7 +62,8 @@ class SampleSums {
   /// Adds a sample. Returns true if this filled a batch and traced it, which changes the current
   /// sample of the places.
   bool add(const PointSample& sample) {
-    // Copy member by member: a copy as a whole would stall on members that were just written.
+    if (moving_) return add_moving(sample);
+    // Member by member: a copy as a whole would wait for what was just written in parts.
     PointSample& place = samples_[used_];
     points_[used_].x = place.at.x = sample.at.x;
     points_[used_].y = place.at.y = sample.at.y;
@@ -109,6 +114,19 @@ class SampleSums {
     seen.colours = colours_;
     return seen;
   }
+  /// Sums and counts of all moments together.
+  struct Totals {
+    std::vector<glm::dvec3> radiance;
+    std::vector<std::uint32_t> count;
+    std::vector<Hit> hit;
+    RenderStatistics statistics;
+  };
+  /// The samples of each moment; their sums are those of the whole.
+  struct Moving;
+
+  SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
+             SamplePlaces& places, Totals* totals);
+  bool add_moving(const PointSample& sample);
   void cast_rays();
   void aim_through_lens();
   void widen_footprints();
@@ -129,10 +147,12 @@ class SampleSums {
   Culling faces_;
   Shows shows_ = Shows::all;
   float colours_ = 1.0f;
-  std::vector<glm::dvec3> radiance_;
-  std::vector<std::uint32_t> count_;
-  std::vector<Hit> hit_;
-  RenderStatistics statistics_;
+  Totals own_;
+  std::vector<glm::dvec3>& radiance_;
+  std::vector<std::uint32_t>& count_;
+  std::vector<Hit>& hit_;
+  RenderStatistics& statistics_;
+  std::unique_ptr<Moving> moving_;  // null: one moment
   std::array<PointSample, batch> samples_{};
   std::array<glm::dvec2, batch> points_{};
   std::array<Ray, batch> rays_;

@@ -33,7 +33,7 @@ class SobolPlaces final : public SamplePlaces {
     }
   }
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override {
-    return points_->light(lens_ ? points_->shuffled(index_) : index_, light);
+    return points_->light(lens_ || time_ ? points_->shuffled(index_) : index_, light);
   }
   [[nodiscard]] glm::dvec2 in_lobe(int bounce) const override {
     return points_->lobe(index_, static_cast<std::uint32_t>(bounce));
@@ -41,6 +41,9 @@ class SobolPlaces final : public SamplePlaces {
 
   void use_lens() override { lens_ = true; }
   [[nodiscard]] glm::dvec2 on_lens() const override { return points_->lens(index_); }
+
+  void use_time() override { time_ = true; }
+  [[nodiscard]] double in_time() const override { return points_->time(index_, lens_); }
 
   void start_batch(std::span<const SampleIndex> samples) override {
     batch_.clear();
@@ -50,7 +53,7 @@ class SobolPlaces final : public SamplePlaces {
       const bool same = i > 0 && sample.same_pixel(samples[i - 1]);
       if (!same) pixel.emplace(sample.x, sample.y, seed_);
       auto index = static_cast<std::uint32_t>(sample.index);
-      if (lens_) index = pixel->shuffled(index);
+      if (lens_ || time_) index = pixel->shuffled(index);
       if (same)
         batch_.add(index);
       else
@@ -66,6 +69,7 @@ class SobolPlaces final : public SamplePlaces {
   std::optional<SobolPixel> points_;
   std::uint32_t index_ = 0;
   bool lens_ = false;
+  bool time_ = false;
   mutable SobolPixelPlaces in_pixel_;
   SobolBatch batch_;
 };

@@ -132,6 +132,12 @@ glm::dvec2 SobolPixel::lens(std::uint32_t index) const {
   return light(index, 0xc0000000u);
 }
 
+double SobolPixel::time(std::uint32_t index, bool beside_lens) const {
+  const std::uint32_t own =
+      beside_lens ? owen_scramble(index, seed_of(key_, 0xc0000003u, 0)) : index;
+  return light(own, 0xc0000002u).x;
+}
+
 std::uint32_t SobolPixel::shuffled(std::uint32_t index) const {
   return owen_scramble(index, seed_of(key_, 0xc0000001u, 0));
 }

@@ -67,8 +67,11 @@ class SobolPixel {
   /// dimensions 2 and 3, so that pixel and lens together are a net. Lights then use `shuffled`
   /// indices.
   [[nodiscard]] glm::dvec2 lens(std::uint32_t index) const;
-  /// Returns the index in a shuffled order, for dimensions shared with the lens. Aligned runs of
-  /// 2^m indices stay such runs.
+  /// When sample `index` looks while the shutter is open, in [0, 1): dimension 2, so that pixel and
+  /// time together are a net; `beside_lens`, which has that dimension: of another order of points.
+  [[nodiscard]] double time(std::uint32_t index, bool beside_lens) const;
+  /// An order of points for what shares dimensions with lens or time; aligned runs of 2^m indices
+  /// stay such runs.
   [[nodiscard]] std::uint32_t shuffled(std::uint32_t index) const;
 
   /// The scrambling seeds, for callers that scramble many places. `pixel` is owen_scramble of

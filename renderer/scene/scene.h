@@ -57,6 +57,7 @@ struct TextureUse {
     return texture == other.texture && texcoord == other.texcoord &&
            uv_transform == other.uv_transform;
   }
+  bool operator==(const TextureUse&) const = default;
 };
 
 enum class AlphaMode { opaque, mask, blend };
@@ -88,6 +89,8 @@ struct Clearcoat {
   TextureUse texture;            ///< R of `factor`, linear
   TextureUse roughness_texture;  ///< G, linear
   TextureUse normal_texture;     ///< its own: the material's normal map is not the coat's
+
+  bool operator==(const Clearcoat&) const = default;
 };
 
 /// KHR_materials_sheen: fibres on the surface, which are brightest at grazing angles (Charlie
@@ -99,6 +102,7 @@ struct Sheen {
   TextureUse roughness_texture;  ///< A, linear
 
   [[nodiscard]] bool used() const { return color != glm::vec3(0.0f); }
+  bool operator==(const Sheen&) const = default;
 };
 
 /// KHR_materials_iridescence: a thin film on the base; the reflections from its two sides
@@ -112,6 +116,7 @@ struct Iridescence {
   TextureUse thickness_texture;     ///< G, linear: from the minimum to the maximum
 
   [[nodiscard]] bool used() const { return factor > 0.0f; }
+  bool operator==(const Iridescence&) const = default;
 };
 
 /// KHR_materials_anisotropy: the lobe is rougher along one direction of the surface, so that
@@ -122,6 +127,7 @@ struct Anisotropy {
   TextureUse texture;         ///< RG: the direction before the rotation, B of `strength`, linear
 
   [[nodiscard]] bool used() const { return strength > 0.0f; }
+  bool operator==(const Anisotropy&) const = default;
 };
 
 /// KHR_materials_volume and KHR_materials_dispersion: the medium inside a closed surface that
@@ -132,6 +138,8 @@ struct Volume {
   float attenuation_distance = std::numeric_limits<float>::infinity();  ///< in the world's units
   glm::vec3 attenuation_color{1.0f};  ///< linear: transmittance over that distance
   float dispersion = 0.0f;            ///< 20 / Abbe number, 0 and more
+
+  bool operator==(const Volume&) const = default;
 };
 
 /// KHR_materials_diffuse_transmission: the fraction of the light not reflected by the lobe that is
@@ -143,6 +151,7 @@ struct DiffuseTransmission {
   TextureUse color_texture;  ///< sRGB
 
   [[nodiscard]] bool used() const { return factor > 0.0f; }
+  bool operator==(const DiffuseTransmission&) const = default;
 };
 
 /// glTF 2.0 metallic-roughness, with the supported extensions. Factors are linear.
@@ -180,6 +189,8 @@ struct Material {
   Volume volume;
   DiffuseTransmission diffuse_transmission;
   std::optional<Dfr> dfr;  ///< how reflections are blurred; none: by roughness
+
+  bool operator==(const Material&) const = default;
 };
 
 /// Returns all textures that a material refers to, whether it uses them or not.
@@ -289,6 +300,8 @@ struct Light {
   /// Index into World::parts of the light's own surface, which does not shadow it; -1: none. Only
   /// in a World.
   std::int32_t own_part = -1;
+
+  bool operator==(const Light&) const = default;
 };
 
 /// The parts of the file that are not drawn or not supported, in words for the user.

@@ -17,8 +17,7 @@ constexpr std::size_t most_tried = 48;
 constexpr std::size_t blocks_a_spread = 4;
 
 BlockJob job_of(const PlannedRender& render, std::size_t block, const std::stop_token& stop) {
-  return {*render.snapshot.scene, render.view, render.snapshot.settings,
-          render.plan.blocks[block].rect, stop};
+  return render.job(render.snapshot.settings, render.plan.blocks[block].rect, stop);
 }
 
 void set_seconds(double seconds, FinishedTile& tile) {
@@ -46,7 +45,8 @@ FinalBlocks::Started FinalBlocks::start(const PlannedRender& render, std::size_t
   const RenderSettings& settings = render.snapshot.settings;
   const BlockJob job = job_of(render, block, stop);
   const auto first_stage = row_of(settings.method).start;
-  const bool in_stages = render.snapshot.progressive && first_stage && !shows_coverage(settings);
+  const bool in_stages =
+      render.snapshot.progressive && first_stage && !render.motion && !shows_coverage(settings);
   const double before = thread_seconds();
   StartedBlock done;
   if (in_stages) {

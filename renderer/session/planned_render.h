@@ -6,6 +6,8 @@
 #include "renderer/session/work_plan.h"
 
 #include <cstddef>
+#include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -18,12 +20,22 @@ struct PlannedRender {
         view(viewed_camera(*snapshot.scene, snapshot.camera, snapshot.settings),
              snapshot.settings.width, snapshot.settings.height,
              radius_around_origin(snapshot.scene->world().bounds)),
+        motion(moving_picture(*snapshot.scene,
+                              viewed_camera(*snapshot.scene, snapshot.camera, snapshot.settings),
+                              snapshot.settings)),
         plan(snapshot.settings),
         group_order(plan.spread_groups()),
         unlit(has_unlit(snapshot.scene->world())) {}
 
+  /// The job of a block.
+  [[nodiscard]] BlockJob job(const RenderSettings& settings, const PixelRect& block,
+                             const std::stop_token& stop) const {
+    return {*snapshot.scene, view, settings, block, stop, motion ? &*motion : nullptr};
+  }
+
   Snapshot snapshot;
   View view;
+  std::optional<MovingPicture> motion;  ///< while the shutter is open; none: one moment
   WorkPlan plan;
   std::vector<std::size_t> group_order;  ///< of rounds of samples
   /// Some surface may be: tiles hold the unlit part of pixels.

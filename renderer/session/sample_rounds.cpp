@@ -52,7 +52,7 @@ std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, st
   if (own.done) return std::nullopt;
   const double start = thread_seconds();
   const PixelRect& rect = render.plan.groups[group].rect;
-  const BlockJob job{*render.snapshot.scene, render.view, settings_, rect, stop};
+  const BlockJob job = render.job(settings_, rect, stop);
   const auto take = [&](std::optional<PixelSamples>& pixels, const BlockJob& of) {
     if (!pixels) pixels.emplace(rect);
     const std::unique_ptr<SamplePlaces> places = row_of(settings_.method).places(settings_);
@@ -65,15 +65,15 @@ std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, st
   BlockResult result = own.pixels->result();
   if (shows_coverage(settings_)) {
     const RenderSettings covered = coverage_of(settings_);
-    take(own.covered, {job.scene, job.view, covered, rect, stop});
+    take(own.covered, job.with(covered));
     set_coverage(own.covered->result(), result);
   }
   if (render.unlit) {
     const UnlitPasses passes(settings_);
-    take(own.unlit_share, {job.scene, job.view, passes.share, rect, stop});
+    take(own.unlit_share, job.with(passes.share));
     add_unlit_share(own.unlit_share->result(), result);
     if (needs_unlit_colour(result.tile)) {
-      take(own.unlit_colour, {job.scene, job.view, passes.colour, rect, stop});
+      take(own.unlit_colour, job.with(passes.colour));
       add_unlit_colour(own.unlit_colour->result(), result);
     }
   }

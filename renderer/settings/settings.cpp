@@ -55,6 +55,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
                          {"shadow-divisions", s.shadow.divisions, 1, 16},
                          {"bounces", s.shadow.bounces, 0, 1},
                          {"reflections", s.mirror.bounces, 0, MirrorSettings::max_bounces},
+                         {"shutter camera", s.shutter.camera, -1, std::numeric_limits<int>::max()},
                          {"seed", s.seed, 0, std::numeric_limits<int>::max()}}) {
     if (r.value < r.lo || r.value > r.hi) {
       return unexpected(Error{r.name, fmt::format("{} is not from {} to {}", r.value, r.lo, r.hi)});
@@ -65,6 +66,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
         {"contrast", s.sampling.contrast, 1.0},
         {"roughest-mirror", s.mirror.roughest, 1.0},
         {"mirror-angle", s.mirror.widest_angle_deg, 180.0},
+        {"shutter", s.shutter.seconds, ShutterSettings::longest},
         {"line-width", s.line_width, RenderSettings::max_line_width},
         {"filter-width", s.filter_width, RenderSettings::max_filter_width, 1.0},
         {"contrast-scale", s.sampling.contrast_scale, SamplingSettings::max_contrast_scale}}) {

@@ -98,8 +98,20 @@ struct MirrorSettings {
   bool operator==(const MirrorSettings&) const = default;
 };
 
-/// The settings of a rendering, with defaults. Widgets and renderers work on copies. `validated`
-/// reports values out of range; no value is clamped silently.
+/// How long a picture is exposed around its moment of an animation.
+struct ShutterSettings {
+  static constexpr double longest = 3600.0;
+
+  double seconds = 0.0;  ///< 0 to `longest`; 0: the picture shows one moment
+  /// Index of the scene's camera whose motion the picture's camera follows; -1: it stands still.
+  int camera = -1;
+
+  [[nodiscard]] bool blurs() const { return seconds > 0.0; }
+  bool operator==(const ShutterSettings&) const = default;
+};
+
+/// The settings of a rendering. Defaulted and comparable; widgets edit a copy, work takes a copy.
+/// `validated` says what is out of range; nothing is clamped silently.
 struct RenderSettings {
   static constexpr double max_filter_width = 4.0;
   static constexpr double max_line_width = 16.0;
@@ -121,6 +133,7 @@ struct RenderSettings {
   TextureSettings texture;
   ShadowSettings shadow;
   MirrorSettings mirror;
+  ShutterSettings shutter;
   std::shared_ptr<const Sky> sky;  ///< the surroundings of the scene; null: neutral grey
   Background background;           ///< the visible background
   Ground ground = Ground::off;     ///< see with_ground

@@ -231,6 +231,55 @@ TEST_F(Timeline, TheCameraThatIsLookedThroughMovesWithIt) {
   EXPECT_EQ(eye_x(), there);
 }
 
+TEST_F(Timeline, BlursMotionOfThePauseAndSavesIt) {
+  playback().seek(1.0);
+  arrive();
+  const std::vector<glm::vec3> sharp = picture();
+  EXPECT_FALSE(has("Shutter"));
+  rig.click("Motion blur");
+  RenderSettings& settings = rig.previewer().edits().settings();
+  EXPECT_DOUBLE_EQ(settings.shutter.seconds, 0.5 / 24.0);
+  EXPECT_TRUE(rig.control("Shutter").has_tooltip);
+  settings.shutter.seconds = 0.5;
+  rig.frame();
+  arrive();
+  ASSERT_TRUE(playback().exposure() && playback().exposure()->moves());
+  EXPECT_EQ(playback().exposure()->shutter.seconds, 0.5);
+  const std::vector<glm::vec3> blurred = picture();
+  EXPECT_NE(blurred, sharp);
+  EXPECT_TRUE(rig.sleeps());
+  const PictureDescription said = rig.previewer().render().description({});
+  EXPECT_EQ(said.settings.shutter.seconds, 0.5);
+
+  rig.click("Motion blur");
+  EXPECT_TRUE(rig.settle());
+  EXPECT_EQ(picture(), sharp);
+  const TemporaryFolder folder;
+  ASSERT_TRUE(
+      write_png(folder.file("blur.png"), rig.previewer().render().film(), {}, picture_text(said)));
+  open(folder.file("blur.png"));
+  rig.frame();
+  arrive();
+  EXPECT_EQ(rig.previewer().edits().settings().shutter.seconds, 0.5);
+  EXPECT_EQ(picture(), blurred);
+}
+
+TEST_F(Timeline, BlursTheMotionOfTheCameraThatIsLookedThrough) {
+  playback().choose(1);
+  playback().seek(0.5);
+  arrive();
+  rig.previewer().edits().settings().shutter.seconds = 0.5;
+  rig.frame();
+  arrive();
+  ASSERT_TRUE(playback().exposure() && playback().exposure()->moves());
+  EXPECT_EQ(rig.previewer().render().settings().shutter.camera, 0);
+  // One that was moved by hand stands still.
+  rig.previewer().viewpoint().frame_all();
+  rig.frame();
+  EXPECT_TRUE(rig.settle());
+  EXPECT_EQ(rig.previewer().render().settings().shutter.camera, -1);
+}
+
 TEST_F(Timeline, EditsOfLightsLast) {
   ASSERT_EQ(scene()->lights().size(), 1u);
   rig.previewer().edits().edit_lights().at(0).light.intensity = 7.0f;

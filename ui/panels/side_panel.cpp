@@ -78,7 +78,7 @@ void antialias_tab(Controls& controls, Previewer& previewer, UiState& state,
 void scene_tab(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   const RenderScene* scene = previewer.scene().get();
   // The timeline comes first, so that its buttons stay in place while warnings come and go.
-  timeline_panel(controls, previewer.playback());
+  timeline_panel(controls, previewer.playback(), previewer.edits().settings());
   scenes_panel(controls, previewer.scene());
   variants_panel(controls, previewer.scene());
   lights_panel(controls, previewer, state.lights, state.picked);

@@ -1,5 +1,6 @@
 #include "ui/panels/timeline_panel.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/files/printable.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,8 @@
 namespace asos::ui {
 
 namespace {
+
+constexpr double shortest_shutter = 1e-5;
 
 void clip_chooser(Controls& controls, Playback& playback) {
   std::vector<std::string> names{"Rest pose"};
@@ -39,9 +42,33 @@ void transport(Controls& controls, Playback& playback) {
   if (controls.button("Frame >", "Forward by one frame and pause.", width)) playback.step(1);
 }
 
+std::string words_of(const Playback& playback) {
+  if (playback.playing()) return "When paused";
+  if (!playback.time()) return "Not in the rest pose";
+  const Exposure* exposure = playback.exposure();
+  if (playback.posing() || !exposure) return "Posing...";
+  if (!exposure->moves()) return "Nothing moves";
+  return fmt::format("{} steps{}", exposure->steps(), exposure->limited ? ", limited" : "");
+}
+
+void shutter_controls(Controls& controls, const Playback& playback, double fps,
+                      RenderSettings& settings) {
+  bool on = settings.shutter.blurs();
+  if (controls.checkbox("Motion blur", "Blur what moves while the shutter is open.", on, false))
+    settings.shutter.seconds = on ? 0.5 / fps : 0.0;
+  if (!on) return;
+  controls.number("Shutter", "Time that the shutter is open, in seconds.", settings.shutter.seconds,
+                  {{shortest_shutter, ShutterSettings::longest, 0.5 / fps}, 1e-4, true},
+                  [](double s) { return fmt::format("{:.4g} s", s); });
+  if (row_of(settings.method).takes_motion)
+    controls.row("Blur", words_of(playback), "Steps that the exposure is split into.");
+  else
+    controls.row("Note", "This method renders without blur.");
+}
+
 }  // namespace
 
-void timeline_panel(Controls& controls, Playback& playback) {
+void timeline_panel(Controls& controls, Playback& playback, RenderSettings& settings) {
   if (!playback.available() || !controls.section("Animation")) return;
   clip_chooser(controls, playback);
   transport(controls, playback);
@@ -61,6 +88,7 @@ void timeline_panel(Controls& controls, Playback& playback) {
   controls.number("Frames/s", "Frames per second of single steps. Ctrl+click to type a value.",
                   options.fps, {{1.0, 1000.0, 24.0}, 0.1, true},
                   [](double f) { return fmt::format("{:.4g}", f); });
+  shutter_controls(controls, playback, options.fps, settings);
   if (playback.pose_seconds() > 0.0)
     controls.row("Update",
                  fmt::format("{:.1f} + {:.1f} ms", 1e3 * playback.pose_seconds(),

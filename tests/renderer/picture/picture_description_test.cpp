@@ -22,14 +22,16 @@ RenderSettings odd_settings() {
   RenderSettings s;
   // A new member breaks the compilation of this line: write it, read it, and set it below.
   const auto& [width, height, crop, method, filter_width, line_width, judged_tone, asos, sampling,
-               texture, shadow, mirror, sky, background, ground, cull, seed, threads] = s;
+               texture, shadow, mirror, shutter, sky, background, ground, cull, seed, threads] = s;
   const auto& [kind, top, bottom, coverage] = background;
   const auto& [max_level, eps, leaf, rule, detect, fat, refine_shading, jitter] = asos;
   const auto& [spp, contrast, depth, spheres, contrast_scale] = sampling;
   const auto& [filter, resolution] = texture;
   const auto& [cast, sky_shadows, light_bounces, quality, divisions, light_rule] = shadow;
   const auto& [bounces, roughest, dfr, curved, widest_angle_deg] = mirror;
-  (void)threads, (void)jitter, (void)contrast_scale, (void)resolution, (void)light_rule;
+  const auto& [seconds, followed] = shutter;
+  (void)threads, (void)seconds, (void)followed, (void)jitter, (void)contrast_scale,
+      (void)resolution, (void)light_rule;
   (void)widest_angle_deg, (void)kind, (void)top, (void)bottom;
   (void)coverage;  // exists only while a picture is rendered
   s.width = 321;
@@ -66,6 +68,7 @@ RenderSettings odd_settings() {
       Dfr{{DfrCurve{0.1, 0.9, 31.5}, DfrCurve{0.2, 0.8, 3}, DfrCurve{0.3, 0.7, 2}}, 0.25};
   s.mirror.curved = CurvedMirror::adaptive;
   s.mirror.widest_angle_deg = 11.25;
+  s.shutter = {1.0 / 3.0, 2};
   s.background = {BackgroundKind::colours, {0.1f, 0.2f, 1.0f / 3.0f}, {3.0f, 0.0f, 0.7f}};
   s.ground = Ground::mirror;
   s.cull = false;
@@ -215,6 +218,9 @@ TEST(PictureDescription, WhatIsMalformedIsRefusedByFileAndReason) {
            Damage{"/settings/sky", {{"file", 3}}, "\"file\""},
            Damage{"/settings/sky", "blue", "sky"},
            Damage{"/settings/filter", 2, "knows no \"filter\""},
+           Damage{"/settings/shutter_seconds", -1, "shutter: -1 is not from 0 to 3600"},
+           Damage{"/settings/shutter_seconds", "long", "\"shutter_seconds\""},
+           Damage{"/settings/shutter_camera", -2, "shutter camera: -2"},
            Damage{"/camera/eye", {0, 1}, "\"eye\" is no list of 3 numbers"},
            Damage{"/camera/right", {0, 0, 0}, "orthonormal"},
            Damage{"/camera/fov_y_rad", 4, "between 0 and pi"},

@@ -339,5 +339,24 @@ TEST(SobolPixel, StratifiesEveryLightTogetherWithThePixel) {
   }
 }
 
+TEST(SobolPixel, StratifiesTimeAloneAndTogetherWithThePixel) {
+  for (const bool beside_lens : {false, true}) {
+    const SobolPixel pixel(3, 7, 5);
+    std::vector<bool> met(64, false);
+    for (std::uint32_t i = 0; i < 64; ++i)
+      met[static_cast<std::size_t>(64.0 * pixel.time(i, beside_lens))] = true;
+    EXPECT_EQ(std::count(met.begin(), met.end(), true), 64) << beside_lens;
+  }
+  // An edge that crosses a pixel while the shutter is open; it covers half of the pixel.
+  const auto edge = [](const SobolPixel& pixel, int, std::uint32_t i) {
+    return pixel.pixel(i).x < pixel.time(i, false) ? 1.0 : 0.0;
+  };
+  const auto paired_at_random = [](const SobolPixel& pixel, int p, std::uint32_t i) {
+    const std::uint64_t seed = mix_bits(static_cast<std::uint64_t>(p));
+    return pixel.pixel(i).x < pixel.time(owen_scramble(i << 24, seed) >> 24, false) ? 1.0 : 0.0;
+  };
+  EXPECT_LT(rms_error(256, 0.5, edge), 0.7 * rms_error(256, 0.5, paired_at_random));
+}
+
 }  // namespace
 }  // namespace asos

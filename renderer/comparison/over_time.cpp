@@ -1,0 +1,166 @@
+#include "renderer/comparison/over_time.h"
+
+#include "renderer/comparison/method.h"
+#include "renderer/film/tone.h"
+#include "renderer/samples/sample_sums.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace asos {
+namespace {
+
+// A surface that crosses a block is seen in it at one end of a shorter way, or in its middle.
+constexpr double longest_way = 4.0;
+constexpr int probed_moments = 5;
+constexpr unsigned seed_step = 0x9e3779b1u;
+
+/// The counts of pixels of one moment: those of the exposure are the largest.
+void take_larger_counts(const RenderStatistics& moment, RenderStatistics& all) {
+  all.split_pixels = std::max(all.split_pixels, moment.split_pixels);
+  all.missed_splits = std::max(all.missed_splits, moment.missed_splits);
+  all.uneven_pixels = std::max(all.uneven_pixels, moment.uneven_pixels);
+  all.saturated_pixels = std::max(all.saturated_pixels, moment.saturated_pixels);
+  for (std::size_t i = 0; i < all.pixels_by_cause.size(); ++i)
+    all.pixels_by_cause[i] = std::max(all.pixels_by_cause[i], moment.pixels_by_cause[i]);
+}
+
+class BlockOverTime {
+ public:
+  BlockOverTime(const BlockJob& job, const MethodRow& row)
+      : job_(job), row_(row), steps_(job.motion->steps()) {}
+
+  BlockResult run() {
+    if (stands_still()) return row_.render(job_.at(steps_ / 2));
+    const Colours first = shot(0), last = shot(steps_);
+    result_ = std::move(newest_);  // the latest shot has all arrays of the method
+    sum_.assign(first.size(), glm::dvec3(0.0));
+    bisect({0, &first}, {steps_, &last});
+    for (std::size_t i = 0; i < sum_.size(); ++i) result_.tile.radiance[i] = glm::vec3(sum_[i]);
+    result_.tile.split_level = std::move(level_);
+    result_.tile.cause = std::move(cause_);
+    result_.tile.rays = std::move(rays_);
+    result_.statistics = std::move(statistics_);
+    result_.statistics.unresolved_area /= shots_;
+    return std::move(result_);
+  }
+
+ private:
+  using Colours = std::vector<glm::vec3>;
+  struct Moment {
+    int number;
+    const Colours* colours;
+  };
+
+  // Whether neither surfaces nor samples of the pixels' centres change.
+  [[nodiscard]] bool stands_still() const {
+    if (job_.motion->crosses(job_.block, 0, steps_)) return false;
+    std::vector<glm::dvec3> before;
+    for (int i = 0; i < probed_moments; ++i) {
+      const BlockJob at = job_.at(i * steps_ / (probed_moments - 1));
+      GridPlaces places(1, false);
+      SampleSums sums(at, places);
+      const PixelRect& block = job_.block;
+      sums.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+      std::size_t pixel = 0;
+      for (int y = block.y; y < block.y + block.height; ++y)
+        for (int x = block.x; x < block.x + block.width; ++x)
+          (void)sums.add({{x + 0.5, y + 0.5}, 1.0f, x, y, 0, pixel++});
+      sums.trace();
+      std::vector<glm::dvec3> now;
+      for (std::size_t k = 0; k < pixel; ++k) now.push_back(sums.sum(k).radiance);
+      if (i > 0 && now != before) return false;
+      before = std::move(now);
+    }
+    return true;
+  }
+
+  // Each moment has samples of its own, so that their errors average out.
+  Colours shot(int moment) {
+    RenderSettings settings = job_.settings;
+    settings.seed = static_cast<int>(
+        (static_cast<unsigned>(settings.seed) + static_cast<unsigned>(moment) * seed_step) &
+        0x7fffffffu);
+    newest_ = row_.render(job_.at(moment).with(settings));
+    const FinishedTile& tile = newest_.tile;
+    statistics_ += counted();
+    take_larger_counts(newest_.statistics, statistics_);
+    ++shots_;
+    level_.resize(tile.radiance.size());
+    cause_.resize(tile.radiance.size());
+    for (std::size_t i = 0; i < tile.split_level.size(); ++i) {
+      if (shots_ > 1 && tile.split_level[i] <= level_[i]) continue;
+      level_[i] = tile.split_level[i];
+      if (i < tile.cause.size()) cause_[i] = tile.cause[i];
+    }
+    rays_.resize(tile.rays.size());
+    for (std::size_t i = 0; i < tile.rays.size(); ++i) rays_[i] += tile.rays[i];
+    return tile.radiance;
+  }
+
+  // The newest shot's, without the counts of pixels.
+  [[nodiscard]] RenderStatistics counted() const {
+    RenderStatistics all = newest_.statistics;
+    all.split_pixels = all.missed_splits = all.uneven_pixels = all.saturated_pixels = 0;
+    all.pixels_by_cause = {};
+    return all;
+  }
+
+  void bisect(Moment from, Moment to) {
+    if (job_.stop.stop_requested()) return;
+    const int number = (from.number + to.number) / 2;
+    const Colours colours = shot(number);
+    const Moment middle{number, &colours};
+    if (to.number - from.number > 2 && goes_on(from, middle, to)) {
+      bisect(from, middle);
+      bisect(middle, to);
+      return;
+    }
+    const double weight = static_cast<double>(to.number - from.number) / (4.0 * steps_);
+    for (std::size_t i = 0; i < sum_.size(); ++i)
+      sum_[i] += weight * (glm::dvec3((*from.colours)[i]) + 2.0 * glm::dvec3(colours[i]) +
+                           glm::dvec3((*to.colours)[i]));
+  }
+
+  [[nodiscard]] bool goes_on(Moment from, Moment middle, Moment to) const {
+    const MovingPicture& motion = *job_.motion;
+    const bool crossed = motion.crosses(job_.block, from.number, to.number);
+    if (crossed && motion.way(from.number, to.number) > longest_way) return true;
+    // A shadow may pass in between.
+    if (!crossed && to.number - from.number == steps_) return true;
+    const double weight = static_cast<double>(to.number - from.number) / steps_;
+    // The trapezoids of both halves have a quarter of the deviation as their error, at most.
+    const double tolerance = 2.0 * job_.settings.asos.eps;
+    for (std::size_t i = 0; i < middle.colours->size(); ++i) {
+      const glm::dvec3 ends = 0.5 * (glm::dvec3((*from.colours)[i]) + glm::dvec3((*to.colours)[i]));
+      const glm::dvec3 off = glm::abs(
+          displayed_intensity(ends, job_.settings.judged_tone) -
+          displayed_intensity(glm::dvec3((*middle.colours)[i]), job_.settings.judged_tone));
+      if (weight * std::max({off.x, off.y, off.z}) > tolerance) return true;
+    }
+    return false;
+  }
+
+  const BlockJob& job_;
+  const MethodRow& row_;
+  int steps_;
+  int shots_ = 0;
+  BlockResult newest_, result_;
+  RenderStatistics statistics_;
+  std::vector<std::uint8_t> level_;
+  std::vector<SplitCause> cause_;
+  std::vector<float> rays_;
+  std::vector<glm::dvec3> sum_;
+};
+
+}  // namespace
+
+BlockResult render_over_time(const BlockJob& job, const MethodRow& row) {
+  return BlockOverTime(job, row).run();
+}
+
+}  // namespace asos
