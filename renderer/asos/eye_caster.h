@@ -4,6 +4,7 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/eye_workspace.h"
 #include "renderer/asos/leaf_chooser.h"
+#include "renderer/asos/leaf_layers.h"
 #include "renderer/asos/leaf_shader.h"
 #include "renderer/asos/lens_roots.h"
 #include "renderer/asos/root_sums.h"
@@ -70,6 +71,10 @@ class EyeCaster final : public Caster {
   [[nodiscard]] const RootSum& sum(std::uint32_t root) const { return sums_[root]; }
   /// A camera's parts that are still to be sampled: they are in no sum. None is left then.
   [[nodiscard]] OpenRegions take_open() { return leaf_shader_.take_open(); }
+  /// The surface layers of the roots, but for these parts; empty where none is asked for.
+  [[nodiscard]] std::vector<LayerSum> take_layers() {
+    return layers_ ? layers_->take() : std::vector<LayerSum>();
+  }
 
  private:
   EyeContext eye_;
@@ -83,6 +88,7 @@ class EyeCaster final : public Caster {
   LeafChooser chooser_;
   std::vector<RootSum> sums_;
   BlurredSum blurred_;
+  std::optional<LeafLayers> layers_;  // where surface layers are asked for
   LeafShader leaf_shader_;
   std::optional<LensRoots> lens_;
 };

@@ -31,6 +31,9 @@ constexpr std::uint32_t samples_of_blur = 16;
 // many parts.
 constexpr std::uint32_t parts_of_lens = 16;
 
+// Samples of a pixel for its surface layers, where one cannot stand for a part of it.
+constexpr double samples_of_planes = 256.0;
+
 // A block's first stage samples regions until they are within so many times their allowed error.
 constexpr double first_stage_error = 4.0;
 
@@ -38,7 +41,7 @@ constexpr double first_stage_error = 4.0;
 
 LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
                        WeakLights& weak_lights, const ShadowContext& shadows,
-                       std::span<RootSum> sums, BlurredSum& blurred)
+                       std::span<RootSum> sums, BlurredSum& blurred, LeafLayers* layers)
     : eye_(&eye),
       samples_(&samples),
       chooser_(&chooser),
@@ -48,7 +51,8 @@ LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& 
       single_(eye, samples),
       shadows_(&shadows),
       sums_(sums),
-      blurred_(&blurred) {}
+      blurred_(&blurred),
+      layers_(layers) {}
 
 void LeafShader::shade(std::span<const PyrayLeaf> leaves) {
   for (const PyrayLeaf& leaf : leaves) {
@@ -65,7 +69,10 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
     sums_[leaf.root].misplaced |=
         chooser_->may_misplace_light(leaf.sample, leaf.weight, leaf.region);
   sums_[leaf.root].note_error(leaf.decision.error, leaf.weight);
-  if (worth_one_sample(leaf)) return single_.add(leaf);
+  adds_planes_ = layers_ && layers_->sampled(leaf);
+  const bool one_sample = worth_one_sample(leaf);
+  if (layers_ && (one_sample || !adds_planes_)) layers_->add(leaf);
+  if (one_sample) return single_.add(leaf);
   if (leaf.decision.sampled() && add_samples(leaf)) return;
 
   // Textured surfaces are divided into TR x TR samples of a pixel; all else is one leaf.
@@ -106,6 +113,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   sum.mirror_cut |= transport.met_mirror_edge();
   sum.misplaced |= transport.misplaces_light();
   if (!finite(radiance)) {
+    if (adds_planes_) layers_->add(leaf);
     ++eye_->counts->rejected_samples;
     drop(share, sky_share);
     return radiance;
@@ -130,6 +138,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     drop(share, sky_share);
     return radiance;
   }
+  if (adds_planes_) layers_->add(leaf);
   sum.add(glm::dvec3(radiance), leaf.weight);
   if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, transport.lobes());
   return radiance;
@@ -241,6 +250,7 @@ RegionSampler& LeafShader::sampler() {
   if (!sampler_) {
     sampler_ = std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings,
                                                eye_->block, eye_->seed, eye_->mask, eye_->stop);
+    if (layers_) sampler_->note_layers(layers_->probe());
   }
   return *sampler_;
 }
@@ -253,9 +263,17 @@ void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint
   RegionSampler::Goal goal =
       sample_goal(eye_->defocus->allowance(), 1.0, std::max(fewest, samples_of_blur));
   if (goal.most > 1) goal.most *= parts_of_lens;
-  sampler().add(leaf.region, goal);
   sums_[root].defocused = true;
-  deferred_.push_back(leaf);
+  defer(leaf, goal, true);
+}
+
+// Puts a leaf off until `finish`. With `planes` its surface layers are those of its samples.
+void LeafShader::defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal, bool planes) {
+  const bool adds = layers_ && planes;
+  const double samples = adds ? std::max(1.0, samples_of_planes * std::min(1.0, leaf.weight)) : 0.0;
+  sampler().add(leaf.region, goal, static_cast<std::uint32_t>(samples));
+  deferred_.push_back({leaf, adds});
+  deferred_.back().leaf.region.border = {};
 }
 
 bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
@@ -265,9 +283,7 @@ bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
   }
   const RegionSampler::Goal goal = sample_goal(*eye_, leaf.weight, fewest);
   if (!eye_->mirrored()) {
-    sampler().add(leaf.region, goal);
-    deferred_.push_back(leaf);
-    deferred_.back().region.border = {};
+    defer(leaf, goal, layers_ && layers_->sampled(leaf));
     return true;
   }
   // With blur, as its kernel is distributed there. The first sample is that of the root's middle.
@@ -325,19 +341,23 @@ void LeafShader::start_regions() {
   const std::uint64_t before = eye_->counts->rays();
   const auto found = sampler_->start(*eye_->counts, first_stage_error);
   const auto rays = static_cast<double>(eye_->counts->rays() - before);
-  const std::vector<PyrayLeaf> leaves = std::exchange(deferred_, {});
+  const std::vector<Deferred> leaves = std::exchange(deferred_, {});
   double samples = 0.0;
   for (const RegionSampler::Estimate& one : found) samples += one.cost;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const PyrayLeaf& leaf = leaves[i];
+    const PyrayLeaf& leaf = leaves[i].leaf;
     if (samples > 0.0)
       sums_[leaf.root].rays +=
           static_cast<std::uint64_t>(std::llround(rays * found[i].cost / samples));
     if (sampler_->open(i)) {
       open_.parts.push_back({leaf.root, leaf.sample, leaf.weight,
-                             leaf.decision.cause == Unevenness::layers, found[i]});
+                             leaf.decision.cause == Unevenness::layers, leaves[i].planes,
+                             found[i]});
       continue;
     }
+    const bool planes = leaves[i].planes && sampler_->layers(i).weight > 0.0;
+    if (planes) layers_->add(leaf.root, sampler_->layers(i), leaf.weight);
+    adds_planes_ = leaves[i].planes && !planes;
     // A region that no sample meets is too thin: its centre is shaded.
     if (!add_estimate(leaf, found[i]) && samples_->hit(leaf.sample).valid())
       note_result(leaf.root, leaf.sample, add_leaf(leaf, nullptr));

@@ -16,6 +16,7 @@ struct OpenRegions {
     SampleId sample = no_sample;  ///< that stands for it
     double weight = 1.0;          ///< fraction of the root's area
     bool layers = false;          ///< it is sampled for what textures cut out
+    bool planes = false;          ///< its surface layers are those of its samples
     RegionSampler::Estimate so_far;
   };
   std::vector<Part> parts;

@@ -49,7 +49,9 @@ struct RootSum {
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
   std::uint32_t varied = 0;   ///< of those parts whose samples differ visibly, beyond one round
   float error = 0.0f;         ///< of the root's centre, as the bounds of its leaves tell
-  std::uint64_t rays = 0;     ///< of all kinds that were cast for its leaves, beside their own
+  double squared_error = 0.0;  ///< of sampled parts: the sum of their squared standard errors
+  double centre_error = 0.0;   ///< of leaves by their centres: the sum of their bounds, by area
+  std::uint64_t rays = 0;      ///< of all kinds that were cast for its leaves, beside their own
 
   /// Adds the estimate of a part of this weight by samples. `layers`: it was sampled for what
   /// textures cut out.
@@ -61,6 +63,7 @@ struct RootSum {
   /// A leaf's bound is a quarter of that of what it is a quarter of.
   void note_error(float leaf, double leaf_weight) {
     error = std::max(error, leaf / static_cast<float>(leaf_weight));
+    centre_error += leaf_weight * static_cast<double>(leaf);
   }
   [[nodiscard]] glm::vec3 mean() const {
     return weight > 0.0 ? glm::vec3(radiance / weight) : glm::vec3(0.0f);

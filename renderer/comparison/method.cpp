@@ -225,10 +225,30 @@ bool shows_coverage(const RenderSettings& settings) {
 
 RenderSettings coverage_of(RenderSettings settings) {
   settings.background.content = PixelContent::coverage;
+  settings.layers = {};
   settings.sky = nullptr;
   settings.shadow = {};
   settings.shadow.cast = false;
   return settings;
+}
+
+RenderSettings with_coverage(RenderSettings settings) {
+  settings.layers.insert(Layer::alpha);
+  return settings;
+}
+
+void take_coverage(LayerSet asked, BlockResult& result) {
+  std::vector<LayerPlane>& layers = result.tile.layers;
+  const auto alpha = std::find_if(layers.begin(), layers.end(), [](const LayerPlane& plane) {
+    return plane.layer == Layer::alpha;
+  });
+  if (alpha == layers.end()) return;
+  if (asked.has(Layer::alpha)) {
+    result.tile.coverage = alpha->values;
+  } else {
+    result.tile.coverage = std::move(alpha->values);
+    layers.erase(alpha);
+  }
 }
 
 void set_coverage(const BlockResult& covered, BlockResult& result) {
@@ -255,6 +275,13 @@ BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods
     return method.value == job.settings.method;
   });
   assert(row != methods.end());
+  if (shows_coverage(job.settings) && renders_layers(row->value)) {
+    const RenderSettings covered = with_coverage(job.settings);
+    BlockResult result = row->render({job.scene, job.view, covered, job.block, job.stop});
+    fill_in(result);
+    take_coverage(job.settings.layers, result);
+    return result;
+  }
   BlockResult result = row->render(job);
   fill_in(result);
   if (shows_coverage(job.settings)) {
@@ -299,6 +326,13 @@ Result<void> check_method(const RenderScene& scene, const RenderSettings& settin
     return unexpected(
         Error{"method",
               fmt::format("{} is for triangles, and this scene has analytic shapes", method.name)});
+  }
+  if (settings.layers.of_surfaces() && !renders_layers(settings.method)) {
+    std::string able;
+    for (const MethodRow& row : rows)
+      if (renders_layers(row.value)) able += fmt::format("{}{}", able.empty() ? "" : ", ", row.name);
+    return unexpected(
+        Error{"layers", fmt::format("{} renders none; these do: {}", method.name, able)});
   }
   const std::size_t triangles = scene.world().triangles.size();
   if (triangles <= method.most_triangles) return {};

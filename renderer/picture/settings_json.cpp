@@ -57,6 +57,7 @@ constexpr const char* line_width_key = "line_width";
 constexpr const char* background_key = "background";
 constexpr const char* ground_key = "ground";
 constexpr const char* judged_tone_key = "judged_tone";
+constexpr const char* layers_key = "layers";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -148,6 +149,14 @@ void read_background(FieldReader& settings, Background& background) {
     settings.refuse(background_key, fault);
 }
 
+void read_layers(FieldReader& settings, LayerSet& layers) {
+  std::string text;
+  settings(layers_key, text);
+  const Result<LayerSet> read = parse_layers(text);
+  if (!read) return settings.refuse(layers_key, read.error().message());
+  layers = *read;
+}
+
 }  // namespace
 
 OrderedJson settings_json(const RenderSettings& settings) {
@@ -169,6 +178,7 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
   if (settings.ground != Ground::off) fields.named(ground_key, ground_names, settings.ground);
   if (settings.judged_tone != ToneCurve::none)
     fields.named(judged_tone_key, tone_names, settings.judged_tone);
+  if (!settings.layers.empty()) fields(layers_key, text_of(settings.layers));
   return fields.take();
 }
 
@@ -191,6 +201,7 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
     fields.named(ground_key, ground_names, read.settings.ground);
   if (json.is_object() && json.contains(judged_tone_key))
     fields.named(judged_tone_key, tone_names, read.settings.judged_tone);
+  if (json.is_object() && json.contains(layers_key)) read_layers(fields, read.settings.layers);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)

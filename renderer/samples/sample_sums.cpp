@@ -129,6 +129,11 @@ void SampleSums::add_pairs(std::size_t first, std::size_t count) {
 
 void SampleSums::trace() {
   if (!std::exchange(hits_known_, false)) cast_rays();
+  if (!layers_.empty()) add_layers();
+  if (shows_ == Shows::layers) {
+    used_ = 0;
+    return;
+  }
   if (shows_ == Shows::lobes) {
     gather_lobes();
   } else {
@@ -154,6 +159,14 @@ void SampleSums::cast_rays() {
   pass_own_side(viewer_.passage, scene_->world(), scene_->rays(), faces_, rays, hits);
   if (lens) widen_footprints();
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
+}
+
+// The layers of the samples that wait.
+void SampleSums::add_layers() {
+  for (std::size_t i = 0; i < used_; ++i) {
+    LayerSum* sum = layers_[samples_[i].target / targets_a_layer_];
+    if (sum) sum->add(probe_->at(seen_by(i, samples_[i].side), statistics_), 1.0);
+  }
 }
 
 // Each sample's ray starts at its own point of the lens.

@@ -2,6 +2,7 @@
 
 #include "renderer/prepared/viewer.h"
 #include "renderer/samples/bounced_light.h"
+#include "renderer/samples/layer_probe.h"
 #include "renderer/samples/plain_samples.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sampled_lights.h"
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace asos {
@@ -35,9 +37,9 @@ class SampleSums {
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              SamplePlaces& places);
-  /// What samples are summed up of: all of their radiance, or what the lobes of the first surfaces
-  /// mirror, and no other part of it.
-  enum class Shows { all, lobes };
+  /// What samples are summed up of: all of their radiance, what the lobes of the first surfaces
+  /// mirror and no other part of it, or only layers: those samples cast their eye rays alone.
+  enum class Shows { all, lobes, layers };
   /// For who looks at the scene in its own way; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
              SamplePlaces& places, Shows shows = Shows::all);
@@ -49,6 +51,14 @@ class SampleSums {
   void widen_colours(float times) {
     colours_ = times;
     plain_.widen_colours(times);
+  }
+
+  /// From now on samples are added to layer sums as well: those of target i to `sums[i / targets]`,
+  /// where that is not null. Empty: to none. The probe and the sums have to outlive the samples.
+  void note_layers(const LayerProbe* probe, std::vector<LayerSum*> sums, std::size_t targets) {
+    probe_ = probe;
+    layers_ = std::move(sums);
+    targets_a_layer_ = targets;
   }
 
   /// Makes room for sums 0 to `count` - 1; new ones are empty. Those beyond are forgotten, and none
@@ -114,6 +124,7 @@ class SampleSums {
   void aim_through_lens();
   void widen_footprints();
   void gather_lobes();
+  void add_layers();
   void shade_batch();
   [[nodiscard]] bool shade_plain();
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
@@ -129,6 +140,9 @@ class SampleSums {
   PlainSamples plain_;
   Culling faces_;
   Shows shows_ = Shows::all;
+  const LayerProbe* probe_ = nullptr;
+  std::vector<LayerSum*> layers_;
+  std::size_t targets_a_layer_ = 1;
   float colours_ = 1.0f;
   std::vector<glm::dvec3> radiance_;
   std::vector<std::uint32_t> count_;
