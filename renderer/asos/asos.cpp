@@ -125,6 +125,8 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
       static_cast<std::uint64_t>(fat.side * fat.side - fat.columns * fat.rows);
   started.open = caster.take_open();
   started.asked = settings.layers;
+  started.tolerance = allowance.refines() ? static_cast<double>(allowance.tolerance)
+                                          : std::max(allowance.eps, Allowance::invisible);
   std::vector<LayerSum> layers = caster.take_layers();
   started.pixel_of_root.assign(traces.size(), 0);
   for (int y = 0; y < fat.rows; ++y) {

@@ -34,6 +34,9 @@ constexpr std::uint32_t parts_of_lens = 16;
 // Samples of a pixel for its surface layers, where one cannot stand for a part of it.
 constexpr double samples_of_planes = 256.0;
 
+// Expected error of a part that one sample stands for although boundaries pass through it.
+constexpr double error_of_marginal = 0.25;
+
 // A block's first stage samples regions until they are within so many times their allowed error.
 constexpr double first_stage_error = 4.0;
 
@@ -72,7 +75,11 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   adds_planes_ = layers_ && layers_->sampled(leaf);
   const bool one_sample = worth_one_sample(leaf);
   if (layers_ && (one_sample || !adds_planes_)) layers_->add(leaf);
-  if (one_sample) return single_.add(leaf);
+  if (one_sample) {
+    const double off = error_of_marginal * leaf.weight;
+    sums_[leaf.root].squared_error += off * off;
+    return single_.add(leaf);
+  }
   if (leaf.decision.sampled() && add_samples(leaf)) return;
 
   // Textured surfaces are divided into TR x TR samples of a pixel; all else is one leaf.
@@ -107,6 +114,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   ViewedRay seen =
       viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at));
   seen.parts = colour_parts(leaf, context.at);
+  sum.centre_error += leaf.weight * static_cast<double>(std::min(leaf.decision.error, 1.0f));
   glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
   radiance += transport.at_once();
   sum.shadow_cut |= transport.met_shadow_edge();

@@ -63,7 +63,6 @@ struct RootSum {
   /// A leaf's bound is a quarter of that of what it is a quarter of.
   void note_error(float leaf, double leaf_weight) {
     error = std::max(error, leaf / static_cast<float>(leaf_weight));
-    centre_error += leaf_weight * static_cast<double>(leaf);
   }
   [[nodiscard]] glm::vec3 mean() const {
     return weight > 0.0 ? glm::vec3(radiance / weight) : glm::vec3(0.0f);

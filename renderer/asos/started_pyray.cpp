@@ -56,12 +56,12 @@ SplitOutlook outlook_of(const SubdivisionOutcome& outcome, const RootSum& sum) {
 }
 
 // Expected error of the pixel, in display intensity: of its sampled parts, of leaves by their
-// centres, and of parts that stayed marginal at MAX.
-double error_estimate(const SubdivisionOutcome& outcome, const RootSum& sum) {
-  constexpr double contrast = 0.25;  // of the two sides of a boundary
-  const double marginal = contrast * outcome.unresolved_area;
-  const double centres = sum.centre_error;
-  return std::sqrt(sum.squared_error + centres * centres + marginal * marginal);
+// centres, and what is left of the tolerance where neither tells any.
+double error_estimate(const RootSum& sum, double tolerance) {
+  // Fitted to built-in scenes: bounds are seldom reached.
+  constexpr double share_of_tolerance = 1.0 / 12.0, share_of_bound = 0.6;
+  const double usual = share_of_tolerance * tolerance, centres = share_of_bound * sum.centre_error;
+  return std::sqrt(sum.squared_error + centres * centres + usual * usual);
 }
 
 // Publishes a pixel's radiance, level, cause and rays, and counts its cells and events.
@@ -103,7 +103,7 @@ void publish_layers(const StartedPyray& pyray, std::span<const RootSum> sums, Fi
   for (LayerPlane& plane : tile.layers) {
     if (plane.layer != Layer::error) continue;
     for (std::size_t i = 0; i < sums.size(); ++i)
-      plane.values[i] = static_cast<float>(error_estimate(pyray.pixels[i].trace.outcome, sums[i]));
+      plane.values[i] = static_cast<float>(error_estimate(sums[i], pyray.tolerance));
   }
 }
 

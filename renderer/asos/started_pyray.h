@@ -25,6 +25,7 @@ struct StartedPyray {
   std::vector<Pixel> pixels;                 ///< row by row
   std::vector<LayerSum> layers;              ///< of each pixel; empty: none is asked for
   LayerSet asked;                            ///< by the settings
+  double tolerance = 0.0;                    ///< allowed error of a leaf
   std::vector<std::uint32_t> pixel_of_root;  ///< place in `pixels` of each root of the fat pyray
   OpenRegions open;
   RenderStatistics statistics;
