@@ -34,7 +34,7 @@ struct Channel {
 class Channels {
  public:
   Channels(const Film& film, const ExrOptions& options) : film_(film) {
-    add_beauty(options.layers);
+    add_beauty();
     for (const Layer layer : options.layers.layers()) add(layer, options);
   }
   [[nodiscard]] const std::vector<Channel>& all() const { return channels_; }
@@ -42,22 +42,15 @@ class Channels {
   [[nodiscard]] const ImageText& attributes() const { return attributes_; }
 
  private:
-  // Alpha is the coverage of a transparent background, or the layer; they are equal.
-  void add_beauty(LayerSet layers) {
+  void add_beauty() {
     for (int c = 0; c < 3; ++c)
       channels_.push_back({std::string(1, "RGB"[c]), &film_.radiance.data()->x + c, 3, true});
-    const LayerPlane* alpha =
-        layers.has(Layer::alpha) ? find_plane(film_.layers, Layer::alpha) : nullptr;
-    if (!film_.coverage.empty())
-      channels_.push_back({"A", film_.coverage.data(), 1, true});
-    else if (alpha)
-      channels_.push_back({"A", alpha->values.data(), 1, true});
+    if (!film_.coverage.empty()) channels_.push_back({"A", film_.coverage.data(), 1, true});
   }
 
   void add(Layer layer, const ExrOptions& options) {
     switch (layer) {
       case Layer::beauty:
-      case Layer::alpha:
         return;
       case Layer::level:
         return add_values(layer, [&](std::size_t i) { return film_.split_level[i]; });
