@@ -22,7 +22,7 @@ RenderSettings odd_settings() {
   RenderSettings s;
   // A member that is added stops this line from compiling: write it, read it, and set it below.
   const auto& [width, height, crop, method, filter_width, line_width, judged_tone, asos, sampling,
-               texture, shadow, mirror, sky, background, ground, cull, seed, threads] = s;
+               texture, shadow, mirror, sky, background, ground, layers, cull, seed, threads] = s;
   const auto& [kind, top, bottom, coverage] = background;
   const auto& [max_level, eps, leaf, rule, detect, fat, refine_shading, jitter] = asos;
   const auto& [spp, contrast, depth, spheres, contrast_scale] = sampling;
@@ -31,7 +31,7 @@ RenderSettings odd_settings() {
   const auto& [bounces, roughest, dfr, curved, widest_angle_deg] = mirror;
   (void)threads, (void)jitter, (void)contrast_scale, (void)resolution, (void)light_rule;
   (void)widest_angle_deg, (void)kind, (void)top, (void)bottom;
-  (void)coverage;  // only while a picture is rendered
+  (void)coverage, (void)layers;  // only while a picture is rendered
   s.width = 321;
   s.height = 123;
   s.crop = {3, 5, 100, 50};
@@ -46,6 +46,7 @@ RenderSettings odd_settings() {
   s.filter_width = 1.0 + 1.0 / 3.0;
   s.line_width = 2.5;
   s.judged_tone = ToneCurve::agx;
+  s.layers = {Layer::depth, Layer::object};
   s.asos.jitter = true;
   s.sampling.spp = 25;
   s.sampling.contrast = 1.0 / 7.0;
