@@ -75,8 +75,11 @@ bool Previewer::has_shown(double seconds, double now_seconds) const {
 PreviewRender::Subject Previewer::subject() const {
   if (!scene_ || !viewpoint_.sized()) return {};
   const OrbitCamera& camera = viewpoint_.camera();
-  return {scene_.shared(), camera.revision(), judged_by(edits_.settings(), shown_tone_),
-          camera.camera()};
+  RenderSettings settings = judged_by(edits_.settings(), shown_tone_);
+  settings.layers = {};
+  if (shown_layer_ && has_plane(*shown_layer_) && renders_layer(settings.method, *shown_layer_))
+    settings.layers.insert(*shown_layer_);
+  return {scene_.shared(), camera.revision(), std::move(settings), camera.camera()};
 }
 
 std::optional<Playback::WantedStrokes> Previewer::wanted_strokes() const {

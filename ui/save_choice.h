@@ -19,11 +19,13 @@ struct SaveChoice {
   static constexpr int most_frames = 9999;
 
   What what = What::picture;
-  bool exr = false;    ///< linear radiance; of `picture` only
-  bool mp4 = false;    ///< of a movie, else PNGs
-  int frames = 120;    ///< of a turn
-  double fps = 24.0;   ///< of a movie
-  glm::ivec2 size{0};  ///< of `picture`, in pixels; 0: as it is shown
+  enum class Layers { none, shown, all };
+  Layers layers = Layers::none;  ///< in an EXR
+  bool exr = false;              ///< linear radiance; of `picture` only
+  bool mp4 = false;              ///< of a movie, else PNGs
+  int frames = 120;              ///< of a turn
+  double fps = 24.0;             ///< of a movie
+  glm::ivec2 size{0};            ///< of `picture`, in pixels; 0: as it is shown
   std::string stem;    ///< the file's path without its ending; empty: the next that is free
   bool show = false;   ///< the dialog
   bool asked = false;  ///< the dialog was answered: to be saved now

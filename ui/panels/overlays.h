@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/layer_colours.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/panels.h"
 #include "ui/picture_job.h"
@@ -67,6 +68,14 @@ struct ErrorFacts {
   bool finished = false;  ///< the picture is
 };
 void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect& area);
+
+/// The name of the layer that is shown, and what its colours mean, at the lower left.
+struct LayerFacts {
+  Layer layer = Layer::depth;
+  LayerScale scale;
+  bool rendered = true;  ///< by the method
+};
+void layer_legend(Controls& controls, const LayerFacts& facts, const WindowRect& area);
 
 /// Why a pixel was split, in a sentence.
 [[nodiscard]] const char* words_of(SplitCause cause);
