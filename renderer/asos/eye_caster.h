@@ -71,7 +71,7 @@ class EyeCaster final : public Caster {
   [[nodiscard]] const RootSum& sum(std::uint32_t root) const { return sums_[root]; }
   /// A camera's parts that are still to be sampled: they are in no sum. None is left then.
   [[nodiscard]] OpenRegions take_open() { return leaf_shader_.take_open(); }
-  /// The surface layers of the roots, but for these parts; empty where none is asked for.
+  /// Takes the surface layers of the roots, without these parts. Empty: no layer is asked for.
   [[nodiscard]] std::vector<LayerSum> take_layers() {
     return layers_ ? layers_->take() : std::vector<LayerSum>();
   }

@@ -24,7 +24,7 @@ class LeafLayers {
         probe_(*eye.scene, eye.viewer, *eye.settings),
         sums_(roots) {}
 
-  /// Whether one sample cannot stand for the leaf: then the samples of its radiance count.
+  /// Returns whether the leaf may show several surfaces, so that its samples are counted.
   [[nodiscard]] bool sampled(const PyrayLeaf& leaf) const;
   /// Adds a leaf by its one sample.
   void add(const PyrayLeaf& leaf);

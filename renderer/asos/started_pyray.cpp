@@ -55,8 +55,8 @@ SplitOutlook outlook_of(const SubdivisionOutcome& outcome, const RootSum& sum) {
   return outlook;
 }
 
-// Expected error of the pixel, in display intensity: of its sampled parts, of leaves by their
-// centres, and what is left of the tolerance where neither tells any.
+// Returns the expected error of a pixel in display intensity. It adds the errors of sampled parts,
+// those of leaves shaded at their centres, and a share of the tolerance.
 double error_estimate(const RootSum& sum, double tolerance) {
   // Fitted to built-in scenes: bounds are seldom reached.
   constexpr double share_of_tolerance = 1.0 / 12.0, share_of_bound = 0.6;

@@ -330,7 +330,8 @@ Result<void> check_method(const RenderScene& scene, const RenderSettings& settin
   if (settings.layers.of_surfaces() && !renders_layers(settings.method)) {
     std::string able;
     for (const MethodRow& row : rows)
-      if (renders_layers(row.value)) able += fmt::format("{}{}", able.empty() ? "" : ", ", row.name);
+      if (renders_layers(row.value))
+        able += fmt::format("{}{}", able.empty() ? "" : ", ", row.name);
     return unexpected(
         Error{"layers", fmt::format("{} renders none; these do: {}", method.name, able)});
   }

@@ -20,7 +20,7 @@ inline constexpr std::array exr_compression_names{
     NamedExrCompression{ExrCompression::zip, "zip"},
     NamedExrCompression{ExrCompression::dwaa, "dwaa"}};
 
-/// What an EXR holds beside a picture's radiance and text.
+/// The contents of an EXR in addition to radiance and text.
 struct ExrOptions {
   ExrCompression compression = ExrCompression::zip;
   LayerSet layers;                            ///< of those that the film has

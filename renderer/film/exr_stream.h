@@ -14,7 +14,7 @@
 
 namespace asos {
 
-/// OpenEXR's way into a file beside its place. Throws, as OpenEXR expects.
+/// Stream by which OpenEXR writes a PartFile. Throws, as OpenEXR expects.
 class PartStream : public Imf::OStream {
  public:
   explicit PartStream(const PartFile& file) : Imf::OStream("picture"), file_(file) {}

@@ -14,7 +14,7 @@
 
 namespace asos {
 
-/// A quantity of each pixel that a picture's file may hold beside its radiance.
+/// A quantity of each pixel that a picture's file may hold in addition to its radiance.
 enum class Layer : std::uint8_t {
   beauty,
   alpha,
@@ -116,7 +116,7 @@ struct LayerPlane {
   std::vector<IdShares> ids;  ///< instead, of layers that hold ids
 
   LayerPlane() = default;
-  /// Of so many pixels: zeros, all background, infinitely far.
+  /// Makes a plane of so many pixels: zeros, the background, and infinite depths.
   LayerPlane(Layer of, std::size_t pixels);
   /// The pixel's values; empty for ids.
   [[nodiscard]] std::span<const float> at(std::size_t pixel) const {

@@ -148,8 +148,8 @@ void RegionSampler::note_layers_of_waiting(SampleSums& sums) {
   sums.note_layers(probe_, std::move(targets), most_sums);
 }
 
-// Of regions whose radiance is known by few samples the layers may not be: a dark object before a
-// dark background. Eye rays are cheap.
+// Adds eye rays to regions whose radiance converged early: few samples may not give the coverage of
+// a dark object before a dark background. Eye rays are cheap.
 void RegionSampler::add_samples_for_layers(RenderStatistics& counts) {
   const auto needs_more = [](const Waiting& waiting) {
     return waiting.done && waiting.taken < waiting.layer_samples;

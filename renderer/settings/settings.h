@@ -126,7 +126,7 @@ struct RenderSettings {
   std::shared_ptr<const Sky> sky;  ///< the surroundings of the scene; null: neutral grey
   Background background;           ///< what the eye sees of them
   Ground ground = Ground::off;     ///< see with_ground
-  LayerSet layers;   ///< rendered beside the picture, which is the same bits with them
+  LayerSet layers;                 ///< rendered with the picture, whose bits they do not change
   bool cull = true;  ///< the backs of single-sided materials are not seen, as glTF says
   int seed = 0;      ///< of the scrambling of Sobol samples, from 0; another one: other noise
   int threads = 0;   ///< workers; 0: as many as the machine has cores for
