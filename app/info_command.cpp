@@ -4,6 +4,7 @@
 #include "app/printed_json.h"
 #include "app/scene_argument.h"
 #include "app/scene_info.h"
+#include "renderer/film/layers.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/scene/rig.h"
 
@@ -28,10 +29,33 @@ struct InfoArguments {
   ClipChoice clip;
   bool json = false;
   bool all = false;
+  bool layers = false;
 };
 
-/// The scene at one time, and the prepared scene. `info` prepares it fully, because only then it is
-/// known which features the scene does not need.
+std::string layers_text() {
+  std::string text = "Layers of asos render --layers, in an EXR:\n";
+  for (const LayerRow& row : layer_table())
+    text += fmt::format("  {:<17} {:<4} {:<9} {:<18} {}\n", row.name,
+                        row.holds_ids() ? "ids" : row.channels, name_of(row.filter), row.unit,
+                        row.about);
+  return text +
+         "Filters: mean (by area), nearest (to the eye), coverage (area of each id), pixel.\n";
+}
+
+nlohmann::ordered_json layers_json() {
+  auto layers = nlohmann::ordered_json::array();
+  for (const LayerRow& row : layer_table())
+    layers.push_back({{"name", row.name},
+                      {"channels", row.channels},
+                      {"type", row.holds_ids() ? "ids" : "float"},
+                      {"filter", name_of(row.filter)},
+                      {"unit", row.unit},
+                      {"about", row.about}});
+  return layers;
+}
+
+/// What `info` tells of: the scene as it is at a moment, and all of what a render would do first,
+/// for what a scene does not need is known only then.
 struct Told {
   Scene scene;
   std::shared_ptr<const RenderScene> ready;
@@ -58,6 +82,10 @@ Result<Told> prepared_for_info(const InfoArguments& arguments) {
 }
 
 int run_info(const InfoArguments& arguments, const Streams& streams) {
+  if (arguments.layers) {
+    streams.out << (arguments.json ? json_text(layers_json()) : layers_text());
+    return exit_ok;
+  }
   const Result<Told> told = prepared_for_info(arguments);
   if (!told) return fail(streams, told.error());
   const nlohmann::ordered_json info = scene_info_json(told->scene, *told->ready);
@@ -76,6 +104,7 @@ Command add_info_command(CLI::App& program) {
   CLI::App* parser = program.add_subcommand(
       "info", "List contents, unsupported features and skipped work of a scene");
   add_scene_argument(*parser, arguments->scene, true);
+  parser->get_option("SCENE")->required(false);  // as --layers needs none
   add_scene_choices(*parser, arguments->scene_of_file, arguments->variant, arguments->asset_root);
   add_clip_options(*parser, arguments->clip);
   add_needs_option(*parser, arguments->needs);
@@ -84,6 +113,11 @@ Command add_info_command(CLI::App& program) {
       "--all", arguments->all,
       fmt::format("List all entries of long lists [the first {} of each; JSON has all]",
                   most_lines_a_list));
+  parser->add_flag("--layers", arguments->layers,
+                   "List the layers that render writes, with channels, filters and units");
+  parser->callback([arguments] {
+    if (arguments->scene.empty() && !arguments->layers) throw CLI::RequiredError("SCENE");
+  });
   parser->footer(
       "Examples:\n  asos info model.glb\n  asos info builtin:office --json\n"
       "  asos info model.glb --needs all   # what it takes when nothing is left out");

@@ -88,11 +88,12 @@ Result<OutputPlan> plan_outputs(const RenderArguments& arguments) {
   return OutputPlan{*picture, *split_map, arguments.split_map_by, *stats};
 }
 
-Result<void> write_outputs(const OutputPlan& plan, const Film& film, const RenderReport& report) {
+Result<void> write_outputs(const OutputPlan& plan, const Film& film, const RenderReport& report,
+                           const ExrOptions& exr) {
   const ImageText text = picture_metadata(report);
   Result<void> written = plan.picture.commit([&](const std::string& path) {
     return has_extension(path, ".exr")
-               ? write_exr(path, film, text)
+               ? write_exr(path, film, text, exr)
                : write_png(path, film, report.description.display.transform(), text);
   });
   if (written && plan.split_map)

@@ -3,6 +3,7 @@
 #include "app/output_file.h"
 #include "app/render_arguments.h"
 #include "app/render_report.h"
+#include "renderer/film/exr_options.h"
 #include "renderer/film/film.h"
 #include "renderer/film/split_map.h"
 #include "renderer/result.h"
@@ -37,8 +38,8 @@ struct OutputPlan {
 
 [[nodiscard]] Result<OutputPlan> plan_outputs(const RenderArguments& arguments);
 
-/// Writes the picture, the split map and the statistics.
+/// Writes the picture, the split map and the statistics. `exr`: what an EXR holds beside them.
 [[nodiscard]] Result<void> write_outputs(const OutputPlan& plan, const Film& film,
-                                         const RenderReport& report);
+                                         const RenderReport& report, const ExrOptions& exr);
 
 }  // namespace asos

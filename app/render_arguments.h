@@ -2,6 +2,7 @@
 
 #include "app/picture_options.h"
 #include "app/turntable.h"
+#include "renderer/film/exr_options.h"
 #include "renderer/film/split_map.h"
 
 #include <optional>
@@ -18,6 +19,8 @@ struct RenderArguments {
   std::optional<ClipFrames> clip_frames;  ///< frames of an animation, one file each
   std::string split_map;                  ///< empty: not asked for
   SplitMapColours split_map_by = SplitMapColours::level;
+  bool layers_chosen = false;  ///< else they are those of a saved picture, for an EXR
+  ExrCompression compression = ExrCompression::zip;
   std::string stats_file;                    ///< empty: not asked for
   std::optional<double> time_limit_seconds;  ///< of rendering
   bool allow_empty = false;                  ///< render a scene without anything to draw

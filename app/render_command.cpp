@@ -19,6 +19,7 @@
 #include "app/shutter_option.h"
 #include "renderer/comparison/method.h"
 #include "renderer/files/counted.h"
+#include "renderer/picture/exr_picture.h"
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
@@ -84,6 +85,11 @@ void check(const RenderArguments& arguments) {
   if (!is_picture_path(arguments.output))
     throw CLI::ValidationError("-o",
                                fmt::format("\"{}\": has to end in .png or .exr", arguments.output));
+  if (arguments.layers_chosen && !has_extension(arguments.output, ".exr"))
+    throw CLI::ValidationError(
+        "--layers", fmt::format("\"{}\": has to end in .exr to hold layers", arguments.output));
+  if (!settings.layers.empty() && arguments.time_limit_seconds)
+    throw CLI::ValidationError("--time-limit", "layers need the whole picture");
   if (!arguments.split_map.empty() && !has_extension(arguments.split_map, ".png"))
     throw CLI::ValidationError("--split-map",
                                fmt::format("\"{}\": has to end in .png", arguments.split_map));
@@ -244,7 +250,10 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   report.stopped_at = rendered->stopped_at;
   report.memory_mb = peak_memory_mb();
 
-  const Result<void> written = write_outputs(*outputs, rendered->film, report);
+  ExrOptions exr = exr_options(ready, *camera, wanted.settings);
+  exr.compression = arguments.compression;
+  if (arguments.clip_frames) exr.frames_a_second = arguments.clip_frames->fps;
+  const Result<void> written = write_outputs(*outputs, rendered->film, report, exr);
   if (!written) return tl::unexpected(written.error());
   return report;
 }
@@ -379,6 +388,18 @@ Command add_render_command(CLI::App& program) {
              "Colours of the split map: level (deepest, 0 to MAX), cause, rays or time",
              split_map_names, arguments->split_map_by)
       ->needs(split_map);
+  add_parsed_option(
+      *parser, "--layers", "NAME,...|all",
+      "Also write these layers to the EXR, such as depth, normal, object; asos info "
+      "--layers lists them",
+      [](const std::string& text) { return parse_layers(text); },
+      [arguments](LayerSet layers) {
+        arguments->picture.settings.layers = layers;
+        arguments->layers_chosen = true;
+      });
+  add_choice(*parser, "--exr-compression", "NAME",
+             "Compression of EXR pictures: zip (lossless) or dwaa (lossy for colours)",
+             exr_compression_names, arguments->compression);
   parser->add_option("--stats", arguments->stats_file, "Also write statistics as JSON")
       ->type_name("FILE.json");
   add_parsed_option(
@@ -395,6 +416,9 @@ Command add_render_command(CLI::App& program) {
     read_frames(*arguments);
     const std::optional<ClipFrames>& frames = arguments->clip_frames;
     take_shutter(arguments->picture, frames ? frames->fps : usual_fps);
+    // A saved picture's layers go on in an EXR.
+    if (!arguments->layers_chosen && !has_extension(arguments->output, ".exr"))
+      arguments->picture.settings.layers = {};
     check(*arguments);
   });
   return {parser, [arguments](const Streams& streams) { return run_render(*arguments, streams); }};

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "renderer/film/layers.h"
 #include "renderer/film/split_map.h"
 #include "renderer/film/tone.h"
+
+#include <optional>
 
 namespace asos::ui {
 
@@ -18,6 +21,7 @@ struct DisplaySettings {
   bool show_grid = false;       ///< draws grid and axes over the picture
   bool show_legend = true;      ///< draws the split map's legend over the picture
   SplitMapColours split_colours = SplitMapColours::level;
+  std::optional<Layer> layer;  ///< shown in place of the picture, in false colours; none: that
 
   [[nodiscard]] DisplayTransform transform() const { return {exposure_ev, tone}; }
 

@@ -78,6 +78,8 @@ enum class Key : int {
   x,
   y,
   z,
+  left_bracket,
+  right_bracket,
   count
 };
 

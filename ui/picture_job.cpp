@@ -1,5 +1,8 @@
 #include "ui/picture_job.h"
 
+#include "renderer/comparison/method.h"
+#include "renderer/picture/exr_picture.h"
+#include "renderer/session/film_render.h"
 #include "renderer/session/strip_render.h"
 
 #include <exception>
@@ -20,11 +23,31 @@ Result<std::unique_ptr<PictureWriter>> writer_of(const PictureOrder& order) {
   return make_png_writer(order.path, size, order.display, order.text, alpha);
 }
 
+// Layers are written as a whole.
+std::optional<Result<std::string>> write_layers(const PictureOrder& order,
+                                                const std::stop_token& stop,
+                                                const std::function<void(double)>& on_progress) {
+  const Snapshot& snapshot = order.snapshot;
+  if (const auto valid = validated(snapshot.settings); !valid) return unexpected(valid.error());
+  if (const auto able = check_method(*snapshot.scene, snapshot.settings); !able)
+    return unexpected(able.error());
+  FilmRender render;
+  const auto rendered = render.render(
+      snapshot, [&] { return !stop.stop_requested(); },
+      [&](const Progress& progress) {
+        if (on_progress) on_progress(progress.fraction);
+      });
+  if (!rendered) return std::nullopt;
+  const ExrOptions options = exr_options(*snapshot.scene, snapshot.camera, snapshot.settings);
+  return write_exr(order.path, rendered->film, order.text, options).map([&] { return order.path; });
+}
+
 }  // namespace
 
 std::optional<Result<std::string>> write_picture(const PictureOrder& order,
                                                  const std::stop_token& stop,
                                                  const std::function<void(double)>& on_progress) {
+  if (!order.snapshot.settings.layers.empty()) return write_layers(order, stop, on_progress);
   const auto writer = writer_of(order);
   if (!writer) return unexpected(writer.error());
   const auto rendered = render_strips(order.snapshot, **writer, stop, on_progress);

@@ -1,5 +1,6 @@
 #include "ui/picture_saver.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/picture/picture_text.h"
 #include "ui/gl_display.h"
 #include "ui/legend_strip.h"
@@ -17,6 +18,17 @@ namespace {
 
 constexpr double dialog_fades_seconds = 0.3;
 constexpr const char* no_picture = "No picture to save yet";
+
+// Those that the method renders.
+LayerSet saved_layers(const SaveChoice& choice, Method method, std::optional<Layer> shown) {
+  LayerSet saved;
+  if (!choice.as_exr() || choice.layers == SaveChoice::Layers::none) return saved;
+  for (const LayerRow& row : layer_table())
+    if (renders_layer(method, row.value) &&
+        (choice.layers == SaveChoice::Layers::all || shown == row.value))
+      saved.insert(row.value);
+  return saved;
+}
 
 }  // namespace
 
@@ -79,6 +91,7 @@ std::optional<std::string> PictureSaver::begin(const SaveChoice& choice,
     snapshot.settings.height = choice.size.y;
   }
   movie_ = false;
+  snapshot.settings.layers = saved_layers(choice, snapshot.settings.method, shown.layer);
   DisplaySettings plain;
   plain.exposure_ev = shown.exposure_ev;
   plain.tone = shown.tone;

@@ -77,7 +77,11 @@ PreviewRender::Subject Previewer::subject() const {
   const OrbitCamera& camera = viewpoint_.camera();
   RenderSettings settings = judged_by(edits_.settings(), shown_tone_);
   settings.shutter.camera = settings.shutter.blurs() ? followed_camera() : -1;
-  return {scene_.shared(), camera.revision(), settings, camera.camera()};
+  settings.layers = {};
+  const bool renders =
+      shown_layer_ && has_plane(*shown_layer_) && renders_layer(settings.method, *shown_layer_);
+  if (renders && !settings.shutter.blurs()) settings.layers.insert(*shown_layer_);
+  return {scene_.shared(), camera.revision(), std::move(settings), camera.camera()};
 }
 
 // The scene's camera whose motion is blurred; that of a saved picture until its view is left.

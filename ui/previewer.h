@@ -49,6 +49,8 @@ class Previewer {
   /// Sets the displayed tone curve; methods that limit the displayed error render again.
   void show_by(ToneCurve tone) { shown_tone_ = tone; }
   [[nodiscard]] ToneCurve shown_tone() const { return shown_tone_; }
+  /// The layer that is shown, which is rendered beside the picture where the method has it.
+  void show_layer(std::optional<Layer> layer) { shown_layer_ = layer; }
 
   /// Whether freed memory of previous scenes is still to be returned to the system.
   [[nodiscard]] bool gives_memory_back() const {
@@ -82,6 +84,7 @@ class Previewer {
   Refinement refinement_;
   PreviewRender render_;
   FreeMemory free_memory_;
+  std::optional<Layer> shown_layer_;
   ToneCurve shown_tone_ = ToneCurve::none;
   bool holds_free_memory_ = false;  // loading has left some
 };

@@ -56,6 +56,8 @@ void RefiningFilm::begin(const RenderSettings& settings, bool keeps_map) {
     changed_ = {{0, 0, film_.width, film_.height}};
     keeps_map = false;
   }
+  std::erase_if(film_.layers,
+                [&](const LayerPlane& plane) { return !settings.layers.has(plane.layer); });
   if (!keeps_map) map_.clear(film_.radiance.size());
   predict(settings);
   map_.render_by(settings);

@@ -19,14 +19,16 @@ struct SaveChoice {
   static constexpr int most_frames = 9999;
 
   What what = What::picture;
-  bool exr = false;    ///< linear radiance; only for `picture`
-  bool mp4 = false;    ///< of a movie, else PNGs
-  int frames = 120;    ///< of a turn
-  double fps = 24.0;   ///< of a movie
-  glm::ivec2 size{0};  ///< size of `picture` in pixels; 0: as displayed
-  std::string stem;    ///< path without the extension; empty: the next free one
-  bool show = false;   ///< the dialog
-  bool asked = false;  ///< the dialog was confirmed: save now
+  enum class Layers { none, shown, all };
+  Layers layers = Layers::none;  ///< in an EXR
+  bool exr = false;              ///< linear radiance; of `picture` only
+  bool mp4 = false;              ///< of a movie, else PNGs
+  int frames = 120;              ///< of a turn
+  double fps = 24.0;             ///< of a movie
+  glm::ivec2 size{0};            ///< of `picture`, in pixels; 0: as it is shown
+  std::string stem;              ///< path without the extension; empty: the next free one
+  bool show = false;             ///< the dialog
+  bool asked = false;            ///< the dialog was confirmed: save now
 
   [[nodiscard]] bool as_exr() const { return exr && what == What::picture; }
   [[nodiscard]] bool is_movie() const { return what == What::turntable || what == What::clip; }

@@ -1,5 +1,6 @@
 #include "ui/window_content.h"
 
+#include "renderer/comparison/method.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/panels/side_panel.h"
 #include "ui/panels/tour_panel.h"
@@ -82,6 +83,7 @@ void WindowContent::draw(const FrameInput& in) {
   settling_frames_ = std::max(0, settling_frames_ - 1);
   take_outcomes();
   previewer_.show_by(state_.display.tone);
+  previewer_.show_layer(state_.display.layer);
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   if (in.window_size.x <= 0 || in.window_size.y <= 0 || in.framebuffer_size.x <= 0 ||
@@ -109,6 +111,7 @@ void WindowContent::draw(const FrameInput& in) {
   previewer_.viewpoint().set_picture_size(picture_rect_.width, picture_rect_.height,
                                           in.time_seconds);
   previewer_.show_by(state_.display.tone);
+  previewer_.show_layer(state_.display.layer);
   previewer_.update(in.time_seconds);
   update_study(study_, previewer_, check_.busy() || equal_time_.busy());
   inspector_.update(previewer_, state_.picked, state_.show_boundaries);
@@ -207,7 +210,8 @@ void WindowContent::lay_out(const FrameInput& in) {
   progress_panel(controls_, previewer_,
                  {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform(),
                   progress_.fraction(), estimate(),
-                  state_.hovered ? surface_names(previewer_, *state_.hovered) : std::string()});
+                  state_.hovered ? surface_names(previewer_, *state_.hovered) : std::string(),
+                  hovered_layer()});
   ImGui::End();
   ImGui::PopStyleVar();
 
@@ -222,7 +226,8 @@ void WindowContent::lay_out(const FrameInput& in) {
                state_.picked ? surface_names(previewer_, *state_.picked) : std::string()},
               shown);
   DisplaySettings legend = state_.display;
-  if (state_.show_error) legend.show_legend = false;
+  const bool shows_layer = state_.display.layer && layers_.film() && !state_.surfaces.property;
+  if (state_.show_error || shows_layer) legend.show_legend = false;
   // The legend is hidden in pictures narrower than this if the tour's card or the pixel panel is
   // shown.
   constexpr float beside_another_em = 52.0f;
@@ -236,7 +241,12 @@ void WindowContent::lay_out(const FrameInput& in) {
   const MapFacts map{previewer_.edits().settings().asos.max_level,
                      !previewer_.render().progress().finished};
   if (split_legend(controls_, legend, map, picture, panel_left)) explain_a_pixel();
-  if (state_.show_error)
+  if (shows_layer && state_.display.show_legend)
+    layer_legend(controls_,
+                 {*state_.display.layer, layers_.scale(),
+                  renders_layer(previewer_.render().settings().method, *state_.display.layer)},
+                 picture);
+  if (state_.show_error && !shows_layer)
     error_legend(controls_,
                  {error_reference_.film() ? error_reference_.samples() : 0,
                   previewer_.render().progress().finished},
@@ -244,6 +254,21 @@ void WindowContent::lay_out(const FrameInput& in) {
   tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);
   dialogs(picture);
+}
+
+std::string WindowContent::hovered_layer() const {
+  const Film& film = previewer_.render().film();
+  const auto& at = state_.hovered;
+  if (!previewer_.scene() || !at || !layers_.film() || !state_.display.layer ||
+      at->x >= film.width || at->y >= film.height)
+    return {};
+  const Layer layer = *state_.display.layer;
+  const World& world = previewer_.scene()->world();
+  const auto name = [&](std::uint32_t id) {
+    if (layer == Layer::object) return id < world.parts.size() ? world.parts[id].name : "";
+    return id < world.materials.size() ? world.materials[id].name : "";
+  };
+  return layer_words(film, layer, film.index(at->x, at->y), name);
 }
 
 void WindowContent::explain_a_pixel() {
@@ -360,6 +385,7 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
       metered_exposure_.busy())
     also(0.02);
   if (surfaces_.busy()) also(0.02);
+  if (layers_.due() && !previewer_.render().progress().running) also(0.02);
   if (check_.pending() || equal_time_.pending()) also(0.1);
   if (keys_repeat()) also(0.03);
   if (const std::optional<double> card = seconds_to_card(state_, time_seconds_)) also(*card);

@@ -7,6 +7,7 @@
 #include "ui/file_watch.h"
 #include "ui/gl_display.h"
 #include "ui/input.h"
+#include "ui/layer_viewer.h"
 #include "ui/metered_exposure.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/grid_overlay.h"
@@ -77,6 +78,7 @@ class WindowContent {
   [[nodiscard]] const Controls& controls() const { return controls_; }
   [[nodiscard]] const ViewStudy& study() const { return study_; }
   [[nodiscard]] const SurfaceViewer& surfaces() const { return surfaces_; }
+  [[nodiscard]] const LayerViewer& layers() const { return layers_; }
   [[nodiscard]] const PictureJob& picture_job() const { return saver_.job(); }
   /// The area of the framebuffer that shows the picture, from the top left.
   [[nodiscard]] PixelRect picture_rect() const { return picture_rect_; }
@@ -100,6 +102,7 @@ class WindowContent {
   void take_back();
   void keep_history(double now_seconds);
   void explain_a_pixel();
+  [[nodiscard]] std::string hovered_layer() const;
   void follow_files(double now_seconds);
   void say(std::string message);
   void settle();
@@ -124,6 +127,7 @@ class WindowContent {
   ShownProgress progress_;
   SplitCheck check_;
   SurfaceViewer surfaces_;
+  LayerViewer layers_;
   ErrorReference error_reference_;
   EqualTimeJob equal_time_;
   FileWatch watch_;
@@ -137,6 +141,7 @@ class WindowContent {
   bool before_shown_ = false;
   DisplaySettings shown_display_;     // settings of the displayed picture
   std::uint64_t surfaces_shown_ = 0;  // revision of the displayed property; 0: picture
+  std::uint64_t layer_shown_ = 0;     // its revision; 0: none is shown
   bool touring_ = false;              // in the frame before
   std::uint32_t shown_activity_ = 0;  // activities when the frame was laid out
   std::uint64_t scenes_seen_ = 0;

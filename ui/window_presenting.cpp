@@ -21,14 +21,19 @@ void WindowContent::update_display() {
   std::vector<PixelRect> changed = previewer_.render().take_changed();
   const SurfacePicture* surfaces = surfaces_.picture();
   const bool shows_surfaces = surfaces && state_.surfaces.property;
+  layers_.update(render.film(), changed, state_.display, !render.progress().finished,
+                 time_seconds_);
+  const bool shows_layer = layers_.film() && !shows_surfaces;
   const Film& picture = state_.show_before ? before->film : render.film();
-  const Film& film = shows_surfaces ? surfaces->film : picture;
+  const Film& film = shows_surfaces ? surfaces->film : shows_layer ? *layers_.film() : picture;
   const std::uint64_t revision = shows_surfaces ? surfaces_.revision() : 0;
   const bool other_film = std::exchange(before_shown_, state_.show_before) != state_.show_before;
   const bool other_surfaces = std::exchange(surfaces_shown_, revision) != revision;
-  if (other_film || other_surfaces) changed = {{0, 0, film.width, film.height}};
+  const std::uint64_t layer = shows_layer ? layers_.revision() : 0;
+  const bool other_layer = std::exchange(layer_shown_, layer) != layer;
+  if (other_film || other_surfaces || other_layer) changed = {{0, 0, film.width, film.height}};
   shown_display_ = state_.display;
-  if (shows_surfaces) {
+  if (shows_surfaces || shows_layer) {
     shown_display_.exposure_ev = 0.0f;
     shown_display_.tone = ToneCurve::none;
     shown_display_.show_split_map = false;
@@ -37,9 +42,10 @@ void WindowContent::update_display() {
   display_.show_wireframe(surfaces && state_.surfaces.wireframe ? surfaces : nullptr,
                           surfaces_.revision());
   display_.update_compared(film, changed, state_.frames);
-  display_.update_error(film, changed,
-                        state_.show_error && !shows_surfaces ? error_reference_.film() : nullptr,
-                        error_reference_.revision());
+  display_.update_error(
+      film, changed,
+      state_.show_error && !shows_surfaces && !shows_layer ? error_reference_.film() : nullptr,
+      error_reference_.revision());
 }
 
 void WindowContent::present(const FrameInput& in) {
@@ -55,7 +61,7 @@ void WindowContent::present(const FrameInput& in) {
   gl::glClearColor(part(16), part(8), part(0), 1.0f);
   gl::glClear(GL_COLOR_BUFFER_BIT);
   static const Frames no_frames;
-  const Frames& frames = surfaces_shown_ == 0 ? state_.frames : no_frames;
+  const Frames& frames = surfaces_shown_ == 0 && layer_shown_ == 0 ? state_.frames : no_frames;
   display_.draw(state_.view, {picture_rect_, in.framebuffer_size.y}, shown_display_, frames);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -124,12 +124,17 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   started.statistics.eye_rays -=
       static_cast<std::uint64_t>(fat.side * fat.side - fat.columns * fat.rows);
   started.open = caster.take_open();
+  started.asked = settings.layers;
+  started.tolerance = allowance.refines() ? static_cast<double>(allowance.tolerance)
+                                          : std::max(allowance.eps, Allowance::invisible);
+  std::vector<LayerSum> layers = caster.take_layers();
   started.pixel_of_root.assign(traces.size(), 0);
   for (int y = 0; y < fat.rows; ++y) {
     for (int x = 0; x < fat.columns; ++x) {
       const std::uint32_t root = fat.index(x, y);
       started.pixel_of_root[root] = static_cast<std::uint32_t>(started.pixels.size());
       started.pixels.push_back({traces[root], caster.sum(root)});
+      if (!layers.empty()) started.layers.push_back(std::move(layers[root]));
     }
   }
   return started;
@@ -143,6 +148,11 @@ void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* wa
   const CameraEye camera(job, Allowance::of(settings));
   RegionSampler sampler(job.scene, camera.viewer, settings, started.framed, settings.seed, nullptr,
                         job.stop);
+  std::optional<LayerProbe> probe;
+  if (settings.layers.of_surfaces()) {
+    probe.emplace(job.scene, camera.viewer, settings);
+    sampler.note_layers(*probe);
+  }
   const std::uint64_t before = started.statistics.rays();
   const auto found = sampler.resume(std::move(open.samples), started.statistics);
   const auto rays = static_cast<double>(started.statistics.rays() - before);
@@ -154,6 +164,8 @@ void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* wa
     const OpenRegions::Part& part = open.parts[i];
     RootSum& sum = started.pixels[started.pixel_of_root[part.root]].sum;
     sum.add_samples(found[i], part.weight, part.layers);
+    if (part.planes)
+      started.layers[started.pixel_of_root[part.root]].add(sampler.layers(i), part.weight);
     const double more = found[i].cost - part.so_far.cost;
     if (samples > 0.0) sum.rays += static_cast<std::uint64_t>(std::llround(rays * more / samples));
     if (watch) watch->observer.pixel.note(part.sample, glm::vec3(found[i].value));

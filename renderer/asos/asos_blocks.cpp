@@ -35,6 +35,7 @@ BlockResult together(const BlockJob& job, const std::vector<StartedPyray>& parts
   result.tile.cause.resize(pixels);
   result.tile.rays.resize(pixels);
   result.tile.outlook.resize(pixels);
+  result.tile.layers = blank_planes(job.settings.layers, pixels);
   for (const StartedPyray& part : parts) {
     const BlockResult done = part.result(max_level);
     copy_pixels(done.tile, result.tile);

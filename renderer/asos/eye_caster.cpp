@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -52,6 +53,12 @@ ShadowContext shadows_of(const EyeContext& eye, const ShadowScene& scene, PatchV
   return shadows;
 }
 
+std::optional<LeafLayers> layers_of(const EyeContext& eye, const EyeSamples& samples,
+                                    std::size_t roots) {
+  if (eye.mirrored() || !eye.settings->layers.of_surfaces()) return std::nullopt;
+  return std::optional<LeafLayers>(std::in_place, eye, samples, roots);
+}
+
 }  // namespace
 
 EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
@@ -65,7 +72,9 @@ EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
       weak_lights_(eye_, samples_),
       chooser_(eye_, samples_, weak_lights_, shadows_),
       sums_(roots),
-      leaf_shader_(eye_, samples_, chooser_, weak_lights_, shadows_, sums_, blurred_) {
+      layers_(layers_of(eye_, samples_, roots)),
+      leaf_shader_(eye_, samples_, chooser_, weak_lights_, shadows_, sums_, blurred_,
+                   layers_ ? &*layers_ : nullptr) {
   if (eye_.defocus) lens_.emplace(eye_, samples_, chooser_, leaf_shader_, roots);
 }
 

@@ -4,6 +4,7 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/eye_workspace.h"
 #include "renderer/asos/leaf_chooser.h"
+#include "renderer/asos/leaf_layers.h"
 #include "renderer/asos/leaf_shader.h"
 #include "renderer/asos/lens_roots.h"
 #include "renderer/asos/root_sums.h"
@@ -71,6 +72,10 @@ class EyeCaster final : public Caster {
   [[nodiscard]] const RootSum& sum(std::uint32_t root) const { return sums_[root]; }
   /// Returns the camera's parts that still need samples, and leaves none. They are in no sum yet.
   [[nodiscard]] OpenRegions take_open() { return leaf_shader_.take_open(); }
+  /// Takes the surface layers of the roots, without these parts. Empty: no layer is asked for.
+  [[nodiscard]] std::vector<LayerSum> take_layers() {
+    return layers_ ? layers_->take() : std::vector<LayerSum>();
+  }
 
  private:
   EyeContext eye_;
@@ -84,6 +89,7 @@ class EyeCaster final : public Caster {
   LeafChooser chooser_;
   std::vector<RootSum> sums_;
   BlurredSum blurred_;
+  std::optional<LeafLayers> layers_;  // where surface layers are asked for
   LeafShader leaf_shader_;
   std::optional<LensRoots> lens_;
 };

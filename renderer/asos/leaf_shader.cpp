@@ -32,14 +32,20 @@ constexpr std::uint32_t samples_of_blur = 16;
 // lens has that many parts.
 constexpr std::uint32_t parts_of_lens = 16;
 
-// A block's first stage samples regions until their error is within this factor of the allowed one.
+// Samples of a pixel for its surface layers, where one cannot stand for a part of it.
+constexpr double samples_of_planes = 256.0;
+
+// Expected error of a part that one sample stands for although boundaries pass through it.
+constexpr double error_of_marginal = 0.25;
+
+// A block's first stage samples regions until they are within so many times their allowed error.
 constexpr double first_stage_error = 4.0;
 
 }  // namespace
 
 LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
                        WeakLights& weak_lights, const ShadowContext& shadows,
-                       std::span<RootSum> sums, BlurredSum& blurred)
+                       std::span<RootSum> sums, BlurredSum& blurred, LeafLayers* layers)
     : eye_(&eye),
       samples_(&samples),
       chooser_(&chooser),
@@ -49,7 +55,8 @@ LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& 
       single_(eye, samples),
       shadows_(&shadows),
       sums_(sums),
-      blurred_(&blurred) {}
+      blurred_(&blurred),
+      layers_(layers) {}
 
 void LeafShader::shade(std::span<const PyrayLeaf> leaves) {
   for (const PyrayLeaf& leaf : leaves) {
@@ -66,7 +73,14 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
     sums_[leaf.root].misplaced |=
         chooser_->may_misplace_light(leaf.sample, leaf.weight, leaf.region);
   sums_[leaf.root].note_error(leaf.decision.error, leaf.weight);
-  if (worth_one_sample(leaf)) return single_.add(leaf);
+  adds_planes_ = layers_ && layers_->sampled(leaf);
+  const bool one_sample = worth_one_sample(leaf);
+  if (layers_ && (one_sample || !adds_planes_)) layers_->add(leaf);
+  if (one_sample) {
+    const double off = error_of_marginal * leaf.weight;
+    sums_[leaf.root].squared_error += off * off;
+    return single_.add(leaf);
+  }
   if (leaf.decision.sampled() && add_samples(leaf)) return;
 
   // Divide textured surfaces into TR x TR samples per pixel. Everything else is one leaf.
@@ -101,12 +115,14 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   ViewedRay seen =
       viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at));
   seen.parts = colour_parts(leaf, context.at);
+  sum.centre_error += leaf.weight * static_cast<double>(std::min(leaf.decision.error, 1.0f));
   glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
   radiance += transport.at_once();
   sum.shadow_cut |= transport.met_shadow_edge();
   sum.mirror_cut |= transport.met_mirror_edge();
   sum.misplaced |= transport.misplaces_light();
   if (!finite(radiance)) {
+    if (adds_planes_) layers_->add(leaf);
     ++eye_->counts->rejected_samples;
     drop(share, sky_share);
     return radiance;
@@ -131,6 +147,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
     drop(share, sky_share);
     return radiance;
   }
+  if (adds_planes_) layers_->add(leaf);
   sum.add(glm::dvec3(radiance), leaf.weight);
   if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, transport.lobes());
   return radiance;
@@ -246,6 +263,7 @@ RegionSampler& LeafShader::sampler() {
   if (!sampler_) {
     sampler_ = std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings,
                                                eye_->block, eye_->seed, eye_->mask, eye_->stop);
+    if (layers_) sampler_->note_layers(layers_->probe());
   }
   return *sampler_;
 }
@@ -258,9 +276,17 @@ void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint
   RegionSampler::Goal goal =
       sample_goal(eye_->defocus->allowance(), 1.0, std::max(fewest, samples_of_blur));
   if (goal.most > 1) goal.most *= parts_of_lens;
-  sampler().add(leaf.region, goal);
   sums_[root].defocused = true;
-  deferred_.push_back(leaf);
+  defer(leaf, goal, true);
+}
+
+// Puts a leaf off until `finish`. With `planes` its surface layers are those of its samples.
+void LeafShader::defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal, bool planes) {
+  const bool adds = layers_ && planes;
+  const double samples = adds ? std::max(1.0, samples_of_planes * std::min(1.0, leaf.weight)) : 0.0;
+  sampler().add(leaf.region, goal, static_cast<std::uint32_t>(samples));
+  deferred_.push_back({leaf, adds});
+  deferred_.back().leaf.region.border = {};
 }
 
 bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
@@ -270,9 +296,7 @@ bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
   }
   const RegionSampler::Goal goal = sample_goal(*eye_, leaf.weight, fewest);
   if (!eye_->mirrored()) {
-    sampler().add(leaf.region, goal);
-    deferred_.push_back(leaf);
-    deferred_.back().region.border = {};
+    defer(leaf, goal, layers_ && layers_->sampled(leaf));
     return true;
   }
   // Include the blur, since the samples follow its kernel. Sample 0 is that of the root's centre.
@@ -332,19 +356,23 @@ void LeafShader::start_regions() {
   const std::uint64_t before = eye_->counts->rays();
   const auto found = sampler_->start(*eye_->counts, first_stage_error);
   const auto rays = static_cast<double>(eye_->counts->rays() - before);
-  const std::vector<PyrayLeaf> leaves = std::exchange(deferred_, {});
+  const std::vector<Deferred> leaves = std::exchange(deferred_, {});
   double samples = 0.0;
   for (const RegionSampler::Estimate& one : found) samples += one.cost;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const PyrayLeaf& leaf = leaves[i];
+    const PyrayLeaf& leaf = leaves[i].leaf;
     if (samples > 0.0)
       sums_[leaf.root].rays +=
           static_cast<std::uint64_t>(std::llround(rays * found[i].cost / samples));
     if (sampler_->open(i)) {
       open_.parts.push_back({leaf.root, leaf.sample, leaf.weight,
-                             leaf.decision.cause == Unevenness::layers, found[i]});
+                             leaf.decision.cause == Unevenness::layers, leaves[i].planes,
+                             found[i]});
       continue;
     }
+    const bool planes = leaves[i].planes && sampler_->layers(i).weight > 0.0;
+    if (planes) layers_->add(leaf.root, sampler_->layers(i), leaf.weight);
+    adds_planes_ = leaves[i].planes && !planes;
     // A region that no sample meets is too thin: its centre is shaded.
     if (!add_estimate(leaf, found[i]) && samples_->hit(leaf.sample).valid())
       note_result(leaf.root, leaf.sample, add_leaf(leaf, nullptr));

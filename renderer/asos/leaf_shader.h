@@ -4,6 +4,7 @@
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/leaf_chooser.h"
+#include "renderer/asos/leaf_layers.h"
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/lobe_shares.h"
 #include "renderer/asos/open_regions.h"
@@ -32,7 +33,7 @@ class LeafShader {
   /// All arguments have to outlive this.
   LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
              WeakLights& weak_lights, const ShadowContext& shadows, std::span<RootSum> sums,
-             BlurredSum& blurred);
+             BlurredSum& blurred, LeafLayers* layers);
 
   void shade(std::span<const PyrayLeaf> leaves);
 
@@ -54,6 +55,7 @@ class LeafShader {
  private:
   void shade_one(const PyrayLeaf& leaf);
   [[nodiscard]] RegionSampler& sampler();
+  void defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal, bool planes);
   void start_regions();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
   void drop(std::uint32_t weak_share, std::uint32_t sky_share);
@@ -81,7 +83,13 @@ class LeafShader {
   std::span<RootSum> sums_;
   BlurredSum* blurred_;
   std::unique_ptr<RegionSampler> sampler_;  // made when first needed: it is large
-  std::vector<PyrayLeaf> deferred_;         // in the sampler's order; without their borders
+  struct Deferred {
+    PyrayLeaf leaf;       // without its border
+    bool planes = false;  // its surface layers are those of its samples
+  };
+  std::vector<Deferred> deferred_;  // in the sampler's order
+  LeafLayers* layers_;              // null: no surface layer is asked for
+  bool adds_planes_ = false;        // the leaf that is shaded has no surface layers yet
   OpenRegions open_;
   std::vector<SharedShape> parts_;  // of the leaf that is shaded
   std::map<SampleId, glm::vec3> results_;

@@ -28,6 +28,8 @@ void RootSum::add_samples(const RegionSampler::Estimate& found, double leaf_weig
   constexpr double visible = 0.25 * Allowance::usual_contrast;
   const double held = 1.0 - found.masked_share;
   add(found.value, held * leaf_weight);
+  if (std::isfinite(found.error))
+    squared_error += held * leaf_weight * found.error * (held * leaf_weight * found.error);
   samples += static_cast<std::uint32_t>(found.cost);
   if (!found.one_round && found.error * std::sqrt(found.cost) > visible)
     varied += static_cast<std::uint32_t>(found.cost);

@@ -50,8 +50,10 @@ struct RootSum {
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
   /// Samples of parts whose samples differ visibly and need more than one round.
   std::uint32_t varied = 0;
-  float error = 0.0f;      ///< error bound of the root's centre, from the bounds of its leaves
-  std::uint64_t rays = 0;  ///< rays of all kinds for its leaves, not counting eye rays
+  float error = 0.0f;          ///< error bound of the root's centre, from the bounds of its leaves
+  double squared_error = 0.0;  ///< of sampled parts: the sum of their squared standard errors
+  double centre_error = 0.0;   ///< of leaves by their centres: the sum of their bounds, by area
+  std::uint64_t rays = 0;      ///< of all kinds that were cast for its leaves, beside their own
 
   /// Adds the estimate of a part of this weight by samples. `layers` says that it was sampled
   /// because of texture cut-outs.

@@ -3,6 +3,7 @@
 #include "renderer/asos/open_regions.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/film/block_result.h"
+#include "renderer/film/layer_sums.h"
 #include "renderer/pyray/tracer.h"
 
 #include <cstddef>
@@ -22,6 +23,9 @@ struct StartedPyray {
   PixelRect block;                           ///< of the picture
   PixelRect framed;                          ///< of its frame
   std::vector<Pixel> pixels;                 ///< row by row
+  std::vector<LayerSum> layers;              ///< of each pixel; empty: none is asked for
+  LayerSet asked;                            ///< by the settings
+  double tolerance = 0.0;                    ///< allowed error of a leaf
   std::vector<std::uint32_t> pixel_of_root;  ///< place in `pixels` of each root of the fat pyray
   OpenRegions open;
   RenderStatistics statistics;

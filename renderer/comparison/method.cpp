@@ -241,10 +241,30 @@ bool shows_coverage(const RenderSettings& settings) {
 
 RenderSettings coverage_of(RenderSettings settings) {
   settings.background.content = PixelContent::coverage;
+  settings.layers = {};
   settings.sky = nullptr;
   settings.shadow = {};
   settings.shadow.cast = false;
   return settings;
+}
+
+RenderSettings with_coverage(RenderSettings settings) {
+  settings.layers.insert(Layer::alpha);
+  return settings;
+}
+
+void take_coverage(LayerSet asked, BlockResult& result) {
+  std::vector<LayerPlane>& layers = result.tile.layers;
+  const auto alpha = std::find_if(layers.begin(), layers.end(), [](const LayerPlane& plane) {
+    return plane.layer == Layer::alpha;
+  });
+  if (alpha == layers.end()) return;
+  if (asked.has(Layer::alpha)) {
+    result.tile.coverage = alpha->values;
+  } else {
+    result.tile.coverage = std::move(alpha->values);
+    layers.erase(alpha);
+  }
 }
 
 void set_coverage(const BlockResult& covered, BlockResult& result) {
@@ -275,9 +295,18 @@ BlockResult render_pixels(const BlockJob& job, std::span<const MethodRow> method
 }
 
 BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
+  const bool covers = shows_coverage(job.settings);
+  // A blurred picture has no layers, so its coverage is a picture of its own.
+  if (covers && renders_layers(job.settings.method) && !job.motion) {
+    const RenderSettings covered = with_coverage(job.settings);
+    BlockResult result = render_pixels(job.with(covered), methods);
+    fill_in(result);
+    take_coverage(job.settings.layers, result);
+    return result;
+  }
   BlockResult result = render_pixels(job, methods);
   fill_in(result);
-  if (shows_coverage(job.settings)) {
+  if (covers) {
     const RenderSettings covered = coverage_of(job.settings);
     set_coverage(render_pixels(job.with(covered), methods), result);
   }
@@ -327,6 +356,17 @@ Result<void> check_method(const RenderScene& scene, const RenderSettings& settin
         Error{"method",
               fmt::format("{} is for triangles, and this scene has analytic shapes", method.name)});
   }
+  if (settings.layers.of_surfaces() && !renders_layers(settings.method)) {
+    std::string able;
+    for (const MethodRow& row : rows)
+      if (renders_layers(row.value))
+        able += fmt::format("{}{}", able.empty() ? "" : ", ", row.name);
+    return unexpected(
+        Error{"layers", fmt::format("{} renders none; these do: {}", method.name, able)});
+  }
+  if (settings.layers.of_surfaces() && settings.shutter.blurs() && scene.exposure &&
+      scene.exposure->moves())
+    return unexpected(Error{"layers", "show one moment: a picture with motion blur has none"});
   const std::size_t triangles = scene.world().triangles.size();
   if (triangles <= method.most_triangles) return {};
   return unexpected(

@@ -86,7 +86,20 @@ struct MethodRow {
 [[nodiscard]] bool shows_coverage(const RenderSettings& settings);
 /// Returns the settings that render the coverage: the same boundaries and samples, without light.
 [[nodiscard]] RenderSettings coverage_of(RenderSettings settings);
-/// Adds a block's coverage, rendered by these settings, to its pixels.
+/// Whether the method renders the layers that follow from surfaces.
+[[nodiscard]] inline bool renders_layers(Method method) {
+  return in_object_space(method) || row_of(method).places;
+}
+/// Whether it renders this one: ASOS alone estimates its error.
+[[nodiscard]] inline bool renders_layer(Method method, Layer layer) {
+  if (layer == Layer::error) return in_object_space(method);
+  return !row_of(layer).of_surfaces() || renders_layers(method);
+}
+/// The settings that render coverage along with the picture, as its layer alpha.
+[[nodiscard]] RenderSettings with_coverage(RenderSettings settings);
+/// Makes that layer the coverage of the block's pixels; it stays a layer where it is `asked` for.
+void take_coverage(LayerSet asked, BlockResult& result);
+/// Adds the coverage of a block's pixels that was rendered by these settings.
 void set_coverage(const BlockResult& covered, BlockResult& result);
 /// The settings of two passes that find the contribution of unlit surfaces to pixels
 /// (FinishedTile::unlit): the same boundaries and samples, without light.

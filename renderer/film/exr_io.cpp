@@ -1,7 +1,8 @@
+#include "renderer/film/cryptomatte.h"
 #include "renderer/film/exr_claims.h"
+#include "renderer/film/exr_stream.h"
 #include "renderer/film/image_io.h"
 #include "renderer/film/image_text.h"
-#include "renderer/film/part_file.h"
 #include "renderer/film/picture_writer.h"
 #include "renderer/film/reduced_exr.h"
 
@@ -33,24 +34,6 @@ constexpr std::uint64_t most_pixels_per_byte = 1100;
 constexpr std::size_t longest_name = 255;
 
 // OpenEXR reports errors by exceptions; none leaves this file.
-
-class PartStream : public Imf::OStream {
- public:
-  explicit PartStream(const PartFile& file) : Imf::OStream("picture"), file_(file) {}
-  void write(const char bytes[], int count) override {
-    const auto size = static_cast<std::size_t>(count);
-    if (std::fwrite(bytes, 1, size, file_.stream()) != size)
-      throw std::runtime_error(file_.write_error().reason);
-  }
-  std::uint64_t tellp() override { return static_cast<std::uint64_t>(std::ftell(file_.stream())); }
-  void seekp(std::uint64_t at) override {
-    if (std::fseek(file_.stream(), static_cast<long>(at), SEEK_SET) != 0)
-      throw std::runtime_error(file_.write_error().reason);
-  }
-
- private:
-  const PartFile& file_;
-};
 
 class BytesStream : public Imf::IStream {
  public:
@@ -95,6 +78,7 @@ Imf::Slice alpha_slice(const float* alpha, const Imath::V2i& first, std::int64_t
 Imf::Header header_of(PictureSizePx size, const ImageText& attributes, Alpha alpha) {
   Imf::Header header(size.width, size.height);
   header.compression() = Imf::ZIP_COMPRESSION;
+  set_chromaticities(header);
   for (const char* channel : {"R", "G", "B"})
     header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
   if (alpha == Alpha::coverage) header.channels().insert("A", Imf::Channel(Imf::FLOAT));
@@ -144,10 +128,16 @@ class ExrWriter : public PictureWriter {
   std::optional<Imf::OutputFile> output_;
 };
 
+// OpenEXR's own attributes of a part, and those of ids, are no text of a picture.
+bool is_text_key(std::string_view key) {
+  return key != "type" && key != "name" && !is_cryptomatte_key(key);
+}
+
 ImageText attributes_of(const Imf::Header& header) {
   ImageText text;
   for (auto at = header.begin(); at != header.end(); ++at)
-    if (const auto* value = dynamic_cast<const Imf::StringAttribute*>(&at.attribute()))
+    if (const auto* value = dynamic_cast<const Imf::StringAttribute*>(&at.attribute());
+        value && is_text_key(at.name()))
       text.emplace_back(at.name(), value->value());
   return text;
 }
@@ -165,12 +155,17 @@ tl::unexpected<Error> unreadable(const std::string& path, const std::exception& 
 
 }  // namespace
 
-Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path, PictureSizePx size,
-                                                       const ImageText& attributes, Alpha alpha) {
-  if (size.width <= 0 || size.height <= 0) return unexpected(Error{path, "the picture is empty"});
+Result<void> check_exr_attributes(const std::string& path, const ImageText& attributes) {
   for (const auto& [key, value] : attributes)
     if (key.empty() || key.size() > longest_name || key.find('\0') != std::string::npos)
       return unexpected(Error{path, "attribute \"" + key + "\" is not valid"});
+  return {};
+}
+
+Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path, PictureSizePx size,
+                                                       const ImageText& attributes, Alpha alpha) {
+  if (size.width <= 0 || size.height <= 0) return unexpected(Error{path, "the picture is empty"});
+  if (auto valid = check_exr_attributes(path, attributes); !valid) return unexpected(valid.error());
   Result<PartFile> file = PartFile::create(path);
   if (!file) return unexpected(file.error());
   try {
@@ -178,14 +173,6 @@ Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path, 
   } catch (const std::exception& e) {
     return unexpected(Error{path, fmt::format("could not be written: {}", e.what())});
   }
-}
-
-Result<void> write_exr(const std::string& path, const Film& film, const ImageText& attributes) {
-  auto writer = make_exr_writer(path, {film.width, film.height}, attributes, alpha_of(film));
-  if (!writer) return unexpected(writer.error());
-  return (*writer)->add_rows(film.radiance, film.coverage).and_then([&] {
-    return (*writer)->finish();
-  });
 }
 
 Result<ImageText> exr_text(const std::string& path, const FileBytes& file) {

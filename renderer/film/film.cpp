@@ -102,6 +102,7 @@ void copy_pixels(const FinishedTile& from, FinishedTile& to) {
   if (!to.coverage.empty()) copy_told(from.coverage, from.rect, to.coverage, to.rect, 1.0f);
   if (!to.outlook.empty()) copy_told(from.outlook, from.rect, to.outlook, to.rect, {});
   if (!to.unlit.empty()) copy_told(from.unlit, from.rect, to.unlit, to.rect, glm::vec4(0.0f));
+  copy_planes(from.layers, from.rect, to.layers, to.rect);
 }
 
 Film::Film(int w, int h)
@@ -132,6 +133,9 @@ void Film::put(const FinishedTile& tile) {
   if (!outlook.empty()) copy_told(tile.outlook, tile.rect, outlook, whole, {});
   if (!tile.unlit.empty() && unlit.empty()) unlit.assign(radiance.size(), glm::vec4(0.0f));
   if (!unlit.empty()) copy_told(tile.unlit, tile.rect, unlit, whole, glm::vec4(0.0f));
+  for (const LayerPlane& plane : tile.layers)
+    if (!find_plane(layers, plane.layer)) layers.emplace_back(plane.layer, radiance.size());
+  copy_planes(tile.layers, tile.rect, layers, whole);
 }
 
 glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/layers.h"
 #include "renderer/film/split_cause.h"
 #include "renderer/film/split_outlook.h"
 #include "renderer/geometry/pixel_rect.h"
@@ -34,11 +35,13 @@ struct FinishedTile {
   /// `radiance`; w: the fraction of the pixel that they cover, 0 to 1. They are displayed without
   /// exposure and tone curve: see `tone_mapped`. Empty: no surface is unlit.
   std::vector<glm::vec4> unlit;
-  bool coarse = false;  ///< better pixels follow
+  std::vector<LayerPlane> layers;  ///< those that the settings ask for and that have a plane
+  bool coarse = false;             ///< better pixels follow
 };
 
-/// Copies the pixels that two tiles of one picture share. Costs, coverage and the unlit part are
-/// only copied if `to` has them; values missing in `from` become 0, and coverage becomes 1.
+/// Copies the pixels that two tiles of one picture share. Their cost is only copied where `to`
+/// keeps it, as 0 where `from` does not tell it; so is their coverage, as 1, and what is unlit, as
+/// 0. Layers are copied where both have them.
 void copy_pixels(const FinishedTile& from, FinishedTile& to);
 
 /// A whole picture: linear radiance, the split map by level and by cause, and the cost of each
@@ -54,7 +57,8 @@ struct Film {
   std::vector<float> coverage;        ///< as a tile's; empty until a tile has it
   std::vector<SplitOutlook> outlook;  ///< as a tile's; empty until a tile has it
   std::vector<glm::vec4> unlit;       ///< the same
-  /// 1 for pixels that are not final yet, while the window renders. Empty: all are final.
+  std::vector<LayerPlane> layers;     ///< the same
+  /// 1 where no final pixel has come yet, while the window renders. Empty: all are final.
   std::vector<std::uint8_t> unfinished;
 
   Film() = default;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/exr_options.h"
 #include "renderer/film/film.h"
 #include "renderer/film/size_check.h"
 #include "renderer/film/split_map.h"
@@ -40,10 +41,11 @@ struct RgbImage {
 [[nodiscard]] Result<void> write_split_map_png(const std::string& path, const Film& film,
                                                SplitMapKey key, const ImageText& text = {});
 
-/// Linear radiance as 32-bit floats, ZIP-compressed, with `attributes` as string attributes (keys
+/// Linear radiance as 32-bit floats, with `attributes` as string attributes (keys
 /// of 1 to 255 bytes, each once), which come back in the order of their keys.
+/// `options`: layers in channels of their own ("depth.Z"), ids as Cryptomatte, and the camera.
 [[nodiscard]] Result<void> write_exr(const std::string& path, const Film& film,
-                                     const ImageText& attributes);
+                                     const ImageText& attributes, const ExrOptions& options = {});
 
 [[nodiscard]] Result<RgbImage> read_png(const std::string& path);
 

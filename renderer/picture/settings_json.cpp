@@ -59,6 +59,7 @@ constexpr const char* ground_key = "ground";
 constexpr const char* judged_tone_key = "judged_tone";
 constexpr const char* shutter_key = "shutter_seconds";
 constexpr const char* shutter_camera_key = "shutter_camera";
+constexpr const char* layers_key = "layers";
 
 OrderedJson crop_json(const PixelRect& crop) {
   if (crop == PixelRect{}) return nullptr;
@@ -150,6 +151,14 @@ void read_background(FieldReader& settings, Background& background) {
     settings.refuse(background_key, fault);
 }
 
+void read_layers(FieldReader& settings, LayerSet& layers) {
+  std::string text;
+  settings(layers_key, text);
+  const Result<LayerSet> read = parse_layers(text);
+  if (!read) return settings.refuse(layers_key, read.error().message());
+  layers = *read;
+}
+
 }  // namespace
 
 OrderedJson settings_json(const RenderSettings& settings) {
@@ -175,6 +184,7 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
     fields(shutter_key, settings.shutter.seconds);
     if (settings.shutter.camera >= 0) fields(shutter_camera_key, settings.shutter.camera);
   }
+  if (!settings.layers.empty()) fields(layers_key, text_of(settings.layers));
   return fields.take();
 }
 
@@ -201,6 +211,7 @@ Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
     fields(shutter_key, read.settings.shutter.seconds);
   if (json.is_object() && json.contains(shutter_camera_key))
     fields(shutter_camera_key, read.settings.shutter.camera);
+  if (json.is_object() && json.contains(layers_key)) read_layers(fields, read.settings.layers);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -12,7 +14,29 @@ glm::dvec3 shown(const SampleSums::Sum& sum) {
   return glm::clamp(sum.mean(), glm::dvec3(0.0), glm::dvec3(1.0));
 }
 
+/// A camera's view of a job for its layers.
+struct LayerEye {
+  explicit LayerEye(const BlockJob& job)
+      : shader(shader_of(job.scene, job.settings, job.view)),
+        viewer(Viewer::camera(job.view, shader)),
+        probe(job.scene, viewer, job.settings) {}
+  LayerEye(const LayerEye&) = delete;
+  LayerEye& operator=(const LayerEye&) = delete;
+
+  Shader shader;
+  Viewer viewer;
+  LayerProbe probe;
+};
+
 }  // namespace
+
+void PixelSamples::note_layers(LayerSet asked, const LayerProbe& probe, SampleSums& sums) {
+  asked_ = asked;
+  layers_.resize(sums_.size());
+  std::vector<LayerSum*> of_pixels;
+  for (LayerSum& layer : layers_) of_pixels.push_back(&layer);
+  sums.note_layers(&probe, std::move(of_pixels), 1);
+}
 
 PixelSamples::PixelSamples(PixelRect block)
     : block_(block),
@@ -27,6 +51,11 @@ void PixelSamples::advance(const BlockJob& job, SamplePlaces& places, int end, i
   if (end <= taken_) return;
   SampleSums sums(job, places);
   sums.resize(sums_.size());
+  std::optional<LayerEye> eye;
+  if (job.settings.layers.of_surfaces()) {
+    eye.emplace(job);
+    note_layers(job.settings.layers, eye->probe, sums);
+  }
   for (std::size_t i = 0; i < sums_.size(); ++i) sums.continue_from(i, sums_[i]);
   const double width = job.settings.filter_width;
   const float side = sample_side(width, footprints);
@@ -70,6 +99,7 @@ BlockResult PixelSamples::result() const {
   result.tile.split_level.assign(sums_.size(), 0);
   result.tile.radiance.reserve(sums_.size());
   for (const SampleSums::Sum& sum : sums_) result.tile.radiance.emplace_back(sum.mean());
+  if (!layers_.empty()) result.tile.layers = planes_of(layers_, asked_);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/block_result.h"
+#include "renderer/film/layer_sums.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sample_sums.h"
@@ -32,7 +33,8 @@ class PixelSamples {
 
   /// Returns the memory in use.
   [[nodiscard]] std::size_t bytes() const {
-    return sums_.capacity() * sizeof(sums_[0]) + moved_.capacity() * sizeof(moved_[0]);
+    return sums_.capacity() * sizeof(sums_[0]) + moved_.capacity() * sizeof(moved_[0]) +
+           layers_.capacity() * sizeof(layers_[0]);
   }
 
   /// Returns the means so far, and the work of all rounds.
@@ -43,10 +45,14 @@ class PixelSamples {
   [[nodiscard]] const std::vector<float>& moved() const { return moved_; }
 
  private:
+  void note_layers(LayerSet asked, const LayerProbe& probe, SampleSums& sums);
+
   PixelRect block_;
   int taken_ = 0;
   std::vector<SampleSums::Sum> sums_;
   std::vector<float> moved_;
+  LayerSet asked_;                // by the job
+  std::vector<LayerSum> layers_;  // one a pixel; none where no surface layer is asked for
   RenderStatistics statistics_;
 };
 

@@ -54,12 +54,17 @@ RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
       stop_(std::move(stop)),
       white_(1.0 / std::clamp(static_cast<double>(viewer.throughput), 1e-3, 1.0)),
       places_(seed),
-      sums_(scene, viewer, settings, places_, shows) {
+      sums_(scene, viewer, settings, places_, shows),
+      scene_(&scene),
+      viewer_(&viewer),
+      settings_(&settings) {
   sums_.widen_colours(colour_side / footprint_share);
 }
 
-std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal) {
+std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal,
+                               std::uint32_t layer_samples) {
   Waiting& waiting = waiting_.emplace_back();
+  waiting.layer_samples = layer_samples;
   waiting.square = region.square;
   waiting.first_edge = borders_.size();
   waiting.edges = region.border.size();
@@ -84,13 +89,16 @@ std::span<const RegionSampler::Estimate> RegionSampler::start(RenderStatistics& 
                                                               double times) {
   make_room();
   sample_stage(times, counts, nullptr);
+  add_samples_for_layers(counts);
   return found_;
 }
 
 RegionSampler::Open RegionSampler::take_open() {
   Open open;
-  for (const Waiting& waiting : waiting_) {
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const Waiting& waiting = waiting_[i];
     if (waiting.done) continue;
+    if (probe_) open.layers_.push_back(std::move(layers_[i]));
     Waiting& kept = open.waiting_.emplace_back(waiting);
     kept.first_edge = open.borders_.size();
     const auto edges = std::span(borders_).subspan(waiting.first_edge, waiting.edges);
@@ -107,6 +115,8 @@ std::span<const RegionSampler::Estimate> RegionSampler::resume(Open&& open,
   waiting_ = std::move(open.waiting_);
   borders_ = std::move(open.borders_);
   make_room();
+  if (probe_) layers_ = std::move(open.layers_);
+  if (probe_) note_layers_of_waiting(sums_);
   std::size_t next = 0;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const Waiting& waiting = waiting_[i];
@@ -116,6 +126,7 @@ std::span<const RegionSampler::Estimate> RegionSampler::resume(Open&& open,
     found_[i].error = standard_error(waiting, found_[i].value);
   }
   sample_stage(1.0, counts, nullptr);
+  add_samples_for_layers(counts);
   forget();
   return found_;
 }
@@ -126,6 +137,35 @@ void RegionSampler::make_room() {
   sums_.resize(0);
   sums_.resize(most_sums * waiting_.size());
   found_.assign(waiting_.size(), {});
+  if (!probe_) return;
+  layers_.assign(waiting_.size(), {});
+  note_layers_of_waiting(sums_);
+}
+
+void RegionSampler::note_layers_of_waiting(SampleSums& sums) {
+  std::vector<LayerSum*> targets;
+  for (std::size_t i = 0; i < waiting_.size(); ++i)
+    targets.push_back(waiting_[i].layer_samples > 0 ? &layers_[i] : nullptr);
+  sums.note_layers(probe_, std::move(targets), most_sums);
+}
+
+// Adds eye rays to regions whose radiance converged early: few samples may not give the coverage of
+// a dark object before a dark background. Eye rays are cheap.
+void RegionSampler::add_samples_for_layers(RenderStatistics& counts) {
+  const auto needs_more = [](const Waiting& waiting) {
+    return waiting.done && waiting.taken < waiting.layer_samples;
+  };
+  if (!probe_ || std::none_of(waiting_.begin(), waiting_.end(), needs_more)) return;
+  SampleSums rays(*scene_, *viewer_, *settings_, places_, SampleSums::Shows::layers);
+  rays.resize(most_sums * waiting_.size());
+  note_layers_of_waiting(rays);
+  for (const Waiting& waiting : waiting_) {
+    if (!needs_more(waiting)) continue;
+    Waiting more = waiting;
+    add_samples(rays, more, waiting.layer_samples, nullptr);
+  }
+  rays.trace();
+  counts += rays.statistics();
 }
 
 void RegionSampler::forget() {
@@ -195,6 +235,17 @@ double RegionSampler::expected_error(std::size_t number) const {
 
 // Adds as many samples as there are so far.
 void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
+  const std::uint32_t end = waiting.goal.after_next_round(waiting.taken);
+  if (end > most_sums * waiting.per_sum) {
+    sums_.add_pairs(waiting.first_sum, waiting.taken / waiting.per_sum);
+    waiting.per_sum *= 2;
+  }
+  add_samples(sums_, waiting, end, kernel);
+}
+
+// Samples `waiting.taken` to `end` - 1 of a region.
+void RegionSampler::add_samples(SampleSums& sums, Waiting& waiting, std::uint32_t end,
+                                const BlurKernel* kernel) {
   const LeafRegion part = region(waiting);
   const Bounds2 bounds = bounds_of(part);
   const double width = static_cast<double>(block_.width);
@@ -202,14 +253,9 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
   const auto x = static_cast<int>(std::floor(origin.x + width * part.square.u));
   const auto y = static_cast<int>(std::floor(origin.y + width * part.square.v));
   const glm::vec2 size = (bounds.hi - bounds.lo) * static_cast<float>(width);
-  const std::uint32_t end = waiting.goal.after_next_round(waiting.taken);
   const float side = footprint_share * std::sqrt(size.x * size.y / static_cast<float>(end));
   const glm::dvec2 middle(part.square.centre_u(), part.square.centre_v());
   const std::uint32_t first = first_sample(origin + width * middle, waiting.goal.most);
-  if (end > most_sums * waiting.per_sum) {
-    sums_.add_pairs(waiting.first_sum, waiting.taken / waiting.per_sum);
-    waiting.per_sum *= 2;
-  }
   places_.start_pixel(x, y);
   for (std::uint32_t i = waiting.taken; i < end && !stop_.stop_requested(); ++i) {
     const auto index = static_cast<int>(first + i);
@@ -223,8 +269,8 @@ void RegionSampler::add_round(Waiting& waiting, const BlurKernel* kernel) {
       ++waiting.masked;
       continue;
     }
-    if (sums_.add({origin + width * glm::dvec2(at), side, x, y, index,
-                   waiting.first_sum + i / waiting.per_sum}))
+    const std::uint32_t sum = std::min(i / waiting.per_sum, most_sums - 1);
+    if (sums.add({origin + width * glm::dvec2(at), side, x, y, index, waiting.first_sum + sum}))
       places_.start_pixel(x, y);
   }
   waiting.taken = end;

@@ -42,8 +42,11 @@ class RegionSampler {
     bool one_round = false;     ///< the first round was enough
   };
 
-  /// Defers a region until `run`. Returns its number among the waiting ones, from 0.
-  std::size_t add(const LeafRegion& region, const Goal& goal);
+  /// From now on regions may have layers, too; `probe` has to outlive this.
+  void note_layers(const LayerProbe& probe) { probe_ = &probe; }
+  /// Puts a region off until `run`; its number among those that wait, from 0. With layers, its
+  /// samples and as many more eye rays as make `layer_samples` are summed up to them.
+  std::size_t add(const LeafRegion& region, const Goal& goal, std::uint32_t layer_samples = 0);
   /// Samples all waiting regions and empties the queue. Returns their estimates by number, valid
   /// until the next call. Each round doubles the number of samples, until the means of eighths of a
   /// region's samples show that its goal is met, and neighbouring pixels' samples agree. The rays
@@ -58,7 +61,9 @@ class RegionSampler {
   std::span<const Estimate> start(RenderStatistics& counts, double times);
   /// Returns whether `start` left region `number` open.
   [[nodiscard]] bool open(std::size_t number) const { return !waiting_[number].done; }
-  /// The open regions, in order, with their samples so far.
+  /// The layers of a region after `start` or `resume`, as sums over its samples.
+  [[nodiscard]] const LayerSum& layers(std::size_t number) const { return layers_[number]; }
+  /// Regions that were left open, in their order, with their samples so far.
   class Open;
   [[nodiscard]] Open take_open();
   /// Runs the second stage. Returns the estimates of the open regions, in order.
@@ -81,7 +86,8 @@ class RegionSampler {
     std::uint32_t taken = 0;  // samples so far, including those outside the region
     std::uint32_t in_region = 0;
     std::uint32_t masked = 0;  // number of samples outside the mask
-    bool rests = false;        // whether it waits until the stage ends
+    std::uint32_t layer_samples = 0;
+    bool rests = false;  // until the stage ends
     bool done = false;
   };
   [[nodiscard]] LeafRegion region(const Waiting& waiting) const {
@@ -90,7 +96,10 @@ class RegionSampler {
   void make_room();
   void sample_stage(double times, RenderStatistics& counts, const BlurKernel* kernel);
   void forget();
+  void note_layers_of_waiting(SampleSums& sums);
+  void add_samples_for_layers(RenderStatistics& counts);
   void add_round(Waiting& waiting, const BlurKernel* kernel);
+  void add_samples(SampleSums& sums, Waiting& waiting, std::uint32_t end, const BlurKernel* kernel);
   [[nodiscard]] bool suffices(std::size_t number, double times) const;
   [[nodiscard]] double expected_error(std::size_t number) const;
   [[nodiscard]] Estimate estimate(const Waiting& waiting) const;
@@ -102,6 +111,11 @@ class RegionSampler {
   double white_;  // the radiance that is white in a picture
   SobolPlaces places_;
   SampleSums sums_;
+  const RenderScene* scene_;
+  const Viewer* viewer_;
+  const RenderSettings* settings_;
+  const LayerProbe* probe_ = nullptr;
+  std::vector<LayerSum> layers_;  // of each region that waits; none without a probe
   std::vector<Waiting> waiting_;
   std::vector<BorderEdge> borders_;
   std::vector<Estimate> found_;
@@ -113,14 +127,15 @@ class RegionSampler::Open {
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
   [[nodiscard]] std::size_t bytes() const {
     return waiting_.size() * sizeof(Waiting) + borders_.size() * sizeof(BorderEdge) +
-           sums_.size() * sizeof(SampleSums::Sum);
+           sums_.size() * sizeof(SampleSums::Sum) + layers_.size() * sizeof(LayerSum);
   }
 
  private:
   friend class RegionSampler;
   std::vector<Waiting> waiting_;
   std::vector<BorderEdge> borders_;
-  std::vector<SampleSums::Sum> sums_;  // the same number for each region
+  std::vector<SampleSums::Sum> sums_;  // as many of each as it has
+  std::vector<LayerSum> layers_;       // one a region, or none
 };
 
 }  // namespace asos

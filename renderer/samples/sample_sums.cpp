@@ -185,6 +185,11 @@ void SampleSums::trace() {
     return;
   }
   if (!std::exchange(hits_known_, false)) cast_rays();
+  if (!layers_.empty()) add_layers();
+  if (shows_ == Shows::layers) {
+    used_ = 0;
+    return;
+  }
   if (shows_ == Shows::lobes) {
     gather_lobes();
   } else {
@@ -212,7 +217,15 @@ void SampleSums::cast_rays() {
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
 }
 
-// Moves each sample's ray to its own point of the lens.
+// The layers of the samples that wait.
+void SampleSums::add_layers() {
+  for (std::size_t i = 0; i < used_; ++i) {
+    LayerSum* sum = layers_[samples_[i].target / targets_a_layer_];
+    if (sum) sum->add(probe_->at(seen_by(i, samples_[i].side), statistics_), 1.0);
+  }
+}
+
+// Each sample's ray starts at its own point of the lens.
 void SampleSums::aim_through_lens() {
   const View& view = viewer_.view;
   for (std::size_t i = 0; i < used_; ++i) {

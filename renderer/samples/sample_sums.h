@@ -3,6 +3,7 @@
 #include "renderer/prepared/viewer.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/bounced_light.h"
+#include "renderer/samples/layer_probe.h"
 #include "renderer/samples/plain_samples.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sampled_lights.h"
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace asos {
@@ -41,8 +43,9 @@ class SampleSums {
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              SamplePlaces& places);
-  /// Which radiance is summed: all of it, or only the lobes' reflections at the first surfaces.
-  enum class Shows { all, lobes };
+  /// What samples are summed up of: all of their radiance, what the lobes of the first surfaces
+  /// mirror and no other part of it, or only layers: those samples cast their eye rays alone.
+  enum class Shows { all, lobes, layers };
   /// For any viewer of the scene; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
              SamplePlaces& places, Shows shows = Shows::all);
@@ -54,8 +57,16 @@ class SampleSums {
   /// samples' sides.
   void widen_colours(float times);
 
-  /// Makes room for sums 0 to `count` - 1; new ones are empty. Sums beyond that are dropped, and
-  /// none of their samples may be waiting for `trace`.
+  /// From now on samples are added to layer sums as well: those of target i to `sums[i / targets]`,
+  /// where that is not null. Empty: to none. The probe and the sums have to outlive the samples.
+  void note_layers(const LayerProbe* probe, std::vector<LayerSum*> sums, std::size_t targets) {
+    probe_ = probe;
+    layers_ = std::move(sums);
+    targets_a_layer_ = targets;
+  }
+
+  /// Makes room for sums 0 to `count` - 1; new ones are empty. Those beyond are forgotten, and none
+  /// of their samples may wait for `trace`.
   void resize(std::size_t count);
   [[nodiscard]] std::size_t size() const { return radiance_.size(); }
 
@@ -131,6 +142,7 @@ class SampleSums {
   void aim_through_lens();
   void widen_footprints();
   void gather_lobes();
+  void add_layers();
   void shade_batch();
   [[nodiscard]] bool shade_plain();
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
@@ -146,6 +158,9 @@ class SampleSums {
   PlainSamples plain_;
   Culling faces_;
   Shows shows_ = Shows::all;
+  const LayerProbe* probe_ = nullptr;
+  std::vector<LayerSum*> layers_;
+  std::size_t targets_a_layer_ = 1;
   float colours_ = 1.0f;
   Totals own_;
   std::vector<glm::dvec3>& radiance_;

@@ -40,7 +40,9 @@ SampleRounds::SampleRounds(const PlannedRender& render)
       groups_(render.plan.groups.size()),
       next_(rounds_.size()),
       done_(rounds_.size()),
-      order_(render.group_order) {}
+      order_(render.group_order) {
+  if (shows_coverage(settings_) && !render.motion) settings_ = with_coverage(settings_);
+}
 
 // Renders all rounds of a group up to this one. Does nothing if other threads have already rendered
 // this round.
@@ -63,10 +65,12 @@ std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, st
   };
   take(own.pixels, job);
   BlockResult result = own.pixels->result();
-  if (shows_coverage(settings_)) {
+  if (shows_coverage(settings_) && job.motion) {
     const RenderSettings covered = coverage_of(settings_);
     take(own.covered, job.with(covered));
     set_coverage(own.covered->result(), result);
+  } else if (shows_coverage(settings_)) {
+    take_coverage(render.snapshot.settings.layers, result);
   }
   if (render.unlit) {
     const UnlitPasses passes(settings_);

@@ -19,6 +19,7 @@ FinishedTile part_of(const FinishedTile& tile, const PixelRect& rect) {
   if (!tile.coverage.empty()) part.coverage.resize(pixels);
   if (!tile.outlook.empty()) part.outlook.resize(pixels);
   if (!tile.unlit.empty()) part.unlit.resize(pixels);
+  for (const LayerPlane& plane : tile.layers) part.layers.emplace_back(plane.layer, pixels);
   copy_pixels(tile, part);
   return part;
 }

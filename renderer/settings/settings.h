@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/layers.h"
 #include "renderer/film/tone.h"
 #include "renderer/geometry/pixel_rect.h"
 #include "renderer/result.h"
@@ -137,6 +138,7 @@ struct RenderSettings {
   std::shared_ptr<const Sky> sky;  ///< the surroundings of the scene; null: neutral grey
   Background background;           ///< the visible background
   Ground ground = Ground::off;     ///< see with_ground
+  LayerSet layers;                 ///< rendered with the picture, whose bits they do not change
   bool cull = true;  ///< the backs of single-sided materials are not seen, as glTF says
   int seed = 0;      ///< of the scrambling of Sobol samples, from 0; it changes the noise
   int threads = 0;   ///< workers; 0: one per core

@@ -40,6 +40,7 @@ constexpr std::array help_lines{
     HelpLine{"V", "last finished EPS and MAX, and back"},
     HelpLine{"B, N, H, L", "base color, normal, roughness, metallic"},
     HelpLine{"K, I, U; Y", "occlusion, emission, UV checker; wireframe"},
+    HelpLine{"[, ]", "previous, next layer in false colours"},
     HelpLine{"Space", "pause or resume rendering"},
     HelpLine{"Ctrl + Z, Ctrl + Shift + Z", "undo, redo"},
     HelpLine{"Double click on a control", "reset it"},
@@ -202,7 +203,19 @@ void surface_shortcuts(UiState& state) {
   if (shortcut_pressed(Key::y)) state.surfaces.wireframe = !state.surfaces.wireframe;
 }
 
-// Escape closes one thing at a time, and never quits.
+// Layers of the film in place of the picture.
+void layer_shortcuts(UiState& state) {
+  const int by = shortcut_pressed(Key::right_bracket)  ? 1
+                 : shortcut_pressed(Key::left_bracket) ? -1
+                                                       : 0;
+  if (by == 0) return;
+  show_next_layer(state.display, by);
+  state.surfaces.property.reset();
+  state.show_error = false;
+  state.said = layer_title(state.display);
+}
+
+// Escape closes, one thing after the other, and never quits.
 void close_something(UiState& state, Previewer& previewer) {
   if (state.show_help) {
     state.show_help = false;
@@ -265,6 +278,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::zero)) state.view.reset();
   if (previewer.scene()) camera_shortcuts(previewer.viewpoint());
   surface_shortcuts(state);
+  layer_shortcuts(state);
   Turntable& turntable = previewer.turntable();
   if (previewer.scene() && shortcut_pressed(Key::t)) turntable.set_turning(!turntable.turning());
   const glm::vec2 middle = state.view.area_middle();

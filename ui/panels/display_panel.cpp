@@ -4,7 +4,9 @@
 #include <imgui.h>
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace asos::ui {
 
@@ -29,7 +31,25 @@ constexpr std::array tone_options{
 };
 static_assert(tone_options.size() == tone_names.size());
 
+// The titles of the layers, from the picture on.
+std::vector<std::string> layer_titles() {
+  std::vector<std::string> titles{"Picture"};
+  for (const LayerRow& row : layer_table())
+    if (row.value != Layer::beauty) titles.emplace_back(row.title);
+  return titles;
+}
+
 }  // namespace
+
+void show_next_layer(DisplaySettings& display, int by) {
+  const int shown = display.layer ? static_cast<int>(*display.layer) : 0;
+  const int next = (shown + by + layer_count) % layer_count;
+  display.layer = next > 0 ? std::optional(static_cast<Layer>(next)) : std::nullopt;
+}
+
+const char* layer_title(const DisplaySettings& display) {
+  return display.layer ? row_of(*display.layer).title : "Picture";
+}
 
 void display_panel(Controls& controls, DisplaySettings& display) {
   const DisplaySettings usual;
@@ -48,6 +68,13 @@ void display_panel(Controls& controls, DisplaySettings& display) {
   int tone = static_cast<int>(display.tone);
   if (controls.options("Tone", tone_options, tone, {true, static_cast<int>(usual.tone)}))
     display.tone = static_cast<ToneCurve>(tone);
+  static_assert(static_cast<int>(Layer::beauty) == 0);
+  int layer = display.layer ? static_cast<int>(*display.layer) : 0;
+  if (controls.list("Layers",
+                    "Layer in false colours, in place of the picture ([ and ]). Ctrl + S saves "
+                    "layers as EXR.",
+                    layer_titles(), layer, 0))
+    display.layer = layer > 0 ? std::optional(static_cast<Layer>(layer)) : std::nullopt;
   controls.checkbox(
       "Grid", "Grid at the scene's lowest point, and axes from the origin. Not in saved pictures.",
       display.show_grid, usual.show_grid);

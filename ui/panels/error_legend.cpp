@@ -1,8 +1,7 @@
 #include "renderer/files/counted.h"
-#include "renderer/film/split_map.h"
 #include "ui/error_map.h"
+#include "ui/panels/heat_strip.h"
 #include "ui/panels/overlays.h"
-#include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 namespace asos::ui {
 
@@ -26,28 +26,13 @@ constexpr std::array error_ticks{ErrorTick{0.25, "1/4"}, ErrorTick{1.0, "1 step"
                                  ErrorTick{64.0, "64 steps"}};
 
 void error_scale(Controls& controls) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float em = ImGui::GetFontSize();
-  const float width = ImGui::GetContentRegionAvail().x, height = 0.9f * em;
-  constexpr int steps = 128;
-  for (int i = 0; i < steps; ++i) {
-    const float from = static_cast<float>(i) / steps, to = static_cast<float>(i + 1) / steps;
-    const glm::u8vec3 c = heat_colour(0.5f * (from + to));
-    draw->AddRectFilled({corner.x + from * width, corner.y},
-                        {corner.x + to * width, corner.y + height}, IM_COL32(c.x, c.y, c.z, 255));
-  }
+  std::vector<HeatTick> ticks;
   std::string words;
   for (const ErrorTick& tick : error_ticks) {
     words += (words.empty() ? "" : " ") + std::string(tick.text);
-    const float x = corner.x + ErrorScale::share(tick.steps) * width;
-    const float text = ImGui::CalcTextSize(tick.text).x;
-    draw->AddText({std::clamp(x - 0.5f * text, corner.x, corner.x + width - text),
-                   corner.y + height + 0.25f * em},
-                  theme::packed(theme::dim_text), tick.text);
+    ticks.push_back({ErrorScale::share(tick.steps), tick.text});
   }
-  draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
-  ImGui::Dummy({width, height + 1.4f * em});
+  heat_strip(ticks);
   controls.placed_words(
       "Error scale", words,
       "Error per pixel in 8-bit display steps, logarithmic. Black: less than 1/4.");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/layer_colours.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/panels.h"
 #include "ui/picture_job.h"
@@ -68,7 +69,15 @@ struct ErrorFacts {
 };
 void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect& area);
 
-/// Why a pixel was split, in one sentence.
+/// The name of the layer that is shown, and what its colours mean, at the lower left.
+struct LayerFacts {
+  Layer layer = Layer::depth;
+  LayerScale scale;
+  bool rendered = true;  ///< by the method
+};
+void layer_legend(Controls& controls, const LayerFacts& facts, const WindowRect& area);
+
+/// Why a pixel was split, in a sentence.
 [[nodiscard]] const char* words_of(SplitCause cause);
 
 void help_overlay(UiState& state, const WindowRect& area);

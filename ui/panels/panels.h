@@ -52,6 +52,9 @@ bool store_frame(Frames& frames, const Previewer& previewer);
 [[nodiscard]] std::string kept_words(const Frames& frames);
 
 void display_panel(Controls& controls, DisplaySettings& display);
+/// Shows the next layer of the list, or the one before it (`by` -1); the picture is one of them.
+void show_next_layer(DisplaySettings& display, int by);
+[[nodiscard]] const char* layer_title(const DisplaySettings& display);
 void camera_panel(Controls& controls, Previewer& previewer);
 /// Settings of the window itself.
 void window_panel(Controls& controls, WindowLook& look);
@@ -75,7 +78,8 @@ struct StatusLine {
   DisplayTransform display;
   double fraction = 0.0;  ///< see ShownProgress
   std::optional<TimeEstimate> estimate;
-  std::string names;  ///< names of the object and the material under the pointer; empty: none
+  std::string names;    ///< of the object and the material under the pointer; empty: none
+  std::string layer{};  ///< values of the layer that is shown under the pointer; empty: none
 };
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status);
 

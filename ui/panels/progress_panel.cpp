@@ -109,7 +109,10 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
       (status.zoom > 1 ? fmt::format("zoom {}x   ", status.zoom) : std::string()) + "F1 help";
   const Film& film = previewer.render().film();
   if (!status.pixel || !holds(film, *status.pixel)) return right_words({help});
-  const std::string pixel = pixel_words(film, *status.pixel, status.display);
+  const std::string pixel = status.layer.empty()
+                                ? pixel_words(film, *status.pixel, status.display)
+                                : fmt::format("{}, {}   {}", status.pixel->x, status.pixel->y,
+                                              cut_off(status.layer, 2 * most_name_letters));
   const std::string named =
       status.names.empty() ? pixel : cut_off(status.names, most_name_letters) + "   " + pixel;
   right_words({named + "   " + help, named, pixel + "   " + help, pixel, help});

@@ -53,6 +53,17 @@ void choose_format(Controls& controls, SaveChoice& choice) {
   if (controls.options("Format", options, format)) choice.exr = format == 1;
 }
 
+// Of the EXR.
+void choose_layers(Controls& controls, SaveChoice& choice) {
+  constexpr std::array options{
+      Controls::Option{"None", "The picture alone."},
+      Controls::Option{"Shown", "The picture and the layer in the window."},
+      Controls::Option{"All", "The picture with depth, normals, ids and all others."}};
+  int held = static_cast<int>(choice.layers);
+  if (controls.options("Layers in file", options, held))
+    choice.layers = static_cast<SaveChoice::Layers>(held);
+}
+
 void choose_movie(Controls& controls, SaveChoice& choice, const SaveFacts& facts) {
   constexpr std::array options{Controls::Option{"Frames", "Numbered PNG files."},
                                Controls::Option{"MP4", "An H.264 video, made by ffmpeg."}};
@@ -147,6 +158,7 @@ void save_dialog(Controls& controls, SaveChoice& choice, const SaveFacts& facts)
     return;
   choose_what(controls, choice, facts.clip_seconds > 0.0);
   if (choice.what == SaveChoice::What::picture) choose_format(controls, choice);
+  if (choice.as_exr()) choose_layers(controls, choice);
   if (choice.is_movie()) choose_movie(controls, choice, facts);
   if (choice.what == SaveChoice::What::picture || choice.is_movie())
     choose_size(controls, choice, facts.shown);

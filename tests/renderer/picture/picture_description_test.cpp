@@ -22,7 +22,8 @@ RenderSettings odd_settings() {
   RenderSettings s;
   // A new member breaks the compilation of this line: write it, read it, and set it below.
   const auto& [width, height, crop, method, filter_width, line_width, judged_tone, asos, sampling,
-               texture, shadow, mirror, shutter, sky, background, ground, cull, seed, threads] = s;
+               texture, shadow, mirror, shutter, sky, background, ground, layers, cull, seed,
+               threads] = s;
   const auto& [kind, top, bottom, coverage] = background;
   const auto& [max_level, eps, leaf, rule, detect, fat, refine_shading, jitter] = asos;
   const auto& [spp, contrast, depth, spheres, contrast_scale] = sampling;
@@ -33,7 +34,7 @@ RenderSettings odd_settings() {
   (void)threads, (void)seconds, (void)followed, (void)jitter, (void)contrast_scale,
       (void)resolution, (void)light_rule;
   (void)widest_angle_deg, (void)kind, (void)top, (void)bottom;
-  (void)coverage;  // exists only while a picture is rendered
+  (void)coverage, (void)layers;  // exists only while a picture is rendered
   s.width = 321;
   s.height = 123;
   s.crop = {3, 5, 100, 50};
@@ -48,6 +49,7 @@ RenderSettings odd_settings() {
   s.filter_width = 1.0 + 1.0 / 3.0;
   s.line_width = 2.5;
   s.judged_tone = ToneCurve::agx;
+  s.layers = {Layer::depth, Layer::object};
   s.asos.jitter = true;
   s.sampling.spp = 25;
   s.sampling.contrast = 1.0 / 7.0;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "renderer/film/layers.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asos {
+
+/// `zip` is lossless. `dwaa` is lossy for colours; all else goes to a second, lossless part.
+enum class ExrCompression { zip, dwaa };
+struct NamedExrCompression {
+  ExrCompression value;
+  const char* name;
+};
+inline constexpr std::array exr_compression_names{
+    NamedExrCompression{ExrCompression::zip, "zip"},
+    NamedExrCompression{ExrCompression::dwaa, "dwaa"}};
+
+/// The contents of an EXR in addition to radiance and text.
+struct ExrOptions {
+  ExrCompression compression = ExrCompression::zip;
+  LayerSet layers;                            ///< of those that the film has
+  std::vector<std::string> object_names;      ///< by id; "": none
+  std::vector<std::string> material_names;    ///< the same
+  std::optional<glm::dmat4> world_to_camera;  ///< as OpenEXR has it: left-handed, +z ahead
+  std::optional<glm::dmat4> world_to_ndc;     ///< to 0..1, y down, after the division by w
+  std::optional<double> frames_a_second;      ///< of the sequence that the picture belongs to
+};
+
+}  // namespace asos

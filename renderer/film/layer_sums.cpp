@@ -1,0 +1,105 @@
+#include "renderer/film/layer_sums.h"
+
+#include <algorithm>
+
+namespace asos {
+namespace {
+
+using IdWeights = std::vector<std::pair<std::uint32_t, double>>;
+
+void add_id(IdWeights& ids, std::uint32_t id, double weight) {
+  for (auto& [known, sum] : ids) {
+    if (known != id) continue;
+    sum += weight;
+    return;
+  }
+  ids.emplace_back(id, weight);
+}
+
+IdShares shares_of(const IdWeights& ids, double weight) {
+  IdShares shares;
+  shares.reserve(ids.size());
+  for (const auto& [id, sum] : ids) shares.push_back({id, static_cast<float>(sum / weight)});
+  std::sort(shares.begin(), shares.end(), [](const IdShare& a, const IdShare& b) {
+    return a.share != b.share ? a.share > b.share : a.id < b.id;
+  });
+  return shares;
+}
+
+glm::vec3 vector_of(const LayerSum& pixel, Layer layer) {
+  const double scale = 1.0 / pixel.weight;
+  switch (layer) {
+    case Layer::alpha:
+      return glm::vec3(static_cast<float>(pixel.alpha * scale));
+    case Layer::albedo:
+      return {pixel.albedo * scale};
+    case Layer::emission:
+      return {pixel.emission * scale};
+    case Layer::normal:
+      return {pixel.normal * scale};
+    case Layer::geometric_normal:
+      return {pixel.geometric_normal * scale};
+    case Layer::position:
+      return pixel.nearest.position;
+    case Layer::uv:
+      return {pixel.nearest.uv, 0.0f};
+    case Layer::depth:
+      return glm::vec3(pixel.nearest.depth);
+    case Layer::distance:
+      return glm::vec3(pixel.nearest.distance);
+    default:
+      return glm::vec3(0.0f);
+  }
+}
+
+}  // namespace
+
+void LayerSum::add(const LayerSample& sample, double sample_weight) {
+  weight += sample_weight;
+  add_id(objects, sample.object, sample_weight);
+  add_id(materials, sample.material, sample_weight);
+  if (sample.object == no_id) return;
+  alpha += sample_weight * static_cast<double>(sample.alpha);
+  albedo += sample_weight * glm::dvec3(sample.albedo);
+  emission += sample_weight * glm::dvec3(sample.emission);
+  normal += sample_weight * glm::dvec3(sample.normal);
+  geometric_normal += sample_weight * glm::dvec3(sample.geometric_normal);
+  if (sample.distance < nearest.distance) nearest = sample;
+}
+
+void LayerSum::add(const LayerSum& part, double part_weight) {
+  if (!(part.weight > 0.0)) return;
+  const double scale = part_weight / part.weight;
+  weight += part_weight;
+  for (const auto& [id, sum] : part.objects) add_id(objects, id, scale * sum);
+  for (const auto& [id, sum] : part.materials) add_id(materials, id, scale * sum);
+  alpha += scale * part.alpha;
+  albedo += scale * part.albedo;
+  emission += scale * part.emission;
+  normal += scale * part.normal;
+  geometric_normal += scale * part.geometric_normal;
+  if (part.nearest.distance < nearest.distance) nearest = part.nearest;
+}
+
+std::vector<LayerPlane> planes_of(std::span<const LayerSum> pixels, LayerSet layers) {
+  std::vector<LayerPlane> planes = blank_planes(layers, pixels.size());
+  for (LayerPlane& plane : planes) {
+    const LayerRow& row = row_of(plane.layer);
+    if (!row.of_surfaces()) continue;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const LayerSum& pixel = pixels[i];
+      if (!(pixel.weight > 0.0)) continue;
+      if (row.holds_ids()) {
+        plane.ids[i] =
+            shares_of(plane.layer == Layer::object ? pixel.objects : pixel.materials, pixel.weight);
+        continue;
+      }
+      const glm::vec3 value = vector_of(pixel, plane.layer);
+      for (std::size_t c = 0; c < row.channel_count(); ++c)
+        plane.values[i * row.channel_count() + c] = value[static_cast<int>(c)];
+    }
+  }
+  return planes;
+}
+
+}  // namespace asos

@@ -1,0 +1,83 @@
+#include "renderer/samples/layer_probe.h"
+
+#include "renderer/shading/texture.h"
+#include "renderer/world/surface_kind.h"
+
+#include <cmath>
+
+namespace asos {
+namespace {
+
+class NoLight final : public LightTransport {
+ public:
+  void add(const Illumination&, glm::vec3&, RenderStatistics&) override {}
+};
+
+Shader coverage_shader(const RenderScene& scene, const View& view, RenderSettings settings) {
+  settings.background.content = PixelContent::coverage;
+  settings.sky = nullptr;
+  settings.shadow = {};
+  settings.shadow.cast = false;
+  return shader_of(scene, settings, view);
+}
+
+}  // namespace
+
+LayerProbe::LayerProbe(const RenderScene& scene, const Viewer& viewer,
+                       const RenderSettings& settings)
+    : scene_(&scene),
+      viewer_(&viewer),
+      layers_(settings.layers),
+      points_(layers_.has(Layer::normal) || layers_.has(Layer::geometric_normal)),
+      materials_(layers_.has(Layer::albedo) || layers_.has(Layer::emission)),
+      mips_(settings.texture.filter == TextureFilter::footprint ? &scene.mips() : nullptr) {
+  if (layers_.has(Layer::alpha) && scene.needs.alpha_blend)
+    coverage_.emplace(coverage_shader(scene, viewer.view, settings));
+}
+
+LayerSample LayerProbe::at(const ViewedRay& seen, RenderStatistics& counts) const {
+  LayerSample sample;
+  const Hit& hit = seen.hit;
+  if (!hit.valid()) return sample;
+  const World& world = scene_->world();
+  sample.object = world.triangle_part[hit.triangle];
+  sample.material = world.parts[sample.object].material;
+  sample.distance = viewer_->spacing.start + hit.t;
+  sample.depth = static_cast<float>(viewer_->view.depth(seen.ray, hit.t));
+  if (layers_.has(Layer::position))
+    sample.position = glm::vec3(world.origin + glm::dvec3(seen.ray.origin) +
+                                static_cast<double>(hit.t) * glm::dvec3(seen.ray.direction));
+  if (layers_.has(Layer::alpha)) sample.alpha = alpha(seen, counts);
+  if (layers_.has(Layer::uv)) {
+    const TextureUse& use = world.material_of(hit.triangle).base_color_texture;
+    const glm::vec2 uv =
+        texcoord_at(world, use.used() ? use.texcoord : 0, hit.triangle, hit.b1, hit.b2);
+    if (std::isfinite(uv.x + uv.y)) sample.uv = uv;
+  }
+  if (points_ || materials_) add_surface(seen, sample);
+  return sample;
+}
+
+void LayerProbe::add_surface(const ViewedRay& seen, LayerSample& sample) const {
+  const World& world = scene_->world();
+  const Hit& hit = seen.hit;
+  const SampleExtent extent{&viewer_->spacing, mips_, seen.side, seen.shape, seen.colours};
+  const SurfacePoint point = surface_point(world, scene_->needs, hit, -seen.ray.direction, extent);
+  sample.normal = point.shading_normal;
+  sample.geometric_normal = point.geometric_normal;
+  if (!materials_) return;
+  const SurfaceMaterial material = surface_material(world, scene_->needs, hit, point.footprint,
+                                                    extent.point() ? nullptr : mips_);
+  sample.albedo = material.base_color;
+  sample.emission = material.emission;
+}
+
+float LayerProbe::alpha(const ViewedRay& seen, RenderStatistics& counts) const {
+  const Material& material = scene_->world().material_of(seen.hit.triangle);
+  if (!coverage_ || surface_kind(material) != SurfaceKind::blended) return 1.0f;
+  NoLight none;
+  const glm::vec3 hidden = coverage_->radiance(seen, none, counts);
+  return (hidden.x + hidden.y + hidden.z) / 3.0f;
+}
+
+}  // namespace asos

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "renderer/film/layer_sums.h"
+#include "renderer/film/statistics.h"
+#include "renderer/prepared/render_scene.h"
+#include "renderer/prepared/viewer.h"
+#include "renderer/shading/shade.h"
+
+#include <optional>
+
+namespace asos {
+
+/// Evaluates the surface layers that the settings ask for where an eye ray meets its nearest
+/// surface. Blended surfaces count as a whole, but for alpha. Thread-compatible.
+class LayerProbe {
+ public:
+  /// `scene` and `viewer` have to outlive this.
+  LayerProbe(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings);
+
+  /// `seen`: the ray, its hit, and the square that it stands for.
+  [[nodiscard]] LayerSample at(const ViewedRay& seen, RenderStatistics& counts) const;
+
+ private:
+  void add_surface(const ViewedRay& seen, LayerSample& sample) const;
+  [[nodiscard]] float alpha(const ViewedRay& seen, RenderStatistics& counts) const;
+
+  const RenderScene* scene_;
+  const Viewer* viewer_;
+  LayerSet layers_;
+  bool points_;     // some layer needs the point of the surface
+  bool materials_;  // or its material
+  const MipChains* mips_;
+  std::optional<Shader> coverage_;  // where surfaces may be blended, and alpha is asked for
+};
+
+}  // namespace asos

@@ -1,0 +1,321 @@
+#include "renderer/film/layers.h"
+
+#include "renderer/gltf/load.h"
+#include "renderer/pyray/allowance.h"
+#include "tests/renderer/comparison/rival_scenes.h"
+#include "tests/support/polygon.h"
+#include "tests/support/shape_world.h"
+#include "tests/support/shared_dir.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+// Layers against closed forms. MAX 3 throughout.
+
+namespace asos {
+namespace {
+
+RenderSettings with_layers(Method method = Method::asos, int spp = 16) {
+  RenderSettings settings = test::settings_for(method, spp);
+  settings.asos.max_level = 3;
+  settings.layers = LayerSet::all();
+  return settings;
+}
+
+double share_of(const IdShares& shares, std::uint32_t id) {
+  const auto found =
+      std::find_if(shares.begin(), shares.end(), [&](const IdShare& s) { return s.id == id; });
+  return found == shares.end() ? 0.0 : static_cast<double>(found->share);
+}
+
+const LayerPlane& plane(const BlockResult& result, Layer layer) {
+  const LayerPlane* found = find_plane(result.tile.layers, layer);
+  EXPECT_NE(found, nullptr) << row_of(layer).name;
+  return *found;
+}
+
+void expect_shares_add_up(const BlockResult& result) {
+  for (const Layer layer : {Layer::object, Layer::material})
+    for (const IdShares& shares : plane(result, layer).ids) {
+      double sum = 0.0;
+      for (const IdShare& share : shares) sum += static_cast<double>(share.share);
+      EXPECT_NEAR(sum, 1.0, 1e-6);
+    }
+}
+
+test::Polygon pixel_square(int x, int y) {
+  return {{x, y}, {x + 1.0, y}, {x + 1.0, y + 1.0}, {x, y + 1.0}};
+}
+
+/// The area of a pixel where both lines are positive.
+template <typename A, typename B>
+double area_between(int x, int y, const A& a, const B& b) {
+  const test::Polygon first = test::clip(pixel_square(x, y), a);
+  if (first.size() < 3) return 0.0;
+  const test::Polygon both = test::clip(first, b);
+  return both.size() < 3 ? 0.0 : test::area(both);
+}
+
+glm::vec3 at(double x, double y, double z = 0.0) {
+  return glm::vec3(glm::dvec3(x - 4.0, 4.0 - y, z));
+}
+
+// Below the line y = 3.21 + 0.37 x lies object 0; above it nothing.
+TEST(Layers, HalfPlaneIsCoveredExactly) {
+  World world;
+  test::add_triangle(world, at(-90.0, 3.21 - 90.0 * 0.37), at(0.0, 300.0),
+                     at(90.0, 3.21 + 90.0 * 0.37), test::matte(glm::vec3(0.5f)));
+  const auto scene = test::make_render_scene(std::move(world));
+  const BlockResult result = test::render_small(*scene, with_layers());
+  const auto below = [](glm::dvec2 p) { return p.y - 3.21 - 0.37 * p.x; };
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const auto i = static_cast<std::size_t>(8 * y + x);
+      const double covered = area_between(x, y, below, [](glm::dvec2) { return 1.0; });
+      EXPECT_NEAR(share_of(plane(result, Layer::object).ids[i], 0), covered, 1e-4);
+      EXPECT_NEAR(share_of(plane(result, Layer::material).ids[i], no_id), 1.0 - covered, 1e-4);
+      EXPECT_NEAR(plane(result, Layer::alpha).at(i)[0], covered, 1e-4);
+      EXPECT_NEAR(plane(result, Layer::albedo).at(i)[1], 0.5 * covered, 1e-4);
+      EXPECT_NEAR(plane(result, Layer::normal).at(i)[2], covered, 1e-4) << "faces the camera";
+    }
+  expect_shares_add_up(result);
+}
+
+// 0.013 pixels wide: thinner than a cell at MAX 3.
+TEST(Layers, SliverIsCoveredExactly) {
+  World world;
+  const double slope = 0.29, width = 0.013;
+  test::add_part(world,
+                 {{at(-1.0, 2.4 - slope), {0, 0, 1}, {0, 0}},
+                  {at(9.0, 2.4 + 9.0 * slope), {0, 0, 1}, {1, 0}},
+                  {at(9.0, 2.4 + width + 9.0 * slope), {0, 0, 1}, {1, 1}},
+                  {at(-1.0, 2.4 + width - slope), {0, 0, 1}, {0, 1}}},
+                 {{0, 2, 1}, {0, 3, 2}}, test::unlit(glm::vec3(1.0f)));
+  const auto scene = test::make_render_scene(std::move(world));
+  const BlockResult result = test::render_small(*scene, with_layers());
+  const auto top = [&](glm::dvec2 p) { return p.y - 2.4 - slope * p.x; };
+  const auto bottom = [&](glm::dvec2 p) { return 2.4 + width + slope * p.x - p.y; };
+  double all = 0.0;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const auto i = static_cast<std::size_t>(8 * y + x);
+      const double seen = share_of(plane(result, Layer::object).ids[i], 0);
+      EXPECT_NEAR(seen, area_between(x, y, top, bottom), 1e-4) << x << ", " << y;
+      EXPECT_NEAR(plane(result, Layer::alpha).at(i)[0], seen, 1e-6);
+      all += seen;
+    }
+  EXPECT_NEAR(all, 8.0 * width, 1e-4);
+  expect_shares_add_up(result);
+}
+
+TEST(Layers, DiskCoversItsArea) {
+  World world;
+  const glm::dmat4 facing{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0.3, -0.2, 0, 1}};
+  Material white = test::unlit(glm::vec3(1.0f));
+  white.double_sided = true;
+  test::add_shape(world, test::disk(2.5), facing, white);
+  const auto scene = test::make_render_scene(std::move(world));
+  const BlockResult result = test::render_small(*scene, with_layers());
+  constexpr int n = 400;  // strips of each pixel
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      double covered = 0.0;
+      for (int k = 0; k < n; ++k) {
+        const double v = 4.2 - (y + (k + 0.5) / n);  // from the centre
+        const double half = std::sqrt(std::max(0.0, 2.5 * 2.5 - v * v));
+        const double from = std::max(x - 4.3, -half), to = std::min(x - 3.3, half);
+        covered += std::max(0.0, to - from) / n;
+      }
+      const auto i = static_cast<std::size_t>(8 * y + x);
+      EXPECT_NEAR(share_of(plane(result, Layer::object).ids[i], 0), covered, 2e-4)
+          << x << ", " << y;
+    }
+  expect_shares_add_up(result);
+}
+
+// A half-plane before another one, whose lines cross within pixels.
+TEST(Layers, TwoLayersHideEachOtherExactly) {
+  World world;
+  test::add_triangle(world, at(-90.0, 2.3 - 90.0 * 0.21), at(0.0, 300.0),
+                     at(90.0, 2.3 + 90.0 * 0.21), test::matte(glm::vec3(0.5f)));
+  test::add_triangle(world, at(4.55 - 90.0 * 0.13, -90.0, 2.0), at(-300.0, 0.0, 2.0),
+                     at(4.55 + 90.0 * 0.13, 90.0, 2.0), test::matte(glm::vec3(0.1f)));
+  const auto scene = test::make_render_scene(std::move(world));
+  const auto below = [](glm::dvec2 p) { return p.y - 2.3 - 0.21 * p.x; };
+  const auto left = [](glm::dvec2 p) { return 4.55 + 0.13 * p.y - p.x; };
+  const auto right = [&](glm::dvec2 p) { return -left(p); };
+  const auto any = [](glm::dvec2) { return 1.0; };
+  const BlockResult result = test::render_small(*scene, with_layers());
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const auto i = static_cast<std::size_t>(8 * y + x);
+      const IdShares& seen = plane(result, Layer::object).ids[i];
+      EXPECT_NEAR(share_of(seen, 1), area_between(x, y, left, any), 1e-4) << x << ", " << y;
+      EXPECT_NEAR(share_of(seen, 0), area_between(x, y, below, right), 1e-4) << x << ", " << y;
+      // The camera is 10 above the plane z = 0.
+      const float depth = plane(result, Layer::depth).at(i)[0];
+      const bool front = share_of(seen, 1) > 0.0, back = share_of(seen, 0) > 0.0;
+      if (front)
+        EXPECT_NEAR(depth, 8.0f, 1e-5f);
+      else if (back)
+        EXPECT_NEAR(depth, 10.0f, 1e-5f);
+      else
+        EXPECT_TRUE(std::isinf(depth));
+    }
+  expect_shares_add_up(result);
+}
+
+// Samples count: their shares differ from the areas by their noise.
+TEST(Layers, SamplersCount) {
+  World world;
+  test::add_triangle(world, at(-90.0, 3.21 - 90.0 * 0.37), at(0.0, 300.0),
+                     at(90.0, 3.21 + 90.0 * 0.37), test::matte(glm::vec3(0.5f)));
+  const auto scene = test::make_render_scene(std::move(world));
+  const BlockResult exact = test::render_small(*scene, with_layers());
+  for (const Method method : {Method::uniform, Method::stochastic, Method::sobol}) {
+    const BlockResult counted = test::render_small(*scene, with_layers(method, 256));
+    double most = 0.0;
+    for (std::size_t i = 0; i < 64; ++i) {
+      const double share = share_of(plane(counted, Layer::object).ids[i], 0);
+      EXPECT_EQ(std::round(256.0 * share), 256.0 * share) << "whole samples";
+      most = std::max(most, std::abs(share - share_of(plane(exact, Layer::object).ids[i], 0)));
+    }
+    EXPECT_LT(most, 2.0 / 16.0);
+    EXPECT_GT(most, 1e-5);
+    expect_shares_add_up(counted);
+  }
+}
+
+TEST(Layers, BeautyIsTheSameBits) {
+  const FlattenedScene still = test::still_life();
+  const auto scene = test::make_render_scene(still);
+  const View view(test::look_at({1, 2, 5}, {0, 0.6, 0}, 0.7), 32, 32);
+  for (const Method method : {Method::asos, Method::asos_published, Method::sobol}) {
+    RenderSettings settings = test::settings_for(method, 8, 32);
+    const PixelRect rect{8, 8, 16, 16};
+    const BlockResult plain = render_block(*scene, view, settings, rect);
+    EXPECT_TRUE(plain.tile.layers.empty()) << "nothing that nobody asked for";
+    settings.layers = LayerSet::all();
+    const BlockResult layered = render_block(*scene, view, settings, rect);
+    EXPECT_EQ(plain.tile.radiance, layered.tile.radiance);
+    EXPECT_EQ(plain.tile.split_level, layered.tile.split_level);
+    EXPECT_EQ(plain.tile.cause, layered.tile.cause);
+    EXPECT_EQ(layered.tile.layers.size(), 12u);
+  }
+}
+
+// A blended card hides by its opacity; its id is that of the nearest surface.
+TEST(Layers, AlphaOfBlendedSurfacesIsTheirOpacity) {
+  World world;
+  test::add_card(world, {-9, -9}, {4, 17}, test::unlit(glm::vec3(0.5f), 0.25f), 1.0f);
+  const auto scene = test::make_render_scene(std::move(world));
+  for (const Method method : {Method::asos, Method::sobol}) {
+    const BlockResult result = test::render_small(*scene, with_layers(method));
+    EXPECT_NEAR(plane(result, Layer::alpha).at(8 * 3 + 2)[0], 0.25f, 1e-6f);
+    EXPECT_EQ(share_of(plane(result, Layer::object).ids[8 * 3 + 2], 0), 1.0);
+    EXPECT_EQ(plane(result, Layer::alpha).at(8 * 3 + 6)[0], 0.0f);
+  }
+}
+
+// The author's coordinates, whatever the world is recentred to.
+TEST(Layers, PositionAndDistanceArePlaces) {
+  World world;
+  test::add_card(world, {-9, -9}, {17, 17}, test::matte(glm::vec3(0.5f)), 1.5f);
+  world.origin = {100.0, 200.0, 300.0};
+  const auto scene = test::make_render_scene(std::move(world));
+  for (const Method method : {Method::asos, Method::uniform}) {
+    const BlockResult result = test::render_small(*scene, with_layers(method, 1));
+    const auto position = plane(result, Layer::position).at(8 * 2 + 5);
+    EXPECT_NEAR(position[0], 101.5f, 1e-4f);
+    EXPECT_NEAR(position[1], 201.5f, 1e-4f);
+    EXPECT_NEAR(position[2], 301.5f, 1e-4f);
+    EXPECT_NEAR(plane(result, Layer::distance).at(8 * 2 + 5)[0], 8.5f, 1e-5f);
+    EXPECT_NEAR(plane(result, Layer::uv).at(8 * 2 + 5)[0], 14.5f / 26.0f, 1e-5f);
+  }
+}
+
+// Sobol samples differ from a coverage by about 0.35 n^-3/4: 7e-4 of the 4096 here, and 5.5e-3 of
+// the 256 that ASOS takes of pixels with many edges.
+TEST(Layers, AgreeWithManySamplesOnModels) {
+  const auto shared = test::shared_dir();
+  if (!shared) GTEST_SKIP() << "the shared folder is missing";
+  struct Model {
+    const char* name;
+    double noise;
+  };
+  for (const auto& [name, noise] :
+       {Model{"Box/Box.glb", 7e-4}, Model{"NegativeScaleTest/NegativeScaleTest.glb", 5.5e-3},
+        Model{"VertexColorTest/VertexColorTest.glb", 5.5e-3}}) {
+    const auto path = *shared / "scenes" / name;
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << name;
+    const auto scene = with_boundaries(prepare(load_scene(path.string()).value()).value()).value();
+    const Camera camera = test::first_camera(scene->world(), 1.0);
+    RenderSettings settings = test::settings_for(Method::asos, 4096, 12);
+    settings.layers = {Layer::object, Layer::material, Layer::alpha};
+    settings.shadow.cast = false;
+    const Film exact = test::render_picture(*scene, camera, settings).film;
+    settings.method = Method::sobol;
+    const Film counted = test::render_picture(*scene, camera, settings).film;
+    double sum = 0.0, most = 0.0;
+    for (std::size_t i = 0; i < exact.radiance.size(); ++i)
+      for (const Layer layer : {Layer::object, Layer::material})
+        for (const IdShare& share : find_plane(exact.layers, layer)->ids[i]) {
+          const double off = static_cast<double>(share.share) -
+                             share_of(find_plane(counted.layers, layer)->ids[i], share.id);
+          sum += off * off;
+          most = std::max(most, std::abs(off));
+        }
+    EXPECT_LT(most, 4.0 * noise) << name;
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(2 * exact.radiance.size())), noise) << name;
+    EXPECT_GT(most, 0.0) << name << ": edges are seen";
+  }
+}
+
+// Over a picture with an edge, a shadow and smooth shading: few pixels are off by more than twice
+// the estimate, which is never below a twelfth of the tolerance; its mean is too large by less than
+// an eighth of a step of an 8-bit picture.
+TEST(Layers, ErrorEstimateIsOfTheErrorsSize) {
+  const auto scene = test::make_render_scene(test::still_life());
+  const Camera camera = test::look_at({1, 2, 5}, {0, 0.6, 0}, 0.7);
+  RenderSettings settings = test::settings_for(Method::asos, 4096, 24);
+  settings.layers = {Layer::error};
+  const Film film = test::render_picture(*scene, camera, settings).film;
+  settings.method = Method::sobol;
+  const Film reference = test::render_picture(*scene, camera, settings).film;
+  double estimated = 0.0, found = 0.0;
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+    const glm::vec3 off = glm::abs(glm::min(film.radiance[i], glm::vec3(1.0f)) -
+                                   glm::min(reference.radiance[i], glm::vec3(1.0f)));
+    const double error = static_cast<double>(std::max({off.x, off.y, off.z}));
+    const double estimate = static_cast<double>(find_plane(film.layers, Layer::error)->at(i)[0]);
+    EXPECT_GT(estimate, 0.0);
+    estimated += estimate;
+    found += error;
+    beyond += error > 2.0 * estimate;
+  }
+  EXPECT_LT(static_cast<double>(beyond), 0.05 * static_cast<double>(film.radiance.size()));
+  const auto pixels = static_cast<double>(film.radiance.size());
+  EXPECT_LT(estimated / pixels, found / pixels + Allowance::invisible);
+  EXPECT_GT(estimated, 0.5 * found);
+}
+
+TEST(Layers, MethodsWithoutThemSaySo) {
+  const auto scene = test::make_render_scene(test::two_colours(4.0f, {1, 0, 0}, {0, 1, 0}));
+  RenderSettings settings = with_layers(Method::whitted);
+  const auto checked = check_method(*scene, settings);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().subject, "layers");
+  EXPECT_NE(checked.error().reason.find("asos, asos-published, uniform"), std::string::npos);
+  settings.layers = {Layer::rays};
+  EXPECT_TRUE(check_method(*scene, settings)) << "which every method has";
+}
+
+}  // namespace
+}  // namespace asos

@@ -1,0 +1,53 @@
+#include "renderer/picture/exr_picture.h"
+
+#include "tests/support/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asos {
+namespace {
+
+// A point of the scene is where the picture shows it, as OpenEXR's matrices say.
+TEST(ExrPicture, MatricesProjectPointsToTheirPixels) {
+  FlattenedScene still = test::still_life();
+  still.world.origin = {10.0, 20.0, 30.0};
+  const auto scene = test::make_render_scene(std::move(still));
+  Camera perspective = test::look_at({1, 2, 5}, {0, 0.6, 0}, 0.7);
+  Camera parallel = perspective;
+  parallel.type = Camera::Type::orthographic;
+  parallel.height = 4.0;
+  RenderSettings settings;
+  settings.width = 64;
+  settings.height = 40;
+  for (const Camera& camera : {perspective, parallel})
+    for (const PixelRect crop : {PixelRect{}, PixelRect{16, 8, 32, 16}}) {
+      settings.crop = crop;
+      const ExrOptions options = exr_options(*scene, camera, settings);
+      const View view(camera, settings.width, settings.height);
+      const Ray ray = view.ray(40.25, 12.5);
+      const float t = 3.0f;
+      const glm::dvec3 point = scene->world().origin + glm::dvec3(ray.origin) +
+                               static_cast<double>(t) * glm::dvec3(ray.direction);
+      const glm::dvec4 seen = *options.world_to_camera * glm::dvec4(point, 1.0);
+      EXPECT_NEAR(seen.z, view.depth(ray, t), 1e-5) << "+z is ahead";
+      const glm::dvec4 ndc = *options.world_to_ndc * glm::dvec4(point, 1.0);
+      const PixelRect part = settings.visible();
+      EXPECT_NEAR(ndc.x / ndc.w, (40.25 - part.x) / part.width, 1e-5);
+      EXPECT_NEAR(ndc.y / ndc.w, (12.5 - part.y) / part.height, 1e-5);
+    }
+}
+
+TEST(ExrPicture, NamesComeWithIds) {
+  const auto scene = test::make_render_scene(test::still_life());
+  RenderSettings settings;
+  EXPECT_TRUE(exr_options(*scene, {}, settings).object_names.empty());
+  settings.layers = {Layer::object};
+  const ExrOptions options = exr_options(*scene, {}, settings);
+  EXPECT_EQ(options.object_names.size(), scene->world().parts.size());
+  EXPECT_EQ(options.layers, settings.layers);
+}
+
+}  // namespace
+}  // namespace asos

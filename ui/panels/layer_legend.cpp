@@ -1,0 +1,72 @@
+#include "ui/panels/heat_strip.h"
+#include "ui/panels/overlays.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace asos::ui {
+
+namespace {
+
+constexpr float layer_legend_width_em = 24.0f;
+
+// The range of each channel: "X: 0 to 2 m".
+std::string channel_ranges(Layer layer, const LayerScale& scale) {
+  const std::string channels = row_of(layer).channels;
+  std::string words;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const int k = static_cast<int>(c);
+    words += fmt::format("{}{}: {:.3g} to {}", words.empty() ? "" : "\n", channels[c], scale.lo[k],
+                         with_unit(scale.hi[k], layer));
+  }
+  return words;
+}
+
+std::string layer_key_words(const LayerFacts& facts) {
+  const LayerRow& row = row_of(facts.layer);
+  if (!facts.rendered) return "This method does not render it.";
+  if (row.holds_ids()) return "A colour for each. Edges mix by coverage.";
+  if (facts.layer == Layer::albedo || facts.layer == Layer::emission) return row.about;
+  return channel_ranges(facts.layer, facts.scale);
+}
+
+}  // namespace
+
+void layer_legend(Controls& controls, const LayerFacts& facts, const WindowRect& area) {
+  const float em = ImGui::GetFontSize();
+  const float width = std::min(layer_legend_width_em * em, area.size.x - em);
+  if (width < 8.0f * em || area.size.y < 6.0f * em) return;
+  const LayerRow& row = row_of(facts.layer);
+  ImGui::SetNextWindowPos({area.lo.x + 0.5f * em, area.lo.y + area.size.y - 0.5f * em},
+                          ImGuiCond_Always, {0.0f, 1.0f});
+  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::SetNextWindowBgAlpha(0.96f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
+  ImGui::Begin("layer legend", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::TextUnformatted(row.title);
+  if (facts.rendered && is_scalar(facts.layer)) {
+    const float lo = facts.scale.lo.x, hi = facts.scale.hi.x;
+    const std::array ticks{HeatTick{0.0f, fmt::format("{:.3g}", lo)},
+                           HeatTick{0.5f, fmt::format("{:.3g}", 0.5f * (lo + hi))},
+                           HeatTick{1.0f, with_unit(hi, facts.layer)}};
+    heat_strip(ticks);
+    const std::string words = ticks[0].text + " " + ticks[1].text + " " + ticks[2].text;
+    controls.placed_words("Layer scale", words, row.about);
+  } else {
+    const std::string words = layer_key_words(facts);
+    ImGui::TextDisabled("%s", words.c_str());
+    controls.placed_words("Layer scale", words, row.about);
+  }
+  controls.placed_window("Layer legend");
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace asos::ui
