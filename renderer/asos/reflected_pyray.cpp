@@ -37,7 +37,7 @@ std::optional<Segment> projected(const Frame& frame, glm::dvec3 a, glm::dvec3 b)
 
 // Adds the part of a line within the square.
 void add_line(std::vector<BorderEdge>& outline, const Segment& s) {
-  const Clip c = clip(s, {0.0f, 0.0f, 1.0f});
+  const SegmentPart<float> c = clip(s, {0.0f, 0.0f, 1.0f});
   if (c.empty()) return;
   const glm::vec2 p(s.u0, s.v0), d(s.u1 - s.u0, s.v1 - s.v0);
   outline.push_back({p + c.t0 * d, p + c.t1 * d});

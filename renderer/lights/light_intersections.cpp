@@ -1,5 +1,6 @@
 #include "renderer/lights/light_intersections.h"
 
+#include "renderer/geometry/clip_segment.h"
 #include "renderer/geometry/cross.h"
 
 #include <algorithm>
@@ -32,19 +33,10 @@ struct Piece {
 
 /// Returns the part of a piece within `reach` half edges of the centre.
 std::optional<Piece> clipped(const Piece& piece, double reach) {
-  double t0 = 0.0, t1 = 1.0;
-  const glm::dvec2 d = piece.q - piece.p;
-  for (int k = 0; k < 2; ++k) {
-    if (d[k] == 0.0) {
-      if (!(std::abs(piece.p[k]) < reach)) return std::nullopt;
-      continue;
-    }
-    const double x = (-reach - piece.p[k]) / d[k], y = (reach - piece.p[k]) / d[k];
-    t0 = std::max(t0, std::min(x, y));
-    t1 = std::min(t1, std::max(x, y));
-  }
-  if (!(t0 < t1)) return std::nullopt;
-  return Piece{piece.at(t0), piece.at(t1)};
+  const SegmentPart<double> part =
+      clip_segment<double>(piece.p, piece.q - piece.p, glm::dvec2(-reach), glm::dvec2(reach));
+  if (part.empty()) return std::nullopt;
+  return Piece{piece.at(part.t0), piece.at(part.t1)};
 }
 
 class CutLight {

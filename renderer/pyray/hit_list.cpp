@@ -221,7 +221,7 @@ bool HitLists::hidden(std::uint32_t i, const Square& cell, const HidingPlane& hi
                         e.nearness);
   }
   const Segment& s = segments_[e.ref];
-  const Clip c = clip(s, cell);
+  const SegmentPart<float> c = clip(s, cell);
   for (const float t : {c.t0, c.t1}) {
     if (!hiding.hides(s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0),
                       s.nearness0 + t * (s.nearness1 - s.nearness0)))

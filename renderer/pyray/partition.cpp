@@ -77,21 +77,10 @@ bool CellPartition::add_piece(const Segment& s) {
   const glm::dvec2 d = (glm::dvec2(s.u1, s.v1) - corner) * scale - p;
   if (!std::isfinite(p.x + p.y + d.x + d.y)) return false;
   // Clip the segment to the cell.
-  double t0 = 0.0;
-  double t1 = 1.0;
-  for (int k = 0; k < 2; ++k) {
-    if (d[k] == 0.0) {
-      if (p[k] < 0.0 || p[k] > 1.0) return true;
-      continue;
-    }
-    const double x = (0.0 - p[k]) / d[k];
-    const double y = (1.0 - p[k]) / d[k];
-    t0 = std::max(t0, std::min(x, y));
-    t1 = std::min(t1, std::max(x, y));
-  }
-  if (!(t0 < t1)) return true;
+  const SegmentPart<double> part = clip_segment<double>(p, d, glm::dvec2(0.0), glm::dvec2(1.0));
+  if (part.empty()) return true;
   // A piece along a side cuts nothing off; a very short one is no boundary.
-  const Piece piece{snapped(p + t0 * d), snapped(p + t1 * d)};
+  const Piece piece{snapped(p + part.t0 * d), snapped(p + part.t1 * d)};
   if (same_side(piece.p, piece.q)) return true;
   if (glm::distance(piece.p, piece.q) < snap) {
     add_speck(piece.p);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/bounds2.h"
+#include "renderer/geometry/clip_segment.h"
 
 #include <glm/glm.hpp>
 
@@ -105,42 +106,14 @@ struct LeafRegion {
   return around > 0.0f ? 0.5f * std::abs(twice_area) / around : 0.0f;
 }
 
-/// The part of a segment inside a square, as parameters along it: empty unless t0 < t1.
-struct Clip {
-  float t0 = 1.0f;
-  float t1 = 0.0f;
-
-  [[nodiscard]] bool empty() const { return !(t0 < t1); }
-};
-
-/// Clips by Liang and Barsky. A segment along the square's border does not cross its inside: empty.
-[[nodiscard]] inline Clip clip(const Segment& s, const Square& square) {
-  float t0 = 0.0f;
-  float t1 = 1.0f;
-  // Points with lo <= x0 + t d <= hi. The border is moved inwards by a millionth, so that an edge
-  // along it belongs to neither side.
-  const auto slab = [&](float x0, float x1, float lo) {
-    const float border = 1e-6f * square.side;
-    const float hi = lo + square.side - border;
-    lo += border;
-    const float d = x1 - x0;
-    if (d == 0.0f) {
-      if (x0 < lo || x0 > hi) t1 = -1.0f;
-      return;
-    }
-    float near = (lo - x0) / d;
-    float far = (hi - x0) / d;
-    if (d < 0.0f) {
-      const float swap = near;
-      near = far;
-      far = swap;
-    }
-    if (near > t0) t0 = near;
-    if (far < t1) t1 = far;
-  };
-  slab(s.u0, s.u1, square.u);
-  slab(s.v0, s.v1, square.v);
-  return {t0, t1};
+/// Clips a segment to a square. A segment along the square's border does not cross its inside:
+/// empty.
+[[nodiscard]] inline SegmentPart<float> clip(const Segment& s, const Square& square) {
+  // The border is moved inwards by a millionth, so that an edge along it belongs to neither side.
+  const float border = 1e-6f * square.side;
+  const glm::vec2 p(s.u0, s.v0), corner(square.u, square.v);
+  return clip_segment<float>(p, glm::vec2(s.u1, s.v1) - p, corner + border,
+                             corner + square.side - border);
 }
 
 }  // namespace asos

@@ -69,7 +69,7 @@ TracedCell* SubdivisionState::trace(const CellLevel& level, const Cell& cell, Ce
       continue;
     }
     const Segment& s = lists.segment(i);
-    const Clip c = clip(s, reach);
+    const SegmentPart<float> c = clip(s, reach);
     if (c.empty()) continue;
     const auto at = [&](float t) {
       return root.place({s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0)});

@@ -48,20 +48,10 @@ std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& re
 /// cross the window while its ends and its centre are far away.
 std::optional<std::pair<glm::dvec2, glm::dvec2>> near_window(glm::dvec2 p, glm::dvec2 q,
                                                              glm::dvec2 beyond) {
-  // Clip by Liang and Barsky.
   const glm::dvec2 d = q - p;
-  double t0 = 0.0, t1 = 1.0;
-  for (int i = 0; i < 2; ++i) {
-    const double lo = -beyond[i] - p[i], hi = 1.0 + beyond[i] - p[i];
-    if (d[i] == 0.0) {
-      if (lo > 0.0 || hi < 0.0) return std::nullopt;
-      continue;
-    }
-    t0 = std::max(t0, std::min(lo / d[i], hi / d[i]));
-    t1 = std::min(t1, std::max(lo / d[i], hi / d[i]));
-  }
-  if (!(t0 < t1)) return std::nullopt;
-  return std::pair(p + t0 * d, p + t1 * d);
+  const SegmentPart<double> part = clip_segment<double>(p, d, -beyond, 1.0 + beyond);
+  if (part.empty()) return std::nullopt;
+  return std::pair(p + part.t0 * d, p + part.t1 * d);
 }
 
 /// The shadows on the patch of boundaries above it. Such boundaries are behind the patch's centre,
@@ -326,7 +316,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   VisibilityCurvature curvature(around_patch->light_frame, around_patch->size, line,
                                 query.light.intersections, over);
   for (const Segment& s : *boundaries) {
-    const Clip c = clip(s, pyray.square);
+    const SegmentPart<float> c = clip(s, pyray.square);
     const auto at = [&](float t) {
       return pyray.frame.world({s.u0 + t * (s.u1 - s.u0), s.v0 + t * (s.v1 - s.v0),
                                 s.nearness0 + t * (s.nearness1 - s.nearness0)});
