@@ -44,19 +44,15 @@ int texture_divisions(int texture_resolution, double side) {
 
 std::vector<TexturePart> texture_parts(const Square& all, int n, const LeafPlace& place, int seed,
                                        bool jitter) {
-  const float side = all.side / static_cast<float>(n);
   std::vector<TexturePart> parts;
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < n; ++i) {
-      const Square square{all.u + static_cast<float>(i) * side,
-                          all.v + static_cast<float>(j) * side, side};
-      const glm::dvec2 corner = glm::dvec2(place.origin) +
-                                static_cast<double>(place.width) * glm::dvec2(square.u, square.v);
-      const RandomPair random = jitter ? unit_pair(bits_of(corner, seed)) : RandomPair{0.5, 0.5};
-      const glm::vec2 at(square.u + side * static_cast<float>(random.u),
-                         square.v + side * static_cast<float>(random.v));
-      parts.push_back({square, at});
-    }
+  for (int i = 0; i < n * n; ++i) {
+    const Square square = all.part(n, i);
+    const glm::dvec2 corner = glm::dvec2(place.origin) +
+                              static_cast<double>(place.width) * glm::dvec2(square.u, square.v);
+    const RandomPair random = jitter ? unit_pair(bits_of(corner, seed)) : RandomPair{0.5, 0.5};
+    const glm::vec2 at(square.u + square.side * static_cast<float>(random.u),
+                       square.v + square.side * static_cast<float>(random.v));
+    parts.push_back({square, at});
   }
   return parts;
 }

@@ -3,14 +3,6 @@
 #include "renderer/published/extended_shadow.h"
 
 namespace asos {
-namespace {
-
-Square part_of(const Square& s, int n, int i) {
-  const float side = s.side / static_cast<float>(n);
-  return {s.u + static_cast<float>(i % n) * side, s.v + static_cast<float>(i / n) * side, side};
-}
-
-}  // namespace
 
 // Returns the mean over n x n parts of the patch: by pyrays from a point of each, or by extended
 // ones.
@@ -27,7 +19,7 @@ Visibility PublishedShadows::divided(const ShadowContext& block, const ShadowQue
   int parts = 0;
   for (int i = 0; i < n * n; ++i) {
     // Choose a point of the part.
-    const Square part = part_of(region.square, n, i);
+    const Square part = region.square.part(n, i);
     const std::uint64_t seed =
         query.leaf.seed + 0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(i);
     const glm::dvec2 inside = jittered ? unit_pair_of(seed) : glm::dvec2(0.5);

@@ -8,12 +8,6 @@ namespace {
 // This many parts are worth a cut, whatever samples cost.
 constexpr std::size_t few_parts = 4;
 
-// Returns part i of n x n parts of a square, row by row.
-Square part_of(const Square& s, std::uint32_t n, std::uint32_t i) {
-  const float side = s.side / static_cast<float>(n);
-  return {s.u + static_cast<float>(i % n) * side, s.v + static_cast<float>(i / n) * side, side};
-}
-
 glm::vec2 middle_of(const Square& s) {
   return {s.centre_u(), s.centre_v()};
 }
@@ -154,7 +148,8 @@ bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundari
   if (plan.own_samples != no_sample) return true;
   plan.points.count = n * n;
   for (std::uint32_t i = 0; i < n * n; ++i)
-    points_.push_back(state_->jittered(cell.root, part_of(cell.square, n, i)));
+    points_.push_back(
+        state_->jittered(cell.root, cell.square.part(static_cast<int>(n), static_cast<int>(i))));
   return true;
 }
 
@@ -278,7 +273,7 @@ void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first
   // Make a leaf of each jittered sample; the caster adds up its own.
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
     const double share = whole / plan.points.count;
-    const LeafRegion region{part_of(cell.square, n, i), {}, true};
+    const LeafRegion region{cell.square.part(static_cast<int>(n), static_cast<int>(i)), {}, true};
     state_->add_leaf(cell, first + i, share, region);
     if (traced) {
       const glm::vec2 at = root.place(points_[plan.points.first + i]);

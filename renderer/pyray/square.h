@@ -23,6 +23,11 @@ struct Square {
     const float h = 0.5f * side;
     return {(i & 1) ? u + h : u, (i & 2) ? v + h : v, h};
   }
+  /// Returns part `i` of a grid of n x n parts: left to right, then top to bottom.
+  [[nodiscard]] Square part(int n, int i) const {
+    const float h = side / static_cast<float>(n);
+    return {u + static_cast<float>(i % n) * h, v + static_cast<float>(i / n) * h, h};
+  }
 };
 
 /// A straight piece of a boundary in a root frame: u, v and the nearness (see FramePoint) are
