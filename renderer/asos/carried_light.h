@@ -32,7 +32,7 @@ class CarriedLight {
   std::vector<double> brightest_;           // largest contribution by each light; at most white
   std::vector<std::size_t> part_of_light_;  // its number, or none
   std::size_t parts_ = 0;
-  Recycled<LitBatch> point_;
+  Recycled<ShadingPoints> point_;
   std::vector<float> worth_;  // at one place
   std::vector<float> most_;   // at any
 };

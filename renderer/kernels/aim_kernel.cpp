@@ -29,7 +29,7 @@ HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes
 }
 
 template <LightConstants::Shape shape>
-void aim_at(const LitBatch& points, const LightConstants& light, const ArcPlaces& arc,
+void aim_at(const ShadingPoints& points, const LightConstants& light, const ArcPlaces& arc,
             const LightPlaceBatch& places, AimedBy by, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
@@ -57,7 +57,7 @@ void aim_at(const LitBatch& points, const LightConstants& light, const ArcPlaces
   }
 }
 
-void aim(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
+void aim(const ShadingPoints& points, const LightConstants& light, const LightPlaceBatch& places,
          AimedBy by, ShadowRayBatch& rays) {
   using Shape = LightConstants::Shape;
   rays.count = 0;
@@ -94,8 +94,8 @@ namespace asos {
 
 HWY_EXPORT(aim);
 
-void aim_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
-               AimedBy by, ShadowRayBatch& rays) {
+void aim_batch(const ShadingPoints& points, const LightConstants& light,
+               const LightPlaceBatch& places, AimedBy by, ShadowRayBatch& rays) {
   HWY_DYNAMIC_DISPATCH(aim)(points, light, places, by, rays);
 }
 

@@ -12,7 +12,7 @@ enum class AimedBy { irradiance, radiance };
 /// which costs less than choosing by solid angle as light samples do. The first channel of
 /// `carried` is each ray's weight, the mean over the colours; the others are not set. Rays without
 /// weight are left out. The bits do not depend on the instruction set.
-void aim_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
-               AimedBy by, ShadowRayBatch& rays);
+void aim_batch(const ShadingPoints& points, const LightConstants& light,
+               const LightPlaceBatch& places, AimedBy by, ShadowRayBatch& rays);
 
 }  // namespace asos

@@ -21,7 +21,7 @@ namespace asos::HWY_NAMESPACE {
 
 /// Up to four numbers per point; their meaning depends on the light's shape.
 struct ArcPlaces {
-  LitBatch::Floats first, second, third, fourth;
+  ShadingPoints::Floats first, second, third, fourth;
 };
 
 /// Converts 32-bit binary fractions to 0 to 1, exactly.
@@ -33,7 +33,8 @@ HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
   return hn::Add(hn::Mul(hn::PromoteTo(d, centred), hn::Set(d, 1.0 / 4294967296.0)),
                  hn::Set(d, 0.5));
 }
-HWY_INLINE Vec3<DoubleLanes> to_middle(const LitBatch& points, std::size_t i, glm::dvec3 middle) {
+HWY_INLINE Vec3<DoubleLanes> to_middle(const ShadingPoints& points, std::size_t i,
+                                       glm::dvec3 middle) {
   return broadcast(DoubleTag(), middle) - doubles(points.position, i);
 }
 
@@ -66,7 +67,7 @@ HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& 
 /// First: its solid angle, 0 where the light is sampled by area. Second: the place along half_u as
 /// 1 / (x / z)^2, with the sign of x. Third and fourth: the ends, along half_v, of the part that
 /// may be above the point's horizons, from the foot of its perpendicular.
-inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
+inline void rectangle_places(const ShadingPoints& points, const PreparedLight& light,
                              const LightPlaceBatch& places, ArcPlaces& found) {
   const DoubleTag d;
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0);
@@ -85,7 +86,7 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
     const auto x = dot(middle, x_axis), y = dot(middle, y_axis), z = dot(middle, z_axis);
     auto x0 = hn::Sub(x, u_length), x1 = hn::Add(x, u_length);
     auto y0 = hn::Sub(y, v_length), y1 = hn::Add(y, v_length);
-    for (const LitBatch::Vectors* horizon : {&points.geometric, &points.normal}) {
+    for (const ShadingPoints::Vectors* horizon : {&points.geometric, &points.normal}) {
       const Vec3<DoubleLanes> normal = doubles(*horizon, i);
       const auto nx = dot(normal, x_axis), ny = dot(normal, y_axis);
       const auto by_z = hn::Mul(z, dot(normal, z_axis));
@@ -132,7 +133,7 @@ inline void rectangle_places(const LitBatch& points, const PreparedLight& light,
 /// Samples by the angle at the point (Kulla and Fajardo 2012, "equi-angular"). First: the place
 /// along the segment from the foot of the point's perpendicular. Second: its measure. Third: the
 /// perpendicular's length.
-inline void segment_places(const LitBatch& points, const PreparedLight& light,
+inline void segment_places(const ShadingPoints& points, const PreparedLight& light,
                            const LightPlaceBatch& places, ArcPlaces& found) {
   const DoubleTag d;
   const double half = glm::length(light.half_u);
@@ -166,7 +167,7 @@ inline void segment_places(const LitBatch& points, const PreparedLight& light,
 }
 
 /// First and second: the place on a polygon that is no rectangle, relative to its centre.
-inline void polygon_places(const LitBatch& points, const PreparedLight& light,
+inline void polygon_places(const ShadingPoints& points, const PreparedLight& light,
                            const LightPlaceBatch& places, ArcPlaces& found) {
   constexpr double scale = 1.0 / 4294967296.0;
   for (std::size_t i = 0; i < points.count; ++i) {

@@ -30,7 +30,7 @@ struct ShineLanes {
   Lanes nearness;  ///< 1 / distance
   Lanes ratio;     ///< the lobe's peak relative to that of a point light's lobe
 };
-HWY_INLINE SpecularLanes specular(const LitBatch& points, const LightConstants& light,
+HWY_INLINE SpecularLanes specular(const ShadingPoints& points, const LightConstants& light,
                                   const Vectors& normal, const ShineLanes& shown, std::size_t i) {
   const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
   const Vectors to_viewer = loaded(points.to_viewer, i);
@@ -65,7 +65,7 @@ struct RayLanes {
   Vectors origin;
   Lanes t_far;
 };
-HWY_INLINE RayLanes ray_to(const LitBatch& points, const ReceiverLanes& receiver,
+HWY_INLINE RayLanes ray_to(const ShadingPoints& points, const ReceiverLanes& receiver,
                            const SampleLanes& sample, std::size_t i) {
   const auto zero = hn::Zero(FloatTag());
   const auto clear = loaded(points.clear_height, i);
@@ -139,7 +139,7 @@ struct FormLanes {
   Lanes lost;
 };
 
-/// One channel of the reflectance coefficients in LitBatch.
+/// One channel of the reflectance coefficients in ShadingPoints.
 struct ReflectanceLanes {
   Lanes diffuse, falloff, f0, f90_less_f0;
 };
@@ -155,7 +155,7 @@ HWY_INLINE Lanes carried_by(const FormLanes& form, float power, const Reflectanc
                  hn::Mul(irradiance_by(form.specular, power), hn::Mul(fresnel, shine.lobe)));
 }
 
-HWY_INLINE CarriedLanes carried_from(const LitBatch& points, const LightConstants& light,
+HWY_INLINE CarriedLanes carried_from(const ShadingPoints& points, const LightConstants& light,
                                      const ShineLanes& shown, const FormLanes& form,
                                      const LaneMask& reached, std::size_t i, ShadowRayBatch& rays) {
   const FloatTag d;

@@ -55,7 +55,7 @@ HWY_INLINE SegmentLanes clipped(const SegmentLanes& side, const Vec3<DoubleLanes
 
 /// Returns, for points from i on, the contour sum of a rectangle that horizons may cut, as
 /// polygon_form.
-inline DoubleLanes cut_form(const LitBatch& points, const std::vector<glm::dvec3>& outline,
+inline DoubleLanes cut_form(const ShadingPoints& points, const std::vector<glm::dvec3>& outline,
                             const Vec3<DoubleLanes>& normal, const Vec3<DoubleLanes>& geometric,
                             std::size_t i) {
   const DoubleTag d;
@@ -80,7 +80,8 @@ inline DoubleLanes cut_form(const LitBatch& points, const std::vector<glm::dvec3
 }
 
 /// First: the projected solid angle, as polygon_form.
-inline void rectangle_forms(const LitBatch& points, const PreparedLight& light, ArcPlaces& found) {
+inline void rectangle_forms(const ShadingPoints& points, const PreparedLight& light,
+                            ArcPlaces& found) {
   const DoubleTag d;
   const auto zero = hn::Zero(d);
   const std::vector<glm::dvec3>& outline = light.outlines.front();

@@ -6,7 +6,7 @@
 #define ASOS_KERNELS_LANES_H
 #endif
 
-#include "renderer/kernels/lit_batch.h"
+#include "renderer/kernels/shading_points.h"
 #include "renderer/kernels/simd_math.h"
 
 #include <cstddef>
@@ -25,16 +25,16 @@ HWY_INLINE Lanes all_lanes(float value) {
 HWY_INLINE Vectors all_lanes(glm::vec3 value) {
   return broadcast(FloatTag(), value);
 }
-HWY_INLINE Lanes loaded(const LitBatch::Floats& from, std::size_t i) {
+HWY_INLINE Lanes loaded(const ShadingPoints::Floats& from, std::size_t i) {
   return hn::Load(FloatTag(), &from[i]);
 }
-HWY_INLINE Vectors loaded(const LitBatch::Vectors& from, std::size_t i) {
+HWY_INLINE Vectors loaded(const ShadingPoints::Vectors& from, std::size_t i) {
   return {loaded(from.x, i), loaded(from.y, i), loaded(from.z, i)};
 }
-HWY_INLINE void store(const Lanes& value, LitBatch::Floats& to, std::size_t i) {
+HWY_INLINE void store(const Lanes& value, ShadingPoints::Floats& to, std::size_t i) {
   hn::Store(value, FloatTag(), &to[i]);
 }
-HWY_INLINE void store(const Vectors& value, LitBatch::Vectors& to, std::size_t i) {
+HWY_INLINE void store(const Vectors& value, ShadingPoints::Vectors& to, std::size_t i) {
   store(value.x, to.x, i);
   store(value.y, to.y, i);
   store(value.z, to.z, i);
@@ -47,7 +47,7 @@ HWY_INLINE DoubleLanes doubles(const float* from) {
   const hn::Rebind<float, DoubleTag> df;
   return hn::PromoteTo(DoubleTag(), hn::LoadU(df, from));
 }
-HWY_INLINE Vec3<DoubleLanes> doubles(const LitBatch::Vectors& from, std::size_t i) {
+HWY_INLINE Vec3<DoubleLanes> doubles(const ShadingPoints::Vectors& from, std::size_t i) {
   return {doubles(&from.x[i]), doubles(&from.y[i]), doubles(&from.z[i])};
 }
 HWY_INLINE void store_floats(DoubleLanes v, float* to) {

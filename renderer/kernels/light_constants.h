@@ -31,7 +31,7 @@ struct LightConstants {
   float highlight_radius = 0.0f;  ///< of the representative point in a highlight
   float thickness = 0.0f;         ///< polygon, disk
   bool two_sided = false;
-  /// Smallest LitBatch::shows_lights of reflections that contain the light; infinite: none.
+  /// Smallest ShadingPoints::shows_lights of reflections that contain the light; infinite: none.
   float shown_from = 0.0f;
   bool lambertian = true;  ///< segment
   /// The published rule: one point represents the whole light in highlights.

@@ -15,7 +15,7 @@ namespace asos::HWY_NAMESPACE {
 namespace {
 
 template <LightConstants::Shape shape>
-HWY_INLINE ShineLanes shine_of(const LitBatch& points, const LightConstants& light,
+HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants& light,
                                const Vectors& normal, const Vectors& middle,
                                const SampleLanes& sample, std::size_t i) {
   using Shape = LightConstants::Shape;
@@ -48,7 +48,7 @@ HWY_INLINE ShineLanes shine_of(const LitBatch& points, const LightConstants& lig
 }
 
 template <LightConstants::Shape shape>
-void shade_shape(const LitBatch& points, const LightConstants& light, const ArcPlaces& arc,
+void shade_shape(const ShadingPoints& points, const LightConstants& light, const ArcPlaces& arc,
                  const LightPlaceBatch& places, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
@@ -73,7 +73,7 @@ void shade_shape(const LitBatch& points, const LightConstants& light, const ArcP
 
 /// Computes the unshadowed contribution of samples of the lobe that hit the light.
 template <LightConstants::Shape shape>
-void shade_lobe_of(const LitBatch& points, const LightConstants& light, const LobeBatch& lobes,
+void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
                    const ArcPlaces& arc, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
@@ -113,7 +113,7 @@ void shade_lobe_of(const LitBatch& points, const LightConstants& light, const Lo
 
 /// Returns whether any direction hits a rectangle. Only then is its solid angle needed, which costs
 /// more.
-bool any_meets_rectangle(const LitBatch& points, const LightConstants& light,
+bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& light,
                          const LobeBatch& lobes) {
   const FloatTag d;
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
@@ -129,7 +129,7 @@ bool any_meets_rectangle(const LitBatch& points, const LightConstants& light,
   return false;
 }
 
-void shade_lobe(const LitBatch& points, const LightConstants& light, const LobeBatch& lobes,
+void shade_lobe(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
                 ShadowRayBatch& rays) {
   using Shape = LightConstants::Shape;
   rays.count = 0;
@@ -156,12 +156,12 @@ void shade_lobe(const LitBatch& points, const LightConstants& light, const LobeB
   }
 }
 
-void choose_lobes(const LitBatch& points, const LightPlaceBatch& places, LobeBatch& lobes) {
+void choose_lobes(const ShadingPoints& points, const LightPlaceBatch& places, LobeBatch& lobes) {
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(FloatTag()))
     store(lobe_direction(points, places, i), lobes.direction, i);
 }
 
-void shade_closed_form(const LitBatch& points, const LightConstants& light,
+void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
                        const LightPlaceBatch& places, ShadowRayBatch& rays) {
   constexpr auto shape = LightConstants::Shape::rectangle;
   const FloatTag d;
@@ -186,7 +186,7 @@ void shade_closed_form(const LitBatch& points, const LightConstants& light,
   }
 }
 
-void shade(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
+void shade(const ShadingPoints& points, const LightConstants& light, const LightPlaceBatch& places,
            ShadowRayBatch& rays) {
   using Shape = LightConstants::Shape;
   rays.count = 0;
@@ -227,21 +227,21 @@ HWY_EXPORT(shade_closed_form);
 HWY_EXPORT(shade_lobe);
 HWY_EXPORT(choose_lobes);
 
-void shade_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
-                 ShadowRayBatch& rays) {
+void shade_batch(const ShadingPoints& points, const LightConstants& light,
+                 const LightPlaceBatch& places, ShadowRayBatch& rays) {
   HWY_DYNAMIC_DISPATCH(shade)(points, light, places, rays);
 }
 
-void shade_unshadowed(const LitBatch& points, const LightConstants& light,
+void shade_unshadowed(const ShadingPoints& points, const LightConstants& light,
                       const LightPlaceBatch& places, ShadowRayBatch& rays) {
   HWY_DYNAMIC_DISPATCH(shade_closed_form)(points, light, places, rays);
 }
 
-void choose_lobes(const LitBatch& points, const LightPlaceBatch& places, LobeBatch& lobes) {
+void choose_lobes(const ShadingPoints& points, const LightPlaceBatch& places, LobeBatch& lobes) {
   HWY_DYNAMIC_DISPATCH(choose_lobes)(points, places, lobes);
 }
 
-void shade_lobe(const LitBatch& points, const LightConstants& light, const LobeBatch& lobes,
+void shade_lobe(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
                 ShadowRayBatch& rays) {
   HWY_DYNAMIC_DISPATCH(shade_lobe)(points, light, lobes, rays);
 }

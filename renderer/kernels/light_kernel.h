@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/kernels/light_constants.h"
-#include "renderer/kernels/lit_batch.h"
+#include "renderer/kernels/shading_points.h"
 
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace asos {
 /// The sample on a light of each point of a batch, as 32-bit binary fractions of the unit square.
 struct LightPlaceBatch {
   // A kernel may write a whole vector beyond the end.
-  static constexpr std::size_t room = LitBatch::size + 16;
+  static constexpr std::size_t room = ShadingPoints::size + 16;
   struct alignas(64) Fractions : std::array<std::uint32_t, room> {};
   Fractions u{}, v{};
 };
@@ -20,7 +20,7 @@ struct LightPlaceBatch {
 /// Shadow rays of a batch, as arrays, with the unshadowed contribution of each.
 struct ShadowRayBatch {
   // A kernel may write a whole vector beyond the end.
-  static constexpr std::size_t room = LitBatch::size + 16;
+  static constexpr std::size_t room = ShadingPoints::size + 16;
   struct alignas(64) Floats : std::array<float, room> {};
 
   std::size_t count = 0;
@@ -35,7 +35,7 @@ struct ShadowRayBatch {
 
 /// A direction of each point's lobe.
 struct LobeBatch {
-  LitBatch::Vectors direction;
+  ShadingPoints::Vectors direction;
 };
 
 /// Computes the shadow rays from points to samples of a light, as sample_light, reflected_towards
@@ -43,23 +43,23 @@ struct LobeBatch {
 /// with an area and a narrow lobe, the highlight has its weight by multiple importance sampling;
 /// shade_lobe has the rest. Rays without a contribution are left out. The bits of a point's ray
 /// depend only on the point and the light, not on its place in the batch or the instruction set.
-void shade_batch(const LitBatch& points, const LightConstants& light, const LightPlaceBatch& places,
-                 ShadowRayBatch& rays);
+void shade_batch(const ShadingPoints& points, const LightConstants& light,
+                 const LightPlaceBatch& places, ShadowRayBatch& rays);
 
 /// Computes the contribution of a rectangle that casts no shadow. The diffuse part uses the closed
 /// form of unshadowed_irradiance, and the highlight one sample. `rays` then holds contributions
 /// only.
-void shade_unshadowed(const LitBatch& points, const LightConstants& light,
+void shade_unshadowed(const ShadingPoints& points, const LightConstants& light,
                       const LightPlaceBatch& places, ShadowRayBatch& rays);
 
 /// Reflects each point's view direction at a visible normal, sampled from the GGX lobe of its
 /// roughness.
-void choose_lobes(const LitBatch& points, const LightPlaceBatch& places, LobeBatch& lobes);
+void choose_lobes(const ShadingPoints& points, const LightPlaceBatch& places, LobeBatch& lobes);
 
 /// Computes the shadow rays of lobe samples to a light with an area, each with the rest of the
 /// highlight's weight. There are none to other lights, from points with broad lobes, or by the
 /// published rule.
-void shade_lobe(const LitBatch& points, const LightConstants& light, const LobeBatch& lobes,
+void shade_lobe(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
                 ShadowRayBatch& rays);
 
 }  // namespace asos

@@ -27,7 +27,7 @@ constexpr bool has_area(LightConstants::Shape shape) {
 
 /// Selects the points whose lobe is narrow enough to be sampled and reflects a highlight of the
 /// light.
-HWY_INLINE LaneMask samples_lobe(const LitBatch& points, const LightConstants& light,
+HWY_INLINE LaneMask samples_lobe(const ShadingPoints& points, const LightConstants& light,
                                  const Vectors& normal, std::size_t i) {
   constexpr float broad = least_broad_roughness * least_broad_roughness;
   auto samples =
@@ -39,7 +39,7 @@ HWY_INLINE LaneMask samples_lobe(const LitBatch& points, const LightConstants& l
 
 /// Returns the density, by solid angle, of reflections at visible normals (Heitz 2018) in a unit
 /// direction.
-HWY_INLINE Lanes lobe_density(const LitBatch& points, const Vectors& normal,
+HWY_INLINE Lanes lobe_density(const ShadingPoints& points, const Vectors& normal,
                               const Vectors& direction, std::size_t i) {
   const auto one = all_lanes(1.0f);
   const Vectors to_viewer = loaded(points.to_viewer, i);
@@ -58,7 +58,7 @@ HWY_INLINE Lanes lobe_density(const LitBatch& points, const Vectors& normal,
 }
 
 /// Reflects the view direction at a sampled visible normal, with the point's own roughness.
-HWY_INLINE Vectors lobe_direction(const LitBatch& points, const LightPlaceBatch& places,
+HWY_INLINE Vectors lobe_direction(const ShadingPoints& points, const LightPlaceBatch& places,
                                   std::size_t i) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
@@ -170,8 +170,8 @@ HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLane
                                  const Vectors& direction, const LaneMask& met) {
   const FloatTag d;
   if (hn::AllFalse(d, met)) return met;
-  LitBatch::Vectors from, to;
-  LitBatch::Floats wanted{};
+  ShadingPoints::Vectors from, to;
+  ShadingPoints::Floats wanted{};
   store(receiver.position, from, 0);
   store(direction, to, 0);
   store(hn::IfThenElseZero(met, all_lanes(1.0f)), wanted, 0);

@@ -111,7 +111,7 @@ HWY_INLINE Lanes patch_lobe(const SightLanes& at, const SlopeLanes& lobe) {
 }
 
 /// Adds sheen_lobe where there is sheen, lane by lane, since it is rare and uses powers.
-HWY_INLINE Lanes with_sheen(const LitBatch& points, const SightLanes& at, Lanes others,
+HWY_INLINE Lanes with_sheen(const ShadingPoints& points, const SightLanes& at, Lanes others,
                             std::size_t i) {
   const FloatTag d;
   if (hn::AllFalse(d, hn::Gt(loaded(points.sheen, i), hn::Zero(d)))) return others;
@@ -130,7 +130,7 @@ HWY_INLINE Lanes with_sheen(const LitBatch& points, const SightLanes& at, Lanes 
 
 /// Returns the lobe of points from i on. It is a patch's lobe where its normals differ enough to
 /// matter.
-HWY_INLINE Lanes lobe(const LitBatch& points, const SightLanes& at, std::size_t i) {
+HWY_INLINE Lanes lobe(const ShadingPoints& points, const SightLanes& at, std::size_t i) {
   const FloatTag d;
   Lanes of_point = point_lobe(at);
   const auto turns = hn::Gt(loaded(points.turns, i), hn::Zero(d));

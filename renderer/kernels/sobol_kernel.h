@@ -17,8 +17,8 @@ class SobolBatch {
  public:
   void clear();
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// Adds a sample; a batch has at most LitBatch::size. Successive samples of a pixel share its
-  /// seeds.
+  /// Adds a sample; a batch has at most ShadingPoints::size. Successive samples of a pixel share
+  /// its seeds.
   void add(const SobolPixel& pixel, std::uint32_t index);
   /// Adds a sample of the same pixel as the last one.
   void add(std::uint32_t index) {

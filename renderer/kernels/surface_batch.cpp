@@ -2,8 +2,8 @@
 
 namespace asos {
 
-SurfacePoint surface_at(const TriangleBatch& hits, const SurfaceRest& rest, const LitBatch& points,
-                        std::uint32_t triangle, std::size_t i) {
+SurfacePoint surface_at(const TriangleBatch& hits, const SurfaceRest& rest,
+                        const ShadingPoints& points, std::uint32_t triangle, std::size_t i) {
   SurfacePoint point;
   point.position = rest.position.at(i);
   point.error = rest.error.at(i);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/kernels/lit_batch.h"
+#include "renderer/kernels/shading_points.h"
 #include "renderer/shading/surface.h"
 
 #include <glm/glm.hpp>
@@ -11,8 +11,8 @@ namespace asos {
 
 /// The triangle hits of a batch of rays, as arrays. Lanes beyond `count` are undefined.
 struct TriangleBatch {
-  using Floats = LitBatch::Floats;
-  using Vectors = LitBatch::Vectors;
+  using Floats = ShadingPoints::Floats;
+  using Vectors = ShadingPoints::Vectors;
 
   std::size_t count = 0;
   Vectors corner_0, corner_1, corner_2;
@@ -32,24 +32,24 @@ struct TriangleBatch {
   }
 };
 
-/// Fields of SurfacePoint that LitBatch lacks.
+/// Fields of SurfacePoint that ShadingPoints lacks.
 struct SurfaceRest {
-  LitBatch::Vectors position, geometric;  ///< of the triangle
-  LitBatch::Vectors lift, smooth_normal;
-  LitBatch::Vectors error;
-  LitBatch::Floats extent{};
-  LitBatch::Floats normal_side{};  ///< -1 where the interpolated normal was negated; else 1
-  LitBatch::Floats right_b1{}, right_b2{}, down_b1{}, down_b2{};  ///< of the Footprint
+  ShadingPoints::Vectors position, geometric;  ///< of the triangle
+  ShadingPoints::Vectors lift, smooth_normal;
+  ShadingPoints::Vectors error;
+  ShadingPoints::Floats extent{};
+  ShadingPoints::Floats normal_side{};  ///< -1 where the interpolated normal was negated; else 1
+  ShadingPoints::Floats right_b1{}, right_b2{}, down_b1{}, down_b2{};  ///< of the Footprint
 };
 
 /// Fields of SurfaceMaterial, for lit opaque surfaces.
 struct MaterialBatch {
-  LitBatch::Vectors base_color;
-  LitBatch::Vectors f0;
-  LitBatch::Floats f90{}, roughness{}, metallic{};
-  LitBatch::Floats dielectric_f0{}, dielectric_f90{};
-  LitBatch::Floats occlusion{};
-  LitBatch::Vectors specular, ambient;  ///< outputs, as in ViewedMaterial
+  ShadingPoints::Vectors base_color;
+  ShadingPoints::Vectors f0;
+  ShadingPoints::Floats f90{}, roughness{}, metallic{};
+  ShadingPoints::Floats dielectric_f0{}, dielectric_f90{};
+  ShadingPoints::Floats occlusion{};
+  ShadingPoints::Vectors specular, ambient;  ///< outputs, as in ViewedMaterial
 
   void set(std::size_t i, const SurfaceMaterial& material) {
     base_color.set(i, material.base_color);
@@ -73,7 +73,7 @@ struct MaterialBatch {
   return footprint;
 }
 [[nodiscard]] SurfacePoint surface_at(const TriangleBatch& hits, const SurfaceRest& rest,
-                                      const LitBatch& points, std::uint32_t triangle,
+                                      const ShadingPoints& points, std::uint32_t triangle,
                                       std::size_t i);
 
 }  // namespace asos

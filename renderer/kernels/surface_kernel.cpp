@@ -43,7 +43,7 @@ HWY_INLINE LaneMask finite(Lanes value) {
 
 /// Computes the geometric normals, not yet turned to the viewer. Uses double precision, because the
 /// cross product of a sliver cancels badly and shadows depend on the normal.
-void find_geometric_normals(const TriangleBatch& hits, LitBatch& points) {
+void find_geometric_normals(const TriangleBatch& hits, ShadingPoints& points) {
   const DoubleTag d;
   for (std::size_t i = 0; i < hits.count; i += hn::Lanes(d)) {
     const auto p0 = doubles(hits.corner_0, i);
@@ -131,7 +131,7 @@ HWY_INLINE Vectors turn_along(const Lanes& b1, const Lanes& b2, const Vectors& b
 /// Computes, for points from i on, the position, its error, the height that clears the surface, and
 /// the least distance to which the surface extends. Needs find_geometric_normals first.
 HWY_INLINE void place_points(const TriangleBatch& hits, const Weights& w, const Vectors& geometric,
-                             SurfaceRest& rest, LitBatch& points, std::size_t i) {
+                             SurfaceRest& rest, ShadingPoints& points, std::size_t i) {
   const Vectors p0 = loaded(hits.corner_0, i), p1 = loaded(hits.corner_1, i),
                 p2 = loaded(hits.corner_2, i);
   const Vectors w0 = scaled(w.b0, p0), w1 = scaled(w.b1, p1), w2 = scaled(w.b2, p2);
@@ -201,8 +201,8 @@ HWY_INLINE Vectors height_of_smooth(const TriangleBatch& hits, const Weights& w,
 /// Moves points from i on to the smooth surface, after place_points. The triangle's normal is
 /// replaced by that of the horizon.
 HWY_INLINE void lift_points(const TriangleBatch& hits, const Weights& w, const Vectors& geometric,
-                            const Vectors& normal, Lanes side, SurfaceRest& rest, LitBatch& points,
-                            std::size_t i) {
+                            const Vectors& normal, Lanes side, SurfaceRest& rest,
+                            ShadingPoints& points, std::size_t i) {
   const auto zero = hn::Zero(FloatTag());
   const Vectors none{zero, zero, zero};
   const Vectors lift = height_of_smooth(hits, w, geometric, side, loaded(rest.extent, i), i);
@@ -219,7 +219,7 @@ HWY_INLINE void lift_points(const TriangleBatch& hits, const Weights& w, const V
 /// Computes the patches of points from i on, where they matter.
 HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spacing,
                               const Vectors& geometric, const SmoothLanes& smooth,
-                              SurfaceRest& rest, LitBatch& points, std::size_t i) {
+                              SurfaceRest& rest, ShadingPoints& points, std::size_t i) {
   const auto zero = hn::Zero(FloatTag());
   const Vectors none{zero, zero, zero};
   PatchLanes patch{none, none}, spread{none, none};
@@ -269,7 +269,7 @@ HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spa
 }
 
 void place(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
-           LitBatch& points) {
+           ShadingPoints& points) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   points.count = hits.count;
@@ -334,8 +334,8 @@ HWY_INLINE Lanes environment_specular(const NormLanes& norms, Lanes f0, Lanes f9
   return clamped(all, hn::Zero(FloatTag()), all_lanes(1.0f));
 }
 
-/// Stores the material of LitBatch except its diffuse part.
-HWY_INLINE void store_lobe(const Vectors& f0, Lanes f90, Lanes roughness, LitBatch& points,
+/// Stores the material of ShadingPoints except its diffuse part.
+HWY_INLINE void store_lobe(const Vectors& f0, Lanes f90, Lanes roughness, ShadingPoints& points,
                            std::size_t i) {
   const auto zero = hn::Zero(FloatTag());
   store(f0, points.f0, i);
@@ -382,7 +382,7 @@ HWY_INLINE Lanes mirroring_cosine(const Vectors& normal, const Vectors& geometri
 }
 
 bool view(const LobeNormTable& table, const SurfaceRest& rest, MaterialBatch& materials,
-          LitBatch& points) {
+          ShadingPoints& points) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   auto all_finite = true;
@@ -433,11 +433,11 @@ HWY_EXPORT(place);
 HWY_EXPORT(view);
 
 void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
-                    LitBatch& points) {
+                    ShadingPoints& points) {
   HWY_DYNAMIC_DISPATCH(place)(hits, spacing, rest, points);
 }
 
-bool view_materials(const SurfaceRest& rest, MaterialBatch& materials, LitBatch& points) {
+bool view_materials(const SurfaceRest& rest, MaterialBatch& materials, ShadingPoints& points) {
   return HWY_DYNAMIC_DISPATCH(view)(lobe_norm_table(), rest, materials, points);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/kernels/lit_batch.h"
+#include "renderer/kernels/shading_points.h"
 #include "renderer/kernels/surface_batch.h"
 #include "renderer/shading/footprint.h"
 
@@ -11,13 +11,14 @@ namespace asos {
 
 /// Computes the geometry of the points, with the bits of surface_point for a point without a normal
 /// map. `spacing` is that of the picture; null: all samples are points. Fills the geometry of
-/// LitBatch.
+/// ShadingPoints.
 void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
-                    LitBatch& points);
+                    ShadingPoints& points);
 
-/// Computes the materials as `viewed` and LitBatch::add do for one point, and fills the rest of
-/// LitBatch. No lights are visible in reflections. Returns false if any value is not finite.
+/// Computes the materials as `viewed` and ShadingPoints::add do for one point, and fills the rest
+/// of ShadingPoints. No lights are visible in reflections. Returns false if any value is not
+/// finite.
 [[nodiscard]] bool view_materials(const SurfaceRest& rest, MaterialBatch& materials,
-                                  LitBatch& points);
+                                  ShadingPoints& points);
 
 }  // namespace asos

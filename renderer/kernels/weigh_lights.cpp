@@ -237,11 +237,13 @@ void weigh_all(const LightTable& lights, const PointLanes& at, float* weights) {
 }
 
 /// Returns alpha^2 of the point's lobe, or of an isotropic lobe about as wide as its patch's.
-float alpha2_of(const LitBatch& points, std::size_t i) {
+float alpha2_of(const ShadingPoints& points, std::size_t i) {
   const float alpha = points.alpha[i];
   if (points.turns[i] == 0.0f) return alpha * alpha;
   if (points.sheen[i] > 0.0f) return 1.0f;
-  const auto square_of = [&](const LitBatch::Vectors& v) { return glm::dot(v.at(i), v.at(i)); };
+  const auto square_of = [&](const ShadingPoints::Vectors& v) {
+    return glm::dot(v.at(i), v.at(i));
+  };
   const float by_normals =
       (square_of(points.spread_right) + square_of(points.spread_down)) / 24.0f +
       points.spread_variance[i];
@@ -249,7 +251,7 @@ float alpha2_of(const LitBatch& points, std::size_t i) {
   return alpha * alpha + std::min(by_normals, PatchLobe::most_added) + by_stretch;
 }
 
-void weigh(const LightTable& lights, const LitBatch& points, std::size_t i, float* weights) {
+void weigh(const LightTable& lights, const ShadingPoints& points, std::size_t i, float* weights) {
   PointLanes at;
   at.position = all_lanes(points.position.at(i));
   at.geometric = all_lanes(points.geometric.at(i));
@@ -284,7 +286,7 @@ namespace asos {
 
 HWY_EXPORT(weigh);
 
-float weigh_lights(const LightTable& lights, const LitBatch& points, std::size_t i,
+float weigh_lights(const LightTable& lights, const ShadingPoints& points, std::size_t i,
                    std::span<float> weights) {
   HWY_DYNAMIC_DISPATCH(weigh)(lights, points, i, weights.data());
   // Add up sixteen partial sums, independent of the number of lanes.

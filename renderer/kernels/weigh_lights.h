@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/kernels/light_table.h"
-#include "renderer/kernels/lit_batch.h"
+#include "renderer/kernels/shading_points.h"
 
 #include <cstddef>
 #include <span>
@@ -15,7 +15,7 @@ namespace asos {
 /// small compared with their distance the error is 3 %. Nowhere is the estimate less than a tenth
 /// of the samples' contribution (root mean square). `weights` has room for padded_size(). Returns
 /// the sum. The bits do not depend on the instruction set.
-float weigh_lights(const LightTable& lights, const LitBatch& points, std::size_t i,
+float weigh_lights(const LightTable& lights, const ShadingPoints& points, std::size_t i,
                    std::span<float> weights);
 
 }  // namespace asos

@@ -24,8 +24,8 @@ class LightPicks {
   static constexpr float rays_a_point = 4.0f;
 
   /// Picks lights for all points. `at` is each point's random number, of 2^32.
-  void pick(const LightTable& lights, const LitBatch& points, const LightPlaceBatch::Fractions& at,
-            float a_point = rays_a_point);
+  void pick(const LightTable& lights, const ShadingPoints& points,
+            const LightPlaceBatch::Fractions& at, float a_point = rays_a_point);
 
   /// The points that picked a light of the table, ascending, with 1 / probability of each. Valid
   /// until the next call of `pick`.

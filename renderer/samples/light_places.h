@@ -32,8 +32,8 @@ class LightPlaces {
     return on_light(0x4000u + static_cast<std::uint32_t>(bounce));
   }
 
-  /// Starts a batch of at most LitBatch::size samples, which have to outlive its use. Changes the
-  /// current sample.
+  /// Starts a batch of at most ShadingPoints::size samples, which have to outlive its use. Changes
+  /// the current sample.
   virtual void start_batch(std::span<const SampleIndex> samples) = 0;
   /// Computes `on_light` of each sample of the batch, as 32-bit fractions.
   virtual void on_light(std::uint32_t light, LightPlaceBatch& places) = 0;

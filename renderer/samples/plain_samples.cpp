@@ -70,7 +70,7 @@ glm::vec3 PlainSamples::shown(glm::vec3 emission, std::uint32_t triangle) const 
   return viewer_.shader.shows_emission(viewer_.hides_lights, triangle) ? emission : glm::vec3(0.0f);
 }
 
-bool PlainSamples::shade(LitBatch& points) {
+bool PlainSamples::shade(ShadingPoints& points) {
   place_surfaces(arrays_->hits, mips_ ? &viewer_.spacing : nullptr, arrays_->rest, points);
   bool finite = true;
   for (std::size_t k = 0; k < arrays_->looked_up_count; ++k) {
@@ -82,7 +82,7 @@ bool PlainSamples::shade(LitBatch& points) {
   return view_materials(arrays_->rest, arrays_->materials, points) && finite;
 }
 
-void PlainSamples::look_up_material(std::size_t i, LitBatch& points) {
+void PlainSamples::look_up_material(std::size_t i, ShadingPoints& points) {
   const PlainMaterial& plain = *arrays_->material[i];
   const Hit& hit = arrays_->hit[i];
   const MipChains* mips = arrays_->hits.side[i] > 0.0f ? mips_ : nullptr;
@@ -99,7 +99,7 @@ void PlainSamples::look_up_material(std::size_t i, LitBatch& points) {
   arrays_->emission[i] = shown(found.emission, hit.triangle);
 }
 
-bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& points,
+bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& points,
                            LightTransport& transport, RenderStatistics& counts) const {
   const float roughness = arrays_->materials.roughness[i];
   const SurfacePoint point =
@@ -111,7 +111,8 @@ bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, LitBatch& point
   return true;
 }
 
-glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const {
+glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const ShadingPoints& points,
+                                       bool mirrors) const {
   const glm::vec3 specular = mirrors ? glm::vec3(0.0f) : arrays_->materials.specular.at(i);
   const glm::vec3 ambient = arrays_->materials.ambient.at(i);
   const float roughness = arrays_->materials.roughness[i];
@@ -126,7 +127,7 @@ glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const LitBatch& points, bo
          reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
 }
 
-ViewedMaterial PlainSamples::viewed_material(std::size_t i, const LitBatch& points) const {
+ViewedMaterial PlainSamples::viewed_material(std::size_t i, const ShadingPoints& points) const {
   const glm::vec3 f0 = points.f0.at(i);
   ViewedMaterial seen{};
   seen.diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
@@ -138,7 +139,7 @@ ViewedMaterial PlainSamples::viewed_material(std::size_t i, const LitBatch& poin
   return seen;
 }
 
-void PlainSamples::add_sky(std::size_t i, const LitBatch& points, bool mirrors,
+void PlainSamples::add_sky(std::size_t i, const ShadingPoints& points, bool mirrors,
                            LightTransport& transport, RenderStatistics& counts) const {
   const ViewedMaterial seen = viewed_material(i, points);
   const SurfacePoint point =

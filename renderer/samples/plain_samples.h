@@ -38,7 +38,7 @@ class PlainSamples {
   [[nodiscard]] const std::optional<glm::vec3>& background() const { return background_; }
 
   /// Computes the points. Returns false if any is not finite; then none is valid.
-  [[nodiscard]] bool shade(LitBatch& points);
+  [[nodiscard]] bool shade(ShadingPoints& points);
 
   // The following are for point i of the batch, after `shade`.
 
@@ -48,15 +48,16 @@ class PlainSamples {
            (arrays_->materials.roughness[i] <= roughest_mirror_ || arrays_->material[i]->own_dfr);
   }
   /// Follows its reflection, as Shader::reflect does, and records that in `points`.
-  [[nodiscard]] bool reflect(std::size_t i, const ViewedRay& seen, LitBatch& points,
+  [[nodiscard]] bool reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& points,
                              LightTransport& transport, RenderStatistics& counts) const;
   /// Returns its radiance without lights and reflections. If it `mirrors`, the sky contributes only
   /// diffusely.
-  [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const LitBatch& points, bool mirrors) const;
+  [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const ShadingPoints& points,
+                                         bool mirrors) const;
   /// Returns its own emission.
   [[nodiscard]] glm::vec3 emission(std::size_t i) const { return arrays_->emission[i]; }
   /// Adds a ray to the sky or its occluder through `transport`.
-  void add_sky(std::size_t i, const LitBatch& points, bool mirrors, LightTransport& transport,
+  void add_sky(std::size_t i, const ShadingPoints& points, bool mirrors, LightTransport& transport,
                RenderStatistics& counts) const;
 
  private:
@@ -66,15 +67,15 @@ class PlainSamples {
     TriangleBatch hits;
     SurfaceRest rest;
     MaterialBatch materials;
-    std::array<glm::vec3, LitBatch::size> emission;
-    std::array<const PlainMaterial*, LitBatch::size> material;
-    std::array<Hit, LitBatch::size> hit;
-    std::array<std::size_t, LitBatch::size> index;
-    std::array<std::size_t, LitBatch::size> looked_up;  // points whose materials are looked up
+    std::array<glm::vec3, ShadingPoints::size> emission;
+    std::array<const PlainMaterial*, ShadingPoints::size> material;
+    std::array<Hit, ShadingPoints::size> hit;
+    std::array<std::size_t, ShadingPoints::size> index;
+    std::array<std::size_t, ShadingPoints::size> looked_up;  // points whose materials are looked up
     std::size_t looked_up_count = 0;
   };
-  [[nodiscard]] ViewedMaterial viewed_material(std::size_t i, const LitBatch& points) const;
-  void look_up_material(std::size_t i, LitBatch& points);
+  [[nodiscard]] ViewedMaterial viewed_material(std::size_t i, const ShadingPoints& points) const;
+  void look_up_material(std::size_t i, ShadingPoints& points);
 
   const World& world_;
   std::uint32_t triangles_;

@@ -269,7 +269,7 @@ void SampleSums::gather_lobes() {
     OneLobeSample transport(reflections_, shader, sample);
     reflect(seen_by(i, sample.side), transport);
   };
-  LitBatch& points = lights_.first_points().points;
+  ShadingPoints& points = lights_.first_points().points;
   const bool plain = plain_.count() > 0 && plain_.shade(points);
   for (std::size_t k = 0; k < plain_.count(); ++k) {
     if (!plain) {

@@ -13,7 +13,7 @@ namespace {
 constexpr int lobe_of_picks = 0x1000;
 static_assert(lobe_of_picks != lobe_of_sky);
 
-bool any_glossy(const LitBatch& points) {
+bool any_glossy(const ShadingPoints& points) {
   constexpr float broad = least_broad_roughness * least_broad_roughness;
   return std::any_of(points.alpha.begin(), points.alpha.begin() + points.count,
                      [](float alpha) { return alpha < broad; });
@@ -111,10 +111,10 @@ std::uint32_t SampledLights::pick_place() const {
 TakenLights SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
                                   const SampleShare& share) {
   prepare(point.lights, point.shadows);
-  const std::size_t batch = points_ / LitBatch::size;
+  const std::size_t batch = points_ / ShadingPoints::size;
   if (batch == batches_.size()) batches_.push_back(Recycler<Gathered>::make());
   Gathered& gathered = *batches_[batch];
-  const std::size_t i = points_++ % LitBatch::size;
+  const std::size_t i = points_++ % ShadingPoints::size;
   gathered.points.count = i;
   gathered.points.add(point, share.weight);
   gathered.samples[i] = sample;
@@ -131,9 +131,9 @@ void SampledLights::forget_since(const Waiting& then) {
 
 void SampledLights::trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
   work_ = Recycler<Work>::make();
-  for (std::size_t first = 0; first < points_; first += LitBatch::size) {
-    Gathered& batch = *batches_[first / LitBatch::size];
-    batch.points.count = std::min(LitBatch::size, points_ - first);
+  for (std::size_t first = 0; first < points_; first += ShadingPoints::size) {
+    Gathered& batch = *batches_[first / ShadingPoints::size];
+    batch.points.count = std::min(ShadingPoints::size, points_ - first);
     trace(batch, sums, counts);
   }
   points_ = 0;
@@ -182,7 +182,7 @@ void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>&
   picks.pick(many_, batch.points, batch.picks, rays_a_point_);
   // A pixel's rays to a light use its first places on that light, which are well distributed
   // together.
-  std::array<std::uint32_t, LitBatch::size> first_of_pixel;
+  std::array<std::uint32_t, ShadingPoints::size> first_of_pixel;
   for (std::uint32_t p = 0; p < batch.points.count; ++p) {
     const bool same = p > 0 && batch.samples[p].same_pixel(batch.samples[p - 1]);
     first_of_pixel[p] = same ? first_of_pixel[p - 1] : p;
@@ -235,7 +235,7 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
 // few of them.
 void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums,
                                 RenderStatistics& counts) {
-  const LitBatch& points = batch.points;
+  const ShadingPoints& points = batch.points;
   if (!any_glossy(points)) return;
   places_->on_light(place_in_lobe, on_light_);
   choose_lobes(points, on_light_, lobe_);
@@ -252,7 +252,7 @@ void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& 
 void SampledLights::trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
                           std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
   if (rays.count + rays.rejected == 0) return;
-  shares_.assign(LitBatch::size, glm::vec3(1.0f));
+  shares_.assign(ShadingPoints::size, glm::vec3(1.0f));
   if (sends_rays(light)) {
     counts.count_shadow_ray(light, rays.count + rays.rejected);
     trace_shadows(rays, lights_[light].light->own_part);

@@ -53,9 +53,9 @@ class SampledLights {
 
   /// Points, with the samples to which they belong.
   struct Gathered {
-    LitBatch points;
-    std::array<SampleIndex, LitBatch::size> samples;
-    std::array<std::size_t, LitBatch::size> targets;
+    ShadingPoints points;
+    std::array<SampleIndex, ShadingPoints::size> samples;
+    std::array<std::size_t, ShadingPoints::size> targets;
     LightPlaceBatch::Fractions picks;  ///< pick_place of each point, if lights are selected
   };
   /// Prepares the lights' data, which is the same for all points of a picture. Has no effect after
@@ -144,7 +144,7 @@ class SampledLights {
   struct Work {
     ShadowRayBatch rays;
     LightPicks picks;
-    LitBatch picked;
+    ShadingPoints picked;
     LightPlaceBatch places;
   };
   Recycled<Work> work_;  // while rays are traced

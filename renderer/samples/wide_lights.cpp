@@ -11,7 +11,7 @@ namespace asos {
 namespace {
 
 // Returns whether most points have highlights much brighter than their diffuse reflection.
-bool most_shine(const LitBatch& points) {
+bool most_shine(const ShadingPoints& points) {
   constexpr float broad = least_broad_roughness * least_broad_roughness;
   constexpr float by_far = 2.0f;
   std::size_t shining = 0;
@@ -25,7 +25,7 @@ bool most_shine(const LitBatch& points) {
 }
 
 // Returns whether the light is wider than the lobe at the batch's central point.
-bool wider_than_lobe(const PreparedLight& light, const LitBatch& points) {
+bool wider_than_lobe(const PreparedLight& light, const ShadingPoints& points) {
   if (!light.extended() || light.rule != LightRule::physical) return false;
   const std::size_t i = points.count / 2;
   const glm::vec3 mirrored = glm::reflect(-points.to_viewer.at(i), points.normal.at(i));
@@ -87,7 +87,7 @@ void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
   }
 }
 
-void WideLights::find(const LitBatch& points, std::span<const LightConstants> lights,
+void WideLights::find(const ShadingPoints& points, std::span<const LightConstants> lights,
                       std::span<const std::uint8_t> asked, LightPlaces& places) {
   wide_.clear();
   if (asked.empty() || !most_shine(points)) return;
@@ -103,7 +103,7 @@ void WideLights::find(const LitBatch& points, std::span<const LightConstants> li
     choose_lobes(points, part_of_places(k, points.count), work_->lobes[k]);
 }
 
-std::span<const ShadowRayBatch> WideLights::shade(const LitBatch& points,
+std::span<const ShadowRayBatch> WideLights::shade(const ShadingPoints& points,
                                                   std::span<const SampleIndex> samples,
                                                   std::uint32_t light,
                                                   const LightConstants& constants,

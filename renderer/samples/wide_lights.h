@@ -32,13 +32,13 @@ class WideLights {
   /// Selects the lights for this method among those with a non-zero entry in `asked`. These are the
   /// lights wider than the lobe at the batch's central point, if most points have strong
   /// highlights.
-  void find(const LitBatch& points, std::span<const LightConstants> lights,
+  void find(const ShadingPoints& points, std::span<const LightConstants> lights,
             std::span<const std::uint8_t> asked, LightPlaces& places);
   [[nodiscard]] bool holds(std::size_t light) const { return !wide_.empty() && wide_[light] != 0; }
 
   /// Returns the points' rays to a place, and along the lobe, with their contributions for all
   /// candidates. `samples` belong to the points. Valid until the next call.
-  [[nodiscard]] std::span<const ShadowRayBatch> shade(const LitBatch& points,
+  [[nodiscard]] std::span<const ShadowRayBatch> shade(const ShadingPoints& points,
                                                       std::span<const SampleIndex> samples,
                                                       std::uint32_t light,
                                                       const LightConstants& constants,

@@ -24,8 +24,9 @@ void LitPatch::start(const ShadowContext& block, const ShadowQuery& query) {
   by_ = by_lobe ? AimedBy::radiance : AimedBy::irradiance;
 }
 
-const LitBatch& LitPatch::look(const ShadowContext& block, const ShadowQuery& query,
-                               std::uint32_t first, std::uint32_t end, RenderStatistics& counts) {
+const ShadingPoints& LitPatch::look(const ShadowContext& block, const ShadowQuery& query,
+                                    std::uint32_t first, std::uint32_t end,
+                                    RenderStatistics& counts) {
   const SurfacePoint& point = query.lit.point;
   points_.count = 0;
   numbers_.clear();

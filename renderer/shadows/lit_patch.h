@@ -3,7 +3,7 @@
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/frame.h"
 #include "renderer/kernels/aim_kernel.h"
-#include "renderer/kernels/lit_batch.h"
+#include "renderer/kernels/shading_points.h"
 #include "renderer/kernels/sobol_kernel.h"
 #include "renderer/shading/surface.h"
 
@@ -26,10 +26,10 @@ class LitPatch {
   /// Must be called before the leaf or light changes.
   void start(const ShadowContext& block, const ShadowQuery& query);
 
-  /// Returns those of the points `first` to `end` - 1, at most LitBatch::size of them, that lie on
-  /// the patch.
-  const LitBatch& look(const ShadowContext& block, const ShadowQuery& query, std::uint32_t first,
-                       std::uint32_t end, RenderStatistics& counts);
+  /// Returns those of the points `first` to `end` - 1, at most ShadingPoints::size of them, that
+  /// lie on the patch.
+  const ShadingPoints& look(const ShadowContext& block, const ShadowQuery& query,
+                            std::uint32_t first, std::uint32_t end, RenderStatistics& counts);
   /// Returns the weight of rays from the points.
   [[nodiscard]] AimedBy aimed_by() const { return by_; }
   /// Returns the points' places on a light.
@@ -42,7 +42,7 @@ class LitPatch {
 
   std::optional<SobolPixel> sobol_;
   AimedBy by_ = AimedBy::irradiance;
-  LitBatch points_;
+  ShadingPoints points_;
   SobolBatch numbers_;
   LightPlaceBatch on_light_;
   SobolPixelPlaces on_pixel_;

@@ -25,7 +25,7 @@ constexpr double rays_for_one = 4.0;
 // Largest number of points drawn per requested ray. Where parts and lights fill less of their
 // bounding boxes, the result uses fewer rays.
 constexpr std::uint32_t most_points_a_ray = 16;
-constexpr std::uint32_t most_at_a_time = LitBatch::size;
+constexpr std::uint32_t most_at_a_time = ShadingPoints::size;
 
 // Returns the light's constants, with its power scaled so that sums are safe.
 LightConstants constants_of(const PreparedLight& light) {
@@ -70,7 +70,7 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
     while (found.count() < wanted && drawn < most_points_a_ray * wanted) {
       const std::uint32_t first = drawn;
       drawn += std::min(wanted - found.count(), most_at_a_time);
-      const LitBatch& points = patch.look(block, query, first, drawn, counts);
+      const ShadingPoints& points = patch.look(block, query, first, drawn, counts);
       if (points.count == 0) continue;
       aim_batch(points, constants, patch.on_light(query.lit.index), patch.aimed_by(), sampled.rays);
       sampled.trace(block.scene->rays, light.own_part);

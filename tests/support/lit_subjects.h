@@ -109,7 +109,7 @@ struct LitSubject {
 /// A batch whose size is not a multiple of any vector width, with its points.
 struct LitSubjects {
   std::vector<LitSubject> subjects;
-  LitBatch points;
+  ShadingPoints points;
   LightPlaceBatch places;
 
   LitSubjects(std::uint64_t seed, double scale, glm::dvec3 offset) {

@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(By, AimKernel, testing::Values(AimedBy::irradiance, Aim
 TEST(RepeatedPoint, HasNoSheenThatAnotherHad) {
   const auto& [scale, offset] = scales[0];
   const LitSubjects subjects(7, scale, offset);
-  LitBatch used;
+  ShadingPoints used;
   int without = 0;
   for (const LitSubject& subject : subjects.subjects) {
     const LitPoint lit = subject.lit();
@@ -168,12 +168,12 @@ TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
     constexpr std::uint32_t rounds = 64;
     double sum = 0.0;
     for (std::uint32_t round = 0; round < rounds; ++round) {
-      LitBatch points;
+      ShadingPoints points;
       LightPlaceBatch places;
       points.add(point);
-      points.repeat_first(LitBatch::size, false);
-      for (std::uint32_t i = 0; i < LitBatch::size; ++i) {
-        const auto index = round * static_cast<std::uint32_t>(LitBatch::size) + i;
+      points.repeat_first(ShadingPoints::size, false);
+      for (std::uint32_t i = 0; i < ShadingPoints::size; ++i) {
+        const auto index = round * static_cast<std::uint32_t>(ShadingPoints::size) + i;
         places.u[i] = owen_scramble(sobol_bits(0, index), 1);
         places.v[i] = owen_scramble(sobol_bits(1, index), 2);
       }
@@ -184,7 +184,7 @@ TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
     const double exact =
         static_cast<double>(unshadowed_irradiance(light, receiver_at(point)).x / light.power.x);
     ASSERT_GT(exact, 0.0);
-    EXPECT_NEAR(sum / (rounds * LitBatch::size), exact, 1e-3 * exact);
+    EXPECT_NEAR(sum / (rounds * ShadingPoints::size), exact, 1e-3 * exact);
   }
 }
 

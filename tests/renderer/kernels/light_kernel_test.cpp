@@ -155,9 +155,9 @@ Means means_of(const PreparedLight& light, const LitSubject& s) {
   Means means;
   const LightConstants constants(light);
   for (int round = 0; round < rounds; ++round) {
-    LitBatch points;
+    ShadingPoints points;
     LightPlaceBatch places;
-    for (std::uint32_t i = 0; i < LitBatch::size; ++i) {
+    for (std::uint32_t i = 0; i < ShadingPoints::size; ++i) {
       const auto index = static_cast<std::uint32_t>(round) * 256u + i;
       points.add(s.lit(), glm::vec3(1.0f));
       places.u[i] = owen_scramble(sobol_bits(0, index), 1);
@@ -173,8 +173,8 @@ Means means_of(const PreparedLight& light, const LitSubject& s) {
     for (std::size_t i = 0; i < rays.count; ++i)
       means.by_lobe += static_cast<double>(rays.carried[0][i]);
   }
-  means.both = (means.both + means.by_lobe) / (rounds * LitBatch::size);
-  means.by_lobe /= rounds * LitBatch::size;
+  means.both = (means.both + means.by_lobe) / (rounds * ShadingPoints::size);
+  means.by_lobe /= rounds * ShadingPoints::size;
   return means;
 }
 
@@ -284,7 +284,7 @@ TEST(LightKernel, APointsRayDoesNotDependOnItsPlaceInTheBatch) {
     shade_batch(batch.points, LightConstants(light.prepared), batch.places, all);
     for (std::size_t k = 0; k < all.count; k += 13) {
       const std::size_t i = all.point[k];
-      LitBatch one;
+      ShadingPoints one;
       one.add(batch.subjects[i].lit(), glm::vec3(1.0f));
       LightPlaceBatch places;
       places.u[0] = batch.places.u[i];
@@ -306,7 +306,7 @@ TEST(LightKernel, WhatIsNotFiniteIsCountedAndLeftOut) {
   s.point->position = {0, 0, 0};
   s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
   s.share = glm::vec3(std::numeric_limits<float>::infinity());
-  LitBatch points;
+  ShadingPoints points;
   points.add(s.lit(), glm::vec3(1.0f));
   ShadowRayBatch rays;
   shade_batch(points, LightConstants(light), {}, rays);
@@ -321,7 +321,7 @@ TEST(LightKernel, AtTheVeryPlaceOfALightNothingArrives) {
     if (!light.prepared.extended() || light.prepared.shape == PreparedLight::Shape::sun ||
         light.prepared.shape == PreparedLight::Shape::ball)
       continue;
-    LitBatch points;
+    ShadingPoints points;
     LitSubject s = subject(space, 1, 1.0, {0, 0, 0});
     s.point->position = glm::vec3(light.prepared.position);
     points.add(s.lit(), glm::vec3(1.0f));

@@ -19,7 +19,8 @@ TEST(SobolKernel, PlacesOnLightsAreTheOnesOfThePixelsOneByOne) {
     SobolBatch batch;
     std::vector<std::pair<SobolPixel, std::uint32_t>> samples;
     // Runs of all lengths, and indices beyond the precomputed table.
-    for (int run = 1; samples.size() + static_cast<std::size_t>(run) <= LitBatch::size; ++run) {
+    for (int run = 1; samples.size() + static_cast<std::size_t>(run) <= ShadingPoints::size;
+         ++run) {
       const SobolPixel pixel(run, 3 * run, 7);
       for (int i = 0; i < run; ++i) {
         const std::uint32_t index = static_cast<std::uint32_t>(i) * (run % 3 == 0 ? 977u : 1u);

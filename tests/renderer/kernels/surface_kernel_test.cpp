@@ -110,7 +110,7 @@ struct Subjects {
 
 struct Found {
   SurfaceRest rest;
-  LitBatch points;
+  ShadingPoints points;
   MaterialBatch materials;
 };
 
@@ -183,8 +183,8 @@ TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
     found->materials.set(i, materials.back());
   }
   EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
-  const auto one = std::make_unique<LitBatch>();
-  const LitBatch& points = found->points;
+  const auto one = std::make_unique<ShadingPoints>();
+  const ShadingPoints& points = found->points;
   double sum = 0.0;
   for (std::size_t i = 0; i < points_of_a_batch; ++i) {
     SCOPED_TRACE(i);
@@ -236,10 +236,10 @@ TEST(SurfaceKernel, WhatIsNotFiniteIsNoticed) {
   EXPECT_FALSE(view_materials(found->rest, found->materials, found->points));
 }
 
-void append(std::vector<std::uint32_t>& bits, const LitBatch::Floats& of, std::size_t count) {
+void append(std::vector<std::uint32_t>& bits, const ShadingPoints::Floats& of, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) bits.push_back(std::bit_cast<std::uint32_t>(of[i]));
 }
-void append(std::vector<std::uint32_t>& bits, const LitBatch::Vectors& of, std::size_t count) {
+void append(std::vector<std::uint32_t>& bits, const ShadingPoints::Vectors& of, std::size_t count) {
   append(bits, of.x, count);
   append(bits, of.y, count);
   append(bits, of.z, count);
@@ -256,13 +256,13 @@ TEST(SurfaceKernel, AllInstructionSetsGiveTheSameBits) {
       found->materials.set(i, random_material(space, i));
     EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
     std::vector<std::uint32_t> bits;
-    const LitBatch& p = found->points;
+    const ShadingPoints& p = found->points;
     const SurfaceRest& r = found->rest;
-    for (const LitBatch::Vectors* v : std::initializer_list<const LitBatch::Vectors*>{
+    for (const ShadingPoints::Vectors* v : std::initializer_list<const ShadingPoints::Vectors*>{
              &p.position, &p.geometric, &p.normal, &p.to_viewer, &p.diffuse, &p.f0, &p.f90_less_f0,
              &p.patch_right, &p.patch_down, &found->materials.specular, &r.error})
       append(bits, *v, p.count);
-    for (const LitBatch::Floats* f :
+    for (const ShadingPoints::Floats* f :
          {&p.clear_height, &p.to_edge, &p.n_dot_v, &p.alpha, &p.turns, &p.viewer_nearness,
           &r.extent, &r.normal_side, &r.right_b1, &r.right_b2, &r.down_b1, &r.down_b2})
       append(bits, *f, p.count);

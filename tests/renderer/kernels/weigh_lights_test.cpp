@@ -28,7 +28,7 @@ struct Table {
     for (const NamedLight& light : lights) constants.emplace_back(light.prepared);
     for (std::uint32_t i = 0; i < constants.size(); ++i) table.add(constants[i], i);
   }
-  [[nodiscard]] std::vector<float> weights(const LitBatch& points, std::size_t i) const {
+  [[nodiscard]] std::vector<float> weights(const ShadingPoints& points, std::size_t i) const {
     std::vector<float> weights(table.padded_size(), -1.0f);
     sum_ = weigh_lights(table, points, i, weights);
     return weights;
@@ -123,7 +123,7 @@ TEST(WeighLights, IsTheIrradianceOfSmallLights) {
   s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
   s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, {0, 1, 0}, 1.0f});
   s.material.diffuse = glm::vec3(1.0f);
-  LitBatch points;
+  ShadingPoints points;
   points.add(s.lit(), glm::vec3(1.0f));
   const std::vector<NamedLight> all = lights(1.0, {0, 0, 0});
   const Table table(all);
@@ -147,7 +147,7 @@ TEST(WeighLights, UsesTheNearPartOfLargeLights) {
   s.point->shading_normal = s.point->geometric_normal = {0, 1, 0};
   s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, {0, 1, 0}, 1.0f});
   s.material.diffuse = glm::vec3(1.0f);
-  LitBatch points;
+  ShadingPoints points;
   points.add(s.lit(), glm::vec3(1.0f));
   for (const double length : {1.0, 10.0, 100.0}) {
     for (const double below : {0.0, 5.0}) {

@@ -52,7 +52,7 @@ class Picked : public testing::Test {
   std::vector<PreparedLight> prepared_;
   std::vector<LightConstants> constants_;
   LightTable table_;
-  std::unique_ptr<LitBatch> points_ = std::make_unique<LitBatch>();
+  std::unique_ptr<ShadingPoints> points_ = std::make_unique<ShadingPoints>();
   std::unique_ptr<LightPlaceBatch> numbers_ = std::make_unique<LightPlaceBatch>();
   LightPicks picks_;
 };

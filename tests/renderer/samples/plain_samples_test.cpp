@@ -36,7 +36,7 @@ class OnePoint final : public LightTransport {
     return true;
   }
 
-  std::unique_ptr<LitBatch> lit = std::make_unique<LitBatch>();
+  std::unique_ptr<ShadingPoints> lit = std::make_unique<ShadingPoints>();
   glm::vec3 width{-1.0f};
   bool mirrors = false;
 };
@@ -77,7 +77,7 @@ class Comparison {
       for (std::size_t i = 0; i < hits.size(); ++i)
         all.alone += hits[i].valid() && !plain.add(i, rays[i], hits[i], 0.25f);
       if (plain.count() == 0) continue;
-      const auto points = std::make_unique<LitBatch>();
+      const auto points = std::make_unique<ShadingPoints>();
       EXPECT_TRUE(plain.shade(*points));
       for (std::size_t i = 0; i < plain.count(); ++i) {
         SCOPED_TRACE("pixel " + std::to_string(plain.index(i)) + ", " + std::to_string(y));
@@ -91,8 +91,8 @@ class Comparison {
  private:
   static constexpr int side = 48;
 
-  void compare(const PlainSamples& plain, LitBatch& points, std::size_t i, const ViewedRay& seen,
-               Compared& all) const {
+  void compare(const PlainSamples& plain, ShadingPoints& points, std::size_t i,
+               const ViewedRay& seen, Compared& all) const {
     RenderStatistics counts;
     OnePoint expected, found;
     const glm::vec3 radiance = shader_->radiance(seen, expected, counts);
@@ -101,7 +101,7 @@ class Comparison {
     EXPECT_LT(off(found.width, expected.width), tolerance);
     EXPECT_LT(off(plain.unlit_radiance(i, points, mirrors), radiance), tolerance);
     ASSERT_EQ(expected.lit->count, 1u);
-    const LitBatch& one = *expected.lit;
+    const ShadingPoints& one = *expected.lit;
     EXPECT_EQ(points.position.at(i), one.position.at(0));
     EXPECT_EQ(points.geometric.at(i), one.geometric.at(0));
     EXPECT_LT(off(points.normal.at(i), one.normal.at(0)), tolerance);

@@ -13,7 +13,7 @@ namespace asos {
 
 /// Shading points as arrays, as many as a kernel processes at a time. Holds the data of LitPoint.
 /// Lanes beyond `count` are undefined.
-struct LitBatch {
+struct ShadingPoints {
   static constexpr std::size_t size = 256;  ///< a multiple of the lanes of all processors
 
   struct alignas(64) Floats : std::array<float, size> {};
@@ -55,7 +55,7 @@ struct LitBatch {
   /// Fills the batch with `times` copies of its first point, at most `size`.
   void repeat_first(std::size_t times, bool with_material);
   /// Copies the points of another batch with these indices, fewer than `size`.
-  void gather(const LitBatch& from, std::span<const std::uint32_t> indices);
+  void gather(const ShadingPoints& from, std::span<const std::uint32_t> indices);
   void set_mirrored(std::size_t i, MirroredLights shown) {
     shows_lights[i] = static_cast<float>(shown);
   }

@@ -1,4 +1,4 @@
-#include "renderer/kernels/lit_batch.h"
+#include "renderer/kernels/shading_points.h"
 
 #include <algorithm>
 #include <numbers>
@@ -13,41 +13,43 @@ enum class Told { place, material, turning_lobe };
 /// `last`.
 template <typename Work>
 void for_each_field(Told last, Work work) {
-  work(&LitBatch::position), work(&LitBatch::geometric), work(&LitBatch::normal);
-  work(&LitBatch::clear_height), work(&LitBatch::to_edge), work(&LitBatch::turns);
+  work(&ShadingPoints::position), work(&ShadingPoints::geometric), work(&ShadingPoints::normal);
+  work(&ShadingPoints::clear_height), work(&ShadingPoints::to_edge), work(&ShadingPoints::turns);
   if (last == Told::place) return;
-  for (const auto field :
-       {&LitBatch::to_viewer, &LitBatch::diffuse, &LitBatch::f0, &LitBatch::f90_less_f0})
+  for (const auto field : {&ShadingPoints::to_viewer, &ShadingPoints::diffuse, &ShadingPoints::f0,
+                           &ShadingPoints::f90_less_f0})
     work(field);
-  for (const auto field : {&LitBatch::n_dot_v, &LitBatch::falloff, &LitBatch::alpha,
-                           &LitBatch::shows_lights, &LitBatch::sheen})
+  for (const auto field : {&ShadingPoints::n_dot_v, &ShadingPoints::falloff, &ShadingPoints::alpha,
+                           &ShadingPoints::shows_lights, &ShadingPoints::sheen})
     work(field);
   if (last == Told::material) return;
-  for (const auto field : {&LitBatch::stretch, &LitBatch::patch_right, &LitBatch::patch_down,
-                           &LitBatch::spread_right, &LitBatch::spread_down})
+  for (const auto field :
+       {&ShadingPoints::stretch, &ShadingPoints::patch_right, &ShadingPoints::patch_down,
+        &ShadingPoints::spread_right, &ShadingPoints::spread_down})
     work(field);
-  for (const auto field : {&LitBatch::viewer_nearness, &LitBatch::spread_variance}) work(field);
+  for (const auto field : {&ShadingPoints::viewer_nearness, &ShadingPoints::spread_variance})
+    work(field);
 }
 
-void repeat(LitBatch::Floats& values, std::size_t times) {
+void repeat(ShadingPoints::Floats& values, std::size_t times) {
   std::fill_n(values.begin() + 1, times - 1, values[0]);
 }
-void repeat(LitBatch::Vectors& values, std::size_t times) {
-  for (LitBatch::Floats* axis : {&values.x, &values.y, &values.z}) repeat(*axis, times);
+void repeat(ShadingPoints::Vectors& values, std::size_t times) {
+  for (ShadingPoints::Floats* axis : {&values.x, &values.y, &values.z}) repeat(*axis, times);
 }
 
-void take(const LitBatch::Floats& from, std::span<const std::uint32_t> indices,
-          LitBatch::Floats& taken) {
+void take(const ShadingPoints::Floats& from, std::span<const std::uint32_t> indices,
+          ShadingPoints::Floats& taken) {
   for (std::size_t k = 0; k < indices.size(); ++k) taken[k] = from[indices[k]];
 }
-void take(const LitBatch::Vectors& from, std::span<const std::uint32_t> indices,
-          LitBatch::Vectors& taken) {
+void take(const ShadingPoints::Vectors& from, std::span<const std::uint32_t> indices,
+          ShadingPoints::Vectors& taken) {
   for (std::size_t k = 0; k < indices.size(); ++k) taken.set(k, from.at(indices[k]));
 }
 
 }  // namespace
 
-void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
+void ShadingPoints::add(const LitPoint& lit, glm::vec3 weight) {
   const std::size_t i = count;
   const SurfacePoint& point = lit.view.point;
   const ViewedMaterial& material = lit.material;
@@ -79,7 +81,7 @@ void LitBatch::add(const LitPoint& lit, glm::vec3 weight) {
   spread_variance[i] = point.spread.variance;
 }
 
-void LitBatch::add(const SurfacePoint& point) {
+void ShadingPoints::add(const SurfacePoint& point) {
   const std::size_t i = count++;
   position.set(i, point.lit_position());
   geometric.set(i, point.horizon());
@@ -89,7 +91,7 @@ void LitBatch::add(const SurfacePoint& point) {
   turns[i] = 0.0f;
 }
 
-void LitBatch::repeat_first(std::size_t times, bool with_material) {
+void ShadingPoints::repeat_first(std::size_t times, bool with_material) {
   count = times;
   const Told last = !with_material     ? Told::place
                     : turns[0] != 0.0f ? Told::turning_lobe
@@ -97,7 +99,7 @@ void LitBatch::repeat_first(std::size_t times, bool with_material) {
   for_each_field(last, [&](auto field) { repeat(this->*field, times); });
 }
 
-void LitBatch::gather(const LitBatch& from, std::span<const std::uint32_t> indices) {
+void ShadingPoints::gather(const ShadingPoints& from, std::span<const std::uint32_t> indices) {
   count = indices.size();
   const bool any_turns = std::any_of(indices.begin(), indices.end(),
                                      [&](std::uint32_t i) { return from.turns[i] != 0.0f; });
