@@ -133,8 +133,7 @@ std::shared_ptr<const RenderScene> assembled(RenderScene parts) {
   SceneNeeds own = parts.geometry->needs;
   own.mirrors = needs_mirrors(parts.world(), *parts.materials);
   parts.needs = own.with(parts.lighting->needs).with(parts.forced);
-  parts.plain =
-      std::make_shared<const PlainMaterials>(parts.world(), parts.needs, *parts.materials);
+  parts.plain = std::make_shared<const SimdMaterials>(parts.world(), parts.needs, *parts.materials);
   return std::make_shared<const RenderScene>(std::move(parts));
 }
 

@@ -4,8 +4,8 @@
 #include "renderer/prepared/geometry.h"
 #include "renderer/result.h"
 #include "renderer/settings/settings.h"
-#include "renderer/shading/plain_materials.h"
 #include "renderer/shading/shade.h"
+#include "renderer/shading/simd_materials.h"
 #include "renderer/world/needs.h"
 #include "renderer/world/world.h"
 
@@ -26,7 +26,7 @@ struct RenderScene {
   std::shared_ptr<const MaterialDfrs> materials;  ///< their defocusing ratios, which can be edited
   std::shared_ptr<const Lighting> lighting;
   std::shared_ptr<const Lighting> own_lighting;  ///< as the scene was prepared, before any edit
-  std::shared_ptr<const PlainMaterials> plain;   ///< compact materials for batches of points
+  std::shared_ptr<const SimdMaterials> plain;    ///< compact materials for batches of points
   SceneNeeds forced;                             ///< see prepare
   SceneNeeds needs;                              ///< those of all parts, and what was forced
   /// It while the shutter is open (`exposed`). Null: not made; edits of the scene drop it.

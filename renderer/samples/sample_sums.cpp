@@ -115,7 +115,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
       lights_(scene.rays(), places),
       reflections_(scene.world(), places),
       bounced_(scene, viewer_.shader, places),
-      plain_(scene, viewer_),
+      simd_(scene, viewer_),
       faces_(culling_of(settings)),
       radiance_(totals ? totals->radiance : own_.radiance),
       count_(totals ? totals->count : own_.count),
@@ -132,7 +132,7 @@ SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
       lights_(scene.rays(), places),
       reflections_(scene.world(), places),
       bounced_(scene, viewer_.shader, places),
-      plain_(scene, viewer_),
+      simd_(scene, viewer_),
       faces_(culling_of(settings)),
       shows_(shows),
       radiance_(own_.radiance),
@@ -144,7 +144,7 @@ SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
 
 void SampleSums::widen_colours(float times) {
   colours_ = times;
-  plain_.widen_colours(times);
+  simd_.widen_colours(times);
 }
 
 bool SampleSums::add_moving(const PointSample& sample) {
@@ -253,12 +253,12 @@ void SampleSums::widen_footprints() {
 
 // Collects the lobes' reflections at the hits of the waiting samples.
 void SampleSums::gather_lobes() {
-  plain_.clear();
+  simd_.clear();
   std::size_t alone = 0;
   for (std::size_t i = 0; i < used_; ++i) {
     hit_[samples_[i].target] = hits_[i];
     ++count_[samples_[i].target];
-    if (hits_[i].valid() && !plain_.add(i, rays_[i], hits_[i], samples_[i].side))
+    if (hits_[i].valid() && !simd_.add(i, rays_[i], hits_[i], samples_[i].side))
       alone_[alone++] = i;
   }
   const Shader& shader = viewer_.shader;
@@ -270,13 +270,13 @@ void SampleSums::gather_lobes() {
     reflect(seen_by(i, sample.side), transport);
   };
   ShadingPoints& points = lights_.first_points().points;
-  const bool plain = plain_.count() > 0 && plain_.shade(points);
-  for (std::size_t k = 0; k < plain_.count(); ++k) {
+  const bool plain = simd_.count() > 0 && simd_.shade(points);
+  for (std::size_t k = 0; k < simd_.count(); ++k) {
     if (!plain) {
-      alone_[alone++] = plain_.index(k);
-    } else if (plain_.may_mirror(k)) {
-      gather(plain_.index(k), [&](const ViewedRay& seen, OneLobeSample& transport) {
-        (void)plain_.reflect(k, seen, points, transport, statistics_);
+      alone_[alone++] = simd_.index(k);
+    } else if (simd_.may_mirror(k)) {
+      gather(simd_.index(k), [&](const ViewedRay& seen, OneLobeSample& transport) {
+        (void)simd_.reflect(k, seen, points, transport, statistics_);
       });
     }
   }
@@ -289,20 +289,20 @@ void SampleSums::gather_lobes() {
 
 // Shades the hits of the waiting samples.
 void SampleSums::shade_batch() {
-  plain_.clear();
+  simd_.clear();
   std::size_t alone = 0;
   for (std::size_t i = 0; i < used_; ++i) {
     hit_[samples_[i].target] = hits_[i];
-    if (plain_.add(i, rays_[i], hits_[i], samples_[i].side)) continue;
-    if (!hits_[i].valid() && plain_.background()) {
-      radiance_[samples_[i].target] += glm::dvec3(*plain_.background());
+    if (simd_.add(i, rays_[i], hits_[i], samples_[i].side)) continue;
+    if (!hits_[i].valid() && simd_.background()) {
+      radiance_[samples_[i].target] += glm::dvec3(*simd_.background());
       ++count_[samples_[i].target];
     } else {
       alone_[alone++] = i;
     }
   }
-  if (plain_.count() > 0 && !shade_plain()) {
-    for (std::size_t i = 0; i < plain_.count(); ++i) alone_[alone++] = plain_.index(i);
+  if (simd_.count() > 0 && !shade_plain()) {
+    for (std::size_t i = 0; i < simd_.count(); ++i) alone_[alone++] = simd_.index(i);
   }
   for (std::size_t k = 0; k < alone; ++k) {
     const PointSample& sample = samples_[alone_[k]];
@@ -315,32 +315,32 @@ void SampleSums::shade_batch() {
 // Returns false, without adding anything, if any value is not finite.
 bool SampleSums::shade_plain() {
   SampledLights::Gathered& gathered = lights_.first_points();
-  if (!plain_.shade(gathered.points)) return false;
+  if (!simd_.shade(gathered.points)) return false;
   const Shader& shader = viewer_.shader;
   lights_.prepare(shader.lights(), shader.settings().shadows);
-  lights_.gathered(plain_.count());
+  lights_.gathered(simd_.count());
   const bool sky_rays = shader.settings().sky_shadows;
-  for (std::size_t i = 0; i < plain_.count(); ++i) {
-    const std::size_t index = plain_.index(i);
+  for (std::size_t i = 0; i < simd_.count(); ++i) {
+    const std::size_t index = simd_.index(i);
     const PointSample& sample = samples_[index];
     gathered.samples[i] = {sample.x, sample.y, sample.index};
     gathered.targets[i] = sample.target;
     bool mirrors = false;
-    if (sky_rays || lights_.picks_lights() || plain_.may_mirror(i)) {
+    if (sky_rays || lights_.picks_lights() || simd_.may_mirror(i)) {
       places_->start_pixel(sample.x, sample.y);
       places_->start_sample(sample.index);
     }
     if (lights_.picks_lights()) gathered.picks[i] = lights_.pick_place();
     OneSample transport(lights_, reflections_, shader, sample, glm::vec3(1.0f));
-    if (plain_.may_mirror(i)) {
+    if (simd_.may_mirror(i)) {
       mirrors =
-          plain_.reflect(i, seen_by(index, sample.side), gathered.points, transport, statistics_);
+          simd_.reflect(i, seen_by(index, sample.side), gathered.points, transport, statistics_);
     }
     if (sky_rays) {
-      radiance_[sample.target] += glm::dvec3(plain_.emission(i));
-      plain_.add_sky(i, gathered.points, mirrors, transport, statistics_);
+      radiance_[sample.target] += glm::dvec3(simd_.emission(i));
+      simd_.add_sky(i, gathered.points, mirrors, transport, statistics_);
     } else {
-      radiance_[sample.target] += glm::dvec3(plain_.unlit_radiance(i, gathered.points, mirrors));
+      radiance_[sample.target] += glm::dvec3(simd_.unlit_radiance(i, gathered.points, mirrors));
     }
     ++count_[sample.target];
   }

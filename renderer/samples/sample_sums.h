@@ -4,10 +4,10 @@
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/bounced_light.h"
 #include "renderer/samples/layer_probe.h"
-#include "renderer/samples/plain_samples.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sampled_reflections.h"
+#include "renderer/samples/simd_samples.h"
 #include "renderer/shading/shade.h"
 
 #include <glm/glm.hpp>
@@ -155,7 +155,7 @@ class SampleSums {
   SampledLights lights_;
   SampledReflections reflections_;
   BouncedLight bounced_;
-  PlainSamples plain_;
+  SimdSamples simd_;
   Culling faces_;
   Shows shows_ = Shows::all;
   const LayerProbe* probe_ = nullptr;

@@ -10,7 +10,7 @@
 namespace asos {
 
 /// Data of a material for shading batches of points.
-struct PlainMaterial {
+struct SimdMaterial {
   SurfaceMaterial surface;  ///< without textures and vertex colours
   bool plain = false;       ///< opaque at every hit, lit, of one layer, and finite
   bool looked_up = false;   ///< textures or vertex colours change it
@@ -21,16 +21,16 @@ struct PlainMaterial {
 };
 
 /// Compact copies of the materials on a world's triangles, for the SIMD path. Immutable.
-class PlainMaterials {
+class SimdMaterials {
  public:
-  PlainMaterials(const World& world, const SceneNeeds& needs, const MaterialDfrs& dfrs);
+  SimdMaterials(const World& world, const SceneNeeds& needs, const MaterialDfrs& dfrs);
 
-  [[nodiscard]] const PlainMaterial& of(const World& world, std::uint32_t triangle) const {
+  [[nodiscard]] const SimdMaterial& of(const World& world, std::uint32_t triangle) const {
     return materials_[part_material_[world.triangle_part[triangle]]];
   }
 
  private:
-  std::vector<PlainMaterial> materials_;
+  std::vector<SimdMaterial> materials_;
   std::vector<std::uint32_t> part_material_;
 };
 

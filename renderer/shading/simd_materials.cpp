@@ -1,4 +1,4 @@
-#include "renderer/shading/plain_materials.h"
+#include "renderer/shading/simd_materials.h"
 
 #include "renderer/shading/brdf.h"
 #include "renderer/world/surface_kind.h"
@@ -15,8 +15,8 @@ bool finite(const SurfaceMaterial& m) {
   return std::isfinite(sum.x + sum.y + sum.z + m.f90 + m.metallic + m.roughness);
 }
 
-PlainMaterial plain_material(const World& world, const SceneNeeds& needs, const Material& m) {
-  PlainMaterial plain;
+SimdMaterial plain_material(const World& world, const SceneNeeds& needs, const Material& m) {
+  SimdMaterial plain;
   plain.surface = untextured_material(m, needs);
   const auto uses = texture_uses(m);
   const bool used =
@@ -34,11 +34,10 @@ PlainMaterial plain_material(const World& world, const SceneNeeds& needs, const 
 
 }  // namespace
 
-PlainMaterials::PlainMaterials(const World& world, const SceneNeeds& needs,
-                               const MaterialDfrs& dfrs) {
+SimdMaterials::SimdMaterials(const World& world, const SceneNeeds& needs,
+                             const MaterialDfrs& dfrs) {
   for (std::size_t i = 0; i < world.materials.size(); ++i) {
-    PlainMaterial& plain =
-        materials_.emplace_back(plain_material(world, needs, world.materials[i]));
+    SimdMaterial& plain = materials_.emplace_back(plain_material(world, needs, world.materials[i]));
     plain.own_dfr = i < dfrs.size() && dfrs[i].has_value();
   }
   for (const Part& part : world.parts) part_material_.push_back(part.material);

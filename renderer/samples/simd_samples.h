@@ -5,7 +5,7 @@
 #include "renderer/prepared/viewer.h"
 #include "renderer/samples/recycled.h"
 #include "renderer/samples/sampled_lights.h"
-#include "renderer/shading/plain_materials.h"
+#include "renderer/shading/simd_materials.h"
 
 #include <glm/glm.hpp>
 
@@ -18,10 +18,10 @@ namespace asos {
 
 /// The SIMD path for first hits on opaque triangles with simple materials, shaded in batches.
 /// Shader shades everything else, one point at a time, with the same result up to rounding.
-class PlainSamples {
+class SimdSamples {
  public:
   /// Both arguments have to outlive this.
-  PlainSamples(const RenderScene& scene, const Viewer& viewer);
+  SimdSamples(const RenderScene& scene, const Viewer& viewer);
 
   /// See SampleSums.
   void widen_colours(float times) { colours_ = times; }
@@ -68,7 +68,7 @@ class PlainSamples {
     SurfaceRest rest;
     MaterialBatch materials;
     std::array<glm::vec3, ShadingPoints::size> emission;
-    std::array<const PlainMaterial*, ShadingPoints::size> material;
+    std::array<const SimdMaterial*, ShadingPoints::size> material;
     std::array<Hit, ShadingPoints::size> hit;
     std::array<std::size_t, ShadingPoints::size> index;
     std::array<std::size_t, ShadingPoints::size> looked_up;  // points whose materials are looked up
@@ -80,7 +80,7 @@ class PlainSamples {
   const World& world_;
   std::uint32_t triangles_;
   const SceneNeeds& needs_;
-  const PlainMaterials& table_;
+  const SimdMaterials& table_;
   const Viewer& viewer_;
   const MipChains* mips_;
   const Sky* sky_;

@@ -1,4 +1,4 @@
-#include "renderer/samples/plain_samples.h"
+#include "renderer/samples/simd_samples.h"
 
 #include "renderer/gltf/load.h"
 #include "renderer/kernels/surface_kernel.h"
@@ -66,7 +66,7 @@ class Comparison {
 
   [[nodiscard]] Compared compare() const {
     Compared all;
-    PlainSamples plain(*scene_, *viewer_);
+    SimdSamples plain(*scene_, *viewer_);
     std::vector<Ray> rays;
     std::vector<Hit> hits(static_cast<std::size_t>(side));
     for (int y = 0; y < side; ++y) {
@@ -91,7 +91,7 @@ class Comparison {
  private:
   static constexpr int side = 48;
 
-  void compare(const PlainSamples& plain, ShadingPoints& points, std::size_t i,
+  void compare(const SimdSamples& plain, ShadingPoints& points, std::size_t i,
                const ViewedRay& seen, Compared& all) const {
     RenderStatistics counts;
     OnePoint expected, found;
@@ -133,19 +133,19 @@ class Comparison {
   std::optional<Viewer> viewer_;
 };
 
-TEST(PlainSamples, AreTheOnesShadedOneByOne) {
+TEST(SimdSamples, AreTheOnesShadedOneByOne) {
   const Compared found = Comparison("builtin:boxes", nullptr).compare();
   EXPECT_GT(found.points, 500);
   EXPECT_EQ(found.alone, 0);
 }
 
-TEST(PlainSamples, MirrorWhatShaderMirrors) {
+TEST(SimdSamples, MirrorWhatShaderMirrors) {
   const Compared found = Comparison("builtin:office-metal", nullptr).compare();
   EXPECT_GT(found.points, 500);
   EXPECT_GT(found.mirrored, 50);
 }
 
-TEST(PlainSamples, HaveTheirTexturesAndMapsOfNormals) {
+TEST(SimdSamples, HaveTheirTexturesAndMapsOfNormals) {
   for (const char* source : {"builtin:house-textured", "builtin:workshop"}) {
     SCOPED_TRACE(source);
     const Compared found = Comparison(source, nullptr).compare();
@@ -153,7 +153,7 @@ TEST(PlainSamples, HaveTheirTexturesAndMapsOfNormals) {
   }
 }
 
-TEST(PlainSamples, ReflectSkiesOfAllKinds) {
+TEST(SimdSamples, ReflectSkiesOfAllKinds) {
   for (const auto& sky :
        {std::make_shared<const Sky>(glm::vec3(0.4f, 0.6f, 1.0f)),
         std::make_shared<const Sky>(glm::vec3(0.2f, 0.5f, 1.0f), glm::vec3(0.9f, 0.9f, 0.7f))}) {

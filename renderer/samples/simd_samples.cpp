@@ -1,4 +1,4 @@
-#include "renderer/samples/plain_samples.h"
+#include "renderer/samples/simd_samples.h"
 
 #include "renderer/kernels/surface_kernel.h"
 #include "renderer/samples/sampled_lights.h"
@@ -10,7 +10,7 @@
 
 namespace asos {
 
-PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
+SimdSamples::SimdSamples(const RenderScene& scene, const Viewer& viewer)
     : world_(scene.world()),
       triangles_(static_cast<std::uint32_t>(world_.triangles.size())),
       needs_(scene.needs),
@@ -34,9 +34,9 @@ PlainSamples::PlainSamples(const RenderScene& scene, const Viewer& viewer)
   sky_radiance_ = sky_ ? sky_->radiance(any) : background_radiance;
 }
 
-bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
+bool SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
   if (!usable_ || hit.triangle >= triangles_) return false;
-  const PlainMaterial& material = table_.of(world_, hit.triangle);
+  const SimdMaterial& material = table_.of(world_, hit.triangle);
   if (!material.plain) return false;
   if (!arrays_) {
     arrays_ = Recycler<Arrays>::make();
@@ -66,11 +66,11 @@ bool PlainSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float 
   return true;
 }
 
-glm::vec3 PlainSamples::shown(glm::vec3 emission, std::uint32_t triangle) const {
+glm::vec3 SimdSamples::shown(glm::vec3 emission, std::uint32_t triangle) const {
   return viewer_.shader.shows_emission(viewer_.hides_lights, triangle) ? emission : glm::vec3(0.0f);
 }
 
-bool PlainSamples::shade(ShadingPoints& points) {
+bool SimdSamples::shade(ShadingPoints& points) {
   place_surfaces(arrays_->hits, mips_ ? &viewer_.spacing : nullptr, arrays_->rest, points);
   bool finite = true;
   for (std::size_t k = 0; k < arrays_->looked_up_count; ++k) {
@@ -82,8 +82,8 @@ bool PlainSamples::shade(ShadingPoints& points) {
   return view_materials(arrays_->rest, arrays_->materials, points) && finite;
 }
 
-void PlainSamples::look_up_material(std::size_t i, ShadingPoints& points) {
-  const PlainMaterial& plain = *arrays_->material[i];
+void SimdSamples::look_up_material(std::size_t i, ShadingPoints& points) {
+  const SimdMaterial& plain = *arrays_->material[i];
   const Hit& hit = arrays_->hit[i];
   const MipChains* mips = arrays_->hits.side[i] > 0.0f ? mips_ : nullptr;
   if (plain.normal_map) {
@@ -99,8 +99,8 @@ void PlainSamples::look_up_material(std::size_t i, ShadingPoints& points) {
   arrays_->emission[i] = shown(found.emission, hit.triangle);
 }
 
-bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& points,
-                           LightTransport& transport, RenderStatistics& counts) const {
+bool SimdSamples::reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& points,
+                          LightTransport& transport, RenderStatistics& counts) const {
   const float roughness = arrays_->materials.roughness[i];
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
@@ -111,8 +111,8 @@ bool PlainSamples::reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& 
   return true;
 }
 
-glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const ShadingPoints& points,
-                                       bool mirrors) const {
+glm::vec3 SimdSamples::unlit_radiance(std::size_t i, const ShadingPoints& points,
+                                      bool mirrors) const {
   const glm::vec3 specular = mirrors ? glm::vec3(0.0f) : arrays_->materials.specular.at(i);
   const glm::vec3 ambient = arrays_->materials.ambient.at(i);
   const float roughness = arrays_->materials.roughness[i];
@@ -127,7 +127,7 @@ glm::vec3 PlainSamples::unlit_radiance(std::size_t i, const ShadingPoints& point
          reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
 }
 
-ViewedMaterial PlainSamples::viewed_material(std::size_t i, const ShadingPoints& points) const {
+ViewedMaterial SimdSamples::viewed_material(std::size_t i, const ShadingPoints& points) const {
   const glm::vec3 f0 = points.f0.at(i);
   ViewedMaterial seen{};
   seen.diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
@@ -139,8 +139,8 @@ ViewedMaterial PlainSamples::viewed_material(std::size_t i, const ShadingPoints&
   return seen;
 }
 
-void PlainSamples::add_sky(std::size_t i, const ShadingPoints& points, bool mirrors,
-                           LightTransport& transport, RenderStatistics& counts) const {
+void SimdSamples::add_sky(std::size_t i, const ShadingPoints& points, bool mirrors,
+                          LightTransport& transport, RenderStatistics& counts) const {
   const ViewedMaterial seen = viewed_material(i, points);
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
