@@ -19,7 +19,7 @@ constexpr std::uint32_t most_points = 128;
 /// Collects the points that lights illuminate, and evaluates no light.
 class LitPoints final : public LightTransport {
  public:
-  explicit LitPoints(CarriedLight& carried) : carried_(&carried) {}
+  explicit LitPoints(UnshadowedContributions& carried) : carried_(&carried) {}
 
   TakenLights gather(const LitPoint& point) override {
     carried_->add(point);
@@ -33,7 +33,7 @@ class LitPoints final : public LightTransport {
   }
 
  private:
-  CarriedLight* carried_;
+  UnshadowedContributions* carried_;
 };
 
 // Returns the number of rays per point for lights with these contributions. No light gets two rays,

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "renderer/asos/block_queue.h"
-#include "renderer/asos/carried_light.h"
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
+#include "renderer/asos/unshadowed_contributions.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sobol_places.h"
 #include "renderer/shadows/leaf_context.h"
@@ -69,7 +69,7 @@ class WeakLights {
   const EyeContext* eye_;
   EyeSamples* samples_;
   std::vector<std::uint8_t> weak_;
-  std::optional<CarriedLight> carried_;
+  std::optional<UnshadowedContributions> carried_;
   Expected expected_;  // where the pixels' centres receive most of them
   SobolPlaces places_;
   SampledLights lights_;

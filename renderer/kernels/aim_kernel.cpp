@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "renderer/kernels/aim_kernel.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
 // Include after foreach_target.h, whose definitions these use.
-#include "renderer/kernels/carried_light.h"
+#include "renderer/kernels/unshadowed_lanes.h"
 
 #include <hwy/highway.h>
 
@@ -44,7 +44,7 @@ void aim_at(const ShadingPoints& points, const LightConstants& light, const ArcP
     if (by == AimedBy::radiance) {
       const ShineLanes shown{sample.direction, hn::Div(all_lanes(1.0f), sample.distance),
                              all_lanes(1.0f)};
-      const CarriedLanes found = carried_from(
+      const UnshadowedLanes found = carried_from(
           points, light, shown, {sample.form, sample.form, sample.form}, reached, i, rays);
       weight = hn::Mul(hn::Add(hn::Add(found.carried.x, found.carried.y), found.carried.z),
                        all_lanes(1.0f / 3.0f));

@@ -4,9 +4,9 @@
 #define HWY_TARGET_INCLUDE "renderer/kernels/light_kernel.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
 // Include after foreach_target.h, whose definitions these use.
-#include "renderer/kernels/carried_light.h"
 #include "renderer/kernels/contour_forms.h"
 #include "renderer/kernels/lobe_samples.h"
+#include "renderer/kernels/unshadowed_lanes.h"
 
 #include <hwy/highway.h>
 
@@ -102,7 +102,7 @@ void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, con
     const auto both = hn::Add(density, lobe_density(points, receiver.normal, direction, i));
     form = hn::IfThenElseZero(reached, hn::Div(form, both));
     const ShineLanes shown{direction, hn::Div(one, met.distance), one};
-    const CarriedLanes found =
+    const UnshadowedLanes found =
         carried_from(points, light, shown, {zero, form, zero}, reached, i, rays);
     if (hn::AllFalse(d, found.kept)) continue;
     append(ray_to(points, receiver, {direction, met.distance, form}, i), direction, found.kept,

@@ -13,10 +13,10 @@ namespace asos {
 
 /// The largest unshadowed contribution of each of many lights at some points of a block. It
 /// determines how many rays each light is worth. Its accuracy is that of weigh_lights.
-class CarriedLight {
+class UnshadowedContributions {
  public:
   /// The lights have to outlive this.
-  explicit CarriedLight(std::span<const PreparedLight> lights);
+  explicit UnshadowedContributions(std::span<const PreparedLight> lights);
 
   /// Forgets all points so far.
   void start();

@@ -1,4 +1,4 @@
-#include "renderer/asos/carried_light.h"
+#include "renderer/asos/unshadowed_contributions.h"
 
 #include "renderer/geometry/largest.h"
 
@@ -21,7 +21,7 @@ double brightest(const PreparedLight& light) {
 
 }  // namespace
 
-CarriedLight::CarriedLight(std::span<const PreparedLight> lights)
+UnshadowedContributions::UnshadowedContributions(std::span<const PreparedLight> lights)
     : point_(Recycler<ShadingPoints>::make()) {
   std::map<std::int32_t, std::size_t> numbers;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
@@ -37,18 +37,18 @@ CarriedLight::CarriedLight(std::span<const PreparedLight> lights)
   start();
 }
 
-void CarriedLight::start() {
+void UnshadowedContributions::start() {
   most_.assign(worth_.size(), 0.0f);
 }
 
-void CarriedLight::add(const LitPoint& point) {
+void UnshadowedContributions::add(const LitPoint& point) {
   point_->count = 0;
   point_->add(point, glm::vec3(1.0f));
   (void)weigh_lights(table_, *point_, 0, worth_);
   for (std::size_t i = 0; i < worth_.size(); ++i) most_[i] = std::max(most_[i], worth_[i]);
 }
 
-std::vector<double> CarriedLight::most() const {
+std::vector<double> UnshadowedContributions::most() const {
   std::vector<double> most(brightest_.size());
   for (std::size_t i = 0; i < most.size(); ++i)
     most[i] = std::min(brightest_[i], static_cast<double>(most_[i]));

@@ -93,7 +93,7 @@ HWY_INLINE RayLanes ray_to(const ShadingPoints& points, const ReceiverLanes& rec
 }
 
 /// The unshadowed contributions of a light to points from i on, and which of them are not zero.
-struct CarriedLanes {
+struct UnshadowedLanes {
   Vectors carried;
   LaneMask kept;
 };
@@ -114,7 +114,7 @@ HWY_INLINE void append(const RayLanes& ray, const Vectors& direction, const Lane
   store_compressed(ray.t_far, kept, rays.t_far, at);
 }
 
-HWY_INLINE void append(const CarriedLanes& found, std::size_t first, ShadowRayBatch& rays) {
+HWY_INLINE void append(const UnshadowedLanes& found, std::size_t first, ShadowRayBatch& rays) {
   const std::size_t at = rays.count;
   const auto& [carried, kept] = found;
   store_compressed(carried.x, kept, rays.carried[0], at);
@@ -155,9 +155,10 @@ HWY_INLINE Lanes carried_by(const FormLanes& form, float power, const Reflectanc
                  hn::Mul(irradiance_by(form.specular, power), hn::Mul(fresnel, shine.lobe)));
 }
 
-HWY_INLINE CarriedLanes carried_from(const ShadingPoints& points, const LightConstants& light,
-                                     const ShineLanes& shown, const FormLanes& form,
-                                     const LaneMask& reached, std::size_t i, ShadowRayBatch& rays) {
+HWY_INLINE UnshadowedLanes carried_from(const ShadingPoints& points, const LightConstants& light,
+                                        const ShineLanes& shown, const FormLanes& form,
+                                        const LaneMask& reached, std::size_t i,
+                                        ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
   const SpecularLanes shine = specular(points, light, loaded(points.normal, i), shown, i);

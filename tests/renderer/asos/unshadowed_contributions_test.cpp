@@ -1,4 +1,4 @@
-#include "renderer/asos/carried_light.h"
+#include "renderer/asos/unshadowed_contributions.h"
 
 #include "tests/support/sample_lights.h"
 
@@ -30,11 +30,11 @@ struct WhiteFloor {
 };
 
 // The maximum over the shading points; zero after start() has cleared them.
-TEST(CarriedLight, MatchesRadianceOfAWhiteFloor) {
+TEST(UnshadowedContributions, MatchesRadianceOfAWhiteFloor) {
   std::vector<Light> lights{point_light(), rectangle_light()};
   for (Light& light : lights) light.intensity = 0.2f;
   const std::vector<PreparedLight> all = prepared(lights);
-  CarriedLight carried(all);
+  UnshadowedContributions carried(all);
   const WhiteFloor far({9, 0, 0}), below({0, 0, 0});
   for (const WhiteFloor* floor : {&far, &below}) carried.add({all, floor->view, floor->material});
   const std::vector<double> most = carried.most();
@@ -49,10 +49,10 @@ TEST(CarriedLight, MatchesRadianceOfAWhiteFloor) {
 }
 
 // At most two sides of a part's faces are visible from anywhere, however many faces there are.
-TEST(CarriedLight, IsLimitedToTwoSidesOfOnePart) {
+TEST(UnshadowedContributions, IsLimitedToTwoSidesOfOnePart) {
   std::vector<PreparedLight> all = prepared(std::vector<Light>(40, rectangle_light()));
   for (PreparedLight& light : all) light.own_part = 3;
-  CarriedLight carried(all);
+  UnshadowedContributions carried(all);
   const WhiteFloor floor({0, 0, 0});
   carried.add({all, floor.view, floor.material});
   double sum = 0.0;
