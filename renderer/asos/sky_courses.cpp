@@ -1,6 +1,6 @@
 #include "renderer/asos/sky_courses.h"
 
-#include "renderer/asos/course.h"
+#include "renderer/asos/polynomial_fit.h"
 #include "renderer/geometry/bounds2.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ bool SkyCourses::choose_nodes(Cell& cell) const {
     if (std::find(cell.nodes.begin(), cell.nodes.end(), nearest) == cell.nodes.end())
       cell.nodes.push_back(nearest);
   }
-  if (cell.nodes.size() < Course::fewest) return false;
+  if (cell.nodes.size() < PolynomialFit::fewest) return false;
   // Compare the rays that all leaves need with those that the nodes need.
   cell.node_rays = rays_of_nodes(cell);
   const auto missing = [&](std::uint32_t i, std::uint32_t wanted) {
@@ -130,12 +130,12 @@ double SkyCourses::variance(std::uint32_t lit) const {
 }
 
 bool SkyCourses::tell(const Cell& cell) const {
-  std::array<KnownValue, static_cast<std::size_t>(nodes_along * nodes_along)> known;
+  std::array<NoisyValue, static_cast<std::size_t>(nodes_along * nodes_along)> known;
   for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
     const SkyLit& node = lits_[cell.nodes[k]];
     known[k] = {glm::dvec2(node.at), node.mean() / glm::dvec3(node.unit), variance(cell.nodes[k])};
   }
-  const auto course = Course::through(std::span(known).first(cell.nodes.size()));
+  const auto course = PolynomialFit::through(std::span(known).first(cell.nodes.size()));
   if (!course || course->misfit() > most_misfit) return false;
   // Compare the other leaves with the fit.
   double off = 0.0, certainty = 0.0;

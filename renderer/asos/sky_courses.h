@@ -9,9 +9,9 @@
 namespace asos {
 
 /// Shares the sky's contribution between a block's leaves on one surface. Nodes spread over the
-/// surface are sampled densely. A fit through the nodes (Course) is accepted if its misfit is
-/// within the noise of the nodes and does not contradict the few rays of the other leaves. Then all
-/// leaves use the fit. Otherwise the surface is divided, and leaves without a fit are sampled
+/// surface are sampled densely. A fit through the nodes (PolynomialFit) is accepted if its misfit
+/// is within the noise of the nodes and does not contradict the few rays of the other leaves. Then
+/// all leaves use the fit. Otherwise the surface is divided, and leaves without a fit are sampled
 /// themselves. A leaf's error is thus that of its nodes, plus a curvature below the noise.
 class SkyCourses {
  public:

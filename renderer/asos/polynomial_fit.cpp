@@ -1,4 +1,4 @@
-#include "renderer/asos/course.h"
+#include "renderer/asos/polynomial_fit.h"
 
 #include "renderer/geometry/largest.h"
 
@@ -36,27 +36,27 @@ bool solve(std::array<std::array<double, size>, size>& a, std::array<glm::dvec3,
 
 }  // namespace
 
-Course::Terms Course::terms_at(glm::dvec2 place) const {
+PolynomialFit::Terms PolynomialFit::terms_at(glm::dvec2 place) const {
   const glm::dvec2 p = (place - middle_) / scale_;
   return {1.0, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y};
 }
 
-std::optional<Course> Course::through(std::span<const KnownValue> values) {
+std::optional<PolynomialFit> PolynomialFit::through(std::span<const NoisyValue> values) {
   if (values.size() < fewest) return std::nullopt;
-  Course course;
+  PolynomialFit course;
   course.count_ = values.size() < fewest_bent ? plane_terms : most_terms;
   // Centre and scale the places, for numerical stability.
-  for (const KnownValue& known : values)
+  for (const NoisyValue& known : values)
     course.middle_ += known.at / static_cast<double>(values.size());
   double size = 0.0;
-  for (const KnownValue& known : values)
+  for (const NoisyValue& known : values)
     size = std::max(size, glm::length(known.at - course.middle_));
   if (!(size > 0.0)) return std::nullopt;
   course.scale_ = size;
 
   // Add up the normal equations.
   std::array<std::array<double, most_terms>, most_terms> products{};
-  for (const KnownValue& known : values) {
+  for (const NoisyValue& known : values) {
     const Terms terms = course.terms_at(known.at);
     for (std::size_t i = 0; i < course.count_; ++i) {
       for (std::size_t j = 0; j < course.count_; ++j)
@@ -67,7 +67,7 @@ std::optional<Course> Course::through(std::span<const KnownValue> values) {
   if (!solve(products, course.factors_, course.count_)) return std::nullopt;
 
   glm::dvec3 off(0.0);
-  for (const KnownValue& known : values) {
+  for (const NoisyValue& known : values) {
     const glm::dvec3 by = known.value - course.at(known.at);
     off += by * by / known.variance;
   }
@@ -75,7 +75,7 @@ std::optional<Course> Course::through(std::span<const KnownValue> values) {
   return course;
 }
 
-glm::dvec3 Course::at(glm::dvec2 place) const {
+glm::dvec3 PolynomialFit::at(glm::dvec2 place) const {
   const Terms terms = terms_at(place);
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < count_; ++i) sum += terms[i] * factors_[i];

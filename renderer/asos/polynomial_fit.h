@@ -10,7 +10,7 @@
 namespace asos {
 
 /// The value at one place, with its noise.
-struct KnownValue {
+struct NoisyValue {
   glm::dvec2 at{0.0};
   glm::dvec3 value{0.0};
   double variance = 1.0;  ///< variance of the noise, in each channel
@@ -18,13 +18,13 @@ struct KnownValue {
 
 /// A polynomial that fits values over a surface of a block, by least squares weighted by their
 /// noise. Its degree is 2 if there are enough values, else 1.
-class Course {
+class PolynomialFit {
  public:
   /// The fewest values for a fit of degree 1 and of degree 2. There are more values than
   /// coefficients, so that the fit can be checked. Returns nothing if the values are too few or lie
   /// on a line.
   static constexpr std::size_t fewest = 5, fewest_bent = 9;
-  [[nodiscard]] static std::optional<Course> through(std::span<const KnownValue> values);
+  [[nodiscard]] static std::optional<PolynomialFit> through(std::span<const NoisyValue> values);
 
   [[nodiscard]] glm::dvec3 at(glm::dvec2 place) const;
   /// Returns the reduced chi-squared of the fit, in the worst channel: squared residuals over the
