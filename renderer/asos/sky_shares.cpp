@@ -168,7 +168,7 @@ void SkyShares::trace_bounces() {
 
 // Returns the expected variance, from the leaf's own rays and its neighbours', and the number of
 // rays that brings the mean's error within the allowance of its weight.
-SkyCourses::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours) const {
+SkyFits::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours) const {
   if (lit.rays == 0 || (!bounces_ && !(largest(lit.sent) > 0.0))) return {};
   const double variance =
       (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
@@ -208,16 +208,16 @@ void SkyShares::expect() {
 }
 
 void SkyShares::share_surfaces() {
-  const SkyCourses courses(lit_, expected_, eye_->allowance.standard_error(1.0));
-  std::vector<SkyCourses::Cell> cells = courses.cells(), parts;
+  const SkyFits sky_fits(lit_, expected_, eye_->allowance.standard_error(1.0));
+  std::vector<SkyFits::Cell> cells = sky_fits.cells(), parts;
   while (!cells.empty()) {
-    std::erase_if(cells, [&](SkyCourses::Cell& cell) { return !courses.choose_nodes(cell); });
-    for (const SkyCourses::Cell& cell : cells)
+    std::erase_if(cells, [&](SkyFits::Cell& cell) { return !sky_fits.choose_nodes(cell); });
+    for (const SkyFits::Cell& cell : cells)
       for (const std::uint32_t node : cell.nodes) send(node, cell.node_rays);
     trace();
     parts.clear();
-    for (const SkyCourses::Cell& cell : cells)
-      if (!courses.tell(cell)) courses.divide(cell, parts);
+    for (const SkyFits::Cell& cell : cells)
+      if (!sky_fits.tell(cell)) sky_fits.divide(cell, parts);
     cells.swap(parts);
   }
 }

@@ -3,7 +3,7 @@
 #include "renderer/asos/block_queue.h"
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
-#include "renderer/asos/sky_courses.h"
+#include "renderer/asos/sky_fits.h"
 #include "renderer/asos/sky_lit.h"
 #include "renderer/geometry/bounds2.h"
 #include "renderer/pyray/square.h"
@@ -28,7 +28,7 @@ namespace asos {
 
 /// Computes the sky's contribution to the leaves of a block by rays. Their directions are well
 /// distributed over each leaf's hemisphere. Each leaf takes a few rays, then as many as the sky's
-/// contribution is worth, unless a fit through other leaves of its surface gives it (SkyCourses).
+/// contribution is worth, unless a fit through other leaves of its surface gives it (SkyFits).
 /// Rays of a plane leaf start all over the leaf, since an object on the plane may shade only a
 /// sliver of it. If the unoccluded contribution has a closed form, the rays estimate the occluded
 /// part. With bounces, each ray also returns the radiance of the occluder (BouncedLight). The rays
@@ -80,13 +80,13 @@ class SkyShares {
   void trace_bounces();
   void share_surfaces();
   void expect();
-  [[nodiscard]] SkyCourses::Expected expected(const SkyLit& lit, double of_neighbours) const;
+  [[nodiscard]] SkyFits::Expected expected(const SkyLit& lit, double of_neighbours) const;
 
   const EyeContext* eye_;
   BlockQueue queue_;
   std::vector<SkyLit> lit_;
   std::vector<BorderEdge> borders_;
-  std::vector<SkyCourses::Expected> expected_;  // one per element of `lit_`
+  std::vector<SkyFits::Expected> expected_;  // one per element of `lit_`
   Recycled<Packet> packet_ = Recycler<Packet>::make();
   // Whether occluders contribute bounced light.
   bool bounces_;

@@ -1,4 +1,4 @@
-#include "renderer/asos/sky_courses.h"
+#include "renderer/asos/sky_fits.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ class Leaves {
   }
 
   std::vector<SkyLit> lits;
-  std::vector<SkyCourses::Expected> expected;
+  std::vector<SkyFits::Expected> expected;
 };
 
 constexpr double error = 0.5 / 256.0;
@@ -52,16 +52,16 @@ double ramp(glm::vec2 at) {
 /// Gives the cell's nodes their rays. Returns whether its leaves could be interpolated.
 template <typename Value>
 bool interpolated(Leaves& leaves, Value&& value) {
-  const SkyCourses courses(leaves.lits, leaves.expected, error);
-  std::vector<SkyCourses::Cell> cells = courses.cells();
+  const SkyFits sky_fits(leaves.lits, leaves.expected, error);
+  std::vector<SkyFits::Cell> cells = sky_fits.cells();
   EXPECT_EQ(cells.size(), 1u);
-  EXPECT_TRUE(courses.choose_nodes(cells.front()));
+  EXPECT_TRUE(sky_fits.choose_nodes(cells.front()));
   for (const std::uint32_t node : cells.front().nodes)
     leaves.set_rays(node, cells.front().node_rays, value(leaves.lits[node].at));
-  return courses.tell(cells.front());
+  return sky_fits.tell(cells.front());
 }
 
-TEST(SkyCourses, InterpolateSmoothVariation) {
+TEST(SkyFits, InterpolateSmoothVariation) {
   Leaves leaves(ramp);
   ASSERT_TRUE(interpolated(leaves, ramp));
   for (const SkyLit& lit : leaves.lits) {
@@ -71,7 +71,7 @@ TEST(SkyCourses, InterpolateSmoothVariation) {
 }
 
 // A shadow's edge, which no quadratic fits.
-TEST(SkyCourses, RefuseToInterpolateAcrossAnEdge) {
+TEST(SkyFits, RefuseToInterpolateAcrossAnEdge) {
   const auto edge = [](glm::vec2 at) { return at.x + 0.3f * at.y < 0.6f ? 0.9 : 0.55; };
   Leaves leaves(edge);
   EXPECT_FALSE(interpolated(leaves, edge));
@@ -79,7 +79,7 @@ TEST(SkyCourses, RefuseToInterpolateAcrossAnEdge) {
 }
 
 // A leaf whose own rays contradict the fit is sampled instead.
-TEST(SkyCourses, ExcludeLeavesThatContradictTheFit) {
+TEST(SkyFits, ExcludeLeavesThatContradictTheFit) {
   Leaves leaves(ramp);
   const std::uint32_t odd = Leaves::side + 1;  // not a node: see choose_nodes
   leaves.set_rays(odd, 8, 0.05);
@@ -88,32 +88,32 @@ TEST(SkyCourses, ExcludeLeavesThatContradictTheFit) {
   EXPECT_TRUE(leaves.lits[odd + 1].told.has_value());
 }
 
-TEST(SkyCourses, KeepSurfacesApart) {
+TEST(SkyFits, KeepSurfacesApart) {
   Leaves leaves(ramp);
   for (std::size_t i = 0; i < leaves.lits.size() / 2; ++i) leaves.lits[i].sheet = 2;
-  const SkyCourses courses(leaves.lits, leaves.expected, error);
-  const std::vector<SkyCourses::Cell> cells = courses.cells();
+  const SkyFits sky_fits(leaves.lits, leaves.expected, error);
+  const std::vector<SkyFits::Cell> cells = sky_fits.cells();
   ASSERT_EQ(cells.size(), 2u);
   EXPECT_EQ(cells[0].lits.size() + cells[1].lits.size(), leaves.lits.size());
   // A leaf tilted by more than 25 degrees counts as another surface, too small for a cell.
   leaves.lits[0].point.shading_normal = {1, 0, 0};
-  EXPECT_EQ(courses.cells().size(), 2u);
+  EXPECT_EQ(sky_fits.cells().size(), 2u);
 }
 
-TEST(SkyCourses, ChooseNodesOnlyWhereTheySaveRays) {
+TEST(SkyFits, ChooseNodesOnlyWhereTheySaveRays) {
   Leaves leaves(ramp);
   leaves.expected.assign(leaves.lits.size(), {0.04, 8});
-  const SkyCourses courses(leaves.lits, leaves.expected, error);
-  SkyCourses::Cell cell = courses.cells().front();
-  EXPECT_FALSE(courses.choose_nodes(cell)) << "all leaves have enough rays already";
+  const SkyFits sky_fits(leaves.lits, leaves.expected, error);
+  SkyFits::Cell cell = sky_fits.cells().front();
+  EXPECT_FALSE(sky_fits.choose_nodes(cell)) << "all leaves have enough rays already";
 }
 
-TEST(SkyCourses, DivideIntoQuarters) {
+TEST(SkyFits, DivideIntoQuarters) {
   Leaves leaves(ramp);
-  const SkyCourses courses(leaves.lits, leaves.expected, error);
-  const SkyCourses::Cell cell = courses.cells().front();
-  std::vector<SkyCourses::Cell> quarters;
-  courses.divide(cell, quarters);
+  const SkyFits sky_fits(leaves.lits, leaves.expected, error);
+  const SkyFits::Cell cell = sky_fits.cells().front();
+  std::vector<SkyFits::Cell> quarters;
+  sky_fits.divide(cell, quarters);
   EXPECT_TRUE(quarters.empty()) << "nine leaves each are too few";
 }
 

@@ -13,7 +13,7 @@ namespace asos {
 /// is within the noise of the nodes and does not contradict the few rays of the other leaves. Then
 /// all leaves use the fit. Otherwise the surface is divided, and leaves without a fit are sampled
 /// themselves. A leaf's error is thus that of its nodes, plus a curvature below the noise.
-class SkyCourses {
+class SkyFits {
  public:
   /// Leaves that may share a fit.
   struct Cell {
@@ -29,7 +29,7 @@ class SkyCourses {
 
   /// `standard_error`: allowed error of a whole pixel, in display units. The spans have to outlive
   /// this.
-  SkyCourses(std::span<SkyLit> lits, std::span<const Expected> expected, double standard_error)
+  SkyFits(std::span<SkyLit> lits, std::span<const Expected> expected, double standard_error)
       : lits_(lits), expected_(expected), standard_error_(standard_error) {}
 
   /// Groups the leaves that may share, by surface.

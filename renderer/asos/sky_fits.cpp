@@ -1,4 +1,4 @@
-#include "renderer/asos/sky_courses.h"
+#include "renderer/asos/sky_fits.h"
 
 #include "renderer/asos/polynomial_fit.h"
 #include "renderer/geometry/bounds2.h"
@@ -32,7 +32,7 @@ double sum(glm::dvec3 v) {
   return v.x + v.y + v.z;
 }
 
-Bounds2 box_of(std::span<const SkyLit> lits, const SkyCourses::Cell& cell) {
+Bounds2 box_of(std::span<const SkyLit> lits, const SkyFits::Cell& cell) {
   Bounds2 box{glm::vec2(1.0f), glm::vec2(0.0f)};
   for (const std::uint32_t i : cell.lits) {
     box.lo = glm::min(box.lo, lits[i].at);
@@ -45,7 +45,7 @@ Bounds2 box_of(std::span<const SkyLit> lits, const SkyCourses::Cell& cell) {
 
 // Returns whether both belong to one connected surface, bent by 25 degrees at most, and whether the
 // line between them is not too steep, as at a step.
-bool SkyCourses::alike(const SkyLit& a, const SkyLit& b) const {
+bool SkyFits::alike(const SkyLit& a, const SkyLit& b) const {
   constexpr float least_cosine = 0.9f, steepest = 0.5f;
   if (a.sheet != b.sheet || a.mirrors != b.mirrors) return false;
   if (glm::dot(a.point.shading_normal, b.point.shading_normal) < least_cosine) return false;
@@ -53,7 +53,7 @@ bool SkyCourses::alike(const SkyLit& a, const SkyLit& b) const {
   return std::abs(glm::dot(between, a.point.geometric_normal)) <= steepest * glm::length(between);
 }
 
-std::vector<SkyCourses::Cell> SkyCourses::cells() const {
+std::vector<SkyFits::Cell> SkyFits::cells() const {
   constexpr std::size_t most_cells = 32;
   std::vector<Cell> cells;
   for (std::uint32_t i = 0; i < lits_.size(); ++i) {
@@ -76,7 +76,7 @@ std::vector<SkyCourses::Cell> SkyCourses::cells() const {
 
 // Returns the number of rays per node that brings the fit's error within the allowance of the
 // surface's part of a pixel.
-std::uint32_t SkyCourses::rays_of_nodes(const Cell& cell) const {
+std::uint32_t SkyFits::rays_of_nodes(const Cell& cell) const {
   double weight = 0.0, variance = 0.0, unit = 0.0;
   std::uint32_t roots = 0, last = ~0u;
   for (const std::uint32_t i : cell.lits) {
@@ -92,7 +92,7 @@ std::uint32_t SkyCourses::rays_of_nodes(const Cell& cell) const {
   return static_cast<std::uint32_t>(std::clamp(std::ceil(rays), 1.0, 1e4));
 }
 
-bool SkyCourses::choose_nodes(Cell& cell) const {
+bool SkyFits::choose_nodes(Cell& cell) const {
   cell.nodes.clear();
   if (cell.lits.size() < fewest_lits) return false;
   const Bounds2 box = box_of(lits_, cell);
@@ -124,12 +124,12 @@ bool SkyCourses::choose_nodes(Cell& cell) const {
 
 // Returns the variance of a node's mean, from its own rays and from an invisible deviation of the
 // fit.
-double SkyCourses::variance(std::uint32_t lit) const {
+double SkyFits::variance(std::uint32_t lit) const {
   const double unseen = 0.25 * standard_error_ / sum(glm::dvec3(lits_[lit].unit)) * 3.0;
   return SkyLit::variance_of_mean(expected_[lit].variance, lits_[lit].rays) + unseen * unseen;
 }
 
-bool SkyCourses::tell(const Cell& cell) const {
+bool SkyFits::tell(const Cell& cell) const {
   std::array<NoisyValue, static_cast<std::size_t>(nodes_along * nodes_along)> known;
   for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
     const SkyLit& node = lits_[cell.nodes[k]];
@@ -160,7 +160,7 @@ bool SkyCourses::tell(const Cell& cell) const {
   return true;
 }
 
-void SkyCourses::divide(const Cell& cell, std::vector<Cell>& quarters) const {
+void SkyFits::divide(const Cell& cell, std::vector<Cell>& quarters) const {
   const Bounds2 box = box_of(lits_, cell);
   const glm::vec2 middle = glm::mix(box.lo, box.hi, 0.5f);
   std::array<Cell, 4> parts;
