@@ -11,7 +11,7 @@
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/sample_goal.h"
 #include "renderer/asos/single_samples.h"
-#include "renderer/asos/sky_shares.h"
+#include "renderer/asos/sky_contributions.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/samples/region_sampler.h"
 #include "renderer/shadows/shadow_context.h"
@@ -76,7 +76,7 @@ class LeafShader {
   EyeSamples* samples_;
   LeafChooser* chooser_;
   WeakLights* weak_lights_;
-  SkyShares sky_;
+  SkyContributions sky_;
   LobeShares lobes_;
   SingleSamples single_;
   const ShadowContext* shadows_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/asos/eye_context.h"
-#include "renderer/asos/sky_shares.h"
+#include "renderer/asos/sky_contributions.h"
 #include "renderer/asos/weak_lights.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/shadow_context.h"
@@ -13,7 +13,8 @@ class LeafTransport final : public LightTransport {
  public:
   /// `weak_share` and `sky_share` are the numbers of the leaf's contributions.
   LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const LeafContext& leaf,
-                WeakLights& weak, std::uint32_t weak_share, SkyShares& sky, std::uint32_t sky_share)
+                WeakLights& weak, std::uint32_t weak_share, SkyContributions& sky,
+                std::uint32_t sky_share)
       : eye_(&eye),
         shadows_(&shadows),
         leaf_(&leaf),
@@ -55,7 +56,7 @@ class LeafTransport final : public LightTransport {
   const LeafContext* leaf_;
   WeakLights* weak_;
   std::uint32_t weak_share_;
-  SkyShares* sky_;
+  SkyContributions* sky_;
   std::uint32_t sky_share_;
   glm::vec3 at_once_{0.0f};
   glm::vec3 lobes_{0.0f};

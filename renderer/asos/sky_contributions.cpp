@@ -1,4 +1,4 @@
-#include "renderer/asos/sky_shares.h"
+#include "renderer/asos/sky_contributions.h"
 
 #include "renderer/asos/open_sky.h"
 #include "renderer/geometry/finite.h"
@@ -42,7 +42,7 @@ struct ErrorSums {
 
 }  // namespace
 
-SkyShares::SkyShares(const EyeContext& eye)
+SkyContributions::SkyContributions(const EyeContext& eye)
     : eye_(&eye),
       bounces_(eye.viewer.shader.settings().bounces),
       places_(eye.seed),
@@ -51,17 +51,18 @@ SkyShares::SkyShares(const EyeContext& eye)
   packet_->count = 0;
 }
 
-std::uint32_t SkyShares::start(std::uint32_t root, SampleId sample, double weight) {
+std::uint32_t SkyContributions::start(std::uint32_t root, SampleId sample, double weight) {
   return queue_.add(root, sample, weight);
 }
 
 // Returns the leaf's own Sobol sequence.
-SobolPixel SkyShares::leaf_places(const SkyLit& lit) const {
+SobolPixel SkyContributions::leaf_places(const SkyLit& lit) const {
   return {static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
           static_cast<std::uint32_t>(eye_->seed)};
 }
 
-void SkyShares::add(std::uint32_t number, const SkyLitPoint& point, const LeafContext& leaf) {
+void SkyContributions::add(std::uint32_t number, const SkyLitPoint& point,
+                           const LeafContext& leaf) {
   SkyLit& lit = lit_.emplace_back();
   lit.share = number;
   lit.root = queue_[number].root;
@@ -89,14 +90,15 @@ void SkyShares::add(std::uint32_t number, const SkyLitPoint& point, const LeafCo
   lit.unit = bounces_ ? point.share * (point.material.diffuse + specular) : lit.open;
 }
 
-glm::vec3 SkyShares::at_once(const SkyLitPoint& point, const LeafContext& leaf) {
+glm::vec3 SkyContributions::at_once(const SkyLitPoint& point, const LeafContext& leaf) {
   add(start(0, 0, leaf.weight), point, leaf);
   return glm::vec3(run().front().radiance / leaf.weight);
 }
 
 // Returns where the next ray of a plane leaf starts, relative to its sample: at any place in its
 // region, whose bounding rectangle is `box`.
-glm::vec3 SkyShares::beside(const SkyLit& lit, const Bounds2& box, const SobolPixel& leaf) const {
+glm::vec3 SkyContributions::beside(const SkyLit& lit, const Bounds2& box,
+                                   const SobolPixel& leaf) const {
   constexpr std::uint32_t tries = 8;
   if (!lit.flat) return glm::vec3(0.0f);
   const LeafRegion all = region(lit);
@@ -112,7 +114,7 @@ glm::vec3 SkyShares::beside(const SkyLit& lit, const Bounds2& box, const SobolPi
 }
 
 // Sends the rays of a surface up to number `end`.
-void SkyShares::send(std::size_t index, std::uint32_t end) {
+void SkyContributions::send(std::size_t index, std::uint32_t end) {
   SkyLit& lit = lit_[index];
   if (lit.rays >= end) return;
   const ViewedPoint view{lit.point, lit.to_viewer, lit.n_dot_v};
@@ -138,7 +140,7 @@ void SkyShares::send(std::size_t index, std::uint32_t end) {
   }
 }
 
-void SkyShares::trace() {
+void SkyContributions::trace() {
   if (bounces_) return trace_bounces();
   Packet& packet = *packet_;
   const std::size_t count = std::exchange(packet.count, 0);
@@ -149,7 +151,7 @@ void SkyShares::trace() {
 }
 
 // A ray's bounced radiance replaces the sky's. Each ray is summed by itself, for the variance.
-void SkyShares::trace_bounces() {
+void SkyContributions::trace_bounces() {
   const std::size_t count = std::exchange(packet_->count, 0);
   sky_rays_.clear();
   for (std::size_t i = 0; i < count; ++i) {
@@ -168,7 +170,7 @@ void SkyShares::trace_bounces() {
 
 // Returns the expected variance, from the leaf's own rays and its neighbours', and the number of
 // rays that brings the mean's error within the allowance of its weight.
-SkyFits::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours) const {
+SkyFits::Expected SkyContributions::expected(const SkyLit& lit, double of_neighbours) const {
   if (lit.rays == 0 || (!bounces_ && !(largest(lit.sent) > 0.0))) return {};
   const double variance =
       (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
@@ -181,7 +183,7 @@ SkyFits::Expected SkyShares::expected(const SkyLit& lit, double of_neighbours) c
 
 // Neighbouring pixels see almost the same part of the sky, and the whole block a similar one. The
 // block starts with one half-occluded ray as its prior.
-void SkyShares::expect() {
+void SkyContributions::expect() {
   const int side = std::max(1, static_cast<int>(std::lround(1.0f / eye_->root_side())));
   const auto place = [&](const SkyLit& lit) {
     return glm::clamp(glm::ivec2(lit.at * static_cast<float>(side)), 0, side - 1);
@@ -207,7 +209,7 @@ void SkyShares::expect() {
   }
 }
 
-void SkyShares::share_surfaces() {
+void SkyContributions::share_surfaces() {
   const SkyFits sky_fits(lit_, expected_, eye_->allowance.standard_error(1.0));
   std::vector<SkyFits::Cell> cells = sky_fits.cells(), parts;
   while (!cells.empty()) {
@@ -222,7 +224,7 @@ void SkyShares::share_surfaces() {
   }
 }
 
-std::span<const Contribution> SkyShares::run() {
+std::span<const Contribution> SkyContributions::run() {
   for (std::size_t i = 0; i < lit_.size(); ++i) {
     const auto part = static_cast<std::uint32_t>(first_rays * lit_[i].weight);
     if (held(lit_[i])) send(i, std::bit_ceil(std::max(fewest_rays, part)));

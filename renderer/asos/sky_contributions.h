@@ -33,12 +33,12 @@ namespace asos {
 /// sliver of it. If the unoccluded contribution has a closed form, the rays estimate the occluded
 /// part. With bounces, each ray also returns the radiance of the occluder (BouncedLight). The rays
 /// of all leaves share packets.
-class SkyShares {
+class SkyContributions {
  public:
   /// `eye` has to outlive this.
-  explicit SkyShares(const EyeContext& eye);
-  SkyShares(const SkyShares&) = delete;
-  SkyShares& operator=(const SkyShares&) = delete;
+  explicit SkyContributions(const EyeContext& eye);
+  SkyContributions(const SkyContributions&) = delete;
+  SkyContributions& operator=(const SkyContributions&) = delete;
 
   /// Begins the sky's contribution to a leaf and returns its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
