@@ -56,14 +56,14 @@ std::uint32_t SkyContributions::start(std::uint32_t root, SampleId sample, doubl
 }
 
 // Returns the leaf's own Sobol sequence.
-SobolPixel SkyContributions::leaf_places(const SkyLit& lit) const {
+SobolPixel SkyContributions::leaf_places(const SkyLeaf& lit) const {
   return {static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
           static_cast<std::uint32_t>(eye_->seed)};
 }
 
 void SkyContributions::add(std::uint32_t number, const SkyLitPoint& point,
                            const LeafContext& leaf) {
-  SkyLit& lit = lit_.emplace_back();
+  SkyLeaf& lit = lit_.emplace_back();
   lit.share = number;
   lit.root = queue_[number].root;
   lit.weight = queue_[number].weight;
@@ -97,7 +97,7 @@ glm::vec3 SkyContributions::at_once(const SkyLitPoint& point, const LeafContext&
 
 // Returns where the next ray of a plane leaf starts, relative to its sample: at any place in its
 // region, whose bounding rectangle is `box`.
-glm::vec3 SkyContributions::beside(const SkyLit& lit, const Bounds2& box,
+glm::vec3 SkyContributions::beside(const SkyLeaf& lit, const Bounds2& box,
                                    const SobolPixel& leaf) const {
   constexpr std::uint32_t tries = 8;
   if (!lit.flat) return glm::vec3(0.0f);
@@ -115,7 +115,7 @@ glm::vec3 SkyContributions::beside(const SkyLit& lit, const Bounds2& box,
 
 // Sends the rays of a surface up to number `end`.
 void SkyContributions::send(std::size_t index, std::uint32_t end) {
-  SkyLit& lit = lit_[index];
+  SkyLeaf& lit = lit_[index];
   if (lit.rays >= end) return;
   const ViewedPoint view{lit.point, lit.to_viewer, lit.n_dot_v};
   const SkySampler sampler(lit.lit_point(view));
@@ -170,13 +170,13 @@ void SkyContributions::trace_bounces() {
 
 // Returns the expected variance, from the leaf's own rays and its neighbours', and the number of
 // rays that brings the mean's error within the allowance of its weight.
-SkyFits::Expected SkyContributions::expected(const SkyLit& lit, double of_neighbours) const {
+SkyFits::Expected SkyContributions::expected(const SkyLeaf& lit, double of_neighbours) const {
   if (lit.rays == 0 || (!bounces_ && !(largest(lit.sent) > 0.0))) return {};
   const double variance =
       (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
   const double unit = std::min(1.0, static_cast<double>(largest(lit.unit)));
   const double error = eye_->allowance.standard_error(lit.weight) / unit;
-  const double rays = SkyLit::rays_for(variance, error * error);
+  const double rays = SkyLeaf::rays_for(variance, error * error);
   const double most = std::min(eye_->allowance.most_samples(lit.weight), double{most_rays});
   return {variance, std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, most)))};
 }
@@ -185,20 +185,20 @@ SkyFits::Expected SkyContributions::expected(const SkyLit& lit, double of_neighb
 // block starts with one half-occluded ray as its prior.
 void SkyContributions::expect() {
   const int side = std::max(1, static_cast<int>(std::lround(1.0f / eye_->root_side())));
-  const auto place = [&](const SkyLit& lit) {
+  const auto place = [&](const SkyLeaf& lit) {
     return glm::clamp(glm::ivec2(lit.at * static_cast<float>(side)), 0, side - 1);
   };
   const auto index = [side](int x, int y) { return static_cast<std::size_t>(y * side + x); };
   ErrorSums block{1.0, 0.5, 0.5};
   std::vector<ErrorSums> pixels(index(0, side));
-  for (const SkyLit& lit : lit_) {
+  for (const SkyLeaf& lit : lit_) {
     const glm::ivec2 at = place(lit);
     const ErrorSums sums{static_cast<double>(lit.rays), lit.error, lit.error2};
     block += sums;
     pixels[index(at.x, at.y)] += sums;
   }
   expected_.clear();
-  for (const SkyLit& lit : lit_) {
+  for (const SkyLeaf& lit : lit_) {
     const glm::ivec2 at = place(lit);
     const double rays = rays_of_block / block.rays;
     ErrorSums around{rays * block.rays, rays * block.error, rays * block.error2};
@@ -235,7 +235,7 @@ std::span<const Contribution> SkyContributions::run() {
   for (std::size_t i = 0; i < lit_.size(); ++i)
     if (held(lit_[i]) && !lit_[i].told) send(i, expected_[i].rays);
   trace();
-  for (const SkyLit& lit : lit_) {
+  for (const SkyLeaf& lit : lit_) {
     if (!held(lit)) continue;
     Contribution& found = queue_[lit.share];
     found.radiance += found.weight * lit.mean();

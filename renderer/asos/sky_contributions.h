@@ -4,7 +4,7 @@
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/sky_fits.h"
-#include "renderer/asos/sky_lit.h"
+#include "renderer/asos/sky_leaf.h"
 #include "renderer/geometry/bounds2.h"
 #include "renderer/pyray/square.h"
 #include "renderer/samples/bounced_light.h"
@@ -68,23 +68,23 @@ class SkyContributions {
     std::array<Sent, size> sent;
     std::array<glm::vec3, size> passed;
   };
-  [[nodiscard]] bool held(const SkyLit& lit) const { return !queue_[lit.share].dropped; }
-  [[nodiscard]] SobolPixel leaf_places(const SkyLit& lit) const;
-  [[nodiscard]] LeafRegion region(const SkyLit& lit) const {
+  [[nodiscard]] bool held(const SkyLeaf& lit) const { return !queue_[lit.share].dropped; }
+  [[nodiscard]] SobolPixel leaf_places(const SkyLeaf& lit) const;
+  [[nodiscard]] LeafRegion region(const SkyLeaf& lit) const {
     return {lit.square, std::span(borders_).subspan(lit.first_edge, lit.edges)};
   }
-  [[nodiscard]] glm::vec3 beside(const SkyLit& lit, const Bounds2& box,
+  [[nodiscard]] glm::vec3 beside(const SkyLeaf& lit, const Bounds2& box,
                                  const SobolPixel& leaf) const;
   void send(std::size_t index, std::uint32_t end);
   void trace();
   void trace_bounces();
   void share_surfaces();
   void expect();
-  [[nodiscard]] SkyFits::Expected expected(const SkyLit& lit, double of_neighbours) const;
+  [[nodiscard]] SkyFits::Expected expected(const SkyLeaf& lit, double of_neighbours) const;
 
   const EyeContext* eye_;
   BlockQueue queue_;
-  std::vector<SkyLit> lit_;
+  std::vector<SkyLeaf> lit_;
   std::vector<BorderEdge> borders_;
   std::vector<SkyFits::Expected> expected_;  // one per element of `lit_`
   Recycled<Packet> packet_ = Recycler<Packet>::make();

@@ -32,7 +32,7 @@ double sum(glm::dvec3 v) {
   return v.x + v.y + v.z;
 }
 
-Bounds2 box_of(std::span<const SkyLit> lits, const SkyFits::Cell& cell) {
+Bounds2 box_of(std::span<const SkyLeaf> lits, const SkyFits::Cell& cell) {
   Bounds2 box{glm::vec2(1.0f), glm::vec2(0.0f)};
   for (const std::uint32_t i : cell.lits) {
     box.lo = glm::min(box.lo, lits[i].at);
@@ -45,7 +45,7 @@ Bounds2 box_of(std::span<const SkyLit> lits, const SkyFits::Cell& cell) {
 
 // Returns whether both belong to one connected surface, bent by 25 degrees at most, and whether the
 // line between them is not too steep, as at a step.
-bool SkyFits::alike(const SkyLit& a, const SkyLit& b) const {
+bool SkyFits::alike(const SkyLeaf& a, const SkyLeaf& b) const {
   constexpr float least_cosine = 0.9f, steepest = 0.5f;
   if (a.sheet != b.sheet || a.mirrors != b.mirrors) return false;
   if (glm::dot(a.point.shading_normal, b.point.shading_normal) < least_cosine) return false;
@@ -57,7 +57,7 @@ std::vector<SkyFits::Cell> SkyFits::cells() const {
   constexpr std::size_t most_cells = 32;
   std::vector<Cell> cells;
   for (std::uint32_t i = 0; i < lits_.size(); ++i) {
-    const SkyLit& lit = lits_[i];
+    const SkyLeaf& lit = lits_[i];
     // A surface without diffuse reflection shows its own part of the sky, so it cannot share.
     if (lit.rays == 0 || lit.material.diffuse == glm::vec3(0.0f)) continue;
     if (!(std::min({lit.unit.x, lit.unit.y, lit.unit.z}) > 0.0f)) continue;
@@ -88,7 +88,7 @@ std::uint32_t SkyFits::rays_of_nodes(const Cell& cell) const {
   }
   const double share = std::min(1.0, weight / roots);
   const double error = share_of_error * standard_error_ / (unit * std::sqrt(share));
-  const double rays = SkyLit::rays_for(variance / weight, error * error);
+  const double rays = SkyLeaf::rays_for(variance / weight, error * error);
   return static_cast<std::uint32_t>(std::clamp(std::ceil(rays), 1.0, 1e4));
 }
 
@@ -126,13 +126,13 @@ bool SkyFits::choose_nodes(Cell& cell) const {
 // fit.
 double SkyFits::variance(std::uint32_t lit) const {
   const double unseen = 0.25 * standard_error_ / sum(glm::dvec3(lits_[lit].unit)) * 3.0;
-  return SkyLit::variance_of_mean(expected_[lit].variance, lits_[lit].rays) + unseen * unseen;
+  return SkyLeaf::variance_of_mean(expected_[lit].variance, lits_[lit].rays) + unseen * unseen;
 }
 
 bool SkyFits::tell(const Cell& cell) const {
   std::array<NoisyValue, static_cast<std::size_t>(nodes_along * nodes_along)> known;
   for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
-    const SkyLit& node = lits_[cell.nodes[k]];
+    const SkyLeaf& node = lits_[cell.nodes[k]];
     known[k] = {glm::dvec2(node.at), node.mean() / glm::dvec3(node.unit), variance(cell.nodes[k])};
   }
   const auto course = PolynomialFit::through(std::span(known).first(cell.nodes.size()));
@@ -141,7 +141,7 @@ bool SkyFits::tell(const Cell& cell) const {
   double off = 0.0, certainty = 0.0;
   std::vector<std::uint32_t> agreeing;
   for (const std::uint32_t i : cell.lits) {
-    const SkyLit& lit = lits_[i];
+    const SkyLeaf& lit = lits_[i];
     const double by = sum(lit.mean() / glm::dvec3(lit.unit) - course->at(glm::dvec2(lit.at))) / 3.0;
     const double noise = variance(i);
     off += by / noise;
@@ -154,7 +154,7 @@ bool SkyFits::tell(const Cell& cell) const {
       static_cast<double>(agreeing.size()) < (1.0 - most_contradict) * count)
     return false;
   for (const std::uint32_t i : agreeing) {
-    SkyLit& lit = lits_[i];
+    SkyLeaf& lit = lits_[i];
     lit.told = glm::dvec3(lit.unit) * glm::max(course->at(glm::dvec2(lit.at)), 0.0);
   }
   return true;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/asos/sky_lit.h"
+#include "renderer/asos/sky_leaf.h"
 
 #include <cstdint>
 #include <span>
@@ -29,7 +29,7 @@ class SkyFits {
 
   /// `standard_error`: allowed error of a whole pixel, in display units. The spans have to outlive
   /// this.
-  SkyFits(std::span<SkyLit> lits, std::span<const Expected> expected, double standard_error)
+  SkyFits(std::span<SkyLeaf> lits, std::span<const Expected> expected, double standard_error)
       : lits_(lits), expected_(expected), standard_error_(standard_error) {}
 
   /// Groups the leaves that may share, by surface.
@@ -43,11 +43,11 @@ class SkyFits {
   void divide(const Cell& cell, std::vector<Cell>& quarters) const;
 
  private:
-  [[nodiscard]] bool alike(const SkyLit& a, const SkyLit& b) const;
+  [[nodiscard]] bool alike(const SkyLeaf& a, const SkyLeaf& b) const;
   [[nodiscard]] std::uint32_t rays_of_nodes(const Cell& cell) const;
   [[nodiscard]] double variance(std::uint32_t lit) const;
 
-  std::span<SkyLit> lits_;
+  std::span<SkyLeaf> lits_;
   std::span<const Expected> expected_;
   double standard_error_;
 };

@@ -19,7 +19,7 @@ class Leaves {
   template <typename Value>
   explicit Leaves(Value&& value) {
     for (int i = 0; i < side * side; ++i) {
-      SkyLit lit;
+      SkyLeaf lit;
       lit.share = lit.root = static_cast<std::uint32_t>(i);
       lit.at = (glm::vec2(i % side, i / side) + 0.5f) / static_cast<float>(side);
       lit.sheet = 1;
@@ -39,7 +39,7 @@ class Leaves {
     lits[lit].arrived = glm::dvec3(rays * value);
   }
 
-  std::vector<SkyLit> lits;
+  std::vector<SkyLeaf> lits;
   std::vector<SkyFits::Expected> expected;
 };
 
@@ -64,7 +64,7 @@ bool interpolated(Leaves& leaves, Value&& value) {
 TEST(SkyFits, InterpolateSmoothVariation) {
   Leaves leaves(ramp);
   ASSERT_TRUE(interpolated(leaves, ramp));
-  for (const SkyLit& lit : leaves.lits) {
+  for (const SkyLeaf& lit : leaves.lits) {
     ASSERT_TRUE(lit.told.has_value());
     EXPECT_NEAR(lit.told->x, ramp(lit.at), 1e-6);
   }
@@ -75,7 +75,7 @@ TEST(SkyFits, RefuseToInterpolateAcrossAnEdge) {
   const auto edge = [](glm::vec2 at) { return at.x + 0.3f * at.y < 0.6f ? 0.9 : 0.55; };
   Leaves leaves(edge);
   EXPECT_FALSE(interpolated(leaves, edge));
-  for (const SkyLit& lit : leaves.lits) EXPECT_FALSE(lit.told.has_value());
+  for (const SkyLeaf& lit : leaves.lits) EXPECT_FALSE(lit.told.has_value());
 }
 
 // A leaf whose own rays contradict the fit is sampled instead.

@@ -16,7 +16,7 @@ namespace asos {
 
 /// A leaf's surface under the sky, and the sums of its rays. A ray's error is its radiance minus
 /// the radiance without occlusion, divided by `unit`.
-struct SkyLit {
+struct SkyLeaf {
   std::uint32_t share = 0;  ///< number of the leaf's contribution
   std::uint32_t root = 0;   ///< the leaf's, with its weight and its sample's place in the frame
   double weight = 1.0;
