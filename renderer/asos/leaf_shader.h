@@ -6,7 +6,7 @@
 #include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_layers.h"
 #include "renderer/asos/leaf_transport.h"
-#include "renderer/asos/lobe_shares.h"
+#include "renderer/asos/lobe_contributions.h"
 #include "renderer/asos/open_regions.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/sample_goal.h"
@@ -77,7 +77,7 @@ class LeafShader {
   LeafChooser* chooser_;
   WeakLights* weak_lights_;
   SkyContributions sky_;
-  LobeShares lobes_;
+  LobeContributions lobes_;
   SingleSamples single_;
   const ShadowContext* shadows_;
   std::span<RootSum> sums_;

@@ -18,10 +18,10 @@ namespace asos {
 /// leaf with one direction each. The lobe covers the whole half-space, where boundaries rarely
 /// matter. Lights with an extent are highlights and not part of it. The rays of all leaves share
 /// packets.
-class LobeShares {
+class LobeContributions {
  public:
   /// `eye` has to outlive this.
-  explicit LobeShares(const EyeContext& eye) : eye_(&eye) {}
+  explicit LobeContributions(const EyeContext& eye) : eye_(&eye) {}
 
   /// Defers a leaf until `run`. `reflected` is the largest reflectance of its lobes, by colour.
   void add(const PyrayLeaf& leaf, glm::vec3 reflected);

@@ -1,4 +1,4 @@
-#include "renderer/asos/lobe_shares.h"
+#include "renderer/asos/lobe_contributions.h"
 
 #include "renderer/asos/sample_goal.h"
 #include "renderer/geometry/largest.h"
@@ -10,7 +10,7 @@
 
 namespace asos {
 
-RegionSampler& LobeShares::sampler() {
+RegionSampler& LobeContributions::sampler() {
   if (!sampler_) {
     sampler_ = std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings,
                                                eye_->block, eye_->seed, eye_->mask, eye_->stop,
@@ -21,7 +21,7 @@ RegionSampler& LobeShares::sampler() {
 
 // As many samples as for noise, but the first round is limited by the lobes' reflectance of white.
 // MAX 0 requires one sample.
-RegionSampler::Goal LobeShares::goal_of(double weight, glm::vec3 reflected) const {
+RegionSampler::Goal LobeContributions::goal_of(double weight, glm::vec3 reflected) const {
   RegionSampler::Goal goal = sample_goal(*eye_, weight);
   const double share = std::min(1.0, static_cast<double>(largest(reflected)));
   const auto worth = static_cast<std::uint32_t>(share * goal.least);
@@ -29,17 +29,17 @@ RegionSampler::Goal LobeShares::goal_of(double weight, glm::vec3 reflected) cons
   return goal;
 }
 
-void LobeShares::add(const PyrayLeaf& leaf, glm::vec3 reflected) {
+void LobeContributions::add(const PyrayLeaf& leaf, glm::vec3 reflected) {
   sampler().add(leaf.region, goal_of(leaf.weight, reflected));
   queue_.add(leaf.root, leaf.sample, leaf.weight);
 }
 
-glm::vec3 LobeShares::at_once(const PyrayLeaf& leaf, glm::vec3 reflected) {
+glm::vec3 LobeContributions::at_once(const PyrayLeaf& leaf, glm::vec3 reflected) {
   const RegionSampler::Goal goal = goal_of(leaf.weight, reflected);
   return glm::vec3(sampler().sample(leaf.region, goal, *eye_->counts).value);
 }
 
-std::span<const Contribution> LobeShares::run() {
+std::span<const Contribution> LobeContributions::run() {
   if (queue_.empty()) return {};
   const std::uint64_t before = eye_->counts->rays();
   const auto found = sampler_->run(*eye_->counts);
