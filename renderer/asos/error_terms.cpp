@@ -43,10 +43,10 @@ bool by_lobes_only(const EyeContext& eye, const Leaf& leaf) {
 }  // namespace
 
 ErrorTerms::ErrorTerms(const EyeContext& eye, const EyeSamples& samples,
-                       const WeakLights& weak_lights, const ShadowContext& shadows)
+                       const SelectedLights& selected_lights, const ShadowContext& shadows)
     : eye_(&eye),
       samples_(&samples),
-      weak_lights_(&weak_lights),
+      selected_lights_(&selected_lights),
       shadows_(&shadows),
       soft_shadows_(eye.settings->shadow.cast && any_light(eye,
                                                            [](const PreparedLight& light) {
@@ -188,7 +188,7 @@ ErrorBound ErrorTerms::falloff(const Leaf& leaf) const {
   const auto lights = eye_->viewer.shader.lights();
   float error = 0.0f;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (weak_lights_->holds(i)) continue;
+    if (selected_lights_->holds(i)) continue;
     if (soft_shadows_ && lights[i].extended())
       error += falloff_error(lights[i], receiver, leaf.around);
     error += cone_error(lights[i], receiver, leaf.around);
@@ -237,7 +237,7 @@ HighlightError ErrorTerms::highlights_error(const GlossyPatch& glossy) const {
   const float negligible = 0.5f * tolerance / static_cast<float>(lights.size());
   HighlightError all;
   for (std::uint32_t i = 0; i < lights.size() && !(all.error > tolerance); ++i) {
-    if (weak_lights_->holds(i)) continue;
+    if (selected_lights_->holds(i)) continue;
     const HighlightError one = highlight_error(lights[i], glossy);
     if (one.error > negligible && !shows_highlight(*eye_, i, glossy.point, glossy.to_viewer))
       continue;
@@ -307,7 +307,7 @@ glm::ivec2 ErrorTerms::pixel_of(const LeafRegion& region) const {
 // Returns whether the light has an extent and its shadows are found one light at a time.
 bool ErrorTerms::casts_soft_shadow(std::uint32_t light) const {
   const PreparedLight& asked = eye_->viewer.shader.lights()[light];
-  return asked.casts_shadows && asked.extended() && !weak_lights_->holds(light);
+  return asked.casts_shadows && asked.extended() && !selected_lights_->holds(light);
 }
 
 // Each bound is for an edge along the whole patch at the worst place. Half of it is expected. The

@@ -5,7 +5,7 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/leaf.h"
 #include "renderer/asos/normal_variation.h"
-#include "renderer/asos/weak_lights.h"
+#include "renderer/asos/selected_lights.h"
 #include "renderer/shading/highlight_unevenness.h"
 #include "renderer/shadows/light_view.h"
 #include "renderer/shadows/shadow_context.h"
@@ -23,8 +23,8 @@ namespace asos {
 class ErrorTerms {
  public:
   /// All arguments have to outlive this.
-  ErrorTerms(const EyeContext& eye, const EyeSamples& samples, const WeakLights& weak_lights,
-             const ShadowContext& shadows);
+  ErrorTerms(const EyeContext& eye, const EyeSamples& samples,
+             const SelectedLights& selected_lights, const ShadowContext& shadows);
 
   /// Computes the variation of normals between pixels from the first samples: the centres of side x
   /// side roots, row by row.
@@ -74,7 +74,7 @@ class ErrorTerms {
 
   const EyeContext* eye_;
   const EyeSamples* samples_;
-  const WeakLights* weak_lights_;
+  const SelectedLights* selected_lights_;
   const ShadowContext* shadows_;
   bool soft_shadows_;
   bool spots_;

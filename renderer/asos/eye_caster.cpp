@@ -69,11 +69,11 @@ EyeCaster::EyeCaster(const EyeContext& eye, std::size_t roots)
       shadow_scene_{eye.scene->world(), eye.scene->features(), eye.scene->rays()},
       groups_(shadow_scene_),
       shadows_(shadows_of(eye_, shadow_scene_, samples_, groups_)),
-      weak_lights_(eye_, samples_),
-      chooser_(eye_, samples_, weak_lights_, shadows_),
+      selected_lights_(eye_, samples_),
+      chooser_(eye_, samples_, selected_lights_, shadows_),
       sums_(roots),
       layers_(layers_of(eye_, samples_, roots)),
-      leaf_shader_(eye_, samples_, chooser_, weak_lights_, shadows_, sums_, blurred_,
+      leaf_shader_(eye_, samples_, chooser_, selected_lights_, shadows_, sums_, blurred_,
                    layers_ ? &*layers_ : nullptr) {
   if (eye_.defocus) lens_.emplace(eye_, samples_, chooser_, leaf_shader_, roots);
 }
@@ -92,7 +92,7 @@ void EyeCaster::middles_known(int side) {
     shades_parts_ = lit || !unlit;
   }
   chooser_.learn_normals(side);
-  weak_lights_.find(side);
+  selected_lights_.find(side);
 }
 
 SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, double weight) {

@@ -8,7 +8,7 @@
 #include "renderer/asos/leaf_shader.h"
 #include "renderer/asos/lens_roots.h"
 #include "renderer/asos/root_sums.h"
-#include "renderer/asos/weak_lights.h"
+#include "renderer/asos/selected_lights.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/prices.h"
 
@@ -35,7 +35,7 @@ class EyeCaster final : public Caster {
   /// to share.
   void middles_known(int side) override;
   /// Replaces `middles_known` for a caller that sends one ray only.
-  void sends_one_ray() { weak_lights_.take_all(); }
+  void sends_one_ray() { selected_lights_.take_all(); }
   [[nodiscard]] Cover cover(SampleId sample) const override { return samples_.cover(sample); }
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override {
     return samples_.surface(sample);
@@ -85,7 +85,7 @@ class EyeCaster final : public Caster {
   ShadowScene shadow_scene_;
   ShadowGroups groups_;
   ShadowContext shadows_;
-  WeakLights weak_lights_;
+  SelectedLights selected_lights_;
   LeafChooser chooser_;
   std::vector<RootSum> sums_;
   BlurredSum blurred_;

@@ -9,10 +9,10 @@
 namespace asos {
 
 LeafChooser::LeafChooser(const EyeContext& eye, const EyeSamples& samples,
-                         const WeakLights& weak_lights, const ShadowContext& shadows)
+                         const SelectedLights& selected_lights, const ShadowContext& shadows)
     : eye_(&eye),
       samples_(&samples),
-      terms_(eye, samples, weak_lights, shadows),
+      terms_(eye, samples, selected_lights, shadows),
       shadows_price_(terms_.price_of_shadows()),
       part_price_(Prices::part + shadows_price_) {}
 

@@ -3,7 +3,7 @@
 #include "renderer/asos/error_terms.h"
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
-#include "renderer/asos/weak_lights.h"
+#include "renderer/asos/selected_lights.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/light_view.h"
@@ -19,8 +19,8 @@ namespace asos {
 class LeafChooser {
  public:
   /// All arguments have to outlive this.
-  LeafChooser(const EyeContext& eye, const EyeSamples& samples, const WeakLights& weak_lights,
-              const ShadowContext& shadows);
+  LeafChooser(const EyeContext& eye, const EyeSamples& samples,
+              const SelectedLights& selected_lights, const ShadowContext& shadows);
 
   /// See ErrorTerms.
   void learn_normals(int side) { terms_.learn_normals(side); }

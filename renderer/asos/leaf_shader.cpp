@@ -44,12 +44,12 @@ constexpr double first_stage_error = 4.0;
 }  // namespace
 
 LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
-                       WeakLights& weak_lights, const ShadowContext& shadows,
+                       SelectedLights& selected_lights, const ShadowContext& shadows,
                        std::span<RootSum> sums, BlurredSum& blurred, LeafLayers* layers)
     : eye_(&eye),
       samples_(&samples),
       chooser_(&chooser),
-      weak_lights_(&weak_lights),
+      selected_lights_(&selected_lights),
       sky_(eye),
       lobes_(eye),
       single_(eye, samples),
@@ -108,10 +108,10 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
   RootSum& sum = sums_[leaf.root];
   const LeafContext context = context_of(leaf, even);
   const std::uint32_t share =
-      eye_->mirrored() ? 0 : weak_lights_->start(leaf.root, leaf.sample, leaf.weight);
+      eye_->mirrored() ? 0 : selected_lights_->start(leaf.root, leaf.sample, leaf.weight);
   const std::uint32_t sky_share =
       eye_->mirrored() ? 0 : sky_.start(leaf.root, leaf.sample, leaf.weight);
-  LeafTransport transport(*eye_, *shadows_, context, *weak_lights_, share, sky_, sky_share);
+  LeafTransport transport(*eye_, *shadows_, context, *selected_lights_, share, sky_, sky_share);
   ViewedRay seen =
       viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at));
   seen.parts = colour_parts(leaf, context.at);
@@ -320,9 +320,9 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
 
 // Drops a leaf's contributions from the sampled lights and the sky. Reflected leaves have them
 // already.
-void LeafShader::drop(std::uint32_t weak_share, std::uint32_t sky_share) {
+void LeafShader::drop(std::uint32_t selected_share, std::uint32_t sky_share) {
   if (eye_->mirrored()) return;
-  weak_lights_->drop(weak_share);
+  selected_lights_->drop(selected_share);
   sky_.drop(sky_share);
 }
 
@@ -345,7 +345,7 @@ void LeafShader::finish() {
   add(single_.run(), true);
   start_regions();
   if (eye_->stop.stop_requested()) return;
-  if (!weak_lights_->lights().empty()) add(weak_lights_->run(), false);
+  if (!selected_lights_->lights().empty()) add(selected_lights_->run(), false);
   add(sky_.run(), false);
   add(lobes_.run(), false);
 }

@@ -10,9 +10,9 @@
 #include "renderer/asos/open_regions.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/sample_goal.h"
+#include "renderer/asos/selected_lights.h"
 #include "renderer/asos/single_samples.h"
 #include "renderer/asos/sky_contributions.h"
-#include "renderer/asos/weak_lights.h"
 #include "renderer/samples/region_sampler.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -32,7 +32,7 @@ class LeafShader {
  public:
   /// All arguments have to outlive this.
   LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
-             WeakLights& weak_lights, const ShadowContext& shadows, std::span<RootSum> sums,
+             SelectedLights& selected_lights, const ShadowContext& shadows, std::span<RootSum> sums,
              BlurredSum& blurred, LeafLayers* layers);
 
   void shade(std::span<const PyrayLeaf> leaves);
@@ -58,7 +58,7 @@ class LeafShader {
   void defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal, bool planes);
   void start_regions();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
-  void drop(std::uint32_t weak_share, std::uint32_t sky_share);
+  void drop(std::uint32_t selected_share, std::uint32_t sky_share);
   void add(std::span<const Contribution> contributions, bool whole_leaves);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
@@ -75,7 +75,7 @@ class LeafShader {
   const EyeContext* eye_;
   EyeSamples* samples_;
   LeafChooser* chooser_;
-  WeakLights* weak_lights_;
+  SelectedLights* selected_lights_;
   SkyContributions sky_;
   LobeContributions lobes_;
   SingleSamples single_;

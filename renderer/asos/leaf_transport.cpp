@@ -17,7 +17,7 @@ TakenLights LeafTransport::gather(const LitPoint& point) {
   if (eye_->mirrored()) {
     at_once_ += weak_->at_once(point, *leaf_);
   } else {
-    weak_->add(weak_share_, point, *leaf_);
+    weak_->add(selected_share_, point, *leaf_);
   }
   return {weak_->lights()};
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/asos/eye_context.h"
+#include "renderer/asos/selected_lights.h"
 #include "renderer/asos/sky_contributions.h"
-#include "renderer/asos/weak_lights.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -11,15 +11,15 @@ namespace asos {
 /// Computes the lights and reflections of one leaf while the shader shades the leaf's point.
 class LeafTransport final : public LightTransport {
  public:
-  /// `weak_share` and `sky_share` are the numbers of the leaf's contributions.
+  /// `selected_share` and `sky_share` are the numbers of the leaf's contributions.
   LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const LeafContext& leaf,
-                WeakLights& weak, std::uint32_t weak_share, SkyContributions& sky,
+                SelectedLights& weak, std::uint32_t selected_share, SkyContributions& sky,
                 std::uint32_t sky_share)
       : eye_(&eye),
         shadows_(&shadows),
         leaf_(&leaf),
         weak_(&weak),
-        weak_share_(weak_share),
+        selected_share_(selected_share),
         sky_(&sky),
         sky_share_(sky_share) {}
 
@@ -54,8 +54,8 @@ class LeafTransport final : public LightTransport {
   const EyeContext* eye_;
   const ShadowContext* shadows_;
   const LeafContext* leaf_;
-  WeakLights* weak_;
-  std::uint32_t weak_share_;
+  SelectedLights* weak_;
+  std::uint32_t selected_share_;
   SkyContributions* sky_;
   std::uint32_t sky_share_;
   glm::vec3 at_once_{0.0f};

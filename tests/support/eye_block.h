@@ -4,7 +4,7 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/eye_workspace.h"
 #include "renderer/asos/leaf.h"
-#include "renderer/asos/weak_lights.h"
+#include "renderer/asos/selected_lights.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/prepared/viewer.h"
 #include "renderer/shadows/shadow_context.h"
@@ -57,15 +57,15 @@ class EyeBlock {
     shadows_.view = samples_.get();
     shadows_.groups = &groups_;
     shadows_.work = &work_.shadows;
-    weak_lights_ = std::make_unique<WeakLights>(eye_, *samples_);
-    terms_ = std::make_unique<ErrorTerms>(eye_, *samples_, *weak_lights_, shadows_);
+    selected_lights_ = std::make_unique<SelectedLights>(eye_, *samples_);
+    terms_ = std::make_unique<ErrorTerms>(eye_, *samples_, *selected_lights_, shadows_);
     terms_->learn_normals(side);
   }
 
   [[nodiscard]] const EyeContext& eye() const { return eye_; }
   [[nodiscard]] const ErrorTerms& terms() const { return *terms_; }
   [[nodiscard]] EyeSamples& samples() { return *samples_; }
-  [[nodiscard]] WeakLights& weak_lights() { return *weak_lights_; }
+  [[nodiscard]] SelectedLights& selected_lights() { return *selected_lights_; }
   [[nodiscard]] const ShadowContext& shadows() const { return shadows_; }
   [[nodiscard]] RenderStatistics& counts() { return counts_; }
   /// The whole of pixel (x, y), or a square at its centre with this fraction of its side.
@@ -93,7 +93,7 @@ class EyeBlock {
   ShadowGroups groups_;
   ShadowContext shadows_;
   std::unique_ptr<EyeSamples> samples_;
-  std::unique_ptr<WeakLights> weak_lights_;
+  std::unique_ptr<SelectedLights> selected_lights_;
   std::unique_ptr<ErrorTerms> terms_;
 };
 

@@ -1,5 +1,5 @@
 // How leaves get their estimator and are shaded, part by part: LeafChooser, LeafShader,
-// SingleSamples, WeakLights.
+// SingleSamples, SelectedLights.
 
 #include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_shader.h"
@@ -66,7 +66,7 @@ PyrayLeaf pixel_leaf(const EyeBlock& block, int x, int y, double weight = 1.0) {
 
 TEST(LeafChooser, ChoosesCentreForEvenLight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun()});
-  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
   chooser.learn_normals(EyeBlock::side);
   const LeafDecision decision = chooser.decide(5, 1.0, block.leaf(1, 1).region, true);
   EXPECT_EQ(decision.estimator, Estimator::centre);
@@ -77,7 +77,7 @@ TEST(LeafChooser, ChoosesCentreForEvenLight) {
 // A bulb 0.1 units in front of a wall, with pixels of 1 unit: its light falls off within a pixel.
 TEST(LeafChooser, SplitsOrSamplesUnevenLight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)});
-  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
   chooser.learn_normals(EyeBlock::side);
   // Pixel (2, 1) of the block covers x and y from 0 to 1.
   const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
@@ -90,7 +90,7 @@ TEST(LeafChooser, SplitsOrSamplesUnevenLight) {
 TEST(LeafChooser, ChoosesCentreAtMax0) {
   EyeBlock block =
       block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)}, at_max(0));
-  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
   const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
   EXPECT_EQ(decision.estimator, Estimator::centre);
   EXPECT_EQ(decision.cause, Unevenness::none);
@@ -99,10 +99,10 @@ TEST(LeafChooser, ChoosesCentreAtMax0) {
 // A plane under a sun has a radiance of albedo / pi times intensity times cosine.
 TEST(LeafShader, AddsALeafByItsWeight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.4f, 0.2f})), {sun(2.0f)});
-  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
   std::vector<RootSum> sums(EyeBlock::side * EyeBlock::side);
   BlurredSum blurred;
-  LeafShader shader(block.eye(), block.samples(), chooser, block.weak_lights(), block.shadows(),
+  LeafShader shader(block.eye(), block.samples(), chooser, block.selected_lights(), block.shadows(),
                     sums, blurred);
   const PyrayLeaf leaf = pixel_leaf(block, 1, 1, 0.25);
   shader.shade(std::span(&leaf, 1));
@@ -123,10 +123,10 @@ TEST(LeafShader, LeavesRegionsOpen) {
   settings.asos.eps = 1.0 / 2048.0;
   EyeBlock block =
       block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)}, settings);
-  LeafChooser chooser(block.eye(), block.samples(), block.weak_lights(), block.shadows());
+  LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
   std::vector<RootSum> sums(EyeBlock::side * EyeBlock::side);
   BlurredSum blurred;
-  LeafShader shader(block.eye(), block.samples(), chooser, block.weak_lights(), block.shadows(),
+  LeafShader shader(block.eye(), block.samples(), chooser, block.selected_lights(), block.shadows(),
                     sums, blurred);
   PyrayLeaf leaf = pixel_leaf(block, 2, 1);
   leaf.decision = {Estimator::samples, Unevenness::shading};
@@ -163,29 +163,29 @@ TEST(SingleSamples, ShadeByOneSampleEach) {
 }
 
 // One important bulb, and many unimportant ones that deserve few rays together.
-TEST(WeakLights, AreTheDimLights) {
+TEST(SelectedLights, AreTheDimLights) {
   std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
   for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));
   EyeBlock many = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
-  many.weak_lights().find(EyeBlock::side);
-  EXPECT_FALSE(many.weak_lights().holds(0));
-  for (std::size_t i = 1; i < lights.size(); ++i) EXPECT_TRUE(many.weak_lights().holds(i)) << i;
+  many.selected_lights().find(EyeBlock::side);
+  EXPECT_FALSE(many.selected_lights().holds(0));
+  for (std::size_t i = 1; i < lights.size(); ++i) EXPECT_TRUE(many.selected_lights().holds(i)) << i;
 
   lights.resize(LightPicks::few_lights);
   EyeBlock few = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
-  few.weak_lights().find(EyeBlock::side);
-  EXPECT_TRUE(few.weak_lights().lights().empty()) << "so few lights are tested individually";
-  few.weak_lights().take_all();
-  EXPECT_TRUE(few.weak_lights().lights().empty());
+  few.selected_lights().find(EyeBlock::side);
+  EXPECT_TRUE(few.selected_lights().lights().empty()) << "so few lights are tested individually";
+  few.selected_lights().take_all();
+  EXPECT_TRUE(few.selected_lights().lights().empty());
 }
 
 // For callers that send a single ray.
-TEST(WeakLights, IncludeAllLightsOnDemand) {
+TEST(SelectedLights, IncludeAllLightsOnDemand) {
   std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
   for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));
   EyeBlock many = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
-  many.weak_lights().take_all();
-  for (std::size_t i = 0; i < lights.size(); ++i) EXPECT_TRUE(many.weak_lights().holds(i)) << i;
+  many.selected_lights().take_all();
+  for (std::size_t i = 0; i < lights.size(); ++i) EXPECT_TRUE(many.selected_lights().holds(i)) << i;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "renderer/asos/weak_lights.h"
+#include "renderer/asos/selected_lights.h"
 
 #include "renderer/pyray/prices.h"
 #include "renderer/shadows/patch_view.h"
@@ -48,17 +48,17 @@ double rays_of_point(std::span<const double> carried) {
 
 }  // namespace
 
-WeakLights::WeakLights(const EyeContext& eye, EyeSamples& samples)
+SelectedLights::SelectedLights(const EyeContext& eye, EyeSamples& samples)
     : eye_(&eye), samples_(&samples), places_(eye.seed), lights_(eye.scene->rays(), places_) {}
 
 // Returns whether light selection may pay off: with many lights, and shadows refined to EPS.
-bool WeakLights::sought() const {
+bool SelectedLights::sought() const {
   return eye_->viewer.shader.lights().size() > LightPicks::few_lights &&
          eye_->allowance.refines() && eye_->settings->shadow.cast &&
          eye_->settings->shadow.quality == ShadowQuality::refined;
 }
 
-void WeakLights::take_all() {
+void SelectedLights::take_all() {
   if (!sought()) return;
   for (const PreparedLight& light : eye_->viewer.shader.lights())
     weak_.push_back(light.casts_shadows ? 1 : 0);
@@ -66,7 +66,7 @@ void WeakLights::take_all() {
   lights_.restrict_to(weak_, rays_a_point);
 }
 
-void WeakLights::find(int side) {
+void SelectedLights::find(int side) {
   if (!sought()) return;
   const std::span<const PreparedLight> lights = eye_->viewer.shader.lights();
   // Collect the points that the lights illuminate.
@@ -109,7 +109,7 @@ void WeakLights::find(int side) {
   lights_.restrict_to(weak_, rays_a_point);
 }
 
-WeakLights::Expected WeakLights::expected(std::span<const double> carried) const {
+SelectedLights::Expected SelectedLights::expected(std::span<const double> carried) const {
   std::vector<double> of_weak;
   for (std::size_t i = 0; i < carried.size(); ++i)
     if (weak_[i] != 0) of_weak.push_back(carried[i]);
@@ -118,7 +118,7 @@ WeakLights::Expected WeakLights::expected(std::span<const double> carried) const
 }
 
 // Sampled lights may be far brighter at a leaf than at any pixel's centre.
-WeakLights::Expected WeakLights::expected_at(const LitPoint& point) {
+SelectedLights::Expected SelectedLights::expected_at(const LitPoint& point) {
   if (expected_.intensity >= 1.0) return expected_;
   carried_->start();
   carried_->add(point);
@@ -126,7 +126,7 @@ WeakLights::Expected WeakLights::expected_at(const LitPoint& point) {
   return here.intensity > expected_.intensity ? here : expected_;
 }
 
-std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weight) {
+std::uint32_t SelectedLights::start(std::uint32_t root, SampleId sample, double weight) {
   if (queue_.empty()) sums_.clear();
   sums_.emplace_back(0.0);
   return queue_.add(root, sample, weight);
@@ -134,7 +134,7 @@ std::uint32_t WeakLights::start(std::uint32_t root, SampleId sample, double weig
 
 // Returns the number of points whose rays reach the accuracy that the leaf's weight needs. Rays to
 // selected lights have a higher variance than rays to one light.
-std::uint32_t WeakLights::points_of(double weight, const Expected& expected) const {
+std::uint32_t SelectedLights::points_of(double weight, const Expected& expected) const {
   constexpr double of_picks = 2.0;
   const double rays = eye_->allowance.samples(weight, of_picks * expected.intensity);
   return std::bit_ceil(static_cast<std::uint32_t>(
@@ -142,7 +142,7 @@ std::uint32_t WeakLights::points_of(double weight, const Expected& expected) con
 }
 
 // Finds the leaf's points and the surfaces there.
-void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_t count) {
+void SelectedLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_t count) {
   const SurfacePoint& point = lit.view.point;
   at_.clear();
   number_.clear();
@@ -182,7 +182,7 @@ void WeakLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_
   }
 }
 
-void WeakLights::add(std::uint32_t number, const LitPoint& lit, const LeafContext& leaf) {
+void SelectedLights::add(std::uint32_t number, const LitPoint& lit, const LeafContext& leaf) {
   const auto x = static_cast<int>(leaf.seed >> 32), y = static_cast<int>(leaf.seed);
   places_.start_pixel(x, y);
   look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit)));
@@ -196,12 +196,12 @@ void WeakLights::add(std::uint32_t number, const LitPoint& lit, const LeafContex
   }
 }
 
-glm::vec3 WeakLights::at_once(const LitPoint& point, const LeafContext& leaf) {
+glm::vec3 SelectedLights::at_once(const LitPoint& point, const LeafContext& leaf) {
   add(start(0, 0, leaf.weight), point, leaf);
   return glm::vec3(run().front().radiance / leaf.weight);
 }
 
-std::span<const Contribution> WeakLights::run() {
+std::span<const Contribution> SelectedLights::run() {
   const std::uint64_t before = eye_->counts->rays();
   lights_.trace(sums_, *eye_->counts);
   for (std::uint32_t i = 0; i < queue_.size(); ++i) queue_[i].radiance = sums_[i];

@@ -23,12 +23,12 @@ namespace asos {
 /// sends a few shadow rays to lights that are selected by their unshadowed contribution
 /// (LightPicks). Points of all leaves of a block are shaded in batches; in mirrors, those of each
 /// leaf immediately.
-class WeakLights {
+class SelectedLights {
  public:
   /// Both arguments have to outlive this.
-  WeakLights(const EyeContext& eye, EyeSamples& samples);
-  WeakLights(const WeakLights&) = delete;
-  WeakLights& operator=(const WeakLights&) = delete;
+  SelectedLights(const EyeContext& eye, EyeSamples& samples);
+  SelectedLights(const SelectedLights&) = delete;
+  SelectedLights& operator=(const SelectedLights&) = delete;
 
   /// Divides the lights from the first samples, the centres of side x side roots. The division has
   /// the least total cost: one ray series for each strong light, plus the selected rays for the
