@@ -1,8 +1,8 @@
 #include "renderer/asos/error_terms.h"
 
+#include "renderer/asos/footprint_shape.h"
 #include "renderer/asos/highlight_rays.h"
 #include "renderer/asos/light_counts.h"
-#include "renderer/asos/part_shape.h"
 #include "renderer/asos/textured_sight.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
@@ -89,7 +89,7 @@ ErrorBound ErrorTerms::layers(const Leaf& leaf) const {
       surface_kind(*leaf.material) != SurfaceKind::blended)
     return ErrorBound::none();
   const ViewedRay seen = eye_->viewer.viewed(leaf.ray, leaf.hit, eye_->side_of(leaf.weight),
-                                             part_shape(leaf.region, leaf.at));
+                                             footprint_shape(leaf.region, leaf.at));
   const std::vector<SeenLayer> layers = eye_->viewer.shader.layers(seen, *eye_->counts);
   double through = 1.0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -121,11 +121,11 @@ bool ErrorTerms::varies_behind(const Leaf& leaf, const ViewedRay& seen, const Hi
 ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
   if (eye_->mirrored() || eye_->scene->world().is_face(leaf.hit.triangle))
     return ErrorBound::none();
-  return ErrorBound::unknown(
-      textured_by_several(*eye_, leaf.hit, leaf.square) ||
-      strays_beyond_edges(*eye_, *samples_, leaf) ||
-      recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
-      uneven_products(*eye_, leaf.hit, leaf.square, part_shape(leaf.region, leaf.at), leaf.weight));
+  return ErrorBound::unknown(textured_by_several(*eye_, leaf.hit, leaf.square) ||
+                             strays_beyond_edges(*eye_, *samples_, leaf) ||
+                             recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
+                             uneven_products(*eye_, leaf.hit, leaf.square,
+                                             footprint_shape(leaf.region, leaf.at), leaf.weight));
 }
 
 // The normal at the centre does not represent the others. Where some of them face away from a

@@ -1,6 +1,6 @@
 #include "renderer/asos/leaf_layers.h"
 
-#include "renderer/asos/part_shape.h"
+#include "renderer/asos/footprint_shape.h"
 
 namespace asos {
 
@@ -11,9 +11,9 @@ bool LeafLayers::sampled(const PyrayLeaf& leaf) const {
 }
 
 void LeafLayers::add(const PyrayLeaf& leaf) {
-  const ViewedRay seen = eye_->viewer.viewed(samples_->ray(leaf.sample), samples_->hit(leaf.sample),
-                                             eye_->side_of(leaf.weight),
-                                             part_shape(leaf.region, samples_->at(leaf.sample)));
+  const ViewedRay seen = eye_->viewer.viewed(
+      samples_->ray(leaf.sample), samples_->hit(leaf.sample), eye_->side_of(leaf.weight),
+      footprint_shape(leaf.region, samples_->at(leaf.sample)));
   sums_[leaf.root].add(probe_.at(seen, *eye_->counts), leaf.weight);
 }
 

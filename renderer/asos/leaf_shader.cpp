@@ -1,8 +1,8 @@
 #include "renderer/asos/leaf_shader.h"
 
 #include "renderer/asos/defocus.h"
+#include "renderer/asos/footprint_shape.h"
 #include "renderer/asos/leaf_transport.h"
-#include "renderer/asos/part_shape.h"
 #include "renderer/asos/texture_samples.h"
 #include "renderer/geometry/finite.h"
 #include "renderer/shading/brdf.h"
@@ -113,7 +113,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
       eye_->mirrored() ? 0 : sky_.start(leaf.root, leaf.sample, leaf.weight);
   LeafTransport transport(*eye_, *shadows_, context, *selected_lights_, share, sky_, sky_share);
   ViewedRay seen =
-      viewer.viewed(ray, hit, eye_->side_of(leaf.weight), part_shape(leaf.region, context.at));
+      viewer.viewed(ray, hit, eye_->side_of(leaf.weight), footprint_shape(leaf.region, context.at));
   seen.parts = colour_parts(leaf, context.at);
   sum.centre_error += leaf.weight * static_cast<double>(std::min(leaf.decision.error, 1.0f));
   glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
@@ -156,7 +156,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
 // A leaf that a boundary has cut is no parallelogram. Where its parallelogram reaches beyond the
 // boundary, the texture may differ, as it does at seams. The colour is therefore averaged over its
 // parts.
-std::span<const SharedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm::vec2 at) {
+std::span<const WeightedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm::vec2 at) {
   parts_.clear();
   const LeafRegion& region = leaf.region;
   const Hit& hit = samples_->hit(leaf.sample);
@@ -167,7 +167,7 @@ std::span<const SharedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm
   if (!eye_->scene->needs.textures ||
       !(material.base_color_texture.used() || material.emissive_texture.used()))
     return {};
-  add_part_shapes(region, at, parts_along, parts_);
+  add_footprint_shapes(region, at, parts_along, parts_);
   return parts_;
 }
 

@@ -69,7 +69,7 @@ class LeafShader {
   [[nodiscard]] std::uint32_t enough_for(const PyrayLeaf& leaf, float highlights) const;
   [[nodiscard]] bool blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] bool light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const;
-  [[nodiscard]] std::span<const SharedShape> colour_parts(const PyrayLeaf& leaf, glm::vec2 at);
+  [[nodiscard]] std::span<const WeightedShape> colour_parts(const PyrayLeaf& leaf, glm::vec2 at);
   [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
 
   const EyeContext* eye_;
@@ -91,7 +91,7 @@ class LeafShader {
   LeafLayers* layers_;              // null: no surface layer is asked for
   bool adds_planes_ = false;        // the leaf that is shaded has no surface layers yet
   OpenRegions open_;
-  std::vector<SharedShape> parts_;  // of the leaf that is shaded
+  std::vector<WeightedShape> parts_;  // of the leaf that is shaded
   std::map<SampleId, glm::vec3> results_;
 };
 

@@ -1,6 +1,6 @@
 #include "renderer/asos/textured_sight.h"
 
-#include "renderer/asos/part_shape.h"
+#include "renderer/asos/footprint_shape.h"
 #include "renderer/asos/texture_samples.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
@@ -116,7 +116,7 @@ struct Places {
 /// Returns the corners of the parallelogram of a leaf whose sample is `at`, and points just inside
 /// the centres of the longest edges that cut it. Along these edges may lie strips as narrow as a
 /// tenth of a pixel, such as bevels.
-Places places_near_border(const LeafRegion& region, const PartShape& part, glm::vec2 at,
+Places places_near_border(const LeafRegion& region, const FootprintShape& part, glm::vec2 at,
                           float side) {
   constexpr float apart = 0.45f;   // of the leaf's sides
   constexpr float within = 0.05f;  // of the way to the leaf's centre
@@ -171,7 +171,7 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
       scene.needs.vertex_colors && world.parts[world.triangle_part[hit.triangle]].coloured;
   if (!(use || coloured) || world.is_face(hit.triangle) || eye.viewer.passage.in_medium())
     return false;
-  const PartShape part = part_shape(leaf.region, leaf.at);
+  const FootprintShape part = footprint_shape(leaf.region, leaf.at);
   const Footprint square = footprint_on(world, hit, leaf.square);
   const Footprint seen = shaped(square, part);
   if (!crosses_edge(hit, seen)) return false;
@@ -217,7 +217,7 @@ bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch&
 }
 
 bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
-                     const PartShape& part, double share) {
+                     const FootprintShape& part, double share) {
   const RenderScene& scene = *eye.scene;
   if (eye.settings->texture.filter == TextureFilter::point ||
       !multiplies_textures(scene.world().material_of(hit.triangle), scene.needs))

@@ -32,6 +32,6 @@ namespace asos {
 /// their means, such as rough metal next to rust. `square` is the patch of a square with the area
 /// of a leaf of weight `share`, and `part` is the leaf's shape in it.
 [[nodiscard]] bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
-                                   const PartShape& part, double share);
+                                   const FootprintShape& part, double share);
 
 }  // namespace asos

@@ -41,7 +41,7 @@ struct Viewer {
     return viewer;
   }
   [[nodiscard]] ViewedRay viewed(const Ray& ray, const Hit& hit, float side,
-                                 const PartShape& shape = square_part) const {
+                                 const FootprintShape& shape = square_part) const {
     return {ray,        hit,          side,  &spacing, width,  bounces,
             throughput, hides_lights, shape, false,    passage};
   }

@@ -37,20 +37,20 @@ struct PixelSpacing {
 /// The shape of the part of the picture that a sample represents, relative to a square of the same
 /// area around it. It is a parallelogram with the part's centroid and covariance, in sides of that
 /// square.
-struct PartShape {
+struct FootprintShape {
   glm::vec2 offset{0.0f};  ///< from the sample to the centroid
   glm::vec2 right{1.0f, 0.0f};
   glm::vec2 down{0.0f, 1.0f};
 };
 
 /// One of several parts that make up a whole.
-struct SharedShape {
-  PartShape shape;     ///< in sides of the square with the whole's area
-  float share = 1.0f;  ///< fraction of the whole's area
+struct WeightedShape {
+  FootprintShape shape;  ///< in sides of the square with the whole's area
+  float share = 1.0f;    ///< fraction of the whole's area
 };
 
 /// The square itself. Copying this constant avoids a stall on values that were just written.
-inline constexpr PartShape square_part{};
+inline constexpr FootprintShape square_part{};
 
 /// A parallelogram on a surface, by its edges, in world units. The default is a point.
 struct Patch {
@@ -131,13 +131,13 @@ struct Footprint {
 }
 
 /// Returns the footprint of a part of the square with another shape.
-[[nodiscard]] inline Footprint shaped(const Footprint& square, const PartShape& part) {
+[[nodiscard]] inline Footprint shaped(const Footprint& square, const FootprintShape& part) {
   const auto along = [&](glm::vec2 p) { return p.x * square.right + p.y * square.down; };
   return {along(part.right), along(part.down), along(part.offset), square.side, square.colours};
 }
 
 /// Returns the patch of a part of the square with another shape.
-[[nodiscard]] inline Patch shaped(const Patch& square, const PartShape& part) {
+[[nodiscard]] inline Patch shaped(const Patch& square, const FootprintShape& part) {
   const auto along = [&](glm::vec2 p) { return p.x * square.right + p.y * square.down; };
   return {along(part.right), along(part.down)};
 }

@@ -347,13 +347,13 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
 }
 
 void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit,
-                     const Footprint& square, std::span<const SharedShape> parts,
+                     const Footprint& square, std::span<const WeightedShape> parts,
                      const MipChains& mips, SurfaceMaterial& material) {
   // With alpha blending, colours are weighted by opacity.
   const bool blends = world.material_of(hit.triangle).alpha_mode == AlphaMode::blend;
   glm::vec3 color(0.0f), emission(0.0f);
   float opacity = 0.0f;
-  for (const SharedShape& part : parts) {
+  for (const WeightedShape& part : parts) {
     Footprint footprint = shaped(square, part.shape);
     footprint.side *= std::sqrt(part.share);
     const SurfaceMaterial own = surface_material(world, needs, hit, footprint, &mips);

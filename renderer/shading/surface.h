@@ -114,7 +114,7 @@ struct SampleExtent {
   const PixelSpacing* spacing = nullptr;
   const MipChains* mips = nullptr;
   float side = 0.0f;
-  PartShape shape = {};
+  FootprintShape shape = {};
   float colours = 1.0f;  ///< factor of the width over which colours are averaged
 
   [[nodiscard]] bool point() const { return !spacing || !mips || !(side > 0.0f); }
@@ -132,7 +132,7 @@ struct SampleExtent {
 /// Replaces the material's base colour and emission by their means over the parts of a square's
 /// footprint.
 void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit,
-                     const Footprint& square, std::span<const SharedShape> parts,
+                     const Footprint& square, std::span<const WeightedShape> parts,
                      const MipChains& mips, SurfaceMaterial& material);
 
 /// Returns a material without textures and vertex colours.

@@ -25,14 +25,14 @@ struct ViewedRay {
   /// Lights that emit evenly, and the surfaces with their geometry, are dark: the reflecting
   /// surface has highlights of them (MirroredLights).
   bool hides_lights = false;
-  PartShape shape = {};  ///< shape of the part that it represents, relative to the square
+  FootprintShape shape = {};  ///< shape of the part that it represents, relative to the square
   /// Includes only diffuse reflection, without emission. Used for rays that carry light to another
   /// surface, which samples the lights itself.
   bool diffuse = false;
   VolumePath passage = {};
   /// The parts that `shape` represents together. Colours are averaged over each of them; empty:
   /// `shape` is exact.
-  std::span<const SharedShape> parts = {};
+  std::span<const WeightedShape> parts = {};
   float colours = 1.0f;  ///< factor of the width over which colours are averaged
 
   /// Returns whether any surface has reflected it, instead of only transmitting it.

@@ -1,4 +1,4 @@
-#include "renderer/asos/part_shape.h"
+#include "renderer/asos/footprint_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ struct Moments {
   }
 
   // Returns the shape in units of a square's side.
-  [[nodiscard]] std::optional<PartShape> shape(double side) const {
+  [[nodiscard]] std::optional<FootprintShape> shape(double side) const {
     const glm::dvec2 mean = first / area;
     const glm::dvec2 variance = square / area - mean * mean;
     const double covariance = mixed / area - mean.x * mean.y;
@@ -35,8 +35,8 @@ struct Moments {
     const double across = std::sqrt(12.0 * variance.y - lean * lean);
     const bool sound = std::isfinite(mean.x + mean.y) && along > 0.0 && across > 0.0;
     if (!sound) return std::nullopt;
-    return PartShape{glm::vec2(mean / side), glm::vec2(along / side, lean / side),
-                     glm::vec2(0.0, across / side)};
+    return FootprintShape{glm::vec2(mean / side), glm::vec2(along / side, lean / side),
+                          glm::vec2(0.0, across / side)};
   }
 };
 
@@ -71,16 +71,16 @@ void add_drawn_in(glm::dvec2 p, glm::dvec2 q, glm::dvec2 lo, glm::dvec2 hi, Mome
 
 }  // namespace
 
-PartShape part_shape(const LeafRegion& region, glm::vec2 at) {
+FootprintShape footprint_shape(const LeafRegion& region, glm::vec2 at) {
   if (region.border.empty()) return {};
   Moments sum;
   for (const BorderEdge& side : region.border)
     sum.add(glm::dvec2(side.from - at), glm::dvec2(side.to - at));
-  return sum.shape(std::sqrt(std::abs(sum.area))).value_or(PartShape{});
+  return sum.shape(std::sqrt(std::abs(sum.area))).value_or(FootprintShape{});
 }
 
-void add_part_shapes(const LeafRegion& region, glm::vec2 at, int n,
-                     std::vector<SharedShape>& shapes) {
+void add_footprint_shapes(const LeafRegion& region, glm::vec2 at, int n,
+                          std::vector<WeightedShape>& shapes) {
   Moments all;
   for (const BorderEdge& side : region.border)
     all.add(glm::dvec2(side.from - at), glm::dvec2(side.to - at));
