@@ -1,7 +1,7 @@
 #include "renderer/asos/reflected_pyray.h"
 
 #include "renderer/asos/eye_caster.h"
-#include "renderer/asos/mirrored_sight.h"
+#include "renderer/asos/reflected_hit.h"
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/reflections/mirror_surface.h"
 
@@ -123,7 +123,7 @@ Bounds2 incident_part(const EyeContext& eye, const Reflection& reflection,
 }
 
 // Returns whether the leaf's outline is still recognizable in the reflection, despite its blur.
-bool shows_outline(const MirroredSight& sight) {
+bool shows_outline(const ReflectedHit& sight) {
   const double sharp = std::min(sight.pyray.sharp_share.x, sight.pyray.sharp_share.y);
   return 1.0 - sharp < outline_matters * sharp;
 }
@@ -145,7 +145,7 @@ bool is_whole(const LeafRegion& region) {
 
 // Returns the weights of the parts of the reflected square: the blur kernel, and the leaf's own
 // outline where it is not blurred away.
-MirroredMask mask_of(const MirroredSight& sight, const LeafRegion& region, const Bounds2& part,
+MirroredMask mask_of(const ReflectedHit& sight, const LeafRegion& region, const Bounds2& part,
                      double start) {
   MirroredMask mask;
   if (sight.pyray.sharp_share != glm::dvec2(1.0)) {
@@ -171,7 +171,7 @@ std::vector<BorderEdge> outlines_in(const MirroredMask& mask, const Frame& frame
 }
 
 // Traces the reflected pyray and reports it to observers. Returns whether it was split.
-bool trace_mirrored(EyeContext& eye, const MirroredSight& sight, const LeafContext& leaf,
+bool trace_mirrored(EyeContext& eye, const ReflectedHit& sight, const LeafContext& leaf,
                     EyeCaster& caster, int bounce) {
   const std::vector<BorderEdge> outline = outlines_in(*eye.mask, *eye.frame, eye.viewer);
   Pyray pyray{*eye.frame};
@@ -199,11 +199,11 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
                      float width, RenderStatistics& counts) {
   // Reflect the leaf's pyray.
   Bounds2 part = incident_part(eye, reflection, leaf.region);
-  auto sight = mirrored_sight(eye, reflection, part, is_whole(leaf.region), width, counts);
+  auto sight = reflected_hit(eye, reflection, part, is_whole(leaf.region), width, counts);
   const bool blurred_before = eye.mask && eye.mask->blur;
   if (sight && !leaf.region.border.empty() && !blurred_before && !shows_outline(*sight)) {
     part = part_about_sample(leaf.region, leaf.at);
-    sight = mirrored_sight(eye, reflection, part, false, width, counts);
+    sight = reflected_hit(eye, reflection, part, false, width, counts);
   }
   if (!sight) return {{}, false, false, false};
   const View view(sight->pyray.picture);

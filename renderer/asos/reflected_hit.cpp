@@ -1,4 +1,4 @@
-#include "renderer/asos/mirrored_sight.h"
+#include "renderer/asos/reflected_hit.h"
 
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/reflections/own_side.h"
@@ -36,10 +36,10 @@ IncidentPyray incident_pyray(const Frame& frame, const Reflection& reflection,
 }
 
 // Returns the sight as a pyramid (CGF'98 section 5).
-std::optional<MirroredSight> pyramid_sight(const EyeContext& eye, const Reflection& reflection,
-                                           const Bounds2& part, float width) {
+std::optional<ReflectedHit> pyramid_sight(const EyeContext& eye, const Reflection& reflection,
+                                          const Bounds2& part, float width) {
   IncidentPyray pyray = incident_pyray(*eye.frame, reflection, part);
-  MirroredSight sight;
+  ReflectedHit sight;
   MirrorSurface& surface = sight.surface;
   surface = mirror_surface(eye.scene->world(), reflection.hit, reflection.point, pyray,
                            eye.settings->mirror.curved == CurvedMirror::approximate);
@@ -91,9 +91,9 @@ RayBundle incident_bundle(const EyeContext& eye, const Reflection& reflection, c
   return t > 0.0 ? own->blurred_part(part, t) : own->part(part);
 }
 
-std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflection& reflection,
-                                          const Bounds2& part, bool whole, float width,
-                                          RenderStatistics& counts) {
+std::optional<ReflectedHit> bundle_sight(const EyeContext& eye, const Reflection& reflection,
+                                         const Bounds2& part, bool whole, float width,
+                                         RenderStatistics& counts) {
   RayBundle bundle = incident_bundle(eye, reflection, part, whole);
   // Intersect the central ray with the surface's plane.
   const glm::dvec3 normal(reflection.point.geometric_normal);
@@ -114,7 +114,7 @@ std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflectio
   beam.down = bundle.whole_section(t).down;
   beam.distance = t;
 
-  MirroredSight sight;
+  ReflectedHit sight;
   MirrorSurface& surface = sight.surface;
   const bool bent = reflection.ratio > 0.0f || eye.viewer.passage.refractions > 0 ||
                     eye.settings->mirror.curved == CurvedMirror::approximate;
@@ -135,9 +135,9 @@ std::optional<MirroredSight> bundle_sight(const EyeContext& eye, const Reflectio
 
 }  // namespace
 
-std::optional<MirroredSight> mirrored_sight(const EyeContext& eye, const Reflection& reflection,
-                                            const Bounds2& part, bool whole, float width,
-                                            RenderStatistics& counts) {
+std::optional<ReflectedHit> reflected_hit(const EyeContext& eye, const Reflection& reflection,
+                                          const Bounds2& part, bool whole, float width,
+                                          RenderStatistics& counts) {
   const bool by_bundle = reflection.ratio > 0.0f || eye.viewer.bundle;
   return by_bundle ? bundle_sight(eye, reflection, part, whole, width, counts)
                    : pyramid_sight(eye, reflection, part, width);

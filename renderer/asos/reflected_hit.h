@@ -11,7 +11,7 @@
 namespace asos {
 
 /// A mirrored or refracted pyray, and the surface where its axis meets it.
-struct MirroredSight {
+struct ReflectedHit {
   MirroredPyray pyray;
   MirrorSurface surface;
   /// Replaces the pyray after any refraction or blur.
@@ -23,9 +23,9 @@ struct MirroredSight {
 /// meets. `whole` says that the part is the whole frame; `width` is that of the lobe around it.
 /// After a refraction or blur, the pyray is the pyramid around a bundle, and one ray determines its
 /// depth. Returns nothing if the part has no extent or its numbers are not finite.
-[[nodiscard]] std::optional<MirroredSight> mirrored_sight(const EyeContext& eye,
-                                                          const Reflection& reflection,
-                                                          const Bounds2& part, bool whole,
-                                                          float width, RenderStatistics& counts);
+[[nodiscard]] std::optional<ReflectedHit> reflected_hit(const EyeContext& eye,
+                                                        const Reflection& reflection,
+                                                        const Bounds2& part, bool whole,
+                                                        float width, RenderStatistics& counts);
 
 }  // namespace asos
