@@ -69,7 +69,7 @@ bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
     lobes_ = glm::max(lobes_, reflection.reflected);
     return true;
   }
-  const Mirrored mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
+  const ReflectionResult mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
   if (!mirrored.followed) return false;
   radiance += mirrored.radiance;
   met_mirror_edge_ |= mirrored.split;

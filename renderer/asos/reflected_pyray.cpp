@@ -195,8 +195,8 @@ bool trace_mirrored(EyeContext& eye, const ReflectedHit& sight, const LeafContex
   return trace.outcome.deepest > 0;
 }
 
-Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const LeafContext& leaf,
-                     float width, RenderStatistics& counts) {
+ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection,
+                             const LeafContext& leaf, float width, RenderStatistics& counts) {
   // Reflect the leaf's pyray.
   Bounds2 part = incident_part(eye, reflection, leaf.region);
   auto sight = reflected_hit(eye, reflection, part, is_whole(leaf.region), width, counts);
@@ -260,15 +260,15 @@ Mirrored trace_width(const EyeContext& eye, const Reflection& reflection, const 
 
 }  // namespace
 
-Mirrored trace_reflection(const EyeContext& eye, const Reflection& reflection,
-                          const LeafContext& leaf, RenderStatistics& counts) {
-  Mirrored all;
+ReflectionResult trace_reflection(const EyeContext& eye, const Reflection& reflection,
+                                  const LeafContext& leaf, RenderStatistics& counts) {
+  ReflectionResult all;
   if (reflection.one_width()) {
     all = trace_width(eye, reflection, leaf, reflection.width.x, counts);
   } else {
     for (int c = 0; c < 3; ++c) {
       if (!(reflection.reflected[c] > 0.0f)) continue;
-      const Mirrored one = trace_width(eye, reflection, leaf, reflection.width[c], counts);
+      const ReflectionResult one = trace_width(eye, reflection, leaf, reflection.width[c], counts);
       all.radiance[c] = one.radiance[c];
       all.split |= one.split;
       all.misplaces |= one.misplaces;

@@ -9,7 +9,7 @@
 namespace asos {
 
 /// The radiance that a leaf reflects to the viewer.
-struct Mirrored {
+struct ReflectionResult {
   glm::vec3 radiance{0.0f};
   bool split = false;  ///< a boundary divided it
   bool misplaces =
@@ -19,7 +19,7 @@ struct Mirrored {
 
 /// Follows a leaf's reflection with the same engine in the reflected frame. Colours with different
 /// blur widths are followed separately (CGF'98 section 5).
-[[nodiscard]] Mirrored trace_reflection(const EyeContext& eye, const Reflection& reflection,
-                                        const LeafContext& leaf, RenderStatistics& counts);
+[[nodiscard]] ReflectionResult trace_reflection(const EyeContext& eye, const Reflection& reflection,
+                                                const LeafContext& leaf, RenderStatistics& counts);
 
 }  // namespace asos
