@@ -5,7 +5,7 @@
 #include "renderer/prepared/viewer.h"
 #include "renderer/pyray/allowance.h"
 #include "renderer/pyray/observer.h"
-#include "renderer/reflections/mirrored_mask.h"
+#include "renderer/reflections/reflection_mask.h"
 #include "renderer/shadows/engine_variant.h"
 
 #include <cmath>
@@ -28,9 +28,9 @@ struct EyeContext {
   PixelRect block;               ///< square
   Allowance allowance{};         ///< of a root
   EngineVariant variant{};
-  int seed = 0;                        ///< seed of sampled parts
-  const MirroredMask* mask = nullptr;  ///< weights of the parts of the square; null: their areas
-  const Defocus* defocus = nullptr;    ///< blur of the camera's lens; null: a pinhole
+  int seed = 0;                          ///< seed of sampled parts
+  const ReflectionMask* mask = nullptr;  ///< weights of the parts of the square; null: their areas
+  const Defocus* defocus = nullptr;      ///< blur of the camera's lens; null: a pinhole
   EyeWorkspace* work = nullptr;
   std::stop_token stop{};
   RenderStatistics* counts = nullptr;

@@ -145,9 +145,9 @@ bool is_whole(const LeafRegion& region) {
 
 // Returns the weights of the parts of the reflected square: the blur kernel, and the leaf's own
 // outline where it is not blurred away.
-MirroredMask mask_of(const ReflectedHit& sight, const LeafRegion& region, const Bounds2& part,
-                     double start) {
-  MirroredMask mask;
+ReflectionMask mask_of(const ReflectedHit& sight, const LeafRegion& region, const Bounds2& part,
+                       double start) {
+  ReflectionMask mask;
   if (sight.pyray.sharp_share != glm::dvec2(1.0)) {
     mask.horizon = horizon_of(sight.pyray, sight.surface);
     mask.blur = {sight.pyray.sharp_share, sight.pyray.apex_distance, start};
@@ -158,7 +158,7 @@ MirroredMask mask_of(const ReflectedHit& sight, const LeafRegion& region, const 
 
 // Returns the boundaries that are not edges of the scene: the leaf's outline, the horizon, and
 // lights without geometry.
-std::vector<BorderEdge> outlines_in(const MirroredMask& mask, const Frame& frame,
+std::vector<BorderEdge> outlines_in(const ReflectionMask& mask, const Frame& frame,
                                     const Viewer& viewer) {
   std::vector<BorderEdge> outline;
   for (const BorderEdge& s : mask.outline)
@@ -208,7 +208,7 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
   if (!sight) return {{}, false, false, false};
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);
-  const MirroredMask mask = mask_of(*sight, leaf.region, part, view.start());
+  const ReflectionMask mask = mask_of(*sight, leaf.region, part, view.start());
 
   // Make a viewer along it.
   const Viewer viewer{view,

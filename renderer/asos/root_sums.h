@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/reflections/mirrored_mask.h"
+#include "renderer/reflections/reflection_mask.h"
 #include "renderer/samples/region_sampler.h"
 
 #include <glm/glm.hpp>

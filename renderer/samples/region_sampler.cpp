@@ -47,7 +47,7 @@ std::uint32_t times_larger_around(const LeafRegion& region) {
 
 RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
                              const RenderSettings& settings, PixelRect block, int seed,
-                             const MirroredMask* mask, std::stop_token stop,
+                             const ReflectionMask* mask, std::stop_token stop,
                              SampleSums::Shows shows)
     : block_(block),
       mask_(mask),

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/pyray/square.h"
-#include "renderer/reflections/mirrored_mask.h"
+#include "renderer/reflections/reflection_mask.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_places.h"
 #include "renderer/sampling/estimate.h"
@@ -26,7 +26,7 @@ class RegionSampler {
   /// weights of the square's parts; null: uniform. All arguments have to outlive this. After a
   /// request on `stop`, estimates use the samples taken until then.
   RegionSampler(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
-                PixelRect block, int seed, const MirroredMask* mask = nullptr,
+                PixelRect block, int seed, const ReflectionMask* mask = nullptr,
                 std::stop_token stop = {}, SampleSums::Shows shows = SampleSums::Shows::all);
 
   /// When to stop sampling: approximate numbers of samples in the region, powers of two. The error
@@ -106,7 +106,7 @@ class RegionSampler {
   [[nodiscard]] double standard_error(const Waiting& waiting, glm::dvec3 mean) const;
 
   PixelRect block_;
-  const MirroredMask* mask_;
+  const ReflectionMask* mask_;
   std::stop_token stop_;
   double white_;  // the radiance that is white in a picture
   SobolPlaces places_;

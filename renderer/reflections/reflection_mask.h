@@ -31,7 +31,7 @@ struct BlurByDepth {
 
 /// Weights of the parts of a reflected pyray's square: by the blur kernel, and 0 outside of the
 /// reflected leaf or below the mirror. By default the weights are the areas.
-struct MirroredMask {
+struct ReflectionMask {
   std::optional<BlurByDepth> blur;
   std::optional<Horizon> horizon;
   std::vector<BorderEdge> outline;  ///< of the leaf; empty: the whole square
