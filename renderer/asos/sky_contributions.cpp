@@ -1,6 +1,6 @@
 #include "renderer/asos/sky_contributions.h"
 
-#include "renderer/asos/open_sky.h"
+#include "renderer/asos/unoccluded_sky.h"
 #include "renderer/geometry/finite.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/sky.h"
@@ -84,8 +84,8 @@ void SkyContributions::add(std::uint32_t number, const SkyLitPoint& point,
   lit.mirrors = point.mirrors;
   lit.factor = point.share;
   constexpr double share_of_error = 0.7;
-  lit.open = open_sky_within(point, leaf_places(lit),
-                             share_of_error * eye_->allowance.standard_error(lit.weight));
+  lit.open = unoccluded_sky_within(point, leaf_places(lit),
+                                   share_of_error * eye_->allowance.standard_error(lit.weight));
   const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : point.material.specular;
   lit.unit = bounces_ ? point.share * (point.material.diffuse + specular) : lit.open;
 }

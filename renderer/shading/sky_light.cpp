@@ -188,10 +188,10 @@ std::optional<glm::vec3> open_sky_of_matte(const SkyLitPoint& point) {
   ViewedMaterial matte = point.material;
   matte.specular = glm::vec3(0.0f);
   matte.sheen = matte.falloff = 0.0f;
-  return open_sky({point.sky, point.view, matte, point.mirrors, point.share});
+  return unoccluded_sky({point.sky, point.view, matte, point.mirrors, point.share});
 }
 
-std::optional<glm::vec3> open_sky(const SkyLitPoint& point) {
+std::optional<glm::vec3> unoccluded_sky(const SkyLitPoint& point) {
   const ViewedMaterial& material = point.material;
   const bool shiny = !point.mirrors && material.specular != glm::vec3(0.0f);
   const bool sheen = material.sheen > 0.0f;

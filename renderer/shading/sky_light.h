@@ -75,7 +75,7 @@ class SkySampler {
 /// Returns the mean of `carried` over all samples, including occluded ones, where a closed form
 /// exists. It exists for constant skies (with the accuracy of lobe_norms) and for matte surfaces
 /// under gradients.
-[[nodiscard]] std::optional<glm::vec3> open_sky(const SkyLitPoint& point);
+[[nodiscard]] std::optional<glm::vec3> unoccluded_sky(const SkyLitPoint& point);
 /// Returns the mean of `matte`, where a closed form exists.
 [[nodiscard]] std::optional<glm::vec3> open_sky_of_matte(const SkyLitPoint& point);
 

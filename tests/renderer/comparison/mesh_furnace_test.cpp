@@ -115,7 +115,7 @@ class ReturnedByLobes final : public LightTransport {
  public:
   void add(const Illumination&, glm::vec3&, RenderStatistics&) override {}
   bool add_sky(const SkyLitPoint& point, glm::vec3& radiance, RenderStatistics&) override {
-    radiance += open_sky(point).value();
+    radiance += unoccluded_sky(point).value();
     return true;
   }
   bool reflect(const Reflection& reflection, glm::vec3& radiance, RenderStatistics&) override {

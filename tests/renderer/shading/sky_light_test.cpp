@@ -55,7 +55,7 @@ TEST(SampleSky, ItsMeanIsTheClosedFormOfAnOpenSky) {
       for (const double angle : {0.0, 0.6, 1.2, 1.45}) {
         const Seen seen(material_of(metallic, roughness), angle);
         const SkyLitPoint point = seen.under(nullptr);
-        const auto open = open_sky(point);
+        const auto open = unoccluded_sky(point);
         ASSERT_TRUE(open);
         const glm::dvec3 found = mean_of_samples(point, 1 << 15);
         for (int i = 0; i < 3; ++i)
@@ -73,11 +73,11 @@ TEST(SampleSky, OfAMatteSurfaceUnderAGradientItsMeanIsTheClosedForm) {
   matte.f90 = 0.0f;
   matte.dielectric_f0 = matte.dielectric_f90 = 0.0f;
   const Seen seen(matte, 0.5);
-  const auto open = open_sky(seen.under(&sky));
+  const auto open = unoccluded_sky(seen.under(&sky));
   ASSERT_TRUE(open);
   const glm::dvec3 found = mean_of_samples(seen.under(&sky), 1 << 14);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], (*open)[i], 5e-4);
-  EXPECT_FALSE(open_sky(Seen(material_of(1.0f, 0.5f), 0.5).under(&sky)))
+  EXPECT_FALSE(unoccluded_sky(Seen(material_of(1.0f, 0.5f), 0.5).under(&sky)))
       << "glossy surfaces under a gradient have no closed form";
 }
 
@@ -96,7 +96,7 @@ TEST(SampleSky, NothingIsLostBelowTheSurfaceOfATiltedNormal) {
           EXPECT_GE(glm::dot(sample->direction, seen.point.geometric_normal), -1e-6f);
         }
       }
-      const glm::dvec3 found = mean_of_samples(point, 1 << 15), open(*open_sky(point));
+      const glm::dvec3 found = mean_of_samples(point, 1 << 15), open(*unoccluded_sky(point));
       for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(found[i], open[i], 3e-3 * static_cast<double>(sky_radiance)) << tilt;
     }

@@ -1,4 +1,4 @@
-#include "renderer/asos/open_sky.h"
+#include "renderer/asos/unoccluded_sky.h"
 
 #include "renderer/sampling/sequential_mean.h"
 #include "renderer/shading/sky_light.h"
@@ -19,8 +19,8 @@ constexpr std::uint32_t other_places = 0x100;
 
 }  // namespace
 
-glm::vec3 open_sky_within(const SkyLitPoint& point, const SobolPixel& leaf, double error) {
-  if (const auto known = open_sky(point)) return *known;
+glm::vec3 unoccluded_sky_within(const SkyLitPoint& point, const SobolPixel& leaf, double error) {
+  if (const auto known = unoccluded_sky(point)) return *known;
   const SkySampler sampler(point);
   // Matte reflection has a closed form under more skies. Samples determine the rest.
   const std::optional<glm::vec3> matte = open_sky_of_matte(point);
