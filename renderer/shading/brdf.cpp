@@ -2,9 +2,9 @@
 
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
-#include "renderer/shading/film.h"
 #include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/sheen.h"
+#include "renderer/shading/thin_film.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,11 +57,11 @@ ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
   seen.f90 = glm::vec3(material.f90);
   float dielectric_f0 = material.dielectric_f0, dielectric_f90 = material.dielectric_f90;
   // KHR_materials_iridescence: mix(base, the base below a film, factor).
-  if (const SurfaceFilm& film = material.film; film.factor > 0.0f) {
-    const glm::vec3 fresnel = film_fresnel(film, material.f0, n_dot_v);
+  if (const SurfaceThinFilm& film = material.film; film.factor > 0.0f) {
+    const glm::vec3 fresnel = thin_film_fresnel(film, material.f0, n_dot_v);
     seen.f0 = glm::mix(seen.f0, fresnel, film.factor);
     seen.f90 = glm::mix(seen.f90, fresnel, film.factor);
-    const float most = largest(film_fresnel(film, glm::vec3(dielectric_f0), n_dot_v));
+    const float most = largest(thin_film_fresnel(film, glm::vec3(dielectric_f0), n_dot_v));
     dielectric_f0 = glm::mix(dielectric_f0, most, film.factor);
     dielectric_f90 = glm::mix(dielectric_f90, most, film.factor);
   }

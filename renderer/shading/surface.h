@@ -51,7 +51,7 @@ struct SurfaceCoat {
 };
 
 /// Iridescence at a point.
-struct SurfaceFilm {
+struct SurfaceThinFilm {
   float factor = 0.0f;  ///< 0: none
   float ior = 1.3f;
   float thickness_nm = 0.0f;
@@ -102,7 +102,7 @@ struct SurfaceMaterial {
   bool unlit = false;
   SurfaceCoat coat;
   SurfaceSheen sheen;
-  SurfaceFilm film;
+  SurfaceThinFilm film;
   SurfaceAnisotropy anisotropy;
   /// Computed from the anisotropy for a viewer; surface_material leaves it out.
   LobeStretch stretch;

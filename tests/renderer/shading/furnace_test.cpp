@@ -1,4 +1,4 @@
-#include "renderer/shading/film.h"
+#include "renderer/shading/thin_film.h"
 #include "tests/renderer/shading/seen_floor.h"
 
 #include <gtest/gtest.h>
@@ -33,10 +33,10 @@ TEST(Furnace, OfFilmsIsTheLobeTimesTheirFresnelTerm) {
         const SeenPoint at = seen_at(angle);
         const double lobe = over_hemisphere(
             at, 120, [&](glm::dvec3 l) { return ggx_reference(r.roughness, at, l); });
-        const SurfaceFilm film{1.0f, m.film.ior, thickness};
+        const SurfaceThinFilm film{1.0f, m.film.ior, thickness};
         const auto cosine = static_cast<float>(std::cos(angle));
-        const glm::dvec3 of_metal(film_fresnel(film, glm::vec3(r.base), cosine));
-        const glm::dvec3 of_dielectric(film_fresnel(film, glm::vec3(0.04f), cosine));
+        const glm::dvec3 of_metal(thin_film_fresnel(film, glm::vec3(r.base), cosine));
+        const glm::dvec3 of_dielectric(thin_film_fresnel(film, glm::vec3(0.04f), cosine));
         const double most = std::max({of_dielectric.x, of_dielectric.y, of_dielectric.z});
         const glm::dvec3 expected =
             metallic > 0.0 ? lobe * of_metal : lobe * of_dielectric + (1.0 - most) * r.base;

@@ -1,4 +1,4 @@
-#include "renderer/shading/film.h"
+#include "renderer/shading/thin_film.h"
 
 #include "renderer/shading/brdf.h"
 
@@ -82,9 +82,9 @@ void expect_all(Expected expected_of, double allowed) {
     for (const double base_f0 : {0.04, 0.3}) {
       for (const double nm : {120.0, 250.0, 380.0, 520.0}) {
         for (const double cosine : {1.0, 0.7, 0.4}) {
-          const SurfaceFilm film{1.0f, static_cast<float>(ior), static_cast<float>(nm)};
-          const glm::vec3 found = film_fresnel(film, glm::vec3(static_cast<float>(base_f0)),
-                                               static_cast<float>(cosine));
+          const SurfaceThinFilm film{1.0f, static_cast<float>(ior), static_cast<float>(nm)};
+          const glm::vec3 found = thin_film_fresnel(film, glm::vec3(static_cast<float>(base_f0)),
+                                                    static_cast<float>(cosine));
           const glm::dvec3 expected =
               glm::clamp(expected_of(FilmCase{ior, base_f0, nm, cosine}), 0.0, 1.0);
           for (int c = 0; c < 3; ++c)
@@ -110,7 +110,7 @@ TEST(Film, ReflectsByAirysSum) {
 // At larger angles Schlick's term reflects something even between air and air.
 TEST(Film, WithZeroThicknessIsTheBase) {
   for (const float cosine : {1.0f, 0.95f}) {
-    const glm::vec3 found = film_fresnel({1.0f, 1.8f, 0.0f}, {0.04f, 0.5f, 0.9f}, cosine);
+    const glm::vec3 found = thin_film_fresnel({1.0f, 1.8f, 0.0f}, {0.04f, 0.5f, 0.9f}, cosine);
     const glm::vec3 expected(schlick(0.04, cosine), schlick(0.5, cosine), schlick(0.9, cosine));
     EXPECT_LT(glm::distance(found, expected), 1e-3f) << cosine;
   }

@@ -10,6 +10,7 @@ namespace asos {
 /// thin film in air over a base of reflectance `base_f0`, at an angle of incidence with this
 /// cosine. Light that is reflected up to twice within the film interferes (Belcour and Barla 2017,
 /// "A Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence").
-[[nodiscard]] glm::vec3 film_fresnel(const SurfaceFilm& film, glm::vec3 base_f0, float cosine);
+[[nodiscard]] glm::vec3 thin_film_fresnel(const SurfaceThinFilm& film, glm::vec3 base_f0,
+                                          float cosine);
 
 }  // namespace asos

@@ -1,4 +1,4 @@
-#include "renderer/shading/film.h"
+#include "renderer/shading/thin_film.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ glm::vec3 sensitivity(float path_nm, glm::vec3 shift) {
 
 }  // namespace
 
-glm::vec3 film_fresnel(const SurfaceFilm& film, glm::vec3 base_f0, float cosine) {
+glm::vec3 thin_film_fresnel(const SurfaceThinFilm& film, glm::vec3 base_f0, float cosine) {
   constexpr float air = 1.0f;
   // A film with vanishing thickness becomes air.
   constexpr float vanishing_nm = 0.03f;
