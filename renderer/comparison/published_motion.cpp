@@ -3,7 +3,7 @@
 #include "renderer/asos/asos.h"
 #include "renderer/prepared/screen_motion.h"
 #include "renderer/sampling/random.h"
-#include "renderer/shading/backdrop.h"
+#include "renderer/shading/background_radiance.h"
 
 #include <glm/glm.hpp>
 
@@ -39,7 +39,7 @@ class ElongatedPixels {
   explicit ElongatedPixels(const BlockJob& job)
       : job_(job),
         motion_(*job.motion),
-        backdrop_(job.settings.background, job.view),
+        background_radiance_(job.settings.background, job.view),
         settings_(job.settings) {
     settings_.asos.fat = 2;
     // Cones are for square pixels.
@@ -92,7 +92,7 @@ class ElongatedPixels {
     Background& background = settings_.background;
     if (background.kind == BackgroundKind::colours)
       background.top = background.bottom =
-          backdrop_.radiance(job_.scene.sky_of(job_.settings), ray, nullptr, 1.0f);
+          background_radiance_.radiance(job_.scene.sky_of(job_.settings), ray, nullptr, 1.0f);
     const auto seed = static_cast<std::uint32_t>(job_.settings.seed);
     settings_.seed = static_cast<int>(pixel_random(pixel.x, pixel.y, seed) >> 33);
     const BlockResult found =
@@ -110,7 +110,7 @@ class ElongatedPixels {
 
   const BlockJob& job_;
   const MovingPicture& motion_;
-  Backdrop backdrop_;
+  BackgroundRadiance background_radiance_;
   RenderSettings settings_;
 };
 

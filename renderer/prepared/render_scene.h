@@ -78,7 +78,7 @@ struct RenderScene {
        PixelSpacing::of(view), scene.sky_of(settings), mirrors ? settings.mirror.bounces : 0,
        static_cast<float>(settings.mirror.roughest),
        settings.mirror.dfr ? &*settings.mirror.dfr : nullptr, &scene.dfrs(), bend,
-       Backdrop(settings.background, view)});
+       BackgroundRadiance(settings.background, view)});
 }
 
 /// Returns the notes for the user: on the scene's file, and on its boundaries as soon as they are

@@ -25,7 +25,7 @@ SimdSamples::SimdSamples(const RenderScene& scene, const Viewer& viewer)
       roughest_mirror_(viewer.shader.settings().roughest_mirror),
       same_sky_(!sky_ || sky_->constant()) {
   if (!viewer.sees_bare_lights()) {
-    const Backdrop environment;
+    const BackgroundRadiance environment;
     background_ =
         (viewer.bounces == 0 ? viewer.shader.settings().backdrop : environment).everywhere(sky_);
   }

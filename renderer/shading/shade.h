@@ -6,7 +6,7 @@
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/rays/ray_scene.h"
-#include "renderer/shading/backdrop.h"
+#include "renderer/shading/background_radiance.h"
 #include "renderer/shading/layers.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/surface.h"
@@ -58,7 +58,7 @@ struct ShadingSettings {
   /// Display intensity by which a pixel's centre may differ from its mean before lights are
   /// integrated over its patch; 1: never.
   float bend = 1.0f;
-  Backdrop backdrop{};  ///< background of eye rays behind all surfaces
+  BackgroundRadiance backdrop{};  ///< background of eye rays behind all surfaces
 };
 
 /// Computes the radiance of a scene along rays; every method shades with this class. It stores

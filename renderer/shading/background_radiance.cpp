@@ -1,4 +1,4 @@
-#include "renderer/shading/backdrop.h"
+#include "renderer/shading/background_radiance.h"
 
 #include "renderer/shading/sky.h"
 
@@ -13,7 +13,8 @@ constexpr float blurred_width = 0.95f;
 
 }  // namespace
 
-Backdrop::Backdrop(const Background& chosen, const View& view) : chosen_(chosen) {
+BackgroundRadiance::BackgroundRadiance(const Background& chosen, const View& view)
+    : chosen_(chosen) {
   if (chosen.kind == BackgroundKind::colours && chosen.top != chosen.bottom)
     picture_ = view.frame(0.0, 0.0, view.width(), view.height());
   if (chosen.kind == BackgroundKind::blurred) {
@@ -23,8 +24,8 @@ Backdrop::Backdrop(const Background& chosen, const View& view) : chosen_(chosen)
   }
 }
 
-glm::vec3 Backdrop::radiance(const Sky* sky, const Ray& ray, const PixelSpacing* spacing,
-                             float side) const {
+glm::vec3 BackgroundRadiance::radiance(const Sky* sky, const Ray& ray, const PixelSpacing* spacing,
+                                       float side) const {
   switch (chosen_.kind) {
     case BackgroundKind::transparent:
       return glm::vec3(0.0f);
@@ -44,7 +45,7 @@ glm::vec3 Backdrop::radiance(const Sky* sky, const Ray& ray, const PixelSpacing*
   return background(sky, ray.direction, spacing, side);
 }
 
-std::optional<glm::vec3> Backdrop::everywhere(const Sky* sky) const {
+std::optional<glm::vec3> BackgroundRadiance::everywhere(const Sky* sky) const {
   const bool one_colour = chosen_.kind == BackgroundKind::colours && !picture_;
   const bool one_sky = chosen_.kind != BackgroundKind::colours && (!sky || sky->constant());
   if (chosen_.kind != BackgroundKind::transparent && !one_colour && !one_sky) return std::nullopt;

@@ -13,11 +13,11 @@ namespace asos {
 class Sky;
 
 /// The background of a picture behind all surfaces.
-class Backdrop {
+class BackgroundRadiance {
  public:
   /// Uses the environment as background.
-  Backdrop() = default;
-  Backdrop(const Background& chosen, const View& view);
+  BackgroundRadiance() = default;
+  BackgroundRadiance(const Background& chosen, const View& view);
 
   /// Returns the linear radiance along an eye ray that hits nothing. With a `spacing` it is
   /// averaged over a square of `side` pixels. A null sky is the neutral one. Colour backgrounds are
