@@ -4,7 +4,7 @@
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/lobe.h"
-#include "renderer/shading/patch_bend.h"
+#include "renderer/shading/patch_curvature.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <algorithm>
@@ -108,8 +108,8 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const float of_middle =
       std::min(glossy.white, radiance) * std::min(1.0f, spread2 / (6.0f * width2));
   const float highlight = alpha + (line ? 0.0f : 0.5f * nearest.half_angle_tangent);
-  const std::optional<PatchBend::Parts> parts =
-      PatchBend::parts_for(spread, std::hypot(highlight, least_away));
+  const std::optional<PatchCurvature::Parts> parts =
+      PatchCurvature::parts_for(spread, std::hypot(highlight, least_away));
   if (!parts) return {of_middle, contrast};
   const glm::vec3 right = spread.right / static_cast<float>(parts->right);
   const glm::vec3 down = spread.down / static_cast<float>(parts->down);

@@ -40,8 +40,8 @@ struct HighlightError {
 };
 
 /// Returns a bound for the error of the patch's highlight of a light with an extent in
-/// ReflectedLights, by the physical rule. It is the error of the mean (PatchBend), or that of the
-/// centre where the patch is too wide.
+/// ReflectedLights, by the physical rule. It is the error of the mean (PatchCurvature), or that of
+/// the centre where the patch is too wide.
 [[nodiscard]] HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& glossy);
 
 }  // namespace asos

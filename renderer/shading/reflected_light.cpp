@@ -128,7 +128,7 @@ std::optional<MirroredLights> shown_from(const PreparedLight& light) {
   return surface ? std::optional(MirroredLights::all) : std::nullopt;
 }
 
-ReflectedLights::ReflectedLights(const LitPoint& point, std::optional<PatchBend> bend)
+ReflectedLights::ReflectedLights(const LitPoint& point, std::optional<PatchCurvature> bend)
     : point_(point),
       receiver_(receiver_at(point.view.point)),
       bend_(bend),
@@ -181,9 +181,10 @@ ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3
   return share;
 }
 
-glm::vec3 ReflectedLights::mean(const PreparedLight& light, const PatchBend::Parts& parts) const {
+glm::vec3 ReflectedLights::mean(const PreparedLight& light,
+                                const PatchCurvature::Parts& parts) const {
   glm::vec3 sum(0.0f);
-  bend_->for_each_point(point_.view, point_.material, parts, [&](const PatchBend::Point& at) {
+  bend_->for_each_point(point_.view, point_.material, parts, [&](const PatchCurvature::Point& at) {
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver_at(at.surface));
     if (irradiance == glm::vec3(0.0f)) return;
     const ViewedPoint view = viewed_point(at.surface, at.to_viewer);

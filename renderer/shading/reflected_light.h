@@ -4,7 +4,7 @@
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/light_quadrature.h"
 #include "renderer/shading/light_transport.h"
-#include "renderer/shading/patch_bend.h"
+#include "renderer/shading/patch_curvature.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <glm/glm.hpp>
@@ -51,11 +51,12 @@ enum class Widening { by_patch, by_bumps };
 
 /// Unshadowed contributions of the lights to one point. For lights with an extent, by the physical
 /// rule, it is the mean over the point's patch where the two may differ by more than
-/// PatchBend::negligible.
+/// PatchCurvature::negligible.
 class ReflectedLights {
  public:
   /// `point` has to outlive this.
-  explicit ReflectedLights(const LitPoint& point, std::optional<PatchBend> bend = std::nullopt);
+  explicit ReflectedLights(const LitPoint& point,
+                           std::optional<PatchCurvature> bend = std::nullopt);
 
   struct Share {
     glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per irradiance
@@ -70,11 +71,12 @@ class ReflectedLights {
   [[nodiscard]] Share of_extended(const PreparedLight& light, const Highlight& highlight,
                                   glm::vec3 irradiance, Widening widening);
   [[nodiscard]] LightQuadrature& quadrature(float roughness);
-  [[nodiscard]] glm::vec3 mean(const PreparedLight& light, const PatchBend::Parts& parts) const;
+  [[nodiscard]] glm::vec3 mean(const PreparedLight& light,
+                               const PatchCurvature::Parts& parts) const;
 
   const LitPoint& point_;
   Receiver receiver_;
-  std::optional<PatchBend> bend_;
+  std::optional<PatchCurvature> bend_;
   glm::dvec3 mirrored_;
   std::optional<LightQuadrature> own_, wider_;  // of the surface, and of the patch
 };

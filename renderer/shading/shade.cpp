@@ -156,11 +156,11 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   const TakenLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
-  std::optional<PatchBend> bend;
+  std::optional<PatchCurvature> bend;
   if (viewed_ray.side > 0.0f && sums_patches_)
-    bend =
-        PatchBend::at(world_, layer.hit, view, seen,
-                      settings_.bend / (viewed_ray.throughput * viewed_ray.side * viewed_ray.side));
+    bend = PatchCurvature::at(
+        world_, layer.hit, view, seen,
+        settings_.bend / (viewed_ray.throughput * viewed_ray.side * viewed_ray.side));
   ReflectedLights reflected(lit_point, bend);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const PreparedLight& light = lights_[i];

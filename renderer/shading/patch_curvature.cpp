@@ -1,4 +1,4 @@
-#include "renderer/shading/patch_bend.h"
+#include "renderer/shading/patch_curvature.h"
 
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/lobe.h"
@@ -9,17 +9,18 @@
 
 namespace asos {
 
-PatchBend PatchBend::at(const World& world, const Hit& hit, const ViewedPoint& view,
-                        const ViewedMaterial& material, float negligible) {
+PatchCurvature PatchCurvature::at(const World& world, const Hit& hit, const ViewedPoint& view,
+                                  const ViewedMaterial& material, float negligible) {
   const glm::vec3 normal = view.point.shading_normal;
-  PatchBend bend{normal_turn(world, hit, view.patch, normal)};
+  PatchCurvature bend{normal_turn(world, hit, view.patch, normal)};
   if (!material.stretch.none()) bend.stretch_turn = tangent_turn(world, hit, view.patch, normal);
   bend.rounded = world.is_face(hit.triangle);
   bend.negligible = negligible;
   return bend;
 }
 
-std::optional<PatchBend::Parts> PatchBend::parts_for(const NormalSpread& spread, float shown) {
+std::optional<PatchCurvature::Parts> PatchCurvature::parts_for(const NormalSpread& spread,
+                                                               float shown) {
   if (glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down) <=
       most_bent * shown * shown)
     return Parts{};
@@ -30,9 +31,10 @@ std::optional<PatchBend::Parts> PatchBend::parts_for(const NormalSpread& spread,
   return Parts{std::max(1, static_cast<int>(right)), std::max(1, static_cast<int>(down))};
 }
 
-PatchBend::OfMiddle PatchBend::of_middle(const ViewedPoint& view, const ViewedMaterial& material,
-                                         const PreparedLight& light,
-                                         const Highlight& highlight) const {
+PatchCurvature::CentreEstimate PatchCurvature::of_middle(const ViewedPoint& view,
+                                                         const ViewedMaterial& material,
+                                                         const PreparedLight& light,
+                                                         const Highlight& highlight) const {
   const bool distant = light.shape == PreparedLight::Shape::sun;
   const float distance =
       distant ? std::numeric_limits<float>::infinity()
@@ -52,7 +54,7 @@ PatchBend::OfMiddle PatchBend::of_middle(const ViewedPoint& view, const ViewedMa
   const float away = away_from_peak(view.point.shading_normal, half, material.stretch, rough);
   const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
   // In a lobe's tails, the length scale is the distance from its peak.
-  OfMiddle of{1.0f, parts_for(spread, std::hypot(shown, nearest))};
+  CentreEstimate of{1.0f, parts_for(spread, std::hypot(shown, nearest))};
   if (!of.parts || sets) return of;
   of.error = std::min(1.0f, spread2 / (6.0f * (alpha * alpha + nearest * nearest)));
   return of;
@@ -60,7 +62,7 @@ PatchBend::OfMiddle PatchBend::of_middle(const ViewedPoint& view, const ViewedMa
 
 // A curved surface lies below its tangent plane by half of place * normal, so that the viewer's
 // rays hit it farther away.
-PatchBend::Step PatchBend::step(const ViewedPoint& view, float u, float v) const {
+PatchCurvature::Step PatchCurvature::step(const ViewedPoint& view, float u, float v) const {
   const glm::vec3 right = view.patch.right, down = view.patch.down;
   Step step{u * right + v * down, u * turn.right + v * turn.down};
   if (!rounded) return step;
@@ -77,8 +79,8 @@ PatchBend::Step PatchBend::step(const ViewedPoint& view, float u, float v) const
   return step;
 }
 
-PatchBend::Point PatchBend::point(const ViewedPoint& view, const ViewedMaterial& material,
-                                  glm::vec2 uv) const {
+PatchCurvature::Point PatchCurvature::point(const ViewedPoint& view, const ViewedMaterial& material,
+                                            glm::vec2 uv) const {
   const Step from_middle = step(view, uv.x, uv.y);
   Point point{view.point, view.to_viewer, material};
   SurfacePoint& surface = point.surface;

@@ -1,4 +1,4 @@
-#include "renderer/shading/patch_bend.h"
+#include "renderer/shading/patch_curvature.h"
 
 #include <gtest/gtest.h>
 
@@ -22,12 +22,12 @@ glm::dvec3 met(glm::dvec3 on_plane) {
   return on_plane + (-b + std::sqrt(b * b - c)) * to_viewer;
 }
 
-std::vector<PatchBend::Point> points_of(const PatchBend& bend, const ViewedPoint& view,
-                                        const ViewedMaterial& material,
-                                        PatchBend::Parts parts = {}) {
-  std::vector<PatchBend::Point> points;
+std::vector<PatchCurvature::Point> points_of(const PatchCurvature& bend, const ViewedPoint& view,
+                                             const ViewedMaterial& material,
+                                             PatchCurvature::Parts parts = {}) {
+  std::vector<PatchCurvature::Point> points;
   bend.for_each_point(view, material, parts,
-                      [&](const PatchBend::Point& at) { points.push_back(at); });
+                      [&](const PatchCurvature::Point& at) { points.push_back(at); });
   return points;
 }
 
@@ -45,10 +45,10 @@ Found errors(double size, glm::dvec3 normal) {
   const glm::dvec3 right = size * glm::normalize(glm::cross(normal, glm::dvec3(0.0, 1.0, 0.3)));
   const glm::dvec3 down = 0.7 * size * glm::normalize(glm::cross(normal, right) + 0.4 * right);
   view.patch = {glm::vec3(right), glm::vec3(down)};
-  PatchBend bend{{glm::vec3(right / radius), glm::vec3(down / radius)}};
+  PatchCurvature bend{{glm::vec3(right / radius), glm::vec3(down / radius)}};
   bend.rounded = true;
   Found found;
-  const std::vector<PatchBend::Point> points = points_of(bend, view, {});
+  const std::vector<PatchCurvature::Point> points = points_of(bend, view, {});
   const double node = 0.5 / std::sqrt(3.0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double u = i % 2 == 0 ? -node : node, v = i < 2 ? -node : node;
@@ -63,7 +63,7 @@ Found errors(double size, glm::dvec3 normal) {
 }
 
 // The points are those on the viewer's rays, up to third order.
-TEST(PatchBend, FindsThePointsOfABall) {
+TEST(PatchCurvature, FindsThePointsOfABall) {
   for (const glm::dvec3 n : {glm::dvec3(0, 0, 1), {0.3, 0.5, 1.0}, {-0.9, 0.2, 0.8}}) {
     const glm::dvec3 normal = glm::normalize(n);
     const Found wide = errors(0.4, normal), narrow = errors(0.2, normal);
@@ -86,19 +86,20 @@ struct FlatPatch {
 
 // A flat patch under a distant light is uniform. One with varying normals is not, the more so the
 // narrower its lobe; one wider than the highlight is left to the lobe.
-TEST(PatchBend, DependsOnTheLobe) {
+TEST(PatchCurvature, DependsOnTheLobe) {
   const FlatPatch flat;
   PreparedLight sun;
   sun.shape = PreparedLight::Shape::sun;
-  std::optional<PatchBend::Parts> parts;
+  std::optional<PatchCurvature::Parts> parts;
   const auto error = [&](float turn, float roughness, float half_angle_tangent,
                          glm::vec3 direction = {0, 0, 1}) {
-    PatchBend bend;
+    PatchCurvature bend;
     bend.turn.right = {turn, 0, 0};
     ViewedMaterial material{};
     material.roughness = roughness;
     const Highlight highlight{direction, half_angle_tangent};
-    const PatchBend::OfMiddle found = bend.of_middle(flat.view, material, sun, highlight);
+    const PatchCurvature::CentreEstimate found =
+        bend.of_middle(flat.view, material, sun, highlight);
     parts = found.parts;
     return found.error;
   };
@@ -122,13 +123,13 @@ TEST(PatchBend, DependsOnTheLobe) {
 }
 
 // A rotation about the normal rotates the lobe.
-TEST(PatchBend, TurnsTheStretch) {
+TEST(PatchCurvature, TurnsTheStretch) {
   const FlatPatch flat;
-  PatchBend bend;
+  PatchCurvature bend;
   bend.stretch_turn = {0.6f, 0.0f};
   ViewedMaterial material{};
   material.stretch.along = {0.5f, 0, 0};
-  const std::vector<PatchBend::Point> points = points_of(bend, flat.view, material);
+  const std::vector<PatchCurvature::Point> points = points_of(bend, flat.view, material);
   const float angle = 0.6f * 0.5f / std::sqrt(3.0f);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::vec3 along = points[i].material.stretch.along;
@@ -138,12 +139,12 @@ TEST(PatchBend, TurnsTheStretch) {
 }
 
 // With three by two parts, each has two points along each edge, with the same mean.
-TEST(PatchBend, DividesWidePatches) {
+TEST(PatchCurvature, DividesWidePatches) {
   const FlatPatch flat;
-  const auto points = points_of(PatchBend{}, flat.view, {}, {3, 2});
+  const auto points = points_of(PatchCurvature{}, flat.view, {}, {3, 2});
   ASSERT_EQ(points.size(), 24u);
   double mean = 0.0, square = 0.0, fourth = 0.0;
-  for (const PatchBend::Point& at : points) {
+  for (const PatchCurvature::Point& at : points) {
     const double x = 10.0 * static_cast<double>(at.surface.position.x);  // -1/2 to 1/2
     mean += x / 24.0;
     square += x * x / 24.0;

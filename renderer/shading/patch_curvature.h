@@ -15,15 +15,16 @@ namespace asos {
 /// The curvature of the patch that a point represents. It evaluates the patch at several points: at
 /// two Gauss-Legendre points along each edge of each of its parts. Their mean is exact for cubic
 /// functions over a part; the centre is exact only for linear ones.
-struct PatchBend {
+struct PatchCurvature {
   NormalSpread turn;             ///< of the shading normal along the edges
   glm::vec2 stretch_turn{0.0f};  ///< turn of the lobe's stretch about the normal, in radians
   bool rounded = false;          ///< the surface itself is curved as its normals are
   float negligible = 0.0f;       ///< radiance by which the centre may differ from the mean
 
   /// Returns the curvature of the patch of `view`, with `hit` at its centre.
-  [[nodiscard]] static PatchBend at(const World& world, const Hit& hit, const ViewedPoint& view,
-                                    const ViewedMaterial& material, float negligible);
+  [[nodiscard]] static PatchCurvature at(const World& world, const Hit& hit,
+                                         const ViewedPoint& view, const ViewedMaterial& material,
+                                         float negligible);
 
   /// Largest squared width of a part, in squared highlight widths. Up to it these points give a
   /// better mean than a widened lobe.
@@ -39,14 +40,15 @@ struct PatchBend {
   [[nodiscard]] static std::optional<Parts> parts_for(const NormalSpread& spread, float shown);
 
   /// How well the centre represents the patch for a light.
-  struct OfMiddle {
+  struct CentreEstimate {
     /// Relative error of the centre's radiance as the mean, from the second derivative of the
     /// highlight's lobe.
     float error = 0.0f;
     std::optional<Parts> parts;  ///< none: the patch is too wide for most_parts
   };
-  [[nodiscard]] OfMiddle of_middle(const ViewedPoint& view, const ViewedMaterial& material,
-                                   const PreparedLight& light, const Highlight& highlight) const;
+  [[nodiscard]] CentreEstimate of_middle(const ViewedPoint& view, const ViewedMaterial& material,
+                                         const PreparedLight& light,
+                                         const Highlight& highlight) const;
 
   /// A point of the patch.
   struct Point {
