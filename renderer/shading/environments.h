@@ -1,7 +1,7 @@
 #pragma once
 
+#include "renderer/shading/azimuth_variation.h"
 #include "renderer/shading/gradient.h"
-#include "renderer/shading/side_light.h"
 #include "renderer/shading/sky_choice.h"
 
 #include <glm/glm.hpp>
@@ -18,7 +18,7 @@ struct EnvironmentRow {
   Environment value;
   const char* hint;
   Gradient::Colours colours{};
-  SideLight::Amounts sides{};  ///< added to the colours
+  AzimuthVariation::Amounts sides{};  ///< added to the colours
 };
 
 inline constexpr std::array environments{

@@ -118,12 +118,12 @@ void Sky::follow_environment() {
   for (glm::vec3* colour : {&scaled.zenith, &scaled.above, &scaled.below, &scaled.nadir})
     *colour *= static_cast<float>(choice_.brightness);
   gradient_ = Gradient(scaled);
-  SideLight::Amounts sides = row.sides;
+  AzimuthVariation::Amounts sides = row.sides;
   sides.one *= choice_.brightness;
   sides.two *= choice_.brightness;
   sides.one_deg += choice_.turn_deg;
   sides.two_deg += choice_.turn_deg;
-  sides_ = SideLight(sides);
+  sides_ = AzimuthVariation(sides);
 }
 
 std::string Sky::name() const {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "renderer/result.h"
+#include "renderer/shading/azimuth_variation.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/gradient.h"
-#include "renderer/shading/side_light.h"
 #include "renderer/shading/sky_choice.h"
 #include "renderer/shading/sky_map.h"
 
@@ -77,7 +77,7 @@ class Sky {
   [[nodiscard]] glm::dvec3 part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const;
 
   Gradient gradient_;
-  SideLight sides_;
+  AzimuthVariation sides_;
   std::shared_ptr<const SkyMap> map_;
   double brightness_ = 1.0;  // of the picture
   double turn_cos_ = 1.0;

@@ -180,7 +180,7 @@ TEST(Sky, APictureIsSoManyTimesAsBrightAllOver) {
 }
 
 /// The radiance that an environment adds in a direction of the compass.
-double added(const SideLight::Amounts& sides, glm::dvec3 d) {
+double added(const AzimuthVariation::Amounts& sides, glm::dvec3 d) {
   const double azimuth = std::atan2(d.x, d.z), level = std::hypot(d.x, d.z);
   const auto rad = [](double deg) { return deg * std::numbers::pi / 180.0; };
   return sides.one * level * std::cos(azimuth - rad(sides.one_deg)) +

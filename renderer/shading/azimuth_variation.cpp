@@ -1,4 +1,4 @@
-#include "renderer/shading/side_light.h"
+#include "renderer/shading/azimuth_variation.h"
 
 #include <cmath>
 #include <numbers>
@@ -13,14 +13,14 @@ glm::dvec3 horizontal(double azimuth_deg) {
 
 }  // namespace
 
-SideLight::SideLight(const Amounts& amounts)
+AzimuthVariation::AzimuthVariation(const Amounts& amounts)
     : none_(amounts.one == 0.0 && amounts.two == 0.0),
       one_(amounts.one * horizontal(amounts.one_deg)),
       along_(horizontal(amounts.two_deg)),
       across_(horizontal(amounts.two_deg + 90.0)),
       two_(amounts.two) {}
 
-double SideLight::around(glm::dvec3 direction, double width) const {
+double AzimuthVariation::around(glm::dvec3 direction, double width) const {
   // The squares in the directions across are equal, and all squares add up to 0.
   const DiskMoments disk = DiskMoments::of(static_cast<float>(width));
   const auto along = static_cast<double>(disk.along), squared = static_cast<double>(disk.squared);

@@ -9,7 +9,7 @@ namespace asos {
 /// The part of a sky's radiance that varies with the azimuth. It is grey, has mean 0, and consists
 /// of the spherical harmonics of degrees 1 and 2 that do not depend on height. Azimuths are about
 /// +Y from +Z, in degrees. All means are closed forms. Immutable.
-class SideLight {
+class AzimuthVariation {
  public:
   /// `one` is the value at one azimuth, and its negative is on the opposite side. `two` is the
   /// value at both ends of another axis, and its negative is across it.
@@ -18,8 +18,8 @@ class SideLight {
     double two = 0.0, two_deg = 0.0;
   };
 
-  SideLight() = default;
-  explicit SideLight(const Amounts& amounts);
+  AzimuthVariation() = default;
+  explicit AzimuthVariation(const Amounts& amounts);
 
   [[nodiscard]] bool none() const { return none_; }
 
