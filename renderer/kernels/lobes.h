@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
 /// The directions that a lobe depends on.
-struct SightLanes {
+struct LobeGeometryLanes {
   Vectors normal, to_viewer, to_light;
   Vectors half;   ///< unit
   Lanes per_sum;  ///< 1 / length of to_viewer + to_light
@@ -27,7 +27,7 @@ struct SightLanes {
 };
 
 /// ggx_lobe's.
-HWY_INLINE Lanes point_lobe(const SightLanes& at) {
+HWY_INLINE Lanes point_lobe(const LobeGeometryLanes& at) {
   const auto one = all_lanes(1.0f);
   const auto a2 = hn::Mul(at.alpha, at.alpha);
   const auto d = hn::Add(hn::Mul(hn::Mul(at.n_dot_h, at.n_dot_h), hn::Sub(a2, one)), one);
@@ -47,7 +47,7 @@ HWY_INLINE Vectors turned(const Vectors& edge, const Vectors& direction, Lanes n
 }
 
 /// Returns how the patch's normals turn about the half vector along an edge, as spread_about_half.
-HWY_INLINE Vectors turn_about_half(const SightLanes& at, Lanes viewer_nearness,
+HWY_INLINE Vectors turn_about_half(const LobeGeometryLanes& at, Lanes viewer_nearness,
                                    const Vectors& spread, const Vectors& edge) {
   const Vectors d = scaled(at.per_sum, turned(edge, at.to_viewer, viewer_nearness) +
                                            turned(edge, at.to_light, at.light_nearness));
@@ -66,8 +66,9 @@ struct SlopeLanes {
   }
 };
 
-HWY_INLINE SlopeLanes slopes_of(const SightLanes& at, const Vectors& right, const Vectors& down,
-                                const Vectors& stretch, Lanes added, Lanes variance) {
+HWY_INLINE SlopeLanes slopes_of(const LobeGeometryLanes& at, const Vectors& right,
+                                const Vectors& down, const Vectors& stretch, Lanes added,
+                                Lanes variance) {
   constexpr float box_variance = 1.0f / 12.0f;
   const auto one = all_lanes(1.0f);
   const Vectors& n = at.normal;
@@ -94,7 +95,7 @@ HWY_INLINE SlopeLanes slopes_of(const SightLanes& at, const Vectors& right, cons
   return lobe;
 }
 
-HWY_INLINE Lanes patch_lobe(const SightLanes& at, const SlopeLanes& lobe) {
+HWY_INLINE Lanes patch_lobe(const LobeGeometryLanes& at, const SlopeLanes& lobe) {
   const auto x = dot(lobe.tangent, at.half), y = dot(lobe.bitangent, at.half);
   const auto det = hn::Sub(hn::Mul(lobe.xx, lobe.yy), hn::Mul(lobe.xy, lobe.xy));
   const auto both = hn::Mul(hn::Mul(hn::Add(lobe.xy, lobe.xy), x), y);
@@ -111,7 +112,7 @@ HWY_INLINE Lanes patch_lobe(const SightLanes& at, const SlopeLanes& lobe) {
 }
 
 /// Adds sheen_lobe where there is sheen, lane by lane, since it is rare and uses powers.
-HWY_INLINE Lanes with_sheen(const ShadingPoints& points, const SightLanes& at, Lanes others,
+HWY_INLINE Lanes with_sheen(const ShadingPoints& points, const LobeGeometryLanes& at, Lanes others,
                             std::size_t i) {
   const FloatTag d;
   if (hn::AllFalse(d, hn::Gt(loaded(points.sheen, i), hn::Zero(d)))) return others;
@@ -130,7 +131,7 @@ HWY_INLINE Lanes with_sheen(const ShadingPoints& points, const SightLanes& at, L
 
 /// Returns the lobe of points from i on. It is a patch's lobe where its normals differ enough to
 /// matter.
-HWY_INLINE Lanes lobe(const ShadingPoints& points, const SightLanes& at, std::size_t i) {
+HWY_INLINE Lanes lobe(const ShadingPoints& points, const LobeGeometryLanes& at, std::size_t i) {
   const FloatTag d;
   Lanes of_point = point_lobe(at);
   const auto turns = hn::Gt(loaded(points.turns, i), hn::Zero(d));

@@ -39,7 +39,7 @@ HWY_INLINE SpecularLanes specular(const ShadingPoints& points, const LightConsta
   // Lights with an area that a reflection contains have no highlight besides it.
   mirrors = hn::And(mirrors, hn::Lt(loaded(points.shows_lights, i), all_lanes(light.shown_from)));
 
-  SightLanes at;
+  LobeGeometryLanes at;
   at.normal = normal;
   at.to_viewer = to_viewer;
   at.to_light = shown.direction;

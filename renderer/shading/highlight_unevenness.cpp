@@ -80,8 +80,8 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const glm::vec3 half = sum / length;
   const float rough = std::max(glossy.roughness, roughness_floor);
   const float alpha = rough * rough;
-  const LobeSight sight{glossy.to_viewer, glossy.viewer_distance, nearest.direction,
-                        light_distance(light, glossy.point.position)};
+  const LobeGeometry sight{glossy.to_viewer, glossy.viewer_distance, nearest.direction,
+                           light_distance(light, glossy.point.position)};
   const NormalSpread spread = spread_about_half(glossy.turn, glossy.patch, sight);
   float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
   if (!glossy.stretch.none()) {

@@ -15,7 +15,7 @@ constexpr float least_added = 1e-3f;
 }  // namespace
 
 NormalSpread spread_about_half(const NormalSpread& normals, const Patch& patch,
-                               const LobeSight& sight) {
+                               const LobeGeometry& sight) {
   const glm::vec3 sum = sight.to_viewer + sight.to_light;
   const float length = glm::length(sum);
   if (!(length > 0.0f)) return normals;

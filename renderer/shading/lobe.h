@@ -10,7 +10,7 @@ namespace asos {
 
 /// Unit directions from a point to its viewer and to the light, with distances. A distance is
 /// infinite where the direction is the same all over a patch.
-struct LobeSight {
+struct LobeGeometry {
   glm::vec3 to_viewer;
   float viewer_distance;
   glm::vec3 to_light;
@@ -20,7 +20,7 @@ struct LobeSight {
 /// Returns the spread of a patch's normals about the half vector. The half vector turns across the
 /// patch, too, where viewer or light are near, even on a flat patch.
 [[nodiscard]] NormalSpread spread_about_half(const NormalSpread& normals, const Patch& patch,
-                                             const LobeSight& sight);
+                                             const LobeGeometry& sight);
 
 /// The GGX lobe of a patch with varying normals: the mean of a highlight smaller than the patch
 /// ("geometric specular antialiasing", Kaplanyan et al. 2016). The lobe's squared slopes, a 2x2

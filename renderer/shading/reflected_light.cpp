@@ -24,7 +24,7 @@ float distance_of(const PreparedLight& light, glm::vec3 position) {
 
 PatchLobe patch_lobe(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 to_light,
                      float light_distance) {
-  const LobeSight sight{view.to_viewer, view.distance, to_light, light_distance};
+  const LobeGeometry sight{view.to_viewer, view.distance, to_light, light_distance};
   return {spread_about_half(view.point.spread, view.patch, sight), seen.roughness,
           view.point.shading_normal, seen.stretch.along};
 }
@@ -38,7 +38,7 @@ PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
   constexpr float widest = 0.5f;  // patch width over highlight width that needs no widening
   const bool line = light.shape == PreparedLight::Shape::segment;
   const float light_distance = distance_of(light, view.point.position);
-  const LobeSight sight{view.to_viewer, view.distance, highlight.direction, light_distance};
+  const LobeGeometry sight{view.to_viewer, view.distance, highlight.direction, light_distance};
   NormalSpread spread = spread_about_half(view.point.spread, view.patch, sight);
   const float alpha =
       std::max(seen.roughness, roughness_floor) * std::max(seen.roughness, roughness_floor);

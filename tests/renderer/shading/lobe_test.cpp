@@ -131,8 +131,9 @@ TEST(PatchLobe, SeesTheHalfVectorTurnAcrossAFlatPatch) {
     return glm::normalize(glm::normalize(eye - p) + glm::normalize(light - p));
   };
   const Patch patch{{0.01f, 0.002f, 0}, {-0.003f, 0.02f, 0}};
-  const LobeSight sight{glm::vec3(glm::normalize(eye)), static_cast<float>(glm::length(eye)),
-                        glm::vec3(glm::normalize(light)), static_cast<float>(glm::length(light))};
+  const LobeGeometry sight{glm::vec3(glm::normalize(eye)), static_cast<float>(glm::length(eye)),
+                           glm::vec3(glm::normalize(light)),
+                           static_cast<float>(glm::length(light))};
   const NormalSpread normals{{0.05f, 0, 0}, {0, 0.01f, 0}, 0.002f};
   const NormalSpread spread = spread_about_half(normals, patch, sight);
   const auto turn = [&](glm::vec3 edge) {
