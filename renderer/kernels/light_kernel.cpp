@@ -86,7 +86,7 @@ void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, con
     const Vectors middle =
         (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
     const Vectors direction = loaded(lobes.direction, i);
-    const MetLight met = met_light<shape>(light, receiver, middle, arc, direction, i);
+    const LightHitLanes met = met_light<shape>(light, receiver, middle, arc, direction, i);
     auto form = cosine_above(direction, receiver);
     const auto reached = hn::And(samples, hn::And(met.met, hn::Gt(form, zero)));
     if (hn::AllFalse(d, reached)) continue;
@@ -120,7 +120,7 @@ bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& ligh
     const Vectors normal = loaded(points.normal, i);
     const Vectors middle =
         (all_lanes(light.position) - loaded(points.position, i)) + all_lanes(light.position_rest);
-    const MetLight met = meet_flat<LightConstants::Shape::rectangle>(
+    const LightHitLanes met = meet_flat<LightConstants::Shape::rectangle>(
         light, middle, loaded(lobes.direction, i), hn::Zero(d));
     const auto samples =
         hn::And(hn::FirstN(d, points.count - i), samples_lobe(points, light, normal, i));

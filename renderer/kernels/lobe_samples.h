@@ -92,19 +92,19 @@ HWY_INLINE Vectors lobe_direction(const ShadingPoints& points, const LightPlaceB
 }
 
 /// Where a direction hits a light, and the density of the light's samples there, by solid angle.
-struct MetLight {
+struct LightHitLanes {
   Lanes distance;
   Lanes density;
   LaneMask met;
 };
 
-HWY_INLINE MetLight none_met() {
+HWY_INLINE LightHitLanes none_met() {
   const auto zero = hn::Zero(FloatTag());
   return {zero, zero, hn::Lt(zero, zero)};
 }
 
-HWY_INLINE MetLight meet_cone(const Vectors& axis, Lanes one_less_cosine,
-                              const Vectors& direction) {
+HWY_INLINE LightHitLanes meet_cone(const Vectors& axis, Lanes one_less_cosine,
+                                   const Vectors& direction) {
   // Compare chords, since cosines near the axis have no digits left.
   const Vectors chord = direction - axis;
   const auto met = hn::Le(hn::Mul(all_lanes(0.5f), dot(chord, chord)), one_less_cosine);
@@ -112,15 +112,15 @@ HWY_INLINE MetLight meet_cone(const Vectors& axis, Lanes one_less_cosine,
   return {hn::Inf(FloatTag()), density, met};
 }
 
-HWY_INLINE MetLight meet_ball(const LightConstants& light, const ReceiverLanes& receiver,
-                              const Vectors& middle, const Vectors& direction) {
+HWY_INLINE LightHitLanes meet_ball(const LightConstants& light, const ReceiverLanes& receiver,
+                                   const Vectors& middle, const Vectors& direction) {
   const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
   const auto radius = all_lanes(light.radius);
   const Offset at = towards_point(middle);
   const auto inside = hn::Le(at.sample.distance, radius);
   const auto sine = hn::Min(one, hn::Mul(radius, at.nearness));
   const auto cosine = hn::Sqrt(hn::Mul(hn::Sub(one, sine), hn::Add(one, sine)));
-  const MetLight cone =
+  const LightHitLanes cone =
       meet_cone(at.sample.direction, hn::Div(hn::Mul(sine, sine), hn::Add(one, cosine)), direction);
   const auto along = dot(direction, middle);
   const Vectors beside = middle - scaled(along, direction);
@@ -134,8 +134,8 @@ HWY_INLINE MetLight meet_ball(const LightConstants& light, const ReceiverLanes& 
 
 /// `solid_angle`: of a light that is sampled by solid angle; else 0.
 template <LightConstants::Shape shape>
-HWY_INLINE MetLight meet_flat(const LightConstants& light, const Vectors& middle,
-                              const Vectors& direction, Lanes solid_angle) {
+HWY_INLINE LightHitLanes meet_flat(const LightConstants& light, const Vectors& middle,
+                                   const Vectors& direction, Lanes solid_angle) {
   using Shape = LightConstants::Shape;
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
@@ -186,9 +186,9 @@ HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLane
 }
 
 template <LightConstants::Shape shape>
-HWY_INLINE MetLight met_light(const LightConstants& light, const ReceiverLanes& receiver,
-                              const Vectors& middle, const ArcPlaces& arc, const Vectors& direction,
-                              std::size_t i) {
+HWY_INLINE LightHitLanes met_light(const LightConstants& light, const ReceiverLanes& receiver,
+                                   const Vectors& middle, const ArcPlaces& arc,
+                                   const Vectors& direction, std::size_t i) {
   using Shape = LightConstants::Shape;
   if constexpr (shape == Shape::sun) {
     return meet_cone(all_lanes(light.towards), all_lanes(light.one_less_cosine), direction);
@@ -197,7 +197,7 @@ HWY_INLINE MetLight met_light(const LightConstants& light, const ReceiverLanes& 
   } else if constexpr (shape == Shape::rectangle) {
     return meet_flat<shape>(light, middle, direction, loaded(arc.first, i));
   } else {
-    MetLight found = meet_flat<shape>(light, middle, direction, hn::Zero(FloatTag()));
+    LightHitLanes found = meet_flat<shape>(light, middle, direction, hn::Zero(FloatTag()));
     if constexpr (shape == Shape::polygon)
       found.met = meet_polygon(light, receiver, direction, found.met);
     return found;
