@@ -30,7 +30,7 @@ HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes
 
 template <LightConstants::Shape shape>
 void aim_at(const ShadingPoints& points, const LightConstants& light, const ArcPlaces& arc,
-            const LightPlaceBatch& places, AimedBy by, ShadowRayBatch& rays) {
+            const LightPlaceBatch& places, RayWeighting by, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
@@ -41,7 +41,7 @@ void aim_at(const ShadingPoints& points, const LightConstants& light, const ArcP
     if (hn::AllFalse(d, reached)) continue;
     auto weight = sample.form;
     auto kept = hn::And(reached, hn::Lt(weight, hn::Inf(d)));
-    if (by == AimedBy::radiance) {
+    if (by == RayWeighting::radiance) {
       const ShineLanes shown{sample.direction, hn::Div(all_lanes(1.0f), sample.distance),
                              all_lanes(1.0f)};
       const UnshadowedLanes found = carried_from(
@@ -58,7 +58,7 @@ void aim_at(const ShadingPoints& points, const LightConstants& light, const ArcP
 }
 
 void aim(const ShadingPoints& points, const LightConstants& light, const LightPlaceBatch& places,
-         AimedBy by, ShadowRayBatch& rays) {
+         RayWeighting by, ShadowRayBatch& rays) {
   using Shape = LightConstants::Shape;
   rays.count = 0;
   rays.rejected = 0;
@@ -95,7 +95,7 @@ namespace asos {
 HWY_EXPORT(aim);
 
 void aim_batch(const ShadingPoints& points, const LightConstants& light,
-               const LightPlaceBatch& places, AimedBy by, ShadowRayBatch& rays) {
+               const LightPlaceBatch& places, RayWeighting by, ShadowRayBatch& rays) {
   HWY_DYNAMIC_DISPATCH(aim)(points, light, places, by, rays);
 }
 

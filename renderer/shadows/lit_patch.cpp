@@ -21,7 +21,7 @@ void LitPatch::start(const ShadowContext& block, const ShadowQuery& query) {
   on_pixel_.forget();
   const bool by_lobe = block.rules.allowance.refines() &&
                        query.lit.light.rule == LightRule::physical && is_broad(query.lit);
-  by_ = by_lobe ? AimedBy::radiance : AimedBy::irradiance;
+  by_ = by_lobe ? RayWeighting::radiance : RayWeighting::irradiance;
 }
 
 const ShadingPoints& LitPatch::look(const ShadowContext& block, const ShadowQuery& query,
@@ -33,7 +33,7 @@ const ShadingPoints& LitPatch::look(const ShadowContext& block, const ShadowQuer
   if (!has_patch(block, query.lit)) {
     for (std::uint32_t i = first; i < end; ++i) add_number(i);
     add(query, point);
-    points_.repeat_first(end - first, by_ == AimedBy::radiance);
+    points_.repeat_first(end - first, by_ == RayWeighting::radiance);
     return points_;
   }
   place(query.leaf.region, first, end);
@@ -60,7 +60,7 @@ const ShadingPoints& LitPatch::look(const ShadowContext& block, const ShadowQuer
     if (!on_plane) continue;
     if (found == 0) {
       add(query, point);
-      points_.repeat_first(places_.size(), by_ == AimedBy::radiance);
+      points_.repeat_first(places_.size(), by_ == RayWeighting::radiance);
     }
     add_number(number_of_[k]);
     points_.position.set(found, glm::vec3(*on_plane));
@@ -91,7 +91,7 @@ void LitPatch::place(const LeafRegion& region, std::uint32_t first, std::uint32_
 }
 
 void LitPatch::add(const ShadowQuery& query, const SurfacePoint& at) {
-  if (by_ == AimedBy::radiance) {
+  if (by_ == RayWeighting::radiance) {
     const LitPoint& lit = *query.lit.lit;
     // The points are distributed over the patch; none of them represents it.
     const ViewedPoint view = viewed_point(at, lit.view.to_viewer);

@@ -31,7 +31,7 @@ class LitPatch {
   const ShadingPoints& look(const ShadowContext& block, const ShadowQuery& query,
                             std::uint32_t first, std::uint32_t end, RenderStatistics& counts);
   /// Returns the weight of rays from the points.
-  [[nodiscard]] AimedBy aimed_by() const { return by_; }
+  [[nodiscard]] RayWeighting aimed_by() const { return by_; }
   /// Returns the points' places on a light.
   const LightPlaceBatch& on_light(std::uint32_t light);
 
@@ -41,7 +41,7 @@ class LitPatch {
   void add_number(std::uint32_t number);
 
   std::optional<SobolPixel> sobol_;
-  AimedBy by_ = AimedBy::irradiance;
+  RayWeighting by_ = RayWeighting::irradiance;
   ShadingPoints points_;
   SobolBatch numbers_;
   LightPlaceBatch on_light_;

@@ -49,10 +49,10 @@ float largest(glm::vec3 v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-class AimKernel : public testing::TestWithParam<AimedBy> {};
+class AimKernel : public testing::TestWithParam<RayWeighting> {};
 
 TEST_P(AimKernel, RaysMatchTheScalarFunctions) {
-  const bool by_radiance = GetParam() == AimedBy::radiance;
+  const bool by_radiance = GetParam() == RayWeighting::radiance;
   for (const auto& [scale, offset] : scales) {
     const LitSubjects batch(static_cast<std::uint64_t>(std::log10(scale) + 60.0), scale, offset);
     for (const NamedLight& named : lights(scale, offset)) {
@@ -131,9 +131,10 @@ TEST_P(AimKernel, AllInstructionSetsGiveTheSameBits) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(By, AimKernel, testing::Values(AimedBy::irradiance, AimedBy::radiance),
+INSTANTIATE_TEST_SUITE_P(By, AimKernel,
+                         testing::Values(RayWeighting::irradiance, RayWeighting::radiance),
                          [](const auto& by) {
-                           return by.param == AimedBy::radiance ? "Radiance" : "Irradiance";
+                           return by.param == RayWeighting::radiance ? "Radiance" : "Irradiance";
                          });
 
 // Batches are reused between pictures, so old contents must not matter.
@@ -178,7 +179,7 @@ TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
         places.v[i] = owen_scramble(sobol_bits(1, index), 2);
       }
       ShadowRayBatch rays;
-      aim_batch(points, constants, places, AimedBy::irradiance, rays);
+      aim_batch(points, constants, places, RayWeighting::irradiance, rays);
       for (std::size_t i = 0; i < rays.count; ++i) sum += static_cast<double>(rays.carried[0][i]);
     }
     const double exact =
