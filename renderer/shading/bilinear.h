@@ -51,11 +51,11 @@ glm::vec4 nearest(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
 }
 
 /// The four texels around a place, and the place between the first and the last of them.
-struct TexelPlace {
+struct BilinearTexels {
   int left, right, top, bottom;
   float fx, fy;
 
-  TexelPlace(int width, int height, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
+  BilinearTexels(int width, int height, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
     // Texel centres lie at half integers.
     const float x = wrapped(uv.x, wrap_u) * static_cast<float>(width) - 0.5f;
     const float y = wrapped(uv.y, wrap_v) * static_cast<float>(height) - 0.5f;
@@ -72,7 +72,7 @@ struct TexelPlace {
 
 template <typename Level>
 glm::vec4 bilinear(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
-  const TexelPlace p(level.width, level.height, uv, wrap_u, wrap_v);
+  const BilinearTexels p(level.width, level.height, uv, wrap_u, wrap_v);
   return glm::mix(glm::mix(level.at(p.left, p.top), level.at(p.right, p.top), p.fx),
                   glm::mix(level.at(p.left, p.bottom), level.at(p.right, p.bottom), p.fx), p.fy);
 }
