@@ -90,7 +90,7 @@ ErrorBound ErrorTerms::layers(const Leaf& leaf) const {
     return ErrorBound::none();
   const ViewedRay seen = eye_->viewer.viewed(leaf.ray, leaf.hit, eye_->side_of(leaf.weight),
                                              footprint_shape(leaf.region, leaf.at));
-  const std::vector<SeenLayer> layers = eye_->viewer.shader.layers(seen, *eye_->counts);
+  const std::vector<SurfaceLayer> layers = eye_->viewer.shader.layers(seen, *eye_->counts);
   double through = 1.0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (!(through > static_cast<double>(eye_->allowance.tolerance))) break;

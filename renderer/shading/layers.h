@@ -17,7 +17,7 @@
 namespace asos {
 
 /// One of the surfaces along a ray through transparent surfaces.
-struct SeenLayer {
+struct SurfaceLayer {
   Hit hit;
   float opacity = 1.0f;  ///< mean opacity over the extent of the ray
   /// A texture varies the opacity: it may be anything from 0 to 1 at a point.
@@ -28,7 +28,7 @@ struct SeenLayer {
 /// the product of their means. It is the sum over the layers of the standard deviation of the
 /// transmittance before a layer times the layer's own; their covariance is at most that. 0: no two
 /// of them vary.
-[[nodiscard]] float unevenness_of(std::span<const SeenLayer> layers);
+[[nodiscard]] float unevenness_of(std::span<const SurfaceLayer> layers);
 
 /// The smallest visible contribution of a layer behind others, even at +8 stops.
 inline constexpr float invisible_share = 1.0f / (256.0f * 256.0f);

@@ -87,8 +87,8 @@ class Shader {
 
   /// Returns the transparent surfaces along a ray, in depth order, and the surface behind them, as
   /// long as they are visible. Counts the rays that continue.
-  [[nodiscard]] std::vector<SeenLayer> layers(const ViewedRay& seen,
-                                              RenderStatistics& counts) const;
+  [[nodiscard]] std::vector<SurfaceLayer> layers(const ViewedRay& seen,
+                                                 RenderStatistics& counts) const;
 
   /// Returns the eye ray with the nearest hit `hit`, for a square of `side` pixels.
   [[nodiscard]] ViewedRay eye_ray(const Ray& ray, const Hit& hit, float side) const;

@@ -9,11 +9,11 @@
 
 namespace asos {
 
-float unevenness_of(std::span<const SeenLayer> layers) {
+float unevenness_of(std::span<const SurfaceLayer> layers) {
   // Mean transmittance of the layers so far, and the mean of its square, as if they were
   // independent.
   float mean = 1.0f, mean_square = 1.0f, unevenness = 0.0f;
-  for (const SeenLayer& layer : layers) {
+  for (const SurfaceLayer& layer : layers) {
     // An opacity in between may be the mean of 0 and 1 at different points.
     const float variance = layer.varies ? layer.opacity * (1.0f - layer.opacity) : 0.0f;
     const float variance_before = std::max(0.0f, mean_square - mean * mean);
@@ -46,8 +46,8 @@ void SurfaceWalk::go_on(const SurfacePoint& point) {
   hit_ = rays_->closest(ray_, faces_);
 }
 
-std::vector<SeenLayer> Shader::layers(const ViewedRay& seen, RenderStatistics& counts) const {
-  std::vector<SeenLayer> found;
+std::vector<SurfaceLayer> Shader::layers(const ViewedRay& seen, RenderStatistics& counts) const {
+  std::vector<SurfaceLayer> found;
   const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,
                             seen.side, seen.shape};
   const glm::vec3 to_viewer = -seen.ray.direction;
@@ -56,7 +56,7 @@ std::vector<SeenLayer> Shader::layers(const ViewedRay& seen, RenderStatistics& c
   for (LayerCount count; walk.hit().valid() && !count.full();) {
     const Hit hit = walk.hit();
     const Material& material = world_.material_of(hit.triangle);
-    SeenLayer layer{hit};
+    SurfaceLayer layer{hit};
     const bool bends = bounds_volume(material) || is_frosted(material);
     if (surface_kind(material) != SurfaceKind::blended || bends) {
       found.push_back(layer);
