@@ -11,7 +11,7 @@
 
 namespace asos {
 
-TakenLights LeafTransport::gather(const LitPoint& point) {
+HandledLights LeafTransport::gather(const LitPoint& point) {
   if (weak_->lights().empty()) return {};
   // Inside a mirror, contributions are added immediately.
   if (eye_->mirrored()) {

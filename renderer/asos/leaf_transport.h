@@ -23,7 +23,7 @@ class LeafTransport final : public LightTransport {
         sky_(&sky),
         sky_share_(sky_share) {}
 
-  TakenLights gather(const LitPoint& point) override;
+  HandledLights gather(const LitPoint& point) override;
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
   bool add_sky(const SkyLitPoint& point, glm::vec3& radiance, RenderStatistics& counts) override;
   bool reflect(const Reflection& reflection, glm::vec3& radiance,

@@ -21,7 +21,7 @@ class LitPoints final : public LightTransport {
  public:
   explicit LitPoints(UnshadowedContributions& carried) : carried_(&carried) {}
 
-  TakenLights gather(const LitPoint& point) override {
+  HandledLights gather(const LitPoint& point) override {
     carried_->add(point);
     return {{}, true};
   }

@@ -15,7 +15,7 @@ class OneBounce final : public LightTransport {
  public:
   OneBounce(SampledLights& lights, const SkyRay& from) : lights_(lights), from_(from) {}
 
-  TakenLights gather(const LitPoint& point) override {
+  HandledLights gather(const LitPoint& point) override {
     return lights_.gather(point, from_.sample, share());
   }
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {

@@ -25,7 +25,7 @@ class OneSample final : public LightTransport {
         sample_(sample),
         weight_(weight) {}
 
-  TakenLights gather(const LitPoint& point) override {
+  HandledLights gather(const LitPoint& point) override {
     return lights_.gather(point, {sample_.x, sample_.y, sample_.index}, {sample_.target, weight_});
   }
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
@@ -61,7 +61,7 @@ class OneLobeSample final : public LightTransport {
   OneLobeSample(SampledReflections& reflections, const Shader& shader, const PointSample& sample)
       : reflections_(reflections), shader_(shader), sample_(sample) {}
 
-  TakenLights gather(const LitPoint& /*point*/) override { return {.all = true}; }
+  HandledLights gather(const LitPoint& /*point*/) override { return {.all = true}; }
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
            RenderStatistics& /*counts*/) override {}
   bool add_sky(const SkyLitPoint& /*point*/, glm::vec3& /*radiance*/,

@@ -108,8 +108,8 @@ std::uint32_t SampledLights::pick_place() const {
   return binary_fraction(places_->in_lobe(lobe_of_picks).x);
 }
 
-TakenLights SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
-                                  const SampleShare& share) {
+HandledLights SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
+                                    const SampleShare& share) {
   prepare(point.lights, point.shadows);
   const std::size_t batch = points_ / ShadingPoints::size;
   if (batch == batches_.size()) batches_.push_back(Recycler<Gathered>::make());

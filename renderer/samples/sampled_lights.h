@@ -74,7 +74,7 @@ class SampledLights {
   [[nodiscard]] static bool takes_all(std::span<const PreparedLight> lights, bool shadows);
   /// Defers the lights of a point for a sample with this share: those that cast shadows, and of the
   /// others those with an extent.
-  TakenLights gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
+  HandledLights gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
   /// Adds one light by a shadow ray, for a sample with this share; the places must be at that
   /// sample.
   void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);

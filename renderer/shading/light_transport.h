@@ -62,7 +62,7 @@ struct Illumination {
 };
 
 /// The lights that `gather` takes over.
-struct TakenLights {
+struct HandledLights {
   std::span<const std::uint8_t> taken{};  ///< by light index, 0: not taken; empty: none is
   bool all = false;                       ///< none is left
 
@@ -102,7 +102,7 @@ class LightTransport {
 
   /// Takes over some lights of a point, to add their contribution later. `add` is called for the
   /// others that cast shadows, one after the other.
-  virtual TakenLights gather(const LitPoint& /*point*/) { return {}; }
+  virtual HandledLights gather(const LitPoint& /*point*/) { return {}; }
 
   /// Adds to `radiance` the light's contribution at the point, now or later.
   virtual void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) = 0;

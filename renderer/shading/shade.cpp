@@ -153,7 +153,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   const MirroredLights mirrored =
       mirrors ? mirrored_lights(point.triangle, blur) : MirroredLights::none;
   const LitPoint lit_point{lights_, view, seen, mirrored, layer.share, settings_.shadows};
-  const TakenLights gathered = transport.gather(lit_point);
+  const HandledLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);
   std::optional<PatchCurvature> bend;

@@ -21,7 +21,7 @@ namespace {
 /// Records Shader's results for one ray.
 class OnePoint final : public LightTransport {
  public:
-  TakenLights gather(const LitPoint& point) override {
+  HandledLights gather(const LitPoint& point) override {
     mirrors = point.mirrored != MirroredLights::none;
     lit->add(point, glm::vec3(1.0f));
     return {{}, true};
