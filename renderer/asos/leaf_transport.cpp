@@ -11,7 +11,7 @@
 
 namespace asos {
 
-HandledLights LeafTransport::gather(const LitPoint& point) {
+HandledLights LeafTransport::gather(const LightingQuery& point) {
   if (weak_->lights().empty()) return {};
   // Inside a mirror, contributions are added immediately.
   if (eye_->mirrored()) {
@@ -53,7 +53,7 @@ float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const
   return arrived == (largest(seen) > 0.5f ? sent : 0) ? lesser : 1.0f - lesser;
 }
 
-bool LeafTransport::add_sky(const SkyLitPoint& point, glm::vec3& radiance,
+bool LeafTransport::add_sky(const SkyQuery& point, glm::vec3& radiance,
                             RenderStatistics& /*counts*/) {
   if (eye_->mirrored()) {
     radiance += sky_->at_once(point, *leaf_);

@@ -23,9 +23,9 @@ class LeafTransport final : public LightTransport {
         sky_(&sky),
         sky_share_(sky_share) {}
 
-  HandledLights gather(const LitPoint& point) override;
+  HandledLights gather(const LightingQuery& point) override;
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
-  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance, RenderStatistics& counts) override;
+  bool add_sky(const SkyQuery& point, glm::vec3& radiance, RenderStatistics& counts) override;
   bool reflect(const Reflection& reflection, glm::vec3& radiance,
                RenderStatistics& counts) override;
 

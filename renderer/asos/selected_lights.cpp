@@ -21,7 +21,7 @@ class LitPoints final : public LightTransport {
  public:
   explicit LitPoints(UnshadowedContributions& carried) : carried_(&carried) {}
 
-  HandledLights gather(const LitPoint& point) override {
+  HandledLights gather(const LightingQuery& point) override {
     carried_->add(point);
     return {{}, true};
   }
@@ -118,7 +118,7 @@ SelectedLights::Expected SelectedLights::expected(std::span<const double> carrie
 }
 
 // Sampled lights may be far brighter at a leaf than at any pixel's centre.
-SelectedLights::Expected SelectedLights::expected_at(const LitPoint& point) {
+SelectedLights::Expected SelectedLights::expected_at(const LightingQuery& point) {
   if (expected_.intensity >= 1.0) return expected_;
   carried_->start();
   carried_->add(point);
@@ -142,7 +142,7 @@ std::uint32_t SelectedLights::points_of(double weight, const Expected& expected)
 }
 
 // Finds the leaf's points and the surfaces there.
-void SelectedLights::look(const LitPoint& lit, const LeafContext& leaf, std::uint32_t count) {
+void SelectedLights::look(const LightingQuery& lit, const LeafContext& leaf, std::uint32_t count) {
   const SurfacePoint& point = lit.view.point;
   at_.clear();
   number_.clear();
@@ -182,7 +182,7 @@ void SelectedLights::look(const LitPoint& lit, const LeafContext& leaf, std::uin
   }
 }
 
-void SelectedLights::add(std::uint32_t number, const LitPoint& lit, const LeafContext& leaf) {
+void SelectedLights::add(std::uint32_t number, const LightingQuery& lit, const LeafContext& leaf) {
   const auto x = static_cast<int>(leaf.seed >> 32), y = static_cast<int>(leaf.seed);
   places_.start_pixel(x, y);
   look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit)));
@@ -196,7 +196,7 @@ void SelectedLights::add(std::uint32_t number, const LitPoint& lit, const LeafCo
   }
 }
 
-glm::vec3 SelectedLights::at_once(const LitPoint& point, const LeafContext& leaf) {
+glm::vec3 SelectedLights::at_once(const LightingQuery& point, const LeafContext& leaf) {
   add(start(0, 0, leaf.weight), point, leaf);
   return glm::vec3(run().front().radiance / leaf.weight);
 }

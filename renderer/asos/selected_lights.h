@@ -45,9 +45,9 @@ class SelectedLights {
   /// Begins the contribution of these lights to a leaf and returns its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
   /// Adds a surface of the leaf to its contribution, to be shaded later.
-  void add(std::uint32_t number, const LitPoint& point, const LeafContext& leaf);
+  void add(std::uint32_t number, const LightingQuery& point, const LeafContext& leaf);
   /// Returns their contribution to a surface of a leaf, immediately.
-  [[nodiscard]] glm::vec3 at_once(const LitPoint& point, const LeafContext& leaf);
+  [[nodiscard]] glm::vec3 at_once(const LightingQuery& point, const LeafContext& leaf);
   /// Drops a contribution.
   void drop(std::uint32_t number) { queue_.drop(number); }
 
@@ -62,9 +62,9 @@ class SelectedLights {
   };
   [[nodiscard]] bool sought() const;
   [[nodiscard]] Expected expected(std::span<const double> carried) const;
-  [[nodiscard]] Expected expected_at(const LitPoint& point);
+  [[nodiscard]] Expected expected_at(const LightingQuery& point);
   [[nodiscard]] std::uint32_t points_of(double weight, const Expected& expected) const;
-  void look(const LitPoint& point, const LeafContext& leaf, std::uint32_t count);
+  void look(const LightingQuery& point, const LeafContext& leaf, std::uint32_t count);
 
   const EyeContext* eye_;
   EyeSamples* samples_;

@@ -61,8 +61,7 @@ SobolPixel SkyContributions::leaf_places(const SkyLeaf& lit) const {
           static_cast<std::uint32_t>(eye_->seed)};
 }
 
-void SkyContributions::add(std::uint32_t number, const SkyLitPoint& point,
-                           const LeafContext& leaf) {
+void SkyContributions::add(std::uint32_t number, const SkyQuery& point, const LeafContext& leaf) {
   SkyLeaf& lit = lit_.emplace_back();
   lit.share = number;
   lit.root = queue_[number].root;
@@ -90,7 +89,7 @@ void SkyContributions::add(std::uint32_t number, const SkyLitPoint& point,
   lit.unit = bounces_ ? point.share * (point.material.diffuse + specular) : lit.open;
 }
 
-glm::vec3 SkyContributions::at_once(const SkyLitPoint& point, const LeafContext& leaf) {
+glm::vec3 SkyContributions::at_once(const SkyQuery& point, const LeafContext& leaf) {
   add(start(0, 0, leaf.weight), point, leaf);
   return glm::vec3(run().front().radiance / leaf.weight);
 }

@@ -43,12 +43,12 @@ class SkyContributions {
   /// Begins the sky's contribution to a leaf and returns its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
   /// Adds a surface of the leaf to its contribution.
-  void add(std::uint32_t number, const SkyLitPoint& point, const LeafContext& leaf);
+  void add(std::uint32_t number, const SkyQuery& point, const LeafContext& leaf);
   /// Drops a contribution.
   void drop(std::uint32_t number) { queue_.drop(number); }
 
   /// Returns the sky's contribution immediately, for a surface in a leaf of this weight.
-  [[nodiscard]] glm::vec3 at_once(const SkyLitPoint& point, const LeafContext& leaf);
+  [[nodiscard]] glm::vec3 at_once(const SkyQuery& point, const LeafContext& leaf);
 
   /// Traces all deferred rays and empties the queue. The result is valid until the next leaf.
   std::span<const Contribution> run();

@@ -45,7 +45,7 @@ struct SkyLeaf {
   double error2 = 0.0;
   std::optional<glm::dvec3> told{};  ///< mean radiance from the fit through other leaves
 
-  [[nodiscard]] SkyLitPoint lit_point(const ViewedPoint& view) const {
+  [[nodiscard]] SkyQuery lit_point(const ViewedPoint& view) const {
     return {sky, view, material, mirrors, factor};
   }
   /// Returns the visible fraction of the sky, by radiance, at most 1.

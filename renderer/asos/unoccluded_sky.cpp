@@ -19,7 +19,7 @@ constexpr std::uint32_t other_places = 0x100;
 
 }  // namespace
 
-glm::vec3 unoccluded_sky_within(const SkyLitPoint& point, const SobolPixel& leaf, double error) {
+glm::vec3 unoccluded_sky_within(const SkyQuery& point, const SobolPixel& leaf, double error) {
   if (const auto known = unoccluded_sky(point)) return *known;
   const SkySampler sampler(point);
   // Matte reflection has a closed form under more skies. Samples determine the rest.

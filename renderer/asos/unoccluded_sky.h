@@ -11,7 +11,7 @@ namespace asos {
 /// within `error`. It uses the closed form where there is one (unoccluded_sky), and samples without
 /// rays elsewhere. `leaf` is the leaf's Sobol sequence; the samples use other dimensions of it than
 /// rays do.
-[[nodiscard]] glm::vec3 unoccluded_sky_within(const SkyLitPoint& point, const SobolPixel& leaf,
+[[nodiscard]] glm::vec3 unoccluded_sky_within(const SkyQuery& point, const SobolPixel& leaf,
                                               double error);
 
 }  // namespace asos

@@ -41,7 +41,7 @@ void UnshadowedContributions::start() {
   most_.assign(worth_.size(), 0.0f);
 }
 
-void UnshadowedContributions::add(const LitPoint& point) {
+void UnshadowedContributions::add(const LightingQuery& point) {
   point_->count = 0;
   point_->add(point, glm::vec3(1.0f));
   (void)weigh_lights(table_, *point_, 0, worth_);

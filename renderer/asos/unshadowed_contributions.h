@@ -21,7 +21,7 @@ class UnshadowedContributions {
   /// Forgets all points so far.
   void start();
   /// Another one.
-  void add(const LitPoint& point);
+  void add(const LightingQuery& point);
   /// Returns the contributions in display units, by light. The lights of one part of a mesh hide
   /// each other, so together they count for at most the light of the two sides that are visible at
   /// a time.

@@ -49,7 +49,7 @@ void take(const ShadingPoints::Vectors& from, std::span<const std::uint32_t> ind
 
 }  // namespace
 
-void ShadingPoints::add(const LitPoint& lit, glm::vec3 weight) {
+void ShadingPoints::add(const LightingQuery& lit, glm::vec3 weight) {
   const std::size_t i = count;
   const SurfacePoint& point = lit.view.point;
   const ViewedMaterial& material = lit.material;

@@ -11,8 +11,8 @@
 
 namespace asos {
 
-/// Shading points as arrays, as many as a kernel processes at a time. Holds the data of LitPoint.
-/// Lanes beyond `count` are undefined.
+/// Shading points as arrays, as many as a kernel processes at a time. Holds the data of
+/// LightingQuery. Lanes beyond `count` are undefined.
 struct ShadingPoints {
   static constexpr std::size_t size = 256;  ///< a multiple of the lanes of all processors
 
@@ -49,7 +49,7 @@ struct ShadingPoints {
 
   [[nodiscard]] bool full() const { return count == size; }
   /// Adds a point with this weight in its sum. The batch must not be full.
-  void add(const LitPoint& point, glm::vec3 weight);
+  void add(const LightingQuery& point, glm::vec3 weight);
   /// Adds a point without material or viewer; their fields are not set.
   void add(const SurfacePoint& point);
   /// Fills the batch with `times` copies of its first point, at most `size`.

@@ -15,14 +15,13 @@ class OneBounce final : public LightTransport {
  public:
   OneBounce(SampledLights& lights, const SkyRay& from) : lights_(lights), from_(from) {}
 
-  HandledLights gather(const LitPoint& point) override {
+  HandledLights gather(const LightingQuery& point) override {
     return lights_.gather(point, from_.sample, share());
   }
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add(lit, share(), counts);
   }
-  bool add_sky(const SkyLitPoint& point, glm::vec3& /*radiance*/,
-               RenderStatistics& counts) override {
+  bool add_sky(const SkyQuery& point, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add_sky(point, share(), counts, lobe_behind);
     return true;
   }

@@ -25,14 +25,13 @@ class OneSample final : public LightTransport {
         sample_(sample),
         weight_(weight) {}
 
-  HandledLights gather(const LitPoint& point) override {
+  HandledLights gather(const LightingQuery& point) override {
     return lights_.gather(point, {sample_.x, sample_.y, sample_.index}, {sample_.target, weight_});
   }
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add(lit, {sample_.target, weight_}, counts);
   }
-  bool add_sky(const SkyLitPoint& point, glm::vec3& /*radiance*/,
-               RenderStatistics& counts) override {
+  bool add_sky(const SkyQuery& point, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     const SampleShare share{sample_.target, weight_};
     if (shader_.settings().bounces) {
       lights_.add_sky_ray(point, {sample_.x, sample_.y, sample_.index}, share, counts);
@@ -61,10 +60,10 @@ class OneLobeSample final : public LightTransport {
   OneLobeSample(SampledReflections& reflections, const Shader& shader, const PointSample& sample)
       : reflections_(reflections), shader_(shader), sample_(sample) {}
 
-  HandledLights gather(const LitPoint& /*point*/) override { return {.all = true}; }
+  HandledLights gather(const LightingQuery& /*point*/) override { return {.all = true}; }
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
            RenderStatistics& /*counts*/) override {}
-  bool add_sky(const SkyLitPoint& /*point*/, glm::vec3& /*radiance*/,
+  bool add_sky(const SkyQuery& /*point*/, glm::vec3& /*radiance*/,
                RenderStatistics& /*counts*/) override {
     return true;
   }

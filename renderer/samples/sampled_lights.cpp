@@ -49,7 +49,7 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
   pending_.push_back({shadow_ray(lit.point, sample), carried, share.target, lit.light.own_part});
 }
 
-void SampledLights::add_sky(const SkyLitPoint& point, const SampleShare& share,
+void SampledLights::add_sky(const SkyQuery& point, const SampleShare& share,
                             RenderStatistics& counts, int lobe) {
   const auto sample = sample_sky(point, places_->in_lobe(lobe));
   if (!sample) return;
@@ -63,7 +63,7 @@ void SampledLights::add_sky(const SkyLitPoint& point, const SampleShare& share,
   pending_.push_back({sky_ray(point.view.point, *sample), carried, share.target, -1});
 }
 
-void SampledLights::add_sky_ray(const SkyLitPoint& point, const SampleIndex& index,
+void SampledLights::add_sky_ray(const SkyQuery& point, const SampleIndex& index,
                                 const SampleShare& share, RenderStatistics& counts) {
   const auto sample = sample_sky(point, places_->in_lobe(lobe_of_sky));
   if (!sample) return;
@@ -108,7 +108,7 @@ std::uint32_t SampledLights::pick_place() const {
   return binary_fraction(places_->in_lobe(lobe_of_picks).x);
 }
 
-HandledLights SampledLights::gather(const LitPoint& point, const SampleIndex& sample,
+HandledLights SampledLights::gather(const LightingQuery& point, const SampleIndex& sample,
                                     const SampleShare& share) {
   prepare(point.lights, point.shadows);
   const std::size_t batch = points_ / ShadingPoints::size;

@@ -74,17 +74,18 @@ class SampledLights {
   [[nodiscard]] static bool takes_all(std::span<const PreparedLight> lights, bool shadows);
   /// Defers the lights of a point for a sample with this share: those that cast shadows, and of the
   /// others those with an extent.
-  HandledLights gather(const LitPoint& point, const SampleIndex& sample, const SampleShare& share);
+  HandledLights gather(const LightingQuery& point, const SampleIndex& sample,
+                       const SampleShare& share);
   /// Adds one light by a shadow ray, for a sample with this share; the places must be at that
   /// sample.
   void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
 
   /// Adds the sky by one ray (sample_sky), for a sample with this share. The direction is the
   /// current sample's for this lobe. An occluder blocks the sky.
-  void add_sky(const SkyLitPoint& point, const SampleShare& share, RenderStatistics& counts,
+  void add_sky(const SkyQuery& point, const SampleShare& share, RenderStatistics& counts,
                int lobe = lobe_of_sky);
   /// Adds the same ray, but defers it for a caller that evaluates its hit.
-  void add_sky_ray(const SkyLitPoint& point, const SampleIndex& sample, const SampleShare& share,
+  void add_sky_ray(const SkyQuery& point, const SampleIndex& sample, const SampleShare& share,
                    RenderStatistics& counts);
   [[nodiscard]] std::vector<SkyRay> take_sky_rays() { return std::exchange(sky_rays_, {}); }
 

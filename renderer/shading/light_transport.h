@@ -30,7 +30,7 @@ enum class MirroredLights {
 };
 
 /// A point and all lights that may illuminate it, before any of them is evaluated.
-struct LitPoint {
+struct LightingQuery {
   std::span<const PreparedLight> lights;  ///< the same for all points of a picture
   const ViewedPoint& view;
   const ViewedMaterial& material;
@@ -40,7 +40,7 @@ struct LitPoint {
 };
 
 /// A point that the sky may illuminate.
-struct SkyLitPoint {
+struct SkyQuery {
   const Sky* sky = nullptr;  ///< null: the neutral one
   const ViewedPoint& view;
   const ViewedMaterial& material;
@@ -53,10 +53,11 @@ struct Illumination {
   const PreparedLight& light;
   std::uint32_t index = 0;  ///< of the light in Lighting::lights
   const SurfacePoint& point;
-  glm::vec3 unshadowed{0.0f};     ///< irradiance without occlusion
-  glm::vec3 reflected{0.0f};      ///< radiance towards the viewer per irradiance
-  int layer = 0;                  ///< number of surfaces in front of the point
-  const LitPoint* lit = nullptr;  ///< the point with its viewer, for methods that sample the light
+  glm::vec3 unshadowed{0.0f};  ///< irradiance without occlusion
+  glm::vec3 reflected{0.0f};   ///< radiance towards the viewer per irradiance
+  int layer = 0;               ///< number of surfaces in front of the point
+  const LightingQuery* lit =
+      nullptr;  ///< the point with its viewer, for methods that sample the light
   /// Radiance of a narrow lobe's highlight of a light with an extent.
   float highlight = 0.0f;
 };
@@ -102,14 +103,14 @@ class LightTransport {
 
   /// Takes over some lights of a point, to add their contribution later. `add` is called for the
   /// others that cast shadows, one after the other.
-  virtual HandledLights gather(const LitPoint& /*point*/) { return {}; }
+  virtual HandledLights gather(const LightingQuery& /*point*/) { return {}; }
 
   /// Adds to `radiance` the light's contribution at the point, now or later.
   virtual void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) = 0;
 
   /// Adds the sky's contribution at the point, now or later. Returns false, without adding
   /// anything, if the sky counts as unoccluded.
-  virtual bool add_sky(const SkyLitPoint& /*point*/, glm::vec3& /*radiance*/,
+  virtual bool add_sky(const SkyQuery& /*point*/, glm::vec3& /*radiance*/,
                        RenderStatistics& /*counts*/) {
     return false;
   }

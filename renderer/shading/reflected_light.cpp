@@ -94,7 +94,7 @@ glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen
 
 glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample) {
   if (!lit.lit || lit.light.rule == LightRule::published) return lit.reflected;
-  const LitPoint& point = *lit.lit;
+  const LightingQuery& point = *lit.lit;
   const glm::vec3 to_light(sample.direction);
   if (shows(point.mirrored, lit.light))
     return point.share * diffuse_towards(point.material, point.view, to_light);
@@ -128,7 +128,7 @@ std::optional<MirroredLights> shown_from(const PreparedLight& light) {
   return surface ? std::optional(MirroredLights::all) : std::nullopt;
 }
 
-ReflectedLights::ReflectedLights(const LitPoint& point, std::optional<PatchCurvature> bend)
+ReflectedLights::ReflectedLights(const LightingQuery& point, std::optional<PatchCurvature> bend)
     : point_(point),
       receiver_(receiver_at(point.view.point)),
       bend_(bend),
@@ -188,8 +188,8 @@ glm::vec3 ReflectedLights::mean(const PreparedLight& light,
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver_at(at.surface));
     if (irradiance == glm::vec3(0.0f)) return;
     const ViewedPoint view = viewed_point(at.surface, at.to_viewer);
-    const LitPoint lit{point_.lights,   view,         at.material,
-                       point_.mirrored, point_.share, point_.shadows};
+    const LightingQuery lit{point_.lights,   view,         at.material,
+                            point_.mirrored, point_.share, point_.shadows};
     sum += irradiance * ReflectedLights(lit).of(light, irradiance).reflected;
   });
   return sum / static_cast<float>(4 * parts.right * parts.down);

@@ -55,7 +55,7 @@ enum class Widening { by_patch, by_bumps };
 class ReflectedLights {
  public:
   /// `point` has to outlive this.
-  explicit ReflectedLights(const LitPoint& point,
+  explicit ReflectedLights(const LightingQuery& point,
                            std::optional<PatchCurvature> bend = std::nullopt);
 
   struct Share {
@@ -74,7 +74,7 @@ class ReflectedLights {
   [[nodiscard]] glm::vec3 mean(const PreparedLight& light,
                                const PatchCurvature::Parts& parts) const;
 
-  const LitPoint& point_;
+  const LightingQuery& point_;
   Receiver receiver_;
   std::optional<PatchCurvature> bend_;
   glm::dvec3 mirrored_;

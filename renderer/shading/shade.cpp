@@ -135,7 +135,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
                          widest_roughness(seen) > settings_.roughest_mirror;
   const bool mirrors =
       !drawn_out && add_mirrored(viewed_ray, point, seen, layer, transport, radiance, counts);
-  const SkyLitPoint under_sky{settings_.sky, view, seen, mirrors, layer.share};
+  const SkyQuery under_sky{settings_.sky, view, seen, mirrors, layer.share};
   if (!settings_.sky_shadows || !transport.add_sky(under_sky, radiance, counts)) {
     ViewedMaterial by_sky = seen;
     if (mirrors) by_sky.specular = glm::vec3(0.0f);
@@ -152,7 +152,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   }
   const MirroredLights mirrored =
       mirrors ? mirrored_lights(point.triangle, blur) : MirroredLights::none;
-  const LitPoint lit_point{lights_, view, seen, mirrored, layer.share, settings_.shadows};
+  const LightingQuery lit_point{lights_, view, seen, mirrored, layer.share, settings_.shadows};
   const HandledLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
   const Receiver receiver = receiver_at(point);

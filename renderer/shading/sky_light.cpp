@@ -79,7 +79,7 @@ float lobe_density(glm::vec3 v, glm::vec3 half, glm::vec2 alpha) {
 
 }  // namespace
 
-SkySampler::SkySampler(const SkyLitPoint& point)
+SkySampler::SkySampler(const SkyQuery& point)
     : sky_(point.sky),
       material_(point.material),
       factor_(point.share),
@@ -173,7 +173,7 @@ std::optional<SkySample> SkySampler::at(glm::dvec2 place) const {
   return sample;
 }
 
-std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place) {
+std::optional<SkySample> sample_sky(const SkyQuery& point, glm::dvec2 place) {
   return SkySampler(point).at(place);
 }
 
@@ -184,14 +184,14 @@ Ray sky_ray(const SurfacePoint& point, const SkySample& sample) {
   return ray;
 }
 
-std::optional<glm::vec3> open_sky_of_matte(const SkyLitPoint& point) {
+std::optional<glm::vec3> open_sky_of_matte(const SkyQuery& point) {
   ViewedMaterial matte = point.material;
   matte.specular = glm::vec3(0.0f);
   matte.sheen = matte.falloff = 0.0f;
   return unoccluded_sky({point.sky, point.view, matte, point.mirrors, point.share});
 }
 
-std::optional<glm::vec3> unoccluded_sky(const SkyLitPoint& point) {
+std::optional<glm::vec3> unoccluded_sky(const SkyQuery& point) {
   const ViewedMaterial& material = point.material;
   const bool shiny = !point.mirrors && material.specular != glm::vec3(0.0f);
   const bool sheen = material.sheen > 0.0f;

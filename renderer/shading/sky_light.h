@@ -30,7 +30,7 @@ struct SkySample {
 /// Stores all that does not depend on the place, for repeated use.
 class SkySampler {
  public:
-  explicit SkySampler(const SkyLitPoint& point);
+  explicit SkySampler(const SkyQuery& point);
 
   /// Returns whether the surface reflects any of the sky.
   [[nodiscard]] bool reflects() const { return reflects_; }
@@ -67,7 +67,7 @@ class SkySampler {
 };
 
 /// Returns the sampler's direction for one place.
-[[nodiscard]] std::optional<SkySample> sample_sky(const SkyLitPoint& point, glm::dvec2 place);
+[[nodiscard]] std::optional<SkySample> sample_sky(const SkyQuery& point, glm::dvec2 place);
 
 /// Returns the ray from the surface in the sample's direction.
 [[nodiscard]] Ray sky_ray(const SurfacePoint& point, const SkySample& sample);
@@ -75,8 +75,8 @@ class SkySampler {
 /// Returns the mean of `carried` over all samples, including occluded ones, where a closed form
 /// exists. It exists for constant skies (with the accuracy of lobe_norms) and for matte surfaces
 /// under gradients.
-[[nodiscard]] std::optional<glm::vec3> unoccluded_sky(const SkyLitPoint& point);
+[[nodiscard]] std::optional<glm::vec3> unoccluded_sky(const SkyQuery& point);
 /// Returns the mean of `matte`, where a closed form exists.
-[[nodiscard]] std::optional<glm::vec3> open_sky_of_matte(const SkyLitPoint& point);
+[[nodiscard]] std::optional<glm::vec3> open_sky_of_matte(const SkyQuery& point);
 
 }  // namespace asos

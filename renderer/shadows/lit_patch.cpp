@@ -92,7 +92,7 @@ void LitPatch::place(const LeafRegion& region, std::uint32_t first, std::uint32_
 
 void LitPatch::add(const ShadowQuery& query, const SurfacePoint& at) {
   if (by_ == RayWeighting::radiance) {
-    const LitPoint& lit = *query.lit.lit;
+    const LightingQuery& lit = *query.lit.lit;
     // The points are distributed over the patch; none of them represents it.
     const ViewedPoint view = viewed_point(at, lit.view.to_viewer);
     points_.add({lit.lights, view, lit.material, lit.mirrored, lit.share, lit.shadows},

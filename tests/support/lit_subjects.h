@@ -58,7 +58,7 @@ struct NamedLight {
   return all;
 }
 
-/// The data that a LitPoint refers to.
+/// The data that a LightingQuery refers to.
 struct LitSubject {
   std::unique_ptr<SurfacePoint> point = std::make_unique<SurfacePoint>();
   ViewedMaterial material{};
@@ -66,7 +66,7 @@ struct LitSubject {
   MirroredLights mirrored = MirroredLights::none;
   glm::vec3 share{1.0f};
 
-  [[nodiscard]] LitPoint lit() const { return {{}, *view, material, mirrored, share}; }
+  [[nodiscard]] LightingQuery lit() const { return {{}, *view, material, mirrored, share}; }
 };
 
 [[nodiscard]] inline LitSubject subject(RandomSpace& space, int kind, double scale,

@@ -114,7 +114,7 @@ RenderSettings settings_of(Method method) {
 class ReturnedByLobes final : public LightTransport {
  public:
   void add(const Illumination&, glm::vec3&, RenderStatistics&) override {}
-  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance, RenderStatistics&) override {
+  bool add_sky(const SkyQuery& point, glm::vec3& radiance, RenderStatistics&) override {
     radiance += unoccluded_sky(point).value();
     return true;
   }

@@ -70,7 +70,7 @@ TEST_P(AimKernel, RaysMatchTheScalarFunctions) {
       for (std::size_t i = 0; i < batch.subjects.size(); ++i) {
         const LitSubject& s = batch.subjects[i];
         const LightSample sample = place_on(light, receiver_at(*s.point), batch.at(i));
-        const LitPoint lit = s.lit();
+        const LightingQuery lit = s.lit();
         const glm::vec3 carried =
             reflected_from({light, 0, *s.point, {}, {}, 0, &lit}, sample) * sample.irradiance;
         expected.push_back(by_radiance
@@ -144,7 +144,7 @@ TEST(RepeatedPoint, HasNoSheenThatAnotherHad) {
   ShadingPoints used;
   int without = 0;
   for (const LitSubject& subject : subjects.subjects) {
-    const LitPoint lit = subject.lit();
+    const LightingQuery lit = subject.lit();
     if (lit.material.sheen > 0.0f) continue;
     used.sheen.fill(0.5f);
     used.count = 0;

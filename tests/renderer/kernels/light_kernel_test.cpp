@@ -59,7 +59,7 @@ Expected expected(const PreparedLight& light, const LitSubject& s, glm::dvec2 at
   Expected e;
   e.sample = sample_light(light, receiver, at.x, at.y);
   e.ray = shadow_ray(*s.point, e.sample);
-  const LitPoint lit = s.lit();
+  const LightingQuery lit = s.lit();
   const glm::vec3 all = unshadowed_irradiance(light, receiver);
   const glm::vec3 whole = ReflectedLights(lit).of(light, all).reflected;
   glm::vec3 reflected = reflected_from({light, 0, *s.point, {}, whole, 0, &lit}, e.sample);
@@ -190,7 +190,7 @@ TEST(LightKernel, SamplesOfLightAndLobeTogetherHaveTheMeanOfTheBrdf) {
     s.material.f0 = glm::vec3(0.7f);
     s.material.falloff = 0.9f;
     s.material.roughness = roughness;
-    const LitPoint lit = s.lit();
+    const LightingQuery lit = s.lit();
     for (const NamedLight& light : lights(1.0, {0, 0, 0})) {
       const PreparedLight& prepared = light.prepared;
       if (!prepared.extended() || prepared.rule == LightRule::published) continue;

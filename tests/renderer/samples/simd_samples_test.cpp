@@ -21,7 +21,7 @@ namespace {
 /// Records Shader's results for one ray.
 class OnePoint final : public LightTransport {
  public:
-  HandledLights gather(const LitPoint& point) override {
+  HandledLights gather(const LightingQuery& point) override {
     mirrors = point.mirrored != MirroredLights::none;
     lit->add(point, glm::vec3(1.0f));
     return {{}, true};

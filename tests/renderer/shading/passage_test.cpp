@@ -148,8 +148,7 @@ class WhiteSky final : public LightTransport {
  public:
   void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
            RenderStatistics& /*counts*/) override {}
-  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance,
-               RenderStatistics& /*counts*/) override {
+  bool add_sky(const SkyQuery& point, glm::vec3& radiance, RenderStatistics& /*counts*/) override {
     radiance += point.share * (point.material.specular + point.material.ambient);
     return true;
   }

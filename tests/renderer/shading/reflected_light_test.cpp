@@ -35,7 +35,7 @@ struct Seen {
   }
   [[nodiscard]] glm::vec3 radiance(const PreparedLight& light) const {
     const ViewedPoint view{point, glm::normalize(glm::vec3(-1, 0, 1)), std::sqrt(0.5f)};
-    const LitPoint lit{{}, view, material};
+    const LightingQuery lit{{}, view, material};
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver_at(point));
     return ReflectedLights(lit).of(light, irradiance).reflected * irradiance;
   }

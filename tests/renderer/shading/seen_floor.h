@@ -27,8 +27,7 @@ class FloorTransport final : public LightTransport {
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& /*counts*/) override {
     radiance += lit.reflected * lit.unshadowed;
   }
-  bool add_sky(const SkyLitPoint& point, glm::vec3& radiance,
-               RenderStatistics& /*counts*/) override {
+  bool add_sky(const SkyQuery& point, glm::vec3& radiance, RenderStatistics& /*counts*/) override {
     const SobolPixel places(3, 5, 7);
     glm::dvec3 sum(0.0);
     for (std::uint32_t i = 0; i < samples_; ++i)

@@ -24,14 +24,14 @@ struct Seen {
         std::max(static_cast<float>(std::cos(angle)), grazing_cosine)});
     seen = viewed(material, view->n_dot_v);
   }
-  [[nodiscard]] SkyLitPoint under(const Sky* sky) const { return {sky, *view, seen}; }
+  [[nodiscard]] SkyQuery under(const Sky* sky) const { return {sky, *view, seen}; }
 
   SurfacePoint point;
   std::unique_ptr<ViewedPoint> view;
   ViewedMaterial seen{};
 };
 
-glm::dvec3 mean_of_samples(const SkyLitPoint& point, std::uint32_t count) {
+glm::dvec3 mean_of_samples(const SkyQuery& point, std::uint32_t count) {
   const SobolPixel places(3, 5, 7);
   glm::dvec3 sum(0.0);
   for (std::uint32_t i = 0; i < count; ++i)
@@ -54,7 +54,7 @@ TEST(SampleSky, ItsMeanIsTheClosedFormOfAnOpenSky) {
     for (const float roughness : {0.1f, 0.35f, 0.6f, 1.0f}) {
       for (const double angle : {0.0, 0.6, 1.2, 1.45}) {
         const Seen seen(material_of(metallic, roughness), angle);
-        const SkyLitPoint point = seen.under(nullptr);
+        const SkyQuery point = seen.under(nullptr);
         const auto open = unoccluded_sky(point);
         ASSERT_TRUE(open);
         const glm::dvec3 found = mean_of_samples(point, 1 << 15);
@@ -89,7 +89,7 @@ TEST(SampleSky, NothingIsLostBelowTheSurfaceOfATiltedNormal) {
       Seen seen(material_of(1.0f, roughness), 1.2);
       seen.point.geometric_normal =
           glm::vec3(-static_cast<float>(std::sin(tilt)), static_cast<float>(std::cos(tilt)), 0.0f);
-      const SkyLitPoint point = seen.under(nullptr);
+      const SkyQuery point = seen.under(nullptr);
       for (std::uint32_t i = 0; i < 256; ++i) {
         const auto sample = sample_sky(point, places.lobe(i, 0));
         if (sample) {
