@@ -148,9 +148,10 @@ LightQuadrature& ReflectedLights::quadrature(float roughness) {
   return *own_;
 }
 
-ReflectedLights::Share ReflectedLights::of(const PreparedLight& light, glm::vec3 irradiance) {
+ReflectedLights::LightReflection ReflectedLights::of(const PreparedLight& light,
+                                                     glm::vec3 irradiance) {
   const Highlight highlight = highlight_of(light, receiver_.position, mirrored_);
-  Share share;
+  LightReflection share;
   if (light.extended() && light.rule == LightRule::physical) {
     share = of_extended(light, highlight, irradiance, Widening::by_patch);
   } else if (shows(point_.mirrored, light)) {
@@ -195,9 +196,10 @@ glm::vec3 ReflectedLights::mean(const PreparedLight& light,
   return sum / static_cast<float>(4 * parts.right * parts.down);
 }
 
-ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
-                                                    const Highlight& highlight,
-                                                    glm::vec3 irradiance, Widening widening) {
+ReflectedLights::LightReflection ReflectedLights::of_extended(const PreparedLight& light,
+                                                              const Highlight& highlight,
+                                                              glm::vec3 irradiance,
+                                                              Widening widening) {
   const ViewedMaterial& seen = point_.material;
   const bool mirrored = shows(point_.mirrored, light);
   if (mirrored && (seen.falloff == 0.0f || seen.diffuse == glm::vec3(0.0f)))
@@ -215,7 +217,7 @@ ReflectedLights::Share ReflectedLights::of_extended(const PreparedLight& light,
   const bool wider = lobe.wider() && !(seen.sheen > 0.0f);
   const ReflectedIntegral all = quadrature(wider ? lobe.round_roughness() : seen.roughness)(light);
   const double schlick = std::clamp(all.scattered * per_irradiance, 0.0, 1.0);
-  Share share{diffuse_brdf(seen, static_cast<float>(schlick))};
+  LightReflection share{diffuse_brdf(seen, static_cast<float>(schlick))};
   if (mirrored) return share;
   const glm::dvec3 specular =
       glm::dvec3(seen.f0) * all.lobe + (glm::dvec3(seen.f90) - glm::dvec3(seen.f0)) * all.fresnel;

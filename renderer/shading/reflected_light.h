@@ -58,18 +58,18 @@ class ReflectedLights {
   explicit ReflectedLights(const LightingQuery& point,
                            std::optional<PatchCurvature> bend = std::nullopt);
 
-  struct Share {
+  struct LightReflection {
     glm::vec3 reflected{0.0f};  ///< radiance towards the viewer per irradiance
     float highlight = 0.0f;     ///< see Illumination
   };
   /// Returns the reflection of a light. `irradiance` is that of the whole light, not 0. For a light
   /// with an extent, by the physical rule, the BRDF is integrated over the light (LightQuadrature).
   /// Its lobe is isotropic and as wide as the patch makes it at the highlight's centre.
-  [[nodiscard]] Share of(const PreparedLight& light, glm::vec3 irradiance);
+  [[nodiscard]] LightReflection of(const PreparedLight& light, glm::vec3 irradiance);
 
  private:
-  [[nodiscard]] Share of_extended(const PreparedLight& light, const Highlight& highlight,
-                                  glm::vec3 irradiance, Widening widening);
+  [[nodiscard]] LightReflection of_extended(const PreparedLight& light, const Highlight& highlight,
+                                            glm::vec3 irradiance, Widening widening);
   [[nodiscard]] LightQuadrature& quadrature(float roughness);
   [[nodiscard]] glm::vec3 mean(const PreparedLight& light,
                                const PatchCurvature::Parts& parts) const;

@@ -167,7 +167,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
     if (gathered.holds(i)) continue;
     const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
     if (irradiance == glm::vec3(0.0f)) continue;
-    const ReflectedLights::Share share = reflected.of(light, irradiance);
+    const ReflectedLights::LightReflection share = reflected.of(light, irradiance);
     const Illumination lit{light,        i,          point,          irradiance, share.reflected,
                            layer.number, &lit_point, share.highlight};
     if (light.casts_shadows && settings_.shadows) {
