@@ -39,7 +39,7 @@ double Geometry::memory_mb() const {
 
 Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Light> lights,
                                                  const SceneNeeds& forced, const MipChains* known,
-                                                 HierarchyUse use) {
+                                                 BvhPurpose use) {
   auto geometry = std::make_shared<Geometry>();
   geometry->needs = find_needs(world);  // White colours that are forced do not count as colours.
   if (!forced.unused_images) release_unused_images(world);

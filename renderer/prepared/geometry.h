@@ -52,6 +52,6 @@ struct Geometry {
 /// MipChains; `use`: as in RayScene::build.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(
     World world, std::span<const Light> lights, const SceneNeeds& forced,
-    const MipChains* known = nullptr, HierarchyUse use = HierarchyUse::lasting);
+    const MipChains* known = nullptr, BvhPurpose use = BvhPurpose::lasting);
 
 }  // namespace asos

@@ -69,7 +69,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   // After the emitters, whose sampling depends on whether there are colours.
   auto geometry =
       build_geometry(std::move(flattened->world), lights, forced, stage ? &stage->mips : nullptr,
-                     scene.time ? HierarchyUse::moment : HierarchyUse::lasting);
+                     scene.time ? BvhPurpose::moment : BvhPurpose::lasting);
   if (!geometry) return unexpected(Error{scene.source, geometry.error().message()});
   Geometry& built = **geometry;
   if (stage)

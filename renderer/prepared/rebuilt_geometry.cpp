@@ -8,7 +8,7 @@ Result<std::shared_ptr<Geometry>> rebuilt_geometry(const RenderScene& scene, Wor
   const Geometry& before = *scene.geometry;
   auto geometry =
       build_geometry(std::move(world), scene.own_lighting->lights, scene.forced, &before.mips,
-                     before.time ? HierarchyUse::moment : HierarchyUse::lasting);
+                     before.time ? BvhPurpose::moment : BvhPurpose::lasting);
   if (!geometry) return unexpected(Error{before.source, geometry.error().message()});
   Geometry& built = **geometry;
   built.name = before.name;

@@ -60,7 +60,7 @@ EmbreeScene::~EmbreeScene() {
 
 Result<void> EmbreeScene::build(const World& world, const Openness& open,
                                 std::span<const Light> lights, const SceneNeeds& forced,
-                                HierarchyUse use) {
+                                BvhPurpose use) {
   if (auto checked = check_own_parts(world, lights); !checked) return checked;
   device_ = rtcNewDevice(nullptr);
   if (!device_) {
@@ -80,10 +80,9 @@ Result<void> EmbreeScene::build(const World& world, const Openness& open,
   // down queries without one.
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   // Measured (tests/bench/moving.cpp, 10,000 triangles): 0.55 ms instead of 3.
-  const RTCBuildQuality quality =
-      use == HierarchyUse::moment && !world.placements && quickly_built()
-          ? RTC_BUILD_QUALITY_LOW
-          : RTC_BUILD_QUALITY_MEDIUM;
+  const RTCBuildQuality quality = use == BvhPurpose::moment && !world.placements && quickly_built()
+                                      ? RTC_BUILD_QUALITY_LOW
+                                      : RTC_BUILD_QUALITY_MEDIUM;
   rtcSetSceneBuildQuality(scene_, quality);
   for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced, quality);
   if (world.placements) add_places(world, forced, quality);

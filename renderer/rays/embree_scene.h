@@ -30,7 +30,7 @@ class EmbreeScene {
   /// exist. `lights`, `forced` and `use`: as in RayScene::build.
   [[nodiscard]] Result<void> build(const World& world, const Openness& open,
                                    std::span<const Light> lights, const SceneNeeds& forced,
-                                   HierarchyUse use);
+                                   BvhPurpose use);
 
   [[nodiscard]] RTCScene scene() const { return scene_; }
   [[nodiscard]] Geometries geometries() const {

@@ -37,7 +37,7 @@ enum class Culling : std::uint8_t {
 };
 
 /// The purpose of the rays' hierarchy.
-enum class HierarchyUse : std::uint8_t {
+enum class BvhPurpose : std::uint8_t {
   lasting,  ///< many rays: the hierarchy with the fastest traversal
   moment,   ///< one moment of an animation: built in a fifth of the time where possible, and
             ///< at most a tenth slower to trace
@@ -97,7 +97,7 @@ class RayScene {
                                               std::span<const Light> lights = {},
                                               const SceneNeeds& forced = {},
                                               PassageAt passage = nullptr,
-                                              HierarchyUse use = HierarchyUse::lasting);
+                                              BvhPurpose use = BvhPurpose::lasting);
 
   /// Finds the nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.
   /// If triangles of different parts are coplanar, it is the one in front: blended and cut-out ones

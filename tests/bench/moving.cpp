@@ -109,8 +109,7 @@ int run(int argc, char** argv) {
     const auto flat = flatten(scene, most_triangles, (*rest)->geometry->stage.origin);
     if (!flat) return EXIT_FAILURE;
     laps.add_to(placing);
-    const auto traced =
-        RayScene::build(flat->world, nullptr, {}, {}, nullptr, HierarchyUse::moment);
+    const auto traced = RayScene::build(flat->world, nullptr, {}, {}, nullptr, BvhPurpose::moment);
     if (!traced) return EXIT_FAILURE;
     laps.add_to(rays);
     const std::vector<std::uint32_t> welded = welded_vertices(flat->world.positions.own());

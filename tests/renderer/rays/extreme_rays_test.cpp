@@ -81,7 +81,7 @@ World points(std::size_t count, const Material& material, bool beside_a_square) 
   return world;
 }
 
-void expect_points_missed(std::size_t count, bool beside, HierarchyUse use) {
+void expect_points_missed(std::size_t count, bool beside, BvhPurpose use) {
   const Ray ray = test::down(0.25f, 0.5f, 3.0f);
   for (const Material& material :
        {test::matte(glm::vec3(1)), test::blended(0.5f), test::masked(0.5f)}) {
@@ -102,7 +102,7 @@ void expect_points_missed(std::size_t count, bool beside, HierarchyUse use) {
 }
 
 TEST(ExtremeRays, SurfacesThatCollapseToOnePointAreMissed) {
-  for (const HierarchyUse use : {HierarchyUse::lasting, HierarchyUse::moment})
+  for (const BvhPurpose use : {BvhPurpose::lasting, BvhPurpose::moment})
     for (const std::size_t count : {1, 2, 3, 4, 5, 8, 9, 16, 33, 1000, 1500, 20'000})
       for (const bool beside : {false, true}) expect_points_missed(count, beside, use);
 }
@@ -115,7 +115,7 @@ TEST(ExtremeRays, SurfacesOfOneMiddleAreAllMet) {
       test::add_triangle(world, {-size, -size, 0}, {size, -size, 0}, {0, size, 0},
                          test::blended(0.5f));
     }
-    for (const HierarchyUse use : {HierarchyUse::lasting, HierarchyUse::moment}) {
+    for (const BvhPurpose use : {BvhPurpose::lasting, BvhPurpose::moment}) {
       const RayScene scene = test::build(world, test::factor_alpha, {}, use);
       const float left = scene.transmittance(test::down(0.0f, -0.5f)).x;
       EXPECT_FLOAT_EQ(left, count > 15 ? 0.0f : std::pow(0.5f, static_cast<float>(count))) << count;

@@ -77,7 +77,7 @@ TEST(RayScene, AgreesWithBruteForceInDouble) {
 TEST(RayScene, OfAMomentAnswersTheSame) {
   const World world = random_triangles(4, 5000, 0.1f);
   const RayScene lasting = build(world);
-  const RayScene moment = build(world, test::factor_alpha, {}, HierarchyUse::moment);
+  const RayScene moment = build(world, test::factor_alpha, {}, BvhPurpose::moment);
   std::mt19937 rng(104);
   std::vector<Ray> rays(4003);
   for (Ray& ray : rays) ray = random_ray(rng);

@@ -21,8 +21,7 @@ inline float factor_alpha(const World& world, std::uint32_t triangle, float, flo
 }
 
 inline RayScene build(const World& world, AlphaAt alpha = factor_alpha,
-                      const std::vector<Light>& lights = {},
-                      HierarchyUse use = HierarchyUse::lasting) {
+                      const std::vector<Light>& lights = {}, BvhPurpose use = BvhPurpose::lasting) {
   auto built = RayScene::build(world, alpha, lights, {}, nullptr, use);
   EXPECT_TRUE(built.has_value());
   return std::move(*built);
