@@ -58,7 +58,7 @@ EmbreeScene::~EmbreeScene() {
   if (device_) rtcReleaseDevice(device_);
 }
 
-Result<void> EmbreeScene::build(const World& world, const Openness& open,
+Result<void> EmbreeScene::build(const World& world, const Transparency& open,
                                 std::span<const Light> lights, const SceneNeeds& forced,
                                 BvhPurpose use) {
   if (auto checked = check_own_parts(world, lights); !checked) return checked;
@@ -95,7 +95,7 @@ Result<void> EmbreeScene::build(const World& world, const Openness& open,
   return {};
 }
 
-void EmbreeScene::sort_surfaces(const World& world, const Openness& open,
+void EmbreeScene::sort_surfaces(const World& world, const Transparency& open,
                                 std::span<const Light> lights) {
   std::vector<std::uint8_t> owned(world.parts.size(), 0);
   for (const Light& light : lights) {

@@ -28,7 +28,7 @@ class EmbreeScene {
 
   /// Builds the scene; may be called once. Errors: Embree's, and a light whose own part does not
   /// exist. `lights`, `forced` and `use`: as in RayScene::build.
-  [[nodiscard]] Result<void> build(const World& world, const Openness& open,
+  [[nodiscard]] Result<void> build(const World& world, const Transparency& open,
                                    std::span<const Light> lights, const SceneNeeds& forced,
                                    BvhPurpose use);
 
@@ -58,7 +58,7 @@ class EmbreeScene {
     static void note(void* self, RTCError code, const char* text);
   };
 
-  void sort_surfaces(const World& world, const Openness& open, std::span<const Light> lights);
+  void sort_surfaces(const World& world, const Transparency& open, std::span<const Light> lights);
   void place_vertices(const World& world);
   void choose_scale(const World& world);
   [[nodiscard]] RTCGeometry make_triangles(Group& group, const World& world);

@@ -31,7 +31,7 @@ inline constexpr std::size_t most_lanes = 16;
 }
 
 /// The transparency of surfaces that are not opaque.
-struct Openness {
+struct Transparency {
   AlphaAt alpha = nullptr;
   PassageAt passage = nullptr;  ///< for blended surfaces; null: by alpha
 };
@@ -41,7 +41,7 @@ struct Openness {
 /// triangles in order.
 struct Group {
   const World* world = nullptr;
-  Openness open;
+  Transparency open;
   SurfaceKind kind = SurfaceKind::opaque;
   bool owned = false;  ///< its parts are surfaces of lights
   std::vector<std::uint32_t> triangles;
