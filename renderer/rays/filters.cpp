@@ -59,7 +59,7 @@ float pass(const Candidate& candidate, Lanes& lanes) {
   glm::vec3& left = lanes.transmittance[candidate.lane()];
   if (!candidate.group.open.passage) return most(left *= 1.0f - candidate.opacity());
   const glm::vec3 direction = candidate.direction();
-  const StraightPassage through =
+  const StraightTransmission through =
       candidate.group.open.passage(*candidate.group.world, candidate.hit(), direction);
   if (lanes.volumes && through.extinction != glm::vec3(0.0f)) {
     const glm::vec3 extinction = through.enters ? through.extinction : -through.extinction;

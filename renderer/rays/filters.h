@@ -33,7 +33,7 @@ inline constexpr std::size_t most_lanes = 16;
 /// The transparency of surfaces that are not opaque.
 struct Transparency {
   AlphaAt alpha = nullptr;
-  PassageAt passage = nullptr;  ///< for blended surfaces; null: by alpha
+  TransmissionAt passage = nullptr;  ///< for blended surfaces; null: by alpha
 };
 
 /// The triangles, or faces of analytic shapes, of one of Embree's geometries. `triangles` maps its

@@ -18,7 +18,7 @@ namespace asos {
 using AlphaAt = float (*)(const World& world, std::uint32_t triangle, float b1, float b2);
 
 /// Transmittance of a blended surface without deflection, by colour.
-struct StraightPassage {
+struct StraightTransmission {
   glm::vec3 share{1.0f};  ///< fraction that passes
   /// Extinction of the volume that it bounds: a fraction of exp(-extinction) is left per length.
   glm::vec3 extinction{0.0f};
@@ -26,7 +26,8 @@ struct StraightPassage {
 };
 /// Returns the passage of light along `direction`, of any length, at `hit`. The hit's `t` is not
 /// used.
-using PassageAt = StraightPassage (*)(const World& world, const Hit& hit, glm::vec3 direction);
+using TransmissionAt = StraightTransmission (*)(const World& world, const Hit& hit,
+                                                glm::vec3 direction);
 
 /// The sides of surfaces that rays ignore.
 enum class Culling : std::uint8_t {
@@ -96,7 +97,7 @@ class RayScene {
   [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha,
                                               std::span<const Light> lights = {},
                                               const SceneNeeds& forced = {},
-                                              PassageAt passage = nullptr,
+                                              TransmissionAt passage = nullptr,
                                               BvhPurpose use = BvhPurpose::lasting);
 
   /// Finds the nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.

@@ -48,7 +48,7 @@ glm::vec3 extinction_of(const Volume& volume) {
 
 }  // namespace
 
-StraightPassage passage_at(const World& world, const Hit& hit, glm::vec3 direction) {
+StraightTransmission passage_at(const World& world, const Hit& hit, glm::vec3 direction) {
   const Material& material = world.material_of(hit.triangle);
   if (!(material.transmission > 0.0f)) {
     const float opacity = opacity_at(world, hit.triangle, hit.b1, hit.b2);
@@ -56,7 +56,7 @@ StraightPassage passage_at(const World& world, const Hit& hit, glm::vec3 directi
   }
   constexpr SceneNeeds needs = needs_of_passage();
   const SurfaceMaterial surface = surface_material(world, needs, hit);
-  StraightPassage passage;
+  StraightTransmission passage;
   float cosine = 1.0f;
   if (!surface.unlit) {
     const std::array<glm::vec3, 3> corners = corner_normals(world, hit);

@@ -33,10 +33,11 @@ class Sky;
 [[nodiscard]] float opacity_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
 /// Returns the transmittance of a blended surface without deflection; it is the RayScene's
-/// PassageAt. It has two parts: the fraction that the opacity leaves, and the transmitted fraction
-/// after layers and Fresnel's term, tinted by the base colour. A volume's boundary does not deflect
-/// here, either.
-[[nodiscard]] StraightPassage passage_at(const World& world, const Hit& hit, glm::vec3 direction);
+/// TransmissionAt. It has two parts: the fraction that the opacity leaves, and the transmitted
+/// fraction after layers and Fresnel's term, tinted by the base colour. A volume's boundary does
+/// not deflect here, either.
+[[nodiscard]] StraightTransmission passage_at(const World& world, const Hit& hit,
+                                              glm::vec3 direction);
 
 /// Selects what shading includes.
 struct ShadingSettings {
