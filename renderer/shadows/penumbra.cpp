@@ -268,9 +268,9 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   Box box;
   box.grow(query.point.lit_position() - around);
   box.grow(query.point.lit_position() + around);
-  const ShadowKnowledge known =
+  const KnownVisibility known =
       block.groups->ask(query.light, query.index, query.point, box, counts.shadow_rays);
-  if (known.passage != ShadowKnowledge::Passage::open || (known.cut && known.cut->empty()))
+  if (known.passage != KnownVisibility::Passage::open || (known.cut && known.cut->empty()))
     return {};
   const glm::vec3 unshadowed = unshadowed_irradiance(query.light, receiver_at(query.point));
   const float intensity =

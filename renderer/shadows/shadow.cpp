@@ -24,11 +24,11 @@ Box box_of(const ShadowPatch& patch) {
 
 // Returns the visibility if it is known for the whole passage. A passage without boundaries does
 // not exclude objects that touch the light itself.
-std::optional<Visibility> told_visibility(const ShadowKnowledge& known,
+std::optional<Visibility> told_visibility(const KnownVisibility& known,
                                           const PreparedLight& light) {
-  if (known.passage == ShadowKnowledge::Passage::open || !light.intersections.empty())
+  if (known.passage == KnownVisibility::Passage::open || !light.intersections.empty())
     return std::nullopt;
-  return Visibility(known.passage == ShadowKnowledge::Passage::lit ? 1.0 : 0.0);
+  return Visibility(known.passage == KnownVisibility::Passage::lit ? 1.0 : 0.0);
 }
 
 // Returns the visibility that the block knows for the passage to a light, or else that of one ray.
@@ -36,7 +36,7 @@ Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
                             const LeafContext& leaf, RenderStatistics& counts) {
   Box around;
   around.grow(lit.point.lit_position());
-  const ShadowKnowledge known =
+  const KnownVisibility known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
   if (const auto told = told_visibility(known, lit.light)) return *told;
   return ray_visibility(block, {lit, leaf, {}}, counts);
@@ -60,7 +60,7 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
   } else {
     around.grow(lit.point.lit_position());
   }
-  const ShadowKnowledge known =
+  const KnownVisibility known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
   if (const auto told = told_visibility(known, lit.light)) return *told;
 

@@ -131,7 +131,7 @@ bool ShadowGroups::rises_above(const PreparedLight& light, const Group& group) c
 
 void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, Group& group,
                         Answer& answer, std::uint64_t& rays_cast) {
-  using Passage = ShadowKnowledge::Passage;
+  using Passage = KnownVisibility::Passage;
   answer.known = true;
   answer.passage = Passage::open;
   // Search the shaft between the group and the light.
@@ -198,7 +198,7 @@ bool ShadowGroups::nothing_between(const PreparedLight& light, const Shaft& shaf
   return true;
 }
 
-ShadowKnowledge ShadowGroups::ask(const PreparedLight& light, std::uint32_t index,
+KnownVisibility ShadowGroups::ask(const PreparedLight& light, std::uint32_t index,
                                   const SurfacePoint& point, const Box& patch,
                                   std::uint64_t& rays_cast) {
   Group* group = group_of(point, patch);

@@ -17,7 +17,7 @@
 namespace asos {
 
 /// The known part of the passage of light between some points and a light.
-struct ShadowKnowledge {
+struct KnownVisibility {
   enum class Passage : std::uint8_t { open, lit, shaded };
 
   Passage passage = Passage::open;  ///< for all points and the whole light
@@ -40,14 +40,14 @@ class ShadowGroups {
 
   /// Returns the known part of the passage from a patch around `point` to a light. Adds the rays
   /// cast for it to `rays_cast`. The cut is valid until the next call of `reset`.
-  [[nodiscard]] ShadowKnowledge ask(const PreparedLight& light, std::uint32_t index,
+  [[nodiscard]] KnownVisibility ask(const PreparedLight& light, std::uint32_t index,
                                     const SurfacePoint& point, const Box& patch,
                                     std::uint64_t& rays_cast);
 
  private:
   struct Answer {
     bool known = false;
-    ShadowKnowledge::Passage passage = ShadowKnowledge::Passage::open;
+    KnownVisibility::Passage passage = KnownVisibility::Passage::open;
     ShaftSearch search;
   };
   struct Group {
