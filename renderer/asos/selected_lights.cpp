@@ -99,7 +99,7 @@ void SelectedLights::find(int side) {
       strong = k;
     }
     if (k == order.size()) break;
-    asked += lights[order[k]].extended() ? Prices::light_window : Prices::patch;
+    asked += lights[order[k]].extended() ? Prices::light_pyramid : Prices::patch;
     rest -= carried[order[k]];
   }
   if (strong == order.size()) return;

@@ -31,7 +31,7 @@ Ratio ratio_of(glm::dvec3 first, glm::dvec3 second, glm::dvec3 unit_first, glm::
 
 }  // namespace
 
-std::optional<ExtendedPyray> ExtendedPyray::of(const LightWindow& window, const ShadowPatch& patch,
+std::optional<ExtendedPyray> ExtendedPyray::of(const LightPyramid& window, const ShadowPatch& patch,
                                                Fit fit) {
   const glm::dvec3 m = window.towards({0.5, 0.5});
   const glm::dvec3 a = window.frame().base_u(), b = window.frame().base_v();
@@ -71,7 +71,7 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightWindow& window, const 
 }
 
 void ExtendedCaster::start(const ShadowScene& scene, bool see_through, const ExtendedPyray& pyray,
-                           const LightWindow& window, std::int32_t ignored_part) {
+                           const LightPyramid& window, std::int32_t ignored_part) {
   ShadowCaster::start(scene, see_through, pyray.frame, ignored_part);
   pyray_ = &pyray;
   window_ = &window;

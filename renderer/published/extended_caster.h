@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/half_space.h"
-#include "renderer/shadows/light_window.h"
+#include "renderer/shadows/light_pyramid.h"
 #include "renderer/shadows/patch_caster.h"
 #include "renderer/shadows/shadow_caster.h"
 
@@ -29,7 +29,7 @@ struct ExtendedPyray {
   /// projection onto the surface. A light whose projection is smaller than the patch would need a
   /// source behind the light ("we may have to move the source"). Then the pyray is nearly as narrow
   /// as the light and samples only its part of the patch.
-  [[nodiscard]] static std::optional<ExtendedPyray> of(const LightWindow& window,
+  [[nodiscard]] static std::optional<ExtendedPyray> of(const LightPyramid& window,
                                                        const ShadowPatch& patch, Fit fit);
 };
 
@@ -38,7 +38,7 @@ class ExtendedCaster final : public ShadowCaster {
  public:
   /// All arguments have to outlive the pyray.
   void start(const ShadowScene& scene, bool see_through, const ExtendedPyray& pyray,
-             const LightWindow& window, std::int32_t ignored_part);
+             const LightPyramid& window, std::int32_t ignored_part);
 
  protected:
   [[nodiscard]] std::optional<Ray> ray_at(glm::vec2 p) const override;
@@ -46,7 +46,7 @@ class ExtendedCaster final : public ShadowCaster {
 
  private:
   const ExtendedPyray* pyray_ = nullptr;
-  const LightWindow* window_ = nullptr;
+  const LightPyramid* window_ = nullptr;
 };
 
 }  // namespace asos

@@ -19,7 +19,7 @@ std::optional<Visibility> trace_extended(const ShadowContext& block, const Shado
   middle.position =
       0.25 * (patch->corners[0] + patch->corners[1] + patch->corners[2] + patch->corners[3]) +
       (middle.position - glm::dvec3(lit.point.position));
-  const auto window = LightWindow::of(lit.light, middle);
+  const auto window = LightPyramid::of(lit.light, middle);
   if (!window) return std::nullopt;
   const auto extended = ExtendedPyray::of(*window, *patch, fit);
   if (!extended) return std::nullopt;

@@ -5,7 +5,7 @@ namespace asos {
 /// Measured costs of the ways to determine a leaf, each with the benchmark that sets it. Samples or
 /// rays replace an estimator that costs more (Allowance::samples_suffice, choose).
 ///
-/// - light_window: quartiles 4 and 20 rays, mean 8 to 46 over nine scenes (bench prices)
+/// - light_pyramid: quartiles 4 and 20 rays, mean 8 to 46 over nine scenes (bench prices)
 /// - patch: quartiles 25 and 70 rays, mean 50 to 150 (bench prices)
 /// - search: 2 to 8 rays, from the time of primitives and house (bench every-scene)
 /// - penumbra_test: 0.2 to 1.8 rays; at 5, office takes a fifth longer (bench every-scene)
@@ -15,7 +15,7 @@ namespace asos {
 /// - part: at 20, trees and roofs have a tenth more error (bench every-scene)
 struct Prices {
   // In shadow rays of a small packet.
-  static constexpr double light_window = 20.0;   ///< a light cut along its occluders
+  static constexpr double light_pyramid = 20.0;  ///< a light cut along its occluders
   static constexpr double search = 4.0;          ///< the boundaries of a patch's hard shadow
   static constexpr double penumbra_test = 20.0;  ///< the edges of a soft shadow on a patch
   static constexpr double patch = 60.0;          ///< a patch cut along the edges of a hard shadow

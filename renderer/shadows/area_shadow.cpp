@@ -25,7 +25,7 @@ Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
   // penumbra.
   const LightView view = query.leaf.view_of(query.lit.index);
   const bool by_rays = block.rules.allowance.samples_suffice(query.leaf.weight, query.intensity(),
-                                                             Prices::light_window) ||
+                                                             Prices::light_pyramid) ||
                        light.entered || view.saturated ||
                        view.penumbra > static_cast<double>(block.rules.allowance.tolerance);
   if (by_rays) return sampled_shadow(block, query, counts);
@@ -51,7 +51,7 @@ Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
 
 Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
                              const Receiver& receiver, RenderStatistics& counts) {
-  const auto window = LightWindow::of(query.lit.light, receiver);
+  const auto window = LightPyramid::of(query.lit.light, receiver);
   if (!window) return ray_visibility(block, query, counts);
 
   // Make the pyray: through the light's square, between the surface and the light.
@@ -69,7 +69,7 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
 
   // Visibility that varies between outlines is sampled. The paper's qualities split the light
   // instead.
-  WindowCaster& caster = block.work->window_caster;
+  LightPyramidCaster& caster = block.work->window_caster;
   caster.start(*block.scene, block.rules.see_through, query.lit.light, *window, refined);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);
   const bool saturated =

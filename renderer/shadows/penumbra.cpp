@@ -36,7 +36,7 @@ PatchInWindow patch_in_window(const Frame& window, const Patch& patch) {
 // shade the patch.
 std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& receiver,
                                   double reach) {
-  const auto window = LightWindow::of(light, receiver);
+  const auto window = LightPyramid::of(light, receiver);
   if (!window) return std::nullopt;
   const double scale = window->infinitely_far() ? reach : 1.0;
   const Frame& frame = window->frame();

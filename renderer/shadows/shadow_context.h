@@ -6,12 +6,12 @@
 #include "renderer/settings/settings.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/light_pyramid_caster.h"
 #include "renderer/shadows/lit_patch.h"
 #include "renderer/shadows/patch_caster.h"
 #include "renderer/shadows/patch_view.h"
 #include "renderer/shadows/sampled_rays.h"
 #include "renderer/shadows/shadow_groups.h"
-#include "renderer/shadows/window_caster.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ struct ShadowRules {
 /// Scratch memory of shadow pyrays. Holds no result.
 struct ShadowWorkspace {
   Tracer tracer;
-  WindowCaster window_caster;
+  LightPyramidCaster window_caster;
   PatchCaster patch_caster;
   std::vector<BorderEdge> border;
   std::vector<double> ends;

@@ -47,7 +47,7 @@ class Costs {
 };
 
 struct AllCosts {
-  Costs light_window, penumbra_test, patch;
+  Costs light_pyramid, penumbra_test, patch;
 };
 
 /// Computes the light at one point of a block, exactly and by rays.
@@ -67,7 +67,7 @@ class PointLights final : public LightTransport {
     const Answer by_rays = ask(lit, coarse);
     if (exactly.pyrays == 0 || by_rays.pyrays > 0 || by_rays.rays == 0) return;
     const double ray = by_rays.seconds / static_cast<double>(by_rays.rays);
-    (lit.light.extended() ? costs_.light_window : costs_.patch).add(exactly.seconds / ray);
+    (lit.light.extended() ? costs_.light_pyramid : costs_.patch).add(exactly.seconds / ray);
     if (!lit.light.extended()) return;
     block_.rules.allowance.eps = exact;
     const float reflected = std::max({lit.reflected.x, lit.reflected.y, lit.reflected.z});
@@ -168,7 +168,7 @@ int measure(const std::string& source, PictureSize size) {
       measure_block(snapshot, view, shader, x, y, costs);
   }
   fmt::print("{}\n", source);
-  costs.light_window.print("light cut exactly", Prices::light_window);
+  costs.light_pyramid.print("light cut exactly", Prices::light_pyramid);
   costs.penumbra_test.print("search for a penumbra", Prices::penumbra_test);
   costs.patch.print("patch cut by a hard shadow", Prices::patch);
   return 0;

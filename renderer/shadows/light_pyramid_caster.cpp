@@ -1,16 +1,17 @@
-#include "renderer/shadows/window_caster.h"
+#include "renderer/shadows/light_pyramid_caster.h"
 
 namespace asos {
 
-void WindowCaster::start(const ShadowScene& scene, bool see_through, const PreparedLight& light,
-                         const LightWindow& window, bool gives_up) {
+void LightPyramidCaster::start(const ShadowScene& scene, bool see_through,
+                               const PreparedLight& light, const LightPyramid& window,
+                               bool gives_up) {
   ShadowCaster::start(scene, see_through, window.frame(), light.own_part);
   may_give_up_ = gives_up;
   light_ = &light;
   window_ = &window;
 }
 
-std::optional<Ray> WindowCaster::ray_at(glm::vec2 p) const {
+std::optional<Ray> LightPyramidCaster::ray_at(glm::vec2 p) const {
   if (!window_->holds(p)) return std::nullopt;
   Ray ray;
   ray.origin = glm::vec3(window_->frame().apex());
@@ -20,7 +21,7 @@ std::optional<Ray> WindowCaster::ray_at(glm::vec2 p) const {
   return ray;
 }
 
-double WindowCaster::measure(double weight, const LeafRegion& region) const {
+double LightPyramidCaster::measure(double weight, const LeafRegion& region) const {
   if (light_->rule == LightRule::physical) return window_->form(region);
   const glm::dvec2 middle(region.square.centre_u(), region.square.centre_v());
   const glm::dvec3 to_light = window_->towards(middle);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/shadows/light_window.h"
+#include "renderer/shadows/light_pyramid.h"
 #include "renderer/shadows/shadow_caster.h"
 
 namespace asos {
@@ -8,12 +8,12 @@ namespace asos {
 /// Casts from a point of a surface to an extended light (CGF'98 section 4.2). A leaf's weight is
 /// its irradiance: its projected solid angle. By the published rule, it is its area times the
 /// cosine at the light over the squared distance, both at its sample.
-class WindowCaster final : public ShadowCaster {
+class LightPyramidCaster final : public ShadowCaster {
  public:
   /// All arguments have to outlive the pyray. `gives_up`: gives up once a sample hits a surface
   /// with varying transmittance.
   void start(const ShadowScene& scene, bool see_through, const PreparedLight& light,
-             const LightWindow& window, bool gives_up);
+             const LightPyramid& window, bool gives_up);
 
   [[nodiscard]] bool gives_up() const override { return may_give_up_ && met_see_through(); }
 
@@ -22,7 +22,7 @@ class WindowCaster final : public ShadowCaster {
   [[nodiscard]] double measure(double weight, const LeafRegion& region) const override;
 
  private:
-  const LightWindow* window_ = nullptr;
+  const LightPyramid* window_ = nullptr;
   const PreparedLight* light_ = nullptr;
   bool may_give_up_ = false;
 };

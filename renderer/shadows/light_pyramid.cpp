@@ -1,4 +1,4 @@
-#include "renderer/shadows/light_window.h"
+#include "renderer/shadows/light_pyramid.h"
 
 #include "renderer/lights/form_factor.h"
 
@@ -68,7 +68,7 @@ glm::dvec2 within_arc(double from, double to) {
 
 }  // namespace
 
-LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, const Frame& frame)
+LightPyramid::LightPyramid(const PreparedLight& light, const Receiver& receiver, const Frame& frame)
     : frame_(frame), normal_(receiver.normal) {
   using LightShape = PreparedLight::Shape;
   const glm::dvec3 middle = towards({0.5, 0.5});
@@ -91,21 +91,21 @@ LightWindow::LightWindow(const PreparedLight& light, const Receiver& receiver, c
   if (receiver.geometric != receiver.normal) add_horizon(receiver.geometric);
 }
 
-std::optional<LightWindow> LightWindow::of(const PreparedLight& light, const Receiver& receiver) {
+std::optional<LightPyramid> LightPyramid::of(const PreparedLight& light, const Receiver& receiver) {
   const auto around = rectangle_around(light, receiver.position);
   if (!around) return std::nullopt;
   const glm::dvec3 face = glm::cross(around->half_u, around->half_v);
   const double height = glm::dot(face, around->middle);
   const double size = glm::length(face) * glm::length(around->middle);
   if (!(std::abs(height) > 1e-12 * size)) return std::nullopt;
-  return LightWindow(
+  return LightPyramid(
       light, receiver,
       Frame::pyramid(receiver.position, around->middle - around->half_u - around->half_v,
                      2.0 * around->half_u, 2.0 * around->half_v));
 }
 
 // Adds the horizon, which is a straight line of the square, if it crosses the square.
-void LightWindow::add_horizon(glm::dvec3 normal) {
+void LightPyramid::add_horizon(glm::dvec3 normal) {
   const glm::dvec3 line(glm::dot(normal, frame_.base_u()), glm::dot(normal, frame_.base_v()),
                         glm::dot(normal, frame_.base_corner()));
   const auto height = [&](glm::dvec2 p) { return line.x * p.x + line.y * p.y + line.z; };
@@ -124,7 +124,7 @@ void LightWindow::add_horizon(glm::dvec3 normal) {
   if (found == 2) boundaries_.push_back({glm::vec2(ends[0]), glm::vec2(ends[1])});
 }
 
-void LightWindow::add_outlines(const PreparedLight& light) {
+void LightPyramid::add_outlines(const PreparedLight& light) {
   for (const auto& outline : light.outlines) {
     for (std::size_t i = 0; i < outline.size(); ++i)
       boundaries_.push_back(
@@ -133,12 +133,12 @@ void LightWindow::add_outlines(const PreparedLight& light) {
   outline_sides_ = boundaries_.size();
 }
 
-void LightWindow::add_cuts(const PreparedLight& light) {
+void LightPyramid::add_cuts(const PreparedLight& light) {
   for (const LightIntersection& cut : light.intersections)
     boundaries_.push_back({in_window(light, cut.from), in_window(light, cut.to)});
 }
 
-bool LightWindow::holds(glm::vec2 p) const {
+bool LightPyramid::holds(glm::vec2 p) const {
   for (int i = 0; i < horizon_count_; ++i) {
     const glm::dvec3 line = horizons_[static_cast<std::size_t>(i)];
     if (line.x * p.x + line.y * p.y + line.z < 0.0) return false;
@@ -147,7 +147,7 @@ bool LightWindow::holds(glm::vec2 p) const {
   return winds_around(std::span(boundaries_).first(outline_sides_), p);
 }
 
-double LightWindow::form(const LeafRegion& region) const {
+double LightPyramid::form(const LeafRegion& region) const {
   double sum = 0.0;
   if (round_) {
     sum = round_form(region);
@@ -162,7 +162,7 @@ double LightWindow::form(const LeafRegion& region) const {
 
 // Returns the contour sum along the disk's rim between two angles, counter-clockwise: half of the
 // integral of n . (dr x r) / r^2, by eight Gauss-Legendre points on each sixth of the circle.
-double LightWindow::arc(double from, double to) const {
+double LightPyramid::arc(double from, double to) const {
   static constexpr double node[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                                      0.9602898564975363};
   static constexpr double weight[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
@@ -186,7 +186,7 @@ double LightWindow::arc(double from, double to) const {
 
 // Returns the contour sum of a disk: over the region's sides inside the disk, and over the rim
 // inside the region.
-double LightWindow::round_form(const LeafRegion& region) const {
+double LightPyramid::round_form(const LeafRegion& region) const {
   constexpr std::size_t most_crossings = 64;
   std::array<double, most_crossings> angles;
   std::size_t count = 0;

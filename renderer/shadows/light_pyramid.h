@@ -16,13 +16,13 @@ namespace asos {
 
 /// An extended light as seen from a receiver: the pyramid from the receiver around the light's
 /// bounding rectangle (CGF'98 section 4.2), and the light's part of that square.
-class LightWindow {
+class LightPyramid {
  public:
   /// Returns the window with the apex at the receiver's position, moved off its surface. Returns
   /// nothing for a light without an extent, a segment, a ball around the receiver, and a light
   /// whose plane contains the receiver.
-  [[nodiscard]] static std::optional<LightWindow> of(const PreparedLight& light,
-                                                     const Receiver& receiver);
+  [[nodiscard]] static std::optional<LightPyramid> of(const PreparedLight& light,
+                                                      const Receiver& receiver);
 
   [[nodiscard]] const Frame& frame() const { return frame_; }
 
@@ -52,7 +52,7 @@ class LightWindow {
   }
 
  private:
-  LightWindow(const PreparedLight& light, const Receiver& receiver, const Frame& frame);
+  LightPyramid(const PreparedLight& light, const Receiver& receiver, const Frame& frame);
 
   void add_horizon(glm::dvec3 normal);
   void add_outlines(const PreparedLight& light);

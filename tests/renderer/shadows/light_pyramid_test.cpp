@@ -1,4 +1,4 @@
-#include "renderer/shadows/light_window.h"
+#include "renderer/shadows/light_pyramid.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ class Directions {
 };
 
 // The window's sum over its whole square is the closed form of the whole light.
-TEST(LightWindow, TheWholeOfALightIsItsClosedForm) {
+TEST(LightPyramid, TheWholeOfALightIsItsClosedForm) {
   Directions random;
   int seen = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -56,7 +56,7 @@ TEST(LightWindow, TheWholeOfALightIsItsClosedForm) {
     const glm::dvec3 middle = 3.0 * random.next();
     const PreparedLight light =
         i % 2 ? rectangle(middle, size * u, 0.5 * size * v) : ball(middle, std::min(size, 2.5));
-    const auto window = LightWindow::of(light, receiver);
+    const auto window = LightPyramid::of(light, receiver);
     if (!window || !window->boundaries().empty()) continue;  // the horizon cuts it
     const double expected = static_cast<double>(unshadowed_irradiance(light, receiver).x) /
                             static_cast<double>(light.power.x);
@@ -67,13 +67,13 @@ TEST(LightWindow, TheWholeOfALightIsItsClosedForm) {
 }
 
 // The forms of disjoint parts add up: each arc of the rim belongs to one part.
-TEST(LightWindow, TheFormIsAdditive) {
+TEST(LightPyramid, TheFormIsAdditive) {
   Directions random;
   for (int i = 0; i < 500; ++i) {
     Receiver receiver;
     const PreparedLight light = ball(glm::dvec3(0.3, 0.2, 3.0), random.uniform(0.01, 2.0));
     receiver.normal = receiver.geometric = {0, 0, 1};
-    const auto window = LightWindow::of(light, receiver);
+    const auto window = LightPyramid::of(light, receiver);
     ASSERT_TRUE(window.has_value());
     const auto x = static_cast<float>(random.uniform(0.05, 0.95));
     const auto y = static_cast<float>(random.uniform(0.05, 0.95));
@@ -88,10 +88,10 @@ TEST(LightWindow, TheFormIsAdditive) {
 
 // A straight cut through a sphere's centre leaves the same light on either side, wherever the cut's
 // ends are on the square's border: the rim touches the sides that bound one half.
-TEST(LightWindow, EitherHalfOfABallIsHalfOfItsLight) {
+TEST(LightPyramid, EitherHalfOfABallIsHalfOfItsLight) {
   Receiver receiver;
   receiver.normal = receiver.geometric = {0, 0, 1};
-  const auto window = LightWindow::of(ball({0, 0, 2}, 0.7), receiver);
+  const auto window = LightPyramid::of(ball({0, 0, 2}, 0.7), receiver);
   ASSERT_TRUE(window.has_value());
   const double half = 0.5 * window->form(whole);
   // Around the square's border, with both ends of the cut as corners.
@@ -107,10 +107,10 @@ TEST(LightWindow, EitherHalfOfABallIsHalfOfItsLight) {
 }
 
 // A sphere seen frontally, halved by a straight line through the window's centre.
-TEST(LightWindow, HalfOfABallIsHalfOfItsLight) {
+TEST(LightPyramid, HalfOfABallIsHalfOfItsLight) {
   Receiver receiver;
   receiver.normal = receiver.geometric = {0, 0, 1};
-  const auto window = LightWindow::of(ball({0, 0, 2}, 0.7), receiver);
+  const auto window = LightPyramid::of(ball({0, 0, 2}, 0.7), receiver);
   ASSERT_TRUE(window.has_value());
   const BorderEdge half[] = {
       {{0, 0}, {0.5f, 0}}, {{0.5f, 0}, {0.5f, 1}}, {{0.5f, 1}, {0, 1}}, {{0, 1}, {0, 0}}};
@@ -125,11 +125,11 @@ TEST(LightWindow, HalfOfABallIsHalfOfItsLight) {
   EXPECT_LT(window->form({whole.square, island}), 0.1 * all);
 }
 
-TEST(LightWindow, WhatLiesBelowTheHorizonIsCutOffByABoundary) {
+TEST(LightPyramid, WhatLiesBelowTheHorizonIsCutOffByABoundary) {
   Receiver receiver;
   receiver.normal = receiver.geometric = {0, 1, 0};
   const PreparedLight light = rectangle({0, 0.25, 3}, {1, 0, 0}, {0, 1, 0});
-  const auto window = LightWindow::of(light, receiver);
+  const auto window = LightPyramid::of(light, receiver);
   ASSERT_TRUE(window.has_value());
   ASSERT_EQ(window->boundaries().size(), 1u);
   int held = 0;
@@ -137,11 +137,11 @@ TEST(LightWindow, WhatLiesBelowTheHorizonIsCutOffByABoundary) {
   EXPECT_NEAR(held, 62.5, 1.0);  // 1.25 of 2 high
 }
 
-TEST(LightWindow, ThereIsNoneFromWithinABallNorInTheLightsPlane) {
+TEST(LightPyramid, ThereIsNoneFromWithinABallNorInTheLightsPlane) {
   Receiver receiver;
   receiver.normal = receiver.geometric = {0, 1, 0};
-  EXPECT_FALSE(LightWindow::of(ball({0, 0, 0.5}, 1.0), receiver).has_value());
-  EXPECT_FALSE(LightWindow::of(rectangle({0, 3, 0}, {1, 0, 0}, {0, 1, 0}), receiver).has_value());
+  EXPECT_FALSE(LightPyramid::of(ball({0, 0, 0.5}, 1.0), receiver).has_value());
+  EXPECT_FALSE(LightPyramid::of(rectangle({0, 3, 0}, {1, 0, 0}, {0, 1, 0}), receiver).has_value());
 }
 
 }  // namespace
