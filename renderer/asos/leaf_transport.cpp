@@ -27,7 +27,7 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   if (all == glm::vec3(0.0f)) return;
   const CountForLight count(counts, lit.index);
-  const LitLeaf query{lit, *leaf_};
+  const LeafLight query{lit, *leaf_};
   Visibility visibility(0.0);
   light_visibilities(*shadows_, {&query, 1}, {&visibility, 1}, counts);
   const glm::vec3 seen(visibility);

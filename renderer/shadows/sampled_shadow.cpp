@@ -3,7 +3,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/pyray/prices.h"
 #include "renderer/sampling/sequential_mean.h"
-#include "renderer/shadows/lit_patch.h"
+#include "renderer/shadows/patch_points.h"
 #include "renderer/shadows/shadow.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -57,7 +57,7 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   // majority.
   const std::uint32_t most = few ? first_round : most_rays;
   const LightConstants constants = constants_of(light);
-  LitPatch& patch = block.work->patch;
+  PatchPoints& patch = block.work->patch;
   SampledRays& sampled = block.work->sampled;
   patch.start(block, query);
   const SamplingGoal goal{allowance.standard_error(leaf.weight, intensity), first_round, most,

@@ -100,7 +100,7 @@ Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
 
 }  // namespace
 
-void light_visibilities(const ShadowContext& block, std::span<const LitLeaf> batch,
+void light_visibilities(const ShadowContext& block, std::span<const LeafLight> batch,
                         std::span<Visibility> visibilities, RenderStatistics& counts) {
   for (std::size_t i = 0; i < batch.size(); ++i)
     visibilities[i] = light_visibility(block, batch[i].lit, batch[i].leaf, counts);

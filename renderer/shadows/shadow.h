@@ -7,7 +7,7 @@
 namespace asos {
 
 /// A light and a leaf that it illuminates. Stores references.
-struct LitLeaf {
+struct LeafLight {
   const Illumination& lit;
   const LeafContext& leaf;
 };
@@ -17,7 +17,7 @@ struct LitLeaf {
 /// coplanar points and a light, one ray decides for all of them.
 ///
 /// The entries of a batch are processed one by one, in order.
-void light_visibilities(const ShadowContext& block, std::span<const LitLeaf> batch,
+void light_visibilities(const ShadowContext& block, std::span<const LeafLight> batch,
                         std::span<Visibility> visibilities, RenderStatistics& counts);
 /// Returns the visibility for one leaf.
 [[nodiscard]] Visibility light_visibility(const ShadowContext& block, const Illumination& lit,

@@ -7,8 +7,8 @@
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/light_pyramid_caster.h"
-#include "renderer/shadows/lit_patch.h"
 #include "renderer/shadows/patch_caster.h"
+#include "renderer/shadows/patch_points.h"
 #include "renderer/shadows/patch_view.h"
 #include "renderer/shadows/sampled_rays.h"
 #include "renderer/shadows/shadow_groups.h"
@@ -40,7 +40,7 @@ struct ShadowWorkspace {
   PatchCaster patch_caster;
   std::vector<BorderEdge> border;
   std::vector<double> ends;
-  LitPatch patch;
+  PatchPoints patch;
   SampledRays sampled;
 };
 

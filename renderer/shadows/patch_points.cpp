@@ -1,4 +1,4 @@
-#include "renderer/shadows/lit_patch.h"
+#include "renderer/shadows/patch_points.h"
 
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shadows/shadow_context.h"
@@ -15,7 +15,7 @@ bool flat(const ShadowContext& block, const SurfacePoint& point) {
 
 }  // namespace
 
-void LitPatch::start(const ShadowContext& block, const ShadowQuery& query) {
+void PatchPoints::start(const ShadowContext& block, const ShadowQuery& query) {
   const std::uint64_t seed = query.leaf.seed;
   sobol_.emplace(static_cast<int>(seed >> 32), static_cast<int>(seed), query.lit.index);
   on_pixel_.forget();
@@ -24,9 +24,9 @@ void LitPatch::start(const ShadowContext& block, const ShadowQuery& query) {
   by_ = by_lobe ? RayWeighting::radiance : RayWeighting::irradiance;
 }
 
-const ShadingPoints& LitPatch::look(const ShadowContext& block, const ShadowQuery& query,
-                                    std::uint32_t first, std::uint32_t end,
-                                    RenderStatistics& counts) {
+const ShadingPoints& PatchPoints::look(const ShadowContext& block, const ShadowQuery& query,
+                                       std::uint32_t first, std::uint32_t end,
+                                       RenderStatistics& counts) {
   const SurfacePoint& point = query.lit.point;
   points_.count = 0;
   numbers_.clear();
@@ -72,13 +72,13 @@ const ShadingPoints& LitPatch::look(const ShadowContext& block, const ShadowQuer
   return points_;
 }
 
-const LightPlaceBatch& LitPatch::on_light(std::uint32_t light) {
+const LightPlaceBatch& PatchPoints::on_light(std::uint32_t light) {
   numbers_.on_light(light, on_light_);
   return on_light_;
 }
 
 // Computes the points' places in the leaf.
-void LitPatch::place(const LeafRegion& region, std::uint32_t first, std::uint32_t end) {
+void PatchPoints::place(const LeafRegion& region, std::uint32_t first, std::uint32_t end) {
   const Bounds2 box = bounds_of(region);
   places_.clear();
   number_of_.clear();
@@ -90,7 +90,7 @@ void LitPatch::place(const LeafRegion& region, std::uint32_t first, std::uint32_
   }
 }
 
-void LitPatch::add(const ShadowQuery& query, const SurfacePoint& at) {
+void PatchPoints::add(const ShadowQuery& query, const SurfacePoint& at) {
   if (by_ == RayWeighting::radiance) {
     const LightingQuery& lit = *query.lit.lit;
     // The points are distributed over the patch; none of them represents it.
@@ -102,7 +102,7 @@ void LitPatch::add(const ShadowQuery& query, const SurfacePoint& at) {
   }
 }
 
-void LitPatch::add_number(std::uint32_t number) {
+void PatchPoints::add_number(std::uint32_t number) {
   if (numbers_.empty()) {
     numbers_.add(*sobol_, number);
   } else {

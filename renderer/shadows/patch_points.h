@@ -21,7 +21,7 @@ struct ShadowQuery;
 /// Points from the whole patch of a leaf, in batches for kernels, with their places on a light.
 /// They are well distributed over patch and light together (SobolPixel). If the leaf's lobe is
 /// broad, they have its material, since such a lobe weights the parts of a light unequally.
-class LitPatch {
+class PatchPoints {
  public:
   /// Must be called before the leaf or light changes.
   void start(const ShadowContext& block, const ShadowQuery& query);
