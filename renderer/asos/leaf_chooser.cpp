@@ -76,17 +76,17 @@ bool LeafChooser::nearly_flat(const Leaf& leaf) const {
          static_cast<double>(size);
 }
 
-EvenPatch LeafChooser::even_patch(SampleId sample, const LeafRegion& region,
-                                  const LightViews& views) const {
+UniformShadowPatch LeafChooser::even_patch(SampleId sample, const LeafRegion& region,
+                                           const LightViews& views) const {
   return {samples_->point(sample), region.square,
           std::vector<Visibility>(eye_->viewer.shader.lights().size(), Visibility(-1.0)), views};
 }
 
 // The region has to be a part of the patch. Pixels with a wide filter only overlap it.
-EvenPatch* LeafChooser::even_around(SampleId sample, const LeafRegion& region) {
+UniformShadowPatch* LeafChooser::even_around(SampleId sample, const LeafRegion& region) {
   const Square& s = region.square;
   const float rounding = 1e-3f * s.side;
-  for (EvenPatch& even : even_) {
+  for (UniformShadowPatch& even : even_) {
     const Square& all = even.square;
     const float wider = all.side - s.side + rounding;
     if (s.u >= all.u - rounding && s.u <= all.u + wider && s.v >= all.v - rounding &&

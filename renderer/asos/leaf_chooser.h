@@ -35,10 +35,10 @@ class LeafChooser {
   }
 
   /// Returns the evenly lit patch of the sample's surface that contains the region, if any.
-  [[nodiscard]] EvenPatch* even_around(SampleId sample, const LeafRegion& region);
+  [[nodiscard]] UniformShadowPatch* even_around(SampleId sample, const LeafRegion& region);
   /// Returns a patch whose lights are evaluated once for all of it, if it is evenly lit.
-  [[nodiscard]] EvenPatch even_patch(SampleId sample, const LeafRegion& region,
-                                     const LightViews& views) const;
+  [[nodiscard]] UniformShadowPatch even_patch(SampleId sample, const LeafRegion& region,
+                                              const LightViews& views) const;
 
   /// Returns the cost of each of many parts of a cell, in samples.
   [[nodiscard]] double part_price() const { return part_price_; }
@@ -55,7 +55,7 @@ class LeafChooser {
   ErrorTerms terms_;
   double shadows_price_, part_price_;
   std::vector<LightViews> views_{1};  // by record; the first is empty
-  std::vector<EvenPatch> even_;
+  std::vector<UniformShadowPatch> even_;
 };
 
 }  // namespace asos

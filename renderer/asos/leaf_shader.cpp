@@ -101,7 +101,7 @@ const Material& LeafShader::material_of(const PyrayLeaf& leaf) const {
 }
 
 // Shades a leaf by its one sample and adds it to its root.
-glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, EvenPatch* even) {
+glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) {
   const Viewer& viewer = eye_->viewer;
   const Hit& hit = samples_->hit(leaf.sample);
   const Ray& ray = samples_->ray(leaf.sample);
@@ -202,7 +202,7 @@ bool LeafShader::light_misplaced(const PyrayLeaf& leaf, const LeafTransport& tra
          !leaf.decision.sampled() && transport.misplaces_light();
 }
 
-LeafContext LeafShader::context_of(const PyrayLeaf& leaf, EvenPatch* even) const {
+LeafContext LeafShader::context_of(const PyrayLeaf& leaf, UniformShadowPatch* even) const {
   LeafContext context;
   context.region = leaf.region;
   context.root_side = eye_->root_side();
@@ -244,7 +244,8 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   const SampleId first = samples_->probe(places);
 
   // Evaluate the lights once for all of the parts.
-  EvenPatch whole = chooser_->even_patch(leaf.sample, region, chooser_->views(leaf.decision));
+  UniformShadowPatch whole =
+      chooser_->even_patch(leaf.sample, region, chooser_->views(leaf.decision));
   const bool even = samples_->opaque(leaf.sample);
   const RootSum before = sums_[leaf.root];
   const double share = leaf.weight / static_cast<double>(parts.size());

@@ -61,7 +61,7 @@ class LeafShader {
   void drop(std::uint32_t selected_share, std::uint32_t sky_share);
   void add(std::span<const Contribution> contributions, bool whole_leaves);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
-  glm::vec3 add_leaf(const PyrayLeaf& leaf, EvenPatch* even);
+  glm::vec3 add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even);
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(std::uint32_t root, SampleId sample, glm::vec3 radiance);
   [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
@@ -70,7 +70,7 @@ class LeafShader {
   [[nodiscard]] bool blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] bool light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] std::span<const WeightedShape> colour_parts(const PyrayLeaf& leaf, glm::vec2 at);
-  [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, EvenPatch* even) const;
+  [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, UniformShadowPatch* even) const;
 
   const EyeContext* eye_;
   EyeSamples* samples_;

@@ -19,7 +19,7 @@ using Visibility = glm::dvec3;
 /// A part of a smooth surface over which no soft shadow varies by more than the tolerance. The
 /// visibility of each light from its centre, computed at first use, holds for all of it. For point
 /// lights that is true if the visibility is 0 or 1.
-struct EvenPatch {
+struct UniformShadowPatch {
   SurfacePoint middle;
   Square square;                         ///< in the viewer's frame
   std::vector<Visibility> visibilities;  ///< of each light; negative: not computed yet
@@ -29,13 +29,13 @@ struct EvenPatch {
 /// A leaf of an eye pyray or a reflected one, with the data that shadows and reflections need while
 /// it is shaded.
 struct LeafContext {
-  LeafRegion region;                  ///< in the viewer's frame
-  float root_side = 1.0f;             ///< side of the leaf's root in that frame
-  double weight = 1.0;                ///< the leaf's fraction of the root's area
-  glm::vec2 at{0.5f};                 ///< place of its sample, in that frame
-  std::uint64_t seed = 0;             ///< of the leaf's random numbers
-  EvenPatch* even = nullptr;          ///< the evenly lit patch around it, if any
-  const LightViews* views = nullptr;  ///< those of its sample that were computed
+  LeafRegion region;                   ///< in the viewer's frame
+  float root_side = 1.0f;              ///< side of the leaf's root in that frame
+  double weight = 1.0;                 ///< the leaf's fraction of the root's area
+  glm::vec2 at{0.5f};                  ///< place of its sample, in that frame
+  std::uint64_t seed = 0;              ///< of the leaf's random numbers
+  UniformShadowPatch* even = nullptr;  ///< the evenly lit patch around it, if any
+  const LightViews* views = nullptr;   ///< those of its sample that were computed
   ObservedLeaf observed;
 
   [[nodiscard]] LightView view_of(std::uint32_t light) const {

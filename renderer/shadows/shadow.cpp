@@ -77,7 +77,7 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
 // boundaries, so the patch is either fully lit or fully in shadow.
 Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
                            const LeafContext& leaf, RenderStatistics& counts) {
-  EvenPatch& even = *leaf.even;
+  UniformShadowPatch& even = *leaf.even;
   Visibility& visibility = even.visibilities[lit.index];
   const auto holds_for_all = [&] {
     return lit.light.extended() || visibility == Visibility(0.0) || visibility == Visibility(1.0);
