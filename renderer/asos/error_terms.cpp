@@ -328,7 +328,7 @@ ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
         *shadows_, {lights[i], i, leaf.point, leaf.around, reflected, level, leaf.weight},
         *eye_->counts);
     error += static_cast<double>(found.error);
-    views.add({i, expected * static_cast<double>(found.error), found.saturated});
+    views.add({i, expected * static_cast<double>(found.error), found.too_detailed});
   }
   return ErrorBound::of(expected * error);
 }

@@ -26,7 +26,7 @@ Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
   const LightView view = query.leaf.view_of(query.lit.index);
   const bool by_rays = block.rules.allowance.samples_suffice(query.leaf.weight, query.intensity(),
                                                              Prices::light_pyramid) ||
-                       light.entered || view.saturated ||
+                       light.entered || view.too_detailed ||
                        view.penumbra > static_cast<double>(block.rules.allowance.tolerance);
   if (by_rays) return sampled_shadow(block, query, counts);
   const Visibility seen = point_area_shadow(block, query, middle, counts);
@@ -72,10 +72,10 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   LightPyramidCaster& caster = block.work->window_caster;
   caster.start(*block.scene, block.rules.see_through, query.lit.light, *window, refined);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);
-  const bool saturated =
+  const bool too_detailed =
       trace.given_up || caster.gives_up() || trace.outcome.unresolved_area > rules.allowance.eps;
-  return saturated ? sampled_shadow(block, query, counts)
-                   : caster.visibility().value_or(Visibility(0.0));
+  return too_detailed ? sampled_shadow(block, query, counts)
+                      : caster.visibility().value_or(Visibility(0.0));
 }
 
 }  // namespace asos

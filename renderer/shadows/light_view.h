@@ -14,7 +14,7 @@ struct LightView {
   /// intensity.
   double penumbra = 0.0;
   /// There are so many boundaries in between that only rays are useful.
-  bool saturated = false;
+  bool too_detailed = false;
 };
 
 /// A leaf's views of the lights, computed once when its estimator is chosen. Stores only views that
@@ -24,7 +24,7 @@ class LightViews {
   void clear() { views_.clear(); }
   /// `view` must be of a light that was not added before.
   void add(const LightView& view) {
-    if (view.penumbra > 0.0 || view.saturated) views_.push_back(view);
+    if (view.penumbra > 0.0 || view.too_detailed) views_.push_back(view);
   }
   [[nodiscard]] bool empty() const { return views_.empty(); }
   /// Returns the view of a light; by default it has no boundaries.

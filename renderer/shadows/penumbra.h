@@ -19,7 +19,7 @@ struct PenumbraQuery {
 /// whole patch cost less. Then the shadow is sampled, and no split is needed.
 struct Penumbra {
   float error = 0.0f;  ///< in display intensity
-  bool saturated = false;
+  bool too_detailed = false;
 };
 
 /// Returns the allowed variation of visibility in a leaf. The bound assumes an edge along the whole

@@ -13,11 +13,11 @@ TEST(LightViews, KeepWhatIsWorthNoting) {
   views.add({5, 0.0, true});
   EXPECT_FALSE(views.empty());
   EXPECT_EQ(views.of(2).penumbra, 0.25);
-  EXPECT_FALSE(views.of(2).saturated);
-  EXPECT_TRUE(views.of(5).saturated);
+  EXPECT_FALSE(views.of(2).too_detailed);
+  EXPECT_TRUE(views.of(5).too_detailed);
   EXPECT_EQ(views.of(3).light, 3u);
   EXPECT_EQ(views.of(3).penumbra, 0.0);
-  EXPECT_FALSE(views.of(0).saturated);
+  EXPECT_FALSE(views.of(0).too_detailed);
   views.clear();
   EXPECT_TRUE(views.empty());
 }

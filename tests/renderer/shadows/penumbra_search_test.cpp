@@ -86,7 +86,7 @@ TEST_F(PenumbraSearch, FindsALongPoleAcrossANarrowPatch) {
   for (const double length : {1.0, 8.0, 64.0}) {
     for (const float depth : {0.1f, 0.01f, 0.001f}) {
       const Penumbra found = look(pole(0.002, length), {{0.1f, 0, 0}, {0, 0, depth}});
-      EXPECT_TRUE(found.saturated || found.error > 0.1f) << length << ' ' << depth;
+      EXPECT_TRUE(found.too_detailed || found.error > 0.1f) << length << ' ' << depth;
     }
   }
 }
@@ -96,7 +96,7 @@ TEST_F(PenumbraSearch, LeavesAPatchAloneThatNoShadowReaches) {
   add_occluder(world, {3.0, 0.002, -4}, {0.02, 0, 0}, {0, 0, 8});
   const Penumbra found = look(std::move(world), {{0.1f, 0, 0}, {0, 0, 0.01f}});
   EXPECT_EQ(found.error, 0.0f);
-  EXPECT_FALSE(found.saturated);
+  EXPECT_FALSE(found.too_detailed);
 }
 
 // A ledge 0.01 above the plane, with an oblique light: the ledge's edge is behind the patch's
