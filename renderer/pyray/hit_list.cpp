@@ -119,7 +119,7 @@ void HitLists::refine(const Square& cell, const HidingPlane& hiding,
                       std::span<const std::uint32_t> parent, List& list, bool seen) {
   list.clear();
   in_view_ = {};
-  stops_when_saturated_ = seen;
+  stops_at_too_many_ = seen;
   for (const std::uint32_t i : parent) visit(i, cell, hiding, list);
 
   // Few entries are left: open nodes, since their contents decide.
@@ -151,7 +151,7 @@ void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hid
     return;
   }
   const float size = e.extent();
-  if (is_hidden || size <= 0.25f * cell.side || size <= finest_side_ || saturated() ||
+  if (is_hidden || size <= 0.25f * cell.side || size <= finest_side_ || too_many_boundaries() ||
       exhausted()) {
     in_view_.nodes += !is_hidden;
     list.push_back(i);
@@ -230,8 +230,8 @@ bool HitLists::hidden(std::uint32_t i, const Square& cell, const HidingPlane& hi
   return true;
 }
 
-bool HitLists::saturated() const {
-  return stops_when_saturated_ &&
+bool HitLists::too_many_boundaries() const {
+  return stops_at_too_many_ &&
          (in_view_.nodes >= most_nodes_in_front || in_view_.segments >= most_segments_in_front);
 }
 

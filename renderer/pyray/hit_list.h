@@ -107,7 +107,7 @@ class HitLists {
 
  private:
   void visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list);
-  [[nodiscard]] bool saturated() const;
+  [[nodiscard]] bool too_many_boundaries() const;
   void open(std::uint32_t i);
   void open_node(std::uint32_t node, unsigned children);
   void open_leaf(std::uint32_t i);
@@ -130,7 +130,7 @@ class HitLists {
     std::size_t segments = 0;
   };
   InView in_view_;
-  bool stops_when_saturated_ = false;
+  bool stops_at_too_many_ = false;
   // Length in the square of a world unit across the view, at nearness 1.
   float squares_a_unit_ = 1.0f;
   std::vector<HitEntry> entries_;
