@@ -60,8 +60,8 @@ struct BlockWorkspace {
 
 /// Shades through the camera of a job.
 struct CameraEye {
-  CameraEye(const BlockJob& job, const Allowance& allowance)
-      : shader(shader_of(job.scene, job.settings, job.view, allowance.negligible_bend())),
+  CameraEye(const BlockJob& job, const ErrorBudget& error_budget)
+      : shader(shader_of(job.scene, job.settings, job.view, error_budget.negligible_bend())),
         viewer(Viewer::camera(job.view, shader, job.settings.filter_width)) {}
   CameraEye(const CameraEye&) = delete;
   CameraEye& operator=(const CameraEye&) = delete;
@@ -79,8 +79,8 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   started.block = job.block;
 
   // Look along the block as the camera does.
-  const Allowance allowance = Allowance::of(settings);
-  const CameraEye camera(job, allowance);
+  const ErrorBudget error_budget = ErrorBudget::of(settings);
+  const CameraEye camera(job, error_budget);
   std::optional<Defocus> defocus;
   if (job.view.has_lens()) {
     defocus.emplace(job, camera.viewer, settings.asos.fat);
@@ -100,7 +100,7 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
   fat.bounds.within = cuts.between;
 
   EyeContext eye{&job.scene, &settings, camera.viewer, &fat.frame, started.framed};
-  eye.allowance = allowance;
+  eye.error_budget = error_budget;
   eye.variant = published.variant();
   eye.seed = settings.seed;
   eye.defocus = defocus ? &*defocus : nullptr;
@@ -125,8 +125,8 @@ StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch) {
       static_cast<std::uint64_t>(fat.side * fat.side - fat.columns * fat.rows);
   started.open = caster.take_open();
   started.asked = settings.layers;
-  started.tolerance = allowance.refines() ? static_cast<double>(allowance.tolerance)
-                                          : std::max(allowance.eps, Allowance::invisible);
+  started.tolerance = error_budget.refines() ? static_cast<double>(error_budget.tolerance)
+                                             : std::max(error_budget.eps, ErrorBudget::invisible);
   std::vector<LayerSum> layers = caster.take_layers();
   started.pixel_of_root.assign(traces.size(), 0);
   for (int y = 0; y < fat.rows; ++y) {
@@ -145,7 +145,7 @@ void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* wa
   if (open.parts.empty()) return;
   // Continue to sample the open regions.
   const RenderSettings& settings = job.settings;
-  const CameraEye camera(job, Allowance::of(settings));
+  const CameraEye camera(job, ErrorBudget::of(settings));
   RegionSampler sampler(job.scene, camera.viewer, settings, started.framed, settings.seed, nullptr,
                         job.stop);
   std::optional<LayerProbe> probe;

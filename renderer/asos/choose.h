@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/asos/error_bound.h"
-#include "renderer/pyray/allowance.h"
 #include "renderer/pyray/caster.h"
+#include "renderer/pyray/error_budget.h"
 
 namespace asos {
 
@@ -16,11 +16,11 @@ struct LeafChoice {
 
 /// Returns whether MAX or EPS allows so few samples for a part of this weight that sampling it
 /// costs no more than shading one leaf exactly.
-[[nodiscard]] bool samples_cost_least(const Allowance& allowance, double weight);
+[[nodiscard]] bool samples_cost_least(const ErrorBudget& error_budget, double weight);
 
 /// Returns the cheapest estimator with an error within the allowance: the leaf's centre, samples of
 /// the leaf, or its four quarters. If none qualifies, returns the one with the least error (design
 /// section 14).
-[[nodiscard]] Estimator choose(const Allowance& allowance, const LeafChoice& leaf);
+[[nodiscard]] Estimator choose(const ErrorBudget& error_budget, const LeafChoice& leaf);
 
 }  // namespace asos

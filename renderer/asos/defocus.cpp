@@ -20,9 +20,9 @@ constexpr double most_reach = 12.0;
 // Margin for meshes, which may bend away from the plane of one of their triangles.
 constexpr double bend_of_meshes = 1.25;
 
-Allowance refined(RenderSettings settings) {
+ErrorBudget refined(RenderSettings settings) {
   settings.asos.refine_shading = true;
-  return Allowance::of(settings);
+  return ErrorBudget::of(settings);
 }
 
 }  // namespace
@@ -35,8 +35,8 @@ Defocus::Defocus(const BlockJob& job, const Viewer& viewer, int side)
       block_(job.block),
       side_(side),
       width_(static_cast<double>(viewer.pixel)),
-      allowance_(refined(job.settings)),
-      sharpest_(sharp_radius * static_cast<double>(allowance_.tolerance)),
+      error_budget_(refined(job.settings)),
+      sharpest_(sharp_radius * static_cast<double>(error_budget_.tolerance)),
       even_background_(
           viewer.shader.settings().backdrop.everywhere(viewer.shader.settings().sky).has_value()),
       pixels_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {

@@ -2,7 +2,7 @@
 
 #include "renderer/geometry/view.h"
 #include "renderer/prepared/viewer.h"
-#include "renderer/pyray/allowance.h"
+#include "renderer/pyray/error_budget.h"
 #include "renderer/samples/block_job.h"
 
 #include <cstdint>
@@ -37,7 +37,7 @@ class Defocus {
   /// confusion. The circle is limited to the search radius.
   [[nodiscard]] double leaf_side(std::uint32_t root) const;
   /// Returns the allowance of a sampled pixel. It refines, even where the settings do not.
-  [[nodiscard]] const Allowance& allowance() const { return allowance_; }
+  [[nodiscard]] const ErrorBudget& error_budget() const { return error_budget_; }
 
  private:
   void measure(const RenderScene& scene, const Ray& ray, const Hit& hit, Pixel& pixel) const;
@@ -51,7 +51,7 @@ class Defocus {
   PixelRect block_;
   int side_;
   double width_;
-  Allowance allowance_;
+  ErrorBudget error_budget_;
   double sharpest_;
   bool even_background_;
   double reach_ = 0.0;

@@ -93,13 +93,13 @@ ErrorBound ErrorTerms::layers(const Leaf& leaf) const {
   const std::vector<SurfaceLayer> layers = eye_->viewer.shader.layers(seen, *eye_->counts);
   double through = 1.0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (!(through > static_cast<double>(eye_->allowance.tolerance))) break;
+    if (!(through > static_cast<double>(eye_->error_budget.tolerance))) break;
     if (i > 0 && varies_behind(leaf, seen, layers[i].hit)) return ErrorBound::unknown();
     through *= 1.0 - static_cast<double>(layers[i].opacity);
   }
-  return ErrorBound::unknown(Allowance::usual_contrast * std::sqrt(leaf.weight) *
+  return ErrorBound::unknown(ErrorBudget::usual_contrast * std::sqrt(leaf.weight) *
                                  static_cast<double>(unevenness_of(layers)) >
-                             static_cast<double>(eye_->allowance.tolerance));
+                             static_cast<double>(eye_->error_budget.tolerance));
 }
 
 bool ErrorTerms::varies_behind(const Leaf& leaf, const ViewedRay& seen, const Hit& hit) const {
@@ -163,7 +163,7 @@ bool ErrorTerms::glints(const Leaf& leaf) const {
   const SurfaceMaterial seen =
       surface_material(scene.world(), scene.needs, leaf.hit, point.footprint, &scene.mips());
   return glint_error(scene.lights(), material, seen.roughness, point, leaf.to_viewer()) >
-         eye_->allowance.tolerance;
+         eye_->error_budget.tolerance;
 }
 
 ErrorBound ErrorTerms::bend(const Leaf& leaf) const {
@@ -233,7 +233,7 @@ ErrorBound ErrorTerms::gloss(const Leaf& leaf) const {
 // Returns the error of the highlights of one lobe.
 HighlightError ErrorTerms::highlights_error(const GlossyPatch& glossy) const {
   const auto lights = eye_->viewer.shader.lights();
-  const float tolerance = eye_->allowance.tolerance;
+  const float tolerance = eye_->error_budget.tolerance;
   const float negligible = 0.5f * tolerance / static_cast<float>(lights.size());
   HighlightError all;
   for (std::uint32_t i = 0; i < lights.size() && !(all.error > tolerance); ++i) {
@@ -251,7 +251,7 @@ HighlightError ErrorTerms::highlights_error(const GlossyPatch& glossy) const {
 ErrorBound ErrorTerms::mirror(const Leaf& leaf) const {
   const double wide = mirrored_width(leaf);
   if (!(wide > 1.0)) return ErrorBound::none();
-  return ErrorBound::of(wide * wide * static_cast<double>(eye_->allowance.tolerance));
+  return ErrorBound::of(wide * wide * static_cast<double>(eye_->error_budget.tolerance));
 }
 
 // Returns how far a curved mirror spreads the corner rays of the region, in units of the widest
@@ -319,7 +319,7 @@ ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
   const auto level =
       static_cast<int>(std::lround(std::log2(eye_->root_side() / leaf.region.square.side)));
   const auto lights = eye_->viewer.shader.lights();
-  const double most = static_cast<double>(eye_->allowance.tolerance) / expected;
+  const double most = static_cast<double>(eye_->error_budget.tolerance) / expected;
   double error = 0.0;
   for (std::uint32_t i = 0; i < lights.size() && !(error > most); ++i) {
     if (!casts_soft_shadow(i)) continue;

@@ -43,7 +43,7 @@ ShadowContext shadows_of(const EyeContext& eye, const ShadowScene& scene, PatchV
                          ShadowGroups& groups) {
   ShadowContext shadows;
   shadows.scene = &scene;
-  shadows.rules = {eye.variant.area_shadows, eye.allowance, eye.variant.shadow_pyrays,
+  shadows.rules = {eye.variant.area_shadows, eye.error_budget, eye.variant.shadow_pyrays,
                    eye.scene->needs.varying_opacity && eye.scene->features().opacity_unbounded()};
   shadows.lights = eye.viewer.shader.lights().size();
   shadows.frame = eye.frame;
@@ -96,7 +96,7 @@ void EyeCaster::middles_known(int side) {
 }
 
 SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, double weight) {
-  if (!eye_.allowance.refines()) return no_sample;
+  if (!eye_.error_budget.refines()) return no_sample;
   const SampleId sample = samples_.add_unseen({square.centre_u(), square.centre_v()});
   const std::uint64_t before = eye_.counts->rays();
   std::uint32_t fewest = 1;

@@ -42,7 +42,7 @@ class EyeCaster final : public Caster {
   }
   [[nodiscard]] bool opaque(SampleId sample) const override { return samples_.opaque(sample); }
   [[nodiscard]] bool samples_leaf(SampleId sample) const override {
-    return samples_.cut_out(sample) && eye_.allowance.refines();
+    return samples_.cut_out(sample) && eye_.error_budget.refines();
   }
   [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
                                     bool may_split) override {
@@ -51,8 +51,8 @@ class EyeCaster final : public Caster {
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
     constexpr double contrast = 0.5;  // of a part with many surfaces
     return shades_parts_ &&
-           eye_.allowance.samples_suffice(weight, contrast,
-                                          chooser_.part_price() * static_cast<double>(parts));
+           eye_.error_budget.samples_suffice(weight, contrast,
+                                             chooser_.part_price() * static_cast<double>(parts));
   }
   [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
                                           double weight) override;

@@ -3,7 +3,7 @@
 #include "renderer/film/statistics.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/prepared/viewer.h"
-#include "renderer/pyray/allowance.h"
+#include "renderer/pyray/error_budget.h"
 #include "renderer/pyray/observer.h"
 #include "renderer/reflections/reflection_mask.h"
 #include "renderer/shadows/engine_variant.h"
@@ -26,7 +26,7 @@ struct EyeContext {
   Viewer viewer;
   const Frame* frame = nullptr;  ///< (u, v) runs from 0 to 1 across the block
   PixelRect block;               ///< square
-  Allowance allowance{};         ///< of a root
+  ErrorBudget error_budget{};    ///< of a root
   EngineVariant variant{};
   int seed = 0;                          ///< seed of sampled parts
   const ReflectionMask* mask = nullptr;  ///< weights of the parts of the square; null: their areas

@@ -18,20 +18,20 @@ LeafChooser::LeafChooser(const EyeContext& eye, const EyeSamples& samples,
 
 LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegion& region,
                                  bool may_split) {
-  const Allowance& allowance = eye_->allowance;
-  if (!allowance.refines_leaves() || !samples_->hit(sample).valid() ||
+  const ErrorBudget& error_budget = eye_->error_budget;
+  if (!error_budget.refines_leaves() || !samples_->hit(sample).valid() ||
       (eye_->mask && !eye_->mask->holds(samples_->at(sample))))
     return {};
   // The parts of an evenly lit patch are right only as a whole, so none of them is sampled alone.
   const bool shared = terms_.soft_shadows() && even_around(sample, region);
-  if (!eye_->mirrored() && !shared && samples_cost_least(allowance, weight) && is_lit(sample))
+  if (!eye_->mirrored() && !shared && samples_cost_least(error_budget, weight) && is_lit(sample))
     return {Estimator::samples};
 
   // Add up the error terms. Soft shadows matter only where the others leave a choice.
   const Leaf leaf = Leaf::of(*eye_, *samples_, sample, weight, region);
   if (terms_.layers(leaf).unbounded) return {Estimator::samples, Unevenness::layers};
   LeafChoice choice{weight, terms_.shading(leaf), Prices::leaf, may_split};
-  LeafDecision decision{choose(allowance, choice)};
+  LeafDecision decision{choose(error_budget, choice)};
   decision.error = static_cast<float>(choice.bound.error);
   if (decision.estimator != Estimator::centre) decision.cause = Unevenness::shading;
   if (!terms_.soft_shadows()) return decision;
@@ -43,11 +43,11 @@ LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegio
   if (decision.sampled()) return decision;
   LightViews views;
   const ErrorBound penumbra = terms_.penumbra(leaf, views);
-  const bool even = penumbra.error <= static_cast<double>(allowance.tolerance);
+  const bool even = penumbra.error <= static_cast<double>(error_budget.tolerance);
   if (!even || decision.estimator == Estimator::centre) {
     choice.bound += penumbra;
     choice.price += shadows_price_;
-    decision.estimator = choose(allowance, choice);
+    decision.estimator = choose(error_budget, choice);
     decision.error = static_cast<float>(choice.bound.error);
     if (decision.estimator != Estimator::centre)
       decision.cause = even ? Unevenness::shading : Unevenness::shadow;

@@ -91,9 +91,9 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
 
 // Reflected leaves are shaded immediately.
 bool LeafShader::worth_one_sample(const PyrayLeaf& leaf) const {
-  const Allowance& allowance = eye_->allowance;
-  return !eye_->mirrored() && allowance.refines() &&
-         (leaf.region.marginal || allowance.most_samples(leaf.weight) < 2.0);
+  const ErrorBudget& error_budget = eye_->error_budget;
+  return !eye_->mirrored() && error_budget.refines() &&
+         (leaf.region.marginal || error_budget.most_samples(leaf.weight) < 2.0);
 }
 
 const Material& LeafShader::material_of(const PyrayLeaf& leaf) const {
@@ -174,9 +174,9 @@ std::span<const WeightedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, g
 // Returns whether the highlights of partially occluded lights may have a larger error than a leaf
 // may. The error is at most unsure_highlights(), since the whole highlight may be occluded.
 bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const {
-  const Allowance& allowance = eye_->allowance;
-  return !eye_->mirrored() && allowance.refines_leaves() && !leaf.region.marginal &&
-         !leaf.decision.sampled() && transport.unsure_highlights() > allowance.tolerance;
+  const ErrorBudget& error_budget = eye_->error_budget;
+  return !eye_->mirrored() && error_budget.refines_leaves() && !leaf.region.marginal &&
+         !leaf.decision.sampled() && transport.unsure_highlights() > error_budget.tolerance;
 }
 
 // Returns whether an edge crosses a defocused leaf. The lens kernel weights the parts of such a
@@ -190,15 +190,15 @@ bool LeafShader::blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transpor
 // number.
 std::uint32_t LeafShader::enough_for(const PyrayLeaf& leaf, float highlights) const {
   constexpr double most = 256.0;
-  const double likely = eye_->allowance.samples(
-      leaf.weight, Allowance::usual_contrast + static_cast<double>(highlights));
+  const double likely = eye_->error_budget.samples(
+      leaf.weight, ErrorBudget::usual_contrast + static_cast<double>(highlights));
   return std::bit_floor(static_cast<std::uint32_t>(std::clamp(0.5 * likely, 1.0, most)));
 }
 
 // Returns whether the reflection has to be sampled, because the pyray would show a bright light at
 // a wrong place.
 bool LeafShader::light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const {
-  return !eye_->mirrored() && eye_->allowance.refines_leaves() && !leaf.region.marginal &&
+  return !eye_->mirrored() && eye_->error_budget.refines_leaves() && !leaf.region.marginal &&
          !leaf.decision.sampled() && transport.misplaces_light();
 }
 
@@ -275,7 +275,7 @@ void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint
   PyrayLeaf leaf{root, sample, 1.0, {{at.x - 0.5f * side, at.y - 0.5f * side, side}, {}}};
   leaf.decision = {Estimator::samples};
   RegionSampler::Goal goal =
-      sample_goal(eye_->defocus->allowance(), 1.0, std::max(fewest, samples_of_blur));
+      sample_goal(eye_->defocus->error_budget(), 1.0, std::max(fewest, samples_of_blur));
   if (goal.most > 1) goal.most *= parts_of_lens;
   sums_[root].defocused = true;
   defer(leaf, goal, true);

@@ -44,7 +44,7 @@ float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const
   const float lesser = largest(glm::min(seen, 1.0f - seen));
   // The visibility of a broad lobe is computed with its shadow (area_shadow).
   if (is_broad(lit)) return 0.0f;
-  const float tolerance = eye_->allowance.tolerance;
+  const float tolerance = eye_->error_budget.tolerance;
   const bool may_matter = lesser > 0.0f && (1.0f - lesser) * lit.highlight > tolerance;
   if (!may_matter || lesser * lit.highlight > tolerance || !lit.lit || eye_->mirrored())
     return lesser;

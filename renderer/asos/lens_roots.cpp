@@ -55,7 +55,7 @@ bool LensRoots::shade_smooth(std::uint32_t root) {
   PyrayLeaf leaf{root, sample, across * across, {widened_square(root), {}}};
   leaf.decision = chooser_->decide(sample, leaf.weight, leaf.region, false);
   if (leaf.decision.estimator != Estimator::centre ||
-      leaf.decision.error > eye_->allowance.tolerance)
+      leaf.decision.error > eye_->error_budget.tolerance)
     return false;
   leaf.defocused = true;
   shader_->shade(std::span(&leaf, 1));

@@ -1,6 +1,6 @@
 #include "renderer/asos/predicted_level.h"
 
-#include "renderer/pyray/allowance.h"
+#include "renderer/pyray/error_budget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,15 @@ namespace asos {
 
 LevelPrediction::LevelPrediction(const RenderSettings& rendered, const RenderSettings& asked)
     : max_level_(asked.asos.max_level), eps_(asked.asos.eps) {
-  const Allowance before = Allowance::of(rendered), after = Allowance::of(asked);
+  const ErrorBudget before = ErrorBudget::of(rendered), after = ErrorBudget::of(asked);
   tolerance_before_ = static_cast<double>(before.tolerance);
   tolerance_ = static_cast<double>(after.tolerance);
   most_samples_ = after.most_samples(1.0);
   constexpr double contrast = 0.5;  // of a part with many surfaces
   tangle_samples_ =
       std::max(after.samples(1.0, contrast), static_cast<double>(after.pilot_samples(1.0)));
-  const double one = before.samples(1.0, Allowance::usual_contrast);
-  more_samples_ = after.samples(1.0, Allowance::usual_contrast) / std::max(one, 1.0);
+  const double one = before.samples(1.0, ErrorBudget::usual_contrast);
+  more_samples_ = after.samples(1.0, ErrorBudget::usual_contrast) / std::max(one, 1.0);
 }
 
 int LevelPrediction::level_of(const SplitOutlook& pixel, SplitCause cause) const {

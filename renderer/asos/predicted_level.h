@@ -10,7 +10,7 @@ namespace asos {
 /// with `rendered`: 0 to MAX of `asked`. Only EPS and MAX may differ. Costs about 20 ns per pixel,
 /// so that a map of a whole picture follows a slider. It assumes that each level leaves a quarter
 /// of a leaf's error and half of the marginal area (CGF'98 section 6.2), and that samples follow
-/// Allowance::samples.
+/// ErrorBudget::samples.
 class LevelPrediction {
  public:
   LevelPrediction(const RenderSettings& rendered, const RenderSettings& asked);

@@ -100,16 +100,16 @@ double brightest_in(const PyrayPicture& picture, const Reflection& reflection,
 
 // Returns the number of levels for the weight of this part of the root, and the EPS of the
 // reflection. A camera's part gets at least one level unless it is far too small.
-Allowance reflected_allowance(const EyeContext& eye, const Reflection& reflection,
-                              const LeafContext& leaf, double brightest) {
+ErrorBudget reflected_allowance(const EyeContext& eye, const Reflection& reflection,
+                                const LeafContext& leaf, double brightest) {
   const glm::vec3 c = reflection.reflected;
   const double reflected =
       std::clamp(brightest * static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
-  const int all = eye.allowance.max_level;
-  const int levels = leaf.region.marginal ? all : Allowance::levels_of(leaf.weight * reflected);
+  const int all = eye.error_budget.max_level;
+  const int levels = leaf.region.marginal ? all : ErrorBudget::levels_of(leaf.weight * reflected);
   const bool may_be_one_ray =
       leaf.region.marginal || all == 0 || eye.viewer.bounces > 0 || levels > all;
-  return eye.allowance.of_part(leaf.weight).nested(levels, reflected, may_be_one_ray ? 0 : 1);
+  return eye.error_budget.of_part(leaf.weight).nested(levels, reflected, may_be_one_ray ? 0 : 1);
 }
 
 // Returns the part of the parent's square that is reflected: the leaf's bounding box. If the square
@@ -180,7 +180,7 @@ bool trace_mirrored(EyeContext& eye, const ReflectedHit& sight, const LeafContex
   pyray.outline = outline;
   pyray.seed = leaf.seed;
   SubdivisionRules rules = SubdivisionRules::of(*eye.settings, eye.variant.pixels);
-  rules.allowance = eye.allowance;
+  rules.error_budget = eye.error_budget;
   TracedPyray own;
   const bool observed = eye.observed.observer != nullptr;
   const Trace trace = eye.work->mirror_tracer(bounce).trace(eye.scene->features(), pyray, rules,
@@ -223,7 +223,7 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
                       sight->bundle};
   RenderStatistics own;
   EyeContext mirrored_eye{eye.scene, eye.settings, viewer, &frame, {0, 0, 1, 1}};
-  mirrored_eye.allowance = reflected_allowance(
+  mirrored_eye.error_budget = reflected_allowance(
       eye, reflection, leaf, brightest_in(sight->pyray.picture, reflection, eye.viewer.shader));
   mirrored_eye.variant = eye.variant;
   mirrored_eye.seed = static_cast<int>(leaf.seed >> 33);
@@ -231,7 +231,7 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
   mirrored_eye.work = eye.work;
   mirrored_eye.stop = eye.stop;
   mirrored_eye.counts = &own;
-  const bool one_ray = mirrored_eye.allowance.max_level == 0;
+  const bool one_ray = mirrored_eye.error_budget.max_level == 0;
   if (!one_ray && leaf.observed.wants_more()) {
     mirrored_eye.observed = {leaf.observed.observer,
                              leaf.observed.begin(TracedPyray::Kind::mirror)};

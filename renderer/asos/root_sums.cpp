@@ -1,6 +1,6 @@
 #include "renderer/asos/root_sums.h"
 
-#include "renderer/pyray/allowance.h"
+#include "renderer/pyray/error_budget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ glm::vec3 BlurredSum::mean(const BlurByDepth& blur) const {
 
 void RootSum::add_samples(const RegionSampler::Estimate& found, double leaf_weight, bool layers) {
   // Standard deviation of one sample from which a difference is visible.
-  constexpr double visible = 0.25 * Allowance::usual_contrast;
+  constexpr double visible = 0.25 * ErrorBudget::usual_contrast;
   const double held = 1.0 - found.masked_share;
   add(found.value, held * leaf_weight);
   if (std::isfinite(found.error))

@@ -13,7 +13,7 @@ namespace asos {
 [[nodiscard]] RegionSampler::Goal sample_goal(const EyeContext& eye, double weight,
                                               std::uint32_t fewest = 1);
 /// Returns the goal for another allowance than that of the roots.
-[[nodiscard]] RegionSampler::Goal sample_goal(const Allowance& allowance, double weight,
+[[nodiscard]] RegionSampler::Goal sample_goal(const ErrorBudget& error_budget, double weight,
                                               std::uint32_t fewest);
 
 }  // namespace asos

@@ -54,7 +54,7 @@ SelectedLights::SelectedLights(const EyeContext& eye, EyeSamples& samples)
 // Returns whether light selection may pay off: with many lights, and shadows refined to EPS.
 bool SelectedLights::sought() const {
   return eye_->viewer.shader.lights().size() > LightPicks::few_lights &&
-         eye_->allowance.refines() && eye_->settings->shadow.cast &&
+         eye_->error_budget.refines() && eye_->settings->shadow.cast &&
          eye_->settings->shadow.quality == ShadowQuality::refined;
 }
 
@@ -93,7 +93,7 @@ void SelectedLights::find(int side) {
   double least = std::numeric_limits<double>::infinity();
   std::size_t strong = 0;
   for (std::size_t k = 0; k <= order.size(); ++k) {
-    const double cost = asked + eye_->allowance.samples(1.0, std::max(rest, 0.0));
+    const double cost = asked + eye_->error_budget.samples(1.0, std::max(rest, 0.0));
     if (cost < least) {
       least = cost;
       strong = k;
@@ -136,7 +136,7 @@ std::uint32_t SelectedLights::start(std::uint32_t root, SampleId sample, double 
 // selected lights have a higher variance than rays to one light.
 std::uint32_t SelectedLights::points_of(double weight, const Expected& expected) const {
   constexpr double of_picks = 2.0;
-  const double rays = eye_->allowance.samples(weight, of_picks * expected.intensity);
+  const double rays = eye_->error_budget.samples(weight, of_picks * expected.intensity);
   return std::bit_ceil(static_cast<std::uint32_t>(
       std::clamp(std::ceil(rays / expected.rays_of_point), 1.0, static_cast<double>(most_points))));
 }

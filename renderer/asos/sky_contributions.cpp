@@ -84,7 +84,7 @@ void SkyContributions::add(std::uint32_t number, const SkyQuery& point, const Le
   lit.factor = point.share;
   constexpr double share_of_error = 0.7;
   lit.open = unoccluded_sky_within(point, leaf_places(lit),
-                                   share_of_error * eye_->allowance.standard_error(lit.weight));
+                                   share_of_error * eye_->error_budget.standard_error(lit.weight));
   const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : point.material.specular;
   lit.unit = bounces_ ? point.share * (point.material.diffuse + specular) : lit.open;
 }
@@ -174,9 +174,9 @@ SkyFits::Expected SkyContributions::expected(const SkyLeaf& lit, double of_neigh
   const double variance =
       (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
   const double unit = std::min(1.0, static_cast<double>(largest(lit.unit)));
-  const double error = eye_->allowance.standard_error(lit.weight) / unit;
+  const double error = eye_->error_budget.standard_error(lit.weight) / unit;
   const double rays = SkyLeaf::rays_for(variance, error * error);
-  const double most = std::min(eye_->allowance.most_samples(lit.weight), double{most_rays});
+  const double most = std::min(eye_->error_budget.most_samples(lit.weight), double{most_rays});
   return {variance, std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, most)))};
 }
 
@@ -209,7 +209,7 @@ void SkyContributions::expect() {
 }
 
 void SkyContributions::share_surfaces() {
-  const SkyFits sky_fits(lit_, expected_, eye_->allowance.standard_error(1.0));
+  const SkyFits sky_fits(lit_, expected_, eye_->error_budget.standard_error(1.0));
   std::vector<SkyFits::Cell> cells = sky_fits.cells(), parts;
   while (!cells.empty()) {
     std::erase_if(cells, [&](SkyFits::Cell& cell) { return !sky_fits.choose_nodes(cell); });

@@ -197,8 +197,8 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
     const glm::vec2 b =
         glm::vec2(hit.b1, hit.b2) + square.offset + away.x * square.right + away.y * square.down;
     if (plane.distance(b, met) > allowed) return true;
-    if (coloured &&
-        share_of_corner * colour_difference(world, hit.triangle, b, met) > eye.allowance.tolerance)
+    if (coloured && share_of_corner * colour_difference(world, hit.triangle, b, met) >
+                        eye.error_budget.tolerance)
       return true;
   }
   return false;
@@ -225,7 +225,8 @@ bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
   Footprint seen = shaped(footprint_on(scene.world(), hit, square), part);
   seen.side = eye.side_of(share);
   const float roughest = eye.viewer.shader.settings().roughest_mirror;
-  return product_error(scene.world(), scene.needs, hit, seen, roughest) > eye.allowance.tolerance;
+  return product_error(scene.world(), scene.needs, hit, seen, roughest) >
+         eye.error_budget.tolerance;
 }
 
 }  // namespace asos

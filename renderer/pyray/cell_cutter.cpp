@@ -18,7 +18,7 @@ constexpr float chain_tolerance = 1.0f / 64.0f;
 
 float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {
   if (rules.limits.tolerance > 0.0f) return rules.limits.tolerance * cell.root_side;
-  const float finest = cell.root_side * std::ldexp(1.0f, -rules.allowance.max_level);
+  const float finest = cell.root_side * std::ldexp(1.0f, -rules.error_budget.max_level);
   return chain_tolerance * finest * std::min(1.0f, finest / cell.square.side);
 }
 
@@ -26,7 +26,7 @@ float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {
 // sample each, where MAX would allow one for all. More parts pay only if they replace several
 // levels of children: half as many as there are finest cells.
 std::size_t most_parts(const CellToCut& cell, const SubdivisionRules& rules) {
-  const int below = rules.allowance.max_level - cell.level;
+  const int below = rules.error_budget.max_level - cell.level;
   return static_cast<std::size_t>(
       std::max(rules.limits.least_parts, std::min(64, (1 << 2 * below) / 2)));
 }
@@ -68,7 +68,8 @@ CellCut CellCutter::cut(const CellToCut& cell, std::span<const std::uint32_t> vi
 // Opens the visible boundaries down to visible segments.
 bool CellCutter::resolve(const CellToCut& cell, std::span<const std::uint32_t> visible,
                          const SubdivisionRules& rules, HitLists& lists) {
-  const std::size_t finest_cells = std::size_t{1} << 2 * (rules.allowance.max_level - cell.level);
+  const std::size_t finest_cells = std::size_t{1}
+                                   << 2 * (rules.error_budget.max_level - cell.level);
   const std::size_t most =
       std::clamp(pieces_a_finest_cell * finest_cells, least_pieces, most_pieces_resolved);
   // An outline has few groups, or chains. Many groups of other kinds saturate the cell.

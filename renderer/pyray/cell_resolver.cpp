@@ -122,7 +122,7 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
 // were split for accuracy, so they are not sampled.
 bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
   const bool seen = cell.cover.valid || cell.middle != no_sample;
-  return level_->number == 0 && state_->rules.allowance.max_level > 0 && seen &&
+  return level_->number == 0 && state_->rules.error_budget.max_level > 0 && seen &&
          state_->caster->samples_suffice(state_->weight(cell), parts);
 }
 
@@ -132,7 +132,7 @@ bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
 // 5).
 bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundaries) {
   const Cell& cell = level_->cells[cell_index];
-  const int below = state_->rules.allowance.max_level - level_->number;
+  const int below = state_->rules.error_budget.max_level - level_->number;
   const std::uint32_t n = 1u << below;
   if (below < 1) return false;
   // Each boundary adds at least one part, and each crossing one more.
@@ -202,7 +202,7 @@ void CellResolver::carry_out() {
 void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) {
   const SampleId sample = plan.points.count ? first : cell.middle;
   const LeafRegion region{cell.square, {}};
-  const bool may_split = level_->number < state_->rules.allowance.max_level;
+  const bool may_split = level_->number < state_->rules.error_budget.max_level;
   const LeafDecision decision =
       state_->caster->decide(sample, state_->weight(cell), region, may_split);
   if (decision.splits()) {
@@ -227,7 +227,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     return;
   }
   // Make leaves of the parts. A single uneven one splits the cell.
-  const int finest = state_->rules.allowance.max_level;
+  const int finest = state_->rules.error_budget.max_level;
   const double whole = state_->weight(cell);
   const std::size_t first_leaf = state_->leaves.size();
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
@@ -265,7 +265,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
 }
 
 void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first) {
-  const int finest = state_->rules.allowance.max_level;
+  const int finest = state_->rules.error_budget.max_level;
   const std::uint32_t n = 1u << (finest - level_->number);
   const double whole = state_->weight(cell);
   const Root& root = state_->root(cell);

@@ -20,7 +20,7 @@ void Tracer::finish_lens_roots(const FatPyray& fat, const SubdivisionRules& rule
       const std::uint32_t i = fat.index(x, y);
       Root root{fat.square_of(x, y, 1), {}, i, i, fat.seed_of(x, y), nullptr};
       if (i == observed) root.traced = traced;
-      finish_lens_root(root, caster, lens, rules.allowance.max_level);
+      finish_lens_root(root, caster, lens, rules.error_budget.max_level);
     }
   }
   drop_blurred_roots(rules, lens);

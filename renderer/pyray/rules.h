@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/pyray/allowance.h"
+#include "renderer/pyray/error_budget.h"
 #include "renderer/pyray/subdivision_variant.h"
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct CutLimits {
 
 /// When to stop and how to sample (CGF'98 section 3.1; design section 5).
 struct SubdivisionRules {
-  Allowance allowance;
+  ErrorBudget error_budget;
   const SubdivisionVariant* variant = nullptr;  ///< null: the engine's own way
   bool jitter = false;  ///< jitter the samples of cells that stay marginal at MAX
   CutLimits limits;
@@ -36,21 +36,22 @@ struct SubdivisionRules {
   [[nodiscard]] static SubdivisionRules of(const RenderSettings& settings,
                                            const SubdivisionVariant* variant) {
     SubdivisionRules rules;
-    rules.allowance = Allowance::of(settings);
+    rules.error_budget = ErrorBudget::of(settings);
     rules.variant = variant;
     rules.jitter = settings.asos.jitter;
     return rules;
   }
   /// Returns whether a root ends with the marginal cells of a level.
   [[nodiscard]] bool ends(const LevelTally& tally) const {
-    return variant ? variant->ends(tally, allowance.eps) : tally.unresolved_area() <= allowance.eps;
+    return variant ? variant->ends(tally, error_budget.eps)
+                   : tally.unresolved_area() <= error_budget.eps;
   }
   /// Returns whether cells are cut along their boundaries.
   [[nodiscard]] bool cuts_cells() const { return !variant || variant->cuts_cells(); }
   /// Returns the size below which boundaries are never resolved because of their size, in a root of
   /// side 1.
   [[nodiscard]] float finest_side() const {
-    return std::ldexp(1.0f, -std::max(allowance.max_level, finest_detail));
+    return std::ldexp(1.0f, -std::max(error_budget.max_level, finest_detail));
   }
 };
 

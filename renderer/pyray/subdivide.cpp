@@ -67,7 +67,7 @@ void Subdivider::stop_roots(CellLevel& level) {
     i = end;
     tally(level, cells);
     const bool holds = state_.rules.ends(tally_);
-    const bool at_limit = level.number >= state_.rules.allowance.max_level;
+    const bool at_limit = level.number >= state_.rules.error_budget.max_level;
     SubdivisionOutcome& o = state_.outcome(cells.front());
     o.at_limit |= at_limit && tally_.marginal > 0 && !holds;
     for (Cell& cell : cells) {
@@ -114,8 +114,8 @@ void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
 }
 
 void Subdivider::finish_marginal(CellLevel& level) {
-  const bool at_limit = level.number >= state_.rules.allowance.max_level;
-  const bool anew = state_.rules.jitter && level.number == state_.rules.allowance.max_level;
+  const bool at_limit = level.number >= state_.rules.error_budget.max_level;
+  const bool anew = state_.rules.jitter && level.number == state_.rules.error_budget.max_level;
   // Jittered cells that end here get new samples; the others keep their centres.
   points_.clear();
   for (const Cell& cell : level.cells) {

@@ -150,7 +150,7 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
                           std::uint32_t observed, TracedPyray* traced) {
   if (LensCaster* lens = caster.lens())
     return finish_lens_roots(fat, rules, caster, *lens, observed, traced);
-  const int max_level = rules.allowance.max_level;
+  const int max_level = rules.error_budget.max_level;
   roots_.clear();
   for (int y = 0; y < fat.rows; ++y) {
     for (int x = 0; x < fat.columns; ++x) {

@@ -24,10 +24,10 @@ Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
   // Rays from the whole leaf are better than a pyray from its centre if it was not split for its
   // penumbra.
   const LightView view = query.leaf.view_of(query.lit.index);
-  const bool by_rays = block.rules.allowance.samples_suffice(query.leaf.weight, query.intensity(),
-                                                             Prices::light_pyramid) ||
+  const bool by_rays = block.rules.error_budget.samples_suffice(
+                           query.leaf.weight, query.intensity(), Prices::light_pyramid) ||
                        light.entered || view.too_detailed ||
-                       view.penumbra > static_cast<double>(block.rules.allowance.tolerance);
+                       view.penumbra > static_cast<double>(block.rules.error_budget.tolerance);
   if (by_rays) return sampled_shadow(block, query, counts);
   const Visibility seen = point_area_shadow(block, query, middle, counts);
   return lobe_tells_apart(block, query.lit, seen) ? sampled_shadow(block, query, counts) : seen;
@@ -59,7 +59,7 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   rules.most_entries = most_entries;
   const bool refined = !block.rules.area_shadows;
   if (refined || !block.rules.see_through)
-    rules.allowance.max_level = std::min(rules.allowance.max_level, window_levels);
+    rules.error_budget.max_level = std::min(rules.error_budget.max_level, window_levels);
   Pyray pyray{window->frame()};
   pyray.bounds = query.found;
   pyray.bounds.within = window->between();
@@ -73,7 +73,7 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   caster.start(*block.scene, block.rules.see_through, query.lit.light, *window, refined);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);
   const bool too_detailed =
-      trace.given_up || caster.gives_up() || trace.outcome.unresolved_area > rules.allowance.eps;
+      trace.given_up || caster.gives_up() || trace.outcome.unresolved_area > rules.error_budget.eps;
   return too_detailed ? sampled_shadow(block, query, counts)
                       : caster.visibility().value_or(Visibility(0.0));
 }

@@ -36,10 +36,10 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
 
   // A part that a few rays determine well enough takes them immediately, if they cost less than a
   // search for boundaries.
-  const Allowance& allowance = block.rules.allowance;
+  const ErrorBudget& error_budget = block.rules.error_budget;
   const bool refined = !block.rules.area_shadows;
   const auto rays_suffice = [&](double price) {
-    return refined && allowance.samples_suffice(query.leaf.weight, query.intensity(), price);
+    return refined && error_budget.samples_suffice(query.leaf.weight, query.intensity(), price);
   };
   if (rays_suffice(Prices::search)) return sampled_shadow(block, query, counts);
 
@@ -76,7 +76,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   caster.start(*block.scene, block.rules.see_through, *frame, patch,
                parallel ? block.frame : nullptr, lit.light.own_part);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts, patch.border);
-  if (refined && trace.outcome.unresolved_area > rules.allowance.eps)
+  if (refined && trace.outcome.unresolved_area > rules.error_budget.eps)
     return sampled_shadow(block, query, counts);
   const auto visibility = caster.visibility();
   return visibility ? *visibility : ray_visibility(block, query, counts);

@@ -19,7 +19,7 @@ void PatchPoints::start(const ShadowContext& block, const ShadowQuery& query) {
   const std::uint64_t seed = query.leaf.seed;
   sobol_.emplace(static_cast<int>(seed >> 32), static_cast<int>(seed), query.lit.index);
   on_pixel_.forget();
-  const bool by_lobe = block.rules.allowance.refines() &&
+  const bool by_lobe = block.rules.error_budget.refines() &&
                        query.lit.light.rule == LightRule::physical && is_broad(query.lit);
   by_ = by_lobe ? RayWeighting::radiance : RayWeighting::irradiance;
 }

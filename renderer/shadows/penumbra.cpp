@@ -261,7 +261,7 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
 Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
                        RenderStatistics& counts) {
   // Nothing is in between, or it does not matter.
-  const float tolerance = penumbra_tolerance(block.rules.allowance);
+  const float tolerance = penumbra_tolerance(block.rules.error_budget);
   if (block.rules.area_shadows) return {};
   const glm::vec3 around = 0.5f * (glm::abs(query.patch.right) + glm::abs(query.patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return {};
@@ -276,8 +276,8 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   const float intensity =
       std::min(1.0f, query.reflected * std::max({unshadowed.x, unshadowed.y, unshadowed.z}));
   if (!(intensity > tolerance)) return {};
-  if (block.rules.allowance.samples_suffice(query.weight, static_cast<double>(intensity),
-                                            Prices::penumbra_test))
+  if (block.rules.error_budget.samples_suffice(query.weight, static_cast<double>(intensity),
+                                               Prices::penumbra_test))
     return {};
 
   // Find all boundaries in the pyray around the patch.
@@ -288,7 +288,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   pyray.bounds.cut = known.cut;
   pyray.bounds.within = around_patch->between;
   pyray.bounds.most_entries =
-      most_entries_for_samples(block.rules.allowance.nested(query.level, 1.0, 1).max_level);
+      most_entries_for_samples(block.rules.error_budget.nested(query.level, 1.0, 1).max_level);
   constexpr float finest_side = 1.0f / 64.0f;
   constexpr std::size_t most = 64;
   const bool line = query.light.shape == PreparedLight::Shape::segment;

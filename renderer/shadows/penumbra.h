@@ -24,8 +24,8 @@ struct Penumbra {
 
 /// Returns the allowed variation of visibility in a leaf. The bound assumes an edge along the whole
 /// patch at the worst place, so twice the tolerance gives the same accuracy.
-[[nodiscard]] inline float penumbra_tolerance(const Allowance& allowance) {
-  return 2.0f * allowance.tolerance;
+[[nodiscard]] inline float penumbra_tolerance(const ErrorBudget& error_budget) {
+  return 2.0f * error_budget.tolerance;
 }
 
 /// Searches for soft-shadow edges across a patch that are narrower than the patch or slightly

@@ -41,14 +41,14 @@ LightConstants constants_of(const PreparedLight& light) {
 Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
                           RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
-  const Allowance& allowance = block.rules.allowance;
+  const ErrorBudget& error_budget = block.rules.error_budget;
   const LeafContext& leaf = query.leaf;
   // Find the number of rays for the leaf, and the target error.
   const double intensity = query.intensity();
-  const double worth = allowance.samples(leaf.weight, intensity);
+  const double worth = error_budget.samples(leaf.weight, intensity);
   const auto most_rays = std::bit_floor(static_cast<std::uint32_t>(
-      std::min(allowance.most_samples(leaf.weight), static_cast<double>(1u << 20))));
-  const bool few = allowance.samples_suffice(leaf.weight, intensity, Prices::light_pyramid);
+      std::min(error_budget.most_samples(leaf.weight), static_cast<double>(1u << 20))));
+  const bool few = error_budget.samples_suffice(leaf.weight, intensity, Prices::light_pyramid);
   const double first_rays = few ? rays_for_one * worth : first_rays_a_root * leaf.weight;
   const std::uint32_t first_round =
       std::min(most_rays, std::bit_ceil(std::max(few ? fewest_rays : least_rays,
@@ -60,7 +60,7 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   PatchPoints& patch = block.work->patch;
   SampledRays& sampled = block.work->sampled;
   patch.start(block, query);
-  const SamplingGoal goal{allowance.standard_error(leaf.weight, intensity), first_round, most,
+  const SamplingGoal goal{error_budget.standard_error(leaf.weight, intensity), first_round, most,
                           false};
   SequentialMean found;
   std::uint32_t drawn = 0;

@@ -46,7 +46,7 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
                            const LeafContext& leaf, RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
   // A marginal or tiny leaf is worth one ray.
-  const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.allowance.max_level);
+  const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.error_budget.max_level);
   if (leaf.region.marginal || leaf.weight < least_weight)
     return ray_visibility(block, query, counts);
 
@@ -111,7 +111,7 @@ Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
   // One ray is enough for lights so weak that all of them together stay below EPS. Without any ray
   // they would shine through walls.
   const glm::vec3 all = lit.reflected * lit.unshadowed;
-  const double weakest = block.rules.allowance.eps / static_cast<double>(block.lights);
+  const double weakest = block.rules.error_budget.eps / static_cast<double>(block.lights);
   if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest))
     return known_visibility(block, lit, leaf, counts);
   const bool even = leaf.even && lit.layer == 0;

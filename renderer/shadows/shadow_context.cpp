@@ -45,7 +45,7 @@ glm::dvec2 unit_pair_of(std::uint64_t bits) {
 
 SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query) {
   SubdivisionRules shadow;
-  shadow.allowance = rules.allowance.nested(query.leaf.level(), query.intensity(), 1);
+  shadow.error_budget = rules.error_budget.nested(query.leaf.level(), query.intensity(), 1);
   shadow.variant = rules.variant;
   shadow.jitter = true;
   shadow.finest_detail = finest_detail;
@@ -57,7 +57,7 @@ SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query
 }
 
 int levels_left(const ShadowRules& rules, const LeafContext& leaf) {
-  return rules.allowance.nested(leaf.level(), 1.0, 1).max_level;
+  return rules.error_budget.nested(leaf.level(), 1.0, 1).max_level;
 }
 
 std::size_t most_entries_for_samples(int levels) {

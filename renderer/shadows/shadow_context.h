@@ -26,7 +26,7 @@ class AreaShadows;
 struct ShadowRules {
   /// Replaces the shadows of extended lights; null: as exact as the allowance.
   const AreaShadows* area_shadows = nullptr;
-  Allowance allowance;  ///< for the viewer's pyrays; those of shadows get the remaining levels
+  ErrorBudget error_budget;  ///< for the viewer's pyrays; those of shadows get the remaining levels
   const SubdivisionVariant* variant = nullptr;  ///< for shadow pyrays; null: the engine's own way
   /// Some surfaces of the scene have varying transmittance, or holes, without boundaries
   /// (FeatureSet::opacity_unbounded).
@@ -73,7 +73,7 @@ struct ShadowQuery {
 [[nodiscard]] glm::dvec2 unit_pair_of(std::uint64_t bits);
 
 /// Returns the rules for a leaf's shadow pyrays: the levels that its parent left, and EPS of its
-/// contribution (Allowance::nested).
+/// contribution (ErrorBudget::nested).
 [[nodiscard]] SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query);
 
 /// Returns the levels that a leaf leaves to its shadow pyrays, at least 1.

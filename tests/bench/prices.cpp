@@ -69,7 +69,7 @@ class PointLights final : public LightTransport {
     const double ray = by_rays.seconds / static_cast<double>(by_rays.rays);
     (lit.light.extended() ? costs_.light_pyramid : costs_.patch).add(exactly.seconds / ray);
     if (!lit.light.extended()) return;
-    block_.rules.allowance.eps = exact;
+    block_.rules.error_budget.eps = exact;
     const float reflected = std::max({lit.reflected.x, lit.reflected.y, lit.reflected.z});
     const auto start = std::chrono::steady_clock::now();
     RenderStatistics counts;
@@ -89,7 +89,7 @@ class PointLights final : public LightTransport {
     std::uint64_t pyrays = 0;
   };
   Answer ask(const Illumination& lit, double eps) {
-    block_.rules.allowance.eps = eps;
+    block_.rules.error_budget.eps = eps;
     RenderStatistics counts;
     const auto start = std::chrono::steady_clock::now();
     (void)light_visibility(block_, lit, leaf_, counts);
@@ -114,7 +114,7 @@ void measure_block(const Snapshot& snapshot, const View& view, const Shader& sha
                  Viewer::camera(view, shader, 1.0),
                  &frame,
                  {x, y, block_width, block_width}};
-  eye.allowance = Allowance::of(settings);
+  eye.error_budget = ErrorBudget::of(settings);
   eye.counts = &counts;
   EyeSamples samples(eye);
   std::vector<glm::vec2> middles;
@@ -134,7 +134,7 @@ void measure_block(const Snapshot& snapshot, const View& view, const Shader& sha
   ShadowWorkspace work;
   ShadowContext block;
   block.scene = &shadow_scene;
-  block.rules = {nullptr, eye.allowance, nullptr, scene.needs.varying_opacity};
+  block.rules = {nullptr, eye.error_budget, nullptr, scene.needs.varying_opacity};
   block.lights = shader.lights().size();
   block.frame = &frame;
   block.view = &samples;

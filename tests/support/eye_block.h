@@ -35,7 +35,7 @@ class EyeBlock {
              {first, first, side, side}},
         shadow_scene_{scene_->world(), scene_->features(), scene_->rays()},
         groups_(shadow_scene_) {
-    eye_.allowance = Allowance::of(settings_);
+    eye_.error_budget = ErrorBudget::of(settings_);
     eye_.work = &work_;
     eye_.counts = &counts_;
     samples_ = std::make_unique<EyeSamples>(eye_);
@@ -51,7 +51,7 @@ class EyeBlock {
                   samples_->patch(i, 1.0));
     }
     shadows_.scene = &shadow_scene_;
-    shadows_.rules.allowance = eye_.allowance;
+    shadows_.rules.error_budget = eye_.error_budget;
     shadows_.lights = shader_.lights().size();
     shadows_.frame = &frame_;
     shadows_.view = samples_.get();

@@ -62,8 +62,8 @@ inline SubdivisionRules rules_of(int max_level, double eps = 0.0, bool exact = t
                                  StoppingRule rule = StoppingRule::unresolved,
                                  Detection detection = Detection::square) {
   SubdivisionRules rules;
-  rules.allowance.max_level = max_level;
-  rules.allowance.eps = eps;
+  rules.error_budget.max_level = max_level;
+  rules.error_budget.eps = eps;
   if (!exact || rule != StoppingRule::unresolved || detection != Detection::square)
     rules.variant = variant_of(detection, rule, exact ? LeafKind::exact : LeafKind::point);
   return rules;

@@ -7,11 +7,11 @@
 namespace asos::test::choose_test {
 namespace {
 
-Allowance allowance_of(int max_level, double eps = 1.0 / 256.0) {
+ErrorBudget allowance_of(int max_level, double eps = 1.0 / 256.0) {
   RenderSettings settings;
   settings.asos.max_level = max_level;
   settings.asos.eps = eps;
-  return Allowance::of(settings);
+  return ErrorBudget::of(settings);
 }
 
 LeafChoice leaf_of(double error, double weight = 1.0) {
@@ -41,7 +41,7 @@ TEST(Choose, SamplesWithoutABound) {
 TEST(Choose, ChoosesCheaperOfSplitAndSamples) {
   // Twice the tolerance: a split costs four leaves.
   LeafChoice leaf = leaf_of(2.0 / 256.0);
-  const double samples = allowance_of(4).samples(1.0, Allowance::usual_contrast);
+  const double samples = allowance_of(4).samples(1.0, ErrorBudget::usual_contrast);
   leaf.price = 0.99 * samples / 4.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::split);
   leaf.price = 1.01 * samples / 4.0;
@@ -57,7 +57,7 @@ TEST(Choose, ChoosesLeastErrorAtMax) {
   LeafChoice leaf = leaf_of(1.0);
   leaf.may_split = false;
   leaf.weight = 1.0 / 256.0;  // a cell at level MAX 4: four samples
-  const double of_samples = Allowance::error_of_samples(4.0, Allowance::usual_contrast);
+  const double of_samples = ErrorBudget::error_of_samples(4.0, ErrorBudget::usual_contrast);
   leaf.bound.error = 1.02 * of_samples;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::samples);
   leaf.bound.error = 0.98 * of_samples;

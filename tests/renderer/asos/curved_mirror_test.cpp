@@ -1,6 +1,6 @@
 #include "renderer/comparison/method.h"
 #include "renderer/gltf/load.h"
-#include "renderer/pyray/allowance.h"
+#include "renderer/pyray/error_budget.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 #include "tests/support/tiny_scene.h"
@@ -97,7 +97,7 @@ TEST_P(EveryCurvedMirror, ConvergesToTheReference) {
     EXPECT_LT(errors[1], errors[0]);
     // Leaves with different results are sampled, so MAX 1 may already be best; errors below the
     // visible threshold are not refined.
-    EXPECT_LT(errors[2], std::max(0.5 * errors[0], 0.5 * Allowance::invisible))
+    EXPECT_LT(errors[2], std::max(0.5 * errors[0], 0.5 * ErrorBudget::invisible))
         << errors[0] << ' ' << errors[1];
     EXPECT_LT(noise, 2e-4);
   }

@@ -1,7 +1,7 @@
 #include "renderer/film/layers.h"
 
 #include "renderer/gltf/load.h"
-#include "renderer/pyray/allowance.h"
+#include "renderer/pyray/error_budget.h"
 #include "tests/renderer/comparison/rival_scenes.h"
 #include "tests/support/polygon.h"
 #include "tests/support/shape_world.h"
@@ -302,7 +302,7 @@ TEST(Layers, ErrorEstimateIsOfTheErrorsSize) {
   }
   EXPECT_LT(static_cast<double>(beyond), 0.05 * static_cast<double>(film.radiance.size()));
   const auto pixels = static_cast<double>(film.radiance.size());
-  EXPECT_LT(estimated / pixels, found / pixels + Allowance::invisible);
+  EXPECT_LT(estimated / pixels, found / pixels + ErrorBudget::invisible);
   EXPECT_GT(estimated, 0.5 * found);
 }
 

@@ -143,7 +143,7 @@ double found_share(const Scene& scene, ShadowQuality quality, int divisions,
   ShadowRules settings;
   const PublishedShadows published(quality, divisions);
   settings.area_shadows = &published;
-  settings.allowance.max_level = 4;
+  settings.error_budget.max_level = 4;
   settings.see_through = false;
   ShadowFixture fixture(scene.world, panel(), settings);
   SurfacePoint point;

@@ -39,7 +39,7 @@ struct Case {
     const Frame frame = unit_frame();
     PickyCaster caster(scene.world, features, frame, most);
     SubdivisionRules rules = rules_of(max_level);
-    rules.allowance.eps = eps;
+    rules.error_budget.eps = eps;
     Tracer tracer;
     outcome = tracer.trace(features, Pyray{frame}, rules, caster, &trace).outcome;
     coverage = caster.coverage[0];

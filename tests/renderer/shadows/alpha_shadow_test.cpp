@@ -61,7 +61,7 @@ std::vector<Polygon3> add_checker(World& world) {
 /// The mean error over a row of receivers.
 double mean_checker_error(int max_level, bool outlined) {
   ShadowRules settings;
-  settings.allowance.max_level = max_level;
+  settings.error_budget.max_level = max_level;
   World world;
   const std::vector<Polygon3> opaque = add_checker(world);
   if (!outlined) leave_cut_outs_to_samples(world);

@@ -157,7 +157,7 @@ struct Errors {
 /// the area of the finest cells that outlines cross, which have one sample each.
 Errors errors_at(int max_level, const Light& light, const Pattern& pattern, bool outlined) {
   ShadowRules settings;
-  settings.allowance.max_level = max_level;
+  settings.error_budget.max_level = max_level;
   World world = floor_world();
   const std::vector<Polygon3> opaque =
       add_card(world, {{-0.5, -0.5, 0.9}, {1.0, 0.1, 0.2}, {-0.1, 1.0, 0.1}}, pattern);
@@ -209,7 +209,7 @@ TEST(CutOutHardShadow, IsExactNextToSampledCutOuts) {
       world.colors.back().a = 0.9f;
     }
     ShadowRules settings;
-    settings.allowance.max_level = 4;
+    settings.error_budget.max_level = 4;
     ShadowFixture fixture(std::move(world), light, settings);
     EXPECT_EQ(fixture.features().cut_outs_unbounded(), others);
     RandomSpace random(11);

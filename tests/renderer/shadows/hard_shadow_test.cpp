@@ -131,7 +131,7 @@ void expect_edges(std::uint64_t seed, Shown shown, Light (*make)(RandomSpace&)) 
   double worst = 0.0;
   int partly = 0, off = 0;
   ShadowRules settings;
-  settings.allowance.max_level = 4;
+  settings.error_budget.max_level = 4;
   for (int i = 0; i < 600; ++i) {
     const Light light = make(random);
     const auto pixel = random_pixel(random, i, shown.eye);
@@ -226,7 +226,7 @@ TEST(HardShadow, ManySpecksAreSampledToEps) {
     settings.asos.max_level = max_level;
     settings.asos.eps = 1.0 / 256.0;
     ShadowRules rules;
-    rules.allowance = Allowance::of(settings);
+    rules.error_budget = ErrorBudget::of(settings);
     World world;
     const auto f = static_cast<float>(floor_half);
     add_quad(world, {-f, -f, 0}, {2 * f, 0, 0}, {0, 2 * f, 0}, matte({0.5f, 0.5f, 0.5f}));

@@ -150,7 +150,7 @@ TEST(Penumbra, ThroughAnApertureIsExact) {
 TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
   for (int max_level = 1; max_level <= 4; ++max_level) {
     ShadowRules settings;
-    settings.allowance.max_level = max_level;
+    settings.error_budget.max_level = max_level;
     Light light;
     light.type = Light::Type::rectangle;
     light.position = {0, 0, 2};

@@ -36,8 +36,8 @@ class PenumbraSearch : public testing::Test {
     const Frame eye = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
     ShadowContext block;
     block.scene = &scene;
-    block.rules.allowance.eps = 1.0 / 256.0;
-    block.rules.allowance.tolerance = tolerance;
+    block.rules.error_budget.eps = 1.0 / 256.0;
+    block.rules.error_budget.tolerance = tolerance;
     block.frame = &eye;
     block.view = &view;
     block.groups = &groups;

@@ -38,7 +38,7 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
   NoView view;
   ShadowContext context;
   context.scene = &scene;
-  context.rules.allowance.max_level = 5;
+  context.rules.error_budget.max_level = 5;
   context.frame = &frame;
   context.view = &view;
   context.groups = &groups;

@@ -1,4 +1,4 @@
-#include "renderer/pyray/allowance.h"
+#include "renderer/pyray/error_budget.h"
 
 #include <gtest/gtest.h>
 
@@ -8,22 +8,22 @@
 namespace asos::test::allowance_test {
 namespace {
 
-Allowance allowance_of(int max_level, double eps = 1.0 / 256.0) {
+ErrorBudget allowance_of(int max_level, double eps = 1.0 / 256.0) {
   RenderSettings settings;
   settings.asos.max_level = max_level;
   settings.asos.eps = eps;
-  return Allowance::of(settings);
+  return ErrorBudget::of(settings);
 }
 
 // AgX displays differences between dark colours enlarged. The allowed error shrinks accordingly,
 // for leaves and for the pyrays that they start.
-TEST(Allowance, SteepToneCurveDividesEps) {
+TEST(ErrorBudget, SteepToneCurveDividesEps) {
   RenderSettings settings;
   settings.asos.eps = 1.0 / 64.0;
-  const Allowance plain = Allowance::of(settings);
+  const ErrorBudget plain = ErrorBudget::of(settings);
   EXPECT_EQ(plain.eps, settings.asos.eps);
   settings.judged_tone = ToneCurve::agx;
-  const Allowance steep = Allowance::of(settings);
+  const ErrorBudget steep = ErrorBudget::of(settings);
   const double times = steepness(ToneCurve::agx);
   EXPECT_GT(times, 1.5);
   EXPECT_NEAR(steep.eps * times, plain.eps, 1e-9);
@@ -33,23 +33,23 @@ TEST(Allowance, SteepToneCurveDividesEps) {
               static_cast<double>(plain.nested(1, 0.5, 0).tolerance), 1e-6);
 }
 
-TEST(Allowance, MaxBoundsSamplesByFourForEachFinestCell) {
+TEST(ErrorBudget, MaxBoundsSamplesByFourForEachFinestCell) {
   EXPECT_EQ(allowance_of(0).most_samples(1.0), 1.0);
   EXPECT_EQ(allowance_of(1).most_samples(1.0), 16.0);
   EXPECT_EQ(allowance_of(3).most_samples(1.0), 256.0);
   EXPECT_EQ(allowance_of(3).most_samples(0.25), 64.0);
   EXPECT_EQ(allowance_of(3).most_samples(1e-9), 1.0) << "every part has at least one sample";
   for (int max_level = 0; max_level <= max_level_limit; ++max_level) {
-    const Allowance allowance = allowance_of(max_level, 0.0);
+    const ErrorBudget error_budget = allowance_of(max_level, 0.0);
     for (double part = 1.0; part > 1e-6; part *= 0.7) {
-      EXPECT_LE(allowance.samples(part, 1.0), allowance.most_samples(part));
-      EXPECT_LE(allowance.pilot_samples(part), allowance.most_samples(part));
-      EXPECT_TRUE(std::has_single_bit(allowance.pilot_samples(part)));
+      EXPECT_LE(error_budget.samples(part, 1.0), error_budget.most_samples(part));
+      EXPECT_LE(error_budget.pilot_samples(part), error_budget.most_samples(part));
+      EXPECT_TRUE(std::has_single_bit(error_budget.pilot_samples(part)));
     }
   }
 }
 
-TEST(Allowance, EpsEndsSamplesSooner) {
+TEST(ErrorBudget, EpsEndsSamplesSooner) {
   // 0.35 n^(-3/4) equals half of EPS.
   const double converged = std::pow(0.35 / (0.5 / 64.0), 4.0 / 3.0);
   EXPECT_NEAR(allowance_of(5, 1.0 / 64.0).samples(1.0, 1.0), converged, 1e-6);
@@ -61,15 +61,15 @@ TEST(Allowance, EpsEndsSamplesSooner) {
 }
 
 // Errors of a pixel's parts are independent, so that their sum stays within EPS.
-TEST(Allowance, PartsTogetherErrAsOnePixel) {
+TEST(ErrorBudget, PartsTogetherErrAsOnePixel) {
   for (int max_level = 1; max_level <= 5; ++max_level) {
-    const Allowance pixel = allowance_of(max_level);
+    const ErrorBudget pixel = allowance_of(max_level);
     double variance = 0.0, nested_variance = 0.0;
     for (const double part : {0.5, 0.25, 0.125, 0.0625, 0.0625}) {
       variance += std::pow(part * pixel.standard_error(part), 2.0);
-      const Allowance leaf = pixel.of_part(part).nested(Allowance::levels_of(part), 1.0, 1);
+      const ErrorBudget leaf = pixel.of_part(part).nested(ErrorBudget::levels_of(part), 1.0, 1);
       for (const double half : {0.5, 0.5}) {
-        const Allowance again = leaf.of_part(half).nested(Allowance::levels_of(half), 1.0, 1);
+        const ErrorBudget again = leaf.of_part(half).nested(ErrorBudget::levels_of(half), 1.0, 1);
         nested_variance += std::pow(part * half * again.standard_error(1.0), 2.0);
       }
     }
@@ -79,33 +79,33 @@ TEST(Allowance, PartsTogetherErrAsOnePixel) {
 }
 
 // Contrast that the pilot's samples miss by chance leaves an error of a few EPS in the pixel.
-TEST(Allowance, PilotLeavesLittleToChance) {
-  const Allowance allowance = allowance_of(4);
+TEST(ErrorBudget, PilotLeavesLittleToChance) {
+  const ErrorBudget error_budget = allowance_of(4);
   for (double part = 1.0 / 16.0; part > 1e-6; part *= 0.9) {
-    const double samples = allowance.pilot_samples(part);
-    EXPECT_LE(0.5 * part / std::sqrt(samples), 3.0 * allowance.eps) << part;
+    const double samples = error_budget.pilot_samples(part);
+    EXPECT_LE(0.5 * part / std::sqrt(samples), 3.0 * error_budget.eps) << part;
   }
 }
 
-TEST(Allowance, SamplesSufficeWhereTheyCostNoMoreThanThePrice) {
-  const Allowance allowance = allowance_of(3);
-  const double samples = allowance.samples(1.0 / 16.0, 0.5);
-  EXPECT_TRUE(allowance.samples_suffice(1.0 / 16.0, 0.5, 1.01 * samples));
-  EXPECT_FALSE(allowance.samples_suffice(1.0 / 16.0, 0.5, 0.99 * samples));
+TEST(ErrorBudget, SamplesSufficeWhereTheyCostNoMoreThanThePrice) {
+  const ErrorBudget error_budget = allowance_of(3);
+  const double samples = error_budget.samples(1.0 / 16.0, 0.5);
+  EXPECT_TRUE(error_budget.samples_suffice(1.0 / 16.0, 0.5, 1.01 * samples));
+  EXPECT_FALSE(error_budget.samples_suffice(1.0 / 16.0, 0.5, 0.99 * samples));
   EXPECT_TRUE(allowance_of(1).samples_suffice(1.0, 1.0, 16.0)) << "MAX allows no more";
   RenderSettings settings;
   settings.asos.refine_shading = false;
-  EXPECT_FALSE(Allowance::of(settings).samples_suffice(1.0, 0.5, 1e9)) << "nothing is sampled";
-  EXPECT_FALSE(Allowance::of(settings).refines());
+  EXPECT_FALSE(ErrorBudget::of(settings).samples_suffice(1.0, 0.5, 1e9)) << "nothing is sampled";
+  EXPECT_FALSE(ErrorBudget::of(settings).refines());
 }
 
 // Each level leaves a quarter of the centre's error.
-TEST(Allowance, LeavesGrowWithTheError) {
-  const Allowance allowance = allowance_of(4);
-  const double tolerance = static_cast<double>(allowance.tolerance);
-  EXPECT_EQ(allowance.leaves(0.5 * tolerance), 4.0) << "split once at least";
-  EXPECT_EQ(allowance.leaves(8.0 * tolerance), 16.0);
-  EXPECT_EQ(allowance.leaves(1.0), 0.25 / tolerance) << "no more than usual contrast needs";
+TEST(ErrorBudget, LeavesGrowWithTheError) {
+  const ErrorBudget error_budget = allowance_of(4);
+  const double tolerance = static_cast<double>(error_budget.tolerance);
+  EXPECT_EQ(error_budget.leaves(0.5 * tolerance), 4.0) << "split once at least";
+  EXPECT_EQ(error_budget.leaves(8.0 * tolerance), 16.0);
+  EXPECT_EQ(error_budget.leaves(1.0), 0.25 / tolerance) << "no more than usual contrast needs";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace asos {
 ///
 /// MAX bounds the work: no cell is smaller than 4^-MAX of the root, and no part takes more than
 /// four samples for each finest cell. EPS ends the work sooner.
-struct Allowance {
+struct ErrorBudget {
   int max_level = 4;  ///< MAX, 0 to max_level_limit
   double eps = 0.0;   ///< EPS: allowed error of the root, 0 to 1
   /// Allowed error of a leaf whose errors its neighbours share: EPS, or the visibility threshold if
@@ -38,15 +38,16 @@ struct Allowance {
   /// Target standard error of samples, in units of the allowed error.
   static constexpr double standard_errors = 0.5;
 
-  [[nodiscard]] static Allowance of(const RenderSettings& settings) {
+  [[nodiscard]] static ErrorBudget of(const RenderSettings& settings) {
     const AsosSettings& asos = settings.asos;
-    Allowance allowance;
-    allowance.max_level = asos.max_level;
-    allowance.steep = steepness(settings.judged_tone);
-    allowance.eps = asos.eps / allowance.steep;
-    allowance.tolerance = asos.refine_shading ? tolerance_of(allowance.eps, allowance.steep)
-                                              : std::numeric_limits<float>::infinity();
-    return allowance;
+    ErrorBudget error_budget;
+    error_budget.max_level = asos.max_level;
+    error_budget.steep = steepness(settings.judged_tone);
+    error_budget.eps = asos.eps / error_budget.steep;
+    error_budget.tolerance = asos.refine_shading
+                                 ? tolerance_of(error_budget.eps, error_budget.steep)
+                                 : std::numeric_limits<float>::infinity();
+    return error_budget;
   }
 
   /// Returns whether leaves are split or sampled for their shading.
@@ -112,21 +113,21 @@ struct Allowance {
   }
 
   /// Returns the allowance of a root that represents one part of this weight.
-  [[nodiscard]] Allowance of_part(double part) const {
-    Allowance allowance = *this;
-    allowance.weight *= std::min(1.0, part);
-    return allowance;
+  [[nodiscard]] ErrorBudget of_part(double part) const {
+    ErrorBudget error_budget = *this;
+    error_budget.weight *= std::min(1.0, part);
+    return error_budget;
   }
 
   /// Returns the allowance of a pyray cast by a leaf that used `levels`: the remaining levels, but
   /// at least `fewest`, and the EPS of its contribution, so that all leaves together stay within
   /// EPS.
-  [[nodiscard]] Allowance nested(int levels, double intensity, int fewest) const {
-    Allowance allowance = *this;
-    allowance.max_level = std::clamp(max_level - levels, fewest, std::max(fewest, max_level));
-    allowance.eps = eps >= intensity ? 1.0 : eps / intensity;
-    if (refines()) allowance.tolerance = tolerance_of(allowance.eps, steep);
-    return allowance;
+  [[nodiscard]] ErrorBudget nested(int levels, double intensity, int fewest) const {
+    ErrorBudget error_budget = *this;
+    error_budget.max_level = std::clamp(max_level - levels, fewest, std::max(fewest, max_level));
+    error_budget.eps = eps >= intensity ? 1.0 : eps / intensity;
+    if (refines()) error_budget.tolerance = tolerance_of(error_budget.eps, steep);
+    return error_budget;
   }
 
  private:
