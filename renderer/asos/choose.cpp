@@ -1,11 +1,11 @@
 #include "renderer/asos/choose.h"
 
-#include "renderer/pyray/prices.h"
+#include "renderer/pyray/leaf_costs.h"
 
 namespace asos {
 
 bool samples_cost_least(const ErrorBudget& error_budget, double weight) {
-  return error_budget.samples_suffice(weight, ErrorBudget::usual_contrast, Prices::exact_leaf);
+  return error_budget.samples_suffice(weight, ErrorBudget::usual_contrast, LeafCosts::exact_leaf);
 }
 
 Estimator choose(const ErrorBudget& error_budget, const LeafChoice& leaf) {

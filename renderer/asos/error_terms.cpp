@@ -6,7 +6,7 @@
 #include "renderer/asos/textured_sight.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
-#include "renderer/pyray/prices.h"
+#include "renderer/pyray/leaf_costs.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
@@ -333,10 +333,10 @@ ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
   return ErrorBound::of(expected * error);
 }
 
-double ErrorTerms::price_of_shadows() const {
+double ErrorTerms::cost_of_shadows() const {
   double price = 0.0;
   for (std::uint32_t i = 0; i < eye_->viewer.shader.lights().size(); ++i)
-    if (casts_soft_shadow(i)) price += Prices::soft_shadow;
+    if (casts_soft_shadow(i)) price += LeafCosts::soft_shadow;
   return price;
 }
 

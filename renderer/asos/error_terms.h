@@ -56,7 +56,7 @@ class ErrorTerms {
   /// Returns whether a light with an extent casts shadows.
   [[nodiscard]] bool soft_shadows() const { return soft_shadows_; }
   /// Returns the cost of one leaf's soft shadows, in samples.
-  [[nodiscard]] double price_of_shadows() const;
+  [[nodiscard]] double cost_of_shadows() const;
 
   /// Returns whether a sampled mirror leaf may show a light without geometry that is brighter than
   /// white. Its own reflected pyray places such a light less exactly than samples do.

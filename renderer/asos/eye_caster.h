@@ -10,7 +10,7 @@
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/pyray/caster.h"
-#include "renderer/pyray/prices.h"
+#include "renderer/pyray/leaf_costs.h"
 
 #include <glm/glm.hpp>
 

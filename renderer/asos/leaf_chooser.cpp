@@ -1,7 +1,7 @@
 #include "renderer/asos/leaf_chooser.h"
 
 #include "renderer/asos/choose.h"
-#include "renderer/pyray/prices.h"
+#include "renderer/pyray/leaf_costs.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,8 +13,8 @@ LeafChooser::LeafChooser(const EyeContext& eye, const EyeSamples& samples,
     : eye_(&eye),
       samples_(&samples),
       terms_(eye, samples, selected_lights, shadows),
-      shadows_price_(terms_.price_of_shadows()),
-      part_price_(Prices::part + shadows_price_) {}
+      shadows_price_(terms_.cost_of_shadows()),
+      part_price_(LeafCosts::part + shadows_price_) {}
 
 LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegion& region,
                                  bool may_split) {
@@ -30,7 +30,7 @@ LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegio
   // Add up the error terms. Soft shadows matter only where the others leave a choice.
   const Leaf leaf = Leaf::of(*eye_, *samples_, sample, weight, region);
   if (terms_.layers(leaf).unbounded) return {Estimator::samples, Unevenness::layers};
-  LeafChoice choice{weight, terms_.shading(leaf), Prices::leaf, may_split};
+  LeafChoice choice{weight, terms_.shading(leaf), LeafCosts::leaf, may_split};
   LeafDecision decision{choose(error_budget, choice)};
   decision.error = static_cast<float>(choice.bound.error);
   if (decision.estimator != Estimator::centre) decision.cause = Unevenness::shading;

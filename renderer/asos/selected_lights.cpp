@@ -1,6 +1,6 @@
 #include "renderer/asos/selected_lights.h"
 
-#include "renderer/pyray/prices.h"
+#include "renderer/pyray/leaf_costs.h"
 #include "renderer/shadows/patch_view.h"
 
 #include <algorithm>
@@ -99,7 +99,7 @@ void SelectedLights::find(int side) {
       strong = k;
     }
     if (k == order.size()) break;
-    asked += lights[order[k]].extended() ? Prices::light_pyramid : Prices::patch;
+    asked += lights[order[k]].extended() ? LeafCosts::light_pyramid : LeafCosts::patch;
     rest -= carried[order[k]];
   }
   if (strong == order.size()) return;

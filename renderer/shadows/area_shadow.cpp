@@ -1,6 +1,6 @@
 #include "renderer/shadows/area_shadow.h"
 
-#include "renderer/pyray/prices.h"
+#include "renderer/pyray/leaf_costs.h"
 #include "renderer/shadows/broad_lobe.h"
 #include "renderer/shadows/sampled_shadow.h"
 #include "renderer/shadows/shadow.h"
@@ -25,7 +25,7 @@ Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
   // penumbra.
   const LightView view = query.leaf.view_of(query.lit.index);
   const bool by_rays = block.rules.error_budget.samples_suffice(
-                           query.leaf.weight, query.intensity(), Prices::light_pyramid) ||
+                           query.leaf.weight, query.intensity(), LeafCosts::light_pyramid) ||
                        light.entered || view.too_detailed ||
                        view.penumbra > static_cast<double>(block.rules.error_budget.tolerance);
   if (by_rays) return sampled_shadow(block, query, counts);

@@ -1,6 +1,6 @@
 #include "renderer/shadows/hard_shadow.h"
 
-#include "renderer/pyray/prices.h"
+#include "renderer/pyray/leaf_costs.h"
 #include "renderer/shadows/sampled_shadow.h"
 #include "renderer/shadows/shadow.h"
 
@@ -41,7 +41,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   const auto rays_suffice = [&](double price) {
     return refined && error_budget.samples_suffice(query.leaf.weight, query.intensity(), price);
   };
-  if (rays_suffice(Prices::search)) return sampled_shadow(block, query, counts);
+  if (rays_suffice(LeafCosts::search)) return sampled_shadow(block, query, counts);
 
   // Search between the patch and the light.
   const double off_plane = deviation(block, lit.point, patch);
@@ -56,7 +56,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   // The shadow has no boundaries, so the visibility from the leaf's sample is that of the whole
   // leaf.
   if (!bounded && !block.rules.see_through) return ray_visibility(block, query, counts);
-  if (rays_suffice(Prices::patch) || (refined && bent(patch, off_plane)))
+  if (rays_suffice(LeafCosts::patch) || (refined && bent(patch, off_plane)))
     return sampled_shadow(block, query, counts);
 
   // Trace, with the leaf's own border.

@@ -1,6 +1,6 @@
 #include "renderer/shadows/penumbra.h"
 
-#include "renderer/pyray/prices.h"
+#include "renderer/pyray/leaf_costs.h"
 #include "renderer/shadows/linear_shadow.h"
 
 #include <algorithm>
@@ -277,7 +277,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
       std::min(1.0f, query.reflected * std::max({unshadowed.x, unshadowed.y, unshadowed.z}));
   if (!(intensity > tolerance)) return {};
   if (block.rules.error_budget.samples_suffice(query.weight, static_cast<double>(intensity),
-                                               Prices::penumbra_test))
+                                               LeafCosts::penumbra_test))
     return {};
 
   // Find all boundaries in the pyray around the patch.

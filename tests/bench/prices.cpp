@@ -4,9 +4,8 @@
 //
 //   bench prices [--size WxH] SCENE...
 
-#include "renderer/pyray/prices.h"
-
 #include "renderer/asos/eye_samples.h"
+#include "renderer/pyray/leaf_costs.h"
 #include "renderer/pyray/tracer.h"
 #include "renderer/shadows/penumbra.h"
 #include "renderer/shadows/shadow.h"
@@ -168,9 +167,9 @@ int measure(const std::string& source, PictureSize size) {
       measure_block(snapshot, view, shader, x, y, costs);
   }
   fmt::print("{}\n", source);
-  costs.light_pyramid.print("light cut exactly", Prices::light_pyramid);
-  costs.penumbra_test.print("search for a penumbra", Prices::penumbra_test);
-  costs.patch.print("patch cut by a hard shadow", Prices::patch);
+  costs.light_pyramid.print("light cut exactly", LeafCosts::light_pyramid);
+  costs.penumbra_test.print("search for a penumbra", LeafCosts::penumbra_test);
+  costs.patch.print("patch cut by a hard shadow", LeafCosts::patch);
   return 0;
 }
 

@@ -13,7 +13,7 @@ namespace asos {
 /// - leaf: at 8, the same errors and times (bench every-scene)
 /// - soft_shadow: at 0, leaves before three panels take twice as long (bench every-scene)
 /// - part: at 20, trees and roofs have a tenth more error (bench every-scene)
-struct Prices {
+struct LeafCosts {
   // In shadow rays of a small packet.
   static constexpr double light_pyramid = 20.0;  ///< a light cut along its occluders
   static constexpr double search = 4.0;          ///< the boundaries of a patch's hard shadow
