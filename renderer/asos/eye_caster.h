@@ -36,7 +36,9 @@ class EyeCaster final : public Caster {
   void middles_known(int side) override;
   /// Replaces `middles_known` for a caller that sends one ray only.
   void sends_one_ray() { selected_lights_.take_all(); }
-  [[nodiscard]] Cover cover(SampleId sample) const override { return samples_.cover(sample); }
+  [[nodiscard]] OccluderPlane cover(SampleId sample) const override {
+    return samples_.cover(sample);
+  }
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override {
     return samples_.surface(sample);
   }

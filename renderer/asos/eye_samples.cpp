@@ -64,11 +64,11 @@ std::uint64_t EyeSamples::seed(SampleId sample) const {
   return mix_bits(mix_bits(place) ^ (bits(at.x) << 32 | bits(at.y)));
 }
 
-Cover EyeSamples::cover(SampleId sample) const {
+OccluderPlane EyeSamples::cover(SampleId sample) const {
   // A transparent surface does not hide the boundaries behind it.
   const Hit& hit = hits_[sample];
-  if (!hit.valid() || !opaque(sample)) return Cover::none();
-  return cover_of(*eye_->frame, eye_->scene->world(), eye_->scene->features(), hit);
+  if (!hit.valid() || !opaque(sample)) return OccluderPlane::none();
+  return occluder_of(*eye_->frame, eye_->scene->world(), eye_->scene->features(), hit);
 }
 
 std::uint32_t EyeSamples::surface(SampleId sample) const {

@@ -30,7 +30,7 @@ class EyeSamples final : public PatchView {
   /// Returns a seed that depends on the sample's place alone.
   [[nodiscard]] std::uint64_t seed(SampleId sample) const;
 
-  [[nodiscard]] Cover cover(SampleId sample) const;
+  [[nodiscard]] OccluderPlane cover(SampleId sample) const;
   /// Returns the number of the surface at a sample. The background has one, too.
   [[nodiscard]] std::uint32_t surface(SampleId sample) const;
   /// Returns whether the ray met the background or an opaque surface, whose holes, if any, have

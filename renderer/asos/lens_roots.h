@@ -38,7 +38,7 @@ class LensRoots final : public LensCaster {
     SampleId probe(std::span<const glm::vec2> points) override {
       return roots_->samples_->probe(points);
     }
-    [[nodiscard]] Cover cover(SampleId sample) const override {
+    [[nodiscard]] OccluderPlane cover(SampleId sample) const override {
       return roots_->samples_->cover(sample);
     }
     [[nodiscard]] std::uint32_t surface(SampleId sample) const override {

@@ -14,12 +14,12 @@ std::vector<std::uint8_t> pixels_with_boundaries(const RenderScene& scene, const
   const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * block.width + x); };
   // The plane of the surface at a pixel's centre, if it is opaque there.
   const auto cover = [&](int x, int y) {
-    if (x >= block.width || y >= block.height) return Cover::none();
+    if (x >= block.width || y >= block.height) return OccluderPlane::none();
     const Hit& hit = centres[index(x, y)];
     const World& world = scene.world();
     if (!hit.valid() || surface_kind(world.material_of(hit.triangle)) != SurfaceKind::opaque)
-      return Cover::none();
-    return cover_of(fat.frame, world, scene.features(), hit);
+      return OccluderPlane::none();
+    return occluder_of(fat.frame, world, scene.features(), hit);
   };
   // Many boundaries in one pixel need not be resolved.
   BoundarySearch search;

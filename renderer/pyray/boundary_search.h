@@ -31,11 +31,11 @@ class BoundarySearch {
   /// The reach of the detection around a cell, and the plane of its cover, which hides boundaries.
   struct Sight {
     Square reach;
-    HidingPlane hiding;
+    CellOccluder hiding;
   };
-  [[nodiscard]] Sight sight(const Square& cell, const Cover& cover) const {
+  [[nodiscard]] Sight sight(const Square& cell, const OccluderPlane& cover) const {
     const Square reach = detection_ ? detection_->reach(cell) : cell;
-    return {reach, HidingPlane::of(cover, lists_.frame(), reach.side)};
+    return {reach, CellOccluder::of(cover, lists_.frame(), reach.side)};
   }
 
   /// Computes the list of a cell from that of any square that contains it. `seen`: see

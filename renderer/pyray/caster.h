@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/pyray/cover.h"
+#include "renderer/pyray/occluder_plane.h"
 #include "renderer/pyray/square.h"
 
 #include <glm/glm.hpp>
@@ -67,7 +67,7 @@ class Caster {
   virtual void middles_known(int /*side*/) {}
 
   /// Returns the plane of a sample's surface, which hides boundaries behind it.
-  [[nodiscard]] virtual Cover cover(SampleId sample) const = 0;
+  [[nodiscard]] virtual OccluderPlane cover(SampleId sample) const = 0;
 
   /// Returns the surface of a sample. Equal numbers are one smooth, connected surface.
   [[nodiscard]] virtual std::uint32_t surface(SampleId sample) const = 0;

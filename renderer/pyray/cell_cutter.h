@@ -16,7 +16,7 @@ struct CellToCut {
   Square square;
   int level = 0;
   float root_side = 1.0f;  ///< side of its root's square
-  HidingPlane hiding;      ///< from the cover that was used to find its visible boundaries
+  CellOccluder hiding;     ///< from the cover that was used to find its visible boundaries
 };
 
 /// A cell cut along its boundaries. The spans are valid until the next cut.

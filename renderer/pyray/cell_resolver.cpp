@@ -45,7 +45,8 @@ void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
   visible_.clear();
   // Boundaries hidden from one sample are visible elsewhere in the cell, so cut along all of them.
   if (with_own_sample && cell.nothing_hides) {
-    state_->search->find_visible(list, state_->search->sight(cell.square, Cover::none()), visible_);
+    state_->search->find_visible(list, state_->search->sight(cell.square, OccluderPlane::none()),
+                                 visible_);
     if (plan_cut(cell_index, {}, boundaries)) return;
     visible_.clear();
   }
@@ -76,7 +77,7 @@ void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
 
 // Plans a cut of the cell along its visible boundaries, with one sample in each part. If there are
 // too many, sets `boundaries` to their number.
-bool CellResolver::plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
+bool CellResolver::plan_cut(std::uint32_t cell_index, const CellOccluder& hiding,
                             std::size_t& boundaries) {
   const Cell& cell = level_->cells[cell_index];
   // Cut the cell.
@@ -240,7 +241,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
       cell.uneven = decision.cause;
       state_->leaves.resize(first_leaf);
       // Each of its children needs a sample in its closure.
-      if (cell.middle == no_sample) cell.cover = Cover::none();
+      if (cell.middle == no_sample) cell.cover = OccluderPlane::none();
       return;
     }
     state_->add_leaf(cell, first + i, whole * part.area, region, decision);
@@ -306,8 +307,8 @@ bool CellResolver::stay_hidden(const Cell& cell, const Plan& plan, SampleId firs
   const HitLists& lists = state_->search->lists();
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
     const CellPart& part = parts_[plan.first_part + i];
-    const HidingPlane hiding =
-        HidingPlane::of(state_->caster->cover(first + i), lists.frame(), cell.square.side);
+    const CellOccluder hiding =
+        CellOccluder::of(state_->caster->cover(first + i), lists.frame(), cell.square.side);
     for (std::uint32_t k = 0; k < plan.hidden.count; ++k) {
       const std::uint32_t entry = hidden_[plan.hidden.first + k];
       const HitEntry& e = lists.entry(entry);

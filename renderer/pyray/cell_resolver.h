@@ -37,7 +37,7 @@ class CellResolver {
   };
 
   void plan(std::uint32_t cell_index, bool with_own_sample);
-  [[nodiscard]] bool plan_cut(std::uint32_t cell_index, const HidingPlane& hiding,
+  [[nodiscard]] bool plan_cut(std::uint32_t cell_index, const CellOccluder& hiding,
                               std::size_t& boundaries);
   [[nodiscard]] bool plan_saturated(std::uint32_t cell_index, std::size_t boundaries);
   [[nodiscard]] bool better_sampled(const Cell& cell, std::size_t parts) const;

@@ -5,10 +5,10 @@
 
 namespace asos {
 
-void FatSearch::run(BoundarySearch& search, const FatPyray& fat, const CoverOf& cover_of) {
+void FatSearch::run(BoundarySearch& search, const FatPyray& fat, const OccluderOf& occluder_of) {
   search_ = &search;
   fat_ = &fat;
-  cover_of_ = &cover_of;
+  occluder_of_ = &occluder_of;
   found_.resize(std::max(found_.size(), static_cast<std::size_t>(fat.side * fat.side)));
   hand_down(0, 0, fat.side, search.lists().root());
 }
@@ -17,7 +17,7 @@ void FatSearch::run(BoundarySearch& search, const FatPyray& fat, const CoverOf& 
 void FatSearch::hand_down(int x, int y, int size, std::span<const std::uint32_t> parent) {
   const Square square = fat_->searched_square(x, y, size);
   // Any sample inside the square can hide boundaries behind it.
-  const Cover cover = (*cover_of_)(x + size / 2, y + size / 2);
+  const OccluderPlane cover = (*occluder_of_)(x + size / 2, y + size / 2);
   const BoundarySearch::Sight sight = search_->sight(square, cover);
   // Find the boundaries of the square among its parent's.
   BoundarySearch::List& list =

@@ -16,10 +16,10 @@ namespace asos {
 class FatSearch {
  public:
   /// Returns the cover of a sample at the centre of a square, by the index of the pyray there.
-  using CoverOf = std::function<Cover(int x, int y)>;
+  using OccluderOf = std::function<OccluderPlane(int x, int y)>;
 
   /// `search` must have been started in the fat pyray's frame.
-  void run(BoundarySearch& search, const FatPyray& fat, const CoverOf& cover_of);
+  void run(BoundarySearch& search, const FatPyray& fat, const OccluderOf& occluder_of);
 
   /// Returns whether a boundary that may be visible passes through a pyray.
   [[nodiscard]] bool bounded(std::uint32_t index) const { return found_[index].bounded; }
@@ -39,7 +39,7 @@ class FatSearch {
 
   BoundarySearch* search_ = nullptr;
   const FatPyray* fat_ = nullptr;
-  const CoverOf* cover_of_ = nullptr;
+  const OccluderOf* occluder_of_ = nullptr;
   std::vector<Found> found_;
   std::array<BoundarySearch::List, most_sizes> lists_;  // of larger squares, by size
 };

@@ -115,7 +115,7 @@ void HitLists::add_boundary(glm::vec2 p, glm::vec2 q) {
   keep_segment({p.x, p.y, nearness, q.x, q.y, nearness, FeatureEdge::none});
 }
 
-void HitLists::refine(const Square& cell, const HidingPlane& hiding,
+void HitLists::refine(const Square& cell, const CellOccluder& hiding,
                       std::span<const std::uint32_t> parent, List& list, bool seen) {
   list.clear();
   in_view_ = {};
@@ -138,7 +138,7 @@ void HitLists::refine(const Square& cell, const HidingPlane& hiding,
   }
 }
 
-void HitLists::visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list) {
+void HitLists::visit(std::uint32_t i, const Square& cell, const CellOccluder& hiding, List& list) {
   const HitEntry e = entries_[i];
   if (!e.meets(cell)) return;
   if (e.is_segment() && clip(segments_[e.ref], cell).empty()) return;
@@ -213,7 +213,7 @@ std::optional<FeatureKind> HitLists::kind(std::uint32_t i) const {
   return silhouette ? FeatureKind::silhouette : edge.kind;
 }
 
-bool HitLists::hidden(std::uint32_t i, const Square& cell, const HidingPlane& hiding) const {
+bool HitLists::hidden(std::uint32_t i, const Square& cell, const CellOccluder& hiding) const {
   const HitEntry& e = entries_[i];
   if (!e.is_segment()) {
     return hiding.hides(std::max(e.u0, cell.u), std::max(e.v0, cell.v),

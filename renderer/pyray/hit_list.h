@@ -2,9 +2,9 @@
 
 #include "renderer/features/feature_set.h"
 #include "renderer/geometry/frame.h"
-#include "renderer/pyray/cover.h"
 #include "renderer/pyray/flatten.h"
 #include "renderer/pyray/node_test.h"
+#include "renderer/pyray/occluder_plane.h"
 #include "renderer/pyray/search_bounds.h"
 #include "renderer/pyray/square.h"
 
@@ -71,7 +71,7 @@ class HitLists {
   /// empty or crossed by one boundary. Entries hidden by `hiding` are kept, but never opened.
   /// `seen` says that `hiding` is the surface of a sample in the cell, so that opening may stop
   /// once the cell is saturated with boundaries in front of it.
-  void refine(const Square& cell, const HidingPlane& hiding, std::span<const std::uint32_t> parent,
+  void refine(const Square& cell, const CellOccluder& hiding, std::span<const std::uint32_t> parent,
               List& list, bool seen = false);
 
   /// Opens an entry completely, whatever its size, and appends the segments below it that cross the
@@ -103,10 +103,10 @@ class HitLists {
   [[nodiscard]] bool exhausted() const { return entries_.size() > bounds_.most_entries; }
 
   /// Returns whether an entry of a cell's list lies behind `hiding` everywhere in the cell.
-  [[nodiscard]] bool hidden(std::uint32_t i, const Square& cell, const HidingPlane& hiding) const;
+  [[nodiscard]] bool hidden(std::uint32_t i, const Square& cell, const CellOccluder& hiding) const;
 
  private:
-  void visit(std::uint32_t i, const Square& cell, const HidingPlane& hiding, List& list);
+  void visit(std::uint32_t i, const Square& cell, const CellOccluder& hiding, List& list);
   [[nodiscard]] bool too_many_boundaries() const;
   void open(std::uint32_t i);
   void open_node(std::uint32_t node, unsigned children);

@@ -54,7 +54,7 @@ struct Cell {
   std::uint32_t root = 0;
   std::uint32_t first = 0;  ///< where its list begins in the level's entries
   std::uint32_t count = 0;
-  Cover cover{};  ///< of a sample in the cell's closure
+  OccluderPlane cover{};  ///< of a sample in the cell's closure
   SampleId middle = no_sample;
   bool fresh = false;  ///< its centre was sampled in this level's first round
   bool done = false;

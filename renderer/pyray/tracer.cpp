@@ -138,8 +138,8 @@ bool Tracer::touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& 
   const Square own = fat.square_of(at.x, at.y, 1);
   const float border = own.side / 256.0f;
   const Square wide{own.u - border, own.v - border, own.side + 2.0f * border};
-  const HidingPlane hiding =
-      HidingPlane::of(caster.cover(fat.index(at.x, at.y)), fat.frame, wide.side);
+  const CellOccluder hiding =
+      CellOccluder::of(caster.cover(fat.index(at.x, at.y)), fat.frame, wide.side);
   search_.lists().refine(wide, hiding, search_.lists().root(), scratch_);
   return !search_.all_hidden(scratch_, {wide, hiding});
 }

@@ -36,10 +36,10 @@ SampleId ShadowCaster::probe(std::span<const glm::vec2> points) {
   return static_cast<SampleId>(first);
 }
 
-Cover ShadowCaster::cover(SampleId sample) const {
+OccluderPlane ShadowCaster::cover(SampleId sample) const {
   const Hit& hit = samples_[sample].blocker.hit;
-  if (!hit.valid()) return Cover::none();
-  return cover_of(*frame_, scene_->world, scene_->features, hit);
+  if (!hit.valid()) return OccluderPlane::none();
+  return occluder_of(*frame_, scene_->world, scene_->features, hit);
 }
 
 std::uint32_t ShadowCaster::surface(SampleId sample) const {

@@ -23,7 +23,7 @@ inline constexpr float most_of_the_way = 1.0f - 1e-5f;
 class ShadowCaster : public Caster {
  public:
   [[nodiscard]] SampleId probe(std::span<const glm::vec2> points) override;
-  [[nodiscard]] Cover cover(SampleId sample) const override;
+  [[nodiscard]] OccluderPlane cover(SampleId sample) const override;
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
   /// Splits leaves on transparent surfaces, and on some cut-outs, since their outlines are not
   /// boundaries.

@@ -62,12 +62,12 @@ class BruteForceCaster : public Caster {
     return static_cast<SampleId>(first);
   }
 
-  [[nodiscard]] Cover cover(SampleId id) const override {
+  [[nodiscard]] OccluderPlane cover(SampleId id) const override {
     const Sample& s = samples_[id];
-    if (s.triangle == Hit::none) return Cover::none();
+    if (s.triangle == Hit::none) return OccluderPlane::none();
     const glm::uvec3 i = world_.triangles[s.triangle];
     const glm::dvec3 a(world_.positions[i.x]);
-    return Cover::plane(
+    return OccluderPlane::plane(
         frame_, s.point,
         glm::cross(glm::dvec3(world_.positions[i.y]) - a, glm::dvec3(world_.positions[i.z]) - a));
   }

@@ -17,8 +17,8 @@ class ImpatientCaster final : public BruteForceCaster {
       : BruteForceCaster(world, features, frame), patience_(patience) {}
 
   [[nodiscard]] bool cancelled() const override { return asked_++ >= patience_; }
-  [[nodiscard]] Cover cover(SampleId id) const override {
-    return known(id) ? BruteForceCaster::cover(id) : Cover::none();
+  [[nodiscard]] OccluderPlane cover(SampleId id) const override {
+    return known(id) ? BruteForceCaster::cover(id) : OccluderPlane::none();
   }
   [[nodiscard]] std::uint32_t surface(SampleId id) const override {
     return known(id) ? BruteForceCaster::surface(id) : Hit::none;

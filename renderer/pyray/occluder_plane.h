@@ -19,7 +19,7 @@ namespace asos {
 /// a slack of two parts. One is a few widths of the cell in the world, for surfaces that curve away
 /// within the cell. The other is the known deviation of the surface from the plane
 /// (FeatureSet::deviation), for facets seen nearly edge-on.
-struct Cover {
+struct OccluderPlane {
   // Plane: nearness = (per_u u + per_v v + at_origin) at slack 0. Moved back by a distance s along
   // its normal it is (nearness * distance) / (distance + s) for a pyramid, and nearness - s * slope
   // for a prism.
@@ -32,26 +32,27 @@ struct Cover {
   bool valid = false;
 
   /// Returns a cover that hides nothing.
-  static Cover none() { return {}; }
+  static OccluderPlane none() { return {}; }
 
   /// Returns the cover of a surface with normal `normal` (any length, any sign) at the world point
   /// `p`.
-  static Cover plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double deviation = 0.0);
+  static OccluderPlane plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal,
+                             double deviation = 0.0);
 };
 
 /// Returns the cover of a hit.
-[[nodiscard]] Cover cover_of(const Frame& frame, const World& world, const FeatureSet& features,
-                             const Hit& hit);
+[[nodiscard]] OccluderPlane occluder_of(const Frame& frame, const World& world,
+                                        const FeatureSet& features, const Hit& hit);
 
 /// A cover for one cell: hides boundaries below the nearness u * per_u + v * per_v + at_origin.
-struct HidingPlane {
+struct CellOccluder {
   float per_u = 0.0f;
   float per_v = 0.0f;
   float at_origin = -std::numeric_limits<float>::infinity();
 
-  /// Moves the cover back by `cover_slack` widths of a cell of the given side, and by the
+  /// Moves the cover back by `occluder_slack` widths of a cell of the given side, and by the
   /// deviation.
-  static HidingPlane of(const Cover& cover, const Frame& frame, float side);
+  static CellOccluder of(const OccluderPlane& cover, const Frame& frame, float side);
 
   [[nodiscard]] bool hides(float u, float v, float nearness) const {
     return nearness < per_u * u + per_v * v + at_origin;
@@ -64,6 +65,6 @@ struct HidingPlane {
 };
 
 /// Distance behind a surface from which a boundary is hidden, in widths of the cell.
-inline constexpr double cover_slack = 4.0;
+inline constexpr double occluder_slack = 4.0;
 
 }  // namespace asos

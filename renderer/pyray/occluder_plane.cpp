@@ -1,4 +1,4 @@
-#include "renderer/pyray/cover.h"
+#include "renderer/pyray/occluder_plane.h"
 
 #include "renderer/world/hit_plane.h"
 
@@ -7,7 +7,8 @@
 
 namespace asos {
 
-Cover Cover::plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double deviation) {
+OccluderPlane OccluderPlane::plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal,
+                                   double deviation) {
   const double length = glm::length(normal);
   if (!(length > 0.0)) return none();
   // Turn the normal towards the viewer.
@@ -20,7 +21,7 @@ Cover Cover::plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double d
   const double nc = glm::dot(n, frame.base_corner());
   const double d = -glm::dot(n, from_apex);
 
-  Cover cover;
+  OccluderPlane cover;
   cover.deviation = deviation;
   if (frame.parallel()) {
     // n.(U a + V b + W c) = -d with nearness -W.
@@ -43,38 +44,39 @@ Cover Cover::plane(const Frame& frame, glm::dvec3 p, glm::dvec3 normal, double d
   return cover;
 }
 
-Cover cover_of(const Frame& frame, const World& world, const FeatureSet& features, const Hit& hit) {
+OccluderPlane occluder_of(const Frame& frame, const World& world, const FeatureSet& features,
+                          const Hit& hit) {
   const HitPlane plane = hit_plane(world, hit);
   const glm::dvec3 p = plane.point(hit.b1, hit.b2);
   if (!world.is_face(hit.triangle))
-    return Cover::plane(frame, p, plane.normal(), features.deviation(hit.triangle));
+    return OccluderPlane::plane(frame, p, plane.normal(), features.deviation(hit.triangle));
   // Within a cell, a sphere deviates from the plane by at most the cell's width. The reason is that
   // its outline and the sample are equally far from where the plane meets the direction of the
   // outline. A stretched sphere deviates by the factor of its stretch. The part beyond the slack is
   // added to the deviation.
-  Cover cover = Cover::plane(frame, p, plane.normal());
+  OccluderPlane cover = OccluderPlane::plane(frame, p, plane.normal());
   if (!cover.valid) return cover;
   constexpr double diagonal = 1.5;
   const double beyond =
-      std::max(0.0, diagonal * face_stretch(world.face(hit.triangle)) - cover_slack);
+      std::max(0.0, diagonal * face_stretch(world.face(hit.triangle)) - occluder_slack);
   const double width = std::max(glm::length(frame.base_u()), glm::length(frame.base_v()));
   cover.deviation = std::min(world.face(hit.triangle).size,
                              beyond * (frame.parallel() ? width : width / cover.nearness));
   return cover;
 }
 
-HidingPlane HidingPlane::of(const Cover& cover, const Frame& frame, float side) {
+CellOccluder CellOccluder::of(const OccluderPlane& cover, const Frame& frame, float side) {
   if (!cover.valid) return {};
   const double width = side * std::max(glm::length(frame.base_u()), glm::length(frame.base_v()));
-  HidingPlane plane;
+  CellOccluder plane;
   if (frame.parallel()) {
     plane.per_u = static_cast<float>(cover.per_u);
     plane.per_v = static_cast<float>(cover.per_v);
-    plane.at_origin = static_cast<float>(cover.at_origin -
-                                         (cover_slack * width + cover.deviation) / cover.distance);
+    plane.at_origin = static_cast<float>(
+        cover.at_origin - (occluder_slack * width + cover.deviation) / cover.distance);
     return plane;
   }
-  const double slack = cover_slack * width / cover.nearness + cover.deviation;
+  const double slack = occluder_slack * width / cover.nearness + cover.deviation;
   const double back = cover.distance / (cover.distance + slack);
   plane.per_u = static_cast<float>(cover.per_u * back);
   plane.per_v = static_cast<float>(cover.per_v * back);
