@@ -84,7 +84,7 @@ class Namer {
   }
 
   [[nodiscard]] std::string of_sheet(std::uint32_t sheet) const {
-    if (sheet == ObjectTally::clusters) return "small edges, not resolved";
+    if (sheet == ObjectStatistics::clusters) return "small edges, not resolved";
     const World& world = scene_.world();
     const std::uint32_t triangle = first_triangle_.at(sheet);
     const std::uint32_t part = world.triangle_part[triangle];
@@ -103,9 +103,9 @@ class Namer {
   std::map<std::uint32_t, std::uint32_t> count_;           // of a part's sheets
 };
 
-Json level_json(const LevelTally& level, const Namer& namer) {
+Json level_json(const LevelStatistics& level, const Namer& namer) {
   Json objects = Json::array();
-  for (const ObjectTally& object : level.objects) {
+  for (const ObjectStatistics& object : level.objects) {
     objects.push_back({{"object", namer.of_sheet(object.object)},
                        {"in", object.in},
                        {"out", object.out},
@@ -293,7 +293,7 @@ std::string pyrays_text(const Json& pyrays) {
 Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedPicture& picture) {
   const Namer namer(scene);
   Json levels = Json::array();
-  for (const LevelTally& level : trace.levels) levels.push_back(level_json(level, namer));
+  for (const LevelStatistics& level : trace.levels) levels.push_back(level_json(level, namer));
   Json pyrays = Json::array();
   for (const TracedPyray& pyray : trace.pyrays) pyrays.push_back(pyray_json(pyray, scene, namer));
   return {{"scene", picture.scene},

@@ -28,7 +28,7 @@ std::string name_of_pyray(const RenderScene& scene, const TracedPyray& pyray) {
 
 /// Name of the part that a smooth surface belongs to.
 std::string object_name(const RenderScene& scene, std::uint32_t sheet) {
-  if (sheet == ObjectTally::clusters) return "small edges";
+  if (sheet == ObjectStatistics::clusters) return "small edges";
   const World& world = scene.world();
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
     if (scene.features().sheet(t) != sheet) continue;
@@ -39,7 +39,7 @@ std::string object_name(const RenderScene& scene, std::uint32_t sheet) {
   return "a shape";
 }
 
-std::string strongest_object(const RenderScene& scene, const LevelTally& level) {
+std::string strongest_object(const RenderScene& scene, const LevelStatistics& level) {
   const auto strongest = std::max_element(
       level.objects.begin(), level.objects.end(),
       [&](const auto& a, const auto& b) { return a.change(level.level) < b.change(level.level); });
@@ -176,7 +176,7 @@ PixelReport PixelInspector::work(const Request& request) {
   report.pixel = request.pixel;
   report.settings = as_published(settings);
   report.trace = trace_pixel(scene, view, settings, request.pixel.x, request.pixel.y);
-  for (const LevelTally& level : report.trace.levels)
+  for (const LevelStatistics& level : report.trace.levels)
     report.level_object.push_back(strongest_object(scene, level));
   report.seen = seen_parts(report.trace.cells);
   for (const TracedPyray& pyray : report.trace.pyrays) {

@@ -51,9 +51,9 @@ Result<std::vector<SubdivisionRow>> subdivide_pixel(const Polygon& polygon) {
   settings.asos.eps = 1.0 / 16.0;
   const View view(pixel_camera((*scene)->world()), 1, 1);
   std::vector<SubdivisionRow> rows;
-  for (const LevelTally& tally : trace_pixel(**scene, view, settings, 0, 0).levels) {
+  for (const LevelStatistics& tally : trace_pixel(**scene, view, settings, 0, 0).levels) {
     if (tally.level == 0 || tally.objects.size() != 1) continue;
-    const ObjectTally& object = tally.objects.front();
+    const ObjectStatistics& object = tally.objects.front();
     rows.push_back(
         {tally.level, tally.marginal, object.in, object.out, object.change(tally.level)});
   }

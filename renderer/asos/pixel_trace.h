@@ -18,8 +18,8 @@ namespace asos {
 struct PixelTrace {
   int x = 0;
   int y = 0;
-  glm::vec3 radiance{0.0f};        ///< the pixel's, linear
-  std::vector<LevelTally> levels;  ///< the papers' tables: K, M, in, out, L for each object
+  glm::vec3 radiance{0.0f};             ///< the pixel's, linear
+  std::vector<LevelStatistics> levels;  ///< the papers' tables: K, M, in, out, L for each object
   std::vector<TracedCell> cells;
   std::vector<TracedPyray> pyrays;      ///< those that leaves cast; at most Observer::most
   double unresolved_area = 0.0;         ///< fraction of the pixel whose leaves stayed marginal

@@ -12,7 +12,7 @@ std::unique_ptr<const DetectionTest> PublishedSubdivision::detection(const Frame
   return std::make_unique<ConeDetection>(frame);
 }
 
-bool PublishedSubdivision::ends(const LevelTally& tally, double eps) const {
+bool PublishedSubdivision::ends(const LevelStatistics& tally, double eps) const {
   const bool by_object = rule_ == StoppingRule::published;
   return (by_object ? tally.largest_change() : tally.unresolved_area()) <= eps;
 }

@@ -13,7 +13,7 @@ class PublishedSubdivision final : public SubdivisionVariant {
       : detection_(detection), rule_(rule), leaf_(leaf) {}
 
   [[nodiscard]] std::unique_ptr<const DetectionTest> detection(const Frame& frame) const override;
-  [[nodiscard]] bool ends(const LevelTally& tally, double eps) const override;
+  [[nodiscard]] bool ends(const LevelStatistics& tally, double eps) const override;
   [[nodiscard]] bool cuts_cells() const override { return leaf_ == LeafKind::exact; }
   /// Returns whether any part differs from the engine's method.
   [[nodiscard]] bool differs() const {

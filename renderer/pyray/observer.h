@@ -2,7 +2,7 @@
 
 #include "renderer/features/feature_edge.h"
 #include "renderer/pyray/caster.h"
-#include "renderer/pyray/level_tally.h"
+#include "renderer/pyray/level_statistics.h"
 #include "renderer/pyray/square.h"
 
 #include <glm/glm.hpp>
@@ -71,7 +71,7 @@ struct TracedPyray {
   glm::vec2 from{0.0f};     ///< that leaf's sample, in the parent's square
   double weight = 1.0;      ///< that leaf's fraction of the parent
   glm::vec3 result{0.0f};   ///< mean radiance along it; shadow: the light's visibility
-  std::vector<LevelTally>
+  std::vector<LevelStatistics>
       levels;  ///< the papers' tables: K, M, in, out, L; those with marginal cells
   std::vector<TracedCell> cells;  ///< level by level
 

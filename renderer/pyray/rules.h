@@ -42,7 +42,7 @@ struct SubdivisionRules {
     return rules;
   }
   /// Returns whether a root ends with the marginal cells of a level.
-  [[nodiscard]] bool ends(const LevelTally& tally) const {
+  [[nodiscard]] bool ends(const LevelStatistics& tally) const {
     return variant ? variant->ends(tally, error_budget.eps)
                    : tally.unresolved_area() <= error_budget.eps;
   }

@@ -99,7 +99,7 @@ void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
     bool one_edge = cell.count == 1;
     for (const std::uint32_t i : level.list(cell)) {
       if (!lists.entry(i).is_segment()) {
-        near_.push_back(ObjectTally::clusters);
+        near_.push_back(ObjectStatistics::clusters);
         one_edge = false;
         continue;
       }

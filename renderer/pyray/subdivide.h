@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/pyray/cell_resolver.h"
-#include "renderer/pyray/level_tally.h"
+#include "renderer/pyray/level_statistics.h"
 #include "renderer/pyray/subdivision_state.h"
 
 #include <cstdint>
@@ -31,7 +31,7 @@ class Subdivider {
   SubdivisionState state_;
   CellLevel levels_[2];
   CellResolver resolver_;
-  LevelTally tally_;
+  LevelStatistics tally_;
   // Scratch.
   std::vector<glm::vec2> points_;
   BoundarySearch::List list_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/frame.h"
-#include "renderer/pyray/level_tally.h"
+#include "renderer/pyray/level_statistics.h"
 #include "renderer/pyray/square.h"
 
 #include <memory>
@@ -31,7 +31,7 @@ class SubdivisionVariant {
   [[nodiscard]] virtual std::unique_ptr<const DetectionTest> detection(
       const Frame& frame) const = 0;
   /// Returns whether a root ends after a level with these marginal cells.
-  [[nodiscard]] virtual bool ends(const LevelTally& tally, double eps) const = 0;
+  [[nodiscard]] virtual bool ends(const LevelStatistics& tally, double eps) const = 0;
   /// Returns whether cells are cut along their boundaries; false: point leaves.
   [[nodiscard]] virtual bool cuts_cells() const = 0;
 };

@@ -266,9 +266,9 @@ void level_table(Controls& controls, const PixelReport& report) {
   for (const char* head : {"K", "M", "in", "out", "L", "object"}) ImGui::TableSetupColumn(head);
   ImGui::TableHeadersRow();
   for (std::size_t i = 0; i < report.trace.levels.size(); ++i) {
-    const LevelTally& level = report.trace.levels[i];
-    ObjectTally most;
-    for (const ObjectTally& object : level.objects) {
+    const LevelStatistics& level = report.trace.levels[i];
+    ObjectStatistics most;
+    for (const ObjectStatistics& object : level.objects) {
       if (object.change(level.level) > most.change(level.level)) most = object;
     }
     ImGui::TableNextRow();

@@ -111,18 +111,20 @@ void check_samples(const PixelTrace& trace) {
 
 // The tables count the listed cells.
 void check_levels(const PixelTrace& trace) {
-  for (const LevelTally& tally : trace.levels) {
+  for (const LevelStatistics& tally : trace.levels) {
     const auto marginal =
         std::count_if(trace.cells.begin(), trace.cells.end(), [&](const TracedCell& cell) {
           return cell.level == tally.level && is_marginal(cell.fate);
         });
     EXPECT_EQ(static_cast<long>(tally.marginal), marginal);
-    for (const ObjectTally& object : tally.objects) EXPECT_LE(object.marginal(), tally.marginal);
+    for (const ObjectStatistics& object : tally.objects)
+      EXPECT_LE(object.marginal(), tally.marginal);
   }
   for (const TracedCell& cell : trace.cells) {
     if (is_marginal(cell.fate)) {
-      EXPECT_TRUE(std::any_of(trace.levels.begin(), trace.levels.end(),
-                              [&](const LevelTally& tally) { return tally.level == cell.level; }));
+      EXPECT_TRUE(
+          std::any_of(trace.levels.begin(), trace.levels.end(),
+                      [&](const LevelStatistics& tally) { return tally.level == cell.level; }));
     }
   }
 }

@@ -68,9 +68,9 @@ Answer check_table(const Polygon& polygon, const std::vector<Row>& published, bo
   const Answer answer =
       subdivide(scene.world, published_rules(8, 1.0 / 16.0), parallel_pixel(), &trace);
   EXPECT_EQ(trace.levels.size(), published.size() + 1) << "stops at another level";
-  for (const LevelTally& tally : trace.levels) {
+  for (const LevelStatistics& tally : trace.levels) {
     EXPECT_EQ(tally.objects.size(), 1u);
-    const ObjectTally& object = tally.objects.front();
+    const ObjectStatistics& object = tally.objects.front();
     const Row row{tally.level, tally.marginal, object.in, object.out};
     EXPECT_EQ(row, count_cells(polygon, tally.level));
     EXPECT_EQ(object.one_edge, one_edge) << "K " << tally.level;
@@ -87,7 +87,7 @@ const PublishedSubdivision by_area(Detection::square, StoppingRule::unresolved, 
 const PublishedSubdivision by_object(Detection::square, StoppingRule::published, LeafKind::point);
 
 TEST(PublishedSubdivision, RulesHoldUpToEpsItself) {
-  LevelTally tally;
+  LevelStatistics tally;
   tally.start(2);
   const std::vector<std::uint32_t> one{1};
   for (int i = 0; i < 2; ++i) tally.add_cell(one, 1, false);
@@ -209,11 +209,11 @@ TEST(PublishedRule, ThePathologicalObjectStopsAtMax) {
         subdivide(comb.scene.world, published_rules(max, 0.5), parallel_pixel(), &trace);
     EXPECT_EQ(answer.outcome.deepest, max);
     ASSERT_EQ(trace.levels.size(), static_cast<std::size_t>(max) + 1);
-    for (const LevelTally& tally : trace.levels) {
+    for (const LevelStatistics& tally : trace.levels) {
       const std::uint32_t all = 1u << (2 * tally.level);
       EXPECT_EQ(tally.marginal, all);
-      for (const ObjectTally& object : tally.objects)
-        if (object.object != ObjectTally::clusters) {
+      for (const ObjectStatistics& object : tally.objects)
+        if (object.object != ObjectStatistics::clusters) {
           EXPECT_EQ(object.in, tally.level % 2 ? 0 : all) << "K " << tally.level;
         }
       EXPECT_EQ(tally.largest_change(), 1.0);
@@ -241,7 +241,7 @@ TEST(PublishedRule, CountsObjectsBehindTheEdgeOfANearerOne) {
   EXPECT_LE(error_of(answer, truth), eps);
   const auto& objects = trace.levels.at(1).objects;
   const auto tally = std::find_if(objects.begin(), objects.end(),
-                                  [&](const ObjectTally& o) { return o.object == sheet; });
+                                  [&](const ObjectStatistics& o) { return o.object == sheet; });
   ASSERT_NE(tally, objects.end());
   EXPECT_EQ(tally->in, 0u);
   EXPECT_EQ(tally->out, 4u);
@@ -270,9 +270,9 @@ TEST(PublishedRule, FailsForSeveralObjectsThatChangeTogether) {
   const Answer answer =
       subdivide(scene.world, published_rules(8, eps, Detection::square), unit_pyray(), &trace);
   EXPECT_EQ(answer.outcome.deepest, 1);
-  const LevelTally& last = trace.levels.back();
+  const LevelStatistics& last = trace.levels.back();
   double changes = 0.0;
-  for (const ObjectTally& object : last.objects) {
+  for (const ObjectStatistics& object : last.objects) {
     EXPECT_LE(object.change(last.level), eps);
     changes += object.change(last.level);
   }

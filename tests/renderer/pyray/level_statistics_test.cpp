@@ -1,4 +1,4 @@
-#include "renderer/pyray/level_tally.h"
+#include "renderer/pyray/level_statistics.h"
 
 #include "renderer/geometry/ray.h"
 
@@ -13,8 +13,8 @@ namespace {
 
 using Objects = std::vector<std::uint32_t>;
 
-TEST(LevelTally, CountsInAndOutForEachObject) {
-  LevelTally tally;
+TEST(LevelStatistics, CountsInAndOutForEachObject) {
+  LevelStatistics tally;
   tally.start(3);
   tally.add_cell(Objects{5, 9}, 9, false);
   tally.add_cell(Objects{9}, Hit::none, true);
@@ -23,8 +23,9 @@ TEST(LevelTally, CountsInAndOutForEachObject) {
   tally.add_cell(Objects{2}, 2, true);
   EXPECT_EQ(tally.marginal, 5u);
   ASSERT_EQ(tally.objects.size(), 3u);
-  const std::array<ObjectTally, 3> expected{ObjectTally{2, 2, 1, true}, ObjectTally{5, 0, 1, false},
-                                            ObjectTally{9, 1, 1, false}};
+  const std::array<ObjectStatistics, 3> expected{ObjectStatistics{2, 2, 1, true},
+                                                 ObjectStatistics{5, 0, 1, false},
+                                                 ObjectStatistics{9, 1, 1, false}};
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(tally.objects[i].object, expected[i].object);
     EXPECT_EQ(tally.objects[i].in, expected[i].in);
@@ -38,8 +39,8 @@ TEST(LevelTally, CountsInAndOutForEachObject) {
   EXPECT_EQ(tally.largest_change(), 1.0 / 64.0);
 }
 
-TEST(LevelTally, StartingALevelForgetsTheLast) {
-  LevelTally tally;
+TEST(LevelStatistics, StartingALevelForgetsTheLast) {
+  LevelStatistics tally;
   tally.start(1);
   tally.add_cell(Objects{1}, 1, false);
   tally.start(2);
@@ -50,11 +51,11 @@ TEST(LevelTally, StartingALevelForgetsTheLast) {
   EXPECT_EQ(tally.largest_change(), 0.0);
 }
 
-TEST(LevelTally, OfClustersAllCellsCanChange) {
-  LevelTally tally;
+TEST(LevelStatistics, OfClustersAllCellsCanChange) {
+  LevelStatistics tally;
   tally.start(1);
-  tally.add_cell(Objects{ObjectTally::clusters}, 4, false);
-  tally.add_cell(Objects{ObjectTally::clusters}, Hit::none, false);
+  tally.add_cell(Objects{ObjectStatistics::clusters}, 4, false);
+  tally.add_cell(Objects{ObjectStatistics::clusters}, Hit::none, false);
   EXPECT_EQ(tally.objects[0].larger(), 2u);
   EXPECT_EQ(tally.largest_change(), 0.5);
 }

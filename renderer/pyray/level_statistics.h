@@ -9,7 +9,7 @@
 namespace asos {
 
 /// The state of one object after level K: a row of the papers' tables (GI'93 tables 1 and 2).
-struct ObjectTally {
+struct ObjectStatistics {
   /// The number for clusters: boundaries too small to be resolved.
   static constexpr std::uint32_t clusters = 0xfffffffeu;
 
@@ -32,10 +32,10 @@ struct ObjectTally {
 };
 
 /// One root after level K.
-struct LevelTally {
-  int level = 0;                     ///< K
-  std::uint32_t marginal = 0;        ///< M: all marginal cells
-  std::vector<ObjectTally> objects;  ///< by number
+struct LevelStatistics {
+  int level = 0;                          ///< K
+  std::uint32_t marginal = 0;             ///< M: all marginal cells
+  std::vector<ObjectStatistics> objects;  ///< by number
 
   void start(int at_level);
   /// Counts a marginal cell: the objects whose boundaries pass through it, the object on its axis,
