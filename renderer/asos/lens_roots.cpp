@@ -26,21 +26,21 @@ LensRoots::LensRoots(const EyeContext& eye, EyeSamples& samples, LeafChooser& ch
       shader_(&shader),
       blurred_(roots, false) {}
 
-LensWay LensRoots::way(std::uint32_t root, bool bounded, bool missed) {
-  if (eye_->settings->method == Method::asos_published) return LensWay::widened;
-  if (missed) return LensWay::sampled;
+LensEstimator LensRoots::way(std::uint32_t root, bool bounded, bool missed) {
+  if (eye_->settings->method == Method::asos_published) return LensEstimator::widened;
+  if (missed) return LensEstimator::sampled;
   const Defocus& defocus = *eye_->defocus;
   const Defocus::Pixel& pixel = defocus.pixel(root);
   if (!pixel.searched || shows_other_depths(root) || !defocus.nothing_nearer(root))
-    return LensWay::sampled;
-  if (defocus.is_sharp(pixel.most)) return LensWay::sharp;
-  if (bounded) return LensWay::sampled;
+    return LensEstimator::sampled;
+  if (defocus.is_sharp(pixel.most)) return LensEstimator::sharp;
+  if (bounded) return LensEstimator::sampled;
   // The lens kernel is no square, so a texture's mean over a square would be wrong.
   const Hit& hit = samples_->hit(root);
   const RenderScene& scene = *eye_->scene;
   const bool textured =
       hit.valid() && is_textured(scene.world().material_of(hit.triangle), scene.needs);
-  return textured ? LensWay::sampled : LensWay::smooth;
+  return textured ? LensEstimator::sampled : LensEstimator::smooth;
 }
 
 Square LensRoots::widened_square(std::uint32_t root) const {

@@ -23,7 +23,7 @@ class LensRoots final : public LensCaster {
   LensRoots(const LensRoots&) = delete;
   LensRoots& operator=(const LensRoots&) = delete;
 
-  [[nodiscard]] LensWay way(std::uint32_t root, bool bounded, bool missed) override;
+  [[nodiscard]] LensEstimator way(std::uint32_t root, bool bounded, bool missed) override;
   [[nodiscard]] bool shade_smooth(std::uint32_t root) override;
   [[nodiscard]] Square widened_square(std::uint32_t root) const override;
   void sample_root(std::uint32_t root) override;

@@ -7,7 +7,7 @@
 namespace asos {
 
 /// How a root of a camera with a lens is determined.
-enum class LensWay : std::uint8_t {
+enum class LensEstimator : std::uint8_t {
   sharp,    ///< as through a pinhole: its circles of confusion are negligible
   smooth,   ///< one leaf, as wide as the blur
   sampled,  ///< samples over the root and the lens together
@@ -22,7 +22,7 @@ class LensCaster {
 
   /// Returns the way for a root. `bounded`: a boundary that may be visible passes through it or its
   /// search region. `missed`: samples show that a boundary was not found.
-  [[nodiscard]] virtual LensWay way(std::uint32_t root, bool bounded, bool missed) = 0;
+  [[nodiscard]] virtual LensEstimator way(std::uint32_t root, bool bounded, bool missed) = 0;
   /// Shades a root as one leaf. Returns false if it varies too much and has to be sampled.
   [[nodiscard]] virtual bool shade_smooth(std::uint32_t root) = 0;
   /// Returns the square of a widened root.

@@ -32,23 +32,23 @@ void Tracer::finish_lens_root(Root root, Caster& caster, LensCaster& lens, int m
   const std::uint32_t i = root.id;
   const bool bounded = fat_search_.bounded(i);
   switch (lens.way(i, bounded, traces_[i].by_samples)) {
-    case LensWay::sampled:
+    case LensEstimator::sampled:
       return sample_lens_root(root, lens);
-    case LensWay::smooth:
+    case LensEstimator::smooth:
       if (!lens.shade_smooth(i)) return sample_lens_root(root, lens);
       if (root.traced)
         root.traced->cells.emplace_back().samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
       traces_[i].outcome.pyrays_by_level[0] = 1;
       traces_[i].outcome.probes = 1;
       return;
-    case LensWay::sharp:
+    case LensEstimator::sharp:
       if (bounded && crosses(root, caster)) {
         crossed_.push_back(root);
         crossed_.back().list = lens_lists_[i];
         return;
       }
       break;
-    case LensWay::widened:
+    case LensEstimator::widened:
       root.square = lens.widened_square(i);
       if (bounded && crosses(root, caster)) {
         root.list = lens_lists_[i];
