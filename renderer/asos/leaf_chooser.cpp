@@ -29,11 +29,11 @@ LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegio
 
   // Add up the error terms. Soft shadows matter only where the others leave a choice.
   const Leaf leaf = Leaf::of(*eye_, *samples_, sample, weight, region);
-  if (terms_.layers(leaf).unbounded) return {Estimator::samples, Unevenness::layers};
+  if (terms_.layers(leaf).unbounded) return {Estimator::samples, LeafVariation::layers};
   LeafChoice choice{weight, terms_.shading(leaf), LeafCosts::leaf, may_split};
   LeafDecision decision{choose(error_budget, choice)};
   decision.error = static_cast<float>(choice.bound.error);
-  if (decision.estimator != Estimator::centre) decision.cause = Unevenness::shading;
+  if (decision.estimator != Estimator::centre) decision.cause = LeafVariation::shading;
   if (!terms_.soft_shadows()) return decision;
   if (shared) {
     if (decision.sampled() && !choice.bound.unbounded)
@@ -50,7 +50,7 @@ LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegio
     decision.estimator = choose(error_budget, choice);
     decision.error = static_cast<float>(choice.bound.error);
     if (decision.estimator != Estimator::centre)
-      decision.cause = even ? Unevenness::shading : Unevenness::shadow;
+      decision.cause = even ? LeafVariation::shading : LeafVariation::shadow;
   }
   // If a leaf is split for its shading only, its parts reuse its shadows.
   if (even && decision.splits() && region.border.empty() && samples_->opaque(sample) &&

@@ -6,7 +6,7 @@ namespace asos {
 
 bool LeafLayers::sampled(const PyrayLeaf& leaf) const {
   const SampleId sample = leaf.sample;
-  return leaf.defocused || leaf.region.marginal || leaf.decision.cause == Unevenness::layers ||
+  return leaf.defocused || leaf.region.marginal || leaf.decision.cause == LeafVariation::layers ||
          !samples_->hit(sample).valid() || !samples_->opaque(sample) || samples_->cut_out(sample);
 }
 

@@ -314,7 +314,7 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
   if (blurred)
     blurred_->add(leaf.region, 1.0 - found.masked_share, found.value, samples_->hit(0).t);
   sums_[leaf.root].add_samples(found, blurred ? 0.0 : leaf.weight,
-                               leaf.decision.cause == Unevenness::layers);
+                               leaf.decision.cause == LeafVariation::layers);
   note_result(leaf.root, leaf.sample, glm::vec3(found.value));
   return true;
 }
@@ -367,7 +367,7 @@ void LeafShader::start_regions() {
           static_cast<std::uint64_t>(std::llround(rays * found[i].cost / samples));
     if (sampler_->open(i)) {
       open_.parts.push_back({leaf.root, leaf.sample, leaf.weight,
-                             leaf.decision.cause == Unevenness::layers, leaves[i].planes,
+                             leaf.decision.cause == LeafVariation::layers, leaves[i].planes,
                              found[i]});
       continue;
     }

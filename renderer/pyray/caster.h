@@ -15,7 +15,7 @@ using SampleId = std::uint32_t;
 inline constexpr SampleId no_sample = 0xffffffffu;
 
 /// The property that varies over a leaf, so that its centre differs from its mean.
-enum class Unevenness : std::uint8_t { none, shading, shadow, layers };
+enum class LeafVariation : std::uint8_t { none, shading, shadow, layers };
 
 /// How a leaf is determined (design section 14).
 enum class Estimator : std::uint8_t {
@@ -28,7 +28,7 @@ enum class Estimator : std::uint8_t {
 /// data that the caster collected for it.
 struct LeafDecision {
   Estimator estimator = Estimator::centre;
-  Unevenness cause = Unevenness::none;
+  LeafVariation cause = LeafVariation::none;
   std::uint32_t record = 0;  ///< the caster's number; 0: nothing
   float error = 0.0f;        ///< of the centre, in display intensity, if it is bounded
 

@@ -42,9 +42,9 @@ struct SubdivisionOutcome {
   std::array<std::uint32_t, max_level_limit + 1> pyrays_by_level{};
   std::uint32_t probes = 0;  ///< rays of the root's centre, its cells and their parts
 
-  void note_uneven(Unevenness uneven) {
-    uneven_shading |= uneven == Unevenness::shading;
-    uneven_shadow |= uneven == Unevenness::shadow;
+  void note_uneven(LeafVariation uneven) {
+    uneven_shading |= uneven == LeafVariation::shading;
+    uneven_shadow |= uneven == LeafVariation::shadow;
   }
 };
 
@@ -60,9 +60,9 @@ struct Cell {
   bool done = false;
   /// Boundaries hidden from a sample are visible elsewhere in it.
   bool nothing_hides = false;
-  Unevenness uneven = Unevenness::none;  ///< the only reason why it is not resolved
+  LeafVariation uneven = LeafVariation::none;  ///< the only reason why it is not resolved
 
-  [[nodiscard]] bool is_uneven() const { return uneven != Unevenness::none; }
+  [[nodiscard]] bool is_uneven() const { return uneven != LeafVariation::none; }
 };
 
 /// The undecided cells of one level K, root by root, with their hit lists.

@@ -52,7 +52,7 @@ std::uint32_t ShadowCaster::surface(SampleId sample) const {
 LeafDecision ShadowCaster::decide(SampleId sample, double /*weight*/, const LeafRegion& /*region*/,
                                   bool may_split) {
   const bool varies = may_split && see_through_ && samples_[sample].blocker.see_through;
-  return varies ? LeafDecision{Estimator::split, Unevenness::shadow} : LeafDecision{};
+  return varies ? LeafDecision{Estimator::split, LeafVariation::shadow} : LeafDecision{};
 }
 
 void ShadowCaster::take(std::span<const PyrayLeaf> leaves) {

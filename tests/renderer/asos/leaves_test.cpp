@@ -70,7 +70,7 @@ TEST(LeafChooser, ChoosesCentreForEvenLight) {
   chooser.learn_normals(EyeBlock::side);
   const LeafDecision decision = chooser.decide(5, 1.0, block.leaf(1, 1).region, true);
   EXPECT_EQ(decision.estimator, Estimator::centre);
-  EXPECT_EQ(decision.cause, Unevenness::none);
+  EXPECT_EQ(decision.cause, LeafVariation::none);
   EXPECT_EQ(chooser.even_around(5, block.leaf(1, 1).region), nullptr);
 }
 
@@ -82,7 +82,7 @@ TEST(LeafChooser, SplitsOrSamplesUnevenLight) {
   // Pixel (2, 1) of the block covers x and y from 0 to 1.
   const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
   EXPECT_NE(decision.estimator, Estimator::centre);
-  EXPECT_EQ(decision.cause, Unevenness::shading);
+  EXPECT_EQ(decision.cause, LeafVariation::shading);
   const LeafDecision last = chooser.decide(6, 1.0, block.leaf(2, 1).region, false);
   EXPECT_NE(last.estimator, Estimator::split) << "it may not";
 }
@@ -93,7 +93,7 @@ TEST(LeafChooser, ChoosesCentreAtMax0) {
   LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
   const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
   EXPECT_EQ(decision.estimator, Estimator::centre);
-  EXPECT_EQ(decision.cause, Unevenness::none);
+  EXPECT_EQ(decision.cause, LeafVariation::none);
 }
 
 // A plane under a sun has a radiance of albedo / pi times intensity times cosine.
@@ -129,7 +129,7 @@ TEST(LeafShader, LeavesRegionsOpen) {
   LeafShader shader(block.eye(), block.samples(), chooser, block.selected_lights(), block.shadows(),
                     sums, blurred);
   PyrayLeaf leaf = pixel_leaf(block, 2, 1);
-  leaf.decision = {Estimator::samples, Unevenness::shading};
+  leaf.decision = {Estimator::samples, LeafVariation::shading};
   shader.shade(std::span(&leaf, 1));
   shader.finish();
   const OpenRegions open = shader.take_open();

@@ -25,7 +25,7 @@ class PricedCaster final : public BruteForceCaster {
   [[nodiscard]] LeafDecision decide(SampleId, double weight, const LeafRegion&,
                                     bool may_split) override {
     if (!may_split || weight <= largest_even_) return {};
-    return {Estimator::split, Unevenness::shading};
+    return {Estimator::split, LeafVariation::shading};
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
     return parts >= price_ && weight <= largest_sampled_;

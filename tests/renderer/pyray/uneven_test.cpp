@@ -19,7 +19,7 @@ class PickyCaster final : public BruteForceCaster {
   [[nodiscard]] LeafDecision decide(SampleId, double weight, const LeafRegion&,
                                     bool may_split) override {
     if (!may_split || weight <= most_) return {};
-    return {Estimator::split, Unevenness::shading};
+    return {Estimator::split, LeafVariation::shading};
   }
   void take(std::span<const PyrayLeaf> leaves) override {
     for (const PyrayLeaf& leaf : leaves) largest = std::max(largest, leaf.weight);
