@@ -144,7 +144,7 @@ class Collider {
     if (m.count > 1) return;
     const Corners a = corners_of(world_, s), b = corners_of(world_, t);
     if (m.count == 1 && (beside(a, b, m.a, m.b) || beside(b, a, m.b, m.a))) return;
-    const std::optional<Stretch> line = common_line(in_double(a), in_double(b), world_.origin);
+    const std::optional<LineSegment> line = common_line(in_double(a), in_double(b), world_.origin);
     if (line) local.lines.push_back({glm::vec3(line->p), glm::vec3(line->q), s, t});
   }
 

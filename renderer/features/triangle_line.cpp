@@ -47,8 +47,8 @@ glm::dvec3 unwound_normal(const TriangleCorners& t) {
 
 // Returns the segment of `t` on the plane of `other`. A corner on the plane counts as being on its
 // positive side, so that two triangles that meet on the plane cross it once together.
-std::optional<Stretch> crossing(const TriangleCorners& t, const TriangleCorners& other,
-                                const Rounding& rounding) {
+std::optional<LineSegment> crossing(const TriangleCorners& t, const TriangleCorners& other,
+                                    const Rounding& rounding) {
   const glm::dvec3 n = unwound_normal(other);
   const double nothing = rounding.along(n);
   double d[3];
@@ -66,18 +66,18 @@ std::optional<Stretch> crossing(const TriangleCorners& t, const TriangleCorners&
     if ((d[i] < 0.0) == (d[j] < 0.0)) continue;
     found[count++] = t[i] + (t[j] - t[i]) * (d[i] / (d[i] - d[j]));
   }
-  return Stretch{found[0], found[1]};
+  return LineSegment{found[0], found[1]};
 }
 
 }  // namespace
 
-std::optional<Stretch> common_line(const TriangleCorners& s, const TriangleCorners& t,
-                                   glm::dvec3 origin) {
+std::optional<LineSegment> common_line(const TriangleCorners& s, const TriangleCorners& t,
+                                       glm::dvec3 origin) {
   const double size = std::min(size_of(s), size_of(t));
   const Rounding rounding = rounding_of(s, t, origin, size);
-  const std::optional<Stretch> x = crossing(s, t, rounding);
+  const std::optional<LineSegment> x = crossing(s, t, rounding);
   if (!x) return std::nullopt;
-  const std::optional<Stretch> y = crossing(t, s, rounding);
+  const std::optional<LineSegment> y = crossing(t, s, rounding);
   if (!y) return std::nullopt;
   // The common part of the two segments is the intersection.
   const glm::dvec3 d = x->q - x->p;
@@ -95,7 +95,7 @@ std::optional<Stretch> common_line(const TriangleCorners& s, const TriangleCorne
   }
   const double length = (std::min(y1, 1.0) - std::max(y0, 0.0)) * std::sqrt(square);
   if (length <= shortest_line * size) return std::nullopt;
-  return Stretch{y0 > 0.0 ? p0 : x->p, y1 < 1.0 ? p1 : x->q};
+  return LineSegment{y0 > 0.0 ? p0 : x->p, y1 < 1.0 ? p1 : x->q};
 }
 
 }  // namespace asos
