@@ -72,27 +72,28 @@ class Namer {
   explicit Namer(const RenderScene& scene) : scene_(scene) {
     const World& world = scene.world();
     for (std::uint32_t t = 0; t < world.surface_count(); ++t) {
-      const std::uint32_t sheet = scene.features().sheet(t);
+      const std::uint32_t smooth_surface = scene.features().smooth_surface(t);
       const std::uint32_t part = world.triangle_part[t];
-      if (first_triangle_.try_emplace(sheet, t).second) number_[sheet] = ++count_[part];
+      if (first_triangle_.try_emplace(smooth_surface, t).second)
+        number_[smooth_surface] = ++count_[part];
     }
   }
 
   [[nodiscard]] std::string of_triangle(std::uint32_t triangle) const {
     if (triangle == Hit::none) return "background";
-    return of_sheet(scene_.features().sheet(triangle));
+    return name_of_surface(scene_.features().smooth_surface(triangle));
   }
 
-  [[nodiscard]] std::string of_sheet(std::uint32_t sheet) const {
-    if (sheet == ObjectStatistics::clusters) return "small edges, not resolved";
+  [[nodiscard]] std::string name_of_surface(std::uint32_t smooth_surface) const {
+    if (smooth_surface == ObjectStatistics::clusters) return "small edges, not resolved";
     const World& world = scene_.world();
-    const std::uint32_t triangle = first_triangle_.at(sheet);
+    const std::uint32_t triangle = first_triangle_.at(smooth_surface);
     const std::uint32_t part = world.triangle_part[triangle];
     const std::string& material = world.material_of(triangle).name;
     std::string name = world.parts[part].name;
     if (name.empty()) name = fmt::format("part {}", part);
     if (!material.empty() && material != name) name += fmt::format(" ({})", material);
-    if (count_.at(part) > 1) name += fmt::format(" #{}", number_.at(sheet));
+    if (count_.at(part) > 1) name += fmt::format(" #{}", number_.at(smooth_surface));
     return name;
   }
 
@@ -106,7 +107,7 @@ class Namer {
 Json level_json(const LevelStatistics& level, const Namer& namer) {
   Json objects = Json::array();
   for (const ObjectStatistics& object : level.objects) {
-    objects.push_back({{"object", namer.of_sheet(object.object)},
+    objects.push_back({{"object", namer.name_of_surface(object.object)},
                        {"in", object.in},
                        {"out", object.out},
                        {"larger", object.larger()},

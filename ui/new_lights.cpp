@@ -40,7 +40,7 @@ World face_around(const RenderScene& scene, std::uint32_t picked, glm::dvec3 eye
   face.materials.emplace_back();
   face.materials.back().emissive = glm::vec3(1.0f);
   for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
-    if (scene.features().sheet(t) != scene.features().sheet(picked) ||
+    if (scene.features().smooth_surface(t) != scene.features().smooth_surface(picked) ||
         !(std::abs(glm::dot(normal_of(world, t), normal)) > parallel) ||
         std::abs(glm::dot(corner_of(world, t, 0) - place, normal)) > in_plane * size)
       continue;

@@ -27,11 +27,11 @@ std::string name_of_pyray(const RenderScene& scene, const TracedPyray& pyray) {
 }
 
 /// Name of the part that a smooth surface belongs to.
-std::string object_name(const RenderScene& scene, std::uint32_t sheet) {
-  if (sheet == ObjectStatistics::clusters) return "small edges";
+std::string object_name(const RenderScene& scene, std::uint32_t smooth_surface) {
+  if (smooth_surface == ObjectStatistics::clusters) return "small edges";
   const World& world = scene.world();
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
-    if (scene.features().sheet(t) != sheet) continue;
+    if (scene.features().smooth_surface(t) != smooth_surface) continue;
     const std::uint32_t part = world.triangle_part[t];
     return world.parts[part].name.empty() ? fmt::format("part {}", part + 1)
                                           : world.parts[part].name;

@@ -73,7 +73,7 @@ OccluderPlane EyeSamples::cover(SampleId sample) const {
 
 std::uint32_t EyeSamples::surface(SampleId sample) const {
   const Hit& hit = hits_[sample];
-  return hit.valid() ? eye_->scene->features().sheet(hit.triangle) : Hit::none;
+  return hit.valid() ? eye_->scene->features().smooth_surface(hit.triangle) : Hit::none;
 }
 
 bool EyeSamples::opaque(SampleId sample) const {

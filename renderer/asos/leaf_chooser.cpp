@@ -91,7 +91,7 @@ UniformShadowPatch* LeafChooser::even_around(SampleId sample, const LeafRegion& 
     const float wider = all.side - s.side + rounding;
     if (s.u >= all.u - rounding && s.u <= all.u + wider && s.v >= all.v - rounding &&
         s.v <= all.v + wider &&
-        samples_->surface(sample) == eye_->scene->features().sheet(even.middle.triangle))
+        samples_->surface(sample) == eye_->scene->features().smooth_surface(even.middle.triangle))
       return &even;
   }
   return nullptr;

@@ -171,7 +171,7 @@ void SelectedLights::look(const LightingQuery& lit, const LeafContext& leaf, std
       samples_->look(at_, seen_, *eye_->counts);
       for (SurfacePoint& there : seen_) {
         if (there.triangle == Hit::none ||
-            features.sheet(there.triangle) != features.sheet(point.triangle))
+            features.smooth_surface(there.triangle) != features.smooth_surface(point.triangle))
           there = point;
       }
     }

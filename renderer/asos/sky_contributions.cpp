@@ -75,7 +75,7 @@ void SkyContributions::add(std::uint32_t number, const SkyQuery& point, const Le
   lit.point = point.view.point;
   lit.flat = !leaf.region.marginal && lit.point.triangle != Hit::none &&
              !(eye_->scene->features().deviation(lit.point.triangle) > 0.0f);
-  lit.sheet = eye_->scene->features().sheet(lit.point.triangle);
+  lit.smooth_surface = eye_->scene->features().smooth_surface(lit.point.triangle);
   lit.material = point.material;
   lit.to_viewer = point.view.to_viewer;
   lit.n_dot_v = point.view.n_dot_v;

@@ -47,7 +47,7 @@ Bounds2 box_of(std::span<const SkyLeaf> lits, const SkyFits::Cell& cell) {
 // line between them is not too steep, as at a step.
 bool SkyFits::alike(const SkyLeaf& a, const SkyLeaf& b) const {
   constexpr float least_cosine = 0.9f, steepest = 0.5f;
-  if (a.sheet != b.sheet || a.mirrors != b.mirrors) return false;
+  if (a.smooth_surface != b.smooth_surface || a.mirrors != b.mirrors) return false;
   if (glm::dot(a.point.shading_normal, b.point.shading_normal) < least_cosine) return false;
   const glm::vec3 between = b.point.position - a.point.position;
   return std::abs(glm::dot(between, a.point.geometric_normal)) <= steepest * glm::length(between);

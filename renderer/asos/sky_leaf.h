@@ -27,7 +27,7 @@ struct SkyLeaf {
   std::size_t first_edge = 0, edges = 0;
   bool flat = false;  ///< the surface within the leaf is a plane
   SurfacePoint point;
-  std::uint32_t sheet = 0;  ///< number of the connected surface
+  std::uint32_t smooth_surface = 0;  ///< number of the connected surface
   ViewedMaterial material;
   glm::vec3 to_viewer{0.0f};
   float n_dot_v = 1.0f;

@@ -191,7 +191,8 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
   for (std::size_t i = 0; i < places.count; ++i) {
     const Hit& met = hits[i];
     if (!met.valid() || met.triangle == hit.triangle ||
-        scene.features().sheet(met.triangle) != scene.features().sheet(hit.triangle))
+        scene.features().smooth_surface(met.triangle) !=
+            scene.features().smooth_surface(hit.triangle))
       continue;
     const glm::vec2 away = places.from_sample[i];
     const glm::vec2 b =

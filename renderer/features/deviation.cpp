@@ -70,8 +70,8 @@ std::vector<float> deviations(const World& world, DisjointSets& facets,
   in_parallel(edges.size(), stop, [&](std::uint32_t i) {
     const FeatureEdge& edge = edges[i];
     if (edge.kind != FeatureKind::silhouette) return;
-    depart(edge.left_sheet, edge.right_sheet, edge.right);
-    depart(edge.right_sheet, edge.left_sheet, edge.left);
+    depart(edge.left_surface, edge.right_surface, edge.right);
+    depart(edge.right_surface, edge.left_surface, edge.left);
   });
   // Each facet's value is stored with its lowest triangle, which comes before all others.
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t)

@@ -111,13 +111,13 @@ class ShapeFeatureFinder {
 
   void add_edge(FeatureKind kind, const FeatureCurve& curve, std::uint32_t left,
                 std::uint32_t right) {
-    const auto sheet = [&](std::uint32_t face) {
+    const auto smooth_surface = [&](std::uint32_t face) {
       return face == FeatureEdge::none ? face
                                        : face + static_cast<std::uint32_t>(world_.triangles.size());
     };
     FeatureEdge edge;
-    edge.left_sheet = sheet(left);
-    edge.right_sheet = sheet(right);
+    edge.left_surface = smooth_surface(left);
+    edge.right_surface = smooth_surface(right);
     edge.kind = kind;
     edge.set_curve(static_cast<std::uint32_t>(found_.curves.size()));
     found_.curves.push_back(curve);

@@ -44,7 +44,7 @@ class Extractor {
         hidden_sides_(hidden_sides),
         look_(world, texture_at),
         welded_(welded),
-        sheets_(world.triangles.size()),
+        smooth_surfaces_(world.triangles.size()),
         facets_(world.triangles.size()),
         two_sided_(world.triangles.size()) {
     in_parallel(world.triangles.size(), stop,
@@ -167,7 +167,7 @@ class Extractor {
   }
 
   void repeat(const HalfEdge& original, const HalfEdge& copy) {
-    sheets_.join(original.triangle, copy.triangle);
+    smooth_surfaces_.join(original.triangle, copy.triangle);
     facets_.join(original.triangle, copy.triangle);
     // Two single-sided faces back to back are visible from both sides. Every edge of the original
     // meets the copy, so it sets this flag before it reads it.
@@ -194,8 +194,8 @@ class Extractor {
     edge.b = faces[0].high;
     edge.left = faces[0].third;
     // These are triangles until finish() knows their smooth surfaces.
-    edge.left_sheet = faces[0].triangle;
-    if (faces.size() > 1) edge.right_sheet = faces[1].triangle;
+    edge.left_surface = faces[0].triangle;
+    if (faces.size() > 1) edge.right_surface = faces[1].triangle;
     if (faces.size() != 2) {
       if (hidden) return;
       edge.kind = FeatureKind::open;
@@ -216,7 +216,7 @@ class Extractor {
       edge.kind = FeatureKind::crease;
       ++found.counts.crease;
     } else {
-      sheets_.join(x, y);
+      smooth_surfaces_.join(x, y);
       if (!edge.folds) {
         facets_.join(x, y);
         return;
@@ -261,12 +261,14 @@ class Extractor {
 
   void finish(ExtractedFeatures& out) {
     out.deviation_of_triangle = deviations(world_, facets_, out.edges, stop_);
-    out.sheet_of_triangle.resize(world_.triangles.size());
+    out.surface_of_triangle.resize(world_.triangles.size());
     in_parallel(world_.triangles.size(), stop_,
-                [&](std::uint32_t t) { out.sheet_of_triangle[t] = sheets_.find(t); });
+                [&](std::uint32_t t) { out.surface_of_triangle[t] = smooth_surfaces_.find(t); });
     in_parallel(out.edges.size(), stop_, [&](std::uint32_t i) {
-      for (std::uint32_t* sheet : {&out.edges[i].left_sheet, &out.edges[i].right_sheet})
-        if (*sheet != FeatureEdge::none) *sheet = out.sheet_of_triangle[*sheet];
+      for (std::uint32_t* smooth_surface :
+           {&out.edges[i].left_surface, &out.edges[i].right_surface})
+        if (*smooth_surface != FeatureEdge::none)
+          *smooth_surface = out.surface_of_triangle[*smooth_surface];
     });
   }
 
@@ -275,7 +277,7 @@ class Extractor {
   std::span<const std::uint8_t> hidden_sides_;
   SurfaceLook look_;
   std::span<const std::uint32_t> welded_;  // see welded_vertices
-  DisjointSets sheets_;
+  DisjointSets smooth_surfaces_;
   DisjointSets facets_;                  // coplanar triangles, joined smoothly
   std::vector<std::uint8_t> two_sided_;  // 1: triangles whose back is visible, too
   std::vector<std::uint32_t> bucket_;    // first half-edge of each vertex

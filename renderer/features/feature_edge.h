@@ -24,7 +24,7 @@ enum class FeatureKind : std::uint8_t {
 /// An edge of the welded mesh. Vertices index World::positions (or those that FeatureSet appends);
 /// the first of several vertices at one place represents all. `left` and `right` are the third
 /// vertices of the two faces; open edges, intersections and cut-outs have no `right`. The sheets
-/// are the smooth surfaces of the faces on either side (ExtractedFeatures::sheet_of_triangle).
+/// are the smooth surfaces of the faces on either side (ExtractedFeatures::surface_of_triangle).
 /// There is none without a face. An edge of more than two faces has the first two, and an
 /// intersection those of its two triangles. A cut-out has the left one only.
 struct FeatureEdge {
@@ -34,8 +34,8 @@ struct FeatureEdge {
   std::uint32_t b = 0;
   std::uint32_t left = none;
   std::uint32_t right = none;
-  std::uint32_t left_sheet = none;
-  std::uint32_t right_sheet = none;
+  std::uint32_t left_surface = none;
+  std::uint32_t right_surface = none;
   FeatureKind kind = FeatureKind::open;
   bool folds = false;  ///< its two faces are not coplanar, so it can also be a silhouette
 
@@ -62,7 +62,7 @@ struct FeatureCounts {
 struct ExtractedFeatures {
   std::vector<FeatureEdge> edges;
   /// Faces joined by edges across which the surface is smooth have the same number.
-  std::vector<std::uint32_t> sheet_of_triangle;
+  std::vector<std::uint32_t> surface_of_triangle;
   std::vector<float> deviation_of_triangle;  ///< see FeatureSet::deviation
   FeatureCounts counts;
 };

@@ -34,7 +34,7 @@ void FeatureSet::find(const World& world, TextureAt texture_at, const std::stop_
       extract_features(world, welded, texture_at, stop, cut_outs.hidden_sides);
   counts_ = extracted.counts;
   edges_ = std::move(extracted.edges);
-  sheet_of_triangle_ = std::move(extracted.sheet_of_triangle);
+  surface_of_triangle_ = std::move(extracted.surface_of_triangle);
   deviation_of_triangle_ = std::move(extracted.deviation_of_triangle);
   add_shapes(world);
   add(find_intersections(world, welded, IntersectionBudget::of(world), stop));
@@ -74,8 +74,8 @@ glm::dvec3 FeatureSet::placed_position(std::uint32_t number) const {
   return placed_->position(number);
 }
 
-std::uint32_t FeatureSet::placed_sheet(std::uint32_t triangle) const {
-  return placed_->sheet(triangle);
+std::uint32_t FeatureSet::placed_smooth_surface(std::uint32_t triangle) const {
+  return placed_->smooth_surface(triangle);
 }
 
 float FeatureSet::placed_deviation(std::uint32_t triangle) const {
@@ -86,7 +86,7 @@ float FeatureSet::placed_deviation(std::uint32_t triangle) const {
 void FeatureSet::add_shapes(const World& world) {
   faces_ = world.faces;
   for (const ShapeFace& face : faces_) {
-    sheet_of_triangle_.push_back(static_cast<std::uint32_t>(sheet_of_triangle_.size()));
+    surface_of_triangle_.push_back(static_cast<std::uint32_t>(surface_of_triangle_.size()));
     deviation_of_triangle_.push_back(
         face.kind == ShapeFace::Kind::disk ? 0.0f : static_cast<float>(face.size));
   }
@@ -107,8 +107,8 @@ void FeatureSet::add(const Intersections& found) {
     FeatureEdge edge;
     edge.a = static_cast<std::uint32_t>(positions_.size());
     edge.b = edge.a + 1;
-    edge.left_sheet = sheet(line.first_triangle);
-    edge.right_sheet = sheet(line.second_triangle);
+    edge.left_surface = smooth_surface(line.first_triangle);
+    edge.right_surface = smooth_surface(line.second_triangle);
     edge.kind = FeatureKind::intersection;
     edges_.push_back(edge);
     positions_.push_back(line.a);
@@ -122,8 +122,8 @@ void FeatureSet::add_shape_intersections(const World& world) {
   add(Intersections{found.lines, found.complete});
   for (const IntersectionArc& crossing : found.arcs) {
     FeatureEdge edge;
-    edge.left_sheet = sheet(crossing.triangle);
-    edge.right_sheet = sheet(crossing.face);
+    edge.left_surface = smooth_surface(crossing.triangle);
+    edge.right_surface = smooth_surface(crossing.face);
     edge.kind = FeatureKind::intersection;
     edge.set_curve(static_cast<std::uint32_t>(curves_.size()));
     curves_.push_back(FeatureCurve::of(crossing.arc));
@@ -138,7 +138,7 @@ void FeatureSet::add(const World& world, CutOuts found) {
     FeatureEdge edge;
     edge.a = first + line.a;
     edge.b = first + line.b;
-    edge.left_sheet = sheet(line.triangle);
+    edge.left_surface = smooth_surface(line.triangle);
     edge.kind = FeatureKind::cut_out;
     edges_.push_back(edge);
   }
@@ -163,7 +163,7 @@ void FeatureSet::add(const World& world, CutOuts found) {
 std::size_t FeatureSet::memory_bytes() const {
   return hierarchy_.nodes.size() * sizeof(FeatureNode) +
          hierarchy_.chains.size() * sizeof(NodeChains) + edges_.size() * sizeof(FeatureEdge) +
-         sheet_of_triangle_.size() * sizeof(std::uint32_t) +
+         surface_of_triangle_.size() * sizeof(std::uint32_t) +
          deviation_of_triangle_.size() * sizeof(float) + curves_.size() * sizeof(FeatureCurve) +
          faces_.size() * sizeof(ShapeFace) + outlined_.size() +
          positions_.size() * sizeof(glm::vec3) + (placed_ ? placed_->memory_bytes() : 0);

@@ -55,9 +55,9 @@ class FeatureSet {
 
   /// Returns the number of a triangle's smooth, connected surface. Along a path in a picture, the
   /// visible surface changes only at a boundary.
-  [[nodiscard]] std::uint32_t sheet(std::uint32_t triangle) const {
-    return triangle < sheet_of_triangle_.size() ? sheet_of_triangle_[triangle]
-                                                : placed_sheet(triangle);
+  [[nodiscard]] std::uint32_t smooth_surface(std::uint32_t triangle) const {
+    return triangle < surface_of_triangle_.size() ? surface_of_triangle_[triangle]
+                                                  : placed_smooth_surface(triangle);
   }
 
   /// Returns how far, in world units, the smooth surface around a triangle deviates from the
@@ -97,7 +97,7 @@ class FeatureSet {
   FeatureCounts counts_;
   FeatureHierarchy hierarchy_;
   std::vector<FeatureEdge> edges_;
-  std::vector<std::uint32_t> sheet_of_triangle_;
+  std::vector<std::uint32_t> surface_of_triangle_;
   std::vector<float> deviation_of_triangle_;
   std::vector<FeatureCurve> curves_;
   std::vector<ShapeFace> faces_;      // the world's
@@ -114,7 +114,7 @@ class FeatureSet {
   [[nodiscard]] const NodeChains& placed_chains(std::uint32_t number, NodeChains& room) const;
   [[nodiscard]] FeatureEdge placed_edge(std::uint32_t number) const;
   [[nodiscard]] glm::dvec3 placed_position(std::uint32_t number) const;
-  [[nodiscard]] std::uint32_t placed_sheet(std::uint32_t triangle) const;
+  [[nodiscard]] std::uint32_t placed_smooth_surface(std::uint32_t triangle) const;
   [[nodiscard]] float placed_deviation(std::uint32_t triangle) const;
   void add(const Intersections& found);
   void add_shapes(const World& world);

@@ -163,8 +163,8 @@ FeatureEdge PlacedFeatures::edge(std::uint32_t number) const {
   FeatureEdge edge = meshes[place.mesh].edges()[number - first_edge_ - by_edge_.first(at)];
   for (std::uint32_t* vertex : {&edge.a, &edge.b, &edge.left, &edge.right})
     move(*vertex, first_position_ + by_position_.first(at));
-  for (std::uint32_t* sheet : {&edge.left_sheet, &edge.right_sheet})
-    move(*sheet, places->own_triangles + place.first_triangle);
+  for (std::uint32_t* smooth_surface : {&edge.left_surface, &edge.right_surface})
+    move(*smooth_surface, places->own_triangles + place.first_triangle);
   return edge;
 }
 
@@ -176,10 +176,10 @@ glm::dvec3 PlacedFeatures::position(std::uint32_t number) const {
   return glm::dvec3(place.world_from_mesh * glm::dvec4(local, 1.0)) - places->origin;
 }
 
-std::uint32_t PlacedFeatures::sheet(std::uint32_t triangle) const {
+std::uint32_t PlacedFeatures::smooth_surface(std::uint32_t triangle) const {
   const Placement& place = places->of_triangle(triangle);
   const std::uint32_t first = places->own_triangles + place.first_triangle;
-  return first + meshes[place.mesh].sheet(triangle - first);
+  return first + meshes[place.mesh].smooth_surface(triangle - first);
 }
 
 float PlacedFeatures::deviation(std::uint32_t triangle) const {

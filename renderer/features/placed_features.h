@@ -31,7 +31,7 @@ struct PlacedFeatures {
   [[nodiscard]] FeatureEdge edge(std::uint32_t number) const;
   [[nodiscard]] glm::dvec3 position(std::uint32_t number) const;
   /// For a triangle of the world.
-  [[nodiscard]] std::uint32_t sheet(std::uint32_t triangle) const;
+  [[nodiscard]] std::uint32_t smooth_surface(std::uint32_t triangle) const;
   [[nodiscard]] float deviation(std::uint32_t triangle) const;
   [[nodiscard]] std::size_t memory_bytes() const;
 

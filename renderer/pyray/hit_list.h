@@ -84,10 +84,10 @@ class HitLists {
   [[nodiscard]] const Segment& segment(const HitEntry& e) const { return segments_[e.ref]; }
   [[nodiscard]] const Segment& segment(std::uint32_t i) const { return segments_[entries_[i].ref]; }
   /// Returns the smooth surfaces on both sides of a segment's edge (FeatureEdge::none: none there).
-  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> sheets(std::uint32_t i) const {
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> smooth_surfaces(std::uint32_t i) const {
     if (segment(i).edge == FeatureEdge::none) return {FeatureEdge::none, FeatureEdge::none};
     const FeatureEdge edge = features_->edge(segment(i).edge);
-    return {edge.left_sheet, edge.right_sheet};
+    return {edge.left_surface, edge.right_surface};
   }
   /// Returns the kind of a segment in this frame. A crease or a seam whose two faces lie on the
   /// same side of it is a silhouette. Returns nothing for a boundary that is no feature of the

@@ -103,7 +103,7 @@ void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
         one_edge = false;
         continue;
       }
-      const auto [left, right] = lists.sheets(i);
+      const auto [left, right] = lists.smooth_surfaces(i);
       if (left != FeatureEdge::none) near_.push_back(left);
       if (right != FeatureEdge::none) near_.push_back(right);
     }

@@ -39,11 +39,12 @@ const ShadingPoints& PatchPoints::look(const ShadowContext& block, const ShadowQ
   place(query.leaf.region, first, end);
   if (!flat(block, point)) {
     // A curved surface deviates from its plane within the patch.
-    const std::uint32_t sheet = block.scene->features.sheet(point.triangle);
+    const std::uint32_t smooth_surface = block.scene->features.smooth_surface(point.triangle);
     block.view->look(places_, seen_, counts);
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const SurfacePoint& seen = seen_[k];
-      if (seen.triangle == Hit::none || block.scene->features.sheet(seen.triangle) != sheet)
+      if (seen.triangle == Hit::none ||
+          block.scene->features.smooth_surface(seen.triangle) != smooth_surface)
         continue;
       add_number(number_of_[k]);
       add(query, seen);

@@ -46,7 +46,7 @@ std::uint32_t ShadowCaster::surface(SampleId sample) const {
   constexpr std::uint32_t lit = FeatureEdge::none, beside = FeatureEdge::none - 2;
   const Sample& s = samples_[sample];
   if (!s.counts) return beside;
-  return s.blocker.hit.valid() ? scene_->features.sheet(s.blocker.hit.triangle) : lit;
+  return s.blocker.hit.valid() ? scene_->features.smooth_surface(s.blocker.hit.triangle) : lit;
 }
 
 LeafDecision ShadowCaster::decide(SampleId sample, double /*weight*/, const LeafRegion& /*region*/,

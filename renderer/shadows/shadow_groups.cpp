@@ -46,13 +46,13 @@ void ShadowGroups::reset(std::size_t lights) {
 void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch,
                        glm::vec3 lift) {
   // Find the group of the surface, or begin one.
-  const std::uint32_t sheet = scene_.features.sheet(hit.triangle);
+  const std::uint32_t smooth_surface = scene_.features.smooth_surface(hit.triangle);
   std::size_t i = 0;
-  while (i < used_ && groups_[i].sheet != sheet) ++i;
+  while (i < used_ && groups_[i].smooth_surface != smooth_surface) ++i;
   if (i == used_) {
     if (groups_.size() == used_) groups_.emplace_back();
     Group& group = groups_[used_++];
-    group.sheet = sheet;
+    group.smooth_surface = smooth_surface;
     group.box = Box();
     group.plane = {glm::dvec3(normal), glm::dot(glm::dvec3(normal), glm::dvec3(position))};
     group.planar = glm::length(normal) > 0.5f;
@@ -79,10 +79,10 @@ void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, con
 
 ShadowGroups::Group* ShadowGroups::group_of(const SurfacePoint& point, const Box& patch) {
   if (point.triangle == Hit::none) return nullptr;
-  const std::uint32_t sheet = scene_.features.sheet(point.triangle);
+  const std::uint32_t smooth_surface = scene_.features.smooth_surface(point.triangle);
   for (std::size_t i = 0; i < used_; ++i) {
     Group& group = groups_[i];
-    if (group.sheet != sheet) continue;
+    if (group.smooth_surface != smooth_surface) continue;
     // Allow for patches smaller than the rounding error of their positions.
     const glm::vec3 slack = 2.0f * point.error;
     const bool inside = glm::all(glm::lessThanEqual(group.box.lo - slack, patch.lo)) &&
@@ -174,8 +174,9 @@ bool ShadowGroups::stood_upon(Group& group) const {
     const FeatureSet& features = scene_.features;
     // The edges of the group's own surface where it ends.
     const auto its_border = [&](const FeatureEdge& e) {
-      const bool own = e.left_sheet == group.sheet || e.right_sheet == group.sheet;
-      const bool of_several = e.kind == FeatureKind::open && e.right_sheet != FeatureEdge::none;
+      const bool own =
+          e.left_surface == group.smooth_surface || e.right_surface == group.smooth_surface;
+      const bool of_several = e.kind == FeatureKind::open && e.right_surface != FeatureEdge::none;
       return own && e.kind != FeatureKind::intersection && !of_several;
     };
     group.stood_upon = any_edge(features, Shaft(group.box, group.box),

@@ -51,7 +51,7 @@ class ShadowGroups {
     ShaftSearch search;
   };
   struct Group {
-    std::uint32_t sheet = 0;
+    std::uint32_t smooth_surface = 0;
     Box box;
     HalfSpace plane;  // of the first point
     bool planar = true;

@@ -74,7 +74,7 @@ class BruteForceCaster : public Caster {
 
   [[nodiscard]] std::uint32_t surface(SampleId id) const override {
     const std::uint32_t t = samples_[id].triangle;
-    return t == Hit::none ? Hit::none : features_.sheet(t);
+    return t == Hit::none ? Hit::none : features_.smooth_surface(t);
   }
 
   void take(std::span<const PyrayLeaf> leaves) override {

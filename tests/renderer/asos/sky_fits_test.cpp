@@ -22,7 +22,7 @@ class Leaves {
       SkyLeaf lit;
       lit.share = lit.root = static_cast<std::uint32_t>(i);
       lit.at = (glm::vec2(i % side, i / side) + 0.5f) / static_cast<float>(side);
-      lit.sheet = 1;
+      lit.smooth_surface = 1;
       lit.point.position = {lit.at.x, lit.at.y, 0.0f};
       lit.point.shading_normal = lit.point.geometric_normal = {0, 0, 1};
       lit.material.diffuse = glm::vec3(1.0f);
@@ -90,7 +90,7 @@ TEST(SkyFits, ExcludeLeavesThatContradictTheFit) {
 
 TEST(SkyFits, KeepSurfacesApart) {
   Leaves leaves(ramp);
-  for (std::size_t i = 0; i < leaves.lits.size() / 2; ++i) leaves.lits[i].sheet = 2;
+  for (std::size_t i = 0; i < leaves.lits.size() / 2; ++i) leaves.lits[i].smooth_surface = 2;
   const SkyFits sky_fits(leaves.lits, leaves.expected, error);
   const std::vector<SkyFits::Cell> cells = sky_fits.cells();
   ASSERT_EQ(cells.size(), 2u);

@@ -85,7 +85,7 @@ std::size_t surfaces_in(const RenderScene& scene, const View& view, int x, int y
   for (int k = 0; k < n * n; ++k) {
     const Ray ray = view.ray(x + (k % n + 0.5) / n, y + (k / n + 0.5) / n);
     const Hit hit = scene.rays().closest(ray, Culling::as_material_says);
-    surfaces.insert(hit.valid() ? scene.features().sheet(hit.triangle) : Hit::none);
+    surfaces.insert(hit.valid() ? scene.features().smooth_surface(hit.triangle) : Hit::none);
   }
   return surfaces.size();
 }

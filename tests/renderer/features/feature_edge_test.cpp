@@ -16,7 +16,7 @@ TEST(Features, ASquareHasItsFourOpenEdgesAndNoDiagonal) {
   const FeatureSet features(world);
   EXPECT_EQ(features.counts().open, 4u);
   EXPECT_EQ(features.edges().size(), 4u);
-  EXPECT_EQ(features.sheet(0), features.sheet(1));
+  EXPECT_EQ(features.smooth_surface(0), features.smooth_surface(1));
 }
 
 TEST(Features, AFlatShadedCubeHasTwelveCreases) {
@@ -26,7 +26,7 @@ TEST(Features, AFlatShadedCubeHasTwelveCreases) {
   EXPECT_EQ(features.edges().size(), 12u);
   for (const FeatureEdge& e : features.edges()) EXPECT_TRUE(e.folds);
   std::set<std::uint32_t> sheets;
-  for (std::uint32_t t = 0; t < 12; ++t) sheets.insert(features.sheet(t));
+  for (std::uint32_t t = 0; t < 12; ++t) sheets.insert(features.smooth_surface(t));
   EXPECT_EQ(sheets.size(), 6u);
 }
 
@@ -35,7 +35,8 @@ TEST(Features, ASmoothCubeHasTwelveSilhouetteCandidatesAndOneSheet) {
   const FeatureSet features(world);
   EXPECT_EQ(features.counts().silhouette_candidates, 12u);
   EXPECT_EQ(features.edges().size(), 12u);
-  for (std::uint32_t t = 1; t < 12; ++t) EXPECT_EQ(features.sheet(t), features.sheet(0));
+  for (std::uint32_t t = 1; t < 12; ++t)
+    EXPECT_EQ(features.smooth_surface(t), features.smooth_surface(0));
 }
 
 // Duplicated walls, with the second copy flipped.
@@ -53,7 +54,7 @@ TEST(Features, WallsModelledTwiceCountOnce) {
   const FeatureSet same = twice([](World&, World&) {});
   EXPECT_EQ(same.counts().open, 0u);
   EXPECT_EQ(same.counts().silhouette_candidates, 12u);
-  for (std::uint32_t t = 1; t < 24; ++t) EXPECT_EQ(same.sheet(t), same.sheet(0));
+  for (std::uint32_t t = 1; t < 24; ++t) EXPECT_EQ(same.smooth_surface(t), same.smooth_surface(0));
   EXPECT_EQ(twice([](World& second, World&) {
               for (glm::vec3& n : second.normals) n = -n;
             })
@@ -141,7 +142,7 @@ TEST(Features, AnEdgeKnowsTheSheetsOfItsFaces) {
   add_part(world, {{5, 5, 5}, {7, 5, 5}, {5, 7, 5}}, {up[0], up[0], up[0]}, {{0, 1, 2}});
   const FeatureSet features(world);
   ASSERT_EQ(features.edges().size(), 15u);
-  const auto sheet_beside = [&](const FeatureEdge& e, std::uint32_t third) {
+  const auto surface_beside = [&](const FeatureEdge& e, std::uint32_t third) {
     for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
       const auto has = [&](std::uint32_t v) {
         const glm::uvec3 c = world.triangles[t];
@@ -149,20 +150,20 @@ TEST(Features, AnEdgeKnowsTheSheetsOfItsFaces) {
                world.positions[c.y] == world.positions[v] ||
                world.positions[c.z] == world.positions[v];
       };
-      if (has(e.a) && has(e.b) && has(third)) return features.sheet(t);
+      if (has(e.a) && has(e.b) && has(third)) return features.smooth_surface(t);
     }
     return FeatureEdge::none;
   };
   std::size_t open = 0;
   for (const FeatureEdge& e : features.edges()) {
-    EXPECT_EQ(e.left_sheet, sheet_beside(e, e.left));
+    EXPECT_EQ(e.left_surface, surface_beside(e, e.left));
     if (e.kind == FeatureKind::open) {
       ++open;
-      EXPECT_EQ(e.right_sheet, FeatureEdge::none);
+      EXPECT_EQ(e.right_surface, FeatureEdge::none);
       continue;
     }
-    EXPECT_EQ(e.right_sheet, sheet_beside(e, e.right));
-    EXPECT_NE(e.left_sheet, e.right_sheet);
+    EXPECT_EQ(e.right_surface, surface_beside(e, e.right));
+    EXPECT_NE(e.left_surface, e.right_surface);
   }
   EXPECT_EQ(open, 3u);
 }
@@ -174,10 +175,10 @@ TEST(Features, AnEdgeOfThreeFacesKnowsTheFirstTwo) {
   const FeatureSet features(world);
   std::size_t shared = 0;
   for (const FeatureEdge& e : features.edges()) {
-    if (e.right_sheet == FeatureEdge::none) continue;
+    if (e.right_surface == FeatureEdge::none) continue;
     ++shared;
-    EXPECT_EQ(e.left_sheet, features.sheet(0));
-    EXPECT_EQ(e.right_sheet, features.sheet(1));
+    EXPECT_EQ(e.left_surface, features.smooth_surface(0));
+    EXPECT_EQ(e.right_surface, features.smooth_surface(1));
   }
   EXPECT_EQ(shared, 1u);
 }

@@ -336,9 +336,9 @@ TEST(Intersections, BecomeFeatureEdges) {
   for (const FeatureEdge& e : features.edges()) {
     if (e.kind != FeatureKind::intersection) continue;
     // The first side is the floor's surface, the other one the box's.
-    EXPECT_EQ(e.left_sheet, features.sheet(0));
-    EXPECT_NE(e.right_sheet, features.sheet(0));
-    EXPECT_NE(e.right_sheet, FeatureEdge::none);
+    EXPECT_EQ(e.left_surface, features.smooth_surface(0));
+    EXPECT_NE(e.right_surface, features.smooth_surface(0));
+    EXPECT_NE(e.right_surface, FeatureEdge::none);
   }
 }
 

@@ -99,8 +99,9 @@ bool same_bytes(std::span<const T> x, std::span<const T> y) {
 bool same_edges(std::span<const FeatureEdge> x, std::span<const FeatureEdge> y) {
   return std::equal(
       x.begin(), x.end(), y.begin(), y.end(), [](const FeatureEdge& a, const FeatureEdge& b) {
-        return std::tie(a.a, a.b, a.left, a.right, a.left_sheet, a.right_sheet, a.kind, a.folds) ==
-               std::tie(b.a, b.b, b.left, b.right, b.left_sheet, b.right_sheet, b.kind, b.folds);
+        return std::tie(a.a, a.b, a.left, a.right, a.left_surface, a.right_surface, a.kind,
+                        a.folds) == std::tie(b.a, b.b, b.left, b.right, b.left_surface,
+                                             b.right_surface, b.kind, b.folds);
       });
 }
 
@@ -117,7 +118,7 @@ void expect_same_whatever_the_threads(const World& world) {
     EXPECT_TRUE(same_bytes(one.nodes(), many.nodes()));
     EXPECT_TRUE(same_bytes(one.positions(), many.positions()));
     for (std::uint32_t t = 0; t < world.triangles.size(); ++t) {
-      ASSERT_EQ(one.sheet(t), many.sheet(t));
+      ASSERT_EQ(one.smooth_surface(t), many.smooth_surface(t));
       ASSERT_EQ(one.deviation(t), many.deviation(t));
     }
   }

@@ -20,7 +20,7 @@ TEST(SurfaceLook, NeighboursOfAnotherMaterialMeetInASeam) {
   const FeatureSet features(world);
   EXPECT_EQ(features.counts().seam, 1u);
   EXPECT_EQ(features.counts().open, 6u);
-  EXPECT_NE(features.sheet(0), features.sheet(2));
+  EXPECT_NE(features.smooth_surface(0), features.smooth_surface(2));
 }
 
 TEST(SurfaceLook, MaterialsThatDifferInNothingVisibleMeetInNoSeam) {
@@ -39,7 +39,8 @@ TEST(SurfaceLook, MaterialsThatDifferInNothingVisibleMeetInNoSeam) {
     add_part(world, beside, up, two_triangles, 1);
     world.texcoords[0].resize(8);
     const FeatureSet features(world);
-    EXPECT_EQ(features.sheet(0) == features.sheet(2), features.counts().seam == 0);
+    EXPECT_EQ(features.smooth_surface(0) == features.smooth_surface(2),
+              features.counts().seam == 0);
     return features.counts().seam;
   };
   EXPECT_EQ(seams([](World&) {}), 0u);

@@ -164,7 +164,7 @@ TEST_F(Instances, LieInTheNodesOfTheirHierarchy) {
             ASSERT_LE(p[k], static_cast<double>(node.hi[k][c]));
           }
         }
-        ASSERT_LT(edge.left_sheet, shared_->world().surface_count());
+        ASSERT_LT(edge.left_surface, shared_->world().surface_count());
       }
     }
   }

@@ -202,7 +202,7 @@ TEST(PublishedRule, ThePathologicalObjectStopsAtMax) {
   const Comb comb;
   const FeatureSet features(comb.scene.world);
   for (std::uint32_t t = 0; t < comb.scene.world.triangles.size(); ++t)
-    ASSERT_EQ(features.sheet(t), features.sheet(0)) << "not one object";
+    ASSERT_EQ(features.smooth_surface(t), features.smooth_surface(0)) << "not one object";
   for (int max = 0; max <= Comb::levels; ++max) {
     TracedPyray trace;
     const Answer answer =
@@ -233,7 +233,7 @@ TEST(PublishedRule, CountsObjectsBehindTheEdgeOfANearerOne) {
   const std::uint32_t far =
       add_polygon(scene, {{0.27, -1}, {0.74, -1}, {0.74, 2}, {0.27, 2}}, 30.0);
   const FeatureSet features(scene.world);
-  const std::uint32_t sheet = features.sheet(scene.world.parts[far].first_triangle);
+  const std::uint32_t sheet = features.smooth_surface(scene.world.parts[far].first_triangle);
   const double eps = 0.25;
   TracedPyray trace;
   const Answer answer = subdivide(scene.world, published_rules(8, eps), unit_pyray(), &trace);
