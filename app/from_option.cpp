@@ -18,7 +18,7 @@ void add_from_option(CLI::App& app, PictureArguments& arguments) {
     arguments.settings = read->settings;
     arguments.sky = read->sky;
     arguments.sky_chosen = arguments.ground_chosen = arguments.background_chosen = true;
-    arguments.needs = read->needs;
+    arguments.render_features = read->render_features;
     arguments.exposure_ev = read->display.exposure_ev;
     arguments.exposure_chosen = true;
     arguments.tone = read->display.tone;

@@ -25,7 +25,7 @@ struct InfoArguments {
   std::string variant;
   std::string scene_of_file;
   std::string asset_root;
-  NeedsChoice needs = NeedsChoice::scene;
+  FeatureChoice render_features = FeatureChoice::scene;
   ClipChoice clip;
   bool json = false;
   bool all = false;
@@ -67,7 +67,7 @@ Result<Told> prepared_for_info(const InfoArguments& arguments) {
                                                               .scene = arguments.scene_of_file,
                                                               .asset_root = arguments.asset_root});
   if (!scene) return tl::unexpected(scene.error());
-  const SceneNeeds forced = forced_by(arguments.needs);
+  const RenderFeatures forced = forced_by(arguments.render_features);
   const auto time = clip_time(scene->contents, arguments.scene, arguments.clip);
   if (!time) return tl::unexpected(time.error());
   auto ready = prepare(*scene, forced);
@@ -107,7 +107,7 @@ Command add_info_command(CLI::App& program) {
   parser->get_option("SCENE")->required(false);  // as --layers needs none
   add_scene_choices(*parser, arguments->scene_of_file, arguments->variant, arguments->asset_root);
   add_clip_options(*parser, arguments->clip);
-  add_needs_option(*parser, arguments->needs);
+  add_needs_option(*parser, arguments->render_features);
   parser->add_flag("--json", arguments->json, "Print JSON");
   parser->add_flag(
       "--all", arguments->all,

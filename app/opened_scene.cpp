@@ -53,7 +53,7 @@ Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
 }
 
 Result<void> OpenedScene::go_on_stage(const PictureArguments& wanted) {
-  auto prepared = prepare(at_rest_, forced_by(wanted.needs));
+  auto prepared = prepare(at_rest_, forced_by(wanted.render_features));
   if (!prepared) return tl::unexpected(prepared.error());
   stage_ = *std::move(prepared);
   at_rest_ = Scene{};

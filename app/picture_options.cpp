@@ -315,7 +315,7 @@ void add_picture_options(CLI::App& app, PictureArguments& arguments, bool scene_
   add_method_options(app, settings);
   add_sky_options(app, arguments, "softboxes for a scene without lights, else neutral");
   add_stage_options(app, arguments);
-  add_needs_option(app, arguments.needs);
+  add_needs_option(app, arguments.render_features);
 }
 
 void add_camera_options(CLI::App& app, PictureArguments& arguments) {
@@ -358,10 +358,10 @@ void add_clip_options(CLI::App& app, ClipChoice& clip) {
                     number(0, 1e6), [&](double seconds) { clip.seconds = seconds; });
 }
 
-void add_needs_option(CLI::App& app, NeedsChoice& needs) {
+void add_needs_option(CLI::App& app, FeatureChoice& render_features) {
   add_choice(app, "--needs", "WHAT",
              "Work to do: scene (only what the scene needs) or all (slower, same picture)",
-             needs_names, needs);
+             needs_names, render_features);
 }
 
 void add_look_options(CLI::App& app, PictureArguments& arguments) {
@@ -369,7 +369,7 @@ void add_look_options(CLI::App& app, PictureArguments& arguments) {
   add_sky_options(app, arguments, "neutral");
   add_mirror_options(app, arguments.settings);
   add_texture_resolution(app, arguments.settings);
-  add_needs_option(app, arguments.needs);
+  add_needs_option(app, arguments.render_features);
   add_asset_root_option(app, arguments.asset_root);
 }
 

@@ -7,7 +7,7 @@
 #include "renderer/picture/picture_description.h"
 #include "renderer/result.h"
 #include "renderer/settings/settings.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 
 #include <optional>
 #include <string>
@@ -42,7 +42,7 @@ struct PictureArguments {
   bool exposure_chosen = false;   ///< false: usual_exposure
   bool exposure_metered = false;  ///< "auto" was chosen
   ToneCurve tone = ToneCurve::neutral;
-  NeedsChoice needs = NeedsChoice::scene;
+  FeatureChoice render_features = FeatureChoice::scene;
 
   std::string from_file;                   ///< the picture given by --from; empty: none
   std::optional<PictureDescription> from;  ///< its contents
@@ -58,7 +58,7 @@ void add_camera_options(CLI::App& app, PictureArguments& arguments);
 /// The time in the file's animations.
 void add_clip_options(CLI::App& app, ClipChoice& clip);
 /// The option that keeps features and work that the scene does not need.
-void add_needs_option(CLI::App& app, NeedsChoice& needs);
+void add_needs_option(CLI::App& app, FeatureChoice& render_features);
 /// The subset of the options above that defines the exact picture of a scene, and TR: for commands
 /// that choose methods and quality themselves.
 void add_look_options(CLI::App& app, PictureArguments& arguments);

@@ -118,7 +118,7 @@ tl::unexpected<Error> interrupted_error() {
 // The parts of the saved picture that are not overridden. Its lights are used only with its scene.
 PictureDescription wanted_picture(const PictureArguments& wanted, const SceneContents& shown) {
   PictureDescription picture = wanted.from.value_or(PictureDescription{});
-  picture.needs = wanted.needs;
+  picture.render_features = wanted.render_features;
   picture.settings.sky = wanted.settings.sky;
   // The lights of the picture's environment are dropped with it.
   const bool brought = picture.sky.environment && picture.sky != wanted.sky;
@@ -242,7 +242,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   if (!rendered) return tl::unexpected(with_boundaries(*prepared).error());
   if (ready.geometry->boundaries.known()) report.feature_edges = ready.features().counts();
   tell_warnings(report, ready, wanted.sky);
-  report.needs = needs_of(ready, wanted.settings);
+  report.render_features = needs_of(ready, wanted.settings);
   report.threads = worker_count(wanted.settings.threads);
   report.statistics = rendered->statistics;
   warn_of_cut_stacks(report);

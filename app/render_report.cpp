@@ -49,7 +49,7 @@ nlohmann::ordered_json measured_json(const RenderReport& report) {
       {"render_seconds", report.render_seconds},
       {"memory_mb", report.memory_mb},
       {"lights", light_counts_json(report)},
-      {"left_out", left_out_json(report.needs)},
+      {"left_out", left_out_json(report.render_features)},
   };
   if (report.time_limit_seconds) {
     measured["time_limit"] = {{"seconds", *report.time_limit_seconds},
@@ -89,7 +89,7 @@ nlohmann::ordered_json statistics_json(const RenderReport& report) {
   nlohmann::ordered_json statistics{{"scene", report.scene},
                                     {"camera", picture.camera.name},
                                     {"exposure", picture.display.exposure_ev},
-                                    {"needs", name_in(needs_names, picture.needs)}};
+                                    {"needs", name_in(needs_names, picture.render_features)}};
   statistics.update(settings_json(picture.settings));
   statistics.update(measured_json(report));
   return statistics;

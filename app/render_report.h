@@ -6,7 +6,7 @@
 #include "renderer/picture/picture_description.h"
 #include "renderer/scene/scene.h"
 #include "renderer/session/render_session.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -42,7 +42,7 @@ struct RenderReport {
   std::optional<double> time_limit_seconds;  ///< that was asked for
   std::optional<Reached> stopped_at;         ///< where the time limit ended the render
   double memory_mb = 0.0;                    ///< peak memory of the process, in 10^6 bytes
-  SceneNeeds needs;                          ///< features of the scene, and forced ones
+  RenderFeatures render_features;            ///< features of the scene, and forced ones
 };
 
 /// The statistics in the form of the --stats file.

@@ -221,9 +221,9 @@ std::string left_out_line(const Json& left_out) {
 
 }  // namespace
 
-Json left_out_json(const SceneNeeds& needs) {
+Json left_out_json(const RenderFeatures& render_features) {
   Json list = Json::array();
-  for (const SceneFeature& f : features_left_out(needs)) {
+  for (const RenderFeature& f : features_left_out(render_features)) {
     Json entry{{"feature", f.name}, {"reason", f.reason}};
     const auto add = [&](const char* kind, const char* words) {
       if (*words != '\0') entry[kind] = words;

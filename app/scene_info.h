@@ -2,7 +2,7 @@
 
 #include "renderer/prepared/render_scene.h"
 #include "renderer/scene/scene.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,7 +19,7 @@ namespace asos {
 
 /// The features that were left out: an array of objects with `feature`, `reason` and, if present,
 /// `stages`, `memory`, `controls` and `rows`.
-[[nodiscard]] nlohmann::ordered_json left_out_json(const SceneNeeds& needs);
+[[nodiscard]] nlohmann::ordered_json left_out_json(const RenderFeatures& render_features);
 
 inline constexpr std::size_t most_lines_a_list = 20;
 

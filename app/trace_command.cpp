@@ -61,7 +61,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   if (!scene) return tl::unexpected(scene.error());
   bar.say("Building ...");
   PictureDescription picture;
-  picture.needs = wanted.needs;
+  picture.render_features = wanted.render_features;
   picture.settings.sky = with->sky;
   auto prepared = scene->at(scene->time(), picture);
   if (!prepared) return tl::unexpected(prepared.error());

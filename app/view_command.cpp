@@ -38,7 +38,7 @@ int run_view(const PictureArguments& arguments, bool own_size, const Streams& st
          *settings,
          own_size,
          {arguments.sky_chosen, arguments.ground_chosen, arguments.background_chosen},
-         forced_by(arguments.needs)});
+         forced_by(arguments.render_features)});
   streams.err << "asos: no display to open a window on. Render to a file instead:\n"
               << "  asos render '" << printable(arguments.scene) << "' -o picture.png\n";
   return exit_bad_input;

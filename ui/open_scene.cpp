@@ -27,7 +27,7 @@ std::string name_of(const SceneContents& contents, int scene) {
 
 }  // namespace
 
-OpenScene::OpenScene(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced)
+OpenScene::OpenScene(LoadFunction load, std::function<void()> wake, const RenderFeatures& forced)
     : loader_(load_or_default(std::move(load)), std::move(wake), forced) {}
 
 void OpenScene::ask_for(SceneSource source) {

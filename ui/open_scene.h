@@ -21,7 +21,7 @@ class OpenScene {
  public:
   /// An empty `load` means load_scene. `wake` is called from the loader's thread when `take_opened`
   /// has a result. `forced`: see prepare.
-  OpenScene(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced);
+  OpenScene(LoadFunction load, std::function<void()> wake, const RenderFeatures& forced);
 
   /// Starts loading in the background. The open scene stays until the new one is ready, or if
   /// loading fails. A saved picture (.png, .exr) brings its scene, camera, lights and settings.

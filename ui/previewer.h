@@ -2,7 +2,7 @@
 
 #include "renderer/film/tone.h"
 #include "renderer/settings/settings.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "ui/free_memory.h"
 #include "ui/ground_layer.h"
 #include "ui/open_scene.h"
@@ -27,7 +27,7 @@ class Previewer {
   struct Hooks {
     LoadFunction load;           ///< empty: load_scene
     std::function<void()> wake;  ///< called from other threads when `update` has a result to take
-    SceneNeeds forced = {};      ///< see prepare
+    RenderFeatures forced = {};  ///< see prepare
   };
   Previewer(Hooks hooks, const RenderSettings& settings);
 

@@ -39,7 +39,7 @@ SceneSource source_of(const PictureDescription& picture, const std::string& asse
 }
 
 Result<std::shared_ptr<const RenderScene>> prepare_at(const Scene& scene, const ClipChoice& clip,
-                                                      const SceneNeeds& forced) {
+                                                      const RenderFeatures& forced) {
   auto at_rest = prepare(scene, forced);
   if (!at_rest || !clip.any()) return at_rest;
   const auto time = clip_time(scene.contents, scene.source, clip);
@@ -50,7 +50,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_at(const Scene& scene, const 
   return prepare(*posed, forced, &(*at_rest)->geometry->stage);
 }
 
-void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds& forced,
+void load_into(LoadOutcome& outcome, const LoadFunction& load, const RenderFeatures& forced,
                const SceneSource& asked) {
   const auto start = std::chrono::steady_clock::now();
   if (is_picture(outcome.source)) {
@@ -81,7 +81,7 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const SceneNeeds&
   }
 }
 
-LoadOutcome load_and_prepare(const LoadFunction& load, const SceneNeeds& forced,
+LoadOutcome load_and_prepare(const LoadFunction& load, const RenderFeatures& forced,
                              const SceneSource& source) {
   LoadOutcome outcome{source.path, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
   // A large scene can run out of memory anywhere. This is reported as an error and does not end the
@@ -98,7 +98,8 @@ LoadOutcome load_and_prepare(const LoadFunction& load, const SceneNeeds& forced,
 
 }  // namespace
 
-SceneLoader::SceneLoader(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced)
+SceneLoader::SceneLoader(LoadFunction load, std::function<void()> wake,
+                         const RenderFeatures& forced)
     : job_([load = std::move(load),
             forced](const SceneSource& source) { return load_and_prepare(load, forced, source); },
            std::move(wake), Overtaken::dropped) {}

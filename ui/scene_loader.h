@@ -49,7 +49,7 @@ struct LoadOutcome {
 class SceneLoader {
  public:
   /// `wake` is called from the loader's thread when an outcome is ready. `forced`: see prepare.
-  SceneLoader(LoadFunction load, std::function<void()> wake, const SceneNeeds& forced = {});
+  SceneLoader(LoadFunction load, std::function<void()> wake, const RenderFeatures& forced = {});
 
   void open(SceneSource source);
   /// Returns the outcome of the newest request, once.

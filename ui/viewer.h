@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/settings/settings.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "ui/chosen_look.h"
 #include "ui/scene_loader.h"
 
@@ -14,7 +14,7 @@ struct ViewerOptions {
   RenderSettings settings;
   bool own_size = false;  ///< the command line sets the size; the remembered one is ignored
   ChosenLook own_look;    ///< the parts of the look that the command line sets
-  SceneNeeds forced;      ///< see prepare
+  RenderFeatures forced;  ///< see prepare
 };
 
 /// Opens the window and runs until the user closes it. Returns the exit code: 0, or 1 if no window

@@ -144,7 +144,7 @@ class FlickerRun {
   Result<void> go_to(std::size_t frame) {
     if (at_ == frame) return {};
     PictureDescription picture;
-    picture.needs = wanted_.needs;
+    picture.render_features = wanted_.render_features;
     picture.settings.sky = arguments_.plan.look.opened_sky;
     const AbandonableWork building("asos: interrupted, no report was written\n");
     auto ready = scene_->at(frames_[frame].time, picture);

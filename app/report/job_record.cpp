@@ -84,7 +84,7 @@ StudyPlan plan_of(const json& j) {
   plan.paper = j.at("paper").get<bool>();
   plan.look = plan_look_of(j);
   plan.texture_resolution = j.at("texture_resolution").get<int>();
-  plan.needs = j.at("needs") == "all" ? NeedsChoice::all : NeedsChoice::scene;
+  plan.render_features = j.at("needs") == "all" ? FeatureChoice::all : FeatureChoice::scene;
   return plan;
 }
 
@@ -195,7 +195,7 @@ json plan_json(const StudyPlan& plan) {
           {"roughest_mirror", plan.look.roughest_mirror},
           {"dfr", plan_dfr_json(plan.look.dfr)},
           {"texture_resolution", plan.texture_resolution},
-          {"needs", name_in(needs_names, plan.needs)}};
+          {"needs", name_in(needs_names, plan.render_features)}};
 }
 
 json machine_json(const Machine& machine) {

@@ -58,14 +58,14 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   scene_.reset();  // frees its memory before the next one is loaded
   PictureArguments wanted;
   wanted.scene = subject.source;
-  wanted.needs = plan_.needs;
+  wanted.render_features = plan_.render_features;
   wanted.asset_root = plan_.asset_root;
   wanted.camera = choice_of(subject.look.camera);
   if (const auto& moment = subject.look.moment) wanted.clip = {moment->animation, moment->seconds};
   Result<OpenedScene> opened = OpenedScene::open(wanted);
   if (!opened) return tl::unexpected(opened.error());
   PictureDescription picture;
-  picture.needs = plan_.needs;
+  picture.render_features = plan_.render_features;
   picture.settings.sky = subject.look.opened_sky;
   auto ready = opened->at(opened->time(), picture);
   if (!ready) return tl::unexpected(ready.error());

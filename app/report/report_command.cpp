@@ -78,7 +78,7 @@ Result<void> take_look(ReportArguments& arguments) {
   if (const ClipChoice& clip = arguments.look.clip; clip.seconds)
     plan.look.moment = StudyMoment{clip.animation, *clip.seconds};
   plan.texture_resolution = settings->texture.resolution;
-  plan.needs = arguments.look.needs;
+  plan.render_features = arguments.look.render_features;
   plan.asset_root = arguments.look.asset_root;
   return {};
 }

@@ -85,7 +85,7 @@ ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
 // blending has no outlines. The surfaces behind the first layer must have bounded errors, too.
 ErrorBound ErrorTerms::layers(const Leaf& leaf) const {
   if (samples_->cut_out(leaf.sample)) return ErrorBound::unknown();
-  if (!eye_->scene->needs.alpha_blend || samples_->opaque(leaf.sample) ||
+  if (!eye_->scene->render_features.alpha_blend || samples_->opaque(leaf.sample) ||
       surface_kind(*leaf.material) != SurfaceKind::blended)
     return ErrorBound::none();
   const ViewedRay seen = eye_->viewer.viewed(leaf.ray, leaf.hit, eye_->side_of(leaf.weight),
@@ -114,7 +114,7 @@ bool ErrorTerms::varies_behind(const Leaf& leaf, const ViewedRay& seen, const Hi
       uneven_products(*eye_, hit, square, seen.shape, leaf.weight))
     return true;
   if (material.unlit || !soft_shadows_) return false;
-  return (scene.needs.normal_maps && has_normal_map(material)) ||
+  return (scene.render_features.normal_maps && has_normal_map(material)) ||
          scene.features().deviation(hit.triangle) > 0.0f;
 }
 
@@ -136,10 +136,11 @@ ErrorBound ErrorTerms::bumps(const Leaf& leaf) const {
   if (glints(leaf)) return ErrorBound::unknown();
   if (eye_->mirrored() || scene.world().is_face(leaf.hit.triangle)) return ErrorBound::none();
   // The mean of a texture of directions is not the mean of the highlights in these directions.
-  if (scene.needs.textures && leaf.material->anisotropy.texture.used())
+  if (scene.render_features.textures && leaf.material->anisotropy.texture.used())
     return ErrorBound::unknown();
   if (!soft_shadows_) return ErrorBound::none();
-  if (scene.needs.normal_maps && has_normal_map(*leaf.material)) return ErrorBound::unknown();
+  if (scene.render_features.normal_maps && has_normal_map(*leaf.material))
+    return ErrorBound::unknown();
   constexpr double bright = 0.25;
   return ErrorBound::unknown(scene.features().deviation(leaf.hit.triangle) > 0.0f &&
                              (reaches_beyond_triangle(scene.world(), leaf.hit, leaf.square) ||
@@ -150,18 +151,18 @@ ErrorBound ErrorTerms::bumps(const Leaf& leaf) const {
 bool ErrorTerms::glints(const Leaf& leaf) const {
   const RenderScene& scene = *eye_->scene;
   const Material& material = *leaf.material;
-  if (!scene.needs.normal_maps || !(leaf.weight > 0.0) || !material.normal_texture.used() ||
-      scene.lights().empty())
+  if (!scene.render_features.normal_maps || !(leaf.weight > 0.0) ||
+      !material.normal_texture.used() || scene.lights().empty())
     return false;
   // Textures can only reduce roughness.
   if (!material.metallic_roughness_texture.used() && material.roughness >= least_broad_roughness)
     return false;
   const SampleExtent extent{&eye_->viewer.spacing, &scene.mips(), eye_->side_of(leaf.weight)};
   const SurfacePoint point =
-      surface_point(scene.world(), scene.needs, leaf.hit, leaf.to_viewer(), extent);
+      surface_point(scene.world(), scene.render_features, leaf.hit, leaf.to_viewer(), extent);
   if (!(point.spread.variance > 0.0f)) return false;
-  const SurfaceMaterial seen =
-      surface_material(scene.world(), scene.needs, leaf.hit, point.footprint, &scene.mips());
+  const SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, leaf.hit,
+                                                point.footprint, &scene.mips());
   return glint_error(scene.lights(), material, seen.roughness, point, leaf.to_viewer()) >
          eye_->error_budget.tolerance;
 }
@@ -209,7 +210,7 @@ ErrorBound ErrorTerms::gloss(const Leaf& leaf) const {
   const bool highlights =
       soft_shadows_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
   if (!highlights && !turns(glossy)) return ErrorBound::none();
-  const SurfaceMaterial seen = surface_material(scene.world(), scene.needs, hit);
+  const SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, hit);
   if (seen.anisotropy.strength > 0.0f) {
     glossy.stretch = lobe_stretch(scene.world(), hit, seen.anisotropy, seen.roughness,
                                   point.shading_normal, glossy.to_viewer);

@@ -43,8 +43,9 @@ ShadowContext shadows_of(const EyeContext& eye, const ShadowScene& scene, PatchV
                          ShadowGroups& groups) {
   ShadowContext shadows;
   shadows.scene = &scene;
-  shadows.rules = {eye.variant.area_shadows, eye.error_budget, eye.variant.shadow_pyrays,
-                   eye.scene->needs.varying_opacity && eye.scene->features().opacity_unbounded()};
+  shadows.rules = {
+      eye.variant.area_shadows, eye.error_budget, eye.variant.shadow_pyrays,
+      eye.scene->render_features.varying_opacity && eye.scene->features().opacity_unbounded()};
   shadows.lights = eye.viewer.shader.lights().size();
   shadows.frame = eye.frame;
   shadows.view = &view;

@@ -96,7 +96,7 @@ bool EyeSamples::opaque(SampleId sample) const {
 }
 
 SurfacePoint EyeSamples::point(SampleId sample) const {
-  return surface_point(eye_->scene->world(), eye_->scene->needs, hits_[sample],
+  return surface_point(eye_->scene->world(), eye_->scene->render_features, hits_[sample],
                        -rays_[sample].direction);
 }
 
@@ -118,7 +118,7 @@ void EyeSamples::look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& 
   seen.assign(at.size(), {});
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (looked_hits_[i].valid())
-      seen[i] = surface_point(eye_->scene->world(), eye_->scene->needs, looked_hits_[i],
+      seen[i] = surface_point(eye_->scene->world(), eye_->scene->render_features, looked_hits_[i],
                               -looked_rays_[i].direction);
   }
 }

@@ -164,7 +164,7 @@ std::span<const WeightedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, g
       eye_->settings->texture.filter == TextureFilter::point)
     return {};
   const Material& material = material_of(leaf);
-  if (!eye_->scene->needs.textures ||
+  if (!eye_->scene->render_features.textures ||
       !(material.base_color_texture.used() || material.emissive_texture.used()))
     return {};
   add_footprint_shapes(region, at, parts_along, parts_);
@@ -233,7 +233,7 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   const Hit& hit = samples_->hit(leaf.sample);
   // Exclude leaves that a boundary has cut: the parts of their square would have wrong areas.
   if (n == 1 || region.marginal || !region.border.empty() || !hit.valid() ||
-      !is_textured(eye_->scene->world().material_of(hit.triangle), eye_->scene->needs))
+      !is_textured(eye_->scene->world().material_of(hit.triangle), eye_->scene->render_features))
     return false;
   // Sample its parts.
   const LeafPlace place{{eye_->block.x, eye_->block.y}, eye_->block.width};

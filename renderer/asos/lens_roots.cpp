@@ -39,7 +39,7 @@ LensEstimator LensRoots::way(std::uint32_t root, bool bounded, bool missed) {
   const Hit& hit = samples_->hit(root);
   const RenderScene& scene = *eye_->scene;
   const bool textured =
-      hit.valid() && is_textured(scene.world().material_of(hit.triangle), scene.needs);
+      hit.valid() && is_textured(scene.world().material_of(hit.triangle), scene.render_features);
   return textured ? LensEstimator::sampled : LensEstimator::smooth;
 }
 

@@ -20,12 +20,12 @@ std::uint64_t bits_of(glm::dvec2 pixels, int seed) {
 
 }  // namespace
 
-bool is_textured(const Material& material, const SceneNeeds& needs) {
-  if (needs.textures &&
+bool is_textured(const Material& material, const RenderFeatures& render_features) {
+  if (render_features.textures &&
       (material.base_color_texture.used() || material.transmission_texture.used()))
     return true;
   if (material.unlit) return false;
-  return (needs.textures &&
+  return (render_features.textures &&
           (material.metallic_roughness_texture.used() || material.occlusion_texture.used() ||
            material.specular_texture.used() || material.specular_color_texture.used() ||
            material.coat.texture.used() || material.coat.roughness_texture.used() ||
@@ -33,8 +33,8 @@ bool is_textured(const Material& material, const SceneNeeds& needs) {
            material.anisotropy.texture.used() || material.film.texture.used() ||
            material.film.thickness_texture.used() || material.diffuse_transmission.texture.used() ||
            material.diffuse_transmission.color_texture.used())) ||
-         (needs.normal_maps && has_normal_map(material)) ||
-         (needs.emission && material.emissive_texture.used());
+         (render_features.normal_maps && has_normal_map(material)) ||
+         (render_features.emission && material.emissive_texture.used());
 }
 
 int texture_divisions(int texture_resolution, double side) {

@@ -2,7 +2,7 @@
 
 #include "renderer/pyray/square.h"
 #include "renderer/scene/scene.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 
 #include <glm/glm.hpp>
 
@@ -14,7 +14,7 @@
 namespace asos {
 
 /// Returns whether shading reads any texture of the material.
-[[nodiscard]] bool is_textured(const Material& material, const SceneNeeds& needs);
+[[nodiscard]] bool is_textured(const Material& material, const RenderFeatures& render_features);
 
 /// Returns the number of parts along the side of a leaf that is `side` pixels wide. No part is
 /// larger than those of a pixel divided into TR x TR parts.

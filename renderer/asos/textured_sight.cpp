@@ -151,7 +151,7 @@ bool reaches_beyond_triangle(const World& world, const Hit& hit, const Patch& pa
 bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& patch) {
   const RenderScene& scene = *eye.scene;
   return eye.settings->texture.filter != TextureFilter::point &&
-         is_textured(scene.world().material_of(hit.triangle), scene.needs) &&
+         is_textured(scene.world().material_of(hit.triangle), scene.render_features) &&
          scene.features().deviation(hit.triangle) > 0.0f &&
          reaches_beyond_triangle(scene.world(), hit, patch);
 }
@@ -165,10 +165,10 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
   const World& world = scene.world();
   const Hit& hit = leaf.hit;
   const TextureUse* use = nullptr;
-  if (scene.needs.textures && eye.settings->texture.filter != TextureFilter::point)
+  if (scene.render_features.textures && eye.settings->texture.filter != TextureFilter::point)
     use = main_texture(world.material_of(hit.triangle));
-  const bool coloured =
-      scene.needs.vertex_colors && world.parts[world.triangle_part[hit.triangle]].coloured;
+  const bool coloured = scene.render_features.vertex_colors &&
+                        world.parts[world.triangle_part[hit.triangle]].coloured;
   if (!(use || coloured) || world.is_face(hit.triangle) || eye.viewer.passage.in_medium())
     return false;
   const FootprintShape part = footprint_shape(leaf.region, leaf.at);
@@ -210,7 +210,7 @@ bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch&
   const RenderScene& scene = *eye.scene;
   const Material& material = scene.world().material_of(hit.triangle);
   if (eye.settings->texture.filter == TextureFilter::point ||
-      !(is_tinted(scene.world(), hit.triangle) || is_textured(material, scene.needs)))
+      !(is_tinted(scene.world(), hit.triangle) || is_textured(material, scene.render_features)))
     return false;
   const float depth = std::abs(glm::dot(patch.right, ray.direction)) +
                       std::abs(glm::dot(patch.down, ray.direction));
@@ -221,12 +221,12 @@ bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
                      const FootprintShape& part, double share) {
   const RenderScene& scene = *eye.scene;
   if (eye.settings->texture.filter == TextureFilter::point ||
-      !multiplies_textures(scene.world().material_of(hit.triangle), scene.needs))
+      !multiplies_textures(scene.world().material_of(hit.triangle), scene.render_features))
     return false;
   Footprint seen = shaped(footprint_on(scene.world(), hit, square), part);
   seen.side = eye.side_of(share);
   const float roughest = eye.viewer.shader.settings().roughest_mirror;
-  return product_error(scene.world(), scene.needs, hit, seen, roughest) >
+  return product_error(scene.world(), scene.render_features, hit, seen, roughest) >
          eye.error_budget.tolerance;
 }
 

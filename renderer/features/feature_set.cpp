@@ -5,7 +5,7 @@
 #include "renderer/features/release.h"
 #include "renderer/features/shape_intersections.h"
 #include "renderer/features/welded_vertices.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/surface_kind.h"
 
 #include <algorithm>

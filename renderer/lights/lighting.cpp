@@ -42,7 +42,7 @@ Lighting prepare_lighting(const World& world, std::vector<Light> lights) {
   Lighting lighting;
   lighting.emissive_lights = static_cast<std::size_t>(std::count_if(
       lights.begin(), lights.end(), [](const Light& light) { return light.own_part >= 0; }));
-  lighting.needs = find_needs(lights);
+  lighting.render_features = find_render_features(lights);
   lighting.lights_without_geometry = find_lights_without_geometry(world, lights);
   lighting.shows_even_light = parts_that_show(world, lights);
   for (const LightRule rule : {LightRule::physical, LightRule::published})

@@ -2,7 +2,7 @@
 
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/lights/prepared_light.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
 #include <array>
@@ -19,7 +19,7 @@ struct Lighting {
   std::size_t emissive_lights = 0;  ///< how many of them represent emissive meshes
   /// The scene has almost no light of its own: the last ones are default lighting.
   bool default_rig = false;
-  SceneNeeds needs;  ///< the features of the lights alone
+  RenderFeatures render_features;  ///< the features of the lights alone
   LightsWithoutGeometry lights_without_geometry;
   /// One entry per World::parts; 1 if the surface emits as evenly as the lights that it shows.
   std::vector<std::uint8_t> shows_even_light;

@@ -140,7 +140,7 @@ std::string read_fields(FieldReader& fields, bool moves, PictureDescription& rea
     if (read.scene_number < 0) fields.refuse(scene_number_key, "is below 0");
   }
   fields("origin", read.origin);
-  fields.named("needs", needs_names, read.needs);
+  fields.named("needs", needs_names, read.render_features);
   if (const OrderedJson* at = fields.take("camera"))
     if (std::string fault = read_camera(*at, read.camera); !fault.empty()) return fault;
   if (const OrderedJson* at = fields.take("settings")) {
@@ -224,7 +224,8 @@ PictureDescription describe(const RenderScene& scene, const Camera& camera,
   description.settings = settings;
   description.sky = choice_of(settings.sky.get());
   if (!description.sky.file.empty()) description.sky.file = absolute_source(description.sky.file);
-  description.needs = scene.forced == SceneNeeds{} ? NeedsChoice::scene : NeedsChoice::all;
+  description.render_features =
+      scene.forced == RenderFeatures{} ? FeatureChoice::scene : FeatureChoice::all;
   if (scene.lighting != scene.own_lighting) description.lights = scene.lights();
   MaterialDfrs dfrs = scene.dfrs();
   dfrs.resize(materials_without_ground(scene.world()));
@@ -241,7 +242,7 @@ std::string description_text(const PictureDescription& description) {
   if (!description.variant.empty()) fields(variant_key, description.variant);
   if (description.scene_number >= 0) fields(scene_number_key, description.scene_number);
   fields("origin", description.origin);
-  fields.named("needs", needs_names, description.needs);
+  fields.named("needs", needs_names, description.render_features);
   fields.other("camera", camera_json(description.camera));
   fields.other("settings", settings_json(description.settings, description.sky));
   fields.other("lights",
@@ -305,7 +306,7 @@ Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
   if (!description.time) return prepare_posed(scene, description, nullptr);
   if (!scene.rig)
     return unexpected(Error{scene.source, "has no animations, so there is no such time of it"});
-  const auto at_rest = prepare(scene, forced_by(description.needs));
+  const auto at_rest = prepare(scene, forced_by(description.render_features));
   if (!at_rest) return unexpected(at_rest.error());
   const Result<Scene> posed = scene.rig->pose(description.time);
   if (!posed) return unexpected(posed.error());
@@ -315,7 +316,7 @@ Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
 Result<std::shared_ptr<const RenderScene>> prepare_posed(const Scene& scene,
                                                          const PictureDescription& description,
                                                          const Stage* stage) {
-  auto prepared = prepare(scene, forced_by(description.needs), stage);
+  auto prepared = prepare(scene, forced_by(description.render_features), stage);
   if (!prepared) return prepared;
   if (description.lights)
     prepared = with_lights(*prepared, description.lights_from((*prepared)->world().origin));

@@ -9,7 +9,7 @@
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 #include "renderer/shading/sky_choice.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 
 #include <glm/glm.hpp>
 
@@ -46,7 +46,7 @@ struct PictureDescription {
   Camera camera;
   RenderSettings settings;
   SkyChoice sky;  ///< the sky for `settings`, if these have none yet
-  NeedsChoice needs = NeedsChoice::scene;
+  FeatureChoice render_features = FeatureChoice::scene;
   std::optional<std::vector<Light>> lights;  ///< replace the scene's own; none: its own
   std::optional<MaterialDfrs> dfrs;          ///< replace its materials' own; none: their own
   std::optional<ClipTime> time;              ///< of animations; none: the scene at rest

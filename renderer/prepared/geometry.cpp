@@ -38,17 +38,18 @@ double Geometry::memory_mb() const {
 }
 
 Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Light> lights,
-                                                 const SceneNeeds& forced, const MipChains* known,
-                                                 BvhPurpose use) {
+                                                 const RenderFeatures& forced,
+                                                 const MipChains* known, BvhPurpose use) {
   auto geometry = std::make_shared<Geometry>();
-  geometry->needs = find_needs(world);  // White colours that are forced do not count as colours.
+  geometry->render_features =
+      find_render_features(world);  // White colours that are forced do not count as colours.
   if (!forced.unused_images) release_unused_images(world);
   fill_forced_attributes(world, forced);
   geometry->world = std::move(world);
 
   // The two are independent.
   auto mips = std::async(std::launch::async, [&] {
-    return MipChains(geometry->world, geometry->needs.with(forced), known);
+    return MipChains(geometry->world, geometry->render_features.with(forced), known);
   });
   geometry->object_spheres = object_spheres(geometry->world);
   auto rays = RayScene::build(geometry->world, alpha_at, lights, forced, passage_at, use);

@@ -6,8 +6,8 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/result.h"
 #include "renderer/shading/mip_chain.h"
-#include "renderer/world/needs.h"
 #include "renderer/world/object_spheres.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
 #include <memory>
@@ -31,8 +31,8 @@ struct Geometry {
   MipChains mips;
   PlaneSections sections;  ///< of its surfaces
   std::vector<ObjectSphere> object_spheres;
-  SceneNeeds needs;  ///< for the surfaces and their own materials; see needs_of
-  SceneNotes notes;  ///< of the file; see notes_of
+  RenderFeatures render_features;  ///< for the surfaces and their own materials; see needs_of
+  SceneNotes notes;                ///< of the file; see notes_of
   std::string name;
   std::string source;
   SceneContents contents;        ///< of the file
@@ -51,7 +51,7 @@ struct Geometry {
 /// notes, names and the time. `lights`, `forced` and errors: as in RayScene::build; `known`: as in
 /// MipChains; `use`: as in RayScene::build.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(
-    World world, std::span<const Light> lights, const SceneNeeds& forced,
+    World world, std::span<const Light> lights, const RenderFeatures& forced,
     const MipChains* known = nullptr, BvhPurpose use = BvhPurpose::lasting);
 
 }  // namespace asos

@@ -50,7 +50,7 @@ std::shared_ptr<const Sky> sky_of_file(const Scene& scene) {
 }
 
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
-                                                             const SceneNeeds& forced,
+                                                             const RenderFeatures& forced,
                                                              const Stage* stage) {
   const auto start = std::chrono::steady_clock::now();
   auto flattened =
@@ -104,17 +104,17 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
 
 }  // namespace
 
-SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings) {
-  SceneNeeds needs = scene.needs;
-  needs.mirrors |= settings.mirror.roughest > usual_roughest_mirror;
+RenderFeatures needs_of(const RenderScene& scene, const RenderSettings& settings) {
+  RenderFeatures render_features = scene.render_features;
+  render_features.mirrors |= settings.mirror.roughest > usual_roughest_mirror;
   const Sky* sky = scene.sky_of(settings);
-  needs.sky_picture |= sky && sky->is_picture();
+  render_features.sky_picture |= sky && sky->is_picture();
   if (const BoundaryFeatures& boundaries = scene.geometry->boundaries; boundaries.known()) {
-    needs.intersections = scene.forced.intersections ||
-                          boundaries.get().counts().intersection > 0 ||
-                          !boundaries.get().intersections_complete();
+    render_features.intersections = scene.forced.intersections ||
+                                    boundaries.get().counts().intersection > 0 ||
+                                    !boundaries.get().intersections_complete();
   }
-  return needs;
+  return render_features;
 }
 
 SceneNotes notes_of(const RenderScene& scene) {
@@ -130,15 +130,16 @@ SceneNotes notes_of(const RenderScene& scene) {
 }
 
 std::shared_ptr<const RenderScene> assembled(RenderScene parts) {
-  SceneNeeds own = parts.geometry->needs;
+  RenderFeatures own = parts.geometry->render_features;
   own.mirrors = needs_mirrors(parts.world(), *parts.materials);
-  parts.needs = own.with(parts.lighting->needs).with(parts.forced);
-  parts.plain = std::make_shared<const SimdMaterials>(parts.world(), parts.needs, *parts.materials);
+  parts.render_features = own.with(parts.lighting->render_features).with(parts.forced);
+  parts.plain =
+      std::make_shared<const SimdMaterials>(parts.world(), parts.render_features, *parts.materials);
   return std::make_shared<const RenderScene>(std::move(parts));
 }
 
 std::shared_ptr<const RenderScene> unedited_scene(std::shared_ptr<const Geometry> geometry,
-                                                  Lighting lighting, const SceneNeeds& forced) {
+                                                  Lighting lighting, const RenderFeatures& forced) {
   RenderScene parts;
   parts.materials = std::make_shared<const MaterialDfrs>(dfrs_of(geometry->world));
   parts.geometry = std::move(geometry);
@@ -147,7 +148,7 @@ std::shared_ptr<const RenderScene> unedited_scene(std::shared_ptr<const Geometry
   return assembled(std::move(parts));
 }
 
-Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const SceneNeeds& forced,
+Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const RenderFeatures& forced,
                                                    const Stage* stage) {
   try {
     return prepare_in_memory(scene, forced, stage);

@@ -6,7 +6,7 @@
 #include "renderer/settings/settings.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/simd_materials.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
 #include <cstdint>
@@ -27,8 +27,8 @@ struct RenderScene {
   std::shared_ptr<const Lighting> lighting;
   std::shared_ptr<const Lighting> own_lighting;  ///< as the scene was prepared, before any edit
   std::shared_ptr<const SimdMaterials> plain;    ///< compact materials for batches of points
-  SceneNeeds forced;                             ///< see prepare
-  SceneNeeds needs;                              ///< those of all parts, and what was forced
+  RenderFeatures forced;                         ///< see prepare
+  RenderFeatures render_features;                ///< those of all parts, and what was forced
   /// It while the shutter is open (`exposed`). Null: not made; edits of the scene drop it.
   std::shared_ptr<const Exposure> exposure;
 
@@ -55,7 +55,7 @@ struct RenderScene {
 
 /// Makes a scene from these parts, with its materials' own defocusing ratios.
 [[nodiscard]] std::shared_ptr<const RenderScene> unedited_scene(
-    std::shared_ptr<const Geometry> geometry, Lighting lighting, const SceneNeeds& forced = {});
+    std::shared_ptr<const Geometry> geometry, Lighting lighting, const RenderFeatures& forced = {});
 
 [[nodiscard]] inline Culling culling_of(const RenderSettings& settings) {
   return settings.cull ? Culling::as_material_says : Culling::none;
@@ -63,7 +63,7 @@ struct RenderScene {
 
 /// Returns the features that a picture of the scene needs with these settings. The settings may
 /// need more than the scene. Known boundaries may show that less is needed.
-[[nodiscard]] SceneNeeds needs_of(const RenderScene& scene, const RenderSettings& settings);
+[[nodiscard]] RenderFeatures needs_of(const RenderScene& scene, const RenderSettings& settings);
 
 /// Returns the shader for a picture of the scene with these settings; `bend` is that of
 /// ShadingSettings.
@@ -72,7 +72,7 @@ struct RenderScene {
   const bool filtered = settings.texture.filter == TextureFilter::footprint;
   const bool mirrors = needs_of(scene, settings).mirrors;
   return Shader(
-      scene.world(), scene.needs, scene.rays(), *scene.lighting,
+      scene.world(), scene.render_features, scene.rays(), *scene.lighting,
       {settings.shadow.cast, settings.shadow.shades_sky(), settings.shadow.follows_bounces(),
        settings.shadow.light_rule, culling_of(settings), filtered ? &scene.mips() : nullptr,
        PixelSpacing::of(view), scene.sky_of(settings), mirrors ? settings.mirror.bounces : 0,
@@ -91,7 +91,7 @@ struct RenderScene {
 ///   measurements. They do not change the picture.
 /// - `stage`: that of the same scene at rest, if `scene` is at another time; null: its own.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
-                                                                 const SceneNeeds& forced = {},
+                                                                 const RenderFeatures& forced = {},
                                                                  const Stage* stage = nullptr);
 
 /// Returns the same scene, once its boundaries are known. Errors: lack of memory for them.

@@ -28,7 +28,7 @@ Result<void> check_own_parts(const World& world, std::span<const Light> lights) 
   return {};
 }
 
-bool all_filtered(const SceneNeeds& forced) {
+bool all_filtered(const RenderFeatures& forced) {
   return forced.alpha_mask || forced.alpha_blend;
 }
 
@@ -59,7 +59,7 @@ EmbreeScene::~EmbreeScene() {
 }
 
 Result<void> EmbreeScene::build(const World& world, const Transparency& open,
-                                std::span<const Light> lights, const SceneNeeds& forced,
+                                std::span<const Light> lights, const RenderFeatures& forced,
                                 BvhPurpose use) {
   if (auto checked = check_own_parts(world, lights); !checked) return checked;
   device_ = rtcNewDevice(nullptr);
@@ -195,7 +195,7 @@ bool EmbreeScene::quickly_built() const {
          std::count_if(groups_.begin(), groups_.end(), filled) == 1;
 }
 
-void EmbreeScene::add(unsigned id, const World& world, const SceneNeeds& forced,
+void EmbreeScene::add(unsigned id, const World& world, const RenderFeatures& forced,
                       RTCBuildQuality quality) {
   Group& group = groups_[id];
   const bool faces = id >= first_group_of_faces && id < first_group_of_strokes;
@@ -215,7 +215,7 @@ void EmbreeScene::add(unsigned id, const World& world, const SceneNeeds& forced,
 }
 
 void EmbreeScene::add_filters(RTCGeometry geometry, const Group& group,
-                              const SceneNeeds& forced) const {
+                              const RenderFeatures& forced) const {
   if (!all_filtered(forced) && !group.owned && !group.shadowless &&
       group.kind == SurfaceKind::opaque)
     return;
@@ -223,7 +223,7 @@ void EmbreeScene::add_filters(RTCGeometry geometry, const Group& group,
   rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
 }
 
-RTCScene EmbreeScene::scene_of_mesh(const World& mesh, Group& group, const SceneNeeds& forced,
+RTCScene EmbreeScene::scene_of_mesh(const World& mesh, Group& group, const RenderFeatures& forced,
                                     RTCBuildQuality quality) {
   RTCScene scene = rtcNewScene(device_);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
@@ -247,7 +247,7 @@ RTCScene EmbreeScene::scene_of_mesh(const World& mesh, Group& group, const Scene
   return scene;
 }
 
-void EmbreeScene::add_places(const World& world, const SceneNeeds& forced,
+void EmbreeScene::add_places(const World& world, const RenderFeatures& forced,
                              RTCBuildQuality quality) {
   const Placements& placed = *world.placements;
   for (std::size_t i = 0; i < placed.meshes.size(); ++i) {

@@ -3,7 +3,7 @@
 #include "renderer/rays/coplanar.h"
 #include "renderer/rays/filters.h"
 #include "renderer/result.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 
 #include <embree3/rtcore.h>
 
@@ -29,7 +29,7 @@ class EmbreeScene {
   /// Builds the scene; may be called once. Errors: Embree's, and a light whose own part does not
   /// exist. `lights`, `forced` and `use`: as in RayScene::build.
   [[nodiscard]] Result<void> build(const World& world, const Transparency& open,
-                                   std::span<const Light> lights, const SceneNeeds& forced,
+                                   std::span<const Light> lights, const RenderFeatures& forced,
                                    BvhPurpose use);
 
   [[nodiscard]] RTCScene scene() const { return scene_; }
@@ -66,12 +66,12 @@ class EmbreeScene {
   /// triangles. With several geometries, it asserts that none collapses to a point, and Debian's
   /// Embree keeps its assertions.
   [[nodiscard]] bool quickly_built() const;
-  void add(unsigned id, const World& world, const SceneNeeds& forced, RTCBuildQuality quality);
-  void add_filters(RTCGeometry geometry, const Group& group, const SceneNeeds& forced) const;
+  void add(unsigned id, const World& world, const RenderFeatures& forced, RTCBuildQuality quality);
+  void add_filters(RTCGeometry geometry, const Group& group, const RenderFeatures& forced) const;
   /// Adds a scene for each shared mesh, and its instances.
-  void add_places(const World& world, const SceneNeeds& forced, RTCBuildQuality quality);
-  [[nodiscard]] RTCScene scene_of_mesh(const World& mesh, Group& group, const SceneNeeds& forced,
-                                       RTCBuildQuality quality);
+  void add_places(const World& world, const RenderFeatures& forced, RTCBuildQuality quality);
+  [[nodiscard]] RTCScene scene_of_mesh(const World& mesh, Group& group,
+                                       const RenderFeatures& forced, RTCBuildQuality quality);
 
   // Three kinds, then the three of lights' own parts, then the same for faces of shapes, then three
   // kinds of lines and points.

@@ -76,7 +76,8 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 Result<RayScene> RayScene::build(const World& world, AlphaAt alpha, std::span<const Light> lights,
-                                 const SceneNeeds& forced, TransmissionAt passage, BvhPurpose use) {
+                                 const RenderFeatures& forced, TransmissionAt passage,
+                                 BvhPurpose use) {
   RayScene built;
   built.impl_ = std::make_unique<Impl>();
   if (auto done = built.impl_->embree.build(world, {alpha, passage}, lights, forced, use); !done)

@@ -2,7 +2,7 @@
 
 #include "renderer/geometry/ray.h"
 #include "renderer/result.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
 #include <array>
@@ -96,7 +96,7 @@ class RayScene {
   /// - `use`: changes no result, except which of several touching surfaces is hit.
   [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha,
                                               std::span<const Light> lights = {},
-                                              const SceneNeeds& forced = {},
+                                              const RenderFeatures& forced = {},
                                               TransmissionAt passage = nullptr,
                                               BvhPurpose use = BvhPurpose::lasting);
 

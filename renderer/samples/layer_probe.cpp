@@ -31,7 +31,7 @@ LayerProbe::LayerProbe(const RenderScene& scene, const Viewer& viewer,
       points_(layers_.has(Layer::normal) || layers_.has(Layer::geometric_normal)),
       materials_(layers_.has(Layer::albedo) || layers_.has(Layer::emission)),
       mips_(settings.texture.filter == TextureFilter::footprint ? &scene.mips() : nullptr) {
-  if (layers_.has(Layer::alpha) && scene.needs.alpha_blend)
+  if (layers_.has(Layer::alpha) && scene.render_features.alpha_blend)
     coverage_.emplace(coverage_shader(scene, viewer.view, settings));
 }
 
@@ -62,12 +62,13 @@ void LayerProbe::add_surface(const ViewedRay& seen, LayerSample& sample) const {
   const World& world = scene_->world();
   const Hit& hit = seen.hit;
   const SampleExtent extent{&viewer_->spacing, mips_, seen.side, seen.shape, seen.colours};
-  const SurfacePoint point = surface_point(world, scene_->needs, hit, -seen.ray.direction, extent);
+  const SurfacePoint point =
+      surface_point(world, scene_->render_features, hit, -seen.ray.direction, extent);
   sample.normal = point.shading_normal;
   sample.geometric_normal = point.geometric_normal;
   if (!materials_) return;
-  const SurfaceMaterial material = surface_material(world, scene_->needs, hit, point.footprint,
-                                                    extent.point() ? nullptr : mips_);
+  const SurfaceMaterial material = surface_material(
+      world, scene_->render_features, hit, point.footprint, extent.point() ? nullptr : mips_);
   sample.albedo = material.base_color;
   sample.emission = material.emission;
 }

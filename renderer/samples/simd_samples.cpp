@@ -13,7 +13,7 @@ namespace asos {
 SimdSamples::SimdSamples(const RenderScene& scene, const Viewer& viewer)
     : world_(scene.world()),
       triangles_(static_cast<std::uint32_t>(world_.triangles.size())),
-      needs_(scene.needs),
+      needs_(scene.render_features),
       table_(*scene.plain),
       viewer_(viewer),
       mips_(viewer.shader.settings().mips),

@@ -79,7 +79,7 @@ class SimdSamples {
 
   const World& world_;
   std::uint32_t triangles_;
-  const SceneNeeds& needs_;
+  const RenderFeatures& needs_;
   const SimdMaterials& table_;
   const Viewer& viewer_;
   const MipChains* mips_;

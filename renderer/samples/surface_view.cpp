@@ -72,7 +72,8 @@ class Looker {
   [[nodiscard]] Seen look(const Ray& ray, const Hit& hit) const {
     const World& world = scene_.world();
     const glm::vec3 direction(ray.direction);
-    const SurfacePoint point = surface_point(world, scene_.needs, hit, -direction, extent_);
+    const SurfacePoint point =
+        surface_point(world, scene_.render_features, hit, -direction, extent_);
     Seen seen;
     seen.value = property(hit, point);
     if (!std::isfinite(seen.value.x + seen.value.y + seen.value.z)) seen.value = glm::vec3(0.0f);
@@ -87,7 +88,7 @@ class Looker {
     if (property_ == SurfaceProperty::normal) return 0.5f * point.shading_normal + 0.5f;
     if (property_ == SurfaceProperty::texture_coordinates) return checker(uv_of(hit));
     const SurfaceMaterial material =
-        surface_material(world, scene_.needs, hit, point.footprint, &scene_.mips());
+        surface_material(world, scene_.render_features, hit, point.footprint, &scene_.mips());
     switch (property_) {
       case SurfaceProperty::base_color:
         return material.base_color;

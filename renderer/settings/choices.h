@@ -79,6 +79,6 @@ enum class Ground { off, on, mirror };
 
 /// The features that a picture is rendered with: those of the scene, or all of them. The picture is
 /// the same.
-enum class NeedsChoice { scene, all };
+enum class FeatureChoice { scene, all };
 
 }  // namespace asos

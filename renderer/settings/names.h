@@ -87,8 +87,8 @@ inline constexpr std::array ground_names{
 };
 
 inline constexpr std::array needs_names{
-    Named<NeedsChoice>{"scene", NeedsChoice::scene},
-    Named<NeedsChoice>{"all", NeedsChoice::all},
+    Named<FeatureChoice>{"scene", FeatureChoice::scene},
+    Named<FeatureChoice>{"all", FeatureChoice::all},
 };
 
 /// Returns the name of `value` in `names`.

@@ -26,10 +26,10 @@ float base_alpha_at(const World& world, const Material& material, std::uint32_t 
 }
 
 /// The features of a material that affect transmission.
-constexpr SceneNeeds needs_of_passage() {
-  SceneNeeds needs;
-  needs.textures = needs.vertex_colors = needs.metals = true;
-  return needs;
+constexpr RenderFeatures needs_of_passage() {
+  RenderFeatures render_features;
+  render_features.textures = render_features.vertex_colors = render_features.metals = true;
+  return render_features;
 }
 
 /// Returns the extinction coefficients of Beer and Lambert's law.
@@ -54,8 +54,8 @@ StraightTransmission passage_at(const World& world, const Hit& hit, glm::vec3 di
     const float opacity = opacity_at(world, hit.triangle, hit.b1, hit.b2);
     return {glm::vec3(1.0f - opacity)};
   }
-  constexpr SceneNeeds needs = needs_of_passage();
-  const SurfaceMaterial surface = surface_material(world, needs, hit);
+  constexpr RenderFeatures render_features = needs_of_passage();
+  const SurfaceMaterial surface = surface_material(world, render_features, hit);
   StraightTransmission passage;
   float cosine = 1.0f;
   if (!surface.unlit) {

@@ -147,11 +147,12 @@ void add_use(std::set<ImageUse>& uses, const World& world, const TextureUse& use
     uses.emplace(image, kind);
 }
 
-void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& needs,
+void add_uses(std::set<ImageUse>& uses, const World& world, const RenderFeatures& render_features,
               const Material& m) {
   add_use(uses, world, m.base_color_texture, base_color_kind(m));
   if (m.unlit) {
-    if (m.stroke && needs.emission) add_use(uses, world, m.emissive_texture, emissive_kind(m));
+    if (m.stroke && render_features.emission)
+      add_use(uses, world, m.emissive_texture, emissive_kind(m));
     return;
   }
   for (const TextureUse* use :
@@ -163,11 +164,11 @@ void add_uses(std::set<ImageUse>& uses, const World& world, const SceneNeeds& ne
   add_use(uses, world, m.specular_color_texture, TexelKind::color);
   add_use(uses, world, m.sheen.color_texture, TexelKind::color);
   add_use(uses, world, m.diffuse_transmission.color_texture, TexelKind::color);
-  if (needs.normal_maps) {
+  if (render_features.normal_maps) {
     add_use(uses, world, m.normal_texture, TexelKind::normal);
     add_use(uses, world, m.coat.normal_texture, TexelKind::normal);
   }
-  if (needs.emission) add_use(uses, world, m.emissive_texture, emissive_kind(m));
+  if (render_features.emission) add_use(uses, world, m.emissive_texture, emissive_kind(m));
 }
 
 }  // namespace
@@ -198,11 +199,13 @@ MipChain make_mip_chain(const Image& image, TexelKind kind) {
   return chain;
 }
 
-MipChains::MipChains(const World& world, const SceneNeeds& needs, const MipChains* known) {
-  if (!needs.mip_chains) return;
+MipChains::MipChains(const World& world, const RenderFeatures& render_features,
+                     const MipChains* known) {
+  if (!render_features.mip_chains) return;
   std::set<ImageUse> uses;
   for (const Part& part : world.parts) {
-    if (!part.shows_nothing()) add_uses(uses, world, needs, world.materials[part.material]);
+    if (!part.shows_nothing())
+      add_uses(uses, world, render_features, world.materials[part.material]);
   }
   chains_.resize(world.images.size());
   for (const auto& [image, kind] : uses) {

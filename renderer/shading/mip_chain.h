@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
@@ -55,7 +55,8 @@ class MipChains {
  public:
   MipChains() = default;
   /// `known`: the chains of a world with the same images, which are reused; null: none.
-  MipChains(const World& world, const SceneNeeds& needs, const MipChains* known = nullptr);
+  MipChains(const World& world, const RenderFeatures& render_features,
+            const MipChains* known = nullptr);
 
   /// Returns the chain, which is empty if no material uses `image` as `kind`.
   [[nodiscard]] const MipChain& chain(int image, TexelKind kind) const;

@@ -45,9 +45,13 @@ class NoTransport final : public LightTransport {
 
 }  // namespace
 
-Shader::Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
+Shader::Shader(const World& world, const RenderFeatures& render_features, const RayScene& rays,
                const Lighting& lighting, ShadingSettings settings)
-    : world_(world), needs_(needs), rays_(rays), lighting_(lighting), settings_(settings) {
+    : world_(world),
+      needs_(render_features),
+      rays_(rays),
+      lighting_(lighting),
+      settings_(settings) {
   if (settings.backdrop.shows_light()) lights_ = lighting.prepared(settings.light_rule);
   sums_patches_ = settings.bend < 1.0f && settings.light_rule == LightRule::physical &&
                   std::any_of(lights_.begin(), lights_.end(),

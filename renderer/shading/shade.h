@@ -11,7 +11,7 @@
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/volume_boundary.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
@@ -66,7 +66,7 @@ struct ShadingSettings {
 /// references only; thread-safe.
 class Shader {
  public:
-  Shader(const World& world, const SceneNeeds& needs, const RayScene& rays,
+  Shader(const World& world, const RenderFeatures& render_features, const RayScene& rays,
          const Lighting& lighting, ShadingSettings settings = {});
 
   /// Returns the linear radiance that arrives along a ray. Blended surfaces are composited in depth
@@ -180,7 +180,7 @@ class Shader {
   [[nodiscard]] const Dfr* own_dfr(std::uint32_t triangle) const;
 
   const World& world_;
-  const SceneNeeds& needs_;
+  const RenderFeatures& needs_;
   const RayScene& rays_;
   const Lighting& lighting_;
   ShadingSettings settings_;

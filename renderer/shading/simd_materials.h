@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/shading/surface.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
 #include <cstdint>
@@ -23,7 +23,8 @@ struct SimdMaterial {
 /// Compact copies of the materials on a world's triangles, for the SIMD path. Immutable.
 class SimdMaterials {
  public:
-  SimdMaterials(const World& world, const SceneNeeds& needs, const MaterialDfrs& dfrs);
+  SimdMaterials(const World& world, const RenderFeatures& render_features,
+                const MaterialDfrs& dfrs);
 
   [[nodiscard]] const SimdMaterial& of(const World& world, std::uint32_t triangle) const {
     return materials_[part_material_[world.triangle_part[triangle]]];

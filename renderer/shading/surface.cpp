@@ -57,15 +57,15 @@ NormalSpread interpolated_spread(const std::array<glm::vec3, 3>& normals,
 /// Returns whether a footprint on the triangle has a visible effect: where there are textures, or
 /// highlights on curved surfaces. Elsewhere the footprint is not computed, since it takes half as
 /// long as shading.
-bool shows_footprint(const World& world, const SceneNeeds& needs, std::uint32_t triangle,
-                     const Triangle& t) {
+bool shows_footprint(const World& world, const RenderFeatures& render_features,
+                     std::uint32_t triangle, const Triangle& t) {
   const Material& m = world.material_of(triangle);
   const auto uses = texture_uses(m);
-  if (needs.textures &&
+  if (render_features.textures &&
       std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->used(); }))
     return true;
   const bool broad = m.roughness > least_broad_roughness && !(m.coat.factor > 0.0f);
-  if (m.unlit || broad || !needs.lights()) return false;
+  if (m.unlit || broad || !render_features.lights()) return false;
   if (t.face) return world.face(triangle).kind != ShapeFace::Kind::disk;
   if (world.normals.empty()) return false;
   return world.normals[t.v.x] != world.normals[t.v.y] ||
@@ -96,8 +96,9 @@ void find_smooth_surface(const World& world, const Triangle& t,
 
 /// Computes the shading normal, on the side of the geometric normal for any winding, and its
 /// spread.
-void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, const Triangle& t,
-                  const TextureUse& map, const MipChains* mips, SurfacePoint& point) {
+void shade_normal(const World& world, const RenderFeatures& render_features, const Hit& hit,
+                  const Triangle& t, const TextureUse& map, const MipChains* mips,
+                  SurfacePoint& point) {
   point.shading_normal = point.geometric_normal;
   if (world.normals.empty() && !t.face) return;
   const std::array<glm::vec3, 3> normals = corner_normals(world, hit);
@@ -109,7 +110,7 @@ void shade_normal(const World& world, const SceneNeeds& needs, const Hit& hit, c
   if (!t.face) find_smooth_surface(world, t, normals, side, point);
   if (!point.footprint.point() && length > 0.0f)
     point.spread = interpolated_spread(normals, point.footprint, smooth, length);
-  if (needs.normal_maps && map.used()) turn_by_map(world, hit, map, mips, side, point);
+  if (render_features.normal_maps && map.used()) turn_by_map(world, hit, map, mips, side, point);
 }
 
 /// Computes position and geometric normal on a triangle.
@@ -160,13 +161,14 @@ void place_on_face(const World& world, const Hit& hit, SurfacePoint& point) {
 
 /// Makes a material from its base colour; `sample(use, kind)` looks up the other textures.
 template <typename Sample>
-SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs, glm::vec4 base,
-                              const Sample& sample) {
+SurfaceMaterial material_with(const Material& material, const RenderFeatures& render_features,
+                              glm::vec4 base, const Sample& sample) {
   SurfaceMaterial surface;
   surface.base_color = glm::vec3(base);
   surface.unlit = material.unlit;
   surface.transmission = std::clamp(material.transmission, 0.0f, 1.0f);
-  if (surface.transmission > 0.0f && needs.textures && material.transmission_texture.used())
+  if (surface.transmission > 0.0f && render_features.textures &&
+      material.transmission_texture.used())
     surface.transmission *= sample(material.transmission_texture, TexelKind::data).r;
   if (material.alpha_mode == AlphaMode::blend) {
     surface.opacity = std::clamp(base.a, 0.0f, 1.0f);
@@ -181,18 +183,18 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
     return emitted;
   };
   if (surface.unlit) {
-    if (material.stroke && needs.emission) surface.base_color += emission();
+    if (material.stroke && render_features.emission) surface.base_color += emission();
     return surface;
   }
 
   surface.metallic = material.metallic;
   surface.roughness = material.roughness;
-  if (needs.textures && material.metallic_roughness_texture.used()) {
+  if (render_features.textures && material.metallic_roughness_texture.used()) {
     const glm::vec4 texel = sample(material.metallic_roughness_texture, TexelKind::data);
     surface.roughness *= texel.g;
     surface.metallic *= texel.b;
   }
-  if (needs.textures && material.occlusion_texture.used()) {
+  if (render_features.textures && material.occlusion_texture.used()) {
     const float seen = sample(material.occlusion_texture, TexelKind::data).r;
     surface.occlusion = 1.0f + material.occlusion_texture.scale * (seen - 1.0f);
   }
@@ -200,40 +202,40 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
   // KHR_materials_specular. An index of 0 means an infinite one: everything is reflected.
   glm::vec3 specular_color = material.specular_color;
   float specular = material.specular;
-  if (needs.textures && material.specular_color_texture.used())
+  if (render_features.textures && material.specular_color_texture.used())
     specular_color *= glm::vec3(sample(material.specular_color_texture, TexelKind::color));
-  if (needs.textures && material.specular_texture.used())
+  if (render_features.textures && material.specular_texture.used())
     specular *= sample(material.specular_texture, TexelKind::data).a;
   surface.f0 = glm::min(dielectric * dielectric * specular_color, glm::vec3(1.0f)) * specular;
   surface.f90 = specular;
   surface.dielectric_f0 = std::max({surface.f0.x, surface.f0.y, surface.f0.z});
   surface.dielectric_f90 = surface.f90;
-  if (needs.metals) {
+  if (render_features.metals) {
     surface.f0 = glm::mix(surface.f0, surface.base_color, surface.metallic);
     surface.f90 = glm::mix(surface.f90, 1.0f, surface.metallic);
   }
 
   if (material.coat.factor > 0.0f) {
     surface.coat = {material.coat.factor, material.coat.roughness};
-    if (needs.textures && material.coat.texture.used())
+    if (render_features.textures && material.coat.texture.used())
       surface.coat.factor *= sample(material.coat.texture, TexelKind::data).r;
-    if (needs.textures && material.coat.roughness_texture.used())
+    if (render_features.textures && material.coat.roughness_texture.used())
       surface.coat.roughness *= sample(material.coat.roughness_texture, TexelKind::data).g;
   }
 
   if (material.sheen.used()) {
     surface.sheen = {material.sheen.color, material.sheen.roughness};
-    if (needs.textures && material.sheen.color_texture.used())
+    if (render_features.textures && material.sheen.color_texture.used())
       surface.sheen.color *= glm::vec3(sample(material.sheen.color_texture, TexelKind::color));
-    if (needs.textures && material.sheen.roughness_texture.used())
+    if (render_features.textures && material.sheen.roughness_texture.used())
       surface.sheen.roughness *= sample(material.sheen.roughness_texture, TexelKind::data).a;
   }
 
   if (material.film.used()) {
     surface.film = {material.film.factor, material.film.ior, material.film.thickness_max_nm};
-    if (needs.textures && material.film.texture.used())
+    if (render_features.textures && material.film.texture.used())
       surface.film.factor *= sample(material.film.texture, TexelKind::data).r;
-    if (needs.textures && material.film.thickness_texture.used()) {
+    if (render_features.textures && material.film.thickness_texture.used()) {
       const float g = sample(material.film.thickness_texture, TexelKind::data).g;
       surface.film.thickness_nm =
           glm::mix(material.film.thickness_min_nm, material.film.thickness_max_nm, g);
@@ -243,7 +245,7 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
   if (material.anisotropy.used()) {
     const TextureUse& use = material.anisotropy.texture;
     surface.anisotropy =
-        needs.textures && use.used()
+        render_features.textures && use.used()
             ? anisotropy_of(material.anisotropy, glm::vec3(sample(use, TexelKind::data)))
             : anisotropy_of(material.anisotropy);
   }
@@ -252,21 +254,21 @@ SurfaceMaterial material_with(const Material& material, const SceneNeeds& needs,
     const DiffuseTransmission& through = material.diffuse_transmission;
     surface.diffuse_transmission = through.factor;
     surface.diffuse_transmission_color = through.color;
-    if (needs.textures && through.texture.used())
+    if (render_features.textures && through.texture.used())
       surface.diffuse_transmission *= sample(through.texture, TexelKind::data).a;
-    if (needs.textures && through.color_texture.used())
+    if (render_features.textures && through.color_texture.used())
       surface.diffuse_transmission_color *=
           glm::vec3(sample(through.color_texture, TexelKind::color));
   }
 
-  if (needs.emission) surface.emission = emission();
+  if (render_features.emission) surface.emission = emission();
   return surface;
 }
 
 }  // namespace
 
-SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hit& hit,
-                           glm::vec3 to_viewer, const SampleExtent& extent) {
+SurfacePoint surface_point(const World& world, const RenderFeatures& render_features,
+                           const Hit& hit, glm::vec3 to_viewer, const SampleExtent& extent) {
   const Triangle t(world, hit);
   SurfacePoint point;
   point.triangle = hit.triangle;
@@ -279,7 +281,7 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
     point.geometric_normal = -point.geometric_normal;
   }
 
-  if (!extent.point() && shows_footprint(world, needs, hit.triangle, t)) {
+  if (!extent.point() && shows_footprint(world, render_features, hit.triangle, t)) {
     point.footprint = shaped(footprint_on(world, hit,
                                           patch_on_plane(*extent.spacing, -to_viewer, hit.t,
                                                          point.geometric_normal, extent.side)),
@@ -289,7 +291,7 @@ SurfacePoint surface_point(const World& world, const SceneNeeds& needs, const Hi
   }
   const Material& material = world.material_of(hit.triangle);
   if (material.stroke && !material.unlit) face_along_normals(world, hit, t, to_viewer, point);
-  shade_normal(world, needs, hit, t, material.normal_texture,
+  shade_normal(world, render_features, hit, t, material.normal_texture,
                extent.point() ? nullptr : extent.mips, point);
   return point;
 }
@@ -299,20 +301,22 @@ void map_normal(const World& world, const Hit& hit, const MipChains* mips, float
   turn_by_map(world, hit, world.material_of(hit.triangle).normal_texture, mips, side, point);
 }
 
-SurfacePoint coat_point(const World& world, const SceneNeeds& needs, const Hit& hit,
+SurfacePoint coat_point(const World& world, const RenderFeatures& render_features, const Hit& hit,
                         const MipChains* mips, const SurfacePoint& point) {
   const Material& material = world.material_of(hit.triangle);
-  if (!needs.normal_maps || !has_normal_map(material)) return point;
+  if (!render_features.normal_maps || !has_normal_map(material)) return point;
   SurfacePoint coat = point;
   coat.spread = {};
-  shade_normal(world, needs, hit, Triangle(world, hit), material.coat.normal_texture, mips, coat);
+  shade_normal(world, render_features, hit, Triangle(world, hit), material.coat.normal_texture,
+               mips, coat);
   return coat;
 }
 
-SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, const Hit& hit,
-                                 const Footprint& footprint, const MipChains* mips) {
+SurfaceMaterial surface_material(const World& world, const RenderFeatures& render_features,
+                                 const Hit& hit, const Footprint& footprint,
+                                 const MipChains* mips) {
   const Material& material = world.material_of(hit.triangle);
-  const bool tinted = needs.vertex_colors && !world.colors.empty();
+  const bool tinted = render_features.vertex_colors && !world.colors.empty();
   const glm::vec4 tint =
       tinted ? vertex_color(world, hit.triangle, hit.b1, hit.b2) : glm::vec4(1.0f);
   // The texture's alpha from which on a mask is opaque.
@@ -331,7 +335,7 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   };
 
   glm::vec4 base = material.base_color;
-  if (needs.textures && material.base_color_texture.used()) {
+  if (render_features.textures && material.base_color_texture.used()) {
     glm::vec4 texel = sample(material.base_color_texture, base_color_kind(material));
     // The cut-off is tested at a point, as rays do.
     if (mips && material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
@@ -343,10 +347,10 @@ SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs, co
   }
   if (tinted) base *= tint;
 
-  return material_with(material, needs, base, sample);
+  return material_with(material, render_features, base, sample);
 }
 
-void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit,
+void average_colours(const World& world, const RenderFeatures& render_features, const Hit& hit,
                      const Footprint& square, std::span<const WeightedShape> parts,
                      const MipChains& mips, SurfaceMaterial& material) {
   // With alpha blending, colours are weighted by opacity.
@@ -356,7 +360,7 @@ void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit
   for (const WeightedShape& part : parts) {
     Footprint footprint = shaped(square, part.shape);
     footprint.side *= std::sqrt(part.share);
-    const SurfaceMaterial own = surface_material(world, needs, hit, footprint, &mips);
+    const SurfaceMaterial own = surface_material(world, render_features, hit, footprint, &mips);
     const float share = part.share * (blends ? own.opacity : 1.0f);
     color += share * own.base_color;
     emission += share * own.emission;
@@ -371,8 +375,9 @@ void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit
   material.emission = emission;
 }
 
-SurfaceMaterial untextured_material(const Material& material, const SceneNeeds& needs) {
-  return material_with(material, needs, material.base_color,
+SurfaceMaterial untextured_material(const Material& material,
+                                    const RenderFeatures& render_features) {
+  return material_with(material, render_features, material.base_color,
                        [](const TextureUse&, TexelKind) { return glm::vec4(1.0f); });
 }
 

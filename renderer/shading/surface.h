@@ -4,7 +4,7 @@
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/mip_chain.h"
 #include "renderer/shading/normal_spread.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
@@ -121,23 +121,24 @@ struct SampleExtent {
 };
 
 /// Returns the geometry of a hit. `to_viewer` is unit; the hit is that of a unit direction.
-[[nodiscard]] SurfacePoint surface_point(const World& world, const SceneNeeds& needs,
+[[nodiscard]] SurfacePoint surface_point(const World& world, const RenderFeatures& render_features,
                                          const Hit& hit, glm::vec3 to_viewer,
                                          const SampleExtent& extent = {});
 /// Returns the material at a hit, averaged over a footprint if there are `mips`.
-[[nodiscard]] SurfaceMaterial surface_material(const World& world, const SceneNeeds& needs,
+[[nodiscard]] SurfaceMaterial surface_material(const World& world,
+                                               const RenderFeatures& render_features,
                                                const Hit& hit, const Footprint& footprint = {},
                                                const MipChains* mips = nullptr);
 
 /// Replaces the material's base colour and emission by their means over the parts of a square's
 /// footprint.
-void average_colours(const World& world, const SceneNeeds& needs, const Hit& hit,
+void average_colours(const World& world, const RenderFeatures& render_features, const Hit& hit,
                      const Footprint& square, std::span<const WeightedShape> parts,
                      const MipChains& mips, SurfaceMaterial& material);
 
 /// Returns a material without textures and vertex colours.
 [[nodiscard]] SurfaceMaterial untextured_material(const Material& material,
-                                                  const SceneNeeds& needs);
+                                                  const RenderFeatures& render_features);
 
 /// Turns the shading normal by the material's normal map, which must exist. With `mips` it uses the
 /// mean over the point's footprint. `side` is -1 where the shading normal is the interpolated one
@@ -146,8 +147,9 @@ void map_normal(const World& world, const Hit& hit, const MipChains* mips, float
                 SurfacePoint& point);
 
 /// Returns the point for the material's coat, with the coat's own normals.
-[[nodiscard]] SurfacePoint coat_point(const World& world, const SceneNeeds& needs, const Hit& hit,
-                                      const MipChains* mips, const SurfacePoint& point);
+[[nodiscard]] SurfacePoint coat_point(const World& world, const RenderFeatures& render_features,
+                                      const Hit& hit, const MipChains* mips,
+                                      const SurfacePoint& point);
 
 /// Returns the values of the interpolated normal at the corners of the hit's triangle. On a face of
 /// an analytic shape they belong to a vector that equals the normal at the hit and turns as it

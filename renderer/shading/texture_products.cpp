@@ -114,17 +114,17 @@ glm::vec2 place(std::size_t k) {
 
 }  // namespace
 
-bool multiplies_textures(const Material& material, const SceneNeeds& needs) {
-  if (!needs.textures || material.unlit) return false;
+bool multiplies_textures(const Material& material, const RenderFeatures& render_features) {
+  if (!render_features.textures || material.unlit) return false;
   if (material.metallic_roughness_texture.used()) return true;
   const bool blends = material.alpha_mode == AlphaMode::blend;
   return material.base_color_texture.used() &&
          (material.occlusion_texture.used() ||
-          (blends && needs.emission && material.emissive_texture.used() &&
+          (blends && render_features.emission && material.emissive_texture.used() &&
            !material.emissive_texture.same_place(material.base_color_texture)));
 }
 
-float product_error(const World& world, const SceneNeeds& needs, const Hit& hit,
+float product_error(const World& world, const RenderFeatures& render_features, const Hit& hit,
                     const Footprint& footprint, float roughest_mirror) {
   constexpr std::size_t few = 8, all = 16;
   constexpr float brightness = 0.5f;
@@ -138,7 +138,7 @@ float product_error(const World& world, const SceneNeeds& needs, const Hit& hit,
     Hit there = hit;
     there.b1 += by.x;
     there.b2 += by.y;
-    material = surface_material(world, needs, there);
+    material = surface_material(world, render_features, there);
     const Look look(material);
     looks.add(look);
     sum += shown(look, material, roughest_mirror);

@@ -2,7 +2,7 @@
 
 #include "renderer/result.h"
 #include "renderer/study/ladders.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 
 #include <array>
 #include <cstddef>
@@ -80,7 +80,7 @@ struct StudyPlan {
   double longest_seconds = 600.0;
   int threads = 0;     ///< of each render; 0: one for each core
   bool paper = false;  ///< includes the cases of CGF'98 table 2
-  NeedsChoice needs = NeedsChoice::scene;
+  FeatureChoice render_features = FeatureChoice::scene;
   std::string asset_root;  ///< see LoadOptions; not stored in jobs' records
 
   bool operator==(const StudyPlan&) const = default;

@@ -31,16 +31,18 @@ class Looker {
     const Ray ray = view_.ray(x, y);
     const Hit hit = scene_.rays().closest(ray, culling_of(settings_));
     if (!hit.valid()) return Region::rest;
-    const SurfacePoint point = surface_point(scene_.world(), scene_.needs, hit, -ray.direction);
+    const SurfacePoint point =
+        surface_point(scene_.world(), scene_.render_features, hit, -ray.direction);
     if (point.geometric_normal == glm::vec3(0.0f)) return Region::rest;
-    const SurfaceMaterial material = surface_material(scene_.world(), scene_.needs, hit);
+    const SurfaceMaterial material = surface_material(scene_.world(), scene_.render_features, hit);
     // A metal shows reflections instead of shadows.
     const bool mirrors = in_mirror(ray, hit, point, material);
     if (mirrors && material.metallic > 0.5f) return Region::reflections;
     if (settings_.shadow.cast && !material.unlit && in_penumbra(point)) return Region::penumbrae;
     if (mirrors) return Region::reflections;
-    return is_textured(scene_.world().material_of(hit.triangle), scene_.needs) ? Region::textures
-                                                                               : Region::rest;
+    return is_textured(scene_.world().material_of(hit.triangle), scene_.render_features)
+               ? Region::textures
+               : Region::rest;
   }
 
  private:

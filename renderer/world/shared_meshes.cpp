@@ -1,6 +1,6 @@
 #include "renderer/world/shared_meshes.h"
 
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "renderer/world/surface_kind.h"
 
 #include <algorithm>

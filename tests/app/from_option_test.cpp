@@ -87,7 +87,7 @@ TEST_F(FromOption, OptionsBesideItOverride) {
       render(from + std::vector<std::string>{"--fov", "20", "--needs", "all"}, "f.png").exit_code,
       0);
   EXPECT_NEAR(said("f.png").camera.fov_y_rad, 0.349, 0.001);
-  EXPECT_EQ(said("f.png").needs, NeedsChoice::all);
+  EXPECT_EQ(said("f.png").render_features, FeatureChoice::all);
   ASSERT_EQ(render(from + std::vector<std::string>{"builtin:fence"}, "s.png").exit_code, 0);
   EXPECT_EQ(said("s.png").scene, "builtin:fence");
 }

@@ -29,16 +29,17 @@ struct Settings {
 
 struct Forced {
   std::string name;
-  SceneNeeds needs;
+  RenderFeatures render_features;
 };
 
-/// The features that are left out according to `needs` and can be forced, then all of them.
-std::vector<Forced> forced_features(const SceneNeeds& needs) {
+/// The features that are left out according to `render_features` and can be forced, then all of
+/// them.
+std::vector<Forced> forced_features(const RenderFeatures& render_features) {
   std::vector<Forced> list;
-  const SceneNeeds all = SceneNeeds::all();
-  for (const SceneFeature& feature : features_left_out(needs)) {
+  const RenderFeatures all = RenderFeatures::all();
+  for (const RenderFeature& feature : features_left_out(render_features)) {
     if (!(all.*feature.needed)) continue;
-    list.emplace_back(Forced{feature.name, {}}).needs.*feature.needed = true;
+    list.emplace_back(Forced{feature.name, {}}).render_features.*feature.needed = true;
   }
   list.push_back({"all of them", all});
   return list;
@@ -52,7 +53,7 @@ struct Cost {
 };
 
 /// Prepares and renders once, and adds the costs.
-Result<void> measure(const Scene& scene, const SceneNeeds& forced, const Settings& settings,
+Result<void> measure(const Scene& scene, const RenderFeatures& forced, const Settings& settings,
                      Cost& cost) {
   const auto prepared = prepare(scene, forced).and_then(with_boundaries);
   if (!prepared) return unexpected(prepared.error());
@@ -73,9 +74,9 @@ Result<void> compare(const std::string& source, const Scene& scene, const Forced
   for (int i = 0; i < settings.repetitions; ++i) {
     // The order alternates, too.
     const auto first = i % 2 == 0 ? measure(scene, {}, settings, needed)
-                                  : measure(scene, what.needs, settings, forced);
+                                  : measure(scene, what.render_features, settings, forced);
     if (!first) return first;
-    const auto second = i % 2 == 0 ? measure(scene, what.needs, settings, forced)
+    const auto second = i % 2 == 0 ? measure(scene, what.render_features, settings, forced)
                                    : measure(scene, {}, settings, needed);
     if (!second) return second;
   }
@@ -103,7 +104,7 @@ Result<void> measure_scene(const std::string& source, const Settings& settings) 
     fmt::print("{}: {} triangles, {:.2f} MB\n", source, (*prepared)->world().triangles.size(),
                (*prepared)->geometry->memory_mb());
   // The first line compares the scene with itself: its deviation from 1 is noise.
-  std::vector<Forced> list = forced_features((*prepared)->needs);
+  std::vector<Forced> list = forced_features((*prepared)->render_features);
   list.insert(list.begin(), Forced{"(nothing: noise)", {}});
   for (const Forced& what : list) {
     if (const auto done = compare(source, *scene, what, settings); !done) return done;

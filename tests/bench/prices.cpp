@@ -133,7 +133,7 @@ void measure_block(const Snapshot& snapshot, const View& view, const Shader& sha
   ShadowWorkspace work;
   ShadowContext block;
   block.scene = &shadow_scene;
-  block.rules = {nullptr, eye.error_budget, nullptr, scene.needs.varying_opacity};
+  block.rules = {nullptr, eye.error_budget, nullptr, scene.render_features.varying_opacity};
   block.lights = shader.lights().size();
   block.frame = &frame;
   block.view = &samples;

@@ -167,7 +167,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Film film = render(*scene, camera, settings);
   const int also = choice.of(4);
   if (also == 1) {
-    const auto forced = prepare(*loaded, SceneNeeds::all());
+    const auto forced = prepare(*loaded, RenderFeatures::all());
     require(forced.has_value(), "what is forced on refuses nothing");
     const auto stands = with_ground(*forced, settings.ground);
     require(stands.has_value(), "what is forced on refuses no ground");

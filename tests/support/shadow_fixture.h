@@ -3,7 +3,7 @@
 #include "renderer/lights/light_intersections.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shadows/shadow.h"
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "tests/support/tiny_world.h"
 
 #include <glm/glm.hpp>

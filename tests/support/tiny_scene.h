@@ -14,7 +14,7 @@ namespace asos::test {
 inline std::shared_ptr<Geometry> make_geometry(World world, const std::vector<Light>& lights = {}) {
   auto geometry = std::make_shared<Geometry>();
   geometry->world = std::move(world);
-  geometry->needs = find_needs(geometry->world);
+  geometry->render_features = find_render_features(geometry->world);
   geometry->rays =
       std::move(RayScene::build(geometry->world, alpha_at, lights, {}, passage_at).value());
   geometry->boundaries.set(FeatureSet(geometry->world));

@@ -246,8 +246,8 @@ void advanced_panel(Controls& controls, Previewer& previewer) {
   if (in_object_space(settings.method)) splitting_controls(controls, settings);
   if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
   // Without a scene, show only the controls that every scene has.
-  if (scene && scene->needs.textures) texture_controls(controls, settings);
-  if (!scene || !scene->needs.culling) return;
+  if (scene && scene->render_features.textures) texture_controls(controls, settings);
+  if (!scene || !scene->render_features.culling) return;
   controls.checkbox("Back-face culling", "Hide the backs of single-sided materials, as glTF asks.",
                     settings.cull, usual.cull);
 }

@@ -48,7 +48,7 @@ std::optional<PickedMirror> picked_mirror(const Previewer& previewer,
   const RenderScene& scene = *previewer.scene();
   const glm::vec3 direction(
       previewer.viewpoint().view().ray(picked->x + 0.5, picked->y + 0.5).direction);
-  const SurfacePoint point = surface_point(scene.world(), scene.needs, hit, -direction);
+  const SurfacePoint point = surface_point(scene.world(), scene.render_features, hit, -direction);
   const double cosine = std::abs(glm::dot(glm::dvec3(point.shading_normal), glm::dvec3(direction)));
   const Part& part = scene.world().parts[scene.world().triangle_part[hit.triangle]];
   return PickedMirror{part.material, std::acos(std::clamp(cosine, 0.0, 1.0))};

@@ -63,7 +63,7 @@ void edge_rows(Controls& controls, const FeatureCounts& edges) {
 }
 
 /// The savings of leaving `feature` out, one per line.
-std::string savings(const SceneFeature& feature) {
+std::string savings(const RenderFeature& feature) {
   std::string text = "Skipped with it:";
   const auto add = [&](const char* kind, const char* words) {
     if (*words != '\0') text += fmt::format("\n{}: {}", kind, words);
@@ -75,10 +75,10 @@ std::string savings(const SceneFeature& feature) {
   return text;
 }
 
-void left_out_rows(Controls& controls, const SceneNeeds& needs) {
-  const std::vector<SceneFeature> left_out = features_left_out(needs);
+void left_out_rows(Controls& controls, const RenderFeatures& render_features) {
+  const std::vector<RenderFeature> left_out = features_left_out(render_features);
   if (left_out.empty() || !controls.section("Skipped work", false)) return;
-  for (const SceneFeature& feature : left_out)
+  for (const RenderFeature& feature : left_out)
     controls.row(feature.name, feature.reason, savings(feature).c_str());
 }
 

@@ -48,7 +48,7 @@ void quality_controls(Controls& controls, RenderSettings& settings) {
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
   const RenderSettings usual;
   if (!controls.section("Shadows")) return;
-  if (scene && scene->needs.shadows)
+  if (scene && scene->render_features.shadows)
     controls.checkbox("Shadows", "Lights cast shadows.", settings.shadow.cast, usual.shadow.cast);
   if (settings.shadow.cast)
     controls.checkbox("Ambient occlusion",
@@ -63,7 +63,7 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
     settings.shadow.bounces = bounces ? 1 : 0;
   }
   // The published method has fixed quality and rule.
-  const bool soft = scene && scene->needs.soft_shadows;
+  const bool soft = scene && scene->render_features.soft_shadows;
   if (settings.method == Method::asos && settings.shadow.cast && soft)
     quality_controls(controls, settings);
   if (settings.method == Method::asos_published) return;

@@ -51,7 +51,7 @@ void ray_rows(Controls& controls, const RenderStatistics& statistics, const Rend
   controls.row("Eye rays", finished.per_pixel(statistics.eye_rays),
                "Camera rays per finished pixel.");
   const std::vector<Light>& lights = scene.lights();
-  if (scene.needs.shadows) {
+  if (scene.render_features.shadows) {
     controls.row("Shadow rays", finished.per_pixel(statistics.shadow_rays),
                  "Shadow rays per finished pixel.");
     light_rows(controls, statistics, lights, finished);

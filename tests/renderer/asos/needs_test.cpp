@@ -1,8 +1,7 @@
-#include "renderer/world/needs.h"
-
 #include "renderer/gltf/load.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/sky.h"
+#include "renderer/world/render_features.h"
 #include "tests/support/expect_same.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
@@ -56,9 +55,10 @@ class ForcedBuiltin : public testing::TestWithParam<const char*> {};
 TEST_P(ForcedBuiltin, GivesTheSamePictureToTheBit) {
   const Scene scene = load_scene(std::string("builtin:") + GetParam()).value();
   const SharedScene needed = prepare(scene).and_then(with_boundaries).value();
-  const SharedScene forced = prepare(scene, SceneNeeds::all()).and_then(with_boundaries).value();
-  EXPECT_GT(features_left_out(needed->needs).size(), 5u);
-  EXPECT_LE(features_left_out(forced->needs).size(), 2u)
+  const SharedScene forced =
+      prepare(scene, RenderFeatures::all()).and_then(with_boundaries).value();
+  EXPECT_GT(features_left_out(needed->render_features).size(), 5u);
+  EXPECT_LE(features_left_out(forced->render_features).size(), 2u)
       << "varying opacity and sky images cannot be forced";
   EXPECT_LT(needed->geometry->memory_mb(), forced->geometry->memory_mb());
   expect_same_pictures(*needed, *forced, 24, 16);
@@ -126,7 +126,7 @@ int add_texture(Scene& scene) {
 
 struct WithFeature {
   const char* name;
-  bool SceneNeeds::*needed;
+  bool RenderFeatures::*needed;
   std::function<void(Scene&, Material& pane)> add;
 };
 
@@ -136,7 +136,7 @@ Light& light_of(Scene& scene, Light::Type type) {
 }
 
 const std::vector<WithFeature>& cases() {
-  using N = SceneNeeds;
+  using N = RenderFeatures;
   static const std::vector<WithFeature> all{
       {"texture", &N::textures,
        [](Scene& s, Material& m) { m.base_color_texture.texture = add_texture(s); }},
@@ -221,9 +221,10 @@ TEST_P(ForcedFeature, ChangesNoBitWithOrWithoutTheOthers) {
   with.add(scene, pane);
   scene.materials[1] = pane;
   const SharedScene needed = prepare(scene).and_then(with_boundaries).value();
-  const SharedScene forced = prepare(scene, SceneNeeds::all()).and_then(with_boundaries).value();
+  const SharedScene forced =
+      prepare(scene, RenderFeatures::all()).and_then(with_boundaries).value();
   if (with.needed) {
-    EXPECT_TRUE(needed->needs.*with.needed);
+    EXPECT_TRUE(needed->render_features.*with.needed);
   }
   expect_same_pictures(*needed, *forced, 20, 16);
 }
@@ -242,7 +243,7 @@ std::uint64_t mirrored_rays(const RenderScene& scene, double roughest_mirror) {
 // Rough mirrors are left out by the default limit, but are followed if the settings raise it.
 TEST(ForcedNeeds, RougherMirrorsAreFollowedWhereTheSettingsAskForThem) {
   const SharedScene scene = prepare(pane_on_floor()).value();
-  ASSERT_FALSE(scene->needs.mirrors);
+  ASSERT_FALSE(scene->render_features.mirrors);
   EXPECT_EQ(mirrored_rays(*scene, usual_roughest_mirror), 0u);
   EXPECT_GT(mirrored_rays(*scene, 0.5), 0u);
   RenderSettings settings;
@@ -267,7 +268,8 @@ TEST(ForcedNeeds, TakeMemoryThatIsLeftOutOtherwise) {
   const SharedScene needed = prepare(scene).and_then(with_boundaries).value();
   EXPECT_TRUE(needed->world().colors.empty() && needed->world().tangents.empty());
   EXPECT_TRUE(needed->world().texcoords[0].empty() && needed->world().images[0].rgba.empty());
-  const SharedScene forced = prepare(scene, SceneNeeds::all()).and_then(with_boundaries).value();
+  const SharedScene forced =
+      prepare(scene, RenderFeatures::all()).and_then(with_boundaries).value();
   EXPECT_EQ(forced->world().colors.size(), 8u);
   EXPECT_EQ(forced->world().tangents.size(), 8u);
   EXPECT_EQ(forced->world().texcoords[0].size(), 8u);

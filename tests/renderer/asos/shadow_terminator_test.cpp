@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(ShadowTerminator, EveryLight, testing::ValuesIn(lamps()
 TEST(ShadowTerminator, AHollowMeshShadowsItself) {
   World world;
   add_sphere(world, {0, 0, 0}, 1.0f, 8, matte(glm::vec3(1.0f)));
-  const SceneNeeds needs = find_needs(world);
+  const RenderFeatures render_features = find_render_features(world);
   const RayScene rays = RayScene::build(world, alpha_at).value();
   int seen = 0;
   for (int i = 0; i < 200; ++i) {
@@ -133,10 +133,10 @@ TEST(ShadowTerminator, AHollowMeshShadowsItself) {
     const Hit hit = rays.closest(ray);
     if (!hit.valid()) continue;
     ++seen;
-    const SurfacePoint inner = surface_point(world, needs, hit, -ray.direction);
+    const SurfacePoint inner = surface_point(world, render_features, hit, -ray.direction);
     EXPECT_EQ(inner.lift, glm::vec3(0.0f));
     EXPECT_EQ(inner.horizon(), inner.geometric_normal);
-    const SurfacePoint outer = surface_point(world, needs, hit, ray.direction);
+    const SurfacePoint outer = surface_point(world, render_features, hit, ray.direction);
     if (outer.lift != glm::vec3(0.0f)) {
       EXPECT_NEAR(glm::length(outer.lit_position()), 1.0f, 0.035f);
     }
@@ -154,7 +154,7 @@ TEST(ShadowTerminator, ABoxWithAveragedNormalsStaysABox) {
   }
   add_part(world, vertices, {{4, 5, 7}, {4, 7, 6}}, matte(glm::vec3(1.0f)));
   const Hit hit{0, 1.0f, 0.3f, 0.3f};
-  const SurfacePoint point = surface_point(world, find_needs(world), hit, {0, 0, 1});
+  const SurfacePoint point = surface_point(world, find_render_features(world), hit, {0, 0, 1});
   EXPECT_EQ(point.lit_position(), point.position);
   EXPECT_EQ(point.horizon(), glm::vec3(0, 0, 1));
 }

@@ -343,18 +343,18 @@ TEST(TextureResolution, PartsLieInTheirStrataAndInTheLeaf) {
 }
 
 TEST(TextureResolution, KnowsWhatIsTextured) {
-  SceneNeeds needs;
-  needs.textures = needs.normal_maps = needs.emission = true;
+  RenderFeatures render_features;
+  render_features.textures = render_features.normal_maps = render_features.emission = true;
   Material m;
-  EXPECT_FALSE(is_textured(m, needs));
+  EXPECT_FALSE(is_textured(m, render_features));
   for (TextureUse Material::*use :
        {&Material::base_color_texture, &Material::metallic_roughness_texture,
         &Material::normal_texture, &Material::emissive_texture}) {
     Material one;
     (one.*use).texture = 0;
-    EXPECT_TRUE(is_textured(one, needs));
+    EXPECT_TRUE(is_textured(one, render_features));
     one.unlit = true;
-    EXPECT_EQ(is_textured(one, needs), use == &Material::base_color_texture);
+    EXPECT_EQ(is_textured(one, render_features), use == &Material::base_color_texture);
   }
 }
 

@@ -155,7 +155,8 @@ double worst(const Furnace& f, Method method) {
   shading.sky = settings.sky.get();
   shading.sky_shadows = true;
   shading.reflections = 16;
-  const Shader shader(scene->world(), scene->needs, scene->rays(), *scene->lighting, shading);
+  const Shader shader(scene->world(), scene->render_features, scene->rays(), *scene->lighting,
+                      shading);
   double most = 0.0;
   int pixels = 0;
   for (int y = 0; y < side; ++y) {

@@ -27,7 +27,7 @@ constexpr std::size_t points_of_a_batch = 251;
 /// Random triangles, some degenerate, some with varying normals, and hits on them.
 struct Subjects {
   World world;
-  SceneNeeds needs;
+  RenderFeatures render_features;
   PixelSpacing spacing;
   MipChains mips;
   std::vector<Hit> hits;
@@ -37,8 +37,8 @@ struct Subjects {
 
   Subjects(std::uint64_t seed, double scale, bool perspective) {
     RandomSpace space(seed);
-    needs.punctual_lights = true;
-    needs.textures = true;
+    render_features.punctual_lights = true;
+    render_features.textures = true;
     spacing.perspective = perspective;
     spacing.forward = glm::vec3(space.direction());
     spacing.right = 0.01f * glm::vec3(space.direction());
@@ -104,7 +104,7 @@ struct Subjects {
 
   [[nodiscard]] SurfacePoint oracle(std::size_t i, bool filtered) const {
     const SampleExtent extent{&spacing, filtered ? &mips : nullptr, sides[i]};
-    return surface_point(world, needs, hits[i], -directions[i], extent);
+    return surface_point(world, render_features, hits[i], -directions[i], extent);
   }
 };
 

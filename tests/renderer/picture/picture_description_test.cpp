@@ -121,7 +121,7 @@ PictureDescription odd_description() {
   d.sky.file = "/skies/one.hdr";
   d.sky.turn_deg = 45.1;
   d.sky.brightness = 1.0 / 3.0;
-  d.needs = NeedsChoice::all;
+  d.render_features = FeatureChoice::all;
   d.lights = odd_lights();
   d.dfrs = MaterialDfrs{std::nullopt, Dfr{{DfrCurve{0.1, 0.9, 31.5}, {}, {}}, 1.0 / 3.0}};
   d.time = ClipTime{3, 1.0 / 3.0};
@@ -142,7 +142,7 @@ TEST(PictureDescription, ComesBackBitForBit) {
   EXPECT_EQ(read->origin, d.origin);
   EXPECT_EQ(read->settings, d.settings);
   EXPECT_EQ(read->sky, d.sky);
-  EXPECT_EQ(read->needs, d.needs);
+  EXPECT_EQ(read->render_features, d.render_features);
   EXPECT_EQ(read->display, d.display);
   EXPECT_EQ(read->camera.world_from_camera, d.camera.world_from_camera);
   EXPECT_EQ(read->camera.near_depth, d.camera.near_depth);

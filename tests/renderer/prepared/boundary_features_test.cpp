@@ -111,7 +111,7 @@ TEST(FeatureSet, EndsSoonOnceAStopIsRequested) {
 
 TEST(Prepare, LeavesTheBoundariesToFindThemselves) {
   const auto scene = prepare(load_scene("builtin:boxes").value()).value();
-  const SceneNeeds before = scene->needs;
+  const RenderFeatures before = scene->render_features;
   EXPECT_TRUE(before.intersections) << "the search has not ended";
   const auto same = with_boundaries(scene).value();
   EXPECT_EQ(same, scene);

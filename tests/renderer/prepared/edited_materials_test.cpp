@@ -68,7 +68,7 @@ TEST(WithDfrs, LightsAndRatiosAreEditedInEitherOrder) {
     EXPECT_EQ(scene->dfrs(), dfrs);
     EXPECT_EQ(scene->lights().size(), 1u);
   }
-  EXPECT_EQ(lit_first->needs, lit_last->needs);
+  EXPECT_EQ(lit_first->render_features, lit_last->render_features);
   EXPECT_EQ(film_of(*lit_first).radiance, film_of(*lit_last).radiance);
 }
 
@@ -76,12 +76,12 @@ TEST(WithDfrs, LightsAndRatiosAreEditedInEitherOrder) {
 TEST(WithDfrs, ARoughMaterialBecomesAMirror) {
   const auto rough = polished_boxes(std::nullopt, 0.6f);
   const auto mirrors = polished_boxes(blurred(), 0.6f);
-  EXPECT_FALSE(rough->needs.mirrors);
+  EXPECT_FALSE(rough->render_features.mirrors);
   const auto edited = with_dfrs(rough, dfrs_of(mirrors->world())).value();
-  EXPECT_EQ(edited->needs, mirrors->needs);
+  EXPECT_EQ(edited->render_features, mirrors->render_features);
   EXPECT_EQ(film_of(*edited).radiance, film_of(*mirrors).radiance);
   const auto back = with_dfrs(edited, dfrs_of(rough->world())).value();
-  EXPECT_EQ(back->needs, rough->needs);
+  EXPECT_EQ(back->render_features, rough->render_features);
 }
 
 TEST(WithDfrs, RefusesWhatIsOutOfRange) {

@@ -66,8 +66,8 @@ TEST(Prepare, EmissiveMeshesLightAScene) {
   EXPECT_EQ(scene->lighting->emissive_lights, 6u);
   EXPECT_EQ(scene->lights().size(), 6u);
   EXPECT_FALSE(scene->lighting->default_rig);
-  EXPECT_TRUE(scene->needs.rectangle_lights);
-  EXPECT_FALSE(scene->needs.punctual_lights);
+  EXPECT_TRUE(scene->render_features.rectangle_lights);
+  EXPECT_FALSE(scene->render_features.punctual_lights);
   for (const Light& light : scene->lights()) EXPECT_EQ(light.own_part, 1);
 }
 

@@ -100,10 +100,10 @@ TEST(WithGround, DoesNotChangeTheOriginalScene) {
 
 TEST(WithGround, MirrorsByADfr) {
   const auto bare = ready(board(false));
-  EXPECT_FALSE(bare->needs.mirrors);
-  EXPECT_FALSE(with_ground(bare, Ground::on).value()->needs.mirrors);
+  EXPECT_FALSE(bare->render_features.mirrors);
+  EXPECT_FALSE(with_ground(bare, Ground::on).value()->render_features.mirrors);
   const auto scene = with_ground(bare, Ground::mirror).value();
-  EXPECT_TRUE(scene->needs.mirrors);
+  EXPECT_TRUE(scene->render_features.mirrors);
   ASSERT_TRUE(scene->dfrs().back());
   EXPECT_FALSE(scene->dfrs().front());
 }

@@ -47,7 +47,7 @@ TEST(WithLights, GivesThePictureOfASceneWithThoseLights) {
   for (Light& light : lights) light.position -= before->world().origin;
   const auto relit = with_lights(before, lights);
   ASSERT_TRUE(relit.has_value());
-  EXPECT_EQ((*relit)->needs, fresh->needs);
+  EXPECT_EQ((*relit)->render_features, fresh->render_features);
   EXPECT_EQ((*relit)->geometry, before->geometry) << "nothing is rebuilt";
   EXPECT_EQ((*relit)->materials, before->materials);
   const test::Picture expected = picture_of(*fresh), got = picture_of(**relit);

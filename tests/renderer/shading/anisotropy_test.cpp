@@ -182,7 +182,7 @@ TEST(Anisotropy, TexturesAreLookedUp) {
   hit.t = 1.0f;
   hit.b1 = hit.b2 = 0.25f;
   hit.triangle = 0;
-  const SurfaceMaterial seen = surface_material(world, find_needs(world), hit);
+  const SurfaceMaterial seen = surface_material(world, find_render_features(world), hit);
   EXPECT_NEAR(seen.anisotropy.strength, 0.1f, 1e-6f);
   EXPECT_EQ(seen.anisotropy.direction, glm::vec2(0.0f, 1.0f));
   const LobeStretch front =

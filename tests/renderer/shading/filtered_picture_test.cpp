@@ -20,7 +20,7 @@ class Picture {
   Picture(World world, const Camera& camera, std::vector<Light> lights = {})
       : world_(std::move(world)),
         lighting_(prepare_lighting(world_, std::move(lights))),
-        needs_(find_needs(world_).with(lighting_.needs)),
+        needs_(find_render_features(world_).with(lighting_.render_features)),
         mips_(world_, needs_),
         view_(camera, width, height),
         rays_(RayScene::build(world_, alpha_at).value()) {}
@@ -54,7 +54,7 @@ class Picture {
 
   World world_;
   Lighting lighting_;
-  SceneNeeds needs_;
+  RenderFeatures needs_;
   MipChains mips_;
   View view_;
   RayScene rays_;

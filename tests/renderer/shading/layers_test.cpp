@@ -109,10 +109,10 @@ TEST(Layers, CoatsHaveTheirOwnNormals) {
     hit.t = 1.0f;
     hit.b1 = hit.b2 = 0.25f;
     hit.triangle = 0;
-    const SceneNeeds needs = find_needs(world);
-    const SurfacePoint point = surface_point(world, needs, hit, {0, 1, 0});
+    const RenderFeatures render_features = find_render_features(world);
+    const SurfacePoint point = surface_point(world, render_features, hit, {0, 1, 0});
     return std::pair(point.shading_normal,
-                     coat_point(world, needs, hit, nullptr, point).shading_normal);
+                     coat_point(world, render_features, hit, nullptr, point).shading_normal);
   };
   const glm::vec3 up(0, 1, 0);
   const glm::vec3 right = glm::normalize(glm::vec3(0.6f, 0.8f, 0.0f));
@@ -143,7 +143,7 @@ TEST(Layers, TexturesScaleTheirFactors) {
   hit.t = 1.0f;
   hit.b1 = hit.b2 = 0.25f;
   hit.triangle = 0;
-  const SurfaceMaterial seen = surface_material(world, find_needs(world), hit);
+  const SurfaceMaterial seen = surface_material(world, find_render_features(world), hit);
   EXPECT_NEAR(seen.coat.factor, 0.1f, 1e-6f) << "red";
   EXPECT_NEAR(seen.coat.roughness, 0.2f, 1e-6f) << "green";
   EXPECT_NEAR(seen.sheen.color.r, 0.5 * 0.0331, 1e-4) << "sRGB";

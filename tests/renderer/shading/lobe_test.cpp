@@ -157,7 +157,7 @@ TEST(SurfacePoint, FlatSurfacesHaveNoSpreadAndCurvedOnesTheirTurn) {
   test::add_sphere(ball, {0, 0, 0}, 2.0f, 64, shiny);
   const Light light;
   const auto lit = [&](const World& world) {
-    return find_needs(world).with(find_needs({&light, 1}));
+    return find_render_features(world).with(find_render_features({&light, 1}));
   };
 
   const PixelSpacing spacing{false, {0, -1, 0}, {0.01f, 0, 0}, {0, 0, 0.01f}};

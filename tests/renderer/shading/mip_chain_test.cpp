@@ -124,7 +124,7 @@ TEST(MipChain, IsMadeForWhatIsUsedOnly) {
   test::add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, m);
   m.base_color_texture.texture = unused;
   world.materials.push_back(m);  // on no triangle
-  const MipChains chains(world, find_needs(world));
+  const MipChains chains(world, find_render_features(world));
   EXPECT_EQ(chains.chain(colour, TexelKind::color).size(), 3u);
   EXPECT_TRUE(chains.chain(colour, TexelKind::data).empty());
   EXPECT_TRUE(chains.chain(unused, TexelKind::color).empty());
@@ -133,7 +133,7 @@ TEST(MipChain, IsMadeForWhatIsUsedOnly) {
 
   World plain;
   test::add_triangle(plain, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, test::matte(glm::vec3(1)));
-  EXPECT_EQ(MipChains(plain, find_needs(plain)).memory_bytes(), 0u);
+  EXPECT_EQ(MipChains(plain, find_render_features(plain)).memory_bytes(), 0u);
   EXPECT_TRUE(make_mip_chain(Image{}, TexelKind::color).empty());
 }
 

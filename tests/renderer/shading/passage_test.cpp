@@ -169,7 +169,7 @@ TEST(Passage, ThinWallsAddNoLight) {
         if (kind == 3) m.film.factor = 1.0f;
         if (kind == 4) m.metallic = 0.5f;
         add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, m);
-        const SceneNeeds needs = find_needs(world);
+        const RenderFeatures render_features = find_render_features(world);
         const RayScene rays = rays_of(world);
         const Lighting lighting;
         ShadingSettings settings;
@@ -182,7 +182,7 @@ TEST(Passage, ThinWallsAddNoLight) {
           ray.origin = -10.0f * ray.direction;
           WhiteSky transport;
           RenderStatistics counts;
-          const glm::vec3 seen = Shader(world, needs, rays, lighting, settings)
+          const glm::vec3 seen = Shader(world, render_features, rays, lighting, settings)
                                      .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
           EXPECT_LE(seen.x, 1.0f + 1e-5f) << kind << ' ' << angle << ' ' << roughness;
           // Lobes lose multiple reflections; films have colours.

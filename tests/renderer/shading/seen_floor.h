@@ -54,13 +54,13 @@ inline SeenPoint seen_at(double angle) {
 struct SeenFloor {
   World world;
   Lighting lighting;
-  SceneNeeds needs;
+  RenderFeatures render_features;
   RayScene rays;
 
   explicit SeenFloor(const Material& material, std::vector<Light> lights = {}) {
     add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
     lighting = prepare_lighting(world, std::move(lights));
-    needs = find_needs(world).with(lighting.needs);
+    render_features = find_render_features(world).with(lighting.render_features);
     rays = RayScene::build(world, alpha_at, lighting.lights).value();
   }
   SeenFloor(const SeenFloor&) = delete;
@@ -77,7 +77,7 @@ struct SeenFloor {
     Ray ray;
     ray.origin = 10.0f * to_viewer;
     ray.direction = -to_viewer;
-    return Shader(world, needs, rays, lighting, settings)
+    return Shader(world, render_features, rays, lighting, settings)
         .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
   }
   [[nodiscard]] glm::vec3 look(double angle, const Sky& sky, std::uint32_t samples = 0) const {

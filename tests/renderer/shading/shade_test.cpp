@@ -25,13 +25,13 @@ using test::unlit;
 struct Lit {
   World world;
   Lighting lighting;
-  SceneNeeds needs;
+  RenderFeatures render_features;
   RayScene rays;
 
   explicit Lit(World w, std::vector<Light> lights = {})
       : world(std::move(w)),
         lighting(prepare_lighting(world, std::move(lights))),
-        needs(find_needs(world).with(lighting.needs)) {
+        render_features(find_render_features(world).with(lighting.render_features)) {
     auto built = RayScene::build(world, alpha_at, lighting.lights);
     EXPECT_TRUE(built.has_value());
     rays = std::move(*built);
@@ -40,7 +40,7 @@ struct Lit {
 
   glm::vec3 look(const Ray& ray) {
     test::RayTransport transport(rays);
-    return Shader(world, needs, rays, lighting)
+    return Shader(world, render_features, rays, lighting)
         .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
   }
   RenderStatistics counts;
@@ -279,20 +279,20 @@ TEST(Shader, NormalMapsGreenPointsAgainstV) {
   Hit hit;
   hit.triangle = 0;
   hit.b1 = hit.b2 = 0.3f;
-  const SurfacePoint p = surface_point(world, find_needs(world), hit, {0, 1, 0});
+  const SurfacePoint p = surface_point(world, find_render_features(world), hit, {0, 1, 0});
   EXPECT_LT(p.shading_normal.z, -0.6f);
   EXPECT_NEAR(p.shading_normal.x, 0.0f, 0.01f);
   EXPECT_GT(p.shading_normal.y, 0.6f);
 
   // The same if only other meshes have tangents.
   world.tangents.assign(world.positions.size(), glm::vec4(0.0f));
-  EXPECT_EQ(surface_point(world, find_needs(world), hit, {0, 1, 0}).shading_normal,
+  EXPECT_EQ(surface_point(world, find_render_features(world), hit, {0, 1, 0}).shading_normal,
             p.shading_normal);
 
   // The map is looked up at (v, -u): its upper edge is where u grows.
   world.materials[0].normal_texture.uv_transform = {glm::vec3(0, -1, 0), glm::vec3(1, 0, 0),
                                                     glm::vec3(0, 0, 1)};
-  const SurfacePoint turned = surface_point(world, find_needs(world), hit, {0, 1, 0});
+  const SurfacePoint turned = surface_point(world, find_render_features(world), hit, {0, 1, 0});
   EXPECT_GT(turned.shading_normal.x, 0.6f);
   EXPECT_NEAR(turned.shading_normal.z, 0.0f, 0.01f);
 }
@@ -332,7 +332,7 @@ TEST(Shader, ALightOnTheSurfaceGivesAFiniteResult) {
   hit.b2 = 0.5f;  // the middle of the quad's diagonal
   RenderStatistics counts;
   test::RayTransport transport(lit.rays);
-  const glm::vec3 c = Shader(lit.world, lit.needs, lit.rays, lit.lighting)
+  const glm::vec3 c = Shader(lit.world, lit.render_features, lit.rays, lit.lighting)
                           .radiance(straight_down(0, 0), hit, 0.0f, transport, counts);
   EXPECT_TRUE(std::isfinite(c.r + c.g + c.b));
 }
@@ -344,7 +344,7 @@ TEST(SpawnOrigin, ClearsTheErrorOfThePointAndNoMore) {
   hit.triangle = 0;
   hit.b1 = 0.3f;
   hit.b2 = 0.2f;
-  const SurfacePoint p = surface_point(world, SceneNeeds{}, hit, {0, 1, 0});
+  const SurfacePoint p = surface_point(world, RenderFeatures{}, hit, {0, 1, 0});
   const float moved = spawn_origin(p, {0, 1, 0}).y - p.position.y;
   EXPECT_GE(moved, p.error.y);
   EXPECT_LT(moved, 500.0f * 1e-5f);
@@ -360,7 +360,7 @@ TEST(ShadowRay, ToASunStartsOnItsOwnLine) {
   hit.triangle = 0;
   hit.b1 = 0.3f;
   hit.b2 = 0.2f;
-  const SurfacePoint p = surface_point(world, SceneNeeds{}, hit, {0, 1, 0});
+  const SurfacePoint p = surface_point(world, RenderFeatures{}, hit, {0, 1, 0});
   const float height = clear_height(p);
   EXPECT_GT(height, 1e-3f);
   for (const float side : {1.0f, -1.0f}) {

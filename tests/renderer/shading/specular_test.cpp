@@ -18,7 +18,7 @@ SurfaceMaterial shaded(const Material& material) {
   hit.t = 1.0f;
   hit.b1 = hit.b2 = 0.25f;
   hit.triangle = 0;
-  return surface_material(world, find_needs(world), hit);
+  return surface_material(world, find_render_features(world), hit);
 }
 
 Material glass(float ior, float specular, glm::vec3 color) {
@@ -72,7 +72,7 @@ TEST(Specular, TexturesScaleTheFactors) {
   hit.t = 1.0f;
   hit.b1 = hit.b2 = 0.25f;
   hit.triangle = 0;
-  const SurfaceMaterial seen = surface_material(world, find_needs(world), hit);
+  const SurfaceMaterial seen = surface_material(world, find_render_features(world), hit);
   EXPECT_NEAR(seen.f90, 0.1f, 1e-6f);
   EXPECT_NEAR(seen.f0.r, 0.04f * 2.0f * 0.5029f * 0.1f, 1e-6f);
   EXPECT_NEAR(seen.f0.g, 0.004f, 1e-6f);

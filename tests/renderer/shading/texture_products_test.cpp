@@ -42,14 +42,14 @@ class Surface {
   }
   [[nodiscard]] float error() {
     add_quad(world_, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, material);
-    const SceneNeeds needs = find_needs(world_);
+    const RenderFeatures render_features = find_render_features(world_);
     Hit hit;
     hit.triangle = 0;
     hit.b1 = hit.b2 = 0.25f;
     Footprint footprint;
     footprint.right = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).right;
     footprint.down = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).down;
-    return product_error(world_, needs, hit, footprint, 0.35f);
+    return product_error(world_, render_features, hit, footprint, 0.35f);
   }
 
  private:

@@ -21,7 +21,7 @@ struct Textured {
     use.texture = test::add_texture(world, std::move(image), wrap, filter);
     m.base_color_texture = m.metallic_roughness_texture = m.normal_texture = use;
     test::add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, m);
-    mips = MipChains(world, find_needs(world));
+    mips = MipChains(world, find_render_features(world));
   }
 
   [[nodiscard]] glm::vec4 look(TexelKind kind, glm::vec2 uv, glm::vec2 right,

@@ -29,7 +29,7 @@ struct Block {
 std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, bool together,
                               RenderStatistics& counts) {
   const World& world = fixture.world();
-  const SceneNeeds needs = find_needs(world);
+  const RenderFeatures render_features = find_render_features(world);
   const ShadowScene scene{world, fixture.features(), fixture.rays()};
   const PixelSpacing spacing = PixelSpacing::of(block.view);
   const Frame frame = block.view.frame(block.rect.x, block.rect.y, side, side);
@@ -52,7 +52,7 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
       points.emplace_back();
       continue;
     }
-    points.push_back(surface_point(world, needs, hit, -ray.direction));
+    points.push_back(surface_point(world, render_features, hit, -ray.direction));
     const Patch patch =
         patch_on_plane(spacing, ray.direction, hit.t, points.back().geometric_normal, 1.0f);
     if (together) groups.add(hit, points.back().position, points.back().geometric_normal, patch);

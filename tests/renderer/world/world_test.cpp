@@ -1,6 +1,6 @@
 #include "renderer/world/world.h"
 
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 #include "tests/support/flat_world.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -127,8 +127,8 @@ TEST(Flatten, KeepsOnlyAttributesThatMaterialsNeed) {
   const Result<World> red = test::flat_world(scene);
   ASSERT_TRUE(red);
   EXPECT_EQ(red->colors.size(), 3u);
-  EXPECT_TRUE(find_needs(*red).vertex_colors);
-  EXPECT_FALSE(find_needs(*bare).vertex_colors);
+  EXPECT_TRUE(find_render_features(*red).vertex_colors);
+  EXPECT_FALSE(find_render_features(*bare).vertex_colors);
 }
 
 TEST(Flatten, MeshesWithoutNormalsAreFlat) {

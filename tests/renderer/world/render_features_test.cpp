@@ -1,4 +1,4 @@
-#include "renderer/world/needs.h"
+#include "renderer/world/render_features.h"
 
 #include "tests/support/shape_world.h"
 #include "tests/support/tiny_image.h"
@@ -40,17 +40,18 @@ Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_ra
 }
 
 /// The needs of a plain world: those that the world alone cannot exclude.
-SceneNeeds least_needs() {
-  SceneNeeds needs;
-  needs.unused_images = true;
-  needs.intersections = true;
-  return needs;
+RenderFeatures least_needs() {
+  RenderFeatures render_features;
+  render_features.unused_images = true;
+  render_features.intersections = true;
+  return render_features;
 }
 
-std::set<std::string> beyond_least(const SceneNeeds& needs) {
+std::set<std::string> beyond_least(const RenderFeatures& render_features) {
   std::set<std::string> names;
-  for (const SceneFeature& feature : scene_features()) {
-    if (needs.*feature.needed && !(least_needs().*feature.needed)) names.insert(feature.name);
+  for (const RenderFeature& feature : render_feature_list()) {
+    if (render_features.*feature.needed && !(least_needs().*feature.needed))
+      names.insert(feature.name);
   }
   return names;
 }
@@ -59,7 +60,7 @@ std::set<std::string> beyond_least(const SceneNeeds& needs) {
 std::set<std::string> added_by(const std::function<void(World&)>& change) {
   World world = plain();
   change(world);
-  return beyond_least(find_needs(world));
+  return beyond_least(find_render_features(world));
 }
 
 std::set<std::string> added_by_material(const std::function<void(Material&)>& change) {
@@ -67,13 +68,13 @@ std::set<std::string> added_by_material(const std::function<void(Material&)>& ch
 }
 
 std::set<std::string> added_by_light(const Light& light) {
-  return beyond_least(find_needs({&light, 1}));
+  return beyond_least(find_render_features({&light, 1}));
 }
 
 using Names = std::set<std::string>;
 
 TEST(Needs, APlainWorldNeedsNothing) {
-  EXPECT_EQ(find_needs(plain()), least_needs());
+  EXPECT_EQ(find_render_features(plain()), least_needs());
 }
 
 TEST(Needs, EachMaterialsPropertyAsksForItsOwnFeaturesOnly) {
@@ -154,12 +155,12 @@ TEST(Needs, ShapesAreToldFromMeshes) {
 TEST(Needs, ImagesThatNothingShowsAreReleased) {
   World world = plain();
   world.materials[0].base_color_texture.texture = add_texture(world, 4);
-  EXPECT_TRUE(find_needs(world).unused_images);
+  EXPECT_TRUE(find_render_features(world).unused_images);
   add_texture(world, 8);
   Material hidden;
   hidden.base_color_texture.texture = 1;
   world.materials.push_back(hidden);  // used by no part
-  EXPECT_FALSE(find_needs(world).unused_images);
+  EXPECT_FALSE(find_render_features(world).unused_images);
   release_unused_images(world);
   EXPECT_EQ(world.images[0].rgba.size(), 64u);
   EXPECT_TRUE(world.images[1].rgba.empty());
@@ -172,7 +173,7 @@ TEST(Needs, OpacityVariesWithTheColoursOfAPart) {
     world.colors.assign(3, glm::vec4(0.5f));
     world.colors.back().a = last_alpha;
     world.materials[0].alpha_mode = mode;
-    return find_needs(world).varying_opacity;
+    return find_render_features(world).varying_opacity;
   };
   EXPECT_FALSE(varies(0.5f, AlphaMode::blend));
   EXPECT_TRUE(varies(0.25f, AlphaMode::blend));
@@ -210,17 +211,17 @@ TEST(Needs, MaterialsThatNoTriangleShowsDoNotCount) {
 
 TEST(Needs, EveryFeatureIsNamedOnceWithAReason) {
   Names names;
-  for (const SceneFeature& feature : scene_features()) {
+  for (const RenderFeature& feature : render_feature_list()) {
     EXPECT_TRUE(names.insert(feature.name).second) << feature.name;
     EXPECT_NE(std::string(feature.reason), "") << feature.name;
   }
-  EXPECT_EQ(SceneNeeds{}.left_out().size(), scene_features().size());
-  EXPECT_EQ(features_left_out(SceneNeeds::all()).size(), 2u);
-  SceneNeeds not_forced;
+  EXPECT_EQ(RenderFeatures{}.left_out().size(), render_feature_list().size());
+  EXPECT_EQ(features_left_out(RenderFeatures::all()).size(), 2u);
+  RenderFeatures not_forced;
   not_forced.varying_opacity = true;
   not_forced.sky_picture = true;
-  EXPECT_TRUE(not_forced.with(SceneNeeds::all()).left_out().empty());
-  const std::vector<std::string> left_out = find_needs(plain()).left_out();
+  EXPECT_TRUE(not_forced.with(RenderFeatures::all()).left_out().empty());
+  const std::vector<std::string> left_out = find_render_features(plain()).left_out();
   EXPECT_NE(std::find(left_out.begin(), left_out.end(),
                       "normal maps (no material that is shown has a normal map; stages: turning of "
                       "normals by maps; memory: tangents, normal maps' mip chains)"),

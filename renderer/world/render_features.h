@@ -12,7 +12,7 @@ namespace asos {
 
 /// The features that a scene needs (design section 8). Unneeded features cost nothing. The default
 /// is none.
-struct SceneNeeds {
+struct RenderFeatures {
   bool textures = false;
   bool mip_chains = false;
   bool unused_images = false;  ///< also true if the file contains none
@@ -42,7 +42,7 @@ struct SceneNeeds {
 
   /// Returns all features that can be forced without changing the picture: all but varying_opacity
   /// and sky_picture.
-  [[nodiscard]] static SceneNeeds all();
+  [[nodiscard]] static RenderFeatures all();
 
   /// Returns whether there are lights of any kind.
   [[nodiscard]] bool lights() const {
@@ -51,22 +51,22 @@ struct SceneNeeds {
   }
 
   /// Returns the features that at least one of the two needs.
-  [[nodiscard]] SceneNeeds with(const SceneNeeds& other) const;
+  [[nodiscard]] RenderFeatures with(const RenderFeatures& other) const;
 
   /// Returns the unneeded features, with the reason and the saving, in one sentence each.
   [[nodiscard]] std::vector<std::string> left_out() const;
 
-  bool operator==(const SceneNeeds&) const = default;
+  bool operator==(const RenderFeatures&) const = default;
 };
 
-[[nodiscard]] inline SceneNeeds forced_by(NeedsChoice choice) {
-  return choice == NeedsChoice::all ? SceneNeeds::all() : SceneNeeds{};
+[[nodiscard]] inline RenderFeatures forced_by(FeatureChoice choice) {
+  return choice == FeatureChoice::all ? RenderFeatures::all() : RenderFeatures{};
 }
 
-/// Descriptions of one of SceneNeeds' features. The last four name the savings without it; they are
-/// empty if there are none.
-struct SceneFeature {
-  bool SceneNeeds::*needed;
+/// Descriptions of one of RenderFeatures' features. The last four name the savings without it; they
+/// are empty if there are none.
+struct RenderFeature {
+  bool RenderFeatures::*needed;
   const char* name;
   const char* reason;  ///< why it is not needed
   const char* stages;
@@ -75,23 +75,23 @@ struct SceneFeature {
   const char* rows;
 };
 
-/// Returns the descriptions of all members of SceneNeeds.
-[[nodiscard]] std::span<const SceneFeature> scene_features();
+/// Returns the descriptions of all members of RenderFeatures.
+[[nodiscard]] std::span<const RenderFeature> render_feature_list();
 
 /// Returns the unneeded features.
-[[nodiscard]] std::vector<SceneFeature> features_left_out(const SceneNeeds& needs);
+[[nodiscard]] std::vector<RenderFeature> features_left_out(const RenderFeatures& render_features);
 
 /// Returns the features that the surfaces of `world` and their materials need. `intersections` is
 /// true, since only FeatureSet finds out whether surfaces pass through each other.
-[[nodiscard]] SceneNeeds find_needs(const World& world);
+[[nodiscard]] RenderFeatures find_render_features(const World& world);
 
 /// Returns whether the opacity of a non-opaque part may vary.
 [[nodiscard]] bool opacity_varies(const World& world, const Part& part);
 
 /// Returns the features that lights need in addition.
-[[nodiscard]] SceneNeeds find_needs(std::span<const Light> lights);
+[[nodiscard]] RenderFeatures find_render_features(std::span<const Light> lights);
 
-/// Returns SceneNeeds::mirrors for materials with these defocusing ratios instead of their own.
+/// Returns RenderFeatures::mirrors for materials with these defocusing ratios instead of their own.
 [[nodiscard]] bool needs_mirrors(const World& world, const MaterialDfrs& dfrs);
 
 /// Releases the texels of images that no visible material uses.
@@ -99,6 +99,6 @@ void release_unused_images(World& world);
 
 /// Fills the vertices' arrays that are forced but not needed with neutral values: white, no
 /// tangent, the texture's corner.
-void fill_forced_attributes(World& world, const SceneNeeds& forced);
+void fill_forced_attributes(World& world, const RenderFeatures& forced);
 
 }  // namespace asos
