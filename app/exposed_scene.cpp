@@ -4,7 +4,7 @@
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/exposure.h"
 #include "renderer/prepared/with_ground.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 
 #include <utility>
 
@@ -21,7 +21,7 @@ Result<std::shared_ptr<const RenderScene>> exposed_scene(
     if (!moment) return moment;
     const Camera then =
         camera_at(camera, settings.shutter.camera, scene->world(), (*moment)->world());
-    return with_strokes(*moment, stroke_picture(then, settings));
+    return with_lines(*moment, line_picture(then, settings));
   });
 }
 

@@ -23,7 +23,7 @@
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "renderer/scene/source_files.h"
 #include "renderer/session/film_render.h"
 #include "renderer/world/ground.h"
@@ -209,7 +209,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   if (!picture.lights) prepared = lit_under(*prepared, wanted.settings.sky.get());
   if (prepared) prepared = with_ground(*std::move(prepared), wanted.settings.ground);
   if (prepared) work.scene.keep(*prepared);
-  if (prepared) prepared = with_strokes(*prepared, stroke_picture(*camera, wanted.settings));
+  if (prepared) prepared = with_lines(*prepared, line_picture(*camera, wanted.settings));
   if (!prepared) return tl::unexpected(prepared.error());
   const std::shared_ptr<const RenderScene> still = *prepared;
   const RenderScene& ready = *still;

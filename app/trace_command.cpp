@@ -11,7 +11,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -77,7 +77,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   prepared = lit_under(*std::move(prepared), settings.sky.get())
                  .and_then([&](auto lit) { return with_ground(std::move(lit), settings.ground); })
                  .and_then([&](auto grounded) {
-                   return with_strokes(std::move(grounded), stroke_picture(*camera, settings));
+                   return with_lines(std::move(grounded), line_picture(*camera, settings));
                  })
                  .and_then(with_boundaries);
   if (!prepared) return tl::unexpected(prepared.error());

@@ -1,7 +1,7 @@
 #include "ui/movie.h"
 
 #include "renderer/film/picture_writer.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "renderer/scene/turned_camera.h"
 #include "renderer/session/strip_render.h"
 #include "ui/helper_program.h"
@@ -71,8 +71,8 @@ Result<Snapshot> frame_snapshot(const MovieOrder& order, int number) {
   } else {
     snapshot.camera = turned_camera(snapshot.camera, order.middle, number, order.frames);
   }
-  if (!snapshot.scene->world().strokes.empty()) {
-    auto drawn = with_strokes(snapshot.scene, stroke_picture(snapshot.camera, snapshot.settings));
+  if (!snapshot.scene->world().lines_and_points.empty()) {
+    auto drawn = with_lines(snapshot.scene, line_picture(snapshot.camera, snapshot.settings));
     if (!drawn) return unexpected(drawn.error());
     snapshot.scene = *std::move(drawn);
   }

@@ -30,12 +30,13 @@ Result<std::shared_ptr<const RenderScene>> with_look(
 
 /// Draws lines and points for this pose as the camera sees them.
 Result<std::shared_ptr<const RenderScene>> drawn(std::shared_ptr<const RenderScene> scene,
-                                                 const Playback::WantedStrokes& strokes) {
-  StrokePicture picture = strokes.picture;
+                                                 const Playback::LineRequest& lines_and_points) {
+  LinePicture picture = lines_and_points.picture;
   const std::vector<Camera>& cameras = scene->world().cameras;
-  const auto followed = static_cast<std::size_t>(strokes.follows);
-  if (strokes.follows >= 0 && followed < cameras.size()) picture.camera = cameras[followed];
-  return with_strokes(std::move(scene), picture);
+  const auto followed = static_cast<std::size_t>(lines_and_points.follows);
+  if (lines_and_points.follows >= 0 && followed < cameras.size())
+    picture.camera = cameras[followed];
+  return with_lines(std::move(scene), picture);
 }
 
 }  // namespace
@@ -99,7 +100,8 @@ void Playback::adopt_scene(bool again) {
   if (keeps) seek(time_->seconds);
 }
 
-void Playback::update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes,
+void Playback::update(bool seen, double now_seconds,
+                      const std::optional<LineRequest>& lines_and_points,
                       const std::optional<WantedExposure>& exposure) {
   exposure_ = exposure;
   const double passed = updated_seconds_ ? now_seconds - *updated_seconds_ : 0.0;
@@ -107,7 +109,7 @@ void Playback::update(bool seen, double now_seconds, const std::optional<WantedS
   if (!available()) return;
   take_pose();
   if (playing_) let_time_pass(std::max(0.0, passed));
-  if (posing() && !job_.pending() && (seen || !playing_)) ask(strokes);
+  if (posing() && !job_.pending() && (seen || !playing_)) ask(lines_and_points);
 }
 
 void Playback::let_time_pass(double seconds) {
@@ -130,7 +132,7 @@ bool Playback::exposes() const {
   return !now || now->shutter.seconds != exposure_->settings.shutter.seconds;
 }
 
-void Playback::ask(const std::optional<WantedStrokes>& strokes) {
+void Playback::ask(const std::optional<LineRequest>& lines_and_points) {
   Request request{scene_.shared(),
                   time_,
                   std::nullopt,
@@ -138,7 +140,7 @@ void Playback::ask(const std::optional<WantedStrokes>& strokes) {
                   edits_.revisions(),
                   scene_.times_opened(),
                   edits_.settings().ground,
-                  strokes,
+                  lines_and_points,
                   at_wanted_time() ? exposure_ : std::nullopt};
   request.lights = edited_lights();
   request.dfrs = edited_dfrs();
@@ -172,10 +174,10 @@ Result<std::shared_ptr<const RenderScene>> Playback::exposed_scene(
   const RenderSettings& settings = wanted.settings;
   return exposed(scene, wanted.camera, settings, [&](const ClipTime& time) {
     auto moment = scene_at(*scene, time, lights, dfrs, settings.ground);
-    if (!moment || (*moment)->world().strokes.empty()) return moment;
+    if (!moment || (*moment)->world().lines_and_points.empty()) return moment;
     const Camera then =
         camera_at(wanted.camera, settings.shutter.camera, scene->world(), (*moment)->world());
-    return with_strokes(*moment, stroke_picture(then, settings));
+    return with_lines(*moment, line_picture(then, settings));
   });
 }
 
@@ -186,7 +188,7 @@ Playback::Pose Playback::posed(const Request& request) {
   try {
     if (request.exposure) {
       pose.scene = exposed_scene(request.from, *request.exposure, request.lights, request.dfrs);
-      pose.strokes = request.strokes;
+      pose.lines_and_points = request.lines_and_points;
       pose.exposed = true;
       return pose;
     }
@@ -200,9 +202,10 @@ Playback::Pose Playback::posed(const Request& request) {
         prepare(*scene, request.from->forced, &geometry.stage).and_then([&](auto prepared) {
           return with_look(std::move(prepared), request.lights, request.dfrs, request.ground);
         });
-    if (pose.scene && request.strokes && !(*pose.scene)->world().strokes.empty()) {
-      pose.strokes = request.strokes;
-      pose.scene = drawn(*std::move(pose.scene), *request.strokes);
+    if (pose.scene && request.lines_and_points &&
+        !(*pose.scene)->world().lines_and_points.empty()) {
+      pose.lines_and_points = request.lines_and_points;
+      pose.scene = drawn(*std::move(pose.scene), *request.lines_and_points);
     }
   } catch (const std::bad_alloc&) {
     pose.scene = unexpected(Error{geometry.source, "not enough memory for another frame"});
@@ -224,7 +227,7 @@ void Playback::take_pose() {
   }
   scene_.relight(std::move(*pose->scene));
   edits_.scene_has(pose->look);
-  drawn_strokes_ = pose->strokes;
+  drawn_lines_ = pose->lines_and_points;
   if (pose->exposed) return;
   pose_seconds_ = pose->pose_seconds;
   prepare_seconds_ = pose->prepare_seconds;

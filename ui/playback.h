@@ -2,7 +2,7 @@
 
 #include "renderer/prepared/exposure.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "renderer/result.h"
 #include "renderer/scene/contents.h"
 #include "ui/latest_job.h"
@@ -25,8 +25,8 @@ namespace asos::ui {
 class Playback {
  public:
   /// The picture that lines and points are drawn for.
-  struct WantedStrokes {
-    StrokePicture picture;
+  struct LineRequest {
+    LinePicture picture;
     std::uint64_t camera_revision = 0;
     int follows = -1;  ///< index of the scene's camera that the view follows; -1: the view stays
   };
@@ -71,13 +71,13 @@ class Playback {
   void adopt_scene(bool again);
   /// Lets time pass, takes the pose that is finished and asks for the next one. `seen`: the
   /// picture of the last one has been seen. Call once or more a frame.
-  /// Poses come with their lines and points drawn for `strokes`; none: as they are at rest. A pose
-  /// that does not play is exposed for `exposure` next; none: it shows one moment.
-  void update(bool seen, double now_seconds, const std::optional<WantedStrokes>& strokes,
+  /// Poses come with their lines and points drawn for `lines_and_points`; none: as they are at
+  /// rest. A pose that does not play is exposed for `exposure` next; none: it shows one moment.
+  void update(bool seen, double now_seconds, const std::optional<LineRequest>& lines_and_points,
               const std::optional<WantedExposure>& exposure = std::nullopt);
   /// Returns the picture and camera that the last pose's lines and points were drawn for, once.
-  [[nodiscard]] std::optional<WantedStrokes> take_drawn_strokes() {
-    return std::exchange(drawn_strokes_, std::nullopt);
+  [[nodiscard]] std::optional<LineRequest> take_drawn_lines() {
+    return std::exchange(drawn_lines_, std::nullopt);
   }
   /// Returns the scene of `from`'s file at another time, with edits; without them, as in the file.
   /// Only if `available`. Thread-safe.
@@ -111,7 +111,7 @@ class Playback {
     SceneEdits::Revisions look;
     std::uint64_t opened = 0;  // OpenScene::times_opened
     Ground ground = Ground::off;
-    std::optional<WantedStrokes> strokes;
+    std::optional<LineRequest> lines_and_points;
     std::optional<WantedExposure> exposure;  // of `from`, which is at this time
   };
   struct Pose {
@@ -120,13 +120,13 @@ class Playback {
     SceneEdits::Revisions look;
     std::uint64_t opened = 0;
     double pose_seconds = 0.0, prepare_seconds = 0.0;
-    std::optional<WantedStrokes> strokes;
+    std::optional<LineRequest> lines_and_points;
     bool exposed = false;
   };
   [[nodiscard]] static Pose posed(const Request& request);
   void let_time_pass(double seconds);
   void take_pose();
-  void ask(const std::optional<WantedStrokes>& strokes);
+  void ask(const std::optional<LineRequest>& lines_and_points);
   [[nodiscard]] bool at_wanted_time() const { return scene_->geometry->time == time_; }
   [[nodiscard]] bool exposes() const;
 
@@ -140,7 +140,7 @@ class Playback {
   std::optional<WantedExposure> exposure_;
   std::optional<double> updated_seconds_;
   double pose_seconds_ = 0.0, prepare_seconds_ = 0.0;
-  std::optional<WantedStrokes> drawn_strokes_;
+  std::optional<LineRequest> drawn_lines_;
   LatestJob<Request, Pose> job_;
 };
 

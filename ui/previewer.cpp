@@ -20,7 +20,7 @@ Previewer::Previewer(Hooks hooks, const RenderSettings& settings)
       playback_(scene_, edits_, hooks.wake),
       viewpoint_(scene_, edits_.settings()),
       ground_(hooks.wake),
-      strokes_(hooks.wake),
+      lines_and_points_(hooks.wake),
       render_(hooks.wake, refinement_) {}
 
 void Previewer::update(double now_seconds) {
@@ -30,15 +30,15 @@ void Previewer::update(double now_seconds) {
   // The next pose is computed while the last one is displayed.
   const double posing_seconds = playback_.pose_seconds() + playback_.prepare_seconds();
   playback_.update(has_shown(view_seconds - posing_seconds, now_seconds), now_seconds,
-                   wanted_strokes(), wanted_exposure());
+                   wanted_lines(), wanted_exposure());
   viewpoint_.follow_chosen();
   if (scene_ && turntable_.begins()) viewpoint_.make_room_to_turn();
   if (scene_)
     turntable_.update(viewpoint_.camera(), has_shown(view_seconds, now_seconds), now_seconds);
-  if (const auto drawn = playback_.take_drawn_strokes())
-    strokes_.adopt(scene_, drawn->picture, drawn->camera_revision);
+  if (const auto drawn = playback_.take_drawn_lines())
+    lines_and_points_.adopt(scene_, drawn->picture, drawn->camera_revision);
   ground_.update(scene_, edits_.settings().ground, edits_.relighting());
-  strokes_.update(scene_, subject(), edits_.relighting(), now_seconds);
+  lines_and_points_.update(scene_, subject(), edits_.relighting(), now_seconds);
   render_.update(subject(), now_seconds);
   free_memory_.update();
   // The previous scene and the memory used for loading are free by then.
@@ -98,12 +98,12 @@ std::optional<Playback::WantedExposure> Previewer::wanted_exposure() const {
   return Playback::WantedExposure{seen.camera, std::move(seen.settings)};
 }
 
-std::optional<Playback::WantedStrokes> Previewer::wanted_strokes() const {
+std::optional<Playback::LineRequest> Previewer::wanted_lines() const {
   const PreviewRender::Subject seen = subject();
-  if (!seen.scene || seen.scene->world().strokes.empty()) return std::nullopt;
+  if (!seen.scene || seen.scene->world().lines_and_points.empty()) return std::nullopt;
   const int follows = viewpoint_.left_chosen() ? -1 : viewpoint_.chosen_camera();
-  return Playback::WantedStrokes{stroke_picture(seen.camera, seen.settings), seen.camera_revision,
-                                 follows};
+  return Playback::LineRequest{line_picture(seen.camera, seen.settings), seen.camera_revision,
+                               follows};
 }
 
 std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
@@ -112,7 +112,7 @@ std::optional<double> Previewer::seconds_to_update(double now_seconds) const {
   if (render_.out_of_date(subject()) || edits_.relighting()) return 0.0;
   if (playback_.playing() || turntable_.turning()) return Playback::frame_seconds;
   std::optional<double> due = viewpoint_.seconds_to_settle(now_seconds);
-  if (const std::optional<double> drawing = strokes_.seconds_to_update(now_seconds))
+  if (const std::optional<double> drawing = lines_and_points_.seconds_to_update(now_seconds))
     due = std::min(due.value_or(*drawing), *drawing);
   if (const std::optional<double> limit = refinement_.seconds_to_limit(render_.progress()))
     due = std::min(due.value_or(*limit), *limit);

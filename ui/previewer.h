@@ -5,12 +5,12 @@
 #include "renderer/world/render_features.h"
 #include "ui/free_memory.h"
 #include "ui/ground_layer.h"
+#include "ui/line_drawer.h"
 #include "ui/open_scene.h"
 #include "ui/playback.h"
 #include "ui/preview_render.h"
 #include "ui/refinement.h"
 #include "ui/scene_edits.h"
-#include "ui/stroke_drawer.h"
 #include "ui/turntable.h"
 #include "ui/viewpoint.h"
 
@@ -69,7 +69,7 @@ class Previewer {
   [[nodiscard]] PreviewRender::Subject subject() const;
   /// Whether the present view has been rendered for this long, or has one sample per pixel.
   [[nodiscard]] bool has_shown(double seconds, double now_seconds) const;
-  [[nodiscard]] std::optional<Playback::WantedStrokes> wanted_strokes() const;
+  [[nodiscard]] std::optional<Playback::LineRequest> wanted_lines() const;
   [[nodiscard]] std::optional<Playback::WantedExposure> wanted_exposure() const;
   [[nodiscard]] int followed_camera() const;
 
@@ -80,7 +80,7 @@ class Previewer {
   Viewpoint viewpoint_;
   Turntable turntable_;
   GroundLayer ground_;
-  StrokeDrawer strokes_;
+  LineDrawer lines_and_points_;
   Refinement refinement_;
   PreviewRender render_;
   FreeMemory free_memory_;

@@ -4,7 +4,7 @@
 #include "app/report/flicker_study.h"
 #include "app/report/pictures.h"
 #include "renderer/comparison/method.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "renderer/study/reference.h"
 #include "renderer/study/timed_render.h"
 
@@ -155,7 +155,7 @@ class FlickerRun {
         scene_->camera(**ready, wanted_.camera, static_cast<double>(study_.width) / study_.height);
     if (!camera) return tl::unexpected(camera.error());
     camera_ = *camera;
-    ready = with_strokes(*std::move(ready), {camera_, study_.height, RenderSettings{}.line_width})
+    ready = with_lines(*std::move(ready), {camera_, study_.height, RenderSettings{}.line_width})
                 .and_then(with_boundaries);
     if (!ready) return tl::unexpected(ready.error());
     ready_ = *std::move(ready);

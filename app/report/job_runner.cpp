@@ -5,7 +5,7 @@
 #include "app/opened_scene.h"
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "renderer/sampling/random.h"
 #include "renderer/study/progress_curve.h"
 #include "renderer/study/timed_render.h"
@@ -75,7 +75,7 @@ Result<void> JobRunner::open(const StudyScene& subject) {
       opened->camera(**ready, wanted.camera, static_cast<double>(plan_.width) / plan_.height);
   if (!camera) return tl::unexpected(camera.error());
   // Lines have their own width unless another one is set.
-  ready = with_strokes(*std::move(ready), {*camera, plan_.height, RenderSettings{}.line_width})
+  ready = with_lines(*std::move(ready), {*camera, plan_.height, RenderSettings{}.line_width})
               .and_then(with_boundaries);
   if (!ready) return tl::unexpected(ready.error());
   scene_ = *std::move(ready);

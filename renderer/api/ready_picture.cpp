@@ -7,7 +7,7 @@
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "renderer/session/film_render.h"
 #include "renderer/shading/environments.h"
 
@@ -160,7 +160,7 @@ Result<ReadyPicture> ready_picture(const Scene& scene, const Camera& camera,
   asos::Result<std::shared_ptr<const RenderScene>> lit = ready;
   if (!scene.impl().relit) lit = lit_under(ready, wanted->sky.get());
   if (lit) lit = with_ground(*std::move(lit), wanted->ground);
-  if (lit) lit = with_strokes(*std::move(lit), stroke_picture(seen, *wanted));
+  if (lit) lit = with_lines(*std::move(lit), line_picture(seen, *wanted));
   if (!lit) return failure(ErrorCode::out_of_memory, lit.error());
   if (const auto able = check_method(**lit, *wanted); !able)
     return failure(ErrorCode::unsupported, able.error());

@@ -68,14 +68,14 @@ class Collider {
  public:
   /// The pairs to compare: surfaces; a surface with a line or point; or a placed mesh with another
   /// mesh or place.
-  enum class Of { surfaces, strokes, placed };
+  enum class Of { surfaces, lines_and_points, placed };
 
   Collider(const World& world, std::span<const std::uint32_t> welded, Of of,
            const IntersectionBudget& budget, const std::stop_token& stop)
       : world_(world),
         welded_(welded),
         of_(of),
-        count_(of == Of::strokes ? world.triangles.size() : world.solid_triangles()),
+        count_(of == Of::lines_and_points ? world.triangles.size() : world.solid_triangles()),
         budget_(budget),
         stop_(stop),
         boxes_(world, count_, stop) {}
@@ -135,7 +135,8 @@ class Collider {
   }
 
   void test(std::uint32_t s, std::uint32_t t, Local& local) const {
-    if (of_ == Of::strokes && world_.strokes.has_triangle(s) == world_.strokes.has_triangle(t))
+    if (of_ == Of::lines_and_points &&
+        world_.lines_and_points.has_triangle(s) == world_.lines_and_points.has_triangle(t))
       return;
     if (of_ == Of::placed && !of_two_meshes(s, t)) return;
     // Neighbours along an edge meet only there, unless they are coplanar.
@@ -213,11 +214,12 @@ Intersections find_intersections(const World& world, std::span<const std::uint32
   Intersections found;
   if (world.solid_triangles() > 1)
     found = Collider(world, welded, Collider::Of::surfaces, budget, stop).run();
-  if (world.solid_triangles() == 0 || !world.strokes.drawn()) return found;
+  if (world.solid_triangles() == 0 || !world.lines_and_points.drawn()) return found;
   // Surfaces keep their lines even if there are too many of strokes.
-  const std::size_t n = world.strokes.triangle_count;
+  const std::size_t n = world.lines_and_points.triangle_count;
   const IntersectionBudget more{budget.lines + 4 * n, budget.pairs + 256 * n};
-  const Intersections of_strokes = Collider(world, welded, Collider::Of::strokes, more, stop).run();
+  const Intersections of_strokes =
+      Collider(world, welded, Collider::Of::lines_and_points, more, stop).run();
   found.lines.insert(found.lines.end(), of_strokes.lines.begin(), of_strokes.lines.end());
   return found;
 }

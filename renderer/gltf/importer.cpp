@@ -197,7 +197,7 @@ std::optional<Mesh> Importer::load_mesh(PrimitiveRequest request, const std::str
     doc_.warnings.add_loss(fmt::format("{} is left out: {}", request.place, loaded.error()));
     return std::nullopt;
   }
-  if (loaded->mesh.triangles.empty() && !loaded->mesh.has_strokes()) return std::nullopt;
+  if (loaded->mesh.triangles.empty() && !loaded->mesh.has_lines()) return std::nullopt;
   world_from_mesh[3] += glm::dvec4(loaded->offset, 0.0);
   loaded->mesh.name = name;
   return std::move(loaded->mesh);

@@ -53,7 +53,7 @@ Checked<std::optional<DracoPrimitive>> decode_draco(const PrimitiveRequest& requ
 /// Returns the name of a mode's elements.
 const char* pieces_of(int mode) {
   if (mode == TINYGLTF_MODE_POINTS) return "points";
-  return is_stroke(mode) ? "line segments" : "triangles";
+  return is_line_or_point(mode) ? "line segments" : "triangles";
 }
 
 /// Returns triangles; segments and points are encoded as in `triangles_of`.
@@ -99,14 +99,14 @@ void unify_normals(VertexData& data, const std::string& place, Warnings& warning
 }
 
 /// Returns a mesh of lines or points, which have no tangents.
-Mesh stroke_mesh(int mode, VertexData&& data, const std::vector<glm::uvec3>& strokes) {
+Mesh line_mesh(int mode, VertexData&& data, const std::vector<glm::uvec3>& lines_and_points) {
   Mesh mesh;
   mesh.positions = std::move(data.positions);
   mesh.normals = std::move(data.normals);
   mesh.texcoords[0] = std::move(data.texcoords[0]);
   mesh.texcoords[1] = std::move(data.texcoords[1]);
   mesh.colors = std::move(data.colors);
-  for (const glm::uvec3 s : strokes) {
+  for (const glm::uvec3 s : lines_and_points) {
     if (mode == TINYGLTF_MODE_POINTS)
       mesh.points.push_back(s.x);
     else
@@ -182,7 +182,7 @@ std::string declared_faults(const tinygltf::Primitive& primitive, Accessors& acc
 
 Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& accessors,
                                    Warnings& warnings) {
-  if (is_stroke(request.primitive.mode) && draco_extension(request.primitive))
+  if (is_line_or_point(request.primitive.mode) && draco_extension(request.primitive))
     return fault("it is compressed by Draco, which knows triangles only");
   const auto draco = decode_draco(request, accessors, warnings);
   if (!draco) return fault(draco.error());
@@ -215,10 +215,10 @@ Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& a
                     "dropped",
                     request.place, dropped, declared, pieces_of(request.primitive.mode)));
   }
-  if (is_stroke(request.primitive.mode)) {
+  if (is_line_or_point(request.primitive.mode)) {
     unify_normals(*data, request.place, warnings);
     check_texcoords(request, *data, warnings);
-    loaded.mesh = stroke_mesh(request.primitive.mode, std::move(*data), *triangles);
+    loaded.mesh = line_mesh(request.primitive.mode, std::move(*data), *triangles);
     return loaded;
   }
   complete_normals(*data, *triangles, request.place, warnings);

@@ -7,11 +7,11 @@ namespace asos::gltf {
 namespace {
 
 std::vector<glm::uvec3> strokes_of(int mode, const std::vector<std::uint32_t>& indices) {
-  std::vector<glm::uvec3> strokes;
+  std::vector<glm::uvec3> lines_and_points;
   const std::size_t n = indices.size();
-  strokes.reserve(drawn_count(mode, n));
+  lines_and_points.reserve(drawn_count(mode, n));
   const auto join = [&](std::size_t i, std::size_t k) {
-    strokes.emplace_back(indices[i], indices[k], indices[k]);
+    lines_and_points.emplace_back(indices[i], indices[k], indices[k]);
   };
   if (mode == TINYGLTF_MODE_POINTS) {
     for (std::size_t i = 0; i < n; ++i) join(i, i);
@@ -21,13 +21,13 @@ std::vector<glm::uvec3> strokes_of(int mode, const std::vector<std::uint32_t>& i
     for (std::size_t i = 0; i + 1 < n; ++i) join(i, i + 1);
     if (mode == TINYGLTF_MODE_LINE_LOOP && n > 1) join(n - 1, 0);
   }
-  return strokes;
+  return lines_and_points;
 }
 
 }  // namespace
 
 std::vector<glm::uvec3> triangles_of(int mode, const std::vector<std::uint32_t>& indices) {
-  if (is_stroke(mode)) return strokes_of(mode, indices);
+  if (is_line_or_point(mode)) return strokes_of(mode, indices);
   std::vector<glm::uvec3> triangles;
   const std::size_t n = indices.size();
   if (n < 3) return triangles;

@@ -8,7 +8,7 @@
 namespace asos::gltf {
 
 /// Returns whether a primitive's mode is points or lines.
-[[nodiscard]] constexpr bool is_stroke(int mode) {
+[[nodiscard]] constexpr bool is_line_or_point(int mode) {
   return mode >= 0 && mode <= 3;
 }
 

@@ -20,7 +20,7 @@ std::shared_ptr<const Lighting> lighting_on(const World& world, const Lighting& 
 
 Result<std::shared_ptr<const RenderScene>> in_memory(const RenderScene& scene, Ground ground) {
   World world = scene.world();
-  if (world.strokes.drawn()) draw_strokes(world, {{}, 1, 0.0});  // takes them away
+  if (world.lines_and_points.drawn()) draw_lines(world, {{}, 1, 0.0});  // takes them away
   put_on_ground(world, ground, scene.geometry->stage.floor);
   if (world.triangles.size() > most_triangles)
     return unexpected(Error{scene.geometry->source,

@@ -9,7 +9,7 @@ namespace asos {
 
 /// Returns the scene on this ground (put_on_ground) instead of its present one, with the same
 /// lighting. Returns the same scene if it has this ground already, or has no extent. Its lines and
-/// points have to be drawn again (with_strokes). Errors: more triangles than a scene may have, lack
+/// points have to be drawn again (with_lines). Errors: more triangles than a scene may have, lack
 /// of memory.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_ground(
     std::shared_ptr<const RenderScene> scene, Ground ground);

@@ -173,16 +173,17 @@ class CoplanarSearch {
       for (std::size_t i = begin; i < end; ++i)
         sizes_[i] = size_of(world_, static_cast<std::uint32_t>(i));
     });
-    in_task_ranges(own - world_.strokes.triangle_count, at_a_time, [&](auto begin, auto end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto triangle = static_cast<std::uint32_t>(i);
-        const Neighbours& around = neighbours[world_.triangle_part[triangle]];
-        if (!around.placed.empty() && meets_any(triangle, around.placed))
-          mark(triangle);
-        else if (around.full || meets_any(triangle, around.boxes))
-          look(triangle);
-      }
-    });
+    in_task_ranges(own - world_.lines_and_points.triangle_count, at_a_time,
+                   [&](auto begin, auto end) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                       const auto triangle = static_cast<std::uint32_t>(i);
+                       const Neighbours& around = neighbours[world_.triangle_part[triangle]];
+                       if (!around.placed.empty() && meets_any(triangle, around.placed))
+                         mark(triangle);
+                       else if (around.full || meets_any(triangle, around.boxes))
+                         look(triangle);
+                     }
+                   });
     Coplanar all{std::move(found_), {}};
     if (world_.placements) {
       for (const Placement& place : world_.placements->places)

@@ -40,7 +40,7 @@ bool count_bytes(void* counter, ssize_t bytes, bool) {
 }
 
 constexpr unsigned first_group_of_faces = 6;
-constexpr unsigned first_group_of_strokes = 12;
+constexpr unsigned first_group_of_lines = 12;
 
 }  // namespace
 
@@ -103,7 +103,7 @@ void EmbreeScene::sort_surfaces(const World& world, const Transparency& open,
   }
   for (std::size_t id = 0; id < groups_.size(); ++id) {
     groups_[id] = {&world, open,   static_cast<SurfaceKind>(id % 3), id % 6 >= 3,
-                   {},     scale_, id >= first_group_of_strokes};
+                   {},     scale_, id >= first_group_of_lines};
   }
   // Placed meshes have their own scenes. Worlds with placed meshes have no shapes.
   const auto count = world.placements ? static_cast<std::uint32_t>(world.triangles.own().size())
@@ -111,9 +111,9 @@ void EmbreeScene::sort_surfaces(const World& world, const Transparency& open,
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto kind = static_cast<std::size_t>(surface_kind(world.material_of(i)));
     const bool own = owned[world.triangle_part[i]] != 0;
-    const std::size_t first = world.strokes.has_triangle(i) ? first_group_of_strokes
-                              : world.is_face(i)            ? first_group_of_faces
-                                                            : 0;
+    const std::size_t first = world.lines_and_points.has_triangle(i) ? first_group_of_lines
+                              : world.is_face(i)                     ? first_group_of_faces
+                                                                     : 0;
     groups_[first + kind + (own ? 3u : 0u)].triangles.push_back(i);
   }
   for (const Part& part : world.parts) {
@@ -198,7 +198,7 @@ bool EmbreeScene::quickly_built() const {
 void EmbreeScene::add(unsigned id, const World& world, const RenderFeatures& forced,
                       RTCBuildQuality quality) {
   Group& group = groups_[id];
-  const bool faces = id >= first_group_of_faces && id < first_group_of_strokes;
+  const bool faces = id >= first_group_of_faces && id < first_group_of_lines;
   if (group.triangles.empty() && !(faces && forced.shapes)) return;
   RTCGeometry geometry = nullptr;
   if (!faces) {

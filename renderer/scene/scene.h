@@ -256,7 +256,7 @@ struct Mesh {
   std::vector<std::uint32_t> points;  ///< of POINTS
   int material = -1;                  ///< index into Scene::materials; -1: glTF's default material
 
-  [[nodiscard]] bool has_strokes() const { return !segments.empty() || !points.empty(); }
+  [[nodiscard]] bool has_lines() const { return !segments.empty() || !points.empty(); }
 };
 
 /// A mesh placed in the world. A negative determinant mirrors it. If there is a shape, it is drawn

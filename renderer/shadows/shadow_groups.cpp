@@ -26,8 +26,8 @@ double world_reach(const World& world) {
 
 SearchBounds own_part_ignored(const World& world, const PreparedLight& light) {
   SearchBounds bounds;
-  bounds.first_shadowless_vertex = world.strokes.first_vertex;
-  bounds.shadowless_vertices = world.strokes.vertex_count;
+  bounds.first_shadowless_vertex = world.lines_and_points.first_vertex;
+  bounds.shadowless_vertices = world.lines_and_points.vertex_count;
   if (light.own_part < 0) return bounds;
   const Part& part = world.parts[static_cast<std::size_t>(light.own_part)];
   bounds.first_ignored_vertex = part.first_vertex;

@@ -129,7 +129,8 @@ template <typename Points>
 void add_surfaces(const World& world, Points& reach) {
   // Lines and points come last, and the ground before them.
   const std::size_t grounds = world.materials.size() - materials_without_ground(world);
-  const std::size_t triangles = triangles_without_ground(world) - world.strokes.triangle_count;
+  const std::size_t triangles =
+      triangles_without_ground(world) - world.lines_and_points.triangle_count;
   const bool each_triangle = triangles <= most_triangles_framed;
   if (each_triangle) {
     const std::size_t placed = world.triangles.size() - world.triangles.own().size();
@@ -139,8 +140,9 @@ void add_surfaces(const World& world, Points& reach) {
       reach.add(glm::dvec3(world.positions[v]));
   }
   // Use the strokes themselves, since the triangles that draw them depend on the picture.
-  for (const auto* strokes : {&world.strokes.segments, &world.strokes.points}) {
-    for (const Stroke& stroke : *strokes)
+  for (const auto* lines_and_points :
+       {&world.lines_and_points.segments, &world.lines_and_points.points}) {
+    for (const LineOrPoint& stroke : *lines_and_points)
       reach.add(glm::dvec3(stroke.a)), reach.add(glm::dvec3(stroke.b));
   }
   for (const Part& part : std::span(world.parts).first(world.solid_parts() - grounds)) {
@@ -164,12 +166,12 @@ void frame_also(World& world, const World& other) {
   const auto solid = [](const World& w) { return static_cast<std::ptrdiff_t>(w.solid_parts()); };
   world.parts.insert(world.parts.begin() + solid(world), other.parts.begin(),
                      other.parts.begin() + solid(other));
-  world.strokes.first_part += static_cast<std::uint32_t>(solid(other));
-  for (const auto member : {&Strokes::segments, &Strokes::points})
-    (world.strokes.*member)
-        .insert((world.strokes.*member).end(), (other.strokes.*member).begin(),
-                (other.strokes.*member).end());
-  world.strokes.bounds.grow(other.strokes.bounds);
+  world.lines_and_points.first_part += static_cast<std::uint32_t>(solid(other));
+  for (const auto member : {&LinesAndPoints::segments, &LinesAndPoints::points})
+    (world.lines_and_points.*member)
+        .insert((world.lines_and_points.*member).end(), (other.lines_and_points.*member).begin(),
+                (other.lines_and_points.*member).end());
+  world.lines_and_points.bounds.grow(other.lines_and_points.bounds);
   world.bounds.grow(other.bounds);
 }
 
@@ -185,9 +187,9 @@ double room_to_turn(const World& world, const Camera& camera, glm::dvec3 pivot,
 
 FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio) {
   const double aspect = plain_aspect(aspect_ratio);
-  Box bounds = world.strokes.drawn() ? world.strokes.others : world.bounds;
+  Box bounds = world.lines_and_points.drawn() ? world.lines_and_points.others : world.bounds;
   if (ground_of(world) != Ground::off) bounds = bounds_without_ground(world);
-  bounds.grow(world.strokes.bounds);
+  bounds.grow(world.lines_and_points.bounds);
   if (bounds.empty()) bounds.grow(glm::vec3(0.0f));
   const glm::dvec3 lo(bounds.lo), hi(bounds.hi), middle = 0.5 * (lo + hi);
   double radius = 0.5 * glm::length(hi - lo);

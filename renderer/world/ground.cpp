@@ -51,11 +51,12 @@ const Part* plate_of(const World& world) {
 }
 
 /// Moves the first part of lines and points by `parts`.
-void shift_strokes(World& world, std::uint32_t parts) {
-  if (world.strokes.empty()) return;
-  world.strokes.first_part += parts;
-  for (std::vector<Stroke>* strokes : {&world.strokes.segments, &world.strokes.points})
-    for (Stroke& stroke : *strokes) stroke.part += parts;
+void shift_lines(World& world, std::uint32_t parts) {
+  if (world.lines_and_points.empty()) return;
+  world.lines_and_points.first_part += parts;
+  for (std::vector<LineOrPoint>* lines_and_points :
+       {&world.lines_and_points.segments, &world.lines_and_points.points})
+    for (LineOrPoint& stroke : *lines_and_points) stroke.part += parts;
 }
 
 void take_ground_away(World& world) {
@@ -76,7 +77,7 @@ void take_ground_away(World& world) {
   world.materials.pop_back();
   world.parts.erase(world.parts.begin() + static_cast<std::ptrdiff_t>(world.solid_parts()) - 1);
   world.bounds = bounds;
-  shift_strokes(world, static_cast<std::uint32_t>(-1));
+  shift_lines(world, static_cast<std::uint32_t>(-1));
   world.set_placements(world.placements);
 }
 
@@ -89,7 +90,7 @@ Ground ground_of(const World& world) {
 
 Box bounds_without_ground(const World& world) {
   const Part* plate = plate_of(world);
-  if (!plate && world.strokes.empty()) return world.bounds;
+  if (!plate && world.lines_and_points.empty()) return world.bounds;
   Box bounds;
   for (const Part& part : std::span(world.parts).first(world.solid_parts()))
     if (&part != plate) bounds.grow(part.bounds);
@@ -145,7 +146,7 @@ void put_on_ground(World& world, Ground ground, std::optional<double> floor) {
                               glm::uvec3(0, 1 + i, 1 + (i + 1) % plate_corners));
   world.bounds.grow(part.bounds);
   world.parts.insert(world.parts.begin() + index, std::move(part));
-  shift_strokes(world, 1);
+  shift_lines(world, 1);
   world.set_placements(world.placements);
 }
 

@@ -6,8 +6,8 @@
 #include "renderer/scene/scene_fault.h"
 #include "renderer/scene/tessellate.h"
 #include "renderer/world/origin.h"
+#include "renderer/world/placed_lines.h"
 #include "renderer/world/placed_mesh.h"
-#include "renderer/world/placed_strokes.h"
 #include "renderer/world/shared_meshes.h"
 
 #include <fmt/format.h>
@@ -141,7 +141,7 @@ class Flattener {
       if (is_shared(instance)) shared_boxes_.push_back(box);
     }
     if (given_origin_) world_.origin = *given_origin_;
-    if (boxes.empty() && !given_origin_) world_.origin = origin_of_strokes(scene_);
+    if (boxes.empty() && !given_origin_) world_.origin = origin_of_lines(scene_);
     if (boxes.empty()) return {};
     given_origin_ ? all.grow(*given_origin_)
                   : void(world_.origin = choose_origin(boxes, all.middle()));

@@ -5,7 +5,7 @@
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
 #include "renderer/world/attribute.h"
-#include "renderer/world/strokes.h"
+#include "renderer/world/lines_and_points.h"
 
 #include <glm/glm.hpp>
 
@@ -23,15 +23,15 @@ struct Part {
   std::uint32_t triangle_count = 0;
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;
-  std::uint32_t material = 0;    ///< index into World::materials, always valid
-  bool shows_light = false;      ///< as Instance's
-  bool coloured = false;         ///< whether any vertex of it is not white
-  Box bounds;                    ///< of the positions that its triangles use; empty: unknown
-  std::uint32_t face_count = 0;  ///< faces of an analytic shape; such a part has no triangles
-  bool strokes = false;          ///< of lines or points, which are drawn for each picture
+  std::uint32_t material = 0;     ///< index into World::materials, always valid
+  bool shows_light = false;       ///< as Instance's
+  bool coloured = false;          ///< whether any vertex of it is not white
+  Box bounds;                     ///< of the positions that its triangles use; empty: unknown
+  std::uint32_t face_count = 0;   ///< faces of an analytic shape; such a part has no triangles
+  bool lines_and_points = false;  ///< of lines or points, which are drawn for each picture
 
   [[nodiscard]] bool shows_nothing() const {
-    return triangle_count == 0 && face_count == 0 && !strokes;
+    return triangle_count == 0 && face_count == 0 && !lines_and_points;
   }
 };
 
@@ -57,9 +57,9 @@ struct World {
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Image> images;
-  std::vector<Camera> cameras;  ///< relative to origin
-  Box bounds;                   ///< of the positions that triangles use; empty if none
-  Strokes strokes;              ///< the lines and points
+  std::vector<Camera> cameras;      ///< relative to origin
+  Box bounds;                       ///< of the positions that triangles use; empty if none
+  LinesAndPoints lines_and_points;  ///< the lines and points
 
   /// Every surface has one number: a triangle's index, or that of a face of an analytic shape,
   /// which come after all triangles.
@@ -72,14 +72,16 @@ struct World {
   }
   /// Returns the number of parts without those of lines and points, which come last.
   [[nodiscard]] std::size_t solid_parts() const {
-    return strokes.empty() ? parts.size() : strokes.first_part;
+    return lines_and_points.empty() ? parts.size() : lines_and_points.first_part;
   }
   /// Returns the number of triangles without those of lines and points, which come last.
   [[nodiscard]] std::size_t solid_triangles() const {
-    return triangles.size() - strokes.triangle_count;
+    return triangles.size() - lines_and_points.triangle_count;
   }
   /// Returns whether no picture can show anything of it.
-  [[nodiscard]] bool shows_nothing() const { return surface_count() == 0 && strokes.empty(); }
+  [[nodiscard]] bool shows_nothing() const {
+    return surface_count() == 0 && lines_and_points.empty();
+  }
 
   /// Returns whether a triangle belongs to a mesh that is stored once for several instances.
   [[nodiscard]] bool is_placed(std::uint32_t triangle) const {

@@ -1,7 +1,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/gltf/load.h"
 #include "renderer/prepared/with_ground.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "renderer/scene/rig.h"
 #include "renderer/session/film_render.h"
 #include "renderer/shading/environments.h"
@@ -161,7 +161,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Camera camera = camera_of((*bare)->world(), choice);
   const auto grounded = with_ground(*bare, settings.ground);
   if (!grounded) return 0;
-  const auto scene = with_strokes(*grounded, stroke_picture(camera, settings));
+  const auto scene = with_lines(*grounded, line_picture(camera, settings));
   if (!scene) return 0;
   if (!check_method(**scene, settings)) settings.method = Method::asos;
   const Film film = render(*scene, camera, settings);
@@ -171,7 +171,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(forced.has_value(), "what is forced on refuses nothing");
     const auto stands = with_ground(*forced, settings.ground);
     require(stands.has_value(), "what is forced on refuses no ground");
-    const auto drawn = with_strokes(*stands, stroke_picture(camera, settings));
+    const auto drawn = with_lines(*stands, line_picture(camera, settings));
     require(drawn.has_value(), "what is forced on refuses no lines");
     require(render(*drawn, camera, settings).radiance == film.radiance,
             "what is forced on changes no pixel");

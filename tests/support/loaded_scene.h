@@ -57,7 +57,7 @@ inline std::string broken_promise_of(const Result<Scene>& scene, const std::stri
   }
   if (std::string fault = scene_fault(*scene); !fault.empty()) return fault;
   for (const Mesh& mesh : scene->meshes) {
-    if (mesh.normals.size() != mesh.positions.size() && !mesh.has_strokes())
+    if (mesh.normals.size() != mesh.positions.size() && !mesh.has_lines())
       return "each vertex has a normal";
     for (const glm::vec3 p : mesh.positions)
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))

@@ -54,7 +54,7 @@ TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
   previewer.scene().open("lines");
   ASSERT_TRUE(opened("lines"));
   const auto positions = [&] { return previewer.scene()->world().positions; };
-  ASSERT_TRUE(update_until([&] { return previewer.scene()->world().strokes.drawn(); }));
+  ASSERT_TRUE(update_until([&] { return previewer.scene()->world().lines_and_points.drawn(); }));
   ASSERT_TRUE(finished());
   previewer.update(now);
   const auto pixel = previewer.render().film().index(24, 15);
@@ -85,7 +85,7 @@ TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
   previewer.edits().settings().line_width = 0.0;
   previewer.update(now);
   now += 0.2;
-  EXPECT_TRUE(update_until([&] { return !previewer.scene()->world().strokes.drawn(); }));
+  EXPECT_TRUE(update_until([&] { return !previewer.scene()->world().lines_and_points.drawn(); }));
   EXPECT_TRUE(finished());
 }
 
@@ -108,7 +108,7 @@ TEST_F(PreviewerTest, LinesAndLightsChangeTogether) {
   ASSERT_TRUE(finished());
   ASSERT_TRUE(previewer.scene()->dfrs()[0]);
   EXPECT_EQ(previewer.scene()->dfrs()[0]->perturbation, 0.01 * 19);
-  EXPECT_TRUE(previewer.scene()->world().strokes.drawn());
+  EXPECT_TRUE(previewer.scene()->world().lines_and_points.drawn());
 }
 
 TEST_F(PreviewerTest, ScenesWithoutLightsOpenOnTheGroundInAStudio) {
@@ -167,7 +167,7 @@ TEST_F(PreviewerTest, PutsTheSceneOnTheGroundThatIsAskedFor) {
     return stands && finished();
   };
   ASSERT_TRUE(stands_on(Ground::on));
-  EXPECT_TRUE(previewer.scene()->world().strokes.drawn());
+  EXPECT_TRUE(previewer.scene()->world().lines_and_points.drawn());
   previewer.viewpoint().frame_all();
   EXPECT_EQ(previewer.viewpoint().camera().camera().world_from_camera, before.world_from_camera);
   ASSERT_TRUE(stands_on(Ground::mirror));

@@ -124,23 +124,23 @@ TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
 
 /// Start of the drawn line, in the author's coordinates.
 double line_x(const World& world) {
-  const Strokes& strokes = world.strokes;
+  const LinesAndPoints& lines_and_points = world.lines_and_points;
   float least = std::numeric_limits<float>::infinity();
-  for (std::uint32_t i = 0; i < strokes.vertex_count; ++i)
-    least = std::min(least, world.positions[strokes.first_vertex + i].x);
+  for (std::uint32_t i = 0; i < lines_and_points.vertex_count; ++i)
+    least = std::min(least, world.positions[lines_and_points.first_vertex + i].x);
   return world.origin.x + static_cast<double>(least);
 }
 
 TEST_F(Timeline, LinesAreDrawnAtEveryMomentThatPlays) {
   open("lines");
-  ASSERT_TRUE(rig.frames_until([&] { return scene()->world().strokes.drawn(); }));
+  ASSERT_TRUE(rig.frames_until([&] { return scene()->world().lines_and_points.drawn(); }));
   playback().choose(0);
   playback().set_playing(true);
   std::set<double> moments;
   EXPECT_TRUE(rig.frames_until([&] {
     if (!scene()->geometry->time) return false;
     moments.insert(scene()->geometry->time->seconds);
-    EXPECT_TRUE(scene()->world().strokes.drawn());
+    EXPECT_TRUE(scene()->world().lines_and_points.drawn());
     EXPECT_NEAR(line_x(scene()->world()), corner_x(), 0.05);
     return moments.size() >= 4;
   }));

@@ -235,7 +235,7 @@ void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitFor
   }
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
   if (row_of(settings.method).samples_by_eps) adaptive_controls(controls, settings);
-  if (scene && !scene->world().strokes.empty()) line_control(controls, settings);
+  if (scene && !scene->world().lines_and_points.empty()) line_control(controls, settings);
 }
 
 void advanced_panel(Controls& controls, Previewer& previewer) {

@@ -139,7 +139,7 @@ void write_meshes(const Scene& scene, GltfDocument& document) {
   // glTF has no empty meshes: a mesh without content is omitted, and its instances stay as nodes.
   std::vector<int> mesh_of(scene.meshes.size(), -1);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (scene.meshes[i].triangles.empty() && !scene.meshes[i].has_strokes()) continue;
+    if (scene.meshes[i].triangles.empty() && !scene.meshes[i].has_lines()) continue;
     mesh_of[i] = document.add("meshes", mesh_json(scene.meshes[i], document));
   }
   const std::vector<int> shape_of = write_shapes(scene, document);

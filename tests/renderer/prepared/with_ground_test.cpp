@@ -1,7 +1,7 @@
 #include "renderer/prepared/with_ground.h"
 
 #include "renderer/gltf/load.h"
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "renderer/world/framing.h"
 #include "renderer/world/ground.h"
 #include "tests/support/render_picture.h"
@@ -126,13 +126,14 @@ TEST(WithGround, LinesAreDrawnOnIt) {
   RenderSettings settings;
   settings.width = 64;
   settings.height = 36;
-  const StrokePicture picture = stroke_picture(camera, settings);
-  const auto alone = with_strokes(ready(author), picture).value();
+  const LinePicture picture = line_picture(camera, settings);
+  const auto alone = with_lines(ready(author), picture).value();
   // Whether the lines were drawn before or not.
   for (const auto& under : {ready(author), alone}) {
-    const auto scene = with_strokes(with_ground(under, Ground::on).value(), picture).value();
+    const auto scene = with_lines(with_ground(under, Ground::on).value(), picture).value();
     const World& world = scene->world();
-    EXPECT_EQ(world.strokes.triangle_count, alone->world().strokes.triangle_count);
+    EXPECT_EQ(world.lines_and_points.triangle_count,
+              alone->world().lines_and_points.triangle_count);
     ASSERT_EQ(world.parts.size(), 3u);
     EXPECT_EQ(world.parts[1].name, "ground");
     EXPECT_EQ(world.parts[2].name, "line");
@@ -161,8 +162,8 @@ TEST(WithGround, IsTakenAwayAgain) {
   EXPECT_EQ(a.triangle_part, b.triangle_part);
   EXPECT_EQ(a.materials.size(), b.materials.size());
   EXPECT_EQ(a.parts.size(), b.parts.size());
-  EXPECT_EQ(a.strokes.first_part, b.strokes.first_part);
-  EXPECT_EQ(a.strokes.segments.front().part, b.strokes.segments.front().part);
+  EXPECT_EQ(a.lines_and_points.first_part, b.lines_and_points.first_part);
+  EXPECT_EQ(a.lines_and_points.segments.front().part, b.lines_and_points.segments.front().part);
   EXPECT_EQ(a.bounds.lo, b.bounds.lo);
   EXPECT_EQ(a.bounds.hi, b.bounds.hi);
   EXPECT_EQ(off->dfrs().size(), bare->dfrs().size());
@@ -173,15 +174,15 @@ TEST(WithGround, IsTakenAwayAgain) {
 
 // Lines do not affect the framing either. A scene of lines only has no ground.
 TEST(WithGround, LinesAreNoGroundToStandOn) {
-  const StrokePicture picture{Camera{}, 100, 4.0};
-  const auto bare = with_strokes(ready(board(true)), picture).value();
-  const auto on = with_strokes(with_ground(bare, Ground::on).value(), picture).value();
+  const LinePicture picture{Camera{}, 100, 4.0};
+  const auto bare = with_lines(ready(board(true)), picture).value();
+  const auto on = with_lines(with_ground(bare, Ground::on).value(), picture).value();
   const Camera camera;
   EXPECT_EQ(frame_world(on->world(), camera, 1.5).camera.world_from_camera,
             frame_world(bare->world(), camera, 1.5).camera.world_from_camera);
   Scene lines = board(true);
   lines.instances.erase(lines.instances.begin());
-  const auto only = with_strokes(ready(lines), picture).value();
+  const auto only = with_lines(ready(lines), picture).value();
   EXPECT_EQ(with_ground(only, Ground::on).value(), only);
 }
 

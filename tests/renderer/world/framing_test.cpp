@@ -34,8 +34,8 @@ struct Shown {
     };
     for (const glm::uvec3& triangle : world.triangles)
       for (int k = 0; k < 3; ++k) show(world.positions[triangle[k]]);
-    for (const Stroke& line : world.strokes.segments) show(line.a), show(line.b);
-    for (const Stroke& point : world.strokes.points) show(point.a);
+    for (const LineOrPoint& line : world.lines_and_points.segments) show(line.a), show(line.b);
+    for (const LineOrPoint& point : world.lines_and_points.points) show(point.a);
   }
   [[nodiscard]] double tighter() const { return std::max(hi.x - lo.x, hi.y - lo.y); }
 };

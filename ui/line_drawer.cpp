@@ -1,4 +1,4 @@
-#include "ui/stroke_drawer.h"
+#include "ui/line_drawer.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,22 +11,22 @@ constexpr double rest_seconds = 0.15;
 
 }  // namespace
 
-StrokeDrawer::StrokeDrawer(std::function<void()> wake)
+LineDrawer::LineDrawer(std::function<void()> wake)
     : job_(
           [](const Request& request) {
-            return Drawn{request, with_strokes(request.scene, request.picture)};
+            return Drawn{request, with_lines(request.scene, request.picture)};
           },
           std::move(wake), Overtaken::kept) {}
 
-StrokeDrawer::Wanted StrokeDrawer::wanted_of(const Request& request) {
+LineDrawer::Wanted LineDrawer::wanted_of(const Request& request) {
   return {request.camera_revision, request.picture.height, request.picture.width};
 }
 
-bool StrokeDrawer::is_drawn(const RenderScene& scene, const Wanted& wanted) const {
+bool LineDrawer::is_drawn(const RenderScene& scene, const Wanted& wanted) const {
   return drawn_.lock() == scene.geometry && drawn_for_ == wanted;
 }
 
-void StrokeDrawer::take(OpenScene& scene, bool busy) {
+void LineDrawer::take(OpenScene& scene, bool busy) {
   std::optional<Drawn> done = job_.take_outcome();
   // Another scene may have been opened meanwhile, or its lights changed.
   if (!done || busy || scene.shared() != done->request.scene) return;
@@ -37,12 +37,12 @@ void StrokeDrawer::take(OpenScene& scene, bool busy) {
   scene.relight(std::move(*done->scene));
 }
 
-void StrokeDrawer::update(OpenScene& scene, const PreviewRender::Subject& subject, bool busy,
-                          double now_seconds) {
+void LineDrawer::update(OpenScene& scene, const PreviewRender::Subject& subject, bool busy,
+                        double now_seconds) {
   take(scene, busy);
   due_.reset();
-  if (!scene || !subject.scene || scene->world().strokes.empty()) return;
-  const Request request{scene.shared(), stroke_picture(subject.camera, subject.settings),
+  if (!scene || !subject.scene || scene->world().lines_and_points.empty()) return;
+  const Request request{scene.shared(), line_picture(subject.camera, subject.settings),
                         subject.camera_revision};
   const Wanted wanted = wanted_of(request);
   if (wanted != newest_) {
@@ -58,13 +58,13 @@ void StrokeDrawer::update(OpenScene& scene, const PreviewRender::Subject& subjec
   job_.ask(request);
 }
 
-void StrokeDrawer::adopt(const OpenScene& scene, const StrokePicture& picture,
-                         std::uint64_t camera_revision) {
+void LineDrawer::adopt(const OpenScene& scene, const LinePicture& picture,
+                       std::uint64_t camera_revision) {
   drawn_ = scene->geometry;
   drawn_for_ = {camera_revision, picture.height, picture.width};
 }
 
-std::optional<double> StrokeDrawer::seconds_to_update(double now_seconds) const {
+std::optional<double> LineDrawer::seconds_to_update(double now_seconds) const {
   if (!due_) return std::nullopt;
   return std::max(0.0, *due_ - now_seconds);
 }

@@ -1,4 +1,4 @@
-#include "renderer/world/strokes.h"
+#include "renderer/world/lines_and_points.h"
 
 #include "renderer/geometry/direction.h"
 #include "renderer/world/world.h"
@@ -25,7 +25,7 @@ int corners_of(double width) {
 /// unit ahead.
 class Eye {
  public:
-  explicit Eye(const StrokePicture& picture)
+  explicit Eye(const LinePicture& picture)
       : right_(picture.camera.world_from_camera[0]),
         up_(picture.camera.world_from_camera[1]),
         back_(picture.camera.world_from_camera[2]),
@@ -68,7 +68,7 @@ class Eye {
 class Drawer {
  public:
   /// `textured`: the sets of texture coordinates that vertices have.
-  Drawer(World& world, const StrokePicture& picture, bool coloured, std::array<bool, 2> textured)
+  Drawer(World& world, const LinePicture& picture, bool coloured, std::array<bool, 2> textured)
       : world_(world),
         eye_(picture),
         corners_(corners_of(picture.width)),
@@ -78,18 +78,21 @@ class Drawer {
   // Draws one part after the other, since a part's triangles are consecutive.
   void run() {
     std::size_t segment = 0, point = 0;
-    const Strokes& strokes = world_.strokes;
-    for (std::uint32_t p = strokes.first_part; p < world_.parts.size(); ++p) {
+    const LinesAndPoints& lines_and_points = world_.lines_and_points;
+    for (std::uint32_t p = lines_and_points.first_part; p < world_.parts.size(); ++p) {
       part_ = &world_.parts[p];
       part_->first_triangle = static_cast<std::uint32_t>(world_.triangles.size());
       part_->first_vertex = static_cast<std::uint32_t>(world_.positions.size());
-      for (; segment < strokes.segments.size() && strokes.segments[segment].part == p; ++segment) {
-        look_ = look_of(strokes.segment_looks, segment);
-        add_segment(strokes.segments[segment]);
+      for (; segment < lines_and_points.segments.size() &&
+             lines_and_points.segments[segment].part == p;
+           ++segment) {
+        look_ = look_of(lines_and_points.segment_looks, segment);
+        add_segment(lines_and_points.segments[segment]);
       }
-      for (; point < strokes.points.size() && strokes.points[point].part == p; ++point) {
-        look_ = look_of(strokes.point_looks, point);
-        add_point(strokes.points[point]);
+      for (; point < lines_and_points.points.size() && lines_and_points.points[point].part == p;
+           ++point) {
+        look_ = look_of(lines_and_points.point_looks, point);
+        add_point(lines_and_points.points[point]);
       }
       part_->triangle_count =
           static_cast<std::uint32_t>(world_.triangles.size()) - part_->first_triangle;
@@ -103,11 +106,11 @@ class Drawer {
   // Places nearer than this fraction of the farther end's depth cannot be projected.
   static constexpr double nearest_share = 1e-6;
 
-  [[nodiscard]] static StrokeLook look_of(const std::vector<StrokeLook>& looks, std::size_t i) {
-    return i < looks.size() ? looks[i] : StrokeLook{};
+  [[nodiscard]] static LineLook look_of(const std::vector<LineLook>& looks, std::size_t i) {
+    return i < looks.size() ? looks[i] : LineLook{};
   }
 
-  void add_segment(const Stroke& stroke) {
+  void add_segment(const LineOrPoint& stroke) {
     const glm::dvec3 a = eye_.seen(glm::dvec3(stroke.a)), b = eye_.seen(glm::dvec3(stroke.b));
     if (!eye_.perspective()) return add_ribbon(stroke, a, b, 0.0, 1.0);
     const double near = nearest_share * std::max(std::abs(a.z), std::abs(b.z));
@@ -120,7 +123,7 @@ class Drawer {
     }
   }
 
-  void add_ribbon(const Stroke& stroke, glm::dvec3 a, glm::dvec3 b, double t0, double t1) {
+  void add_ribbon(const LineOrPoint& stroke, glm::dvec3 a, glm::dvec3 b, double t0, double t1) {
     const std::array<glm::dvec3, 2> ends{glm::mix(a, b, t0), glm::mix(a, b, t1)};
     const glm::dvec2 along = eye_.projected(ends[1]) - eye_.projected(ends[0]);
     const double length = glm::length(along);
@@ -138,7 +141,7 @@ class Drawer {
     add_triangle({first + 2, first + 1, first + 3});
   }
 
-  void add_point(const Stroke& stroke) {
+  void add_point(const LineOrPoint& stroke) {
     const glm::dvec3 middle = eye_.seen(glm::dvec3(stroke.a));
     if (eye_.perspective() && middle.z == 0.0) return;
     // A regular polygon of n corners has the area n / 2 sin(2 pi / n) r^2.
@@ -179,69 +182,69 @@ class Drawer {
   int corners_;
   bool coloured_;  // vertices have colours
   std::array<bool, 2> textured_;
-  StrokeLook look_;  // of the current stroke
+  LineLook look_;  // of the current stroke
   Part* part_ = nullptr;
 };
 
 /// Removes the surfaces for another picture.
-void clear_strokes(World& world) {
-  Strokes& strokes = world.strokes;
-  if (!strokes.drawn()) return;
-  world.positions.resize(strokes.first_vertex);
-  world.normals.resize(strokes.first_vertex);
-  if (!world.tangents.empty()) world.tangents.resize(strokes.first_vertex);
+void clear_lines(World& world) {
+  LinesAndPoints& lines_and_points = world.lines_and_points;
+  if (!lines_and_points.drawn()) return;
+  world.positions.resize(lines_and_points.first_vertex);
+  world.normals.resize(lines_and_points.first_vertex);
+  if (!world.tangents.empty()) world.tangents.resize(lines_and_points.first_vertex);
   for (auto& texcoords : world.texcoords)
-    if (!texcoords.empty()) texcoords.resize(strokes.first_vertex);
-  if (!world.colors.empty()) world.colors.resize(strokes.first_vertex);
-  world.triangles.resize(strokes.first_triangle);
-  world.triangle_part.erase(
-      world.triangle_part.begin() + strokes.first_triangle,
-      world.triangle_part.begin() + strokes.first_triangle + strokes.triangle_count);
-  for (std::size_t p = strokes.first_part; p < world.parts.size(); ++p) {
+    if (!texcoords.empty()) texcoords.resize(lines_and_points.first_vertex);
+  if (!world.colors.empty()) world.colors.resize(lines_and_points.first_vertex);
+  world.triangles.resize(lines_and_points.first_triangle);
+  world.triangle_part.erase(world.triangle_part.begin() + lines_and_points.first_triangle,
+                            world.triangle_part.begin() + lines_and_points.first_triangle +
+                                lines_and_points.triangle_count);
+  for (std::size_t p = lines_and_points.first_part; p < world.parts.size(); ++p) {
     Part& part = world.parts[p];
     part.triangle_count = part.vertex_count = 0;
     part.bounds = Box();
   }
-  world.bounds = strokes.others;
-  strokes.triangle_count = strokes.vertex_count = 0;
+  world.bounds = lines_and_points.others;
+  lines_and_points.triangle_count = lines_and_points.vertex_count = 0;
 }
 
 /// Returns the sets of texture coordinates that the strokes' materials use.
 std::array<bool, 2> textured_sets(const World& world) {
   std::array<bool, 2> sets{};
   for (const Part& part : world.parts) {
-    if (!part.strokes) continue;
+    if (!part.lines_and_points) continue;
     for (const TextureUse* use : texture_uses(world.materials[part.material]))
       if (use->used()) sets[static_cast<std::size_t>(use->texcoord)] = true;
   }
   return sets;
 }
 
-bool coloured(const std::vector<Stroke>& strokes) {
-  return std::any_of(strokes.begin(), strokes.end(), [](const Stroke& s) {
+bool coloured(const std::vector<LineOrPoint>& lines_and_points) {
+  return std::any_of(lines_and_points.begin(), lines_and_points.end(), [](const LineOrPoint& s) {
     return s.color_a != glm::vec4(1.0f) || s.color_b != glm::vec4(1.0f);
   });
 }
 
 }  // namespace
 
-StrokeSize size_of_strokes(const World& world, const StrokePicture& picture) {
+LineSize size_of_lines(const World& world, const LinePicture& picture) {
   const auto corners = static_cast<std::uint64_t>(corners_of(picture.width));
-  const std::uint64_t segments = world.strokes.segments.size();
-  const std::uint64_t points = world.strokes.points.size();
+  const std::uint64_t segments = world.lines_and_points.segments.size();
+  const std::uint64_t points = world.lines_and_points.points.size();
   // A segment may pass the camera, and then has a ribbon on each side.
   return {4 * segments + (corners - 2) * points, 8 * segments + corners * points};
 }
 
-void draw_strokes(World& world, const StrokePicture& picture) {
-  clear_strokes(world);
-  Strokes& strokes = world.strokes;
-  if (strokes.empty() || !(picture.width > 0.0)) return;
-  strokes.others = world.bounds;
-  strokes.first_vertex = static_cast<std::uint32_t>(world.positions.size());
-  strokes.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
-  const bool any_colours =
-      !world.colors.empty() || coloured(strokes.segments) || coloured(strokes.points);
+void draw_lines(World& world, const LinePicture& picture) {
+  clear_lines(world);
+  LinesAndPoints& lines_and_points = world.lines_and_points;
+  if (lines_and_points.empty() || !(picture.width > 0.0)) return;
+  lines_and_points.others = world.bounds;
+  lines_and_points.first_vertex = static_cast<std::uint32_t>(world.positions.size());
+  lines_and_points.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
+  const bool any_colours = !world.colors.empty() || coloured(lines_and_points.segments) ||
+                           coloured(lines_and_points.points);
   if (any_colours) world.colors.resize(world.positions.size(), glm::vec4(1.0f));
 
   std::array<bool, 2> textured = textured_sets(world);
@@ -251,13 +254,14 @@ void draw_strokes(World& world, const StrokePicture& picture) {
   }
 
   // Numbers of faces begin where those of triangles end.
-  const std::vector<std::uint32_t> of_faces(world.triangle_part.begin() + strokes.first_triangle,
-                                            world.triangle_part.end());
-  world.triangle_part.resize(strokes.first_triangle);
+  const std::vector<std::uint32_t> of_faces(
+      world.triangle_part.begin() + lines_and_points.first_triangle, world.triangle_part.end());
+  world.triangle_part.resize(lines_and_points.first_triangle);
   Drawer(world, picture, any_colours, textured).run();
-  strokes.vertex_count = static_cast<std::uint32_t>(world.positions.size()) - strokes.first_vertex;
-  strokes.triangle_count =
-      static_cast<std::uint32_t>(world.triangles.size()) - strokes.first_triangle;
+  lines_and_points.vertex_count =
+      static_cast<std::uint32_t>(world.positions.size()) - lines_and_points.first_vertex;
+  lines_and_points.triangle_count =
+      static_cast<std::uint32_t>(world.triangles.size()) - lines_and_points.first_triangle;
   world.triangle_part.insert(world.triangle_part.end(), of_faces.begin(), of_faces.end());
   world.positions.reserve(world.positions.size() + 1);  // see World::positions
 }

@@ -1,4 +1,4 @@
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 
 #include "renderer/prepared/rebuilt_geometry.h"
 
@@ -10,9 +10,9 @@
 namespace asos {
 namespace {
 
-Result<void> check_size(const RenderScene& scene, const StrokePicture& picture) {
+Result<void> check_size(const RenderScene& scene, const LinePicture& picture) {
   const World& world = scene.world();
-  const StrokeSize more = size_of_strokes(world, picture);
+  const LineSize more = size_of_lines(world, picture);
   const std::uint64_t triangles = world.solid_triangles() + more.triangles;
   if (triangles > most_triangles)
     return unexpected(Error{scene.geometry->source,
@@ -23,9 +23,9 @@ Result<void> check_size(const RenderScene& scene, const StrokePicture& picture) 
 }
 
 Result<std::shared_ptr<const RenderScene>> draw_in_memory(const RenderScene& scene,
-                                                          const StrokePicture& picture) {
+                                                          const LinePicture& picture) {
   World world = scene.world();
-  draw_strokes(world, picture);
+  draw_lines(world, picture);
   auto geometry = rebuilt_geometry(scene, std::move(world));
   if (!geometry) return unexpected(geometry.error());
   RenderScene drawn = scene;
@@ -36,10 +36,11 @@ Result<std::shared_ptr<const RenderScene>> draw_in_memory(const RenderScene& sce
 
 }  // namespace
 
-Result<std::shared_ptr<const RenderScene>> with_strokes(std::shared_ptr<const RenderScene> scene,
-                                                        const StrokePicture& picture) {
-  const Strokes& strokes = scene->world().strokes;
-  if (strokes.empty() || (!(picture.width > 0.0) && !strokes.drawn())) return scene;
+Result<std::shared_ptr<const RenderScene>> with_lines(std::shared_ptr<const RenderScene> scene,
+                                                      const LinePicture& picture) {
+  const LinesAndPoints& lines_and_points = scene->world().lines_and_points;
+  if (lines_and_points.empty() || (!(picture.width > 0.0) && !lines_and_points.drawn()))
+    return scene;
   if (const auto fits = check_size(*scene, picture); !fits) return unexpected(fits.error());
   try {
     return draw_in_memory(*scene, picture);

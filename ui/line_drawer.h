@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 #include "ui/latest_job.h"
 #include "ui/open_scene.h"
 #include "ui/preview_render.h"
@@ -15,10 +15,10 @@ namespace asos::ui {
 /// Redraws the open scene's lines and points for the current camera on its own thread, once the
 /// camera is still; while it moves they stay as they were. Scenes without lines and points cost
 /// nothing. All members must be called from one thread.
-class StrokeDrawer {
+class LineDrawer {
  public:
   /// `wake` is called from that thread when `update` has a result to take.
-  explicit StrokeDrawer(std::function<void()> wake);
+  explicit LineDrawer(std::function<void()> wake);
 
   /// Puts a finished scene in place, and starts a new one if the scene's lines and points were not
   /// drawn for `subject`. `busy`: the scene is being replaced with other lights or materials, which
@@ -26,14 +26,14 @@ class StrokeDrawer {
   void update(OpenScene& scene, const PreviewRender::Subject& subject, bool busy,
               double now_seconds);
   /// Call when the scene has come with lines and points drawn for this picture.
-  void adopt(const OpenScene& scene, const StrokePicture& picture, std::uint64_t camera_revision);
+  void adopt(const OpenScene& scene, const LinePicture& picture, std::uint64_t camera_revision);
   /// Seconds until `update` has to be called although nothing happens; none: when woken.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:
   struct Request {
     std::shared_ptr<const RenderScene> scene;
-    StrokePicture picture;
+    LinePicture picture;
     std::uint64_t camera_revision = 0;
   };
   struct Drawn {

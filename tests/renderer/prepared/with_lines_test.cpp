@@ -1,4 +1,4 @@
-#include "renderer/prepared/with_strokes.h"
+#include "renderer/prepared/with_lines.h"
 
 #include "tests/support/render_picture.h"
 
@@ -87,7 +87,7 @@ std::shared_ptr<const RenderScene> prepared(const Scene& scene) {
 
 Film picture_of(const std::shared_ptr<const RenderScene>& scene, const Camera& camera,
                 const RenderSettings& settings) {
-  const auto drawn = with_strokes(scene, stroke_picture(camera, settings)).value();
+  const auto drawn = with_lines(scene, line_picture(camera, settings)).value();
   return render_picture(*drawn, camera, settings).film;
 }
 
@@ -129,7 +129,7 @@ double largest_difference(const Film& a, const Film& b) {
   return largest;
 }
 
-TEST(WithStrokes, ALineCoversItsRectangle) {
+TEST(WithLines, ALineCoversItsRectangle) {
   for (const bool perspective : {true, false}) {
     for (const double width : {1.0, 2.5, 6.0}) {
       for (const double angle : {0.0, 0.3, 0.7853981, 1.2, 1.5707963}) {
@@ -149,7 +149,7 @@ TEST(WithStrokes, ALineCoversItsRectangle) {
   }
 }
 
-TEST(WithStrokes, APointCoversItsDisk) {
+TEST(WithLines, APointCoversItsDisk) {
   for (const double width : {1.0, 2.0, 5.0, 16.0}) {
     SCOPED_TRACE(testing::Message() << "width " << width);
     const auto scene = prepared(scene_of({points({{0.31f, 0.17f, 0.5f}, {-1.2f, -0.4f, -0.7f}})}));
@@ -161,7 +161,7 @@ TEST(WithStrokes, APointCoversItsDisk) {
   }
 }
 
-TEST(WithStrokes, OtherMethodsSeeTheSame) {
+TEST(WithLines, OtherMethodsSeeTheSame) {
   const auto scene = prepared(scene_of({lines({{-0.7f, -0.6f, 0.0f}, {0.9f, 0.8f, 0.4f}})}));
   const Camera camera = camera_for(*scene);
   RenderSettings settings = settings_of(3.0);
@@ -171,7 +171,7 @@ TEST(WithStrokes, OtherMethodsSeeTheSame) {
   EXPECT_NEAR(red_area(picture_of(scene, camera, settings)) / exact, 1.0, 0.01);
 }
 
-TEST(WithStrokes, SurfacesHideLinesAndLinesHideSurfaces) {
+TEST(WithLines, SurfacesHideLinesAndLinesHideSurfaces) {
   const Mesh wall = square(1.0f, 0.0f);
   const std::vector<glm::vec3> behind{{-0.8f, -0.7f, -0.5f}, {0.6f, 0.7f, -0.5f}};
   const std::vector<glm::vec3> before{{-0.8f, -0.7f, 0.5f}, {0.6f, 0.7f, 0.5f}};
@@ -183,7 +183,7 @@ TEST(WithStrokes, SurfacesHideLinesAndLinesHideSurfaces) {
   EXPECT_GT(largest_difference(picture_of(seen, camera, settings_of(3.0)), bare), 0.1);
 }
 
-TEST(WithStrokes, ALineUponASurfaceIsNotBuriedInIt) {
+TEST(WithLines, ALineUponASurfaceIsNotBuriedInIt) {
   // A line along the wall's diagonal: the whole ribbon is visible.
   const auto scene =
       prepared(scene_of({square(1.0f, 0.0f), lines({{-0.8f, -0.8f, 0.0f}, {0.8f, 0.8f, 0.0f}})}));
@@ -199,12 +199,12 @@ TEST(WithStrokes, ALineUponASurfaceIsNotBuriedInIt) {
   EXPECT_NEAR(blackened / (2.0 * length), 1.0, 0.01);
 }
 
-TEST(WithStrokes, ALineIsCutWhereItEntersASurface) {
+TEST(WithLines, ALineIsCutWhereItEntersASurface) {
   const auto scene =
       prepared(scene_of({square(1.0f, 0.0f), lines({{-0.8f, -0.3f, -0.9f}, {0.7f, 0.4f, 0.8f}})}));
   const Camera camera = camera_for(*scene);
   RenderSettings settings = settings_of(6.0);
-  const auto drawn = with_strokes(scene, stroke_picture(camera, settings)).value();
+  const auto drawn = with_lines(scene, line_picture(camera, settings)).value();
   EXPECT_GT(drawn->features().counts().intersection, 0u);
   const Picture exact = render_picture(*drawn, camera, settings);
   EXPECT_EQ(exact.statistics.missed_splits, 0u);
@@ -213,7 +213,7 @@ TEST(WithStrokes, ALineIsCutWhereItEntersASurface) {
   EXPECT_LT(largest_difference(exact.film, render_picture(*drawn, camera, settings).film), 4e-3);
 }
 
-TEST(WithStrokes, LinesAndPointsCastNoShadows) {
+TEST(WithLines, LinesAndPointsCastNoShadows) {
   // Between the wall and sun and sky, but outside the picture.
   std::vector<glm::vec3> near;
   for (int i = 0; i < 40; ++i) {
@@ -242,8 +242,8 @@ TEST(WithStrokes, LinesAndPointsCastNoShadows) {
       settings.method = method;
       settings.asos.max_level = 3;
       settings.shadow.sky = true;
-      const auto drawn = with_strokes(ready, stroke_picture(camera, settings)).value();
-      ASSERT_GT(drawn->world().strokes.triangle_count, 0u);
+      const auto drawn = with_lines(ready, line_picture(camera, settings)).value();
+      ASSERT_GT(drawn->world().lines_and_points.triangle_count, 0u);
       const Film bare = render_picture(*ready, camera, settings).film;
       EXPECT_LT(largest_difference(render_picture(*drawn, camera, settings).film, bare), 2e-5);
       EXPECT_GT(at(bare, 32, 24).g, 0.01f);
@@ -251,48 +251,48 @@ TEST(WithStrokes, LinesAndPointsCastNoShadows) {
   }
 }
 
-TEST(WithStrokes, NoneAreDrawnWithoutWidth) {
+TEST(WithLines, NoneAreDrawnWithoutWidth) {
   const Mesh wall = square(1.0f, 0.0f);
   const auto with = prepared(scene_of({wall, lines({{-9, 0, 0}, {9, 3, 7}}), points({{5, 5, 5}})}));
   const auto without = prepared(scene_of({wall}));
   const Camera camera = camera_for(*without);
   const RenderSettings settings = settings_of(0.0);
-  EXPECT_EQ(with_strokes(with, stroke_picture(camera, settings)).value(), with);
-  EXPECT_EQ(with_strokes(without, stroke_picture(camera, settings_of(1.0))).value(), without);
+  EXPECT_EQ(with_lines(with, line_picture(camera, settings)).value(), with);
+  EXPECT_EQ(with_lines(without, line_picture(camera, settings_of(1.0))).value(), without);
   EXPECT_EQ(
       largest_difference(picture_of(with, camera, settings), picture_of(without, camera, settings)),
       0.0);
   // The same after they were drawn.
-  const auto drawn = with_strokes(with, stroke_picture(camera, settings_of(1.0))).value();
+  const auto drawn = with_lines(with, line_picture(camera, settings_of(1.0))).value();
   EXPECT_EQ(largest_difference(picture_of(drawn, camera, settings),
                                picture_of(without, camera, settings)),
             0.0);
 }
 
-TEST(WithStrokes, AnotherPictureReplacesTheFirstOnes) {
+TEST(WithLines, AnotherPictureReplacesTheFirstOnes) {
   const auto scene = prepared(
       scene_of({square(1.0f, 0.0f), lines({{-1, 0, 0}, {1, 1, 0.5f}}), points({{0, 1, 1}})}));
   const Camera first = camera_for(*scene);
   Camera second = first;
   second.world_from_camera[3] += glm::dvec4(0.3, 0.2, -1.0, 0.0);
   const auto picture = [](const Camera& camera, double width) {
-    return stroke_picture(camera, settings_of(width));
+    return line_picture(camera, settings_of(width));
   };
-  const auto once = with_strokes(scene, picture(first, 1.0)).value();
-  const auto other = with_strokes(once, picture(second, 4.0)).value();
-  const auto again = with_strokes(other, picture(first, 1.0)).value();
+  const auto once = with_lines(scene, picture(first, 1.0)).value();
+  const auto other = with_lines(once, picture(second, 4.0)).value();
+  const auto again = with_lines(other, picture(first, 1.0)).value();
   EXPECT_NE(other->world().positions, once->world().positions);
   EXPECT_EQ(again->world().positions, once->world().positions);
   EXPECT_EQ(again->world().triangles, once->world().triangles);
   EXPECT_EQ(again->world().triangle_part, once->world().triangle_part);
   EXPECT_EQ(again->world().colors, once->world().colors);
-  const auto none = with_strokes(again, picture(first, 0.0)).value();
+  const auto none = with_lines(again, picture(first, 0.0)).value();
   EXPECT_EQ(none->world().positions, scene->world().positions);
   EXPECT_EQ(none->world().bounds.lo, scene->world().bounds.lo);
   EXPECT_EQ(none->world().bounds.hi, scene->world().bounds.hi);
 }
 
-TEST(WithStrokes, VerticesColoursRunAlongALine) {
+TEST(WithLines, VerticesColoursRunAlongALine) {
   Mesh line = lines({{-1, 0, 0}, {1, 0, 0}});
   line.material = -1;
   line.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}};
@@ -323,7 +323,7 @@ void expect_near(glm::vec3 seen, glm::vec3 right, float error) {
 }
 
 // glTF 2.0, section 3.9.7: base colour and emission.
-TEST(WithStrokes, WithoutNormalsEmissionIsAdded) {
+TEST(WithLines, WithoutNormalsEmissionIsAdded) {
   Scene scene = scene_of({lines({{-1.5f, 0, 0}, {1.5f, 0, 0}})});
   scene.materials[0].base_color = {0.5f, 0.25f, 0.125f, 1.0f};
   scene.materials[0].emissive = {0.2f, 0.1f, 0.0f};
@@ -335,7 +335,7 @@ TEST(WithStrokes, WithoutNormalsEmissionIsAdded) {
     expect_near(at(picture_of_line(scene, method), 32, 24), {0.5f, 0.25f, 0.125f}, 1e-6f);
 }
 
-TEST(WithStrokes, TexturesRunAlongALine) {
+TEST(WithLines, TexturesRunAlongALine) {
   Scene scene = scene_of({lines({{-1.5f, 0, 0}, {1.5f, 0, 0}})});
   scene.images.push_back({"two", 2, 1, {}});
   scene.images[0].rgba = SharedBytes(SharedBytes::Bytes{255, 0, 0, 255, 0, 255, 0, 255});
@@ -365,7 +365,7 @@ TEST(WithStrokes, TexturesRunAlongALine) {
 }
 
 // A matte line under a sun has E cos / pi times its colour, whatever way its ribbon faces.
-TEST(WithStrokes, NormalsLightLinesAndPoints) {
+TEST(WithLines, NormalsLightLinesAndPoints) {
   const glm::vec3 normal(0.0f, 0.8f, 0.6f);
   for (const glm::dvec3 to_light : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0.6, 0.8),
                                     glm::dvec3(0, 0.96, -0.28), glm::dvec3(0, -1, 0)}) {
@@ -395,7 +395,7 @@ TEST(WithStrokes, NormalsLightLinesAndPoints) {
   }
 }
 
-TEST(WithStrokes, ANormalOfNoLengthFacesTheEye) {
+TEST(WithLines, ANormalOfNoLengthFacesTheEye) {
   Mesh mesh = lines({{-1.5f, 0, 0}, {1.5f, 0, 0}});
   mesh.normals.assign(2, glm::vec3(0.0f));
   Scene scene = scene_of({mesh});
@@ -409,7 +409,7 @@ TEST(WithStrokes, ANormalOfNoLengthFacesTheEye) {
   EXPECT_NEAR(at(film, 32, 24).r, red / std::numbers::pi, 1e-4);
 }
 
-TEST(WithStrokes, LinesThroughTheCameraAndWithoutLengthAreHarmless) {
+TEST(WithLines, LinesThroughTheCameraAndWithoutLengthAreHarmless) {
   const auto scene = prepared(scene_of({square(1.0f, 0.0f),
                                         lines({{0, 0, 20},
                                                {0, 0, -20},  // along the view
@@ -421,7 +421,7 @@ TEST(WithStrokes, LinesThroughTheCameraAndWithoutLengthAreHarmless) {
                                                {0.5f, 0.5f, 1}}),
                                         points({{0, 0, 5}, {0, 0, 9}})}));
   const Camera camera = camera_for(*scene);
-  const auto drawn = with_strokes(scene, stroke_picture(camera, settings_of(2.0))).value();
+  const auto drawn = with_lines(scene, line_picture(camera, settings_of(2.0))).value();
   for (const glm::vec3 p : drawn->world().positions)
     EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
   const Film film = render_picture(*drawn, camera, settings_of(2.0)).film;
@@ -429,7 +429,7 @@ TEST(WithStrokes, LinesThroughTheCameraAndWithoutLengthAreHarmless) {
     for (int x = 0; x < film.width; ++x) EXPECT_TRUE(std::isfinite(at(film, x, y).r));
 }
 
-TEST(WithStrokes, WhatIsNotFiniteIsRefused) {
+TEST(WithLines, WhatIsNotFiniteIsRefused) {
   Scene scene = scene_of({lines({{0, 0, 0}, {1, 0, 0}})});
   scene.instances[0].world_from_mesh[3].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(prepare(scene));
@@ -439,7 +439,7 @@ TEST(WithStrokes, WhatIsNotFiniteIsRefused) {
   EXPECT_FALSE(prepare(scene));
 }
 
-TEST(WithStrokes, ASceneOfLinesAloneIsFramed) {
+TEST(WithLines, ASceneOfLinesAloneIsFramed) {
   const auto scene = prepared(scene_of({lines({{100, 7, 3}, {104, 9, 3}})}));
   const Camera camera = first_camera(scene->world(), 4.0 / 3.0);
   EXPECT_GT(red_area(picture_of(scene, camera, settings_of(2.0))), 2.0 * 40.0);

@@ -12,7 +12,7 @@
 namespace asos {
 
 /// Returns the centre of a scene's lines and points; 0 if that is not finite.
-[[nodiscard]] glm::dvec3 origin_of_strokes(const Scene& scene);
+[[nodiscard]] glm::dvec3 origin_of_lines(const Scene& scene);
 
 /// Adds the scene's lines and points to the world, with their own parts and unlit materials. The
 /// world must have its origin and all of its materials. Returns an error if one is not finite, or

@@ -1,4 +1,4 @@
-#include "renderer/world/placed_strokes.h"
+#include "renderer/world/placed_lines.h"
 
 #include "renderer/geometry/coordinates.h"
 #include "renderer/geometry/direction.h"
@@ -17,7 +17,7 @@ namespace {
 const Mesh* strokes_of(const Scene& scene, const Instance& instance) {
   if (instance.shape >= 0) return nullptr;
   const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-  return mesh.has_strokes() ? &mesh : nullptr;
+  return mesh.has_lines() ? &mesh : nullptr;
 }
 
 /// Calls `visit` with the vertices that a mesh' lines and points use.
@@ -71,7 +71,7 @@ class Placer {
   Placer(const Scene& scene, World& world) : scene_(scene), world_(world) {}
 
   std::string run() {
-    world_.strokes.first_part = static_cast<std::uint32_t>(world_.parts.size());
+    world_.lines_and_points.first_part = static_cast<std::uint32_t>(world_.parts.size());
     for (const Instance& instance : scene_.instances) {
       const Mesh* mesh = strokes_of(scene_, instance);
       if (!mesh) continue;
@@ -91,37 +91,39 @@ class Placer {
                          instance.name);
     Part part;
     part.name = instance.name.empty() ? mesh.name : instance.name;
-    part.strokes = true;
+    part.lines_and_points = true;
     part.material = material(mesh.material, !mesh.normals.empty());
     const auto index = static_cast<std::uint32_t>(world_.parts.size());
     const glm::dmat3 to_world = glm::transpose(glm::inverse(glm::dmat3(instance.world_from_mesh)));
-    Strokes& strokes = world_.strokes;
+    LinesAndPoints& lines_and_points = world_.lines_and_points;
     for (const glm::uvec2 s : mesh.segments) {
-      add_look(mesh, to_world, s, strokes.segments.size(), strokes.segment_looks);
-      strokes.segments.push_back(stroke(instance, mesh, s, index));
+      add_look(mesh, to_world, s, lines_and_points.segments.size(), lines_and_points.segment_looks);
+      lines_and_points.segments.push_back(stroke(instance, mesh, s, index));
     }
     for (const std::uint32_t p : mesh.points) {
-      add_look(mesh, to_world, glm::uvec2(p), strokes.points.size(), strokes.point_looks);
-      strokes.points.push_back(stroke(instance, mesh, glm::uvec2(p), index));
+      add_look(mesh, to_world, glm::uvec2(p), lines_and_points.points.size(),
+               lines_and_points.point_looks);
+      lines_and_points.points.push_back(stroke(instance, mesh, glm::uvec2(p), index));
     }
     world_.parts.push_back(std::move(part));
     return {};
   }
 
-  Stroke stroke(const Instance& instance, const Mesh& mesh, glm::uvec2 ends, std::uint32_t part) {
-    Stroke out;
+  LineOrPoint stroke(const Instance& instance, const Mesh& mesh, glm::uvec2 ends,
+                     std::uint32_t part) {
+    LineOrPoint out;
     out.a = glm::vec3(placed(instance, mesh.positions[ends.x]) - world_.origin);
     out.b = glm::vec3(placed(instance, mesh.positions[ends.y]) - world_.origin);
     if (!mesh.colors.empty()) out.color_a = mesh.colors[ends.x], out.color_b = mesh.colors[ends.y];
     out.part = part;
-    world_.strokes.bounds.grow(out.a);
-    world_.strokes.bounds.grow(out.b);
+    world_.lines_and_points.bounds.grow(out.a);
+    world_.lines_and_points.bounds.grow(out.b);
     return out;
   }
 
   /// `stroke`: its number.
   void add_look(const Mesh& mesh, const glm::dmat3& to_world, glm::uvec2 ends, std::size_t stroke,
-                std::vector<StrokeLook>& looks) {
+                std::vector<LineLook>& looks) {
     const bool textured = !mesh.texcoords[0].empty() || !mesh.texcoords[1].empty();
     if (looks.empty() && mesh.normals.empty() && !textured) return;
     looks.resize(stroke + 1);
@@ -157,7 +159,7 @@ class Placer {
 
 }  // namespace
 
-glm::dvec3 origin_of_strokes(const Scene& scene) {
+glm::dvec3 origin_of_lines(const Scene& scene) {
   glm::dvec3 lo(std::numeric_limits<double>::infinity()), hi = -lo;
   for (const Instance& instance : scene.instances) {
     const Mesh* mesh = strokes_of(scene, instance);

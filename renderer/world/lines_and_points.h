@@ -13,7 +13,7 @@ namespace asos {
 struct World;
 
 /// A segment of a line, or a point, whose two ends are equal, relative to World::origin.
-struct Stroke {
+struct LineOrPoint {
   glm::vec3 a;
   glm::vec3 b;
   glm::vec4 color_a{1.0f};  ///< linear RGBA, of the vertices
@@ -22,18 +22,18 @@ struct Stroke {
 };
 
 /// Normals and texture coordinates at the ends of a stroke. A point's ends are the same.
-struct StrokeLook {
+struct LineLook {
   glm::vec3 normals[2]{};       ///< unit, by end; 0: none, so the stroke faces the eye
   glm::vec2 texcoords[2][2]{};  ///< by set and end
 };
 
 /// The lines and points of a world. They have surfaces only for a certain picture: see
-/// draw_strokes. Their parts, triangles and vertices are the last ones.
-struct Strokes {
-  std::vector<Stroke> segments;
-  std::vector<Stroke> points;
+/// draw_lines. Their parts, triangles and vertices are the last ones.
+struct LinesAndPoints {
+  std::vector<LineOrPoint> segments;
+  std::vector<LineOrPoint> points;
   /// One per segment and per point; empty if none has normals or texture coordinates.
-  std::vector<StrokeLook> segment_looks, point_looks;
+  std::vector<LineLook> segment_looks, point_looks;
   Box bounds;  ///< of all segments and points
   std::uint32_t first_part = 0;
   // The following describe the drawn strokes.
@@ -55,25 +55,25 @@ struct Strokes {
 };
 
 /// The picture in which lines and points appear.
-struct StrokePicture {
+struct LinePicture {
   Camera camera;       ///< relative to World::origin
   int height = 1;      ///< pixels
   double width = 1.0;  ///< width of lines and diameter of points, in pixels; 0: there are none
 };
 
-/// The number of triangles and vertices that `draw_strokes` would add.
-struct StrokeSize {
+/// The number of triangles and vertices that `draw_lines` would add.
+struct LineSize {
   std::uint64_t triangles = 0;
   std::uint64_t vertices = 0;
 };
-[[nodiscard]] StrokeSize size_of_strokes(const World& world, const StrokePicture& picture);
+[[nodiscard]] LineSize size_of_lines(const World& world, const LinePicture& picture);
 
 /// Draws a world's lines and points as surfaces that face the camera, in place of those for another
 /// picture. A segment becomes a ribbon whose picture is the rectangle of that width around the
 /// segment's picture, with butt ends. A point becomes a regular polygon with the area of its disk.
 /// The surfaces are nearer by one of their widths, so that lines on a surface are not buried in it.
 /// Strokes behind the camera, which mirrors may show, are as wide as in front of it. Needs 32 bits
-/// for triangles and vertices (size_of_strokes). Omits strokes without extent in the picture.
-void draw_strokes(World& world, const StrokePicture& picture);
+/// for triangles and vertices (size_of_lines). Omits strokes without extent in the picture.
+void draw_lines(World& world, const LinePicture& picture);
 
 }  // namespace asos
