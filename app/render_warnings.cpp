@@ -1,8 +1,8 @@
 #include "app/render_warnings.h"
 
 #include "renderer/files/counted.h"
-#include "renderer/scene/remarks.h"
-#include "renderer/shading/sky_remark.h"
+#include "renderer/scene/scene_warnings.h"
+#include "renderer/shading/sky_warning.h"
 
 #include <fmt/format.h>
 
@@ -14,9 +14,9 @@ namespace asos {
 
 void tell_warnings(RenderReport& report, const RenderScene& scene, const SkyChoice& sky) {
   const SceneNotes notes = notes_of(scene);
-  report.warnings = remarks(notes);
-  report.warning_count = remark_count(notes);
-  if (std::string remark = sky_remark(sky.file); !remark.empty()) {
+  report.warnings = scene_warnings(notes);
+  report.warning_count = count_warnings(notes);
+  if (std::string remark = sky_warning(sky.file); !remark.empty()) {
     report.warnings.insert(report.warnings.begin(), std::move(remark));
     ++report.warning_count;
   }

@@ -2,7 +2,7 @@
 
 #include "app/printed_json.h"
 #include "renderer/files/counted.h"
-#include "renderer/scene/extension_remarks.h"
+#include "renderer/scene/extension_warnings.h"
 #include "renderer/scene/surroundings.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "renderer/result.h"
 #include "renderer/shading/sky.h"
-#include "renderer/shading/sky_remark.h"
+#include "renderer/shading/sky_warning.h"
 #include "ui/latest_job.h"
 
 #include <memory>
@@ -16,13 +16,13 @@ class SkyReader {
  public:
   struct Outcome {
     Result<std::shared_ptr<const Sky>> sky;
-    std::string remark;  ///< see sky_remark
+    std::string remark;  ///< see sky_warning
   };
 
   SkyReader()
       : job_(
             [](const std::string& path) {
-              return Outcome{read_sky(path), sky_remark(path)};
+              return Outcome{read_sky(path), sky_warning(path)};
             },
             {}, Overtaken::dropped) {}
 

@@ -2,7 +2,7 @@
 #include "renderer/film/hdr_io.h"
 #include "renderer/film/reduced_exr.h"
 #include "renderer/shading/sky.h"
-#include "renderer/shading/sky_remark.h"
+#include "renderer/shading/sky_warning.h"
 
 #include <fmt/format.h>
 
@@ -95,7 +95,7 @@ Result<std::shared_ptr<const Sky>> read_sky(const std::string& path, double turn
       SkyMap(picture->width, picture->height, std::move(picture->texels)), turn_deg, path);
 }
 
-std::string sky_remark(const std::string& path) {
+std::string sky_warning(const std::string& path) {
   if (!path.ends_with(".exr")) return "";
   const Result<ExrReduction> reduction = exr_reduction(path, most_exr_texels_of);
   if (!reduction || reduction->shrink == 1) return "";

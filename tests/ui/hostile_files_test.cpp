@@ -1,4 +1,4 @@
-#include "renderer/scene/remarks.h"
+#include "renderer/scene/scene_warnings.h"
 #include "tests/renderer/gltf/gltf_builder.h"
 #include "tests/support/shared_dir.h"
 #include "tests/support/temporary_folder.h"
@@ -82,7 +82,7 @@ class HostileFiles : public testing::Test {
     EXPECT_NE(scene().shared(), before);
     SceneNotes notes = notes_of(*scene());
     notes.not_shown.clear();  // the window has lists for these choices
-    const std::vector<std::string> lines = remarks(notes);
+    const std::vector<std::string> lines = scene_warnings(notes);
     EXPECT_EQ(rig_.content().controls().all().contains("Copy warnings"), !lines.empty());
     if (lines.empty()) return false;
     EXPECT_TRUE(harmless(copied_by("Copy warnings"), lines.size()));
@@ -127,7 +127,7 @@ TEST_F(HostileFiles, ThatCanBeOpenedShowTheirWarningsEscaped) {
                           {"pbrMetallicRoughness", nlohmann::json::array({1})}}};
   b.json["meshes"][0]["primitives"][0]["material"] = 0;
   EXPECT_FALSE(drop(folder_.write("named.glb", b.glb())));
-  EXPECT_FALSE(remarks(notes_of(*scene())).empty());
+  EXPECT_FALSE(scene_warnings(notes_of(*scene())).empty());
 }
 
 TEST_F(HostileFiles, OfTheCorpusDoNoHarm) {

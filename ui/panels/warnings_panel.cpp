@@ -1,5 +1,5 @@
 #include "renderer/files/printable.h"
-#include "renderer/scene/remarks.h"
+#include "renderer/scene/scene_warnings.h"
 #include "ui/panels/inner_list.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
@@ -27,7 +27,7 @@ void asset_root_button(Controls& controls, OpenScene& scene, float width) {
 }
 
 void warnings_panel(Controls& controls, const SceneNotes& notes, OpenScene& scene) {
-  const std::vector<std::string> lines = remarks(notes);
+  const std::vector<std::string> lines = scene_warnings(notes);
   if (lines.empty() || !controls.section("Warnings")) return;
   std::string text;
   for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;

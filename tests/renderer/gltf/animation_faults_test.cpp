@@ -1,4 +1,4 @@
-#include "renderer/scene/remarks.h"
+#include "renderer/scene/scene_warnings.h"
 #include "tests/renderer/gltf/moving_file.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "renderer/scene/rig.h"
 
-#include "renderer/scene/remarks.h"
+#include "renderer/scene/scene_warnings.h"
 #include "tests/renderer/gltf/moving_file.h"
 #include "tests/support/shared_dir.h"
 
@@ -237,7 +237,7 @@ TEST(Rig, PointersMoveNodes) {
   const std::string wanted =
       "animation 0, channel 1: it moves /materials/0/alphaCutoff, which "
       "the file does not have; that stays as the file has it";
-  EXPECT_EQ(std::ranges::count(remarks(scene.notes), wanted), 1);
+  EXPECT_EQ(std::ranges::count(scene_warnings(scene.notes), wanted), 1);
 }
 
 TEST(Rig, TellsWhatMovesAndWhatThereIsAChoiceOf) {
@@ -259,7 +259,7 @@ TEST(Rig, TellsWhatMovesAndWhatThereIsAChoiceOf) {
   EXPECT_EQ(c.variants, std::vector<std::string>{"red"});
   EXPECT_EQ(c.cameras_not_placed, 1u);
 
-  const std::vector<std::string> said = remarks(scene.notes);
+  const std::vector<std::string> said = scene_warnings(scene.notes);
   for (const char* line :
        {"1 animation is not played: 'Wave\\n'; everything stands where the file's nodes place it",
         "1 other scene of the file is not shown: 'other'; the picture is of scene 0 (--scene "
@@ -268,7 +268,7 @@ TEST(Rig, TellsWhatMovesAndWhatThereIsAChoiceOf) {
         "1 variant is not shown: 'red'; materials are as without (--variant shows one)"})
     EXPECT_EQ(std::ranges::count(said, line), 1) << line;
   // With a time given, the animation is played.
-  for (const std::string& line : remarks(posed(scene, 0.5).notes))
+  for (const std::string& line : scene_warnings(posed(scene, 0.5).notes))
     EXPECT_EQ(line.find("not played"), std::string::npos) << line;
 }
 

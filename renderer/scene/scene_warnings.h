@@ -10,9 +10,9 @@ namespace asos {
 
 /// Returns the differences between a file and its pictures, as lines of text for the user: parts
 /// that are not shown, or shown differently.
-[[nodiscard]] std::vector<std::string> remarks(const SceneNotes& notes);
+[[nodiscard]] std::vector<std::string> scene_warnings(const SceneNotes& notes);
 
 /// Returns the number of remarks, including those that the last warning only counts.
-[[nodiscard]] std::uint64_t remark_count(const SceneNotes& notes);
+[[nodiscard]] std::uint64_t count_warnings(const SceneNotes& notes);
 
 }  // namespace asos

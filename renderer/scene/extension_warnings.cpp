@@ -1,4 +1,4 @@
-#include "renderer/scene/extension_remarks.h"
+#include "renderer/scene/extension_warnings.h"
 
 #include "renderer/files/printable.h"
 
