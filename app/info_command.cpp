@@ -6,7 +6,7 @@
 #include "app/scene_info.h"
 #include "renderer/film/layers.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -62,7 +62,7 @@ struct Told {
 };
 
 Result<Told> prepared_for_info(const InfoArguments& arguments) {
-  Result<Scene> scene = open_scene_argument(arguments.scene, {.keep_rig = arguments.clip.any(),
+  Result<Scene> scene = open_scene_argument(arguments.scene, {.keep_posable = arguments.clip.any(),
                                                               .variant = arguments.variant,
                                                               .scene = arguments.scene_of_file,
                                                               .asset_root = arguments.asset_root});

@@ -2,7 +2,7 @@
 
 #include "app/scene_argument.h"
 #include "app/shutter_option.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "renderer/world/framing.h"
 
 #include <utility>
@@ -23,7 +23,7 @@ Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
   const ShutterSettings& shutter = wanted.settings.shutter;
   const bool moves = wanted.clip.any() || as_before || shutter.blurs();
   LoadOptions options = load_options_of(wanted);
-  options.keep_rig = moves;
+  options.keep_posable = moves;
   Result<Scene> scene = open_scene_argument(wanted.scene, options);
   if (!scene) return tl::unexpected(scene.error());
   OpenedScene opened;

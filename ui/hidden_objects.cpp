@@ -1,6 +1,6 @@
 #include "ui/hidden_objects.h"
 
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -22,9 +22,9 @@ void take_out(Scene& scene, const std::vector<int>& hidden) {
 }
 
 /// Poses another rig's scene and removes some of its objects.
-class RigWithout : public Rig, public std::enable_shared_from_this<RigWithout> {
+class RigWithout : public PosableScene, public std::enable_shared_from_this<RigWithout> {
  public:
-  RigWithout(std::shared_ptr<Rig> whole, std::vector<int> hidden)
+  RigWithout(std::shared_ptr<PosableScene> whole, std::vector<int> hidden)
       : whole_(std::move(whole)), hidden_(std::move(hidden)) {}
 
   Result<Scene> pose(const std::optional<ClipTime>& time) override {
@@ -36,7 +36,7 @@ class RigWithout : public Rig, public std::enable_shared_from_this<RigWithout> {
   }
 
  private:
-  std::shared_ptr<Rig> whole_;
+  std::shared_ptr<PosableScene> whole_;
   std::vector<int> hidden_;
 };
 

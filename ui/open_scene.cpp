@@ -12,7 +12,7 @@ namespace {
 LoadFunction load_or_default(LoadFunction load) {
   if (load) return load;
   return [](const SceneSource& source) {
-    return load_scene(source.path, {.keep_rig = true,
+    return load_scene(source.path, {.keep_posable = true,
                                     .variant = source.variant,
                                     .scene = source.scene,
                                     .asset_root = source.asset_root});

@@ -1,7 +1,7 @@
 #include "ui/playback.h"
 
 #include "renderer/prepared/with_ground.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "renderer/world/ground.h"
 
 #include <algorithm>

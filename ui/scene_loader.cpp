@@ -1,7 +1,7 @@
 #include "ui/scene_loader.h"
 
 #include "renderer/prepared/default_look.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "renderer/scene/source_files.h"
 #include "ui/hidden_objects.h"
 

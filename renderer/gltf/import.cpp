@@ -7,7 +7,7 @@
 #include "renderer/gltf/scene_choice.h"
 #include "renderer/gltf/variants.h"
 #include "renderer/scene/not_shown.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace gltf {
 namespace {
 
 /// A file, and the data of an import that do not depend on time.
-class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile> {
+class OpenFile final : public PosableScene, public std::enable_shared_from_this<OpenFile> {
  public:
   OpenFile(std::string path, Document document, const LoadOptions& options)
       : path_(std::move(path)), doc_(std::move(document)), options_(options), accessors_(doc_) {}
@@ -32,7 +32,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     rest_ = poses_at_rest(doc_);
     clips_ = read_clips(doc_, accessors_);
     still_.morphing_nodes = morphing_nodes(clips_);
-    still_.wanted = keeps_rig();
+    still_.wanted = keeps_posable();
     shown_scene_ = default_scene_ = default_scene(doc_);
     if (!options_.scene.empty()) {
       const Checked<int> chosen = find_scene(doc_, options_.scene);
@@ -49,7 +49,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     return {};
   }
 
-  [[nodiscard]] bool keeps_rig() const { return options_.keep_rig && !clips_.empty(); }
+  [[nodiscard]] bool keeps_posable() const { return options_.keep_posable && !clips_.empty(); }
 
   Checked<Scene> import(const std::optional<ClipTime>& time) {
     std::vector<NodePose> poses = rest_;
@@ -60,7 +60,7 @@ class OpenFile final : public Rig, public std::enable_shared_from_this<OpenFile>
     // If the file is not kept, its pictures are not kept, either.
     Importer importer(doc_, accessors_, graph, still_, options_);
     Checked<Scene> scene =
-        importer.run(shown_scene_, keeps_rig() ? base_ : std::exchange(base_, Scene{}));
+        importer.run(shown_scene_, keeps_posable() ? base_ : std::exchange(base_, Scene{}));
     if (!scene) return scene;
     scene->time = time;
     scene->contents = contents_of(doc_, clips_, graph, shown_scene_, *scene);
@@ -139,7 +139,7 @@ Checked<Scene> import_at_rest(const std::string& path, const LoadOptions& option
   const auto file = std::make_shared<OpenFile>(path, std::move(*document), options);
   if (auto opened = file->open(); !opened) return fault(opened.error());
   Checked<Scene> scene = file->import(std::nullopt);
-  if (!scene || !file->keeps_rig()) return scene;
+  if (!scene || !file->keeps_posable()) return scene;
   file->end_of_loading();
   scene->rig = file;
   return scene;

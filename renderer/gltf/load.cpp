@@ -18,7 +18,7 @@ Result<Scene> load_builtin(const std::string& source, const std::string& name,
   Result<Scene> scene = builtin_scene(name);
   if (!scene) return unexpected(Error{source, std::move(scene.error().reason)});
   scene->source = source;
-  if (!options.keep_rig) scene->rig = nullptr;
+  if (!options.keep_posable) scene->rig = nullptr;
   return scene;
 }
 

@@ -10,7 +10,7 @@ namespace asos {
 struct LoadOptions {
   /// More are rejected, before anything of that size is allocated.
   std::uint64_t max_triangles = 60'000'000;
-  bool keep_rig = false;  ///< set Scene::rig if there are animations
+  bool keep_posable = false;  ///< set Scene::rig if there are animations
   /// One of the file's material variants (KHR_materials_variants); empty: none.
   std::string variant = {};
   /// One of the file's scenes, by number from 0 or name; empty: its default.

@@ -9,7 +9,7 @@
 #include "renderer/picture/path_text.h"
 #include "renderer/picture/settings_json.h"
 #include "renderer/prepared/environment_lights.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "renderer/settings/names.h"
 #include "renderer/shading/sky.h"
 #include "renderer/world/ground.h"
@@ -190,7 +190,7 @@ std::string look_beside(const std::filesystem::path& folder, std::string& file) 
 }  // namespace
 
 LoadOptions PictureDescription::load_options() const {
-  return {.keep_rig = time.has_value(),
+  return {.keep_posable = time.has_value(),
           .variant = variant,
           .scene = scene_number < 0 ? std::string() : std::to_string(scene_number)};
 }

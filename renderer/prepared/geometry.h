@@ -35,12 +35,12 @@ struct Geometry {
   SceneNotes notes;                ///< of the file; see notes_of
   std::string name;
   std::string source;
-  SceneContents contents;        ///< of the file
-  std::optional<ClipTime> time;  ///< see Scene::time
-  std::shared_ptr<Rig> rig;      ///< see Scene::rig
-  Stage stage;                   ///< for the scene at other times
-  double build_seconds = 0.0;    ///< without the boundaries
-  BoundaryFeatures boundaries;   ///< last: their search ends before its data is destroyed
+  SceneContents contents;             ///< of the file
+  std::optional<ClipTime> time;       ///< see Scene::time
+  std::shared_ptr<PosableScene> rig;  ///< see Scene::rig
+  Stage stage;                        ///< for the scene at other times
+  double build_seconds = 0.0;         ///< without the boundaries
+  BoundaryFeatures boundaries;        ///< last: their search ends before its data is destroyed
 
   /// Returns the memory of geometry, textures with mip chains, and the hierarchies that exist so
   /// far.

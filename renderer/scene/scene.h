@@ -313,7 +313,7 @@ struct SceneNotes {
   std::vector<std::string> not_shown;
 };
 
-class Rig;
+class PosableScene;
 struct Surroundings;
 
 struct Scene {
@@ -331,7 +331,8 @@ struct Scene {
   SceneNotes notes;
   SceneContents contents;
   std::optional<ClipTime> time;  ///< of the animation; none: the rest pose of the nodes
-  std::shared_ptr<Rig> rig;  ///< poses the scene at other times; null: not animated, or not kept
+  std::shared_ptr<PosableScene>
+      rig;  ///< poses the scene at other times; null: not animated, or not kept
 
   /// Returns the number of triangles of all instances: a box has 12, other shapes none.
   [[nodiscard]] std::uint64_t instanced_triangles() const;

@@ -2,7 +2,7 @@
 #include "renderer/gltf/load.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_lines.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "renderer/session/film_render.h"
 #include "renderer/shading/environments.h"
 #include "renderer/shading/sky.h"
@@ -149,8 +149,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   RenderSettings settings = settings_of(choice);
   add_later_settings(settings, number);
   require(validated(settings).has_value(), "the settings are those of a person");
-  auto loaded =
-      load_scene(input_file("scene.glb", data, size), {.max_triangles = 20'000, .keep_rig = true});
+  auto loaded = load_scene(input_file("scene.glb", data, size),
+                           {.max_triangles = 20'000, .keep_posable = true});
   if (loaded && loaded->rig) {
     constexpr std::array seconds{0.5, 0.0, 0.3, 1e9};
     loaded = loaded->rig->pose(ClipTime{0, seconds[static_cast<std::size_t>(choice.of(4))]});

@@ -1,4 +1,4 @@
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "tests/fuzz/gltf_mutator.h"
 #include "tests/fuzz/harness.h"
 #include "tests/support/loaded_scene.h"
@@ -27,7 +27,7 @@ std::string broken_promise_of_choices(const SceneContents& contents, const std::
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string path = input_file("scene.glb", data, size);
-  const Result<Scene> scene = load_scene(path, {.keep_rig = true});
+  const Result<Scene> scene = load_scene(path, {.keep_posable = true});
   std::string broken = test::broken_promise_of(scene, path);
   if (broken.empty() && scene && scene->rig)
     broken = test::broken_promise_of(scene->rig->pose(ClipTime{0, 0.5}), path);

@@ -3,7 +3,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/prepared/exposure.h"
 #include "renderer/prepared/focus.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace asos::test {
 
 /// Poses a scene by a function of the time; the scene has one animation.
-class PosedBy final : public Rig, public std::enable_shared_from_this<PosedBy> {
+class PosedBy final : public PosableScene, public std::enable_shared_from_this<PosedBy> {
  public:
   using Pose = std::function<void(double seconds, Scene& scene)>;
   PosedBy(Scene scene, double end, Pose pose)

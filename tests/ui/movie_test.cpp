@@ -192,7 +192,7 @@ TEST_F(MovieDialogTest, SavesTheFramesOfATurn) {
 TEST(MovieOfAClip, ShowsTheAnimation) {
   const TemporaryFolder folder;
   MovieOrder order;
-  const Result<Scene> scene = load_scene("builtin:turning-fence", {.keep_rig = true});
+  const Result<Scene> scene = load_scene("builtin:turning-fence", {.keep_posable = true});
   ASSERT_TRUE(scene && scene->rig);
   order.snapshot.scene = prepare(*scene).value();
   order.snapshot.camera = order.snapshot.scene->world().cameras.front();

@@ -1,7 +1,7 @@
 #include "renderer/scene/builtin/moving.h"
 
 #include "renderer/scene/not_shown.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace asos::builtin {
 
 namespace {
 
-class MovingScene final : public Rig, public std::enable_shared_from_this<MovingScene> {
+class MovingScene final : public PosableScene, public std::enable_shared_from_this<MovingScene> {
  public:
   MovingScene(Scene scene, std::vector<Motion> motions)
       : scene_(std::move(scene)), motions_(std::move(motions)) {}

@@ -1,4 +1,4 @@
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "tests/renderer/gltf/gltf_builder.h"
 #include "tests/renderer/gltf/load_timer.h"
 #include "tests/support/loaded_scene.h"
@@ -86,7 +86,7 @@ GltfBuilder lit() {
 /// Returns the violated guarantees of a file, at rest and at times of its animations, and counts
 /// loadable files.
 std::string broken_promise_of(const std::string& path, std::size_t& loaded) {
-  const Result<Scene> scene = load_in_time(path, {.keep_rig = true});
+  const Result<Scene> scene = load_in_time(path, {.keep_posable = true});
   loaded += scene.has_value() ? 1 : 0;
   if (std::string broken = test::broken_promise_of(scene, path); !broken.empty()) return broken;
   if (!scene || !scene->rig) return "";

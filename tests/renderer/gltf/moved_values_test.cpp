@@ -1,4 +1,4 @@
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "tests/renderer/gltf/moving_file.h"
 
 #include <gtest/gtest.h>

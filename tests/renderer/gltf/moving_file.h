@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/gltf/load.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 #include "tests/renderer/gltf/gltf_builder.h"
 
 #include <glm/glm.hpp>
@@ -37,7 +37,7 @@ inline glm::vec4 about_z(double degrees) {
 /// The file's scene at rest with its rig; stops the test on an error.
 inline Scene with_rig(const GltfBuilder& b) {
   const TemporaryFolder folder;
-  Result<Scene> scene = import_gltf(folder.write("test.glb", b.glb()), {.keep_rig = true});
+  Result<Scene> scene = import_gltf(folder.write("test.glb", b.glb()), {.keep_posable = true});
   if (!scene) throw std::runtime_error(scene.error().message());
   return std::move(*scene);
 }

@@ -1,5 +1,4 @@
-#include "renderer/scene/rig.h"
-
+#include "renderer/scene/posable_scene.h"
 #include "renderer/scene/scene_warnings.h"
 #include "tests/renderer/gltf/moving_file.h"
 #include "tests/support/shared_dir.h"
@@ -27,7 +26,7 @@ glm::dvec3 moved(const std::string& interpolation, const std::vector<float>& tim
   return world_vertex(posed(with_rig(b), seconds), 0);
 }
 
-TEST(Rig, InterpolatesBetweenKeysAsTheySay) {
+TEST(PosableScene, InterpolatesBetweenKeysAsTheySay) {
   const std::vector<float> times{1, 3};
   const std::vector<glm::vec3> values{{0, 0, 0}, {4, 8, -2}};
   expect_near(moved("LINEAR", times, values, 1.5), {1, 2, -0.5});
@@ -41,7 +40,7 @@ TEST(Rig, InterpolatesBetweenKeysAsTheySay) {
 
 // Hermite's polynomial through p and q with slopes m and n over a span d: p + m x + (3 (q - p) / d
 // - 2 m - n) x^2 / d + (2 (p - q) / d + m + n) x^3 / d^2.
-TEST(Rig, SplinesAreHermites) {
+TEST(PosableScene, SplinesAreHermites) {
   const double p = 1, m = -3, q = 5, n = 7, d = 2;
   const std::vector<glm::vec3> values{{99, 0, 0}, {p, 0, 0}, {m, 0, 0},
                                       {n, 0, 0},  {q, 0, 0}, {99, 0, 0}};
@@ -54,7 +53,7 @@ TEST(Rig, SplinesAreHermites) {
   }
 }
 
-TEST(Rig, TurnsAlongTheShorterArcAtAnEvenSpeed) {
+TEST(PosableScene, TurnsAlongTheShorterArcAtAnEvenSpeed) {
   for (const bool opposite : {false, true}) {
     GltfBuilder b = GltfBuilder::square();
     // A quaternion and its negative are the same rotation.
@@ -68,7 +67,7 @@ TEST(Rig, TurnsAlongTheShorterArcAtAnEvenSpeed) {
   }
 }
 
-TEST(Rig, SplinesOfRotationsComeOutAsUnits) {
+TEST(PosableScene, SplinesOfRotationsComeOutAsUnits) {
   GltfBuilder b = GltfBuilder::square();
   const glm::vec4 none(0);
   add_channel(b, 0, "rotation", b.scalars({0, 1}),
@@ -77,7 +76,7 @@ TEST(Rig, SplinesOfRotationsComeOutAsUnits) {
   expect_near(world_vertex(posed(with_rig(b), 0.5), 1), {std::cos(2 * h), std::sin(2 * h), 0});
 }
 
-TEST(Rig, ReadsNormalisedIntegers) {
+TEST(PosableScene, ReadsNormalisedIntegers) {
   GltfBuilder b = GltfBuilder::square();
   const float s = std::sqrt(0.5f) * 32767.0f;
   const auto half = static_cast<std::int16_t>(std::lround(s));
@@ -96,7 +95,7 @@ TEST(Rig, ReadsNormalisedIntegers) {
 }
 
 // A morph target may be quantised or sparse, and may change normals.
-TEST(Rig, MorphsPositionsAndNormals) {
+TEST(PosableScene, MorphsPositionsAndNormals) {
   GltfBuilder b = GltfBuilder::square();
   b.json["extensionsUsed"] = b.json["extensionsRequired"] = {"KHR_mesh_quantization"};
   const int bytes =
@@ -144,7 +143,7 @@ GltfBuilder arm(float elbow_weights = 0.5f) {
   return b;
 }
 
-TEST(Rig, BendsAnArmAtItsElbow) {
+TEST(PosableScene, BendsAnArmAtItsElbow) {
   for (const float weights : {0.5f, 1.0f}) {  // weights are normalised to a sum of 1
     const Scene bent = posed(with_rig(arm(weights)), 1.0);
     expect_near(world_vertex(bent, 0), {0, 0, 0});
@@ -157,7 +156,7 @@ TEST(Rig, BendsAnArmAtItsElbow) {
   expect_near(world_vertex(half, 2), {1 + std::sqrt(0.5), std::sqrt(0.5), 0});
 }
 
-TEST(Rig, AtRestTheFilesNodesPoseASkin) {
+TEST(PosableScene, AtRestTheFilesNodesPoseASkin) {
   GltfBuilder b = arm();
   for (int k = 0; k < 4; ++k) b.json["nodes"][2]["rotation"][k] = about_z(-90)[k];
   const Scene scene = with_rig(b);
@@ -169,7 +168,7 @@ TEST(Rig, AtRestTheFilesNodesPoseASkin) {
 }
 
 // A joint stretched by (2, 1, 1) maps the plane x = y to x = 2y: its normal is (1, -2)/sqrt(5).
-TEST(Rig, NormalsOfSkinsStaySquareToTheirSurface) {
+TEST(PosableScene, NormalsOfSkinsStaySquareToTheirSurface) {
   GltfBuilder b = arm();
   const float s = std::sqrt(0.5f);
   b.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
@@ -190,7 +189,7 @@ bool same(const Scene& a, const Scene& b) {
          std::ranges::equal(a.instances, b.instances, same_instance) && a.time == b.time;
 }
 
-TEST(Rig, APoseIsTheSameWhateverWasAskedForBefore) {
+TEST(PosableScene, APoseIsTheSameWhateverWasAskedForBefore) {
   GltfBuilder b = arm();
   b.json["meshes"].push_back(GltfBuilder::square().json["meshes"][0]);
   b.json["meshes"][1]["primitives"][0] = {
@@ -206,7 +205,7 @@ TEST(Rig, APoseIsTheSameWhateverWasAskedForBefore) {
   EXPECT_EQ(at_once.meshes[0].positions.size(), 3u);
 }
 
-TEST(Rig, CamerasAndLightsMoveWithTheirNodes) {
+TEST(PosableScene, CamerasAndLightsMoveWithTheirNodes) {
   GltfBuilder b = GltfBuilder::square();
   b.json["extensionsUsed"] = {"KHR_lights_punctual"};
   b.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
@@ -220,7 +219,7 @@ TEST(Rig, CamerasAndLightsMoveWithTheirNodes) {
   expect_near(scene.lights.at(0).position, {3, 0, 1});
 }
 
-TEST(Rig, PointersMoveNodes) {
+TEST(PosableScene, PointersMoveNodes) {
   GltfBuilder b = GltfBuilder::square();
   b.json["extensionsUsed"] = {"KHR_animation_pointer"};
   add_channel(b, 0, "pointer", b.scalars({0, 1}), b.vec3({{0, 0, 0}, {2, 0, 0}}));
@@ -240,7 +239,7 @@ TEST(Rig, PointersMoveNodes) {
   EXPECT_EQ(std::ranges::count(scene_warnings(scene.notes), wanted), 1);
 }
 
-TEST(Rig, TellsWhatMovesAndWhatThereIsAChoiceOf) {
+TEST(PosableScene, TellsWhatMovesAndWhatThereIsAChoiceOf) {
   GltfBuilder b = arm();
   b.json["animations"][0]["name"] = "Wave\n";
   b.json["scenes"].push_back({{"nodes", {0}}, {"name", "other"}});
@@ -272,7 +271,7 @@ TEST(Rig, TellsWhatMovesAndWhatThereIsAChoiceOf) {
     EXPECT_EQ(line.find("not played"), std::string::npos) << line;
 }
 
-TEST(Rig, RefusesTimesThatThereAreNot) {
+TEST(PosableScene, RefusesTimesThatThereAreNot) {
   const Scene scene = with_rig(arm());
   const double endless = std::numeric_limits<double>::infinity();
   for (const ClipTime time :
@@ -285,7 +284,7 @@ TEST(Rig, RefusesTimesThatThereAreNot) {
   }
 }
 
-TEST(Rig, IsKeptOnlyWhereItIsAskedForAndSomethingMoves) {
+TEST(PosableScene, IsKeptOnlyWhereItIsAskedForAndSomethingMoves) {
   EXPECT_EQ(with_rig(GltfBuilder::square()).rig, nullptr);
   const TemporaryFolder folder;
   EXPECT_EQ(import_gltf(folder.write("a.glb", arm().glb()))->rig, nullptr);
@@ -293,7 +292,7 @@ TEST(Rig, IsKeptOnlyWhereItIsAskedForAndSomethingMoves) {
 }
 
 // Playing requests any number of poses.
-TEST(Rig, DataThatTheFileDoesNotHaveDoesNotRunOut) {
+TEST(PosableScene, DataThatTheFileDoesNotHaveDoesNotRunOut) {
   GltfBuilder b = GltfBuilder::square();
   // So many zeros that they may be read once, but not twice.
   const int zeros = b.accessor(-1, 5126, "VEC3", 30000);
@@ -311,7 +310,7 @@ TEST(Rig, DataThatTheFileDoesNotHaveDoesNotRunOut) {
   }
 }
 
-TEST(Rig, PosesFilesThatOthersMade) {
+TEST(PosableScene, PosesFilesThatOthersMade) {
   const auto dir = shared_dir();
   if (!dir) GTEST_SKIP() << "there is no folder with models to test on";
   const auto path = *dir / "scenes" / "Fox";
@@ -320,7 +319,7 @@ TEST(Rig, PosesFilesThatOthersMade) {
       if (const auto e = entry.path().extension(); e == ".gltf" || e == ".glb") return entry.path();
     return path;
   }();
-  const Result<Scene> fox = import_gltf(file.string(), {.keep_rig = true});
+  const Result<Scene> fox = import_gltf(file.string(), {.keep_posable = true});
   ASSERT_TRUE(fox) << fox.error().message();
   ASSERT_EQ(fox->contents.animations.size(), 3u);
   EXPECT_EQ(fox->contents.animations[1].name, "Walk");

@@ -1,5 +1,5 @@
 #include "renderer/gltf/load.h"
-#include "renderer/scene/rig.h"
+#include "renderer/scene/posable_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace asos {
 namespace {
 
 Scene moving(const std::string& name) {
-  Result<Scene> scene = load_scene("builtin:" + name, {.keep_rig = true});
+  Result<Scene> scene = load_scene("builtin:" + name, {.keep_posable = true});
   EXPECT_TRUE(scene) << scene.error().message();
   return *std::move(scene);
 }

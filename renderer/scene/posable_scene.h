@@ -9,12 +9,12 @@ namespace asos {
 
 /// A file that is kept open, so that its scene can be posed at any time without reading the file
 /// again. Parts that do not move are neither read nor built again.
-class Rig {
+class PosableScene {
  public:
-  Rig() = default;
-  Rig(const Rig&) = delete;
-  Rig& operator=(const Rig&) = delete;
-  virtual ~Rig() = default;
+  PosableScene() = default;
+  PosableScene(const PosableScene&) = delete;
+  PosableScene& operator=(const PosableScene&) = delete;
+  virtual ~PosableScene() = default;
 
   /// Returns the scene at `time`, or as the file's nodes place it. The result is bit-identical
   /// whatever was posed before. Errors name the file: no such animation, a time that is not finite
