@@ -73,7 +73,7 @@ void SceneEdits::put_sky(std::shared_ptr<const Sky> sky) {
 
 bool SceneEdits::environment_lights_scene() const {
   const Sky* sky = now_.settings.sky.get();
-  return scene_ && scene_->geometry->stage.lit_by_rig && sky && sky->choice().environment;
+  return scene_ && scene_->geometry->stage.has_default_lighting && sky && sky->choice().environment;
 }
 
 void SceneEdits::turn_sky(double turn_deg) {
@@ -102,7 +102,7 @@ void SceneEdits::turn_surroundings(double by_rad) {
     const double turn = sky->choice().turn_deg + glm::degrees(by_rad);
     now_.settings.sky = std::make_shared<const Sky>(sky->turned(std::remainder(turn, 360.0)));
   }
-  if (!scene_ || !scene_->geometry->stage.lit_by_rig || now_.look.lights.empty()) return;
+  if (!scene_ || !scene_->geometry->stage.has_default_lighting || now_.look.lights.empty()) return;
   const Box bounds = bounds_without_ground(scene_->world());
   for (EditedLight& edited : edit_lights())
     carry_around(edited.light, SceneSize::of(bounds).middle, by_rad);

@@ -89,7 +89,8 @@ Metering meter(const RenderScene& scene, const Camera& camera, const RenderSetti
 }
 
 bool exposure_may_follow(const RenderScene& scene) {
-  return !scene.geometry->stage.lit_by_rig && !scene.geometry->source.starts_with("builtin:");
+  return !scene.geometry->stage.has_default_lighting &&
+         !scene.geometry->source.starts_with("builtin:");
 }
 
 Metering usual_exposure(const RenderScene& scene, const Camera& camera,

@@ -1,5 +1,5 @@
-#include "renderer/lights/rig_axes.h"
-#include "renderer/lights/studio_rig.h"
+#include "renderer/lights/lighting_axes.h"
+#include "renderer/lights/studio_lighting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ struct Stretch {
 /// Returns a rectangle of the given size, or smaller if walls require it.
 Light fitted(const char* name, glm::dvec3 middle, glm::dvec3 direction, glm::dvec3 right,
              double half_width, const FreeDistance& free_distance) {
-  Light light = rig_rectangle(name, middle, direction, right, 1.0, 1.0);
+  Light light = lighting_rectangle(name, middle, direction, right, 1.0, 1.0);
   const auto fit = [&](glm::dvec3& half) {
     const double room = std::min(free_distance(middle, half), free_distance(middle, -half));
     half *= std::max(std::min(half_width, way_to_wall * room), 1e-3 * half_width);
@@ -106,10 +106,10 @@ void set_intensity(Light& light, double ahead, double radiance, std::span<const 
 
 }  // namespace
 
-std::vector<Light> interior_rig(const Camera& camera, const Box& bounds,
-                                std::span<const SeenPoint> seen,
-                                const FreeDistance& free_distance) {
-  const glm::dmat3 axes = rig_axes(camera);
+std::vector<Light> interior_lighting(const Camera& camera, const Box& bounds,
+                                     std::span<const SeenPoint> seen,
+                                     const FreeDistance& free_distance) {
+  const glm::dmat3 axes = lighting_axes(camera);
   double best_share = -1.0;
   std::vector<Light> best;
   for (std::size_t i = 0; i < candidates; ++i) {
@@ -126,7 +126,7 @@ std::vector<Light> interior_rig(const Camera& camera, const Box& bounds,
       fill = viewer_light(stretch, axes, free_distance);
       set_intensity(fill, stretch.length, fill_radiance, seen, free_distance);
     } else {
-      fill = studio_rig(camera, bounds)[1];
+      fill = studio_lighting(camera, bounds)[1];
       fill.casts_shadows = false;
     }
     best = {std::move(key), std::move(fill)};

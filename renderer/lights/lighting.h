@@ -18,7 +18,7 @@ struct Lighting {
   std::vector<Light> lights;        ///< positions relative to World::origin
   std::size_t emissive_lights = 0;  ///< how many of them represent emissive meshes
   /// The scene has almost no light of its own: the last ones are default lighting.
-  bool default_rig = false;
+  bool default_lights_added = false;
   RenderFeatures render_features;  ///< the features of the lights alone
   LightsWithoutGeometry lights_without_geometry;
   /// One entry per World::parts; 1 if the surface emits as evenly as the lights that it shows.

@@ -55,7 +55,8 @@ std::vector<Light> rig_under(const RenderScene& scene, const SkyChoice& sky) {
   const glm::dvec3 middle = 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
   for (Light& light : rig) {
     light.intensity *= static_cast<float>(sky.brightness);
-    if (!stage.rig_inside && sky.turn_deg != 0.0) turn_about(light, middle, sky.turn_deg * degree);
+    if (!stage.default_lighting_inside && sky.turn_deg != 0.0)
+      turn_about(light, middle, sky.turn_deg * degree);
   }
   return rig;
 }
@@ -88,7 +89,7 @@ std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky) {
   std::vector<Light> lights = scene.own_lighting->lights;
   const Stage& stage = scene.geometry->stage;
   std::optional<std::vector<Light>> of_sky = lights_of(scene, sky);
-  if (!stage.lit_by_rig || !of_sky) return lights;
+  if (!stage.has_default_lighting || !of_sky) return lights;
   // The default lights come last.
   lights.resize(lights.size() - stage.rig.size());
   std::move(of_sky->begin(), of_sky->end(), std::back_inserter(lights));
@@ -96,7 +97,7 @@ std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky) {
 }
 
 bool changes_lights(const RenderScene& scene, const Sky* sky) {
-  return scene.geometry->stage.lit_by_rig && lights_of(scene, sky);
+  return scene.geometry->stage.has_default_lighting && lights_of(scene, sky);
 }
 
 Result<std::shared_ptr<const RenderScene>> lit_under(std::shared_ptr<const RenderScene> scene,

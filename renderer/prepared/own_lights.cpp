@@ -2,7 +2,7 @@
 
 #include "renderer/geometry/view.h"
 #include "renderer/lights/emitters.h"
-#include "renderer/lights/studio_rig.h"
+#include "renderer/lights/studio_lighting.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/surface.h"
@@ -67,8 +67,8 @@ std::vector<Light> lights_of_meshes(const World& world) {
   return emissive_lights(world, emission_at);
 }
 
-bool needs_rig(const World& world, std::span<const Light> lights_of_file,
-               std::span<const Light> emissive) {
+bool needs_default_lighting(const World& world, std::span<const Light> lights_of_file,
+                            std::span<const Light> emissive) {
   const bool shines =
       std::any_of(lights_of_file.begin(), lights_of_file.end(), [](const Light& light) {
         return light.intensity * std::max({light.color.x, light.color.y, light.color.z}) > 0.0f;
@@ -85,16 +85,16 @@ Camera first_camera(const World& world) {
   return world.cameras.empty() ? default_camera(world, 16.0 / 9.0) : world.cameras.front();
 }
 
-DefaultRig rig_for(const World& world, const RayScene& rays) {
+DefaultLighting default_lighting(const World& world, const RayScene& rays) {
   const Camera camera = first_camera(world);
-  std::vector<Light> studio = studio_rig(camera, world.bounds);
+  std::vector<Light> studio = studio_lighting(camera, world.bounds);
   const std::vector<SeenPoint> seen = look_around(world, rays, camera);
   const FreeDistance way = [&](glm::dvec3 from, glm::dvec3 direction) {
     return free_distance(rays, from, direction);
   };
   if (seen.empty() || reached_share(studio, seen, way) >= least_reached_share)
     return {std::move(studio), false};
-  return {interior_rig(camera, world.bounds, seen, way), true};
+  return {interior_lighting(camera, world.bounds, seen, way), true};
 }
 
 }  // namespace asos

@@ -12,18 +12,18 @@ namespace asos {
 [[nodiscard]] std::vector<Light> lights_of_meshes(const World& world);
 
 /// Returns whether the file has no effective lights, and emissive meshes contribute almost nothing.
-[[nodiscard]] bool needs_rig(const World& world, std::span<const Light> lights_of_file,
-                             std::span<const Light> emissive);
+[[nodiscard]] bool needs_default_lighting(const World& world, std::span<const Light> lights_of_file,
+                                          std::span<const Light> emissive);
 
 /// The default lights of a scene.
-struct DefaultRig {
+struct DefaultLighting {
   std::vector<Light> lights;
   bool inside = false;  ///< the lights are inside a room
 };
 
 /// Returns a studio around the first camera's view, or lights inside if walls block a studio. They
 /// have no own part in the world, so the rays do not depend on them.
-[[nodiscard]] DefaultRig rig_for(const World& world, const RayScene& rays);
+[[nodiscard]] DefaultLighting default_lighting(const World& world, const RayScene& rays);
 
 /// Returns the first camera of the file, or else the one that frames the scene.
 [[nodiscard]] Camera first_camera(const World& world);

@@ -62,8 +62,9 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   std::vector<Light> emissive = lights_of_meshes(flattened->world);
   Stage own;
   own.origin = flattened->world.origin;
-  own.lit_by_rig = stage ? stage->lit_by_rig
-                         : !scene.surroundings && needs_rig(flattened->world, lights, emissive);
+  own.has_default_lighting =
+      stage ? stage->has_default_lighting
+            : !scene.surroundings && needs_default_lighting(flattened->world, lights, emissive);
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
 
   // After the emitters, whose sampling depends on whether there are colours.
@@ -76,17 +77,17 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
     own.floor = stage->floor;
   else if (!built.world.bounds.empty())
     own.floor = static_cast<double>(built.world.bounds.lo.y);
-  if (own.lit_by_rig && stage) {
+  if (own.has_default_lighting && stage) {
     own.rig = stage->rig;
-    own.rig_inside = stage->rig_inside;
-  } else if (own.lit_by_rig) {
-    DefaultRig rig = rig_for(built.world, built.rays);
+    own.default_lighting_inside = stage->default_lighting_inside;
+  } else if (own.has_default_lighting) {
+    DefaultLighting rig = default_lighting(built.world, built.rays);
     own.rig = std::move(rig.lights);
-    own.rig_inside = rig.inside;
+    own.default_lighting_inside = rig.inside;
   }
   lights.insert(lights.end(), own.rig.begin(), own.rig.end());
   Lighting lighting = prepare_lighting(built.world, std::move(lights));
-  lighting.default_rig = own.lit_by_rig;
+  lighting.default_lights_added = own.has_default_lighting;
 
   built.name = scene.name;
   built.source = scene.source;

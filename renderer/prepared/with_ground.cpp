@@ -14,7 +14,7 @@ namespace {
 
 std::shared_ptr<const Lighting> lighting_on(const World& world, const Lighting& before) {
   Lighting lighting = prepare_lighting(world, before.lights);
-  lighting.default_rig = before.default_rig;
+  lighting.default_lights_added = before.default_lights_added;
   return std::make_shared<const Lighting>(std::move(lighting));
 }
 

@@ -37,7 +37,7 @@ TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
 
 TEST_F(LightControlsTest, ShadowControlsRestart) {
   // The lights of the default lighting are area lights.
-  ASSERT_TRUE(rig.previewer().scene()->lighting->default_rig);
+  ASSERT_TRUE(rig.previewer().scene()->lighting->default_lights_added);
   rig.click("Quality");
   rig.frame();
   rig.click("Quality/extended-divided");

@@ -28,7 +28,7 @@ void light_rows(Controls& controls, const RenderScene& scene) {
   const std::vector<Light>& lights = scene.lights();
   controls.row(
       "Lights",
-      scene.lighting->default_rig ? std::string("default lights") : grouped(lights.size()),
+      scene.lighting->default_lights_added ? std::string("default lights") : grouped(lights.size()),
       "Lights of the file and emissive surfaces. Dark scenes get two soft default lights.");
   for (const auto& [name, type] : light_type_names) {
     const auto count = std::count_if(lights.begin(), lights.end(), [type = type](const Light& l) {

@@ -276,7 +276,7 @@ TEST(Prepare, LightsASceneWithoutLights) {
   scene.instances.push_back(instance);
   const auto prepared = prepare(scene);
   ASSERT_TRUE(prepared.has_value()) << prepared.error().message();
-  EXPECT_TRUE((*prepared)->lighting->default_rig);
+  EXPECT_TRUE((*prepared)->lighting->default_lights_added);
   EXPECT_FALSE((*prepared)->lights().empty());
   EXPECT_GT((*prepared)->geometry->memory_mb(), 0.0);
   EXPECT_EQ((*prepared)->geometry->source, "test");
@@ -284,7 +284,7 @@ TEST(Prepare, LightsASceneWithoutLights) {
   scene.lights.emplace_back();
   const auto lit = prepare(scene);
   ASSERT_TRUE(lit.has_value());
-  EXPECT_FALSE((*lit)->lighting->default_rig);
+  EXPECT_FALSE((*lit)->lighting->default_lights_added);
   EXPECT_EQ((*lit)->lights().size(), 1u);
 }
 

@@ -42,10 +42,10 @@ TEST(DefaultLook, HasNoGroundBetweenViewerAndModel) {
 
 TEST(DefaultLook, HasNoGroundBelowARoom) {
   const auto room = without_lights("builtin:office");
-  ASSERT_TRUE(room->geometry->stage.lit_by_rig);
-  EXPECT_TRUE(room->geometry->stage.rig_inside);
+  ASSERT_TRUE(room->geometry->stage.has_default_lighting);
+  EXPECT_TRUE(room->geometry->stage.default_lighting_inside);
   EXPECT_EQ(default_look(*room).ground, Ground::off);
-  EXPECT_FALSE(without_lights("builtin:boxes")->geometry->stage.rig_inside);
+  EXPECT_FALSE(without_lights("builtin:boxes")->geometry->stage.default_lighting_inside);
 }
 
 TEST(DefaultLook, HidesPanelsBehindAGradient) {

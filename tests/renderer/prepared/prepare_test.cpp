@@ -1,5 +1,5 @@
 #include "renderer/gltf/load.h"
-#include "renderer/lights/studio_rig.h"
+#include "renderer/lights/studio_lighting.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/environment.h"
 #include "tests/support/render_picture.h"
@@ -65,7 +65,7 @@ TEST(Prepare, EmissiveMeshesLightAScene) {
   const auto scene = prepared(lamp_over_table(20.0f));
   EXPECT_EQ(scene->lighting->emissive_lights, 6u);
   EXPECT_EQ(scene->lights().size(), 6u);
-  EXPECT_FALSE(scene->lighting->default_rig);
+  EXPECT_FALSE(scene->lighting->default_lights_added);
   EXPECT_TRUE(scene->render_features.rectangle_lights);
   EXPECT_FALSE(scene->render_features.punctual_lights);
   for (const Light& light : scene->lights()) EXPECT_EQ(light.own_part, 1);
@@ -75,7 +75,7 @@ TEST(Prepare, NegligibleEmissionGetsTheRigAsWell) {
   const auto scene = prepared(lamp_over_table(0.01f));
   EXPECT_EQ(scene->lighting->emissive_lights, 6u);
   ASSERT_EQ(scene->lights().size(), 8u);
-  EXPECT_TRUE(scene->lighting->default_rig);
+  EXPECT_TRUE(scene->lighting->default_lights_added);
   EXPECT_EQ(scene->lights()[6].name, "key");
   EXPECT_EQ(scene->lights()[6].own_part, -1);
 }
@@ -88,7 +88,7 @@ TEST(Prepare, AFilesLightIsKeptAndNotDoubledByItsLamp) {
   auto scene = prepared(file);
   EXPECT_EQ(scene->lighting->emissive_lights, 0u);
   EXPECT_EQ(scene->lights().size(), 1u);
-  EXPECT_FALSE(scene->lighting->default_rig);
+  EXPECT_FALSE(scene->lighting->default_lights_added);
 
   file.instances[1].shows_light = false;
   scene = prepared(file);
@@ -98,7 +98,7 @@ TEST(Prepare, AFilesLightIsKeptAndNotDoubledByItsLamp) {
   // A light that is switched off does not count.
   file.instances[1].shows_light = true;
   file.lights[0].intensity = 0.0f;
-  EXPECT_TRUE(prepared(file)->lighting->default_rig);
+  EXPECT_TRUE(prepared(file)->lighting->default_lights_added);
 }
 
 TEST(Prepare, BlendedEmissionShinesByItsOpacity) {
@@ -156,7 +156,7 @@ TEST(Prepare, ARigLightsAClosedRoomFromInside) {
       room.cameras = {
           test::look_at(double(scale) * glm::dvec3(-0.5, 1.6, 3.5), double(scale) * target, 1.0)};
       const auto scene = prepared(room);
-      ASSERT_TRUE(scene->lighting->default_rig);
+      ASSERT_TRUE(scene->lighting->default_lights_added);
       const Brightness share = brightness_of(*scene);
       EXPECT_GT(share.lit, 0.6) << scale;
       EXPECT_LT(share.over, 0.1) << scale;
@@ -173,7 +173,8 @@ TEST(Prepare, AnOpenSceneAroundTheCameraHasAStudio) {
   const auto scene = prepared(open);
   ASSERT_EQ(scene->lights().size(), 2u);
   const Camera& camera = scene->world().cameras.front();
-  EXPECT_EQ(scene->lights()[0].position, studio_rig(camera, scene->world().bounds)[0].position);
+  EXPECT_EQ(scene->lights()[0].position,
+            studio_lighting(camera, scene->world().bounds)[0].position);
 }
 
 TEST(Prepare, SharedScenesGetTheLightsThatTheirEmittersAre) {
@@ -184,10 +185,10 @@ TEST(Prepare, SharedScenesGetTheLightsThatTheirEmittersAre) {
   };
   const auto cornell = load("CornellBoxIray/cornellBox.gltf");
   EXPECT_EQ(cornell->lighting->emissive_lights, 6u);
-  EXPECT_FALSE(cornell->lighting->default_rig);
+  EXPECT_FALSE(cornell->lighting->default_lights_added);
   const auto cubes = load("EmissiveStrengthTest/EmissiveStrengthTest.glb");
   EXPECT_EQ(cubes->lighting->emissive_lights, 30u);
-  EXPECT_FALSE(cubes->lighting->default_rig);
+  EXPECT_FALSE(cubes->lighting->default_lights_added);
   for (const auto& scene : {cornell, cubes}) {
     for (const Light& light : scene->lights()) {
       EXPECT_EQ(light.type, Light::Type::rectangle);
@@ -196,7 +197,7 @@ TEST(Prepare, SharedScenesGetTheLightsThatTheirEmittersAre) {
   }
   // Two lamps in front and two red ones behind, which hardly light the scene.
   const auto car = load("ToyCar/ToyCar.gltf");
-  EXPECT_TRUE(car->lighting->default_rig);
+  EXPECT_TRUE(car->lighting->default_lights_added);
   EXPECT_GE(car->lighting->emissive_lights, 4u);
   EXPECT_LE(car->lighting->emissive_lights, 16u);
   const auto end =

@@ -37,11 +37,11 @@ std::vector<glm::dvec3> places(const RenderScene& scene) {
 TEST(Stage, LightsAndOriginStayWhereTheSceneIsAtRest) {
   const auto rest = prepare(at(0.0)).value();
   const Stage& stage = rest->geometry->stage;
-  ASSERT_TRUE(stage.lit_by_rig);
+  ASSERT_TRUE(stage.has_default_lighting);
   const auto moved = prepare(at(7.0), {}, &stage).value();
   EXPECT_EQ(moved->world().origin, rest->world().origin);
   EXPECT_EQ(places(*moved), places(*rest));
-  EXPECT_TRUE(moved->lighting->default_rig);
+  EXPECT_TRUE(moved->lighting->default_lights_added);
   EXPECT_EQ(moved->world().origin.x + static_cast<double>(moved->world().positions[1].x), 8.0);
   // Without a stage, the default lighting follows the scene.
   const auto alone = prepare(at(7.0)).value();

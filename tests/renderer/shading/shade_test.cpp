@@ -1,6 +1,6 @@
 #include "renderer/shading/shade.h"
 
-#include "renderer/lights/studio_rig.h"
+#include "renderer/lights/studio_lighting.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/shadow_ray.h"
 #include "tests/support/ray_transport.h"
@@ -379,11 +379,11 @@ TEST(ShadowRay, ToASunStartsOnItsOwnLine) {
   }
 }
 
-TEST(StudioRig, WhiteComesNearWhiteAndStaysBelow) {
+TEST(StudioLighting, WhiteComesNearWhiteAndStaysBelow) {
   const Camera camera = test::look_at({2, 1.5, 4}, {0, 0, 0}, 0.7);
   World world;
   test::add_sphere(world, {0, 0, 0}, 1.0f, 48, matte(glm::vec3(1)));
-  std::vector<Light> rig = studio_rig(camera, world.bounds);
+  std::vector<Light> rig = studio_lighting(camera, world.bounds);
   Lit lit{std::move(world), std::move(rig)};
   float brightest = 0.0f;
   float darkest = 1.0f;

@@ -1,4 +1,4 @@
-#include "renderer/lights/studio_rig.h"
+#include "renderer/lights/studio_lighting.h"
 
 #include "renderer/lights/prepared_light.h"
 #include "tests/support/tiny_world.h"
@@ -27,14 +27,14 @@ double radiance(const Light& light, glm::dvec3 position, glm::dvec3 normal) {
   return unshadowed_irradiance(prepare_light(light), {position, normal, normal}).r / pi;
 }
 
-TEST(StudioRig, LightsTheMiddleAlikeAtEverySize) {
+TEST(StudioLighting, LightsTheMiddleAlikeAtEverySize) {
   for (const float size : {1e-3f, 1.0f, 1e4f}) {
     const glm::dvec3 middle(2.0 * size, -size, 0.5 * size);
     const Box bounds =
         box(glm::vec3(middle) - glm::vec3(size), glm::vec3(middle) + glm::vec3(size));
     const double radius = 0.5 * glm::length(glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo));
     const Camera camera = test::look_at(middle + glm::dvec3(3, 2, 5) * double(size), middle, 0.7);
-    const std::vector<Light> lights = studio_rig(camera, bounds);
+    const std::vector<Light> lights = studio_lighting(camera, bounds);
     ASSERT_EQ(lights.size(), 2u);
     const double expected[2] = {key_radiance, fill_radiance};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -66,11 +66,14 @@ TEST(StudioRig, LightsTheMiddleAlikeAtEverySize) {
   }
 }
 
-TEST(StudioRig, TurnsWithTheCameraButNotWithItsPitch) {
+TEST(StudioLighting, TurnsWithTheCameraButNotWithItsPitch) {
   const Box bounds = box(glm::vec3(-1), glm::vec3(1));
-  const std::vector<Light> level = studio_rig(test::look_at({0, 0, 5}, {0, 0, 0}, 1.0), bounds);
-  const std::vector<Light> pitched = studio_rig(test::look_at({0, 4, 3}, {0, 0, 0}, 1.0), bounds);
-  const std::vector<Light> turned = studio_rig(test::look_at({5, 0, 0}, {0, 0, 0}, 1.0), bounds);
+  const std::vector<Light> level =
+      studio_lighting(test::look_at({0, 0, 5}, {0, 0, 0}, 1.0), bounds);
+  const std::vector<Light> pitched =
+      studio_lighting(test::look_at({0, 4, 3}, {0, 0, 0}, 1.0), bounds);
+  const std::vector<Light> turned =
+      studio_lighting(test::look_at({5, 0, 0}, {0, 0, 0}, 1.0), bounds);
   for (std::size_t i = 0; i < 2; ++i) {
     const glm::dvec3 p = level[i].position;
     EXPECT_NEAR(glm::distance(pitched[i].position, p), 0.0, 1e-9);
@@ -78,13 +81,13 @@ TEST(StudioRig, TurnsWithTheCameraButNotWithItsPitch) {
   }
 }
 
-TEST(StudioRig, AnyCameraAndBoundsGiveFiniteLightsFromAbove) {
+TEST(StudioLighting, AnyCameraAndBoundsGiveFiniteLightsFromAbove) {
   Camera down;
   down.world_from_camera = glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0),
                                       glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 9, 0, 1));
   for (const Camera& camera : {Camera{}, down}) {
     for (const Box& bounds : {Box{}, box({1, 2, 3}, {1, 2, 3}), box({0, 0, 0}, {1, 0, 0})}) {
-      for (const Light& light : studio_rig(camera, bounds)) {
+      for (const Light& light : studio_lighting(camera, bounds)) {
         EXPECT_NEAR(glm::length(light.direction), 1.0, 1e-12);
         EXPECT_LT(light.direction.y, 0.0);
         EXPECT_GT(light.intensity, 0.0f);
@@ -143,7 +146,7 @@ struct Room {
   }
 };
 
-TEST(InteriorRig, StaysInsideTheRoomAndReachesWhatIsSeen) {
+TEST(InteriorLighting, StaysInsideTheRoomAndReachesWhatIsSeen) {
   for (const double scale : {0.01, 1.0, 1000.0}) {
     const Room room{scale * glm::dvec3(-3, 0, -2), scale * glm::dvec3(3, 2.5, 4)};
     const Box bounds = box(glm::vec3(room.lo), glm::vec3(room.hi));
@@ -151,9 +154,9 @@ TEST(InteriorRig, StaysInsideTheRoomAndReachesWhatIsSeen) {
          {glm::dvec3(0, 1, -2), glm::dvec3(-3, 0.5, 0), glm::dvec3(2, 0, 3.8)}) {
       const Camera camera = test::look_at(scale * glm::dvec3(1, 1.6, 3.5), scale * target, 1.0);
       const std::vector<SeenPoint> seen = room.seen_from(camera);
-      const std::vector<Light> studio = studio_rig(camera, bounds);
+      const std::vector<Light> studio = studio_lighting(camera, bounds);
       EXPECT_EQ(reached_share(studio, seen, room), 0.0);
-      const std::vector<Light> lights = interior_rig(camera, bounds, seen, room);
+      const std::vector<Light> lights = interior_lighting(camera, bounds, seen, room);
       ASSERT_EQ(lights.size(), 2u);
       EXPECT_GT(reached_share({lights.data(), 1}, seen, room), 0.5);
       EXPECT_GT(reached_share({lights.data() + 1, 1}, seen, room), 0.5);
@@ -177,19 +180,19 @@ TEST(InteriorRig, StaysInsideTheRoomAndReachesWhatIsSeen) {
   }
 }
 
-TEST(InteriorRig, AViewThroughUnseenWallsKeepsTheKeyInside) {
+TEST(InteriorLighting, AViewThroughUnseenWallsKeepsTheKeyInside) {
   const Room room{{-3, 0, -2}, {3, 2.5, 4}};
   const Box bounds = box(glm::vec3(room.lo), glm::vec3(room.hi));
   const Camera camera = test::look_at({4, 8, 14}, {0, 1, 1}, 1.0);
   const std::vector<SeenPoint> seen = room.seen_from(camera);
   ASSERT_FALSE(seen.empty());
-  const std::vector<Light> lights = interior_rig(camera, bounds, seen, room);
+  const std::vector<Light> lights = interior_lighting(camera, bounds, seen, room);
   ASSERT_EQ(lights.size(), 2u);
   EXPECT_TRUE(room.holds(lights[0].position));
   EXPECT_GT(reached_share({lights.data(), 1}, seen, room), 0.5);
   // The fill light reaches every room that the eye sees into.
   EXPECT_FALSE(lights[1].casts_shadows);
-  EXPECT_EQ(lights[1].intensity, studio_rig(camera, bounds)[1].intensity);
+  EXPECT_EQ(lights[1].intensity, studio_lighting(camera, bounds)[1].intensity);
 }
 
 }  // namespace

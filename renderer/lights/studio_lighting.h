@@ -24,7 +24,7 @@ inline constexpr double fill_radiance = 0.16;
 /// its radii away and half as wide as that, for soft shadows and nearly even light. A surface half
 /// a radius nearer than the centre has the radiances above, the nearest one 1.1 times as much, and
 /// the farthest 0.7. Bounds that are empty or a point count as a sphere of radius 1.
-[[nodiscard]] std::vector<Light> studio_rig(const Camera& camera, const Box& bounds);
+[[nodiscard]] std::vector<Light> studio_lighting(const Camera& camera, const Box& bounds);
 
 /// A point of a surface that the camera sees.
 struct SeenPoint {
@@ -54,8 +54,8 @@ using FreeDistance = std::function<double(glm::dvec3 from, glm::dvec3 direction)
 /// points that it reaches get more. A viewer outside, who looks in through walls that are invisible
 /// from behind, has the studio's fill light instead, without shadows, so that it reaches all
 /// visible rooms. `seen` must not be empty.
-[[nodiscard]] std::vector<Light> interior_rig(const Camera& camera, const Box& bounds,
-                                              std::span<const SeenPoint> seen,
-                                              const FreeDistance& free_distance);
+[[nodiscard]] std::vector<Light> interior_lighting(const Camera& camera, const Box& bounds,
+                                                   std::span<const SeenPoint> seen,
+                                                   const FreeDistance& free_distance);
 
 }  // namespace asos

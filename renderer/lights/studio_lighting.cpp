@@ -1,6 +1,6 @@
-#include "renderer/lights/studio_rig.h"
+#include "renderer/lights/studio_lighting.h"
 
-#include "renderer/lights/rig_axes.h"
+#include "renderer/lights/lighting_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,8 @@ Light studio_light(const char* name, const glm::dmat3& world_from_rig, const Sph
   const glm::dvec3 to_light = glm::normalize(world_from_rig * towards);
   const double distance = distance_in_radii * scene.radius;
   const double half = 0.5 * width_to_distance * distance;
-  Light light = rig_rectangle(name, scene.middle + distance * to_light, -to_light,
-                              world_from_rig[0], half, half);
+  Light light = lighting_rectangle(name, scene.middle + distance * to_light, -to_light,
+                                   world_from_rig[0], half, half);
   const glm::dvec3 near_middle = scene.middle + 0.5 * scene.radius * to_light;
   light.intensity = static_cast<float>(std::numbers::pi * radiance /
                                        irradiance_of_unit(light, near_middle, to_light));
@@ -41,8 +41,8 @@ Light studio_light(const char* name, const glm::dmat3& world_from_rig, const Sph
 
 }  // namespace
 
-std::vector<Light> studio_rig(const Camera& camera, const Box& bounds) {
-  const glm::dmat3 world_from_rig = rig_axes(camera);
+std::vector<Light> studio_lighting(const Camera& camera, const Box& bounds) {
+  const glm::dmat3 world_from_rig = lighting_axes(camera);
   const Sphere scene = sphere_around(bounds);
   // The key and the fill are 75 degrees apart.
   return {

@@ -10,7 +10,7 @@
 namespace asos {
 
 /// Returns right, up and back to the viewer for default lights that turn with a camera about +Y.
-[[nodiscard]] inline glm::dmat3 rig_axes(const Camera& camera) {
+[[nodiscard]] inline glm::dmat3 lighting_axes(const Camera& camera) {
   const glm::dmat4& m = camera.world_from_camera;
   // A camera that looks straight down or up has no "behind" on the ground, so its up vector is
   // used.
@@ -24,8 +24,9 @@ namespace asos {
 
 /// Returns a one-sided rectangle of 1 nit that casts shadows. `direction` is unit. `right` is any
 /// vector not parallel to it; the first sides follow it.
-[[nodiscard]] inline Light rig_rectangle(const char* name, glm::dvec3 middle, glm::dvec3 direction,
-                                         glm::dvec3 right, double half_width, double half_height) {
+[[nodiscard]] inline Light lighting_rectangle(const char* name, glm::dvec3 middle,
+                                              glm::dvec3 direction, glm::dvec3 right,
+                                              double half_width, double half_height) {
   Light light;
   light.name = name;
   light.type = Light::Type::rectangle;
