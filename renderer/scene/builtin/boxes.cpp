@@ -1,14 +1,14 @@
 #include "renderer/scene/builtin/picket_fence.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 namespace asos::builtin {
 
 namespace {
 
-void place_box(Stage& stage, const std::string& name, glm::vec3 size, glm::dvec3 foot, double turn,
-               int material) {
+void place_box(SceneAssembler& stage, const std::string& name, glm::vec3 size, glm::dvec3 foot,
+               double turn, int material) {
   Mesh mesh;
   const glm::vec3 half(0.5f * size.x, 0.0f, 0.5f * size.z);
   add_box(mesh, -half, glm::vec3(half.x, size.y, half.z));
@@ -20,7 +20,7 @@ void place_box(Stage& stage, const std::string& name, glm::vec3 size, glm::dvec3
 // Flat-coloured boxes in front of a picket fence: the smallest scene. Nearly every boundary is a
 // straight edge between large faces.
 Scene make_boxes() {
-  Stage stage("boxes");
+  SceneAssembler stage("boxes");
   const int red = stage.paint("red", 0xc94a3b);
   const int blue = stage.paint("blue", 0x3b6ea8);
   const int yellow = stage.paint("yellow", 0xe5b84b);

@@ -1,6 +1,6 @@
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ Mesh card(const std::array<glm::vec2, 4>& seen, float z) {
   return mesh;
 }
 
-int plain(Stage& stage, const char* name, std::uint32_t srgb) {
+int plain(SceneAssembler& stage, const char* name, std::uint32_t srgb) {
   const int material = stage.paint(name, srgb);
   stage.material(name).unlit = true;
   return material;
@@ -37,7 +37,7 @@ int plain(Stage& stage, const char* name, std::uint32_t srgb) {
 // 2.8): cards with coinciding edges, one behind the other and side by side; wires thinner than a
 // pixel; a thin bar and its shadow.
 Scene make_cards() {
-  Stage stage("cards");
+  SceneAssembler stage("cards");
   const int black = plain(stage, "black", 0x000000), red = plain(stage, "red", 0xff3b30);
   const int green = plain(stage, "green", 0x30d158), white = plain(stage, "white", 0xffffff);
   stage.add("wall", card({{{-6, -4}, {6, -4}, {6, 4}, {-6, 4}}}, -4.0f), black);

@@ -83,7 +83,7 @@ Image twig() {
   });
 }
 
-int paint_cut_out(Stage& stage, const std::string& name, Image image, Wrap wrap) {
+int paint_cut_out(SceneAssembler& stage, const std::string& name, Image image, Wrap wrap) {
   const int texture = stage.keep_texture(std::move(image), wrap);
   const int index = stage.paint(name, 0xffffff, 0.85f);
   stage.make_double_sided(index);

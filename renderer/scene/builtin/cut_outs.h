@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/scene/builtin/stage.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/scene.h"
 
 #include <glm/glm.hpp>
@@ -22,7 +22,7 @@ namespace asos::builtin {
 
 /// Adds a double-sided material that shows an image where its alpha is at least 1/2. `wrap`: beyond
 /// the image's sides.
-int paint_cut_out(Stage& stage, const std::string& name, Image image, Wrap wrap);
+int paint_cut_out(SceneAssembler& stage, const std::string& name, Image image, Wrap wrap);
 
 /// Appends a parallelogram with texture coordinates from `uv_lo` at `corner` (the image's upper
 /// left) to `uv_hi` at the opposite corner.

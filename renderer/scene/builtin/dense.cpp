@@ -1,6 +1,6 @@
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -53,7 +53,7 @@ Blob urchin() {
 // 1.2 million triangles, nearly all of them in four smooth closed meshes. The silhouettes are long,
 // but few of the triangles lie on them.
 Scene make_dense() {
-  Stage stage("dense");
+  SceneAssembler stage("dense");
   Mesh ground;
   add_quad(ground, {-2000, 0, 900}, {2000, 0, 900}, {2000, 0, -900}, {-2000, 0, -900});
   stage.add("ground", std::move(ground), stage.paint("ground", 0xd2cec5, 0.95f));

@@ -1,6 +1,6 @@
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <array>
 #include <cmath>
@@ -74,7 +74,7 @@ void add_rod_rail(Mesh& mesh, glm::vec3 from, glm::vec3 to, int rods) {
 // Very thin poles and wires from close by to the horizon, some far thinner than a pixel. Point
 // samples break them into dashes.
 Scene make_fence() {
-  Stage stage("fence");
+  SceneAssembler stage("fence");
   Mesh ground;
   add_quad(ground, {-4000, 0, 4000}, {4000, 0, 4000}, {4000, 0, -4000}, {-4000, 0, -4000});
   stage.add("ground", std::move(ground), stage.paint("grass", 0x9db36a, 1.0f));

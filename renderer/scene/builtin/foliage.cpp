@@ -1,8 +1,8 @@
 #include "renderer/scene/builtin/chance.h"
 #include "renderer/scene/builtin/cut_outs.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <cmath>
 #include <numbers>
@@ -25,7 +25,7 @@ void add_twig(Mesh& mesh, glm::vec3 foot, glm::vec3 way, float size, float turn)
 // A young tree whose leaves are cards, and its shadow on the lawn. One image cuts out the leaves of
 // each card.
 Scene make_foliage() {
-  Stage stage("foliage");
+  SceneAssembler stage("foliage");
   Mesh lawn;
   add_quad(lawn, {-400, 0, 120}, {400, 0, 120}, {400, 0, -300}, {-400, 0, -300});
   stage.add("lawn", std::move(lawn), stage.paint("lawn", 0x9fb078, 0.95f));

@@ -1,6 +1,6 @@
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <array>
 
@@ -25,7 +25,7 @@ Mesh chequers(int parity) {
   return mesh;
 }
 
-int paint_glass(Stage& stage, const std::string& name, float index) {
+int paint_glass(SceneAssembler& stage, const std::string& name, float index) {
   const int material = stage.paint(name, 0xffffff, 0.0f);
   Material& m = stage.material(name);
   m.transmission = 1.0f;
@@ -39,7 +39,7 @@ int paint_glass(Stage& stage, const std::string& name, float index) {
 // Volumes of glass on a chequered floor: a ball, which inverts the image behind it; a green slab,
 // whose tint depends on the path length; and a prism, which disperses the colours.
 Scene make_glass() {
-  Stage stage("glass");
+  SceneAssembler stage("glass");
   stage.add("dark squares", chequers(0), stage.paint("dark", 0x3d4654, 0.9f));
   stage.add("light squares", chequers(1), stage.paint("light", 0xe8e2d4, 0.9f));
 

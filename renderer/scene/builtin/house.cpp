@@ -12,7 +12,7 @@ namespace {
 // The house stands along x with its front towards +z; the ridge runs along x, too.
 constexpr float half_length = 4.2f, half_width = 3.0f, wall_height = 4.4f, ridge_height = 6.7f;
 
-void add_walls(Stage& stage) {
+void add_walls(SceneAssembler& stage) {
   Mesh walls, base;
   // The outline lies in the yz plane and is extruded along x: the prism's x is -z, its z is x.
   const std::array<glm::vec2, 5> gable{{{-half_width, 0.3f},
@@ -28,7 +28,7 @@ void add_walls(Stage& stage) {
   stage.add("base", std::move(base), stage.paint("stone", 0x8f877c, 0.95f));
 }
 
-void add_main_roof(Stage& stage) {
+void add_main_roof(SceneAssembler& stage) {
   Mesh tiles, trim, chimney, pots;
   const float slope = (ridge_height - wall_height) / half_width;
   for (const float side : {-1.0f, 1.0f}) {
@@ -49,7 +49,7 @@ void add_main_roof(Stage& stage) {
   stage.add("chimney pots", std::move(pots), stage.paint("clay", 0xc07a55, 0.9f));
 }
 
-void add_windows(Stage& stage) {
+void add_windows(SceneAssembler& stage) {
   const WindowMeshes window = keep_window(stage);
   const double z = half_width, x = half_length;
   int number = 0;
@@ -63,7 +63,7 @@ void add_windows(Stage& stage) {
   place_window(stage, window, turned({x, 4.35, 0.0}, 90.0), ++number);
 }
 
-void add_front_door(Stage& stage) {
+void add_front_door(SceneAssembler& stage) {
   const glm::mat4 placement = glm::mat4(turned({-0.6, 1.32, half_width}, 0.0));
   Mesh frame, leaf, knob;
   add_frame(frame, {0.58f, 1.02f}, {0.48f, 0.94f}, 0.09f, placement);
@@ -80,7 +80,7 @@ void add_front_door(Stage& stage) {
 }
 
 /// Adds the house with its porch and the gazebo, without the ground.
-void add_house(Stage& stage) {
+void add_house(SceneAssembler& stage) {
   add_walls(stage);
   add_main_roof(stage);
   add_windows(stage);
@@ -89,7 +89,7 @@ void add_house(Stage& stage) {
   add_gazebo(stage, {7.6, 0.0, 4.4});
 }
 
-void add_plane(Stage& stage, const std::string& name, int material) {
+void add_plane(SceneAssembler& stage, const std::string& name, int material) {
   Mesh plane;
   add_quad(plane, {-2000, 0, 900}, {2000, 0, 900}, {2000, 0, -900}, {-2000, 0, -900});
   stage.add(name, std::move(plane), material);
@@ -99,12 +99,12 @@ constexpr glm::dvec3 sun_travel(-0.62, -0.68, -0.55);
 constexpr std::uint32_t sun_srgb = 0xfff0d6;
 constexpr float sun_lux = 3.1f;
 
-void add_sun(Stage& stage) {
+void add_sun(SceneAssembler& stage) {
   stage.sun("sun", sun_travel, sun_srgb, sun_lux, sun_diameter_rad);
 }
 
 /// Adds the soft fill light from the sky and from behind the camera.
-void add_fill(Stage& stage) {
+void add_fill(SceneAssembler& stage) {
   stage.sun("sky", {0.25, -1.0, 0.1}, 0xcfe0ff, 0.5f);
   stage.sun("fill", {-0.29, -0.05, -1.0}, 0xe6edff, 0.75f);
 }
@@ -114,7 +114,7 @@ void add_fill(Stage& stage) {
 // About 2,800 polygons, after the house of CGF'98 section 7.2 and GI'93: thin balusters, mullions
 // and rows of tiles next to large walls, on a large plane.
 Scene make_house() {
-  Stage stage("house");
+  SceneAssembler stage("house");
   add_plane(stage, "ground", stage.paint("grass", 0x93ad68, 1.0f));
   Mesh path;
   add_box(path, {-1.3f, 0.0f, 5.75f}, {0.1f, 0.04f, 16.0f});
@@ -130,7 +130,7 @@ Scene make_house() {
 // CGF'98 figures 14 and 15: wood on the porch and the gazebo, which a spherical light shades
 // softly, and a mesh with a map of normals for the sand around them.
 Scene make_house_textured() {
-  Stage stage("house-textured");
+  SceneAssembler stage("house-textured");
   constexpr float sand_metres = 4.0f;
   Mesh ground;
   add_sand(ground);
@@ -158,7 +158,7 @@ Scene make_house_textured() {
 // CGF'98 figures 16 to 19: the house on a mirror, without textures and shadows. The camera is so
 // low that the house and its reflection each fill half of the picture.
 Scene make_house_mirror() {
-  Stage stage("house-mirror");
+  SceneAssembler stage("house-mirror");
   add_plane(stage, "mirror", stage.paint("mirror", 0xffffff, 0.0f, 1.0f));
   add_house(stage);
   add_sun(stage);

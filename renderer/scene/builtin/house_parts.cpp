@@ -59,7 +59,7 @@ void add_tiled_slope(Mesh& mesh, glm::vec2 eave, glm::vec2 ridge, float half_len
                 glm::mat4(turned({side * half_length, 0.0, 0.0}, turn)));
 }
 
-WindowMeshes keep_window(Stage& stage) {
+WindowMeshes keep_window(SceneAssembler& stage) {
   constexpr glm::vec2 outer(0.5f, 0.68f), inner(0.42f, 0.6f);
   Mesh frame, pane, shutters;
   add_frame(frame, outer, inner, 0.07f);
@@ -77,14 +77,14 @@ WindowMeshes keep_window(Stage& stage) {
           stage.keep("shutters", std::move(shutters), stage.paint("shutters", 0x3f7265, 0.7f))};
 }
 
-void place_window(Stage& stage, const WindowMeshes& window, const glm::dmat4& placement,
+void place_window(SceneAssembler& stage, const WindowMeshes& window, const glm::dmat4& placement,
                   int number) {
   stage.place(fmt::format("window frame {}", number), window.frame, placement);
   stage.place(fmt::format("window pane {}", number), window.pane, placement);
   stage.place(fmt::format("shutters {}", number), window.shutters, placement);
 }
 
-void add_porch(Stage& stage, float x0, float x1, float wall) {
+void add_porch(SceneAssembler& stage, float x0, float x1, float wall) {
   constexpr float deck = 0.3f, depth = 2.0f, eave = 2.35f;
   const float edge = wall + depth;
   Mesh floor, wood, sky_fits;
@@ -158,7 +158,7 @@ void add_sand(Mesh& mesh) {
   }
 }
 
-void add_gazebo(Stage& stage, glm::dvec3 place) {
+void add_gazebo(SceneAssembler& stage, glm::dvec3 place) {
   constexpr float radius = 1.75f, deck = 0.25f, eave = 2.3f;
   const auto corner = [](int i, float r) {
     const float turn = glm::two_pi<float>() * (static_cast<float>(i) + 0.5f) / 8.0f;

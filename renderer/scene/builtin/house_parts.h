@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/scene/builtin/stage.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 
 #include <glm/glm.hpp>
 
@@ -20,18 +20,18 @@ struct WindowMeshes {
   int pane = -1;
   int shutters = -1;
 };
-[[nodiscard]] WindowMeshes keep_window(Stage& stage);
-void place_window(Stage& stage, const WindowMeshes& window, const glm::dmat4& placement,
+[[nodiscard]] WindowMeshes keep_window(SceneAssembler& stage);
+void place_window(SceneAssembler& stage, const WindowMeshes& window, const glm::dmat4& placement,
                   int number);
 
 /// A porch along the wall z = `wall`, from x0 to x1: deck, steps, posts, railing and lean-to roof.
-void add_porch(Stage& stage, float x0, float x1, float wall);
+void add_porch(SceneAssembler& stage, float x0, float x1, float wall);
 
 /// Appends a field of sand as a mesh of 1,140 triangles: level under house and gazebo, with low
 /// dunes around them. Smooth, with texture coordinates in metres along x and z, and tangents.
 void add_sand(Mesh& mesh);
 
 /// An eight-sided gazebo with posts, railing and conical roof, standing at `place`.
-void add_gazebo(Stage& stage, glm::dvec3 place);
+void add_gazebo(SceneAssembler& stage, glm::dvec3 place);
 
 }  // namespace asos::builtin

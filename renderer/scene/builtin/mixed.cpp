@@ -1,14 +1,14 @@
 #include "renderer/scene/builtin/picket_fence.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 namespace asos::builtin {
 
 // About 50 thousand triangles with all kinds of boundaries: smooth silhouettes (a sphere and a
 // torus knot, finely tessellated), straight edges (boxes) and thin objects (a fence).
 Scene make_mixed() {
-  Stage stage("mixed");
+  SceneAssembler stage("mixed");
   Mesh ground;
   add_quad(ground, {-2000, 0, 900}, {2000, 0, 900}, {2000, 0, -900}, {-2000, 0, -900});
   stage.add("ground", std::move(ground), stage.paint("ground", 0xc9cdd2, 0.95f));

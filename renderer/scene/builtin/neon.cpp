@@ -1,6 +1,6 @@
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <array>
 #include <string>
@@ -84,7 +84,7 @@ void add_word(Mesh& tubes, Mesh& holders, const Word& word) {
   }
 }
 
-void add_sign(Stage& stage, const std::string& name, const Word& word, std::uint32_t srgb,
+void add_sign(SceneAssembler& stage, const std::string& name, const Word& word, std::uint32_t srgb,
               float nits) {
   Mesh tubes, holders;
   add_word(tubes, holders, word);
@@ -92,7 +92,7 @@ void add_sign(Stage& stage, const std::string& name, const Word& word, std::uint
   stage.add(name + " holders", std::move(holders), stage.paint(name + " holder", 0x55585c, 0.6f));
 }
 
-void add_signs(Stage& stage) {
+void add_signs(SceneAssembler& stage) {
   const auto flat = [](float unit) { return glm::vec3(unit, 0.0f, 0.0f); };
   const auto high = [](float unit) { return glm::vec3(0.0f, unit, 0.0f); };
   add_sign(stage, "bar", {"BAR", {-4.9f, 3.3f, 0.2f}, flat(0.5f), high(0.5f)}, 0xff3050, 16.0f);
@@ -108,7 +108,7 @@ void add_signs(Stage& stage) {
 }
 
 /// A lamp of a row of bulbs along the board and around the door.
-void add_bulbs(Stage& stage) {
+void add_bulbs(SceneAssembler& stage) {
   Mesh bulbs, sockets;
   const auto add = [&](glm::vec3 at, glm::vec3 out) {
     add_sphere(bulbs, at, 0.035f, 3);
@@ -148,7 +148,7 @@ void add_flat_window(WindowParts& parts, glm::vec2 at, int light) {
   add_quad(pane, {lo.x, lo.y, z}, {hi.x, lo.y, z}, {hi.x, hi.y, z}, {lo.x, hi.y, z});
 }
 
-void add_windows_of_front(Stage& stage) {
+void add_windows_of_front(SceneAssembler& stage) {
   WindowParts parts;
   // The kind of light in each window: none, warm, cold or a television's.
   constexpr std::array<std::array<int, 6>, 2> lights{{{0, -1, 0, -1, 1, 0}, {-1, 1, -1, 2, -1, 0}}};
@@ -171,7 +171,7 @@ void add_windows_of_front(Stage& stage) {
 }
 
 /// Wall, plinth, cornices, door and awning.
-void add_front(Stage& stage) {
+void add_front(SceneAssembler& stage) {
   Mesh wall, trim, door, awning, roof;
   add_box(wall, {-front_half, 0.0f, -0.5f}, {front_half, front_height, 0.0f});
   add_box(trim, {-front_half - 0.05f, 0.0f, -0.4f}, {front_half + 0.05f, 0.5f, 0.07f});
@@ -196,7 +196,7 @@ void add_front(Stage& stage) {
 }
 
 /// Adds the shop windows on both sides of the door, their light box and the goods in them.
-void add_shop(Stage& stage) {
+void add_shop(SceneAssembler& stage) {
   Mesh frames, panes, bottles;
   for (const float x : {-4.0f, 4.0f}) {
     add_frame(frames, {1.75f, 1.02f}, {1.62f, 0.9f}, 0.14f, glm::mat4(turned({x, 1.72, 0.0}, 0.0)));
@@ -224,7 +224,7 @@ void add_shop(Stage& stage) {
 }
 
 /// Adds the houses on both sides, and the sky above.
-void add_backdrop(Stage& stage) {
+void add_backdrop(SceneAssembler& stage) {
   Mesh left, right, sky;
   add_box(left, {-26.0f, 0.0f, -0.9f}, {-front_half - 0.2f, 8.2f, -0.25f});
   add_box(left, {-25.8f, 8.15f, -0.85f}, {-front_half - 0.15f, 8.5f, -0.1f});
@@ -246,7 +246,7 @@ void add_backdrop(Stage& stage) {
 }
 
 /// Pavement, kerb, road with a line, bollards with chains, and crates by the wall.
-void add_street(Stage& stage) {
+void add_street(SceneAssembler& stage) {
   Mesh pavement, road, line, posts, crates;
   add_box(pavement, {-40.0f, -0.3f, -0.6f}, {40.0f, 0.0f, 3.2f});
   add_quad(road, {-60, -0.12f, 40}, {60, -0.12f, 40}, {60, -0.12f, -30}, {-60, -0.12f, -30});
@@ -286,7 +286,7 @@ void add_street(Stage& stage) {
 
 // About a hundred small lights: the strokes of letters, bulbs and panes.
 Scene make_neon() {
-  Stage stage("neon");
+  SceneAssembler stage("neon");
   add_backdrop(stage);
   add_street(stage);
   add_front(stage);

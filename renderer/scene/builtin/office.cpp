@@ -1,7 +1,7 @@
 #include "renderer/scene/builtin/office_furniture.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -17,7 +17,7 @@ constexpr float window_y0 = 0.95f, window_y1 = 2.2f, window_z0 = -1.25f, window_
 constexpr float wall_depth = 0.22f;
 
 /// Adds floor, ceiling and walls, which face inwards. The left wall has the opening of the window.
-void add_room(Stage& stage) {
+void add_room(SceneAssembler& stage) {
   Mesh floor, top, walls;
   add_quad(floor, {left, 0, front}, {right, 0, front}, {right, 0, back}, {left, 0, back});
   add_quad(top, {left, ceiling, back}, {right, ceiling, back}, {right, ceiling, front},
@@ -50,7 +50,7 @@ void add_room(Stage& stage) {
 }
 
 /// Adds frame and mullions in the opening, a sill, and the view outside.
-void add_window(Stage& stage) {
+void add_window(SceneAssembler& stage) {
   const glm::vec2 half(0.5f * (window_z1 - window_z0), 0.5f * (window_y1 - window_y0));
   const glm::vec3 centre(left - 0.14f, 0.5f * (window_y0 + window_y1),
                          0.5f * (window_z0 + window_z1));
@@ -90,7 +90,7 @@ void add_window(Stage& stage) {
   stage.add("trunk", std::move(trunk), stage.paint("bark", 0x6d5039, 1.0f));
 }
 
-void add_room_door(Stage& stage) {
+void add_room_door(SceneAssembler& stage) {
   constexpr float x0 = -2.35f, x1 = -1.5f, top = 2.05f;
   Mesh frame, leaf, handle;
   add_box(frame, {x0 - 0.08f, 0.0f, back}, {x0, top + 0.08f, back + 0.05f});
@@ -116,7 +116,7 @@ void add_room_door(Stage& stage) {
   stage.add("door handle", std::move(handle), stage.paint("brushed steel", 0x9a9da3, 0.35f));
 }
 
-void add_whiteboard(Stage& stage) {
+void add_whiteboard(SceneAssembler& stage) {
   const glm::vec3 centre(-0.2f, 1.62f, back);
   const glm::mat4 placement = glm::translate(glm::mat4(1.0f), centre);
   Mesh frame, board, tray, red_pen, blue_pen, writing;
@@ -165,7 +165,7 @@ void add_whiteboard(Stage& stage) {
 /// Adds the luminous panel under the ceiling. The light is a rectangle slightly below the visible
 /// panel, which would shadow it otherwise. The panel is displayed just brighter than white: at its
 /// full radiance its outline would be clipped and look jagged with every method.
-void add_ceiling_light(Stage& stage) {
+void add_ceiling_light(SceneAssembler& stage) {
   const glm::vec3 centre(0.1f, ceiling, -0.15f);
   const glm::mat4 facing_down =
       glm::rotate(glm::translate(glm::mat4(1.0f), centre), glm::radians(90.0f), glm::vec3(1, 0, 0));
@@ -180,7 +180,7 @@ void add_ceiling_light(Stage& stage) {
 }
 
 /// All of the office but its cameras.
-void furnish_office(Stage& stage) {
+void furnish_office(SceneAssembler& stage) {
   add_room(stage);
   add_window(stage);
   add_room_door(stage);
@@ -202,7 +202,7 @@ void furnish_office(Stage& stage) {
 // A room in the spirit of the papers' office (CGF'98 section 7.1): thin chair legs and rungs, pens,
 // mullions and the arm of a lamp between large plain surfaces.
 Scene make_office() {
-  Stage stage("office");
+  SceneAssembler stage("office");
   furnish_office(stage);
   stage.camera("room", {1.45, 1.62, 2.8}, {-0.25, 1.1, -1.1}, 53.0);
   stage.camera("desk", {0.75, 1.25, 0.75}, {-0.25, 0.82, -0.9}, 46.0);
@@ -212,7 +212,7 @@ Scene make_office() {
 // CGF'98 figure 20: nearer to the desk, whose metal blurs the reflected whiteboard; the whiteboard
 // reflects the ceiling light. The camera is between the chair's back and the desk.
 Scene make_office_metal() {
-  Stage stage("office-metal");
+  SceneAssembler stage("office-metal");
   furnish_office(stage);
   Material& top = stage.material("desk top");
   top.metallic = 1.0f;

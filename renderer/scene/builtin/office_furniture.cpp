@@ -16,7 +16,7 @@ namespace {
 constexpr float desk_height = 0.74f;
 
 /// A jointed lamp standing at the origin: foot, two thin arms, a conical shade.
-void add_desk_lamp(Stage& stage, const glm::dmat4& placement) {
+void add_desk_lamp(SceneAssembler& stage, const glm::dmat4& placement) {
   const glm::vec3 foot(0.0f, 0.018f, 0.0f), elbow(-0.10f, 0.30f, 0.0f), head(0.16f, 0.44f, 0.0f);
   Mesh metal, shade;
   add_frustum(metal, {0.0f, 0.0f, 0.0f}, foot, 0.085f, 0.08f, 64);
@@ -44,7 +44,7 @@ void add_desk_lamp(Stage& stage, const glm::dmat4& placement) {
   stage.spot("desk lamp", bulb, below, 0xffdfae, 0.16f, 50.0);
 }
 
-void add_screen(Stage& stage, const glm::dmat4& placement) {
+void add_screen(SceneAssembler& stage, const glm::dmat4& placement) {
   Mesh body, picture;
   add_box(body, {-0.11f, 0.0f, -0.09f}, {0.11f, 0.012f, 0.09f});
   add_box(body, {-0.025f, 0.012f, -0.03f}, {0.025f, 0.16f, -0.005f});
@@ -80,7 +80,7 @@ void add_mug(Mesh& mesh, glm::vec3 at) {
 
 }  // namespace
 
-void add_desk(Stage& stage, glm::dvec3 place) {
+void add_desk(SceneAssembler& stage, glm::dvec3 place) {
   Mesh top, legs, drawers, handles;
   const float under = desk_height - 0.035f;
   add_box(top, {-0.85f, under, -0.38f}, {0.85f, desk_height, 0.38f});
@@ -138,7 +138,7 @@ void add_desk(Stage& stage, glm::dvec3 place) {
   add_desk_lamp(stage, turned(place + glm::dvec3(-0.64, desk_height, -0.12), -38.0));
 }
 
-void add_chair(Stage& stage, const glm::dmat4& placement) {
+void add_chair(SceneAssembler& stage, const glm::dmat4& placement) {
   Mesh seat, sticks;
   add_box(seat, {-0.22f, 0.44f, -0.21f}, {0.22f, 0.47f, 0.21f});
   const auto stick = [&sticks](glm::vec3 a, glm::vec3 b, float r) {
@@ -182,7 +182,7 @@ void add_chair(Stage& stage, const glm::dmat4& placement) {
       placement);
 }
 
-void add_shelf(Stage& stage, glm::dvec3 place) {
+void add_shelf(SceneAssembler& stage, glm::dvec3 place) {
   constexpr float width = 0.95f, depth = 0.28f, height = 1.92f, board = 0.02f;
   constexpr int rows = 5;
   Mesh wood;
@@ -224,7 +224,7 @@ void add_shelf(Stage& stage, glm::dvec3 place) {
   }
 }
 
-void add_waste_bin(Stage& stage, glm::dvec3 place) {
+void add_waste_bin(SceneAssembler& stage, glm::dvec3 place) {
   const std::array<glm::vec2, 6> outline{{{0.0f, 0.0f},
                                           {0.11f, 0.0f},
                                           {0.145f, 0.32f},

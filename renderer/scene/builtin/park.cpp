@@ -1,7 +1,7 @@
 #include "renderer/scene/builtin/chance.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -86,7 +86,7 @@ class Tree {
   Chance chance_;
 };
 
-void add_trees(Stage& stage) {
+void add_trees(SceneAssembler& stage) {
   const int bark = stage.paint("bark", 0x665c52, 0.95f);
   std::array<int, 3> trees{};
   for (std::size_t i = 0; i < trees.size(); ++i) {
@@ -116,7 +116,7 @@ void add_trees(Stage& stage) {
 }
 
 /// A bench of slats on two cast frames, 1.7 m wide, facing +z from the origin.
-void add_benches(Stage& stage) {
+void add_benches(SceneAssembler& stage) {
   Mesh slats, frames;
   for (int i = 0; i < 5; ++i) {
     const float z = -0.2f + 0.1f * static_cast<float>(i);
@@ -159,7 +159,7 @@ void add_benches(Stage& stage) {
 }
 
 /// Adds lamps along the path. They are lit, since it is late afternoon.
-void add_globe_lamps(Stage& stage) {
+void add_globe_lamps(SceneAssembler& stage) {
   Mesh post, globe;
   const std::array<glm::vec2, 12> outline{{{0.0f, 0.0f},
                                            {0.17f, 0.0f},
@@ -198,7 +198,7 @@ void add_globe_lamps(Stage& stage) {
 }
 
 /// A gravel way with stones along its edges, and a low railing at the far end of the lawn.
-void add_way(Stage& stage) {
+void add_way(SceneAssembler& stage) {
   Mesh gravel, kerb, railing;
   add_box(gravel, {-1.7f, -0.2f, -300.0f}, {1.7f, 0.02f, 12.0f});
   for (int i = 0; i < 60; ++i) {
@@ -223,7 +223,7 @@ void add_way(Stage& stage) {
 
 // Boughs, twigs and their shadows on the lawn, most of them thinner than a pixel.
 Scene make_park() {
-  Stage stage("park");
+  SceneAssembler stage("park");
   Mesh ground;
   add_quad(ground, {-900, 0, 300}, {900, 0, 300}, {900, 0, -900}, {-900, 0, -900});
   stage.add("lawn", std::move(ground), stage.paint("winter grass", 0x93a463, 1.0f));

@@ -1,6 +1,6 @@
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -42,7 +42,7 @@ glm::dmat4 facing(glm::dvec3 position, glm::dvec3 up) {
 
 // Adds the shapes of GI'93 figure 6 with their shadows: sphere, cylinder, cone, truncated cone, box
 // and disk over a plane. Adds all but the main light.
-void furnish(Stage& stage) {
+void furnish(SceneAssembler& stage) {
   Mesh plane;
   add_quad(plane, {-300, 0, 300}, {300, 0, 300}, {300, 0, -300}, {-300, 0, -300});
   stage.add("plane", std::move(plane), stage.paint("plane", 0xd9d4c8, 0.9f));
@@ -76,7 +76,7 @@ void furnish(Stage& stage) {
 }  // namespace
 
 Scene make_primitives() {
-  Stage stage("primitives");
+  SceneAssembler stage("primitives");
   stage.lamp("lamp", lamp_place, lamp_srgb, lamp_candela);
   furnish(stage);
   return stage.take();
@@ -86,14 +86,14 @@ Scene make_primitives() {
 // illuminance at the shapes.
 
 Scene make_primitives_ball() {
-  Stage stage("primitives-ball");
+  SceneAssembler stage("primitives-ball");
   stage.ball("ball", lamp_place, 1.0, lamp_srgb, lamp_candela);
   furnish(stage);
   return stage.take();
 }
 
 Scene make_primitives_linear() {
-  Stage stage("primitives-linear");
+  SceneAssembler stage("primitives-linear");
   const glm::dvec3 half(1.25, 0.0, 0.0);
   stage.tube("tube", lamp_place - half, lamp_place + half, lamp_srgb, lamp_candela);
   furnish(stage);
@@ -101,7 +101,7 @@ Scene make_primitives_linear() {
 }
 
 Scene make_primitives_rectangle() {
-  Stage stage("primitives-rectangle");
+  SceneAssembler stage("primitives-rectangle");
   // It hangs level, so its outline as seen from the origin shrinks by a cosine; a higher luminance
   // compensates for that.
   constexpr double side = 2.0;
@@ -116,7 +116,7 @@ Scene make_primitives_rectangle() {
 // CGF'98 figure 21: mirrors of three tints, so close together that there are reflections of
 // reflections, on a plane that reflects nothing.
 Scene make_solids() {
-  Stage stage("solids");
+  SceneAssembler stage("solids");
   Mesh plane;
   add_quad(plane, {-300, 0, 300}, {300, 0, 300}, {300, 0, -300}, {-300, 0, -300});
   stage.add("plane", std::move(plane), stage.paint("plane", 0xa85f4a, 1.0f));

@@ -1,7 +1,7 @@
 #include "renderer/scene/builtin/cut_outs.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace asos::builtin {
 // A wrought-iron railing along a terrace: a few cards and their shadows. One repeated image cuts
 // out the bars, rings and lozenges.
 Scene make_railing() {
-  Stage stage("railing");
+  SceneAssembler stage("railing");
   Mesh ground;
   add_quad(ground, {-40, 0, 12}, {40, 0, 12}, {40, 0, -60}, {-40, 0, -60});
   stage.add("terrace", std::move(ground), stage.paint("terrace", 0xcabfa8, 0.95f));

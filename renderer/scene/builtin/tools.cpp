@@ -1,7 +1,7 @@
 #include "renderer/scene/builtin/tools.h"
 
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>

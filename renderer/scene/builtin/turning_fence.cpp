@@ -1,8 +1,8 @@
 #include "renderer/scene/builtin/moving.h"
 #include "renderer/scene/builtin/picket_fence.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 namespace asos::builtin {
 
@@ -10,7 +10,7 @@ namespace asos::builtin {
 // and a fraction of a pixel where they are seen edge-on, so their outlines creep over the pixels.
 Scene make_turning_fence() {
   constexpr double seconds_a_turn = 30.0;
-  Stage stage("turning-fence");
+  SceneAssembler stage("turning-fence");
   Mesh ground;
   add_quad(ground, {-40, 0, 40}, {40, 0, 40}, {40, 0, -40}, {-40, 0, -40});
   stage.add("ground", std::move(ground), stage.paint("lawn", 0x8fa864, 1.0f));

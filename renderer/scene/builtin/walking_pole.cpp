@@ -1,7 +1,7 @@
 #include "renderer/scene/builtin/moving.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -11,7 +11,7 @@ namespace asos::builtin {
 // 24th of a second. It leans, so that it enters pixels one by one.
 Scene make_walking_pole() {
   constexpr double seconds = 10.0, metres_a_second = 0.1;
-  Stage stage("walking-pole");
+  SceneAssembler stage("walking-pole");
   Mesh ground;
   add_quad(ground, {-40, 0, 10}, {40, 0, 10}, {40, 0, -4}, {-40, 0, -4});
   stage.add("ground", std::move(ground), stage.paint("sand", 0xc9b48a, 1.0f));

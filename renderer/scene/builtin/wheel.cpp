@@ -1,6 +1,6 @@
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -42,7 +42,7 @@ void add_hoop(Mesh& mesh, glm::vec3 centre, float radius, float tube_radius, int
 }
 
 /// Adds two rims, each of two hoops with a lattice between them, and the spacers between the rims.
-void add_rims(Stage& stage) {
+void add_rims(SceneAssembler& stage) {
   Mesh hoops, lattice;
   for (const float z : {-half_gap, half_gap}) {
     add_hoop(hoops, hub + glm::vec3(0.0f, 0.0f, z), rim_radius, 0.055f, fields);
@@ -67,7 +67,7 @@ void add_rims(Stage& stage) {
 }
 
 /// Pairs of spokes from the ends of the hub to the rims, and crosses of wire within each pair.
-void add_spokes(Stage& stage) {
+void add_spokes(SceneAssembler& stage) {
   Mesh spokes, wires, axle;
   for (int i = 0; i < 2 * cabins; ++i) {
     const float turn = static_cast<float>(i) / (2 * cabins);
@@ -90,7 +90,7 @@ void add_spokes(Stage& stage) {
 }
 
 /// Two legs on each side that meet at the axle, with struts between them.
-void add_legs(Stage& stage) {
+void add_legs(SceneAssembler& stage) {
   Mesh legs;
   for (const float side : {-1.0f, 1.0f}) {
     const float z = 1.7f * side, foot_z = 2.6f * side;
@@ -117,7 +117,7 @@ struct CabinMeshes {
 };
 
 /// A cabin whose pin is at the origin: floor, low walls, posts, a railing and a pointed roof.
-CabinMeshes keep_cabin(Stage& stage) {
+CabinMeshes keep_cabin(SceneAssembler& stage) {
   constexpr float half = 0.62f, floor = -1.95f, wall = -1.35f, eaves = -0.42f;
   Mesh frame, roof, body;
   add_box(body, {-half, floor, -half}, {half, floor + 0.08f, half});
@@ -153,7 +153,7 @@ CabinMeshes keep_cabin(Stage& stage) {
 }
 
 // Cabins hang upright at every position of the wheel, which is rotated by a small angle.
-void add_cabins(Stage& stage) {
+void add_cabins(SceneAssembler& stage) {
   const CabinMeshes cabin = keep_cabin(stage);
   for (int i = 0; i < cabins; ++i) {
     const std::string number = std::to_string(i + 1);
@@ -178,7 +178,7 @@ void add_rod_railing(Mesh& mesh, glm::vec3 from, glm::vec3 to, int rods) {
 }
 
 /// Adds the boarding platform, with steps, railings and a booth.
-void add_platform(Stage& stage) {
+void add_platform(SceneAssembler& stage) {
   Mesh deck, rails, booth, roof, counter;
   add_box(deck, {-3.0f, 0.0f, -2.0f}, {3.0f, 0.34f, 2.0f});
   add_box(deck, {-1.2f, 0.0f, 2.0f}, {1.2f, 0.17f, 2.4f});
@@ -204,7 +204,7 @@ void add_platform(Stage& stage) {
 }
 
 /// Adds light strings from the top of the legs to masts, and flags.
-void add_masts(Stage& stage) {
+void add_masts(SceneAssembler& stage) {
   Mesh masts, wires;
   for (const glm::vec3 foot : {glm::vec3(-9.5f, 0.0f, 3.0f), glm::vec3(9.8f, 0.0f, 1.5f)}) {
     const glm::vec3 top = foot + glm::vec3(0.0f, 6.5f, 0.0f);
@@ -228,7 +228,7 @@ void add_masts(Stage& stage) {
 
 // Hundreds of rods one pixel thick, which cross each other and their own shadows.
 Scene make_wheel() {
-  Stage stage("wheel");
+  SceneAssembler stage("wheel");
   Mesh ground, paving;
   add_quad(ground, {-900, 0, 500}, {900, 0, 500}, {900, 0, -900}, {-900, 0, -900});
   add_frustum(paving, {0.0f, -0.2f, 1.0f}, {0.0f, 0.04f, 1.0f}, 12.5f, 12.5f, 72);

@@ -1,6 +1,6 @@
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 #include "renderer/scene/builtin/textures.h"
 #include "renderer/scene/builtin/tools.h"
 
@@ -19,14 +19,14 @@ namespace {
 constexpr float bench_half = 2.1f, bench_depth = 0.85f, bench_top = 0.95f;
 
 /// Adds a metal that is rough enough to reflect only the lamps recognizably, not the room.
-int paint_metal(Stage& stage, const std::string& name, std::uint32_t srgb, float roughness,
+int paint_metal(SceneAssembler& stage, const std::string& name, std::uint32_t srgb, float roughness,
                 int normals = -1, float metres = 1.0f) {
   const int index = stage.paint(name, srgb, roughness, 1.0f);
   if (normals >= 0) stage.material(name).normal_texture = by_metres(normals, metres);
   return index;
 }
 
-void add_workshop(Stage& stage) {
+void add_workshop(SceneAssembler& stage) {
   Mesh floor, wall, board, edge;
   add_quad(floor, {-7, 0, 8}, {7, 0, 8}, {7, 0, 0}, {-7, 0, 0});
   add_quad(wall, {-7, 0, 0}, {7, 0, 0}, {7, 4, 0}, {-7, 4, 0});
@@ -41,7 +41,7 @@ void add_workshop(Stage& stage) {
 }
 
 /// Adds a wooden bench with a hammered sheet on its top, and drawers under it.
-void add_bench(Stage& stage, int hammered) {
+void add_bench(SceneAssembler& stage, int hammered) {
   Mesh wood, sheet, drawers, knobs;
   add_box(wood, {-bench_half, bench_top - 0.08f, 0.05f},
           {bench_half, bench_top - 0.004f, 0.05f + bench_depth});
@@ -74,7 +74,7 @@ void add_bench(Stage& stage, int hammered) {
 }
 
 /// Sheets of brushed metal that lean on the wall, and one on the bench with a cut corner.
-void add_sheets(Stage& stage, int brushed) {
+void add_sheets(SceneAssembler& stage, int brushed) {
   const std::array<std::uint32_t, 3> colours{0xd9dadb, 0xd99a6c, 0xdcc07a};
   const std::array<const char*, 3> names{"steel sheet", "copper sheet", "brass sheet"};
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -104,7 +104,7 @@ void add_sheets(Stage& stage, int brushed) {
 }
 
 /// Pipes of several metals: along the wall with brackets, and a few that lean in the corner.
-void add_pipes(Stage& stage, int brushed) {
+void add_pipes(SceneAssembler& stage, int brushed) {
   Mesh steel, copper, brackets;
   const auto pipe = [](Mesh& mesh, glm::vec3 from, glm::vec3 to, float radius) {
     const auto first = vertex_count(mesh);
@@ -133,7 +133,7 @@ void add_pipes(Stage& stage, int brushed) {
 }
 
 /// Adds the workpieces: bowls and a vase beaten from sheet, and gears.
-void add_work(Stage& stage, int hammered, int brushed) {
+void add_work(SceneAssembler& stage, int hammered, int brushed) {
   struct Vessel {
     const char* name;
     std::uint32_t srgb;
@@ -158,7 +158,7 @@ void add_work(Stage& stage, int hammered, int brushed) {
             paint_metal(stage, "gear steel", 0xc3c6c8, 0.4f, brushed, 0.3f));
 }
 
-void add_tools(Stage& stage, int brushed) {
+void add_tools(SceneAssembler& stage, int brushed) {
   ToolMeshes tools;
   for (int i = 0; i < 6; ++i)
     add_spanner(tools, {-1.58f + 0.15f * static_cast<float>(i), 2.34f, 0.045f},
@@ -189,7 +189,7 @@ void add_tools(Stage& stage, int brushed) {
 }
 
 /// Adds a lamp of two tubes above the bench, and one beside it, as panels in their housings.
-void add_panel_lamps(Stage& stage) {
+void add_panel_lamps(SceneAssembler& stage) {
   Mesh housing, panels, chains;
   for (const float x : {-1.15f, 1.15f}) {
     add_box(housing, {x - 0.66f, 3.3f, 0.62f}, {x + 0.66f, 3.38f, 0.98f});
@@ -218,7 +218,7 @@ void add_panel_lamps(Stage& stage) {
 
 // Sheets, pipes and tools under area lamps. A normal map breaks up their highlights.
 Scene make_workshop() {
-  Stage stage("workshop");
+  SceneAssembler stage("workshop");
   const int hammered = stage.keep_texture(hammered_normals(1.0));
   const int brushed = stage.keep_texture(brushed_normals(1.0));
   add_workshop(stage);

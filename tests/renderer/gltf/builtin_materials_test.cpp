@@ -1,6 +1,6 @@
 #include "renderer/gltf/load.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 #include "renderer/scene/builtin/shapes.h"
-#include "renderer/scene/builtin/stage.h"
 #include "renderer/scene/builtin/textures.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "renderer/gltf/light_fault.h"
 #include "renderer/scene/builtin.h"
-#include "renderer/scene/builtin/stage.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace asos {
 namespace {
 
-using builtin::Stage;
+using builtin::SceneAssembler;
 
 Scene make(const std::string& name) {
   for (const BuiltinScene& scene : builtin_scenes()) {
@@ -55,7 +55,7 @@ TEST(BuiltinLights, OfEverySceneAreWithoutFault) {
 
 TEST(BuiltinLights, IlluminanceBeforeAPanelIsItsIntegral) {
   for (const glm::dvec2 size : {glm::dvec2(0.01, 0.02), glm::dvec2(1, 1), glm::dvec2(3, 0.5)}) {
-    Stage stage("test");
+    SceneAssembler stage("test");
     stage.panel("panel", {1, 2, 3}, {1, 2, 5}, size, 0xffffff, 1.0f);
     const Light light = stage.take().lights[0];
     EXPECT_NEAR(illuminance(light, {1, 2, 5}, {0, 0, -1}) / builtin::illuminance_before(size, 2.0),
@@ -66,7 +66,7 @@ TEST(BuiltinLights, IlluminanceBeforeAPanelIsItsIntegral) {
 }
 
 TEST(BuiltinLights, StagesShapesAreWhatTheySay) {
-  Stage stage("test");
+  SceneAssembler stage("test");
   stage.ball("ball", {1, 2, 3}, 0.5, 0xffffff, 7.0f);
   stage.tube("tube", {1, 2, 3}, {1, 2, 7}, 0xffffff, 8.0f);
   stage.panel("panel", {0, 3, 0}, {4, 0, 0}, {2, 6}, 0xffffff, 9.0f);

@@ -1,4 +1,4 @@
-#include "renderer/scene/builtin/stage.h"
+#include "renderer/scene/builtin/scene_assembler.h"
 
 #include "renderer/scene/builtin/shapes.h"
 #include "renderer/scene/tessellate.h"
@@ -23,12 +23,13 @@ glm::vec3 linear_from_srgb(std::uint32_t srgb) {
 
 }  // namespace
 
-Stage::Stage(const std::string& name) {
+SceneAssembler::SceneAssembler(const std::string& name) {
   scene_.name = name;
   scene_.source = "builtin:" + name;
 }
 
-int Stage::paint(const std::string& name, std::uint32_t srgb, float roughness, float metallic) {
+int SceneAssembler::paint(const std::string& name, std::uint32_t srgb, float roughness,
+                          float metallic) {
   Material material;
   material.name = name;
   material.base_color = glm::vec4(linear_from_srgb(srgb), 1.0f);
@@ -38,21 +39,21 @@ int Stage::paint(const std::string& name, std::uint32_t srgb, float roughness, f
   return static_cast<int>(scene_.materials.size()) - 1;
 }
 
-int Stage::glow(const std::string& name, std::uint32_t srgb, float nits) {
+int SceneAssembler::glow(const std::string& name, std::uint32_t srgb, float nits) {
   const int index = paint(name, 0x000000, 1.0f);
   scene_.materials[index].emissive = linear_from_srgb(srgb);
   scene_.materials[index].emissive_strength = nits;
   return index;
 }
 
-Material& Stage::material(std::string_view name) {
+Material& SceneAssembler::material(std::string_view name) {
   const auto found = std::find_if(scene_.materials.begin(), scene_.materials.end(),
                                   [name](const Material& m) { return m.name == name; });
   assert(found != scene_.materials.end());
   return *found;
 }
 
-int Stage::keep_texture(Image image, Wrap wrap) {
+int SceneAssembler::keep_texture(Image image, Wrap wrap) {
   Texture texture;
   texture.name = image.name;
   texture.wrap_u = texture.wrap_v = wrap;
@@ -62,7 +63,7 @@ int Stage::keep_texture(Image image, Wrap wrap) {
   return static_cast<int>(scene_.textures.size()) - 1;
 }
 
-void Stage::cover(std::string_view name, int texture, float metres) {
+void SceneAssembler::cover(std::string_view name, int texture, float metres) {
   Material& covered = material(name);
   covered.base_color = glm::vec4(1.0f);
   covered.base_color_texture = by_metres(texture, metres);
@@ -71,30 +72,30 @@ void Stage::cover(std::string_view name, int texture, float metres) {
   }
 }
 
-int Stage::keep(const std::string& name, Mesh mesh, int material) {
+int SceneAssembler::keep(const std::string& name, Mesh mesh, int material) {
   mesh.name = name;
   mesh.material = material;
   scene_.meshes.push_back(std::move(mesh));
   return static_cast<int>(scene_.meshes.size()) - 1;
 }
 
-void Stage::place(const std::string& name, int mesh, const glm::dmat4& world_from_mesh) {
+void SceneAssembler::place(const std::string& name, int mesh, const glm::dmat4& world_from_mesh) {
   scene_.instances.push_back({name, mesh, world_from_mesh});
 }
 
-void Stage::add(const std::string& name, Mesh mesh, int material) {
+void SceneAssembler::add(const std::string& name, Mesh mesh, int material) {
   place(name, keep(name, std::move(mesh), material), glm::dmat4(1.0));
 }
 
-void Stage::add(const std::string& name, const Shape& shape, const glm::dmat4& world_from_shape,
-                int material) {
+void SceneAssembler::add(const std::string& name, const Shape& shape,
+                         const glm::dmat4& world_from_shape, int material) {
   place(name, keep(name, tessellated(shape), material), world_from_shape);
   scene_.instances.back().shape = static_cast<int>(scene_.shapes.size());
   scene_.shapes.push_back(shape);
 }
 
-void Stage::sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux,
-                double diameter_rad) {
+void SceneAssembler::sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux,
+                         double diameter_rad) {
   Light light;
   light.name = name;
   light.type = Light::Type::directional;
@@ -105,7 +106,8 @@ void Stage::sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, 
   scene_.lights.push_back(light);
 }
 
-void Stage::lamp(const std::string& name, glm::dvec3 position, std::uint32_t srgb, float candela) {
+void SceneAssembler::lamp(const std::string& name, glm::dvec3 position, std::uint32_t srgb,
+                          float candela) {
   Light light;
   light.name = name;
   light.type = Light::Type::point;
@@ -115,8 +117,8 @@ void Stage::lamp(const std::string& name, glm::dvec3 position, std::uint32_t srg
   scene_.lights.push_back(light);
 }
 
-void Stage::spot(const std::string& name, glm::dvec3 position, glm::dvec3 target,
-                 std::uint32_t srgb, float candela, double outer_cone_deg) {
+void SceneAssembler::spot(const std::string& name, glm::dvec3 position, glm::dvec3 target,
+                          std::uint32_t srgb, float candela, double outer_cone_deg) {
   lamp(name, position, srgb, candela);
   Light& light = scene_.lights.back();
   light.type = Light::Type::spot;
@@ -125,22 +127,22 @@ void Stage::spot(const std::string& name, glm::dvec3 position, glm::dvec3 target
   light.inner_cone_rad = 0.6 * light.outer_cone_rad;
 }
 
-void Stage::ball(const std::string& name, glm::dvec3 position, double radius, std::uint32_t srgb,
-                 float candela) {
+void SceneAssembler::ball(const std::string& name, glm::dvec3 position, double radius,
+                          std::uint32_t srgb, float candela) {
   lamp(name, position, srgb, candela);
   scene_.lights.back().radius = radius;
 }
 
-void Stage::tube(const std::string& name, glm::dvec3 from, glm::dvec3 to, std::uint32_t srgb,
-                 float candela) {
+void SceneAssembler::tube(const std::string& name, glm::dvec3 from, glm::dvec3 to,
+                          std::uint32_t srgb, float candela) {
   lamp(name, 0.5 * (from + to), srgb, candela);
   Light& light = scene_.lights.back();
   light.type = Light::Type::linear;
   light.half_u = 0.5 * (to - from);
 }
 
-void Stage::panel(const std::string& name, glm::dvec3 centre, glm::dvec3 target, glm::dvec2 size,
-                  std::uint32_t srgb, float nits) {
+void SceneAssembler::panel(const std::string& name, glm::dvec3 centre, glm::dvec3 target,
+                           glm::dvec2 size, std::uint32_t srgb, float nits) {
   lamp(name, centre, srgb, nits);
   Light& light = scene_.lights.back();
   light.type = Light::Type::rectangle;
@@ -151,19 +153,20 @@ void Stage::panel(const std::string& name, glm::dvec3 centre, glm::dvec3 target,
   light.half_v = 0.5 * size.y * glm::cross(u, light.direction);
 }
 
-void Stage::soft_sun(const std::string& name, glm::dvec3 target, glm::dvec3 travel, double distance,
-                     std::uint32_t srgb, float lux) {
+void SceneAssembler::soft_sun(const std::string& name, glm::dvec3 target, glm::dvec3 travel,
+                              double distance, std::uint32_t srgb, float lux) {
   const glm::dvec2 size(0.3 * distance);
   const double nits = static_cast<double>(lux) / illuminance_before(size, distance);
   panel(name, target - distance * glm::normalize(travel), target, size, srgb,
         static_cast<float>(nits));
 }
 
-void Stage::cast_no_shadows() {
+void SceneAssembler::cast_no_shadows() {
   for (Light& light : scene_.lights) light.casts_shadows = false;
 }
 
-void Stage::camera(const std::string& name, glm::dvec3 eye, glm::dvec3 target, double fov_y_deg) {
+void SceneAssembler::camera(const std::string& name, glm::dvec3 eye, glm::dvec3 target,
+                            double fov_y_deg) {
   Camera camera;
   camera.name = name;
   camera.world_from_camera = glm::inverse(glm::lookAt(eye, target, glm::dvec3(0, 1, 0)));

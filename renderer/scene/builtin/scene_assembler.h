@@ -17,9 +17,9 @@ namespace asos::builtin {
 /// display white at exposure 0. So suns have 2 to 3 lux; the candela of lamps and the nits of
 /// panels give about as much at the subject. There is no ambient light. Each scene has a weak fill
 /// light, from the sky or from near its camera, where the subject hides its shadows.
-class Stage {
+class SceneAssembler {
  public:
-  explicit Stage(const std::string& name);
+  explicit SceneAssembler(const std::string& name);
 
   int paint(const std::string& name, std::uint32_t srgb, float roughness = 0.8f,
             float metallic = 0.0f);
