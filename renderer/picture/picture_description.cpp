@@ -315,7 +315,7 @@ Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
 
 Result<std::shared_ptr<const RenderScene>> prepare_posed(const Scene& scene,
                                                          const PictureDescription& description,
-                                                         const Stage* stage) {
+                                                         const AnimationInvariants* stage) {
   auto prepared = prepare(scene, forced_by(description.render_features), stage);
   if (!prepared) return prepared;
   if (description.lights)

@@ -87,6 +87,6 @@ struct PictureDescription {
 /// Prepares a scene that is already posed at the picture's time, on the stage of the one at rest;
 /// null: on its own.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare_posed(
-    const Scene& scene, const PictureDescription& description, const Stage* stage);
+    const Scene& scene, const PictureDescription& description, const AnimationInvariants* stage);
 
 }  // namespace asos

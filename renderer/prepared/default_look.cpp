@@ -21,7 +21,7 @@ bool stands_below(const RenderScene& scene, const Camera& camera) {
 }  // namespace
 
 DefaultLook default_look(const RenderScene& scene, const Camera& camera) {
-  const Stage& stage = scene.geometry->stage;
+  const AnimationInvariants& stage = scene.geometry->stage;
   if (!stage.has_default_lighting) return {};
   const bool ground = !stage.default_lighting_inside && stands_below(scene, camera);
   return {std::make_shared<const Sky>(Environment::softboxes), ground ? Ground::on : Ground::off};

@@ -49,7 +49,7 @@ void turn_about(Light& light, glm::dvec3 about, double turn_rad) {
 /// Returns the default lights for an environment that keeps them. An interior's are attached to its
 /// walls and do not turn.
 std::vector<Light> rig_under(const RenderScene& scene, const SkyChoice& sky) {
-  const Stage& stage = scene.geometry->stage;
+  const AnimationInvariants& stage = scene.geometry->stage;
   std::vector<Light> rig = stage.rig;
   const Box bounds = bounds_without_ground(scene.world());
   const glm::dvec3 middle = 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
@@ -87,7 +87,7 @@ std::optional<std::vector<Light>> lights_of(const RenderScene& scene, const Sky*
 
 std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky) {
   std::vector<Light> lights = scene.own_lighting->lights;
-  const Stage& stage = scene.geometry->stage;
+  const AnimationInvariants& stage = scene.geometry->stage;
   std::optional<std::vector<Light>> of_sky = lights_of(scene, sky);
   if (!stage.has_default_lighting || !of_sky) return lights;
   // The default lights come last.

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "renderer/prepared/animation_invariants.h"
 #include "renderer/prepared/boundary_features.h"
 #include "renderer/prepared/plane_section.h"
-#include "renderer/prepared/stage.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/result.h"
 #include "renderer/shading/mip_chain.h"
@@ -38,7 +38,7 @@ struct Geometry {
   SceneContents contents;             ///< of the file
   std::optional<ClipTime> time;       ///< see Scene::time
   std::shared_ptr<PosableScene> rig;  ///< see Scene::rig
-  Stage stage;                        ///< for the scene at other times
+  AnimationInvariants stage;          ///< for the scene at other times
   double build_seconds = 0.0;         ///< without the boundaries
   BoundaryFeatures boundaries;        ///< last: their search ends before its data is destroyed
 

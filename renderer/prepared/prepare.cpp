@@ -51,7 +51,7 @@ std::shared_ptr<const Sky> sky_of_file(const Scene& scene) {
 
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                                              const RenderFeatures& forced,
-                                                             const Stage* stage) {
+                                                             const AnimationInvariants* stage) {
   const auto start = std::chrono::steady_clock::now();
   auto flattened =
       stage ? flatten(scene, most_triangles, stage->origin) : flatten(scene, most_triangles);
@@ -60,7 +60,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   // Emissive meshes light every scene, except those that show a light of the file.
   std::vector<Light> lights = std::move(flattened->lights);
   std::vector<Light> emissive = lights_of_meshes(flattened->world);
-  Stage own;
+  AnimationInvariants own;
   own.origin = flattened->world.origin;
   own.has_default_lighting =
       stage ? stage->has_default_lighting
@@ -150,7 +150,7 @@ std::shared_ptr<const RenderScene> unedited_scene(std::shared_ptr<const Geometry
 }
 
 Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const RenderFeatures& forced,
-                                                   const Stage* stage) {
+                                                   const AnimationInvariants* stage) {
   try {
     return prepare_in_memory(scene, forced, stage);
   } catch (const std::bad_alloc&) {

@@ -90,9 +90,9 @@ struct RenderScene {
 /// - `forced`: features that are kept although the scene does not need them, for tests and
 ///   measurements. They do not change the picture.
 /// - `stage`: that of the same scene at rest, if `scene` is at another time; null: its own.
-[[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
-                                                                 const RenderFeatures& forced = {},
-                                                                 const Stage* stage = nullptr);
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
+    const Scene& scene, const RenderFeatures& forced = {},
+    const AnimationInvariants* stage = nullptr);
 
 /// Returns the same scene, once its boundaries are known. Errors: lack of memory for them.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_boundaries(

@@ -15,7 +15,7 @@ class Sky;
 
 /// The properties of a moving scene that do not change with time, so that neither light nor camera
 /// jumps. They follow from the scene at rest.
-struct Stage {
+struct AnimationInvariants {
   glm::dvec3 origin{0.0};             ///< World::origin
   std::optional<double> floor;        ///< height of the lowest point; none: no surfaces
   bool has_default_lighting = false;  ///< the scene itself has almost no light

@@ -34,9 +34,9 @@ std::vector<glm::dvec3> places(const RenderScene& scene) {
   return places;
 }
 
-TEST(Stage, LightsAndOriginStayWhereTheSceneIsAtRest) {
+TEST(AnimationInvariants, LightsAndOriginStayWhereTheSceneIsAtRest) {
   const auto rest = prepare(at(0.0)).value();
-  const Stage& stage = rest->geometry->stage;
+  const AnimationInvariants& stage = rest->geometry->stage;
   ASSERT_TRUE(stage.has_default_lighting);
   const auto moved = prepare(at(7.0), {}, &stage).value();
   EXPECT_EQ(moved->world().origin, rest->world().origin);
@@ -52,11 +52,11 @@ TEST(Stage, LightsAndOriginStayWhereTheSceneIsAtRest) {
 }
 
 // Feet that leave the ground do not lift it.
-TEST(Stage, TheGroundStaysWhereItIsAtRest) {
+TEST(AnimationInvariants, TheGroundStaysWhereItIsAtRest) {
   const auto rest = prepare(at(0.0)).value();
   Scene jumps = at(0.0);
   jumps.instances[0].world_from_mesh = glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.75, 0.0));
-  const auto ground_height = [](const Scene& scene, const Stage* stage) {
+  const auto ground_height = [](const Scene& scene, const AnimationInvariants* stage) {
     const auto on = with_ground(prepare(scene, {}, stage).value(), Ground::on).value();
     const World& world = on->world();
     return world.origin.y + static_cast<double>(world.positions[world.positions.size() - 1].y);
@@ -67,7 +67,7 @@ TEST(Stage, TheGroundStaysWhereItIsAtRest) {
   EXPECT_NEAR(ground_height(jumps, nullptr), at_rest + 0.75, 1e-6);
 }
 
-TEST(Stage, TexturesAreNeitherCopiedNorAveragedAgain) {
+TEST(AnimationInvariants, TexturesAreNeitherCopiedNorAveragedAgain) {
   const Scene scene = at(0.0);
   const auto rest = prepare(scene).value();
   const auto moved = prepare(scene, {}, &rest->geometry->stage).value();
