@@ -62,12 +62,12 @@ struct BlockWorkspace {
 struct CameraEye {
   CameraEye(const BlockJob& job, const ErrorBudget& error_budget)
       : shader(shader_of(job.scene, job.settings, job.view, error_budget.negligible_bend())),
-        viewer(Viewer::camera(job.view, shader, job.settings.filter_width)) {}
+        viewer(ViewContext::camera(job.view, shader, job.settings.filter_width)) {}
   CameraEye(const CameraEye&) = delete;
   CameraEye& operator=(const CameraEye&) = delete;
 
   Shader shader;
-  Viewer viewer;
+  ViewContext viewer;
 };
 
 }  // namespace

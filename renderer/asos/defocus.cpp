@@ -27,7 +27,7 @@ ErrorBudget refined(RenderSettings settings) {
 
 }  // namespace
 
-Defocus::Defocus(const BlockJob& job, const Viewer& viewer, int side)
+Defocus::Defocus(const BlockJob& job, const ViewContext& viewer, int side)
     : scene_(&job.scene),
       view_(&job.view),
       spacing_(viewer.spacing),

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/view.h"
-#include "renderer/prepared/viewer.h"
+#include "renderer/prepared/view_context.h"
 #include "renderer/pyray/error_budget.h"
 #include "renderer/samples/block_job.h"
 
@@ -22,7 +22,7 @@ class Defocus {
 
   /// Casts a ray through the centre of each of side x side pixels, starting at the job's block.
   /// `viewer` is the camera. The job and the viewer have to outlive this object.
-  Defocus(const BlockJob& job, const Viewer& viewer, int side);
+  Defocus(const BlockJob& job, const ViewContext& viewer, int side);
 
   /// Returns the widest search for boundaries around a pixel, in pixels.
   [[nodiscard]] double reach() const { return reach_; }

@@ -259,7 +259,7 @@ ErrorBound ErrorTerms::mirror(const Leaf& leaf) const {
 // reflected pyray allowed.
 double ErrorTerms::mirrored_width(const Leaf& leaf) const {
   const MirrorSettings& settings = eye_->settings->mirror;
-  const Viewer& viewer = eye_->viewer;
+  const ViewContext& viewer = eye_->viewer;
   const World& world = eye_->scene->world();
   if (!leaf.is_lit() || viewer.bounces >= viewer.shader.reflections() ||
       settings.curved == CurvedMirror::tangent)
@@ -343,7 +343,7 @@ double ErrorTerms::cost_of_shadows() const {
 
 bool ErrorTerms::may_misplace_light(const Leaf& leaf) const {
   constexpr double wider = 8.0;  // than the corner rays: the other mirror's pyray starts elsewhere
-  const Viewer& viewer = eye_->viewer;
+  const ViewContext& viewer = eye_->viewer;
   if (!leaf.shows_surface() || viewer.shader.lights_without_geometry().empty()) return false;
   const double spread =
       mirrored_width(leaf) * glm::radians(eye_->settings->mirror.widest_angle_deg);

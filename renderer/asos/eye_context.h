@@ -2,7 +2,7 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/prepared/viewer.h"
+#include "renderer/prepared/view_context.h"
 #include "renderer/pyray/error_budget.h"
 #include "renderer/pyray/observer.h"
 #include "renderer/reflections/reflection_mask.h"
@@ -23,7 +23,7 @@ struct EyeWorkspace;
 struct EyeContext {
   const RenderScene* scene = nullptr;
   const RenderSettings* settings = nullptr;
-  Viewer viewer;
+  ViewContext viewer;
   const Frame* frame = nullptr;  ///< (u, v) runs from 0 to 1 across the block
   PixelRect block;               ///< square
   ErrorBudget error_budget{};    ///< of a root

@@ -84,7 +84,7 @@ bool EyeSamples::opaque(SampleId sample) const {
     return false;
   // Refraction at a volume's boundary displaces the surfaces behind it, and frosted glass blurs
   // them.
-  const Viewer& viewer = eye_->viewer;
+  const ViewContext& viewer = eye_->viewer;
   const bool frosted = is_frosted(material) && !material.metallic_roughness_texture.used();
   if (material.transmission > 0.0f && viewer.passage.in_medium()) {
     const auto boundary =

@@ -102,7 +102,7 @@ const Material& LeafShader::material_of(const PyrayLeaf& leaf) const {
 
 // Shades a leaf by its one sample and adds it to its root.
 glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) {
-  const Viewer& viewer = eye_->viewer;
+  const ViewContext& viewer = eye_->viewer;
   const Hit& hit = samples_->hit(leaf.sample);
   const Ray& ray = samples_->ray(leaf.sample);
   RootSum& sum = sums_[leaf.root];

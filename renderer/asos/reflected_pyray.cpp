@@ -44,7 +44,7 @@ void add_line(std::vector<BorderEdge>& outline, const Segment& s) {
 }
 
 // Adds the outlines of lights that are visible in mirrors only. They have no edges in the scene.
-void add_lights(std::vector<BorderEdge>& outline, const Frame& frame, const Viewer& viewer) {
+void add_lights(std::vector<BorderEdge>& outline, const Frame& frame, const ViewContext& viewer) {
   if (!viewer.sees_bare_lights()) return;
   for (const std::uint32_t i : viewer.shader.lights_without_geometry()) {
     const PreparedLight& light = viewer.shader.lights()[i];
@@ -159,7 +159,7 @@ ReflectionMask mask_of(const ReflectedHit& sight, const LeafRegion& region, cons
 // Returns the boundaries that are not edges of the scene: the leaf's outline, the horizon, and
 // lights without geometry.
 std::vector<BorderEdge> outlines_in(const ReflectionMask& mask, const Frame& frame,
-                                    const Viewer& viewer) {
+                                    const ViewContext& viewer) {
   std::vector<BorderEdge> outline;
   for (const BorderEdge& s : mask.outline)
     add_line(outline, {s.from.x, s.from.y, 0.0f, s.to.x, s.to.y, 0.0f});
@@ -211,16 +211,16 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
   const ReflectionMask mask = mask_of(*sight, leaf.region, part, view.start());
 
   // Make a viewer along it.
-  const Viewer viewer{view,
-                      eye.viewer.shader,
-                      PixelSpacing::of(view),
-                      eye.viewer.width + width,
-                      eye.viewer.bounces + 1,
-                      reflection.throughput(),
-                      !reflection.shows_lights,
-                      plane_of(sight->surface),
-                      reflection.passage,
-                      sight->bundle};
+  const ViewContext viewer{view,
+                           eye.viewer.shader,
+                           PixelSpacing::of(view),
+                           eye.viewer.width + width,
+                           eye.viewer.bounces + 1,
+                           reflection.throughput(),
+                           !reflection.shows_lights,
+                           plane_of(sight->surface),
+                           reflection.passage,
+                           sight->bundle};
   RenderStatistics own;
   EyeContext mirrored_eye{eye.scene, eye.settings, viewer, &frame, {0, 0, 1, 1}};
   mirrored_eye.error_budget = reflected_allowance(

@@ -23,7 +23,7 @@ Shader coverage_shader(const RenderScene& scene, const View& view, RenderSetting
 
 }  // namespace
 
-LayerProbe::LayerProbe(const RenderScene& scene, const Viewer& viewer,
+LayerProbe::LayerProbe(const RenderScene& scene, const ViewContext& viewer,
                        const RenderSettings& settings)
     : scene_(&scene),
       viewer_(&viewer),

@@ -3,7 +3,7 @@
 #include "renderer/film/layer_sums.h"
 #include "renderer/film/statistics.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/prepared/viewer.h"
+#include "renderer/prepared/view_context.h"
 #include "renderer/shading/shade.h"
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace asos {
 class LayerProbe {
  public:
   /// `scene` and `viewer` have to outlive this.
-  LayerProbe(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings);
+  LayerProbe(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings);
 
   /// `seen`: the ray, its hit, and the square that it stands for.
   [[nodiscard]] LayerSample at(const ViewedRay& seen, RenderStatistics& counts) const;
@@ -25,7 +25,7 @@ class LayerProbe {
   [[nodiscard]] float alpha(const ViewedRay& seen, RenderStatistics& counts) const;
 
   const RenderScene* scene_;
-  const Viewer* viewer_;
+  const ViewContext* viewer_;
   LayerSet layers_;
   bool points_;     // some layer needs the point of the surface
   bool materials_;  // or its material

@@ -18,13 +18,13 @@ glm::dvec3 shown(const SampleSums::Sum& sum) {
 struct LayerEye {
   explicit LayerEye(const BlockJob& job)
       : shader(shader_of(job.scene, job.settings, job.view)),
-        viewer(Viewer::camera(job.view, shader)),
+        viewer(ViewContext::camera(job.view, shader)),
         probe(job.scene, viewer, job.settings) {}
   LayerEye(const LayerEye&) = delete;
   LayerEye& operator=(const LayerEye&) = delete;
 
   Shader shader;
-  Viewer viewer;
+  ViewContext viewer;
   LayerProbe probe;
 };
 

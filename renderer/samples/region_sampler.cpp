@@ -45,7 +45,7 @@ std::uint32_t times_larger_around(const LeafRegion& region) {
 
 }  // namespace
 
-RegionSampler::RegionSampler(const RenderScene& scene, const Viewer& viewer,
+RegionSampler::RegionSampler(const RenderScene& scene, const ViewContext& viewer,
                              const RenderSettings& settings, PixelRect block, int seed,
                              const ReflectionMask* mask, std::stop_token stop,
                              SampleSums::Shows shows)

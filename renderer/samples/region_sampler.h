@@ -25,7 +25,7 @@ class RegionSampler {
   /// `block` is the frame's block of pixels, in whose square the regions lie. `mask` has the
   /// weights of the square's parts; null: uniform. All arguments have to outlive this. After a
   /// request on `stop`, estimates use the samples taken until then.
-  RegionSampler(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
+  RegionSampler(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
                 PixelRect block, int seed, const ReflectionMask* mask = nullptr,
                 std::stop_token stop = {}, SampleSums::Shows shows = SampleSums::Shows::all);
 
@@ -112,7 +112,7 @@ class RegionSampler {
   SobolPlaces places_;
   SampleSums sums_;
   const RenderScene* scene_;
-  const Viewer* viewer_;
+  const ViewContext* viewer_;
   const RenderSettings* settings_;
   const LayerProbe* probe_ = nullptr;
   std::vector<LayerSum> layers_;  // of each region that waits; none without a probe

@@ -108,7 +108,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
 SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
                        SamplePlaces& places, Totals* totals)
     : own_shader_(shader_of(scene, settings, view)),
-      viewer_(Viewer::camera(view, *own_shader_)),
+      viewer_(ViewContext::camera(view, *own_shader_)),
       scene_(&scene),
       places_(&places),
       lights_(scene.rays(), places),
@@ -123,7 +123,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
   if (view.has_lens()) places.use_lens();
 }
 
-SampleSums::SampleSums(const RenderScene& scene, const Viewer& viewer,
+SampleSums::SampleSums(const RenderScene& scene, const ViewContext& viewer,
                        const RenderSettings& settings, SamplePlaces& places, Shows shows)
     : viewer_(viewer),
       scene_(&scene),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/prepared/viewer.h"
+#include "renderer/prepared/view_context.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/bounced_light.h"
 #include "renderer/samples/layer_probe.h"
@@ -47,7 +47,7 @@ class SampleSums {
   /// mirror and no other part of it, or only layers: those samples cast their eye rays alone.
   enum class Shows { all, lobes, layers };
   /// For any viewer of the scene; `viewer` has to outlive this.
-  SampleSums(const RenderScene& scene, const Viewer& viewer, const RenderSettings& settings,
+  SampleSums(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
              SamplePlaces& places, Shows shows = Shows::all);
   SampleSums(const SampleSums&) = delete;
   SampleSums& operator=(const SampleSums&) = delete;
@@ -149,7 +149,7 @@ class SampleSums {
   void follow_reflections();
 
   std::optional<Shader> own_shader_;
-  Viewer viewer_;
+  ViewContext viewer_;
   const RenderScene* scene_;
   SamplePlaces* places_;
   SampledLights lights_;

@@ -10,7 +10,7 @@
 
 namespace asos {
 
-SimdSamples::SimdSamples(const RenderScene& scene, const Viewer& viewer)
+SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
     : world_(scene.world()),
       triangles_(static_cast<std::uint32_t>(world_.triangles.size())),
       needs_(scene.render_features),

@@ -2,7 +2,7 @@
 
 #include "renderer/kernels/surface_batch.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/prepared/viewer.h"
+#include "renderer/prepared/view_context.h"
 #include "renderer/samples/recycled.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/shading/simd_materials.h"
@@ -21,7 +21,7 @@ namespace asos {
 class SimdSamples {
  public:
   /// Both arguments have to outlive this.
-  SimdSamples(const RenderScene& scene, const Viewer& viewer);
+  SimdSamples(const RenderScene& scene, const ViewContext& viewer);
 
   /// See SampleSums.
   void widen_colours(float times) { colours_ = times; }
@@ -81,7 +81,7 @@ class SimdSamples {
   std::uint32_t triangles_;
   const RenderFeatures& needs_;
   const SimdMaterials& table_;
-  const Viewer& viewer_;
+  const ViewContext& viewer_;
   const MipChains* mips_;
   const Sky* sky_;
   bool usable_;

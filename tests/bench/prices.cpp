@@ -110,7 +110,7 @@ void measure_block(const Snapshot& snapshot, const View& view, const Shader& sha
   RenderStatistics counts;
   EyeContext eye{&scene,
                  &settings,
-                 Viewer::camera(view, shader, 1.0),
+                 ViewContext::camera(view, shader, 1.0),
                  &frame,
                  {x, y, block_width, block_width}};
   eye.error_budget = ErrorBudget::of(settings);

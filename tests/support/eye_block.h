@@ -6,7 +6,7 @@
 #include "renderer/asos/leaf.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/prepared/render_scene.h"
-#include "renderer/prepared/viewer.h"
+#include "renderer/prepared/view_context.h"
 #include "renderer/shadows/shadow_context.h"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class EyeBlock {
         frame_(view_.frame(first, first, side, side)),
         eye_{scene_.get(),
              &settings_,
-             Viewer::camera(view_, shader_),
+             ViewContext::camera(view_, shader_),
              &frame_,
              {first, first, side, side}},
         shadow_scene_{scene_->world(), scene_->features(), scene_->rays()},

@@ -59,7 +59,7 @@ class TwoColours : public testing::Test {
     Camera camera = look_at({0, 0, 4}, {0, 0, 0}, 2.0 * std::atan(1.0));
     view_.emplace(camera, 8, 8);
     shader_.emplace(shader_of(*scene_, settings_, *view_));
-    viewer_.emplace(Viewer::camera(*view_, *shader_));
+    viewer_.emplace(ViewContext::camera(*view_, *shader_));
   }
 
   [[nodiscard]] RegionSampler::Estimate sample(const LeafRegion& region,
@@ -72,7 +72,7 @@ class TwoColours : public testing::Test {
   RenderSettings settings_;
   std::optional<View> view_;
   std::optional<Shader> shader_;
-  std::optional<Viewer> viewer_;
+  std::optional<ViewContext> viewer_;
   RenderStatistics counts_;
 };
 

@@ -61,7 +61,7 @@ class Comparison {
     settings_.sky = std::move(sky);
     view_.emplace(first_camera(scene_->world(), 1.0), side, side);
     shader_.emplace(shader_of(*scene_, settings_, *view_));
-    viewer_.emplace(Viewer::camera(*view_, *shader_));
+    viewer_.emplace(ViewContext::camera(*view_, *shader_));
   }
 
   [[nodiscard]] Compared compare() const {
@@ -130,7 +130,7 @@ class Comparison {
   RenderSettings settings_;
   std::optional<View> view_;
   std::optional<Shader> shader_;
-  std::optional<Viewer> viewer_;
+  std::optional<ViewContext> viewer_;
 };
 
 TEST(SimdSamples, AreTheOnesShadedOneByOne) {

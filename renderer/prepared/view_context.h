@@ -11,7 +11,7 @@ namespace asos {
 
 /// The viewer of the scene: a camera, or a reflected pyray, whose picture has one pixel. Stores
 /// references.
-struct Viewer {
+struct ViewContext {
   const View& view;
   const Shader& shader;
   PixelSpacing spacing;  ///< of the view
@@ -33,10 +33,10 @@ struct Viewer {
   }
 
   /// Returns a camera whose picture is the shader's.
-  [[nodiscard]] static Viewer camera(const View& view, const Shader& shader,
-                                     double filter_width = 1.0) {
+  [[nodiscard]] static ViewContext camera(const View& view, const Shader& shader,
+                                          double filter_width = 1.0) {
     const ViewedRay eye = shader.eye_ray({}, {}, 0.0f);
-    Viewer viewer{view, shader, PixelSpacing::of(view), eye.width};
+    ViewContext viewer{view, shader, PixelSpacing::of(view), eye.width};
     viewer.pixel = static_cast<float>(filter_width);
     return viewer;
   }
