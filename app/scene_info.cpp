@@ -2,8 +2,8 @@
 
 #include "app/printed_json.h"
 #include "renderer/files/counted.h"
+#include "renderer/scene/environment_cube.h"
 #include "renderer/scene/extension_warnings.h"
-#include "renderer/scene/surroundings.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>

@@ -77,7 +77,7 @@ class SidesReader {
  public:
   SidesReader(Document& document, Accessors& accessors) : doc_(document), accessors_(accessors) {}
 
-  Checked<void> read(const tinygltf::Value& light, Surroundings& surroundings) {
+  Checked<void> read(const tinygltf::Value& light, EnvironmentCube& surroundings) {
     if (!light.Has("specularImages") || !light.Get("specularImages").IsArray() ||
         light.Get("specularImages").ArrayLen() == 0)
       return fault("it has no specularImages");
@@ -87,7 +87,7 @@ class SidesReader {
     for (std::size_t i = 0; i < surroundings.sides.size(); ++i) {
       const tinygltf::Value& index = largest.Get(static_cast<int>(i));
       if (!index.IsInt()) return fault("the first of its specularImages are not six images");
-      Checked<Surroundings::Side> side = read_side(index.GetNumberAsInt());
+      Checked<EnvironmentCube::Side> side = read_side(index.GetNumberAsInt());
       if (!side) return fault(side.error());
       const int size = surroundings.sides[0].image.width;
       if (i > 0 && side->image.width != size)
@@ -105,7 +105,7 @@ class SidesReader {
   }
 
  private:
-  Checked<Surroundings::Side> read_side(int index) {
+  Checked<EnvironmentCube::Side> read_side(int index) {
     const Checked<ImageBytes> bytes = image_bytes(doc_, accessors_, index);
     if (!bytes) return fault(fmt::format("its image {}: {}", index, bytes.error()));
     const PictureResult<PictureHead> head = picture_head(bytes->bytes);
@@ -128,7 +128,7 @@ class SidesReader {
     if (!picture->remark.empty())
       doc_.warnings.add(
           fmt::format("image {} of the image-based light: {}", index, picture->remark));
-    return Surroundings::Side{std::move(picture->image), has_alpha(bytes->bytes)};
+    return EnvironmentCube::Side{std::move(picture->image), has_alpha(bytes->bytes)};
   }
 
   std::uint64_t bytes_ = 0, texels_ = 0;  // of all sides so far
@@ -136,15 +136,15 @@ class SidesReader {
   Accessors& accessors_;
 };
 
-Checked<std::shared_ptr<const Surroundings>> read_light(Document& document, Accessors& accessors,
-                                                        int index) {
+Checked<std::shared_ptr<const EnvironmentCube>> read_light(Document& document, Accessors& accessors,
+                                                           int index) {
   const tinygltf::Value* all = extension(document.model.extensions, extension_name);
   if (!all || index < 0 || !all->Has("lights") || !all->Get("lights").IsArray() ||
       static_cast<std::size_t>(index) >= all->Get("lights").ArrayLen())
     return fault("it does not exist");
   const tinygltf::Value& light = all->Get("lights").Get(index);
   if (!light.IsObject()) return fault("it is no object");
-  auto surroundings = std::make_shared<Surroundings>();
+  auto surroundings = std::make_shared<EnvironmentCube>();
   surroundings->name = text(light, "name");
   const Checked<glm::dmat3> rotation = rotation_of(light);
   if (!rotation) return fault(rotation.error());
@@ -160,8 +160,8 @@ Checked<std::shared_ptr<const Surroundings>> read_light(Document& document, Acce
 
 }  // namespace
 
-std::shared_ptr<const Surroundings> image_based_light(Document& document, Accessors& accessors,
-                                                      int scene) {
+std::shared_ptr<const EnvironmentCube> image_based_light(Document& document, Accessors& accessors,
+                                                         int scene) {
   if (scene < 0 || static_cast<std::size_t>(scene) >= document.model.scenes.size()) return nullptr;
   const auto* named =
       extension(document.model.scenes[static_cast<std::size_t>(scene)].extensions, extension_name);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/gltf/accessors.h"
-#include "renderer/scene/surroundings.h"
+#include "renderer/scene/environment_cube.h"
 
 #include <memory>
 
@@ -10,8 +10,8 @@ namespace asos::gltf {
 /// Returns the environment light of a scene of the document (EXT_lights_image_based), from the
 /// largest pictures of its cube; null for none. A broken light is left out completely, with a
 /// warning that has its name and the reason.
-[[nodiscard]] std::shared_ptr<const Surroundings> image_based_light(Document& document,
-                                                                    Accessors& accessors,
-                                                                    int scene);
+[[nodiscard]] std::shared_ptr<const EnvironmentCube> image_based_light(Document& document,
+                                                                       Accessors& accessors,
+                                                                       int scene);
 
 }  // namespace asos::gltf

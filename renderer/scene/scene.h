@@ -314,7 +314,7 @@ struct SceneNotes {
 };
 
 class PosableScene;
-struct Surroundings;
+struct EnvironmentCube;
 
 struct Scene {
   std::string name;    ///< of the glTF scene, or the built-in scene
@@ -327,7 +327,7 @@ struct Scene {
   std::vector<Image> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  std::shared_ptr<const Surroundings> surroundings;  ///< EXT_lights_image_based; null: none
+  std::shared_ptr<const EnvironmentCube> surroundings;  ///< EXT_lights_image_based; null: none
   SceneNotes notes;
   SceneContents contents;
   std::optional<ClipTime> time;  ///< of the animation; none: the rest pose of the nodes

@@ -16,7 +16,7 @@ struct LinearSide {
   int size = 0;
   std::vector<glm::vec3> texels;
 
-  explicit LinearSide(const Surroundings::Side& side) : size(side.image.width) {
+  explicit LinearSide(const EnvironmentCube::Side& side) : size(side.image.width) {
     const auto& rgba = side.image.rgba.get();
     texels.reserve(rgba.size() / 4);
     for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
@@ -64,7 +64,7 @@ glm::vec3 shown(const std::vector<LinearSide>& sides, glm::dvec3 d) {
 
 }  // namespace
 
-SkyMap sky_map_of(const Surroundings& surroundings) {
+SkyMap sky_map_of(const EnvironmentCube& surroundings) {
   constexpr int widest = 4096;
   const std::vector<LinearSide> sides(surroundings.sides.begin(), surroundings.sides.end());
   const int width = std::clamp(4 * sides.front().size, 4, widest), height = width / 2;

@@ -1,6 +1,5 @@
-#include "renderer/scene/surroundings.h"
-
 #include "renderer/gltf/export/gltf_writer.h"
+#include "renderer/scene/environment_cube.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
@@ -59,7 +58,7 @@ glm::dvec3 place_of(std::size_t side, double right, double up) {
   }
 }
 
-glm::dvec3 radiance(const Surroundings::Side& side, std::size_t texel) {
+glm::dvec3 radiance(const EnvironmentCube::Side& side, std::size_t texel) {
   const std::uint8_t* p = side.image.rgba.data() + 4 * texel;
   glm::dvec3 linear;
   for (int c = 0; c < 3; ++c) {
@@ -71,11 +70,11 @@ glm::dvec3 radiance(const Surroundings::Side& side, std::size_t texel) {
 }
 
 /// Returns the coefficients of the cube in its own axes, without its intensity.
-json irradiance_coefficients(const Surroundings& surroundings) {
+json irradiance_coefficients(const EnvironmentCube& surroundings) {
   std::array<glm::dvec3, coefficients> sums{};
   double sphere = 0.0;
   for (std::size_t s = 0; s < surroundings.sides.size(); ++s) {
-    const Surroundings::Side& side = surroundings.sides[s];
+    const EnvironmentCube::Side& side = surroundings.sides[s];
     const int size = side.image.width;
     for (int i = 0; i < size * size; ++i) {
       const int x = i % size, y = i / size;
@@ -102,9 +101,9 @@ json irradiance_coefficients(const Surroundings& surroundings) {
 Result<void> write_surroundings(const Scene& scene, const std::string& path,
                                 GltfDocument& document) {
   if (!scene.surroundings) return {};
-  const Surroundings& all = *scene.surroundings;
+  const EnvironmentCube& all = *scene.surroundings;
   json sides = json::array();
-  for (const Surroundings::Side& side : all.sides) {
+  for (const EnvironmentCube::Side& side : all.sides) {
     // The presence of an alpha channel decides whether colours are divided by it.
     const Result<int> image = write_image(side.image, side.divided, path, document);
     if (!image) return unexpected(image.error());

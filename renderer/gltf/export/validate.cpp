@@ -1,7 +1,7 @@
 #include "renderer/geometry/finite.h"
 #include "renderer/gltf/export/gltf_writer.h"
 #include "renderer/gltf/light_fault.h"
-#include "renderer/scene/surroundings.h"
+#include "renderer/scene/environment_cube.h"
 
 #include <fmt/format.h>
 
@@ -151,8 +151,8 @@ std::string image_fault(const Image& image) {
   return {};
 }
 
-std::string surroundings_fault(const Surroundings& surroundings) {
-  for (const Surroundings::Side& side : surroundings.sides) {
+std::string surroundings_fault(const EnvironmentCube& surroundings) {
+  for (const EnvironmentCube::Side& side : surroundings.sides) {
     if (const std::string why = image_fault(side.image); !why.empty()) return why;
     if (side.image.width != side.image.height) return "is not square";
   }

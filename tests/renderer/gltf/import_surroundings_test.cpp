@@ -1,6 +1,6 @@
 #include "renderer/files/read_file.h"
 #include "renderer/gltf/load.h"
-#include "renderer/scene/surroundings.h"
+#include "renderer/scene/environment_cube.h"
 #include "tests/renderer/gltf/gltf_builder.h"
 
 #include <glm/glm.hpp>
@@ -66,7 +66,7 @@ TEST(ImportSurroundings, AreRead) {
   ASSERT_TRUE(scene.surroundings);
   EXPECT_TRUE(scene.notes.warnings.empty());
   EXPECT_TRUE(scene.notes.unsupported_extensions.empty());
-  const Surroundings& all = *scene.surroundings;
+  const EnvironmentCube& all = *scene.surroundings;
   EXPECT_EQ(all.intensity, 2.5f);
   for (std::size_t i = 0; i < all.sides.size(); ++i) {
     EXPECT_EQ(all.sides[i].image.width, 2) << i;
@@ -147,7 +147,7 @@ TEST(ImportSurroundings, AreWrittenAsTheyWereRead) {
   ASSERT_TRUE(again) << again.error().message();
   EXPECT_TRUE(again->notes.warnings.empty()) << testing::PrintToString(again->notes.warnings);
   ASSERT_TRUE(again->surroundings);
-  const Surroundings &a = *scene.surroundings, &b = *again->surroundings;
+  const EnvironmentCube &a = *scene.surroundings, &b = *again->surroundings;
   EXPECT_EQ(b.name, "dusk");
   EXPECT_EQ(b.intensity, a.intensity);
   for (std::size_t i = 0; i < a.sides.size(); ++i) {
@@ -167,7 +167,7 @@ TEST(ImportSurroundings, AreWrittenAsTheyWereRead) {
 TEST(ImportSurroundings, AreWrittenWithTheirIrradiance) {
   for (std::size_t lit = 0; lit < 6; ++lit) {
     Scene scene = scene_of();
-    auto cube = std::make_shared<Surroundings>();
+    auto cube = std::make_shared<EnvironmentCube>();
     for (std::size_t i = 0; i < 6; ++i) {
       cube->sides[i].image.width = cube->sides[i].image.height = 32;
       const auto value = static_cast<std::uint8_t>(i == lit ? 255 : 0);

@@ -3,7 +3,7 @@
 #include "renderer/film/image_io.h"
 #include "renderer/gltf/load.h"
 #include "renderer/gltf/pictures/picture.h"
-#include "renderer/scene/surroundings.h"
+#include "renderer/scene/environment_cube.h"
 #include "tests/renderer/gltf/gltf_builder.h"
 
 #include <gtest/gtest.h>

@@ -19,8 +19,8 @@ using Texel = std::array<std::uint8_t, 4>;
 constexpr int size = 16;
 
 template <typename At>
-Surroundings::Side side_of(const At& at, bool divided = false) {
-  Surroundings::Side side;
+EnvironmentCube::Side side_of(const At& at, bool divided = false) {
+  EnvironmentCube::Side side;
   side.image.width = side.image.height = size;
   side.divided = divided;
   for (int y = 0; y < size; ++y) {
@@ -30,14 +30,14 @@ Surroundings::Side side_of(const At& at, bool divided = false) {
   return side;
 }
 
-Surroundings grey_cube(std::uint8_t value) {
-  Surroundings cube;
+EnvironmentCube grey_cube(std::uint8_t value) {
+  EnvironmentCube cube;
   for (auto& side : cube.sides)
     side = side_of([&](int, int) { return Texel{value, value, value, 255}; });
   return cube;
 }
 
-Sky sky_of(const Surroundings& cube) {
+Sky sky_of(const EnvironmentCube& cube) {
   return Sky(sky_map_of(cube), 0.0, "cube");
 }
 
@@ -46,7 +46,7 @@ constexpr std::array<glm::vec3, 6> axes{glm::vec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0
 
 TEST(CubeSky, SidesAreTowardsTheirAxes) {
   for (std::size_t lit = 0; lit < axes.size(); ++lit) {
-    Surroundings cube = grey_cube(0);
+    EnvironmentCube cube = grey_cube(0);
     cube.sides[lit] = side_of([](int, int) { return Texel{255, 255, 255, 255}; });
     cube.intensity = 2.0f;
     const Sky sky = sky_of(cube);
@@ -63,7 +63,7 @@ TEST(CubeSky, SidesAreTheRightWayUp) {
                                            {-1, 0, 0},         {-1, 0, 0}, {1, 0, 0}};
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const glm::vec3 up = glm::cross(right[k], axes[k]);
-    Surroundings cube = grey_cube(0);
+    EnvironmentCube cube = grey_cube(0);
     cube.sides[k] = side_of([](int x, int y) {
       return Texel{static_cast<std::uint8_t>(x >= size / 2 ? 255 : 0),
                    static_cast<std::uint8_t>(y < size / 2 ? 255 : 0), 0, 255};
@@ -80,7 +80,7 @@ TEST(CubeSky, SidesAreTheRightWayUp) {
 }
 
 TEST(CubeSky, IsTurnedByItsRotation) {
-  Surroundings cube = grey_cube(0);
+  EnvironmentCube cube = grey_cube(0);
   cube.sides[0] = side_of([](int, int) { return Texel{255, 255, 255, 255}; });
   // The cube's +X becomes the world's +Y.
   cube.world_from_cube = {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
@@ -90,7 +90,7 @@ TEST(CubeSky, IsTurnedByItsRotation) {
 }
 
 TEST(CubeSky, ColoursAreDividedByAlpha) {
-  Surroundings cube = grey_cube(0);
+  EnvironmentCube cube = grey_cube(0);
   cube.sides[4] = side_of([](int, int) { return Texel{128, 255, 0, 51}; }, true);
   const glm::vec3 seen = sky_of(cube).radiance({0, 0, 1});
   EXPECT_NEAR(seen.x, 5.0f * srgb_byte_to_linear(128), 1e-4f);

@@ -11,7 +11,7 @@ namespace asos {
 
 /// An image-based light of a file (EXT_lights_image_based): infinitely far away, the six sides of a
 /// cube around the scene.
-struct Surroundings {
+struct EnvironmentCube {
   struct Side {
     Image image;  ///< square, sRGB, as seen by a camera at the centre of the cube
     /// The colours are to be divided by alpha (RGBD), as in images with radiances above 1.
