@@ -121,7 +121,7 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
   Accessors accessors_;
   std::vector<NodePose> rest_;
   std::vector<Clip> clips_;
-  StillMeshes still_;
+  StaticMeshes still_;
   int default_scene_ = -1, shown_scene_ = -1;
   Scene base_;                        // the part that is not posed: materials and their pictures
   std::optional<Textures> textures_;  // the textures of `base_`

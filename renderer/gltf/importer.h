@@ -22,7 +22,7 @@ using MeshKey = std::tuple<int, int, std::vector<double>>;
 
 /// Meshes that do not change with time, for the next import of the same document; nullopt: left
 /// out.
-struct StillMeshes {
+struct StaticMeshes {
   bool wanted = false;
   std::set<std::size_t> morphing_nodes;    ///< those whose weights an animation moves
   std::set<std::size_t> moving_materials;  ///< that need tangents only at some times
@@ -33,7 +33,7 @@ struct StillMeshes {
 /// warning in the document.
 class Importer {
  public:
-  Importer(Document& document, Accessors& accessors, const NodeGraph& graph, StillMeshes& still,
+  Importer(Document& document, Accessors& accessors, const NodeGraph& graph, StaticMeshes& still,
            const LoadOptions& options)
       : doc_(document), accessors_(accessors), graph_(graph), still_(still), options_(options) {}
 
@@ -58,7 +58,7 @@ class Importer {
   Document& doc_;
   Accessors& accessors_;
   const NodeGraph& graph_;
-  StillMeshes& still_;
+  StaticMeshes& still_;
   const LoadOptions& options_;
   Scene scene_;
   std::map<MeshKey, int> meshes_;  // the scene's
