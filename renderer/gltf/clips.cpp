@@ -202,8 +202,8 @@ void apply_clip(const Clip& clip, double seconds, std::vector<NodePose>& poses) 
   }
 }
 
-std::vector<MovedValue> moved_values(const Clip& clip, double seconds) {
-  std::vector<MovedValue> values;
+std::vector<AnimatedValue> animated_values(const Clip& clip, double seconds) {
+  std::vector<AnimatedValue> values;
   for (const Channel& channel : clip.channels) {
     if (channel.path == Channel::Path::value)
       values.push_back({channel.pointer, channel.keys.at(seconds)});

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "renderer/gltf/animated_values.h"
 #include "renderer/gltf/keys.h"
-#include "renderer/gltf/moved_values.h"
 #include "renderer/gltf/nodes.h"
 
 #include <set>
@@ -10,8 +10,8 @@
 
 namespace asos::gltf {
 
-/// One number or vector that an animation moves: a property of a node, or one that moved_values.h
-/// supports.
+/// One number or vector that an animation moves: a property of a node, or one that
+/// animated_values.h supports.
 struct Channel {
   enum class Path { translation, rotation, scale, weights, one_weight, visible, value };
 
@@ -39,7 +39,7 @@ struct Clip {
 void apply_clip(const Clip& clip, double seconds, std::vector<NodePose>& poses);
 
 /// Returns the other values that it moves, at `seconds`.
-[[nodiscard]] std::vector<MovedValue> moved_values(const Clip& clip, double seconds);
+[[nodiscard]] std::vector<AnimatedValue> animated_values(const Clip& clip, double seconds);
 
 /// Returns the materials that any of the clips moves.
 [[nodiscard]] std::set<std::size_t> moving_materials(const std::vector<Clip>& clips);

@@ -1,7 +1,7 @@
 #include "renderer/gltf/document.h"
 
+#include "renderer/gltf/animated_values.h"
 #include "renderer/gltf/container.h"
-#include "renderer/gltf/moved_values.h"
 #include "renderer/gltf/tidy.h"
 #include "renderer/gltf/tidy_animations.h"
 #include "renderer/gltf/tidy_entries.h"

@@ -104,9 +104,9 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
   /// Sets the values besides nodes that move. The document has them as they are at that time.
   Checked<void> move_values(const std::optional<ClipTime>& time) {
     if (!doc_.movable) return {};
-    std::vector<MovedValue> values;
+    std::vector<AnimatedValue> values;
     if (time)
-      values = moved_values(clips_[static_cast<std::size_t>(time->animation)], time->seconds);
+      values = animated_values(clips_[static_cast<std::size_t>(time->animation)], time->seconds);
     if (values.empty() && !values_moved_) return {};
     values_moved_ = true;
     if (auto set = set_values(*doc_.movable, values, doc_.model); !set) return set;

@@ -1,6 +1,6 @@
 #include "renderer/gltf/tidy_animations.h"
 
-#include "renderer/gltf/moved_values.h"
+#include "renderer/gltf/animated_values.h"
 #include "renderer/gltf/tidy_lights.h"
 
 #include <fmt/format.h>

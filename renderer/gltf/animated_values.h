@@ -27,14 +27,15 @@ namespace asos::gltf {
 /// Returns the parts of a document that these pointers point into.
 [[nodiscard]] nlohmann::json movable_parts(const nlohmann::json& root);
 
-struct MovedValue {
+struct AnimatedValue {
   std::string pointer;          ///< of a movable property in an existing object
   std::vector<double> numbers;  ///< one per component of the property
 };
 
 /// Replaces the model's materials, cameras and punctual lights by those of `parts` with `values`.
 /// Fails as tinygltf does.
-[[nodiscard]] Checked<void> set_values(nlohmann::json parts, const std::vector<MovedValue>& values,
+[[nodiscard]] Checked<void> set_values(nlohmann::json parts,
+                                       const std::vector<AnimatedValue>& values,
                                        tinygltf::Model& model);
 
 }  // namespace asos::gltf

@@ -1,4 +1,4 @@
-#include "renderer/gltf/moved_values.h"
+#include "renderer/gltf/animated_values.h"
 
 #include <algorithm>
 #include <array>
@@ -155,9 +155,9 @@ json movable_parts(const json& root) {
   return parts;
 }
 
-Checked<void> set_values(json parts, const std::vector<MovedValue>& values,
+Checked<void> set_values(json parts, const std::vector<AnimatedValue>& values,
                          tinygltf::Model& model) {
-  for (const MovedValue& value : values) {
+  for (const AnimatedValue& value : values) {
     json* object = object_of(parts, value.pointer);
     if (!object) continue;
     json& property = (*object)[value.pointer.substr(value.pointer.rfind('/') + 1)];
