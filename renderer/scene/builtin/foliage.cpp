@@ -1,6 +1,6 @@
-#include "renderer/scene/builtin/chance.h"
 #include "renderer/scene/builtin/cut_outs.h"
 #include "renderer/scene/builtin/scene_assembler.h"
+#include "renderer/scene/builtin/scene_random.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
 
@@ -31,7 +31,7 @@ Scene make_foliage() {
   stage.add("lawn", std::move(lawn), stage.paint("lawn", 0x9fb078, 0.95f));
 
   Mesh trunk, leaves;
-  Chance chance(17);
+  SceneRandom chance(17);
   add_frustum(trunk, {0, -0.02f, 0}, {0, 1.5f, 0}, 0.075f, 0.03f, 12);
   constexpr int boughs = 11, twigs = 11;
   for (int i = 0; i < boughs; ++i) {

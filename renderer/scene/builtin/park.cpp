@@ -1,5 +1,5 @@
-#include "renderer/scene/builtin/chance.h"
 #include "renderer/scene/builtin/scene_assembler.h"
+#include "renderer/scene/builtin/scene_random.h"
 #include "renderer/scene/builtin/scenes.h"
 #include "renderer/scene/builtin/shapes.h"
 
@@ -83,7 +83,7 @@ class Tree {
   }
 
   Mesh& mesh_;
-  Chance chance_;
+  SceneRandom chance_;
 };
 
 void add_trees(SceneAssembler& stage) {

@@ -7,9 +7,9 @@
 namespace asos::builtin {
 
 /// Pseudo-random numbers, the same in every run.
-class Chance {
+class SceneRandom {
  public:
-  explicit Chance(std::uint64_t seed) : bits_(mix_bits(seed)) {}
+  explicit SceneRandom(std::uint64_t seed) : bits_(mix_bits(seed)) {}
 
   /// From `lo` to `hi`.
   float between(float lo, float hi) {
