@@ -3,7 +3,7 @@
 #include "app/turntable.h"
 #include "renderer/comparison/method.h"
 #include "renderer/files/printable.h"
-#include "renderer/geometry/camera_fault.h"
+#include "renderer/geometry/validate_camera.h"
 #include "renderer/geometry/view.h"
 
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ Result<void> set_lens(const LensChoice& choice, Camera& camera) {
   if (choice.focus) lens.focus = *choice.focus;
   if (choice.blades) lens.blades = *choice.blades;
   if (choice.turn_deg) lens.turn_rad = glm::radians(*choice.turn_deg);
-  if (const std::string fault = lens_fault(lens); !fault.empty())
+  if (const std::string fault = validate_lens(lens); !fault.empty())
     return tl::unexpected(Error{"the lens", fault});
   return {};
 }
@@ -66,7 +66,7 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
   } else if (choice.given) {
     camera = *choice.given;
     // The picture may have another origin than the scene, so the moved camera is checked again.
-    if (const std::string fault = camera_fault(camera); !fault.empty())
+    if (const std::string fault = validate_camera(camera); !fault.empty())
       return tl::unexpected(Error{fmt::format("camera '{}'", camera.name), fault});
   } else {
     camera = count > 0 ? world.cameras.front() : default_camera(world, aspect_ratio);

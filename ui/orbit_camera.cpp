@@ -85,7 +85,7 @@ void OrbitCamera::set_fov_y(double fov_y_rad) {
 }
 
 void OrbitCamera::set_lens(const Lens& lens) {
-  if (lens == lens_.lens || !lens_fault(lens).empty()) return;
+  if (lens == lens_.lens || !validate_lens(lens).empty()) return;
   lens_.lens = lens;
   ++revision_;
 }

@@ -3,7 +3,7 @@
 #include "asos/asos.h"
 #include "renderer/files/printable.h"
 #include "renderer/geometry/finite.h"
-#include "renderer/gltf/light_fault.h"
+#include "renderer/gltf/validate_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +119,7 @@ Result<asos::Light> light_of(const Light& light) {
   of.half_v = vector_of(light.half_v);
   of.two_sided = light.two_sided;
   of.casts_shadows = light.casts_shadows;
-  if (const std::string fault = gltf::light_fault(of); !fault.empty())
+  if (const std::string fault = gltf::validate_light(of); !fault.empty())
     return failure(ErrorCode::invalid_argument, "light '" + light.name + "'", fault);
   return of;
 }

@@ -55,7 +55,7 @@ template <typename Work>
 /// Whether all values are finite and the last row is that of an affine matrix.
 [[nodiscard]] bool is_affine(const Matrix4& m);
 
-/// The camera, relative to `origin`. Its values may be out of range (camera_fault).
+/// The camera, relative to `origin`. Its values may be out of range (validate_camera).
 [[nodiscard]] asos::Camera camera_of(const Camera& camera, glm::dvec3 origin);
 [[nodiscard]] Camera camera_of(const asos::Camera& camera, glm::dvec3 origin);
 

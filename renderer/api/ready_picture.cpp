@@ -3,7 +3,7 @@
 #include "renderer/api/convert.h"
 #include "renderer/api/scene_impl.h"
 #include "renderer/comparison/method.h"
-#include "renderer/geometry/camera_fault.h"
+#include "renderer/geometry/validate_camera.h"
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/with_ground.h"
@@ -153,7 +153,7 @@ Result<ReadyPicture> ready_picture(const Scene& scene, const Camera& camera,
   if (!wanted) return wanted.error();
   std::shared_ptr<const RenderScene> ready = scene.impl().scene;
   const asos::Camera seen = camera_of(camera, ready->world().origin);
-  if (std::string fault = camera_fault(seen); !fault.empty())
+  if (std::string fault = validate_camera(seen); !fault.empty())
     return failure(ErrorCode::invalid_argument, "camera '" + camera.name + "'", std::move(fault));
   if (auto set = set_surroundings(settings, scene.impl(), seen, *wanted); !set) return set.error();
   if (auto set = set_background(settings, *wanted); !set) return set.error();

@@ -1,11 +1,11 @@
 #include "renderer/api/convert.h"
 #include "renderer/api/scene_impl.h"
-#include "renderer/geometry/camera_fault.h"
 #include "renderer/geometry/coordinates.h"
 #include "renderer/geometry/finite.h"
+#include "renderer/geometry/validate_camera.h"
 #include "renderer/gltf/surface.h"
-#include "renderer/scene/scene_fault.h"
 #include "renderer/scene/tessellate.h"
+#include "renderer/scene/validate_scene.h"
 
 #include <fmt/format.h>
 
@@ -129,7 +129,7 @@ Result<asos::Shape> shape_of(const Shape& shape) {
   of.height = shape.height;
   of.radius_bottom = shape.radius_bottom;
   of.radius_top = shape.radius_top;
-  if (std::string fault = shape_fault(of); !fault.empty())
+  if (std::string fault = validate_shape(of); !fault.empty())
     return invalid("shape", std::move(fault));
   return of;
 }
@@ -259,7 +259,7 @@ Result<void> SceneBuilder::add_light(const Light& light) {
 Result<void> SceneBuilder::add_camera(const Camera& camera) {
   return guarded("camera", [&]() -> Result<void> {
     asos::Camera converted = camera_of(camera, glm::dvec3(0.0));
-    if (std::string fault = camera_fault(converted); !fault.empty())
+    if (std::string fault = validate_camera(converted); !fault.empty())
       return invalid("camera '" + camera.name + "'", std::move(fault));
     impl_->scene.cameras.push_back(std::move(converted));
     return {};
@@ -268,7 +268,7 @@ Result<void> SceneBuilder::add_camera(const Camera& camera) {
 
 Result<Scene> SceneBuilder::build() const {
   return guarded("scene", [&]() -> Result<Scene> {
-    if (std::string fault = scene_fault(impl_->scene); !fault.empty())
+    if (std::string fault = validate_scene(impl_->scene); !fault.empty())
       return invalid(impl_->scene.name, std::move(fault));
     auto prepared = prepare(impl_->scene);
     if (!prepared) return failure(ErrorCode::invalid_argument, prepared.error());

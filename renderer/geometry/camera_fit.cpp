@@ -1,6 +1,6 @@
 #include "renderer/geometry/camera_fit.h"
 
-#include "renderer/geometry/camera_fault.h"
+#include "renderer/geometry/validate_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ Camera fitted_camera(const Camera& camera, double aspect_ratio, CameraFit fit) {
     fitted.fov_y_rad = 2.0 * std::atan(factor * std::tan(0.5 * camera.fov_y_rad));
   else
     fitted.height = factor * camera.height;
-  return camera_fault(fitted).empty() ? fitted : camera;
+  return validate_camera(fitted).empty() ? fitted : camera;
 }
 
 }  // namespace asos

@@ -14,7 +14,7 @@ enum class CameraFit {
 
 /// Returns the camera for a picture of `aspect_ratio` (width over height): only the vertical angle,
 /// or the height, changes. It stays the same if the camera has no aspect ratio, if the ratios
-/// differ by less than half a pixel in a thousand, or if no camera is that wide (camera_fault).
+/// differ by less than half a pixel in a thousand, or if no camera is that wide (validate_camera).
 [[nodiscard]] Camera fitted_camera(const Camera& camera, double aspect_ratio, CameraFit fit);
 
 }  // namespace asos

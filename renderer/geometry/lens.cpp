@@ -34,7 +34,7 @@ glm::dvec2 on_circle(double angle) {
 
 }  // namespace
 
-std::string lens_fault(const Lens& lens) {
+std::string validate_lens(const Lens& lens) {
   if (!(lens.radius >= 0.0 && lens.radius <= largest_coordinate))
     return fmt::format("\"radius\" is not from 0 to {:g}", largest_coordinate);
   if (lens.focus && !(*lens.focus > 0.0 && *lens.focus <= largest_coordinate))

@@ -31,7 +31,7 @@ struct ExposurePoint {
 };
 
 /// The first property of a lens that is out of range, in the words of saved pictures; empty: none.
-[[nodiscard]] std::string lens_fault(const Lens& lens);
+[[nodiscard]] std::string validate_lens(const Lens& lens);
 
 /// Maps the unit square to the aperture; equal areas go to equal areas, and neighbours to
 /// neighbours. Disks are mapped concentrically (Shirley and Chiu 1997, "A low distortion map

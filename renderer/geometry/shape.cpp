@@ -17,7 +17,7 @@ std::string not_positive(const char* name, double value) {
 
 }  // namespace
 
-std::string shape_fault(const Shape& shape) {
+std::string validate_shape(const Shape& shape) {
   switch (shape.type) {
     case Shape::Type::sphere:
     case Shape::Type::disk:

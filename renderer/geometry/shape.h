@@ -25,6 +25,6 @@ struct Shape {
 
 /// Returns why a shape is invalid; empty if it is valid. Sizes must be finite and above 0; one
 /// radius of a cylinder may be 0.
-[[nodiscard]] std::string shape_fault(const Shape& shape);
+[[nodiscard]] std::string validate_shape(const Shape& shape);
 
 }  // namespace asos

@@ -1,7 +1,7 @@
 #include "renderer/gltf/area_lights.h"
 
-#include "renderer/gltf/light_fault.h"
 #include "renderer/gltf/light_values.h"
+#include "renderer/gltf/validate_light.h"
 
 #include <fmt/format.h>
 
@@ -96,7 +96,7 @@ std::string read_area_light(const tinygltf::Value& source, bool ext,
   if (std::string why = shape_light(kind, *shape, !ext, world_from_node, light); !why.empty()) {
     return why;
   }
-  return light_fault(light);
+  return validate_light(light);
 }
 
 bool nearly(double a, double b) {

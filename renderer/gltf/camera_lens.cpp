@@ -45,7 +45,7 @@ Checked<Lens> read_lens(const tinygltf::Value& extras, double fov_y_rad) {
     return fault(fmt::format("blades of {} is neither 0 nor from {} to {}", corners,
                              Lens::fewest_blades, Lens::most_blades));
   lens.blades = static_cast<int>(corners);
-  if (const std::string why = lens_fault(lens); !why.empty()) return fault(why);
+  if (const std::string why = validate_lens(lens); !why.empty()) return fault(why);
   return lens;
 }
 

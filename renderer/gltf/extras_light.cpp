@@ -1,7 +1,7 @@
 #include "renderer/gltf/area_lights.h"
-#include "renderer/gltf/light_fault.h"
 #include "renderer/gltf/light_values.h"
 #include "renderer/gltf/outlines.h"
+#include "renderer/gltf/validate_light.h"
 
 #include <fmt/format.h>
 
@@ -134,7 +134,7 @@ std::string read_extras(const tinygltf::Value& source, const glm::dmat4& world_f
   if (std::string why = read_brightness(source, std::nullopt, light); !why.empty()) return why;
   light.casts_shadows = on_or_off(source, "casts_shadows").value_or(true);
   if (std::string why = read_shape(source, world_from_node, light); !why.empty()) return why;
-  return light_fault(light);
+  return validate_light(light);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "renderer/gltf/lights_cameras.h"
 
-#include "renderer/geometry/camera_fault.h"
+#include "renderer/geometry/validate_camera.h"
 #include "renderer/gltf/area_lights.h"
 #include "renderer/gltf/camera_lens.h"
-#include "renderer/gltf/light_fault.h"
 #include "renderer/gltf/light_values.h"
+#include "renderer/gltf/validate_light.h"
 
 #include <fmt/format.h>
 
@@ -153,7 +153,7 @@ void add_punctual_light(Document& document, const tinygltf::Node& node,
     document.warnings.add(place + " is placed by a matrix that leaves it no direction; left out");
     return;
   }
-  if (const std::string why = light_fault(light); !why.empty()) {
+  if (const std::string why = validate_light(light); !why.empty()) {
     document.warnings.add(fmt::format("{} {}; left out", place, why));
     return;
   }
@@ -199,7 +199,7 @@ void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4
     return;
   }
   camera.world_from_camera = *placed;
-  if (const std::string why = camera_fault(camera); !why.empty()) {
+  if (const std::string why = validate_camera(camera); !why.empty()) {
     document.warnings.add(fmt::format("{}: {}; left out", place, why));
     return;
   }

@@ -63,7 +63,7 @@ Checked<Shape> read_sizes_of(const std::string& type, const tinygltf::Value& sou
     return fault(fmt::format("has the type '{}', which is not drawn as a shape", type));
   }
   if (!done) return fault(done.error());
-  if (const std::string why = shape_fault(shape); !why.empty()) return fault("is none: " + why);
+  if (const std::string why = validate_shape(shape); !why.empty()) return fault("is none: " + why);
   return shape;
 }
 

@@ -90,7 +90,7 @@ std::string view_fault(const json& view) {
   return packed ? bad_size(*packed) : "";
 }
 
-std::string camera_fault(const json& camera) {
+std::string validate_camera(const json& camera) {
   if (!camera.is_object()) return "is not an object";
   if (!has_text(camera, "type")) return "has no type";
   const std::string type = camera["type"].get<std::string>();
@@ -153,7 +153,7 @@ class EntryTidier {
   [[nodiscard]] std::set<std::size_t> tidy_cameras() {
     std::set<std::size_t> left_out;
     each(root_, "cameras", [&](json& camera, std::size_t i) {
-      if (const std::string why = camera_fault(camera); !why.empty()) {
+      if (const std::string why = validate_camera(camera); !why.empty()) {
         warnings_.add(fmt::format("camera {} {}; left out", i, why));
         camera = {{"type", "perspective"}, {"perspective", {{"yfov", 0.0}, {"znear", 0.0}}}};
         left_out.insert(i);

@@ -1,8 +1,8 @@
 #include "renderer/picture/picture_description.h"
 
 #include "renderer/files/printable.h"
-#include "renderer/geometry/camera_fault.h"
 #include "renderer/geometry/coordinates.h"
+#include "renderer/geometry/validate_camera.h"
 #include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
 #include "renderer/picture/light_json.h"
@@ -92,7 +92,7 @@ std::string read_camera(const OrderedJson& json, Camera& camera) {
     if (const OrderedJson* at = fields.take(lens_key))
       if (std::string fault = read_lens(*at, camera.lens); !fault.empty()) return fault;
   if (std::string fault = fields.fault(); !fault.empty()) return fault;
-  const std::string fault = camera_fault(camera);
+  const std::string fault = validate_camera(camera);
   return fault.empty() ? fault : "camera: " + fault;
 }
 

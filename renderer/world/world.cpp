@@ -3,8 +3,8 @@
 #include "renderer/geometry/coordinates.h"
 #include "renderer/geometry/direction.h"
 #include "renderer/geometry/finite.h"
-#include "renderer/scene/scene_fault.h"
 #include "renderer/scene/tessellate.h"
+#include "renderer/scene/validate_scene.h"
 #include "renderer/world/origin.h"
 #include "renderer/world/placed_lines.h"
 #include "renderer/world/placed_mesh.h"
@@ -34,7 +34,7 @@ class Flattener {
       : scene_(scene), given_origin_(origin), fewest_copied_(fewest_copied) {}
 
   Result<FlattenedScene> run(std::uint64_t max_triangles) {
-    if (std::string fault = scene_fault(scene_); !fault.empty()) return refuse(scene_, fault);
+    if (std::string fault = validate_scene(scene_); !fault.empty()) return refuse(scene_, fault);
     if (scene_.instanced_triangles() > max_triangles) {
       return refuse(scene_, fmt::format("has {} triangles; the limit is {}",
                                         scene_.instanced_triangles(), max_triangles));

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/gltf/light_fault.h"
 #include "renderer/gltf/load.h"
-#include "renderer/scene/scene_fault.h"
+#include "renderer/gltf/validate_light.h"
+#include "renderer/scene/validate_scene.h"
 #include "renderer/world/world.h"
 #include "tests/support/flat_world.h"
 
@@ -55,7 +55,7 @@ inline std::string broken_promise_of(const Result<Scene>& scene, const std::stri
     if (scene.error().subject != path) return "the error names the file";
     return scene.error().reason.empty() ? "the error has a reason" : "";
   }
-  if (std::string fault = scene_fault(*scene); !fault.empty()) return fault;
+  if (std::string fault = validate_scene(*scene); !fault.empty()) return fault;
   for (const Mesh& mesh : scene->meshes) {
     if (mesh.normals.size() != mesh.positions.size() && !mesh.has_lines())
       return "each vertex has a normal";
@@ -66,7 +66,7 @@ inline std::string broken_promise_of(const Result<Scene>& scene, const std::stri
   for (const Material& material : scene->materials)
     if (std::string broken = broken_promise_of(material); !broken.empty()) return broken;
   for (const Light& light : scene->lights)
-    if (const std::string fault = gltf::light_fault(light); !fault.empty())
+    if (const std::string fault = gltf::validate_light(light); !fault.empty())
       return fmt::format("light '{}' {}", light.name, fault);
   const Result<World> world = flat_world(*scene);
   if (!world) {

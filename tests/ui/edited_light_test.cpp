@@ -1,6 +1,6 @@
 #include "ui/edited_light.h"
 
-#include "renderer/gltf/light_fault.h"
+#include "renderer/gltf/validate_light.h"
 #include "renderer/lights/prepared_light.h"
 #include "tests/support/tiny_scene.h"
 #include "ui/new_lights.h"
@@ -44,7 +44,7 @@ TEST(EditedLight, AnotherKindIsSoundAndAsBright) {
     for (const LightKind to : all_kinds) {
       const Light light = as_kind(first, to, unit_scene);
       EXPECT_EQ(kind_of(light), to);
-      EXPECT_EQ(gltf::light_fault(light), "")
+      EXPECT_EQ(gltf::validate_light(light), "")
           << static_cast<int>(from) << " to " << static_cast<int>(to);
       if (from == LightKind::directional) continue;  // which has no place to keep
       // A line is not seen exactly at right angles.
@@ -145,7 +145,7 @@ TEST(EditedLight, OutlinesHaveTheirAreas) {
     set_polygon_shape(light, shape);
     EXPECT_NEAR(area_of(light), area, 1e-9);
     EXPECT_NEAR(prepare_light(light).area, area, 1e-9);
-    EXPECT_EQ(gltf::light_fault(light), "");
+    EXPECT_EQ(gltf::validate_light(light), "");
   }
 }
 
@@ -163,7 +163,7 @@ TEST(EditedLight, TurnsAreWhatWasAskedFor) {
       EXPECT_NEAR(got.azimuth_rad, turn.azimuth_rad, 1e-9);
       EXPECT_NEAR(got.elevation_rad, turn.elevation_rad, 1e-9);
       EXPECT_NEAR(got.roll_rad, turn.roll_rad, 1e-9);
-      ASSERT_EQ(gltf::light_fault(light), "");
+      ASSERT_EQ(gltf::validate_light(light), "");
     }
     EXPECT_NEAR(area_of(light), area, 1e-9 * area);
   }
@@ -216,7 +216,7 @@ TEST(NewLights, AFaceBecomesALightOfItsOutline) {
     EXPECT_NEAR(light->direction.z, side > 0.0 ? 1.0 : -1.0, 1e-9) << "to the viewer";
     EXPECT_GT(light->position.z * side, 0.0) << "before the surface";
     EXPECT_NEAR(light->position.z, 0.0, 0.01);
-    EXPECT_EQ(gltf::light_fault(*light), "");
+    EXPECT_EQ(gltf::validate_light(*light), "");
   }
   const auto floor = light_on_face(*scene, 2, {0, 5, 0});
   ASSERT_TRUE(floor.has_value());

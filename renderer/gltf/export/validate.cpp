@@ -1,6 +1,6 @@
 #include "renderer/geometry/finite.h"
 #include "renderer/gltf/export/gltf_writer.h"
-#include "renderer/gltf/light_fault.h"
+#include "renderer/gltf/validate_light.h"
 #include "renderer/scene/environment_cube.h"
 
 #include <fmt/format.h>
@@ -159,7 +159,7 @@ std::string surroundings_fault(const EnvironmentCube& surroundings) {
   return {};
 }
 
-std::string camera_fault(const Camera& camera) {
+std::string validate_camera(const Camera& camera) {
   if (!finite(camera.world_from_camera)) return "is placed by a matrix that is not finite";
   if (camera.aspect_ratio && !within(*camera.aspect_ratio, 1e-9, 1e9)) {
     return "has an aspect ratio that is no positive number";
@@ -194,7 +194,7 @@ std::string why_not_exportable(const Scene& scene) {
       return "places a shape that does not exist";
     if (instance.shape >= 0) {
       const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
-      if (const std::string why = shape_fault(shape); !why.empty())
+      if (const std::string why = validate_shape(shape); !why.empty())
         return "places a shape that is none: " + why;
     }
     return finite(instance.world_from_mesh) ? "" : "is placed by a matrix that is not finite";
@@ -207,8 +207,8 @@ std::string why_not_exportable(const Scene& scene) {
                                  first_fault("material", scene.materials, of_scene(material_fault)),
                                  first_fault("mesh", scene.meshes, of_scene(mesh_fault)),
                                  first_fault("instance", scene.instances, instance_fault),
-                                 first_fault("light", scene.lights, gltf::light_fault),
-                                 first_fault("camera", scene.cameras, camera_fault)}) {
+                                 first_fault("light", scene.lights, gltf::validate_light),
+                                 first_fault("camera", scene.cameras, validate_camera)}) {
     if (!why.empty()) return why;
   }
   if (!scene.surroundings) return {};

@@ -1,6 +1,6 @@
 #include "renderer/geometry/lens.h"
 
-#include "renderer/geometry/camera_fault.h"
+#include "renderer/geometry/validate_camera.h"
 #include "renderer/geometry/view.h"
 
 #include <gtest/gtest.h>
@@ -157,7 +157,7 @@ TEST(LensFault, NamesWhatIsOutOfRange) {
   const auto fault_of = [](auto change) {
     Camera camera = camera_with_lens();
     change(camera);
-    return camera_fault(camera);
+    return validate_camera(camera);
   };
   constexpr double infinite = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,5 +1,5 @@
-#include "renderer/gltf/light_fault.h"
 #include "renderer/gltf/load.h"
+#include "renderer/gltf/validate_light.h"
 #include "tests/renderer/gltf/light_checks.h"
 #include "tests/support/temporary_folder.h"
 

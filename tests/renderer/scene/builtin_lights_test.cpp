@@ -1,4 +1,4 @@
-#include "renderer/gltf/light_fault.h"
+#include "renderer/gltf/validate_light.h"
 #include "renderer/scene/builtin.h"
 #include "renderer/scene/builtin/scene_assembler.h"
 
@@ -48,7 +48,7 @@ double illuminance(const Light& light, glm::dvec3 p, glm::dvec3 normal) {
 TEST(BuiltinLights, OfEverySceneAreWithoutFault) {
   for (const BuiltinScene& scene : builtin_scenes()) {
     for (const Light& light : scene.make().lights) {
-      EXPECT_EQ(gltf::light_fault(light), "") << scene.name << ": " << light.name;
+      EXPECT_EQ(gltf::validate_light(light), "") << scene.name << ": " << light.name;
     }
   }
 }

@@ -8,6 +8,6 @@ namespace asos {
 
 /// Returns the first property of a camera that View cannot use, with its name in saved pictures;
 /// empty: none.
-[[nodiscard]] std::string camera_fault(const Camera& camera);
+[[nodiscard]] std::string validate_camera(const Camera& camera);
 
 }  // namespace asos

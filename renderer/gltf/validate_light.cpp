@@ -1,4 +1,4 @@
-#include "renderer/gltf/light_fault.h"
+#include "renderer/gltf/validate_light.h"
 
 #include "renderer/geometry/coordinates.h"
 #include "renderer/geometry/finite.h"
@@ -53,7 +53,7 @@ std::string polygon_fault(const Light& light) {
 }
 
 /// Returns the fault of a light's place, direction or size for its type; empty if none.
-std::string shape_fault(const Light& light) {
+std::string validate_shape(const Light& light) {
   const bool directed = light.type != Light::Type::point && light.type != Light::Type::linear;
   if (directed && !within(glm::length(light.direction), 0.999, 1.001)) {
     return "has a direction that is not of unit length";
@@ -86,7 +86,7 @@ std::string shape_fault(const Light& light) {
 
 }  // namespace
 
-std::string light_fault(const Light& light) {
+std::string validate_light(const Light& light) {
   if (!within(light.intensity, 0.0, huge)) return "has an intensity that is no positive number";
   for (int i = 0; i < 3; ++i) {
     if (!within(light.color[i], 0.0, huge)) return "has a colour that is no positive number";
@@ -95,7 +95,7 @@ std::string light_fault(const Light& light) {
   if (light.type != Light::Type::directional && !within_reach(light.position))
     return fmt::format("is farther away than {:g}", largest_coordinate);
   if (!(light.range > 0.0)) return "has a range that is no positive number";
-  return shape_fault(light);
+  return validate_shape(light);
 }
 
 }  // namespace asos::gltf

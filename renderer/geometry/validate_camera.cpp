@@ -1,4 +1,4 @@
-#include "renderer/geometry/camera_fault.h"
+#include "renderer/geometry/validate_camera.h"
 
 #include "renderer/geometry/coordinates.h"
 
@@ -9,7 +9,7 @@
 
 namespace asos {
 
-std::string camera_fault(const Camera& camera) {
+std::string validate_camera(const Camera& camera) {
   constexpr double slack = 1e-6;
   const glm::dmat3 turn(camera.world_from_camera);
   const glm::dmat3 product = glm::transpose(turn) * turn;
@@ -29,7 +29,7 @@ std::string camera_fault(const Camera& camera) {
     return "\"far_depth\" is not beyond \"near_depth\"";
   if (camera.lens.blurs() && camera.type != Camera::Type::perspective)
     return "\"lens\" belongs to perspective cameras";
-  if (const std::string fault = lens_fault(camera.lens); !fault.empty()) return "lens: " + fault;
+  if (const std::string fault = validate_lens(camera.lens); !fault.empty()) return "lens: " + fault;
   return "";
 }
 

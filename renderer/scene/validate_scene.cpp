@@ -1,4 +1,4 @@
-#include "renderer/scene/scene_fault.h"
+#include "renderer/scene/validate_scene.h"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ bool valid_textures(const Scene& scene, const Material& m) {
 
 }  // namespace
 
-std::string scene_fault(const Scene& scene) {
+std::string validate_scene(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) {
     if (!valid_mesh(mesh)) return fmt::format("mesh '{}' has mismatched arrays", mesh.name);
     if (!in_range(mesh.material, scene.materials.size())) {
@@ -55,7 +55,7 @@ std::string scene_fault(const Scene& scene) {
     }
   }
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    if (const std::string fault = shape_fault(scene.shapes[i]); !fault.empty())
+    if (const std::string fault = validate_shape(scene.shapes[i]); !fault.empty())
       return fmt::format("shape {} is none: {}", i, fault);
   }
   for (const Material& material : scene.materials) {

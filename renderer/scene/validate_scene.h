@@ -12,6 +12,6 @@ inline constexpr std::uint64_t largest_vertex_count = 0xfffffffeu;
 
 /// Returns the first violated invariant of scene.h: indices in range, arrays of equal length, sizes
 /// of shapes. Empty if there is none.
-[[nodiscard]] std::string scene_fault(const Scene& scene);
+[[nodiscard]] std::string validate_scene(const Scene& scene);
 
 }  // namespace asos
