@@ -1,5 +1,5 @@
 #include "renderer/film/cryptomatte.h"
-#include "renderer/film/exr_claims.h"
+#include "renderer/film/exr_header.h"
 #include "renderer/film/exr_stream.h"
 #include "renderer/film/image_io.h"
 #include "renderer/film/image_text.h"
@@ -176,7 +176,7 @@ Result<std::unique_ptr<PictureWriter>> make_exr_writer(const std::string& path, 
 }
 
 Result<ImageText> exr_text(const std::string& path, const FileBytes& file) {
-  if (const std::string fault = fault_of_exr_claims(file); !fault.empty())
+  if (const std::string fault = exr_header_error(file); !fault.empty())
     return unreadable(path, fault);
   try {
     BytesStream stream(file);
@@ -205,7 +205,7 @@ class ExrInput {
                           }};
     auto file = read_file(path, rules);
     if (!file) return unexpected(Error{path, file.error()});
-    if (const std::string fault = fault_of_exr_claims(*file); !fault.empty())
+    if (const std::string fault = exr_header_error(*file); !fault.empty())
       return unreadable(path, fault);
     return *std::move(file);
   }

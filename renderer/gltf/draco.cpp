@@ -1,6 +1,6 @@
 #include "renderer/gltf/accessors.h"
 #include "renderer/gltf/compressed.h"
-#include "renderer/gltf/draco_claims.h"
+#include "renderer/gltf/draco_header.h"
 #include "renderer/gltf/values.h"
 
 #include <fmt/format.h>

@@ -10,6 +10,6 @@ namespace asos {
 /// OpenEXR allocates the declared size of an attribute before it notices missing bytes, so the
 /// sizes are checked first (OpenEXR's "File Layout", "Attribute Layout"). All other errors are left
 /// to OpenEXR. Any bytes.
-[[nodiscard]] std::string fault_of_exr_claims(std::span<const std::uint8_t> file);
+[[nodiscard]] std::string exr_header_error(std::span<const std::uint8_t> file);
 
 }  // namespace asos

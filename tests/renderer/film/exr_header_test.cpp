@@ -1,4 +1,4 @@
-#include "renderer/film/exr_claims.h"
+#include "renderer/film/exr_header.h"
 
 #include "renderer/film/image_io.h"
 #include "tests/support/temporary_folder.h"
@@ -28,7 +28,7 @@ std::string with_attribute(const std::string& whole, const std::string& attribut
 }
 
 std::string fault_of(const std::string& file) {
-  return fault_of_exr_claims({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()});
+  return exr_header_error({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()});
 }
 
 /// Peak memory of this process.

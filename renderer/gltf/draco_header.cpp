@@ -1,4 +1,4 @@
-#include "renderer/gltf/draco_claims.h"
+#include "renderer/gltf/draco_header.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "renderer/film/exr_claims.h"
+#include "renderer/film/exr_header.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ bool take_text(std::span<const std::uint8_t>& rest, std::size_t& length) {
 
 }  // namespace
 
-std::string fault_of_exr_claims(std::span<const std::uint8_t> file) {
+std::string exr_header_error(std::span<const std::uint8_t> file) {
   constexpr std::size_t magic_and_version = 8, size_bytes = 4;
   constexpr std::uint8_t multipart = 0x10;
   if (file.size() < magic_and_version) return "it ends too early";
