@@ -138,7 +138,7 @@ void Textures::plan() {
   constexpr std::size_t most_kept = std::size_t{1} << 28;
   std::size_t kept = 0;
   std::set<ImagePlace> seen;
-  std::vector<PictureClaim> claims(doc_.images.size());
+  std::vector<DecodedImageSize> claims(doc_.images.size());
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const auto index = static_cast<int>(i);
     const ImagePlace place = place_of(doc_.images[i]);

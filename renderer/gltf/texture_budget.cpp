@@ -15,7 +15,7 @@ constexpr std::uint64_t free_texels = std::uint64_t{1} << 24;
 constexpr std::uint64_t texels_per_byte = 8;
 constexpr int most_shrink = 4096;
 
-std::uint64_t texels_of(const PictureClaim& claim, int shrink) {
+std::uint64_t texels_of(const DecodedImageSize& claim, int shrink) {
   return static_cast<std::uint64_t>(shrunk(claim.width, shrink)) *
          static_cast<std::uint64_t>(shrunk(claim.height, shrink));
 }
@@ -39,10 +39,10 @@ std::uint64_t most_texels(std::uint64_t picture_bytes) {
   return free_texels + texels_per_byte * picture_bytes;
 }
 
-std::vector<int> shrinks_of(std::span<const PictureClaim> claims) {
+std::vector<int> shrinks_of(std::span<const DecodedImageSize> claims) {
   std::vector<std::uint64_t> texels;
   std::uint64_t bytes = 0, all = 0;
-  for (const PictureClaim& claim : claims) {
+  for (const DecodedImageSize& claim : claims) {
     texels.push_back(texels_of(claim, 1));
     all += texels.back();
     bytes += claim.bytes;

@@ -7,7 +7,7 @@
 namespace asos::gltf {
 
 /// A picture of a file, as its head describes it.
-struct PictureClaim {
+struct DecodedImageSize {
   int width = 0;  ///< pixels; 0: it is no picture
   int height = 0;
   std::uint64_t bytes = 0;  ///< as it is stored
@@ -19,6 +19,6 @@ struct PictureClaim {
 
 /// Returns the reduction of each picture while it is read (read_picture), a power of two; 1: none.
 /// The total is at most most_texels, and the largest pictures are reduced first.
-[[nodiscard]] std::vector<int> shrinks_of(std::span<const PictureClaim> claims);
+[[nodiscard]] std::vector<int> shrinks_of(std::span<const DecodedImageSize> claims);
 
 }  // namespace asos::gltf

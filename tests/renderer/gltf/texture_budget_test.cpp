@@ -15,12 +15,12 @@
 namespace asos::texture_budget_test {
 namespace {
 
+using gltf::DecodedImageSize;
 using gltf::most_texels;
-using gltf::PictureClaim;
 using gltf::shrinks_of;
 using test::GltfBuilder;
 
-std::uint64_t texels_after(const std::vector<PictureClaim>& claims) {
+std::uint64_t texels_after(const std::vector<DecodedImageSize>& claims) {
   const std::vector<int> shrinks = shrinks_of(claims);
   std::uint64_t texels = 0;
   for (std::size_t i = 0; i < claims.size(); ++i)
@@ -31,20 +31,21 @@ std::uint64_t texels_after(const std::vector<PictureClaim>& claims) {
 
 TEST(TextureBudget, PicturesOfTheirSizeStayAsTheyAre) {
   EXPECT_EQ(shrinks_of({}), std::vector<int>{});
-  EXPECT_EQ(shrinks_of(std::vector<PictureClaim>{{4096, 4096, 20'000}}), std::vector<int>{1});
+  EXPECT_EQ(shrinks_of(std::vector<DecodedImageSize>{{4096, 4096, 20'000}}), std::vector<int>{1});
   // Ten textures of 4096 x 4096 from JPEG files.
-  const std::vector<PictureClaim> rich(10, {4096, 4096, 2'500'000});
+  const std::vector<DecodedImageSize> rich(10, {4096, 4096, 2'500'000});
   EXPECT_EQ(shrinks_of(rich), std::vector<int>(10, 1));
-  EXPECT_EQ(shrinks_of(std::vector<PictureClaim>{{8192, 8192, 7'000'000}}), std::vector<int>{1});
+  EXPECT_EQ(shrinks_of(std::vector<DecodedImageSize>{{8192, 8192, 7'000'000}}),
+            std::vector<int>{1});
 }
 
 TEST(TextureBudget, TheLargestAreReducedFirst) {
-  const std::vector<PictureClaim> claims{
+  const std::vector<DecodedImageSize> claims{
       {16384, 16384, 1'000'000}, {512, 512, 1000}, {0, 0, 0}, {2048, 1024, 9000}};
   const std::vector<int> shrinks = shrinks_of(claims);
   EXPECT_EQ(shrinks, (std::vector<int>{4, 1, 1, 1}));
   for (const std::size_t count : {1u, 7u, 300u, 5000u}) {
-    const std::vector<PictureClaim> many(count, {16384, 16384, 300});
+    const std::vector<DecodedImageSize> many(count, {16384, 16384, 300});
     EXPECT_LE(texels_after(many), most_texels(300 * count)) << count;
   }
 }
