@@ -5,7 +5,7 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/unshadowed_contributions.h"
 #include "renderer/samples/sampled_lights.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 #include "renderer/shadows/leaf_context.h"
 
 #include <glm/glm.hpp>
@@ -71,7 +71,7 @@ class SelectedLights {
   std::vector<std::uint8_t> weak_;
   std::optional<UnshadowedContributions> carried_;
   Expected expected_;  // where the pixels' centres receive most of them
-  SobolPlaces places_;
+  SobolSampler places_;
   SampledLights lights_;
   BlockQueue queue_;
   std::vector<glm::dvec3> sums_;  // sums of the deferred leaves

@@ -5,7 +5,7 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/samples/sample_sums.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 
 #include <cstdint>
 #include <map>
@@ -33,7 +33,7 @@ class SingleSamples {
  private:
   const EyeContext* eye_;
   const EyeSamples* samples_;
-  SobolPlaces places_;
+  SobolSampler places_;
   std::unique_ptr<SampleSums> sums_;  // made when first needed: it is large
   BlockQueue queue_;
   std::map<std::uint32_t, int> taken_;  // leaves of each root so far

@@ -120,7 +120,7 @@ void SkyContributions::send(std::size_t index, std::uint32_t end) {
   const SkySampler sampler(lit.lit_point(view));
   // Directions take the sequence's first two dimensions, and places the next ones.
   const SobolPixel leaf = leaf_places(lit);
-  SobolPixelPlaces places;
+  SobolPixelSampler places;
   const Bounds2 box = bounds_of(region(lit));
   for (; lit.rays < end; ++lit.rays) {
     const auto sample = sampler.at(places.at(leaf, lit.rays));

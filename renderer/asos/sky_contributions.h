@@ -10,7 +10,7 @@
 #include "renderer/samples/bounced_light.h"
 #include "renderer/samples/recycled.h"
 #include "renderer/samples/sampled_lights.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 #include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/leaf_context.h"
@@ -90,7 +90,7 @@ class SkyContributions {
   Recycled<Packet> packet_ = Recycler<Packet>::make();
   // Whether occluders contribute bounced light.
   bool bounces_;
-  SobolPlaces places_;
+  SobolSampler places_;
   SampledLights lights_;
   BouncedLight bounced_;
   std::vector<SkyRay> sky_rays_;

@@ -1,6 +1,6 @@
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 
 #include <array>
 
@@ -61,7 +61,7 @@ class Neighbourhood {
 /// variant of that section, the mean of rays through the pixel's corners, is `whitted` at depth 0.
 BlockResult render_block_average(const BlockJob& job) {
   const PixelRect& block = job.block;
-  SobolPlaces places(job.settings.seed);
+  SobolSampler places(job.settings.seed);
   SampleSums sums(job, places);
   const Neighbourhood neighbourhood(block);
   neighbourhood.take(sums, job.stop);

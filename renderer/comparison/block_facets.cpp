@@ -20,7 +20,7 @@ std::array<glm::dvec3, 3> corners_of_triangle(const World& world, std::uint32_t 
 /// samples.
 class PartLights final : public LightTransport {
  public:
-  PartLights(SampledLights& lights, SamplePlaces& places, int samples)
+  PartLights(SampledLights& lights, PixelSampler& places, int samples)
       : lights_(lights), places_(places), samples_(samples) {}
 
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
@@ -34,7 +34,7 @@ class PartLights final : public LightTransport {
 
  private:
   SampledLights& lights_;
-  SamplePlaces& places_;
+  PixelSampler& places_;
   int samples_;
 };
 

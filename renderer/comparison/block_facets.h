@@ -49,7 +49,7 @@ class BlockFacets {
   double pixel_;
   Frame frame_;
   Shader shader_;
-  GridPlaces places_;
+  GridSampler places_;
   int light_samples_;
   SampledLights lights_;
   std::vector<glm::dvec3> sums_;

@@ -4,7 +4,7 @@
 #include "renderer/comparison/over_time.h"
 #include "renderer/comparison/published_motion.h"
 #include "renderer/prepared/focus.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 
 #include <fmt/format.h>
 
@@ -35,18 +35,18 @@ BlockResult render_block_as_published(const BlockJob& job) {
 
 /// Renders the same number of samples in every pixel, placed as the method's row says.
 BlockResult render_block_sampled(const BlockJob& job) {
-  const std::unique_ptr<SamplePlaces> places = row_of(job.settings.method).places(job.settings);
+  const std::unique_ptr<PixelSampler> places = row_of(job.settings.method).places(job.settings);
   return sample_block(job, *places, samples_a_pixel(job.settings));
 }
 
-std::unique_ptr<SamplePlaces> uniform_places(const RenderSettings& settings) {
-  return std::make_unique<GridPlaces>(grid_side(settings.sampling.spp), false);
+std::unique_ptr<PixelSampler> uniform_places(const RenderSettings& settings) {
+  return std::make_unique<GridSampler>(grid_side(settings.sampling.spp), false);
 }
-std::unique_ptr<SamplePlaces> stochastic_places(const RenderSettings& settings) {
-  return std::make_unique<GridPlaces>(grid_side(settings.sampling.spp), true);
+std::unique_ptr<PixelSampler> stochastic_places(const RenderSettings& settings) {
+  return std::make_unique<GridSampler>(grid_side(settings.sampling.spp), true);
 }
-std::unique_ptr<SamplePlaces> sobol_places(const RenderSettings& settings) {
-  return std::make_unique<SobolPlaces>(settings.seed);
+std::unique_ptr<PixelSampler> sobol_sampler(const RenderSettings& settings) {
+  return std::make_unique<SobolSampler>(settings.seed);
 }
 
 int usual_side(const RenderSettings& /*settings*/) {
@@ -122,7 +122,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .takes_filter_width = true,
      .samples_time = true,
      .samples = SampleCount::any,
-     .places = sobol_places},
+     .places = sobol_sampler},
     {.value = Method::sobol_adaptive,
      .name = "sobol-adaptive",
      .hint = "until the standard error is below EPS",

@@ -57,7 +57,7 @@ struct MethodRow {
   SampleCount samples = SampleCount::none;
   /// Returns the sample placement of a method with the same number of samples in each pixel. These
   /// methods render in rounds (PixelSamples). Null for others.
-  std::unique_ptr<SamplePlaces> (*places)(const RenderSettings& settings) = nullptr;
+  std::unique_ptr<PixelSampler> (*places)(const RenderSettings& settings) = nullptr;
   bool takes_shapes = true;  ///< it renders analytic shapes, too
   /// The largest scene that it renders.
   std::size_t most_triangles = any_number;

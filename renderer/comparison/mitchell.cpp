@@ -1,7 +1,7 @@
 #include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 
 #include <algorithm>
 #include <array>
@@ -124,7 +124,7 @@ class TwoLevels {
   int base_;
   int high_;
   std::size_t pixels_;
-  SobolPlaces places_;
+  SobolSampler places_;
   SampleSums sums_;
   std::vector<std::uint8_t> contrasting_;
 };

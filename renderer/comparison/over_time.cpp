@@ -62,7 +62,7 @@ class BlockOverTime {
     std::vector<glm::dvec3> before;
     for (int i = 0; i < probed_moments; ++i) {
       const BlockJob at = job_.at(i * steps_ / (probed_moments - 1));
-      GridPlaces places(1, false);
+      GridSampler places(1, false);
       SampleSums sums(at, places);
       const PixelRect& block = job_.block;
       sums.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));

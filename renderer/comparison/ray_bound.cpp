@@ -82,7 +82,7 @@ class BoundedBlock {
   BlockJob job_;
   int n_;
   std::size_t pixels_;
-  GridPlaces places_;
+  GridSampler places_;
   SampleSums sums_;
 };
 

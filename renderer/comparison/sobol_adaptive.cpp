@@ -2,7 +2,7 @@
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sample_sums.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 
 #include <algorithm>
 #include <array>
@@ -163,7 +163,7 @@ class SamplesUntilEps {
   std::vector<Quarters> pixels_;
   std::vector<float> rays_;
   std::vector<std::size_t> active_;  // pixels still being sampled, in order
-  SobolPlaces places_;
+  SobolSampler places_;
   SampleSums sums_;  // of this round
 };
 

@@ -2,7 +2,7 @@
 #include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 
 #include <algorithm>
 #include <array>
@@ -236,7 +236,7 @@ class AdaptiveBlock {
   int depth_;
   float contrast_;
   bool stopped_ = false;
-  SobolPlaces places_;
+  SobolSampler places_;
   SampleSums sums_;
   EnlargedSpheres spheres_;
   std::unordered_map<std::uint64_t, std::size_t> finer_;  // corners inside pixels and their sides

@@ -14,7 +14,7 @@ namespace {
 
 template <LightConstants::Shape shape>
 HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes& receiver,
-                                const ArcPlaces& arc, const LightPlaceBatch& places,
+                                const ArcPlaces& arc, const LightPointBatch& places,
                                 std::size_t i) {
   const Vectors middle =
       (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
@@ -30,7 +30,7 @@ HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes
 
 template <LightConstants::Shape shape>
 void aim_at(const ShadingPoints& points, const LightConstants& light, const ArcPlaces& arc,
-            const LightPlaceBatch& places, RayWeighting by, ShadowRayBatch& rays) {
+            const LightPointBatch& places, RayWeighting by, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
@@ -57,7 +57,7 @@ void aim_at(const ShadingPoints& points, const LightConstants& light, const ArcP
   }
 }
 
-void aim(const ShadingPoints& points, const LightConstants& light, const LightPlaceBatch& places,
+void aim(const ShadingPoints& points, const LightConstants& light, const LightPointBatch& places,
          RayWeighting by, ShadowRayBatch& rays) {
   using Shape = LightConstants::Shape;
   rays.count = 0;
@@ -95,7 +95,7 @@ namespace asos {
 HWY_EXPORT(aim);
 
 void aim_batch(const ShadingPoints& points, const LightConstants& light,
-               const LightPlaceBatch& places, RayWeighting by, ShadowRayBatch& rays) {
+               const LightPointBatch& places, RayWeighting by, ShadowRayBatch& rays) {
   HWY_DYNAMIC_DISPATCH(aim)(points, light, places, by, rays);
 }
 

@@ -13,6 +13,6 @@ enum class RayWeighting { irradiance, radiance };
 /// `carried` is each ray's weight, the mean over the colours; the others are not set. Rays without
 /// weight are left out. The bits do not depend on the instruction set.
 void aim_batch(const ShadingPoints& points, const LightConstants& light,
-               const LightPlaceBatch& places, RayWeighting by, ShadowRayBatch& rays);
+               const LightPointBatch& places, RayWeighting by, ShadowRayBatch& rays);
 
 }  // namespace asos

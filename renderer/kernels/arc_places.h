@@ -68,7 +68,7 @@ HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& 
 /// 1 / (x / z)^2, with the sign of x. Third and fourth: the ends, along half_v, of the part that
 /// may be above the point's horizons, from the foot of its perpendicular.
 inline void rectangle_places(const ShadingPoints& points, const PreparedLight& light,
-                             const LightPlaceBatch& places, ArcPlaces& found) {
+                             const LightPointBatch& places, ArcPlaces& found) {
   const DoubleTag d;
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const auto u_length = hn::Set(d, glm::length(light.half_u));
@@ -134,7 +134,7 @@ inline void rectangle_places(const ShadingPoints& points, const PreparedLight& l
 /// along the segment from the foot of the point's perpendicular. Second: its measure. Third: the
 /// perpendicular's length.
 inline void segment_places(const ShadingPoints& points, const PreparedLight& light,
-                           const LightPlaceBatch& places, ArcPlaces& found) {
+                           const LightPointBatch& places, ArcPlaces& found) {
   const DoubleTag d;
   const double half = glm::length(light.half_u);
   const auto length = hn::Set(d, 2.0 * half);
@@ -168,7 +168,7 @@ inline void segment_places(const ShadingPoints& points, const PreparedLight& lig
 
 /// First and second: the place on a polygon that is no rectangle, relative to its centre.
 inline void polygon_places(const ShadingPoints& points, const PreparedLight& light,
-                           const LightPlaceBatch& places, ArcPlaces& found) {
+                           const LightPointBatch& places, ArcPlaces& found) {
   constexpr double scale = 1.0 / 4294967296.0;
   for (std::size_t i = 0; i < points.count; ++i) {
     const glm::dvec2 p = light.rows.point(scale * places.u[i], scale * places.v[i]);

@@ -49,7 +49,7 @@ HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants
 
 template <LightConstants::Shape shape>
 void shade_shape(const ShadingPoints& points, const LightConstants& light, const ArcPlaces& arc,
-                 const LightPlaceBatch& places, ShadowRayBatch& rays) {
+                 const LightPointBatch& places, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
@@ -156,13 +156,13 @@ void shade_lobe(const ShadingPoints& points, const LightConstants& light, const 
   }
 }
 
-void choose_lobes(const ShadingPoints& points, const LightPlaceBatch& places, LobeBatch& lobes) {
+void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, LobeBatch& lobes) {
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(FloatTag()))
     store(lobe_direction(points, places, i), lobes.direction, i);
 }
 
 void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
-                       const LightPlaceBatch& places, ShadowRayBatch& rays) {
+                       const LightPointBatch& places, ShadowRayBatch& rays) {
   constexpr auto shape = LightConstants::Shape::rectangle;
   const FloatTag d;
   const auto zero = hn::Zero(d);
@@ -186,7 +186,7 @@ void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
   }
 }
 
-void shade(const ShadingPoints& points, const LightConstants& light, const LightPlaceBatch& places,
+void shade(const ShadingPoints& points, const LightConstants& light, const LightPointBatch& places,
            ShadowRayBatch& rays) {
   using Shape = LightConstants::Shape;
   rays.count = 0;
@@ -228,16 +228,16 @@ HWY_EXPORT(shade_lobe);
 HWY_EXPORT(choose_lobes);
 
 void shade_batch(const ShadingPoints& points, const LightConstants& light,
-                 const LightPlaceBatch& places, ShadowRayBatch& rays) {
+                 const LightPointBatch& places, ShadowRayBatch& rays) {
   HWY_DYNAMIC_DISPATCH(shade)(points, light, places, rays);
 }
 
 void shade_unshadowed(const ShadingPoints& points, const LightConstants& light,
-                      const LightPlaceBatch& places, ShadowRayBatch& rays) {
+                      const LightPointBatch& places, ShadowRayBatch& rays) {
   HWY_DYNAMIC_DISPATCH(shade_closed_form)(points, light, places, rays);
 }
 
-void choose_lobes(const ShadingPoints& points, const LightPlaceBatch& places, LobeBatch& lobes) {
+void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, LobeBatch& lobes) {
   HWY_DYNAMIC_DISPATCH(choose_lobes)(points, places, lobes);
 }
 

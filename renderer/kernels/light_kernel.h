@@ -10,7 +10,7 @@
 namespace asos {
 
 /// The sample on a light of each point of a batch, as 32-bit binary fractions of the unit square.
-struct LightPlaceBatch {
+struct LightPointBatch {
   // A kernel may write a whole vector beyond the end.
   static constexpr std::size_t room = ShadingPoints::size + 16;
   struct alignas(64) Fractions : std::array<std::uint32_t, room> {};
@@ -44,17 +44,17 @@ struct LobeBatch {
 /// shade_lobe has the rest. Rays without a contribution are left out. The bits of a point's ray
 /// depend only on the point and the light, not on its place in the batch or the instruction set.
 void shade_batch(const ShadingPoints& points, const LightConstants& light,
-                 const LightPlaceBatch& places, ShadowRayBatch& rays);
+                 const LightPointBatch& places, ShadowRayBatch& rays);
 
 /// Computes the contribution of a rectangle that casts no shadow. The diffuse part uses the closed
 /// form of unshadowed_irradiance, and the highlight one sample. `rays` then holds contributions
 /// only.
 void shade_unshadowed(const ShadingPoints& points, const LightConstants& light,
-                      const LightPlaceBatch& places, ShadowRayBatch& rays);
+                      const LightPointBatch& places, ShadowRayBatch& rays);
 
 /// Reflects each point's view direction at a visible normal, sampled from the GGX lobe of its
 /// roughness.
-void choose_lobes(const ShadingPoints& points, const LightPlaceBatch& places, LobeBatch& lobes);
+void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, LobeBatch& lobes);
 
 /// Computes the shadow rays of lobe samples to a light with an area, each with the rest of the
 /// highlight's weight. There are none to other lights, from points with broad lobes, or by the

@@ -198,7 +198,7 @@ HWY_INLINE SampleLanes segment_sample(const LightConstants& light, const Receive
 /// `arc`: from rectangle_places.
 HWY_INLINE SampleLanes rectangle_sample(const LightConstants& light, const ReceiverLanes& receiver,
                                         const Vectors& middle, const ArcPlaces& arc,
-                                        const LightPlaceBatch& places, std::size_t i) {
+                                        const LightPointBatch& places, std::size_t i) {
   const FloatTag d;
   const auto one = all_lanes(1.0f);
   const auto v_centred = centred(&places.v[i]);
@@ -242,7 +242,7 @@ HWY_INLINE SampleLanes rectangle_sample(const LightConstants& light, const Recei
 template <LightConstants::Shape shape>
 HWY_INLINE SampleLanes light_sample(const LightConstants& light, const ReceiverLanes& receiver,
                                     const Vectors& middle, const ArcPlaces& arc,
-                                    const LightPlaceBatch& places, std::size_t i) {
+                                    const LightPointBatch& places, std::size_t i) {
   using Shape = LightConstants::Shape;
   if constexpr (shape == Shape::point) return point_sample(light, receiver, middle);
   if constexpr (shape == Shape::distant) {

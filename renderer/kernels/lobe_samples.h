@@ -58,7 +58,7 @@ HWY_INLINE Lanes lobe_density(const ShadingPoints& points, const Vectors& normal
 }
 
 /// Reflects the view direction at a sampled visible normal, with the point's own roughness.
-HWY_INLINE Vectors lobe_direction(const ShadingPoints& points, const LightPlaceBatch& places,
+HWY_INLINE Vectors lobe_direction(const ShadingPoints& points, const LightPointBatch& places,
                                   std::size_t i) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);

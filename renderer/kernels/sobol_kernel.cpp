@@ -58,7 +58,7 @@ void scramble_mirrored(std::span<const std::uint32_t> mirrored, std::uint64_t se
   HWY_DYNAMIC_DISPATCH(scramble)(mirrored, seed, scrambled);
 }
 
-void SobolPixelPlaces::take_turn(const SobolPixel& pixel, std::uint32_t turn) {
+void SobolPixelSampler::take_turn(const SobolPixel& pixel, std::uint32_t turn) {
   turn_ = turn;
   std::array<std::uint32_t, per_turn> u, v;
   for (std::uint32_t i = 0; i < per_turn; ++i) {
@@ -80,7 +80,7 @@ void SobolBatch::add(const SobolPixel& pixel, std::uint32_t index) {
   add(index);
 }
 
-void SobolBatch::on_light(std::uint32_t light, LightPlaceBatch& places) const {
+void SobolBatch::on_light(std::uint32_t light, LightPointBatch& places) const {
   for (std::size_t r = 0; r < runs_.size(); ++r) {
     // Each run may write beyond its end; the next run overwrites that.
     const std::size_t first = runs_[r].first;

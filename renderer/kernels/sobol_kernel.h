@@ -27,7 +27,7 @@ class SobolBatch {
     ++count_;
   }
 
-  void on_light(std::uint32_t light, LightPlaceBatch& places) const;
+  void on_light(std::uint32_t light, LightPointBatch& places) const;
 
  private:
   struct Run {
@@ -36,11 +36,11 @@ class SobolBatch {
   };
   std::size_t count_ = 0;
   std::vector<Run> runs_;
-  LightPlaceBatch::Fractions u_{}, v_{};  ///< before scrambling, with mirrored digits
+  LightPointBatch::Fractions u_{}, v_{};  ///< before scrambling, with mirrored digits
 };
 
 /// SobolPixel::pixel for several samples at a time.
-class SobolPixelPlaces {
+class SobolPixelSampler {
  public:
   /// Must be called before the pixel changes.
   void forget() { turn_ = none; }

@@ -18,7 +18,7 @@ namespace asos {
 class BouncedLight {
  public:
   /// All arguments have to outlive this.
-  BouncedLight(const RenderScene& scene, const Shader& shader, SamplePlaces& places)
+  BouncedLight(const RenderScene& scene, const Shader& shader, PixelSampler& places)
       : scene_(&scene), shader_(&shader), places_(&places) {}
 
   /// Adds the radiance along the rays to their sums. Lights and sky at their hits are deferred in
@@ -29,7 +29,7 @@ class BouncedLight {
  private:
   const RenderScene* scene_;
   const Shader* shader_;
-  SamplePlaces* places_;
+  PixelSampler* places_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
 };

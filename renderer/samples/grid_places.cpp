@@ -49,34 +49,35 @@ int step_of(int strata) {
 
 }  // namespace
 
-GridPlaces::GridPlaces(int n, bool jittered) : n_(n), step_(step_of(n * n)), jittered_(jittered) {}
+GridSampler::GridSampler(int n, bool jittered)
+    : n_(n), step_(step_of(n * n)), jittered_(jittered) {}
 
-PixelPoint GridPlaces::in_pixel() const {
+PixelPoint GridSampler::in_pixel() const {
   RandomPair r{0.5, 0.5};
   if (jittered_) r = unit_pair(pixel_random(x_, y_, static_cast<std::uint32_t>(index_)));
   return {(index_ % n_ + r.u) / n_, (index_ / n_ + r.v) / n_};
 }
 
-glm::dvec2 GridPlaces::on_light(std::uint32_t light) const {
+glm::dvec2 GridSampler::on_light(std::uint32_t light) const {
   // Separate streams, far from those of the pixel.
   return in_strata(0x80000000u + light * 0x10001u);
 }
 
-glm::dvec2 GridPlaces::on_lens() const {
+glm::dvec2 GridSampler::on_lens() const {
   return in_strata(0x40000000u);
 }
 
-double GridPlaces::in_time() const {
+double GridSampler::in_time() const {
   const Stratum found = stratum(0x20000000u);
   return (found.cell + found.place.u) / (n_ * n_);
 }
 
-glm::dvec2 GridPlaces::in_strata(std::uint32_t stream) const {
+glm::dvec2 GridSampler::in_strata(std::uint32_t stream) const {
   const auto [cell, r] = stratum(stream);
   return {(cell % n_ + r.u) / n_, (cell / n_ + r.v) / n_};
 }
 
-GridPlaces::Stratum GridPlaces::stratum(std::uint32_t stream) const {
+GridSampler::Stratum GridSampler::stratum(std::uint32_t stream) const {
   const auto seed = static_cast<std::uint32_t>(pixel_random(x_, y_, stream) >> 32);
   const auto cells = static_cast<std::uint32_t>(n_ * n_);
   const auto cell = static_cast<int>(permuted(static_cast<std::uint32_t>(index_), cells, seed));

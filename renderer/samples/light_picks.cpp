@@ -5,7 +5,7 @@
 namespace asos {
 
 void LightPicks::pick(const LightTable& lights, const ShadingPoints& points,
-                      const LightPlaceBatch::Fractions& at, float a_point) {
+                      const LightPointBatch::Fractions& at, float a_point) {
   constexpr float least = 1e-30f;
   worth_.resize(lights.padded_size());
   picks_.clear();

@@ -25,7 +25,7 @@ class LightPicks {
 
   /// Picks lights for all points. `at` is each point's random number, of 2^32.
   void pick(const LightTable& lights, const ShadingPoints& points,
-            const LightPlaceBatch::Fractions& at, float a_point = rays_a_point);
+            const LightPointBatch::Fractions& at, float a_point = rays_a_point);
 
   /// The points that picked a light of the table, ascending, with 1 / probability of each. Valid
   /// until the next call of `pick`.

@@ -47,7 +47,7 @@ int PixelSamples::after_round(int taken, int most) {
   return std::min(most, std::max(1, 2 * taken));
 }
 
-void PixelSamples::advance(const BlockJob& job, SamplePlaces& places, int end, int footprints) {
+void PixelSamples::advance(const BlockJob& job, PixelSampler& places, int end, int footprints) {
   if (end <= taken_) return;
   SampleSums sums(job, places);
   sums.resize(sums_.size());

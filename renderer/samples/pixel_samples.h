@@ -23,7 +23,7 @@ class PixelSamples {
   /// Takes samples `taken()` to `end` of each pixel, with the footprint for `footprints` samples
   /// per pixel. After a stop request the result is incomplete and has to be discarded. `job.block`
   /// is the constructor's block.
-  void advance(const BlockJob& job, SamplePlaces& places, int end, int footprints);
+  void advance(const BlockJob& job, PixelSampler& places, int end, int footprints);
 
   /// Returns the number of samples per pixel so far.
   [[nodiscard]] int taken() const { return taken_; }

@@ -3,7 +3,7 @@
 #include "renderer/pyray/square.h"
 #include "renderer/reflections/reflection_mask.h"
 #include "renderer/samples/sample_sums.h"
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 #include "renderer/sampling/estimate.h"
 #include "renderer/sampling/sequential_mean.h"
 
@@ -109,7 +109,7 @@ class RegionSampler {
   const ReflectionMask* mask_;
   std::stop_token stop_;
   double white_;  // the radiance that is white in a picture
-  SobolPlaces places_;
+  SobolSampler places_;
   SampleSums sums_;
   const RenderScene* scene_;
   const ViewContext* viewer_;

@@ -8,7 +8,7 @@
 
 namespace asos {
 
-void SamplePlaces::on_light(std::uint32_t light, LightPlaceBatch& places) {
+void PixelSampler::on_light(std::uint32_t light, LightPointBatch& places) {
   for (std::size_t i = 0; i < batch_.size(); ++i) {
     const SampleIndex& sample = batch_[i];
     if (i == 0 || !sample.same_pixel(batch_[i - 1])) start_pixel(sample.x, sample.y);
@@ -20,7 +20,7 @@ void SamplePlaces::on_light(std::uint32_t light, LightPlaceBatch& places) {
   }
 }
 
-void SamplePlaces::in_pixel(int first, std::span<PixelPoint> points) {
+void PixelSampler::in_pixel(int first, std::span<PixelPoint> points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     start_sample(first + static_cast<int>(i));
     points[i] = in_pixel();
@@ -39,7 +39,7 @@ float sample_side(double width, int samples) {
   return static_cast<float>(samples > few ? 0.5 * side : side);
 }
 
-BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples) {
+BlockResult sample_block(const BlockJob& job, PixelSampler& places, int samples) {
   PixelSamples pixels(job.block);
   while (pixels.taken() < samples && !job.stop.stop_requested())
     pixels.advance(job, places, PixelSamples::after_round(pixels.taken(), samples), samples);

@@ -17,7 +17,7 @@ struct PixelPoint {
 
 /// Places of a pixel's samples, in the pixel and on the lights. Sampling methods differ only in
 /// this class.
-class SamplePlaces : public LightPlaces {
+class PixelSampler : public LightSamplePoints {
  public:
   virtual void start_pixel(int x, int y) = 0;
   /// Selects sample `index` of the pixel as the current one.
@@ -37,10 +37,10 @@ class SamplePlaces : public LightPlaces {
   /// When the sample under way looks, in [0, 1) from the shutter's opening to its closing.
   [[nodiscard]] virtual double in_time() const = 0;
 
-  using LightPlaces::on_light;
+  using LightSamplePoints::on_light;
   /// Handles one sample after the other.
   void start_batch(std::span<const SampleIndex> samples) override { batch_ = samples; }
-  void on_light(std::uint32_t light, LightPlaceBatch& places) override;
+  void on_light(std::uint32_t light, LightPointBatch& places) override;
 
  private:
   std::span<const SampleIndex> batch_;
@@ -65,23 +65,23 @@ inline constexpr float colour_side = 0.75f;
 
 /// Renders a block of pixels as the mean of `samples` point samples each, in packets of rays and in
 /// the rounds of PixelSamples. Each sample represents an equal part of the pixel's area.
-[[nodiscard]] BlockResult sample_block(const BlockJob& job, SamplePlaces& places, int samples);
+[[nodiscard]] BlockResult sample_block(const BlockJob& job, PixelSampler& places, int samples);
 
 /// n x n strata of the pixel and of time, and for the lens and each light another assignment of its
 /// own n x n strata to the samples, seeded by pixel: a sample in the middle of each stratum, or
 /// anywhere in it. Samples go from stratum to stratum so that the first few are spread over the
 /// pixel as well.
-class GridPlaces final : public SamplePlaces {
+class GridSampler final : public PixelSampler {
  public:
-  GridPlaces(int n, bool jittered);
+  GridSampler(int n, bool jittered);
 
   void start_pixel(int x, int y) override { x_ = x, y_ = y; }
   void start_sample(int index) override {
     index_ = static_cast<int>(static_cast<std::int64_t>(index) * step_ % (n_ * n_));
   }
   [[nodiscard]] PixelPoint in_pixel() const override;
-  using SamplePlaces::in_pixel;
-  using SamplePlaces::on_light;
+  using PixelSampler::in_pixel;
+  using PixelSampler::on_light;
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override;
   [[nodiscard]] glm::dvec2 on_lens() const override;
   [[nodiscard]] double in_time() const override;

@@ -90,7 +90,7 @@ struct SampleSums::Moving {
 
 SampleSums::~SampleSums() = default;
 
-SampleSums::SampleSums(const BlockJob& job, SamplePlaces& places)
+SampleSums::SampleSums(const BlockJob& job, PixelSampler& places)
     : SampleSums(job.scene, job.view, job.settings, places) {
   if (!job.motion) return;
   const auto moments = static_cast<std::size_t>(job.motion->steps()) + 1;
@@ -102,11 +102,11 @@ SampleSums::SampleSums(const BlockJob& job, SamplePlaces& places)
 }
 
 SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
-                       SamplePlaces& places)
+                       PixelSampler& places)
     : SampleSums(scene, view, settings, places, nullptr) {}
 
 SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
-                       SamplePlaces& places, Totals* totals)
+                       PixelSampler& places, Totals* totals)
     : own_shader_(shader_of(scene, settings, view)),
       viewer_(ViewContext::camera(view, *own_shader_)),
       scene_(&scene),
@@ -124,7 +124,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
 }
 
 SampleSums::SampleSums(const RenderScene& scene, const ViewContext& viewer,
-                       const RenderSettings& settings, SamplePlaces& places, Shows shows)
+                       const RenderSettings& settings, PixelSampler& places, Shows shows)
     : viewer_(viewer),
       scene_(&scene),
       places_(&places),

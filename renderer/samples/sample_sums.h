@@ -39,16 +39,16 @@ class SampleSums {
 
   /// Samples the job's scene and view, at one moment or while the shutter is open. `job` and
   /// `places` have to outlive this.
-  SampleSums(const BlockJob& job, SamplePlaces& places);
+  SampleSums(const BlockJob& job, PixelSampler& places);
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
-             SamplePlaces& places);
+             PixelSampler& places);
   /// What samples are summed up of: all of their radiance, what the lobes of the first surfaces
   /// mirror and no other part of it, or only layers: those samples cast their eye rays alone.
   enum class Shows { all, lobes, layers };
   /// For any viewer of the scene; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
-             SamplePlaces& places, Shows shows = Shows::all);
+             PixelSampler& places, Shows shows = Shows::all);
   SampleSums(const SampleSums&) = delete;
   SampleSums& operator=(const SampleSums&) = delete;
   ~SampleSums();
@@ -136,7 +136,7 @@ class SampleSums {
   struct Moving;
 
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
-             SamplePlaces& places, Totals* totals);
+             PixelSampler& places, Totals* totals);
   bool add_moving(const PointSample& sample);
   void cast_rays();
   void aim_through_lens();
@@ -151,7 +151,7 @@ class SampleSums {
   std::optional<Shader> own_shader_;
   ViewContext viewer_;
   const RenderScene* scene_;
-  SamplePlaces* places_;
+  PixelSampler* places_;
   SampledLights lights_;
   SampledReflections reflections_;
   BouncedLight bounced_;

@@ -3,7 +3,7 @@
 #include "renderer/kernels/light_kernel.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/samples/light_picks.h"
-#include "renderer/samples/light_places.h"
+#include "renderer/samples/light_sample_points.h"
 #include "renderer/samples/recycled.h"
 #include "renderer/samples/wide_lights.h"
 #include "renderer/shading/light_transport.h"
@@ -42,7 +42,7 @@ struct SkyRay {
 class SampledLights {
  public:
   /// Both arguments have to outlive this.
-  SampledLights(const RayScene& rays, LightPlaces& places) : rays_(&rays), places_(&places) {}
+  SampledLights(const RayScene& rays, LightSamplePoints& places) : rays_(&rays), places_(&places) {}
 
   /// Restricts the lights to those with a non-zero entry; others are ignored. If there are many,
   /// points send `rays_a_point` rays on average. Must be called before the first point is added.
@@ -56,7 +56,7 @@ class SampledLights {
     ShadingPoints points;
     std::array<SampleIndex, ShadingPoints::size> samples;
     std::array<std::size_t, ShadingPoints::size> targets;
-    LightPlaceBatch::Fractions picks;  ///< pick_place of each point, if lights are selected
+    LightPointBatch::Fractions picks;  ///< pick_place of each point, if lights are selected
   };
   /// Prepares the lights' data, which is the same for all points of a picture. Has no effect after
   /// the first point.
@@ -126,7 +126,7 @@ class SampledLights {
   void trace_pending(std::vector<glm::dvec3>& sums);
 
   const RayScene* rays_;
-  LightPlaces* places_;
+  LightSamplePoints* places_;
   std::span<const std::uint8_t> allowed_;  // empty: all
   std::vector<LightConstants> lights_;     // for all points
   float rays_a_point_ = LightPicks::rays_a_point;
@@ -137,7 +137,7 @@ class SampledLights {
   std::size_t lights_with_rays_ = 0;
   std::size_t points_ = 0;
   std::vector<Recycled<Gathered>> batches_;  // all full except the last of `points_`
-  LightPlaceBatch on_light_;
+  LightPointBatch on_light_;
   LobeBatch lobe_;
   WideLights wide_;
   LightTable many_;  // lights with shadow rays, if they are selected
@@ -146,7 +146,7 @@ class SampledLights {
     ShadowRayBatch rays;
     LightPicks picks;
     ShadingPoints picked;
-    LightPlaceBatch places;
+    LightPointBatch places;
   };
   Recycled<Work> work_;  // while rays are traced
   std::vector<Pending> pending_;

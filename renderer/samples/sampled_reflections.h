@@ -48,7 +48,7 @@ struct ReflectedSample {
 class SampledReflections {
  public:
   /// Both arguments have to outlive this.
-  SampledReflections(const World& world, const LightPlaces& places)
+  SampledReflections(const World& world, const LightSamplePoints& places)
       : world_(&world), places_(&places) {}
 
   /// Adds the reflection of a sample with this weight; `shader` is that of its picture.
@@ -68,7 +68,7 @@ class SampledReflections {
                glm::vec3 colours, const Shader& shader);
 
   const World* world_;
-  const LightPlaces* places_;
+  const LightSamplePoints* places_;
   std::vector<ReflectedSample> pending_;
 };
 

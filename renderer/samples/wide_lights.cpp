@@ -64,7 +64,7 @@ void append_ray(const ShadowRayBatch& rays, std::size_t i, float weight, ShadowR
 }  // namespace
 
 void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
-              const LightPlaceBatch::Fractions& at, float share, std::vector<float>& walked,
+              const LightPointBatch::Fractions& at, float share, std::vector<float>& walked,
               ShadowRayBatch& kept) {
   walked.assign(2 * points, 0.0f);
   const std::span<float> all = std::span(walked).first(points),
@@ -88,7 +88,7 @@ void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
 }
 
 void WideLights::find(const ShadingPoints& points, std::span<const LightConstants> lights,
-                      std::span<const std::uint8_t> asked, LightPlaces& places) {
+                      std::span<const std::uint8_t> asked, LightSamplePoints& places) {
   wide_.clear();
   if (asked.empty() || !most_shine(points)) return;
   for (std::size_t i = 0; i < lights.size(); ++i)
@@ -107,7 +107,7 @@ std::span<const ShadowRayBatch> WideLights::shade(const ShadingPoints& points,
                                                   std::span<const SampleIndex> samples,
                                                   std::uint32_t light,
                                                   const LightConstants& constants,
-                                                  LightPlaces& places) {
+                                                  LightSamplePoints& places) {
   auto& [lobes, on_light, part, rays, picked, walked] = *work_;
   places.on_light(light, on_light);
   for (std::uint32_t k = 0; k < candidates; ++k) {
@@ -124,7 +124,7 @@ std::span<const ShadowRayBatch> WideLights::shade(const ShadingPoints& points,
 }
 
 // Moves the places to one of `candidates` equal parts of the unit square.
-const LightPlaceBatch& WideLights::part_of_places(std::uint32_t part, std::size_t count) {
+const LightPointBatch& WideLights::part_of_places(std::uint32_t part, std::size_t count) {
   constexpr std::uint32_t side = 2;
   static_assert(side * side == candidates);
   const std::uint32_t u = part % side << 31, v = part / side << 31;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/kernels/light_kernel.h"
-#include "renderer/samples/light_places.h"
+#include "renderer/samples/light_sample_points.h"
 #include "renderer/samples/recycled.h"
 
 #include <array>
@@ -19,7 +19,7 @@ inline constexpr std::uint32_t place_in_lobe = 0x3000;
 /// kept ray contributes `share` of their total. `at` is each point's random number, of 2^32;
 /// `walked` is scratch. `kept` must not be one of `rays`.
 void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
-              const LightPlaceBatch::Fractions& at, float share, std::vector<float>& walked,
+              const LightPointBatch::Fractions& at, float share, std::vector<float>& walked,
               ShadowRayBatch& kept);
 
 /// Highlights of lights wider than the lobe, which vary over the light and over directions. A
@@ -33,7 +33,7 @@ class WideLights {
   /// lights wider than the lobe at the batch's central point, if most points have strong
   /// highlights.
   void find(const ShadingPoints& points, std::span<const LightConstants> lights,
-            std::span<const std::uint8_t> asked, LightPlaces& places);
+            std::span<const std::uint8_t> asked, LightSamplePoints& places);
   [[nodiscard]] bool holds(std::size_t light) const { return !wide_.empty() && wide_[light] != 0; }
 
   /// Returns the points' rays to a place, and along the lobe, with their contributions for all
@@ -42,19 +42,19 @@ class WideLights {
                                                       std::span<const SampleIndex> samples,
                                                       std::uint32_t light,
                                                       const LightConstants& constants,
-                                                      LightPlaces& places);
+                                                      LightSamplePoints& places);
 
  private:
   static constexpr std::uint32_t candidates = 4;
   struct Work {
     std::array<LobeBatch, candidates> lobes;
-    LightPlaceBatch places;
-    LightPlaceBatch part;
+    LightPointBatch places;
+    LightPointBatch part;
     std::array<ShadowRayBatch, 2 * candidates> rays;  ///< to places, then along the lobe
     std::array<ShadowRayBatch, 2> picked;
     std::vector<float> walked;
   };
-  const LightPlaceBatch& part_of_places(std::uint32_t part, std::size_t count);
+  const LightPointBatch& part_of_places(std::uint32_t part, std::size_t count);
 
   std::vector<std::uint8_t> wide_;  // empty: none
   Recycled<Work> work_;             // allocated at the first wide light

@@ -57,7 +57,7 @@ class Middles {
   }
 
  private:
-  GridPlaces places_;
+  GridSampler places_;
   SampleSums sums_;
   const World& world_;
   std::array<PixelRect, most_squares_in_group> squares_;

@@ -57,7 +57,7 @@ std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, st
   const BlockJob job = render.job(settings_, rect, stop);
   const auto take = [&](std::optional<PixelSamples>& pixels, const BlockJob& of) {
     if (!pixels) pixels.emplace(rect);
-    const std::unique_ptr<SamplePlaces> places = row_of(settings_.method).places(settings_);
+    const std::unique_ptr<PixelSampler> places = row_of(settings_.method).places(settings_);
     while (pixels->taken() < samples && !stop.stop_requested()) {
       const int end = PixelSamples::after_round(pixels->taken(), samples);
       pixels->advance(of, *places, end, own_ ? rounds_.back() : end);

@@ -73,7 +73,7 @@ const ShadingPoints& PatchPoints::look(const ShadowContext& block, const ShadowQ
   return points_;
 }
 
-const LightPlaceBatch& PatchPoints::on_light(std::uint32_t light) {
+const LightPointBatch& PatchPoints::on_light(std::uint32_t light) {
   numbers_.on_light(light, on_light_);
   return on_light_;
 }

@@ -33,7 +33,7 @@ class PatchPoints {
   /// Returns the weight of rays from the points.
   [[nodiscard]] RayWeighting aimed_by() const { return by_; }
   /// Returns the points' places on a light.
-  const LightPlaceBatch& on_light(std::uint32_t light);
+  const LightPointBatch& on_light(std::uint32_t light);
 
  private:
   void place(const LeafRegion& region, std::uint32_t first, std::uint32_t end);
@@ -44,8 +44,8 @@ class PatchPoints {
   RayWeighting by_ = RayWeighting::irradiance;
   ShadingPoints points_;
   SobolBatch numbers_;
-  LightPlaceBatch on_light_;
-  SobolPixelPlaces on_pixel_;
+  LightPointBatch on_light_;
+  SobolPixelSampler on_pixel_;
   std::vector<glm::vec2> places_;  // in the viewer's square
   std::vector<std::uint32_t> number_of_;
   std::vector<SurfacePoint> seen_;

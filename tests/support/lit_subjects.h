@@ -110,7 +110,7 @@ struct LitSubject {
 struct LitSubjects {
   std::vector<LitSubject> subjects;
   ShadingPoints points;
-  LightPlaceBatch places;
+  LightPointBatch places;
 
   LitSubjects(std::uint64_t seed, double scale, glm::dvec3 offset) {
     RandomSpace space(seed);

@@ -170,7 +170,7 @@ TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
     double sum = 0.0;
     for (std::uint32_t round = 0; round < rounds; ++round) {
       ShadingPoints points;
-      LightPlaceBatch places;
+      LightPointBatch places;
       points.add(point);
       points.repeat_first(ShadingPoints::size, false);
       for (std::uint32_t i = 0; i < ShadingPoints::size; ++i) {

@@ -156,7 +156,7 @@ Means means_of(const PreparedLight& light, const LitSubject& s) {
   const LightConstants constants(light);
   for (int round = 0; round < rounds; ++round) {
     ShadingPoints points;
-    LightPlaceBatch places;
+    LightPointBatch places;
     for (std::uint32_t i = 0; i < ShadingPoints::size; ++i) {
       const auto index = static_cast<std::uint32_t>(round) * 256u + i;
       points.add(s.lit(), glm::vec3(1.0f));
@@ -286,7 +286,7 @@ TEST(LightKernel, APointsRayDoesNotDependOnItsPlaceInTheBatch) {
       const std::size_t i = all.point[k];
       ShadingPoints one;
       one.add(batch.subjects[i].lit(), glm::vec3(1.0f));
-      LightPlaceBatch places;
+      LightPointBatch places;
       places.u[0] = batch.places.u[i];
       places.v[0] = batch.places.v[i];
       shade_batch(one, LightConstants(light.prepared), places, alone);

@@ -34,7 +34,7 @@ TEST(SobolKernel, PlacesOnLightsAreTheOnesOfThePixelsOneByOne) {
     }
     ASSERT_GT(samples.size(), 200u);
     for (const std::uint32_t light : {0u, 1u, 1000u}) {
-      LightPlaceBatch places;
+      LightPointBatch places;
       batch.on_light(light, places);
       for (std::size_t i = 0; i < samples.size(); ++i) {
         const glm::dvec2 expected = samples[i].first.light(samples[i].second, light);
@@ -47,7 +47,7 @@ TEST(SobolKernel, PlacesOnLightsAreTheOnesOfThePixelsOneByOne) {
 
 TEST(SobolKernel, PlacesInThePixelAreTheOnesOfThePixelOneByOne) {
   for_every_target([] {
-    SobolPixelPlaces places;
+    SobolPixelSampler places;
     for (int x = 0; x < 3; ++x) {
       const SobolPixel pixel(x, 5, 1);
       places.forget();

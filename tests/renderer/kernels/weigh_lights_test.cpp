@@ -47,7 +47,7 @@ Carried carried_of(const LitSubjects& batch, const LightConstants& light, std::u
   const std::size_t count = batch.subjects.size();
   Carried carried{std::vector<double>(count), std::vector<double>(count),
                   std::vector<double>(count)};
-  const auto places = std::make_unique<LightPlaceBatch>();
+  const auto places = std::make_unique<LightPointBatch>();
   const auto rays = std::make_unique<ShadowRayBatch>();
   for (std::uint32_t s = 0; s < samples; ++s) {
     places->u.fill(owen_scramble(sobol_bits(0, s), 5));

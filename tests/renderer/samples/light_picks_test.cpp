@@ -53,7 +53,7 @@ class Picked : public testing::Test {
   std::vector<LightConstants> constants_;
   LightTable table_;
   std::unique_ptr<ShadingPoints> points_ = std::make_unique<ShadingPoints>();
-  std::unique_ptr<LightPlaceBatch> numbers_ = std::make_unique<LightPlaceBatch>();
+  std::unique_ptr<LightPointBatch> numbers_ = std::make_unique<LightPointBatch>();
   LightPicks picks_;
 };
 

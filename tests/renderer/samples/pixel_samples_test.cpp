@@ -1,6 +1,6 @@
 #include "renderer/samples/pixel_samples.h"
 
-#include "renderer/samples/sobol_places.h"
+#include "renderer/samples/sobol_sampler.h"
 #include "renderer/scene/builtin.h"
 #include "tests/support/render_picture.h"
 
@@ -29,11 +29,11 @@ TEST(PixelSamples, RoundsEndAsABlockDoes) {
   const BlockJob job{*scene, view, settings, {0, 32, 32, 32}};
   PixelSamples pixels(job.block);
   for (const int end : {1, 2, 4, 8, 12}) {
-    SobolPlaces places(settings.seed);
+    SobolSampler places(settings.seed);
     pixels.advance(job, places, end, 12);
     EXPECT_EQ(pixels.taken(), end);
   }
-  SobolPlaces places(settings.seed);
+  SobolSampler places(settings.seed);
   const BlockResult direct = sample_block(job, places, 12);
   EXPECT_EQ(pixels.result().tile.radiance, direct.tile.radiance);
   EXPECT_EQ(pixels.result().statistics.rays(), direct.statistics.rays());
@@ -47,7 +47,7 @@ TEST(PixelSamples, TellWhatMoved) {
                   radius_around_origin(scene->world().bounds));
   const BlockJob job{*scene, view, settings, {0, 32, 32, 32}};
   PixelSamples pixels(job.block);
-  SobolPlaces places(settings.seed);
+  SobolSampler places(settings.seed);
   pixels.advance(job, places, 1, 1);
   const std::vector<glm::vec3> one = pixels.result().tile.radiance;
   for (const float moved : pixels.moved()) EXPECT_EQ(moved, 0.0f);
@@ -63,9 +63,9 @@ TEST(PixelSamples, TellWhatMoved) {
 }
 
 // Visits each stratum once; in the first quarter of them no two are adjacent in a row.
-TEST(GridPlaces, VisitEachStratumOnceAndSpreadTheFirst) {
+TEST(GridSampler, VisitEachStratumOnceAndSpreadTheFirst) {
   for (const int n : {1, 2, 3, 4, 8, 16}) {
-    GridPlaces places(n, false);
+    GridSampler places(n, false);
     places.start_pixel(3, 5);
     std::set<std::pair<int, int>> seen;
     for (int i = 0; i < n * n; ++i) {
@@ -75,7 +75,7 @@ TEST(GridPlaces, VisitEachStratumOnceAndSpreadTheFirst) {
     }
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(n * n)) << n;
   }
-  GridPlaces places(8, false);
+  GridSampler places(8, false);
   places.start_pixel(0, 0);
   std::set<std::pair<int, int>> quarters;
   for (int i = 0; i < 8; ++i) {

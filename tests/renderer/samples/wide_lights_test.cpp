@@ -61,7 +61,7 @@ TEST(OnePicked, KeepsTheTotalAndPicksInProportion) {
     }
     all += static_cast<double>(carried_by(ray));
   }
-  const auto at = std::make_unique<LightPlaceBatch>();
+  const auto at = std::make_unique<LightPointBatch>();
   for (std::size_t i = 0; i < points; ++i)
     at->u[i] = static_cast<std::uint32_t>((i << 32) / points);
   const auto kept = std::make_unique<ShadowRayBatch>();

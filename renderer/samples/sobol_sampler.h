@@ -12,9 +12,9 @@
 namespace asos {
 
 /// Samples by an Owen-scrambled Sobol sequence over each pixel and each light.
-class SobolPlaces final : public SamplePlaces {
+class SobolSampler final : public PixelSampler {
  public:
-  explicit SobolPlaces(int seed) : seed_(static_cast<std::uint32_t>(seed)) {}
+  explicit SobolSampler(int seed) : seed_(static_cast<std::uint32_t>(seed)) {}
 
   void start_pixel(int x, int y) override {
     points_.emplace(x, y, seed_);
@@ -60,7 +60,7 @@ class SobolPlaces final : public SamplePlaces {
         batch_.add(*pixel, index);
     }
   }
-  void on_light(std::uint32_t light, LightPlaceBatch& places) override {
+  void on_light(std::uint32_t light, LightPointBatch& places) override {
     batch_.on_light(light, places);
   }
 
@@ -70,7 +70,7 @@ class SobolPlaces final : public SamplePlaces {
   std::uint32_t index_ = 0;
   bool lens_ = false;
   bool time_ = false;
-  mutable SobolPixelPlaces in_pixel_;
+  mutable SobolPixelSampler in_pixel_;
   SobolBatch batch_;
 };
 

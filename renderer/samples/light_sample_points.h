@@ -21,9 +21,9 @@ struct SampleIndex {
 };
 
 /// Places on lights for each sample of a pixel.
-class LightPlaces {
+class LightSamplePoints {
  public:
-  virtual ~LightPlaces() = default;
+  virtual ~LightSamplePoints() = default;
   /// Returns the current sample's place on a light, in the unit square.
   [[nodiscard]] virtual glm::dvec2 on_light(std::uint32_t light) const = 0;
   /// Returns the current sample's place in a blurred reflection's square at a bounce, counted from
@@ -36,7 +36,7 @@ class LightPlaces {
   /// the current sample.
   virtual void start_batch(std::span<const SampleIndex> samples) = 0;
   /// Computes `on_light` of each sample of the batch, as 32-bit fractions.
-  virtual void on_light(std::uint32_t light, LightPlaceBatch& places) = 0;
+  virtual void on_light(std::uint32_t light, LightPointBatch& places) = 0;
 };
 
 }  // namespace asos
