@@ -53,7 +53,7 @@ SelectedLights::SelectedLights(const EyeContext& eye, EyeSamples& samples)
 
 // Returns whether light selection may pay off: with many lights, and shadows refined to EPS.
 bool SelectedLights::sought() const {
-  return eye_->viewer.shader.lights().size() > LightPicks::few_lights &&
+  return eye_->viewer.shader.lights().size() > LightSelection::few_lights &&
          eye_->error_budget.refines() && eye_->settings->shadow.cast &&
          eye_->settings->shadow.quality == ShadowQuality::refined;
 }

@@ -21,8 +21,8 @@ namespace asos {
 /// Lights of a scene that are too dim in a block to be sampled one by one. A leaf's contribution
 /// from all of these is the mean over points that are well distributed over the leaf. Each point
 /// sends a few shadow rays to lights that are selected by their unshadowed contribution
-/// (LightPicks). Points of all leaves of a block are shaded in batches; in mirrors, those of each
-/// leaf immediately.
+/// (LightSelection). Points of all leaves of a block are shaded in batches; in mirrors, those of
+/// each leaf immediately.
 class SelectedLights {
  public:
   /// Both arguments have to outlive this.

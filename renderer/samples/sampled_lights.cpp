@@ -188,7 +188,7 @@ void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>&
     first_of_pixel[p] = same ? first_of_pixel[p - 1] : p;
   }
   for (std::size_t i = 0; i < many_.size(); ++i) {
-    const LightPicks::Points by = picks.of(i);
+    const LightSelection::Points by = picks.of(i);
     if (by.point.empty()) continue;
     const std::uint32_t light = many_.number(i);
     picked.gather(batch.points, by.point);

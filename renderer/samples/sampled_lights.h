@@ -2,8 +2,8 @@
 
 #include "renderer/kernels/light_kernel.h"
 #include "renderer/rays/ray_scene.h"
-#include "renderer/samples/light_picks.h"
 #include "renderer/samples/light_sample_points.h"
+#include "renderer/samples/light_selection.h"
 #include "renderer/samples/recycled.h"
 #include "renderer/samples/wide_lights.h"
 #include "renderer/shading/light_transport.h"
@@ -36,8 +36,8 @@ struct SkyRay {
 };
 
 /// Visibility of lights for sampling methods. Each sample sends a shadow ray to one point of each
-/// light, or of some of many lights (LightPicks). On glossy surfaces a second ray follows the lobe
-/// if it hits a light; both share the highlight by multiple importance sampling. Points are
+/// light, or of some of many lights (LightSelection). On glossy surfaces a second ray follows the
+/// lobe if it hits a light; both share the highlight by multiple importance sampling. Points are
 /// collected and shaded light by light in batches; rays are traced in packets.
 class SampledLights {
  public:
@@ -66,7 +66,7 @@ class SampledLights {
   [[nodiscard]] Gathered& first_points();
   void gathered(std::size_t points);
   /// Returns whether there are so many lights that points select some of them.
-  [[nodiscard]] bool picks_lights() const { return lights_with_rays_ > LightPicks::few_lights; }
+  [[nodiscard]] bool picks_lights() const { return lights_with_rays_ > LightSelection::few_lights; }
   /// Returns the current sample's random number for selecting lights, of 2^32.
   [[nodiscard]] std::uint32_t pick_place() const;
 
@@ -129,7 +129,7 @@ class SampledLights {
   LightSamplePoints* places_;
   std::span<const std::uint8_t> allowed_;  // empty: all
   std::vector<LightConstants> lights_;     // for all points
-  float rays_a_point_ = LightPicks::rays_a_point;
+  float rays_a_point_ = LightSelection::rays_a_point;
   std::vector<std::uint8_t> taken_;
   std::vector<std::uint8_t> shadowed_;  // which of them send shadow rays
   bool all_taken_ = true;
@@ -144,7 +144,7 @@ class SampledLights {
   /// Scratch memory for tracing.
   struct Work {
     ShadowRayBatch rays;
-    LightPicks picks;
+    LightSelection picks;
     ShadingPoints picked;
     LightPointBatch places;
   };

@@ -171,7 +171,7 @@ TEST(SelectedLights, AreTheDimLights) {
   EXPECT_FALSE(many.selected_lights().holds(0));
   for (std::size_t i = 1; i < lights.size(); ++i) EXPECT_TRUE(many.selected_lights().holds(i)) << i;
 
-  lights.resize(LightPicks::few_lights);
+  lights.resize(LightSelection::few_lights);
   EyeBlock few = block_of(wall(matte({0.8f, 0.8f, 0.8f})), lights);
   few.selected_lights().find(EyeBlock::side);
   EXPECT_TRUE(few.selected_lights().lights().empty()) << "so few lights are tested individually";

@@ -1,11 +1,11 @@
-#include "renderer/samples/light_picks.h"
+#include "renderer/samples/light_selection.h"
 
 #include <algorithm>
 
 namespace asos {
 
-void LightPicks::pick(const LightTable& lights, const ShadingPoints& points,
-                      const LightPointBatch::Fractions& at, float a_point) {
+void LightSelection::pick(const LightTable& lights, const ShadingPoints& points,
+                          const LightPointBatch::Fractions& at, float a_point) {
   constexpr float least = 1e-30f;
   worth_.resize(lights.padded_size());
   picks_.clear();
@@ -20,7 +20,7 @@ void LightPicks::pick(const LightTable& lights, const ShadingPoints& points,
 // Returns the worth that one ray represents. Lights above it have one ray each, and the remaining
 // rays are divided by the worth of the remaining lights. An overestimated highlight of one light
 // thus does not reduce the rays of the others.
-float LightPicks::share_of_ray(float all, float a_point) const {
+float LightSelection::share_of_ray(float all, float a_point) const {
   constexpr int rounds = 2;
   float share = all / a_point;
   for (int round = 0; round < rounds; ++round) {
@@ -37,7 +37,7 @@ float LightPicks::share_of_ray(float all, float a_point) const {
 
 // Walks along the lights and picks one per `share`. `walked` is the fraction of a share since the
 // last pick.
-void LightPicks::pick_for(std::uint32_t point, float share, float walked) {
+void LightSelection::pick_for(std::uint32_t point, float share, float walked) {
   const float per_share = 1.0f / share;
   for (std::uint32_t light = 0; light < worth_.size(); ++light) {
     if (worth_[light] >= share) {
@@ -52,7 +52,7 @@ void LightPicks::pick_for(std::uint32_t point, float share, float walked) {
   }
 }
 
-void LightPicks::sort_by_light(std::size_t lights) {
+void LightSelection::sort_by_light(std::size_t lights) {
   first_.assign(lights + 1, 0);
   for (const Pick& pick : picks_) ++first_[pick.light + 1];
   for (std::size_t i = 0; i < lights; ++i) first_[i + 1] += first_[i];

@@ -1,4 +1,4 @@
-#include "renderer/samples/light_picks.h"
+#include "renderer/samples/light_selection.h"
 
 #include "tests/support/lit_subjects.h"
 
@@ -54,7 +54,7 @@ class Picked : public testing::Test {
   LightTable table_;
   std::unique_ptr<ShadingPoints> points_ = std::make_unique<ShadingPoints>();
   std::unique_ptr<LightPointBatch> numbers_ = std::make_unique<LightPointBatch>();
-  LightPicks picks_;
+  LightSelection picks_;
 };
 
 TEST_F(Picked, AreEvenlySpreadOverPoints) {
@@ -68,7 +68,7 @@ TEST_F(Picked, AreEvenlySpreadOverPoints) {
 
 TEST_F(Picked, StandForEachLightOnTheAverage) {
   for (std::size_t light = 0; light + 1 < light_count; ++light) {
-    const LightPicks::Points picked = picks_.of(light);
+    const LightSelection::Points picked = picks_.of(light);
     ASSERT_EQ(picked.point.size(), picked.weight.size());
     EXPECT_TRUE(std::is_sorted(picked.point.begin(), picked.point.end()));
     double sum = 0.0;
@@ -82,7 +82,7 @@ TEST_F(Picked, StandForEachLightOnTheAverage) {
 }
 
 TEST_F(Picked, AlwaysIncludeBrightLights) {
-  const LightPicks::Points picked = picks_.of(0);
+  const LightSelection::Points picked = picks_.of(0);
   ASSERT_EQ(picked.point.size(), point_count);
   for (const float weight : picked.weight) EXPECT_EQ(weight, 1.0f);
 }

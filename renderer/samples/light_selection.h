@@ -16,7 +16,7 @@ namespace asos {
 /// lights, which get one ray each. Selection is by systematic sampling with one random number per
 /// point. A light's probability is proportional to its weight, and its ray is divided by the
 /// probability, so that the mean is that of all lights.
-class LightPicks {
+class LightSelection {
  public:
   /// With at most this many lights, each of them gets a ray.
   static constexpr std::size_t few_lights = 6;
