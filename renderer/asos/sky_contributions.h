@@ -8,9 +8,9 @@
 #include "renderer/geometry/bounds2.h"
 #include "renderer/pyray/square.h"
 #include "renderer/samples/bounced_light.h"
-#include "renderer/samples/recycled.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sobol_sampler.h"
+#include "renderer/samples/thread_local_cache.h"
 #include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/leaf_context.h"
@@ -87,7 +87,7 @@ class SkyContributions {
   std::vector<SkyLeaf> lit_;
   std::vector<BorderEdge> borders_;
   std::vector<SkyFits::Expected> expected_;  // one per element of `lit_`
-  Recycled<Packet> packet_ = Recycler<Packet>::make();
+  CachedPtr<Packet> packet_ = ThreadLocalCache<Packet>::make();
   // Whether occluders contribute bounced light.
   bool bounces_;
   SobolSampler places_;

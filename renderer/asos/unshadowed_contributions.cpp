@@ -22,7 +22,7 @@ double brightest(const PreparedLight& light) {
 }  // namespace
 
 UnshadowedContributions::UnshadowedContributions(std::span<const PreparedLight> lights)
-    : point_(Recycler<ShadingPoints>::make()) {
+    : point_(ThreadLocalCache<ShadingPoints>::make()) {
   std::map<std::int32_t, std::size_t> numbers;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     const PreparedLight& light = lights[i];

@@ -2,7 +2,7 @@
 
 #include "renderer/kernels/weigh_lights.h"
 #include "renderer/lights/prepared_light.h"
-#include "renderer/samples/recycled.h"
+#include "renderer/samples/thread_local_cache.h"
 #include "renderer/shading/light_transport.h"
 
 #include <cstddef>
@@ -32,7 +32,7 @@ class UnshadowedContributions {
   std::vector<double> brightest_;           // largest contribution by each light; at most white
   std::vector<std::size_t> part_of_light_;  // its number, or none
   std::size_t parts_ = 0;
-  Recycled<ShadingPoints> point_;
+  CachedPtr<ShadingPoints> point_;
   std::vector<float> worth_;  // at one place
   std::vector<float> most_;   // at any
 };

@@ -78,7 +78,7 @@ void SampledLights::add_sky_ray(const SkyQuery& point, const SampleIndex& index,
 }
 
 SampledLights::Gathered& SampledLights::first_points() {
-  if (batches_.empty()) batches_.push_back(Recycler<Gathered>::make());
+  if (batches_.empty()) batches_.push_back(ThreadLocalCache<Gathered>::make());
   return *batches_.front();
 }
 
@@ -112,7 +112,7 @@ HandledLights SampledLights::gather(const LightingQuery& point, const SampleInde
                                     const SampleShare& share) {
   prepare(point.lights, point.shadows);
   const std::size_t batch = points_ / ShadingPoints::size;
-  if (batch == batches_.size()) batches_.push_back(Recycler<Gathered>::make());
+  if (batch == batches_.size()) batches_.push_back(ThreadLocalCache<Gathered>::make());
   Gathered& gathered = *batches_[batch];
   const std::size_t i = points_++ % ShadingPoints::size;
   gathered.points.count = i;
@@ -130,7 +130,7 @@ void SampledLights::forget_since(const Waiting& then) {
 }
 
 void SampledLights::trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
-  work_ = Recycler<Work>::make();
+  work_ = ThreadLocalCache<Work>::make();
   for (std::size_t first = 0; first < points_; first += ShadingPoints::size) {
     Gathered& batch = *batches_[first / ShadingPoints::size];
     batch.points.count = std::min(ShadingPoints::size, points_ - first);

@@ -4,7 +4,7 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/samples/light_sample_points.h"
 #include "renderer/samples/light_selection.h"
-#include "renderer/samples/recycled.h"
+#include "renderer/samples/thread_local_cache.h"
 #include "renderer/samples/wide_lights.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/sky_light.h"
@@ -136,7 +136,7 @@ class SampledLights {
   bool shadows_ = true;  // the same for all points
   std::size_t lights_with_rays_ = 0;
   std::size_t points_ = 0;
-  std::vector<Recycled<Gathered>> batches_;  // all full except the last of `points_`
+  std::vector<CachedPtr<Gathered>> batches_;  // all full except the last of `points_`
   LightPointBatch on_light_;
   LobeBatch lobe_;
   WideLights wide_;
@@ -148,7 +148,7 @@ class SampledLights {
     ShadingPoints picked;
     LightPointBatch places;
   };
-  Recycled<Work> work_;  // while rays are traced
+  CachedPtr<Work> work_;  // while rays are traced
   std::vector<Pending> pending_;
   std::vector<SkyRay> sky_rays_;
   std::vector<Ray> batch_;

@@ -39,7 +39,7 @@ bool SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float s
   const SimdMaterial& material = table_.of(world_, hit.triangle);
   if (!material.plain) return false;
   if (!arrays_) {
-    arrays_ = Recycler<Arrays>::make();
+    arrays_ = ThreadLocalCache<Arrays>::make();
     clear();
   }
   TriangleBatch& hits = arrays_->hits;

@@ -3,8 +3,8 @@
 #include "renderer/kernels/surface_batch.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/prepared/view_context.h"
-#include "renderer/samples/recycled.h"
 #include "renderer/samples/sampled_lights.h"
+#include "renderer/samples/thread_local_cache.h"
 #include "renderer/shading/simd_materials.h"
 
 #include <glm/glm.hpp>
@@ -91,7 +91,7 @@ class SimdSamples {
   glm::vec3 sky_radiance_{0.0f};  // of such a sky
   std::optional<glm::vec3> background_;
   float colours_ = 1.0f;
-  Recycled<Arrays> arrays_;  // allocated at the first plain point
+  CachedPtr<Arrays> arrays_;  // allocated at the first plain point
 };
 
 }  // namespace asos

@@ -2,7 +2,7 @@
 
 #include "renderer/kernels/light_kernel.h"
 #include "renderer/samples/light_sample_points.h"
-#include "renderer/samples/recycled.h"
+#include "renderer/samples/thread_local_cache.h"
 
 #include <array>
 #include <cstddef>
@@ -57,7 +57,7 @@ class WideLights {
   const LightPointBatch& part_of_places(std::uint32_t part, std::size_t count);
 
   std::vector<std::uint8_t> wide_;  // empty: none
-  Recycled<Work> work_;             // allocated at the first wide light
+  CachedPtr<Work> work_;            // allocated at the first wide light
 };
 
 }  // namespace asos

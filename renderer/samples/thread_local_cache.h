@@ -7,13 +7,13 @@ namespace asos {
 /// Keeps one object per thread for reuse, since every block of pixels would allocate large arrays
 /// anew. The object's previous contents are undefined.
 template <typename T>
-class Recycler {
+class ThreadLocalCache {
  public:
   void operator()(T* object) const { spare().reset(object); }
 
-  [[nodiscard]] static std::unique_ptr<T, Recycler> make() {
-    if (std::unique_ptr<T>& kept = spare()) return {kept.release(), Recycler()};
-    return {std::make_unique<T>().release(), Recycler()};
+  [[nodiscard]] static std::unique_ptr<T, ThreadLocalCache> make() {
+    if (std::unique_ptr<T>& kept = spare()) return {kept.release(), ThreadLocalCache()};
+    return {std::make_unique<T>().release(), ThreadLocalCache()};
   }
 
  private:
@@ -24,6 +24,6 @@ class Recycler {
 };
 
 template <typename T>
-using Recycled = std::unique_ptr<T, Recycler<T>>;
+using CachedPtr = std::unique_ptr<T, ThreadLocalCache<T>>;
 
 }  // namespace asos
