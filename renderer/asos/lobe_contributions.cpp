@@ -14,7 +14,7 @@ RegionSampler& LobeContributions::sampler() {
   if (!sampler_) {
     sampler_ = std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings,
                                                eye_->block, eye_->seed, eye_->mask, eye_->stop,
-                                               SampleSums::Shows::lobes);
+                                               SampleSums::SummedRadiance::lobes);
   }
   return *sampler_;
 }

@@ -48,7 +48,7 @@ std::uint32_t times_larger_around(const LeafRegion& region) {
 RegionSampler::RegionSampler(const RenderScene& scene, const ViewContext& viewer,
                              const RenderSettings& settings, PixelRect block, int seed,
                              const ReflectionMask* mask, std::stop_token stop,
-                             SampleSums::Shows shows)
+                             SampleSums::SummedRadiance shows)
     : block_(block),
       mask_(mask),
       stop_(std::move(stop)),
@@ -156,7 +156,7 @@ void RegionSampler::add_samples_for_layers(RenderStatistics& counts) {
     return waiting.done && waiting.taken < waiting.layer_samples;
   };
   if (!probe_ || std::none_of(waiting_.begin(), waiting_.end(), needs_more)) return;
-  SampleSums rays(*scene_, *viewer_, *settings_, places_, SampleSums::Shows::layers);
+  SampleSums rays(*scene_, *viewer_, *settings_, places_, SampleSums::SummedRadiance::layers);
   rays.resize(most_sums * waiting_.size());
   note_layers_of_waiting(rays);
   for (const Waiting& waiting : waiting_) {

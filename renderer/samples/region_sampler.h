@@ -27,7 +27,8 @@ class RegionSampler {
   /// request on `stop`, estimates use the samples taken until then.
   RegionSampler(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
                 PixelRect block, int seed, const ReflectionMask* mask = nullptr,
-                std::stop_token stop = {}, SampleSums::Shows shows = SampleSums::Shows::all);
+                std::stop_token stop = {},
+                SampleSums::SummedRadiance shows = SampleSums::SummedRadiance::all);
 
   /// When to stop sampling: approximate numbers of samples in the region, powers of two. The error
   /// is in display intensity, or relative to the value if that alone makes the pixel brighter than

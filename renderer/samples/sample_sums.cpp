@@ -124,7 +124,7 @@ SampleSums::SampleSums(const RenderScene& scene, const View& view, const RenderS
 }
 
 SampleSums::SampleSums(const RenderScene& scene, const ViewContext& viewer,
-                       const RenderSettings& settings, PixelSampler& places, Shows shows)
+                       const RenderSettings& settings, PixelSampler& places, SummedRadiance shows)
     : viewer_(viewer),
       scene_(&scene),
       places_(&places),
@@ -185,11 +185,11 @@ void SampleSums::trace() {
   }
   if (!std::exchange(hits_known_, false)) cast_rays();
   if (!layers_.empty()) add_layers();
-  if (shows_ == Shows::layers) {
+  if (shows_ == SummedRadiance::layers) {
     used_ = 0;
     return;
   }
-  if (shows_ == Shows::lobes) {
+  if (shows_ == SummedRadiance::lobes) {
     gather_lobes();
   } else {
     shade_batch();

@@ -45,10 +45,10 @@ class SampleSums {
              PixelSampler& places);
   /// What samples are summed up of: all of their radiance, what the lobes of the first surfaces
   /// mirror and no other part of it, or only layers: those samples cast their eye rays alone.
-  enum class Shows { all, lobes, layers };
+  enum class SummedRadiance { all, lobes, layers };
   /// For any viewer of the scene; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
-             PixelSampler& places, Shows shows = Shows::all);
+             PixelSampler& places, SummedRadiance shows = SummedRadiance::all);
   SampleSums(const SampleSums&) = delete;
   SampleSums& operator=(const SampleSums&) = delete;
   ~SampleSums();
@@ -157,7 +157,7 @@ class SampleSums {
   BouncedLight bounced_;
   SimdSamples simd_;
   Culling faces_;
-  Shows shows_ = Shows::all;
+  SummedRadiance shows_ = SummedRadiance::all;
   const LayerProbe* probe_ = nullptr;
   std::vector<LayerSum*> layers_;
   std::size_t targets_a_layer_ = 1;
