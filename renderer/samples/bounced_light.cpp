@@ -27,7 +27,7 @@ class OneBounce final : public LightTransport {
   }
 
  private:
-  [[nodiscard]] SampleShare share() const { return {from_.target, from_.weight}; }
+  [[nodiscard]] SampleWeight share() const { return {from_.target, from_.weight}; }
 
   SampledLights& lights_;
   const SkyRay& from_;

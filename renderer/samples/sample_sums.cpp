@@ -32,7 +32,7 @@ class OneSample final : public LightTransport {
     lights_.add(lit, {sample_.target, weight_}, counts);
   }
   bool add_sky(const SkyQuery& point, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
-    const SampleShare share{sample_.target, weight_};
+    const SampleWeight share{sample_.target, weight_};
     if (shader_.settings().bounces) {
       lights_.add_sky_ray(point, {sample_.x, sample_.y, sample_.index}, share, counts);
     } else {

@@ -35,7 +35,7 @@ bool SampledLights::takes_all(std::span<const PreparedLight> lights, bool shadow
                      [shadows](const PreparedLight& light) { return taken(light, shadows); });
 }
 
-void SampledLights::add(const Illumination& lit, const SampleShare& share,
+void SampledLights::add(const Illumination& lit, const SampleWeight& share,
                         RenderStatistics& counts) {
   const glm::dvec2 at = places_->on_light(lit.index);
   const LightSample sample = sample_light(lit.light, receiver_at(lit.point), at.x, at.y);
@@ -49,7 +49,7 @@ void SampledLights::add(const Illumination& lit, const SampleShare& share,
   pending_.push_back({shadow_ray(lit.point, sample), carried, share.target, lit.light.own_part});
 }
 
-void SampledLights::add_sky(const SkyQuery& point, const SampleShare& share,
+void SampledLights::add_sky(const SkyQuery& point, const SampleWeight& share,
                             RenderStatistics& counts, int lobe) {
   const auto sample = sample_sky(point, places_->in_lobe(lobe));
   if (!sample) return;
@@ -64,7 +64,7 @@ void SampledLights::add_sky(const SkyQuery& point, const SampleShare& share,
 }
 
 void SampledLights::add_sky_ray(const SkyQuery& point, const SampleIndex& index,
-                                const SampleShare& share, RenderStatistics& counts) {
+                                const SampleWeight& share, RenderStatistics& counts) {
   const auto sample = sample_sky(point, places_->in_lobe(lobe_of_sky));
   if (!sample) return;
   const glm::vec3 weight = share.weight * sample->weight;
@@ -109,7 +109,7 @@ std::uint32_t SampledLights::pick_place() const {
 }
 
 HandledLights SampledLights::gather(const LightingQuery& point, const SampleIndex& sample,
-                                    const SampleShare& share) {
+                                    const SampleWeight& share) {
   prepare(point.lights, point.shadows);
   const std::size_t batch = points_ / ShadingPoints::size;
   if (batch == batches_.size()) batches_.push_back(ThreadLocalCache<Gathered>::make());

@@ -22,7 +22,7 @@
 namespace asos {
 
 /// A sample's target sum and its weight in it.
-struct SampleShare {
+struct SampleWeight {
   std::size_t target = 0;  ///< index of the sum
   glm::vec3 weight{1.0f};
 };
@@ -75,17 +75,17 @@ class SampledLights {
   /// Defers the lights of a point for a sample with this share: those that cast shadows, and of the
   /// others those with an extent.
   HandledLights gather(const LightingQuery& point, const SampleIndex& sample,
-                       const SampleShare& share);
+                       const SampleWeight& share);
   /// Adds one light by a shadow ray, for a sample with this share; the places must be at that
   /// sample.
-  void add(const Illumination& lit, const SampleShare& share, RenderStatistics& counts);
+  void add(const Illumination& lit, const SampleWeight& share, RenderStatistics& counts);
 
   /// Adds the sky by one ray (sample_sky), for a sample with this share. The direction is the
   /// current sample's for this lobe. An occluder blocks the sky.
-  void add_sky(const SkyQuery& point, const SampleShare& share, RenderStatistics& counts,
+  void add_sky(const SkyQuery& point, const SampleWeight& share, RenderStatistics& counts,
                int lobe = lobe_of_sky);
   /// Adds the same ray, but defers it for a caller that evaluates its hit.
-  void add_sky_ray(const SkyQuery& point, const SampleIndex& sample, const SampleShare& share,
+  void add_sky_ray(const SkyQuery& point, const SampleIndex& sample, const SampleWeight& share,
                    RenderStatistics& counts);
   [[nodiscard]] std::vector<SkyRay> take_sky_rays() { return std::exchange(sky_rays_, {}); }
 
@@ -158,7 +158,7 @@ class SampledLights {
 /// Collects the lights of one sample without following reflections. One object per sample.
 class SampleLights final : public LightTransport {
  public:
-  SampleLights(SampledLights& lights, const SampleShare& share) : lights_(lights), share_(share) {}
+  SampleLights(SampledLights& lights, const SampleWeight& share) : lights_(lights), share_(share) {}
 
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add(lit, share_, counts);
@@ -166,7 +166,7 @@ class SampleLights final : public LightTransport {
 
  private:
   SampledLights& lights_;
-  SampleShare share_;
+  SampleWeight share_;
 };
 
 }  // namespace asos
