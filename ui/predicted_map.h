@@ -31,7 +31,7 @@ class PredictedMap {
   static constexpr std::uint16_t unknown = 0xffff;
 
   struct Known {
-    SplitOutlook outlook;
+    SplitPredictionData outlook;
     std::uint16_t origin = unknown;  ///< index of the settings that the pixel was rendered with
     std::uint8_t level = 0;
     SplitCause cause = SplitCause::none;

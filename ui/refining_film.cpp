@@ -77,7 +77,7 @@ void RefiningFilm::put(FinishedTile tile) {
     corrected_ += squared_difference(film_, tile);
     pixels_finished_ += pixels_of_tile;
   }
-  std::vector<SplitOutlook> outlook = std::exchange(tile.outlook, {});  // the map keeps it
+  std::vector<SplitPredictionData> outlook = std::exchange(tile.outlook, {});  // the map keeps it
   film_.put(tile);
   tile.outlook = std::move(outlook);
   if (!tile.coarse) finish(tile);

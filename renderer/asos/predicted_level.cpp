@@ -20,7 +20,7 @@ LevelPrediction::LevelPrediction(const RenderSettings& rendered, const RenderSet
   more_samples_ = after.samples(1.0, ErrorBudget::usual_contrast) / std::max(one, 1.0);
 }
 
-int LevelPrediction::level_of(const SplitOutlook& pixel, SplitCause cause) const {
+int LevelPrediction::level_of(const SplitPredictionData& pixel, SplitCause cause) const {
   const auto error = static_cast<double>(pixel.error);
   double level = 0.0;
   // Boundaries. The cells that they cut may have been split for shading alone.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/film/split_cause.h"
-#include "renderer/film/split_outlook.h"
+#include "renderer/film/split_prediction_data.h"
 #include "renderer/settings/settings.h"
 
 namespace asos {
@@ -16,7 +16,8 @@ class LevelPrediction {
   LevelPrediction(const RenderSettings& rendered, const RenderSettings& asked);
 
   /// Returns the level. `cause` is the cause of the pixel's split.
-  [[nodiscard]] int level_of(const SplitOutlook& pixel, SplitCause cause = SplitCause::none) const;
+  [[nodiscard]] int level_of(const SplitPredictionData& pixel,
+                             SplitCause cause = SplitCause::none) const;
 
  private:
   int max_level_;

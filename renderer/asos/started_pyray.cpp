@@ -45,8 +45,8 @@ std::uint32_t samples_of_level(const SubdivisionOutcome& outcome, const RootSum&
   return for_cause ? sum.samples : sum.varied;
 }
 
-SplitOutlook outlook_of(const SubdivisionOutcome& outcome, const RootSum& sum) {
-  SplitOutlook outlook;
+SplitPredictionData outlook_of(const SubdivisionOutcome& outcome, const RootSum& sum) {
+  SplitPredictionData outlook;
   outlook.error = sum.error;
   outlook.unresolved = static_cast<float>(outcome.unresolved_area);
   outlook.samples = samples_of_level(outcome, sum);

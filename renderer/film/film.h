@@ -2,7 +2,7 @@
 
 #include "renderer/film/layers.h"
 #include "renderer/film/split_cause.h"
-#include "renderer/film/split_outlook.h"
+#include "renderer/film/split_prediction_data.h"
 #include "renderer/geometry/pixel_rect.h"
 
 #include <glm/glm.hpp>
@@ -30,7 +30,7 @@ struct FinishedTile {
   /// `radiance` is then that of the surfaces alone. Empty: all is covered.
   std::vector<float> coverage;
   /// Predicts the level of each pixel for another EPS and MAX. ASOS only; empty: unknown.
-  std::vector<SplitOutlook> outlook;
+  std::vector<SplitPredictionData> outlook;
   /// xyz: the contribution of directly visible unlit surfaces to each pixel, included in
   /// `radiance`; w: the fraction of the pixel that they cover, 0 to 1. They are displayed without
   /// exposure and tone curve: see `tone_mapped`. Empty: no surface is unlit.
@@ -54,10 +54,10 @@ struct Film {
   std::vector<SplitCause> cause;
   std::vector<float> rays;
   std::vector<float> seconds;
-  std::vector<float> coverage;        ///< as a tile's; empty until a tile has it
-  std::vector<SplitOutlook> outlook;  ///< as a tile's; empty until a tile has it
-  std::vector<glm::vec4> unlit;       ///< the same
-  std::vector<LayerPlane> layers;     ///< the same
+  std::vector<float> coverage;               ///< as a tile's; empty until a tile has it
+  std::vector<SplitPredictionData> outlook;  ///< as a tile's; empty until a tile has it
+  std::vector<glm::vec4> unlit;              ///< the same
+  std::vector<LayerPlane> layers;            ///< the same
   /// 1 where no final pixel has come yet, while the window renders. Empty: all are final.
   std::vector<std::uint8_t> unfinished;
 

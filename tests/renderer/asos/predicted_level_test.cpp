@@ -25,32 +25,32 @@ TEST(LevelPrediction, FollowsEachCause) {
   const RenderSettings now = settings_of(4, 1.0 / 256.0);
   const LevelPrediction same(now, now), deeper(now, settings_of(6, 1.0 / 1024.0)),
       flatter(now, settings_of(4, 1.0 / 16.0)), shallow(now, settings_of(1, 1.0 / 256.0));
-  SplitOutlook clear;
+  SplitPredictionData clear;
   for (const LevelPrediction& prediction : {same, deeper, flatter, shallow})
     EXPECT_EQ(prediction.level_of(clear), 0);
-  SplitOutlook cut;
+  SplitPredictionData cut;
   cut.edges = 2;
   EXPECT_EQ(same.level_of(cut), 2);
   EXPECT_EQ(deeper.level_of(cut), 2) << "its cells are exact";
   EXPECT_EQ(shallow.level_of(cut), 1);
-  SplitOutlook marginal;
+  SplitPredictionData marginal;
   marginal.edges = 4;
   marginal.unresolved = 1.0f / 128.0f;
   marginal.at_limit = true;
   EXPECT_EQ(same.level_of(marginal), 4);
   EXPECT_EQ(deeper.level_of(marginal), 6);
   EXPECT_EQ(flatter.level_of(marginal), 1) << "three halvings fewer";
-  SplitOutlook at_max_zero;
+  SplitPredictionData at_max_zero;
   at_max_zero.unresolved = 1.0f;
   at_max_zero.at_limit = true;
   const RenderSettings zero = settings_of(0, 1.0 / 256.0);
   EXPECT_EQ(LevelPrediction(zero, zero).level_of(at_max_zero), 0);
   EXPECT_EQ(LevelPrediction(zero, now).level_of(at_max_zero), 4);
-  SplitOutlook shaded;
+  SplitPredictionData shaded;
   shaded.error = 1.0f / 32.0f;
   EXPECT_EQ(same.level_of(shaded), 2) << "eight times EPS: less than two levels remain";
   EXPECT_EQ(flatter.level_of(shaded), 0);
-  SplitOutlook sampled;
+  SplitPredictionData sampled;
   sampled.samples = 64;
   EXPECT_EQ(same.level_of(sampled), 3);
   EXPECT_GT(deeper.level_of(sampled), 3);

@@ -6,7 +6,7 @@ namespace asos {
 
 /// Data of an ASOS pixel from which predicted_level estimates its split level for another EPS and
 /// MAX.
-struct SplitOutlook {
+struct SplitPredictionData {
   /// Estimated error of its centre, in display intensity, from its leaves.
   float error = 0.0f;
   float unresolved = 0.0f;    ///< fraction of its area in cells that stayed marginal
@@ -14,7 +14,7 @@ struct SplitOutlook {
   std::uint8_t edges = 0;     ///< deepest level of cells crossed by boundaries
   bool at_limit = false;      ///< a larger MAX would split these cells further
 
-  bool operator==(const SplitOutlook&) const = default;
+  bool operator==(const SplitPredictionData&) const = default;
 };
 
 }  // namespace asos
