@@ -99,12 +99,12 @@ std::string losses_matrix(const StudyReport& report) {
   std::string items;
   for (const SceneReport& scene : report.scenes) {
     std::vector<std::string> words;
-    for (const Verdict& v : verdicts(scene.study.equal_error))
+    for (const MethodComparison& v : verdicts(scene.study.equal_error))
       if (v.losses + v.evens > 0)
         words.push_back(fmt::format("{} at the same error, {} of {} settings (down to {}\u00d7)",
                                     escaped(v.method), v.losses + v.evens,
                                     v.wins + v.evens + v.losses, factor_text(v.least)));
-    for (const Verdict& v : verdicts(scene.study.equal_time))
+    for (const MethodComparison& v : verdicts(scene.study.equal_time))
       if (v.losses + v.evens > 0)
         words.push_back(fmt::format("{} in the same time, {} of {} settings (down to {}\u00d7)",
                                     escaped(v.method), v.losses + v.evens,

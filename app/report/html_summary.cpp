@@ -12,7 +12,7 @@ std::string name_of_method(const std::string& method) {
   return method == "asos-published" ? "asos-published (ASOS as the papers have it)" : method;
 }
 
-std::string range_text(const Verdict& v) {
+std::string range_text(const MethodComparison& v) {
   if (v.measured() == 0) return "";
   if (v.least == v.most) return factor_text(v.median) + "\u00d7";
   return fmt::format("{}\u00d7; {} to {}", factor_text(v.median), factor_text(v.least),
@@ -20,7 +20,7 @@ std::string range_text(const Verdict& v) {
 }
 
 /// Lists, in words, the settings of ASOS whose error the rival was not measured at.
-std::string beyond_text(const Verdict& v) {
+std::string beyond_text(const MethodComparison& v) {
   std::vector<std::string> words;
   if (v.extrapolated > 0)
     words.push_back(fmt::format("about {}\u00d7 at {}, extrapolated", factor_text(v.beyond_median),
@@ -34,7 +34,7 @@ std::string beyond_text(const Verdict& v) {
 }
 
 /// States the result of a comparison in words.
-std::string plain_verdict(const Verdict& v) {
+std::string plain_verdict(const MethodComparison& v) {
   const int count = v.measured();
   if (count == 0) return v.beyond() > 0 ? beyond_text(v) : "not measured";
   if (v.wins == count) return "ASOS wins";
@@ -45,18 +45,18 @@ std::string plain_verdict(const Verdict& v) {
   return fmt::format("depends: ASOS wins {}, loses {} of {}", v.wins, v.losses, count);
 }
 
-std::string verdict_text(const Verdict& v) {
+std::string verdict_text(const MethodComparison& v) {
   if (v.beyond() == 0 || v.measured() == 0) return plain_verdict(v);
   return fmt::format("{} (and {})", plain_verdict(v), beyond_text(v));
 }
 
-const char* class_of(const Verdict& v) {
+const char* class_of(const MethodComparison& v) {
   return v.losses > 0 ? "loss" : v.wins > 0 ? "win" : "";
 }
 
 template <typename Rows>
-std::optional<Verdict> verdict_on(const Rows& rows, const std::string& method) {
-  for (const Verdict& v : verdicts(rows))
+std::optional<MethodComparison> verdict_on(const Rows& rows, const std::string& method) {
+  for (const MethodComparison& v : verdicts(rows))
     if (v.method == method) return v;
   return std::nullopt;
 }
@@ -65,21 +65,22 @@ std::optional<Verdict> verdict_on(const Rows& rows, const std::string& method) {
 template <typename Wanted>
 std::string rivals_where(const SceneStudy& study, Wanted wanted) {
   std::vector<std::string> words;
-  for (const Verdict& v : verdicts(study.equal_error))
+  for (const MethodComparison& v : verdicts(study.equal_error))
     if (wanted(v)) words.push_back(fmt::format("{} ({})", escaped(v.method), range_text(v)));
   return list_text(words);
 }
 
 std::string scene_sentence(const SceneStudy& study) {
-  const auto measured = [](const Verdict& v) { return v.measured() > 0; };
+  const auto measured = [](const MethodComparison& v) { return v.measured() > 0; };
   const std::string won = rivals_where(
-      study, [&](const Verdict& v) { return measured(v) && v.losses == 0 && v.wins > 0; });
+      study, [&](const MethodComparison& v) { return measured(v) && v.losses == 0 && v.wins > 0; });
   const std::string lost = rivals_where(
-      study, [&](const Verdict& v) { return measured(v) && v.losses > 0 && v.wins == 0; });
+      study, [&](const MethodComparison& v) { return measured(v) && v.losses > 0 && v.wins == 0; });
   const std::string mixed =
-      rivals_where(study, [](const Verdict& v) { return v.losses > 0 && v.wins > 0; });
-  const std::string even = rivals_where(
-      study, [&](const Verdict& v) { return measured(v) && v.losses == 0 && v.wins == 0; });
+      rivals_where(study, [](const MethodComparison& v) { return v.losses > 0 && v.wins > 0; });
+  const std::string even = rivals_where(study, [&](const MethodComparison& v) {
+    return measured(v) && v.losses == 0 && v.wins == 0;
+  });
   std::vector<std::string> parts;
   if (!won.empty()) parts.push_back("is <strong>faster</strong> than " + won);
   if (!mixed.empty())
@@ -87,7 +88,7 @@ std::string scene_sentence(const SceneStudy& study) {
                     mixed);
   if (!lost.empty()) parts.push_back("is <strong>slower</strong> than " + lost);
   if (!even.empty()) parts.push_back("is even with " + even);
-  for (const Verdict& v : verdicts(study.equal_error))
+  for (const MethodComparison& v : verdicts(study.equal_error))
     if (!measured(v) && v.beyond() > 0)
       parts.push_back("was not held against " + escaped(v.method) +
                       " at an error that both reached (" + beyond_text(v) + ")");
@@ -98,7 +99,7 @@ std::string scene_sentence(const SceneStudy& study) {
                      escaped(study.scene), text);
 }
 
-bool was_measured(const Verdict& v) {
+bool was_measured(const MethodComparison& v) {
   return v.measured() > 0;
 }
 
@@ -119,7 +120,7 @@ double faster_below(const SceneStudy& study, const std::string& method) {
 }
 
 /// "sobol (0.34x to 3.48x; faster from RMSE 1e-3 down)".
-std::string lost_words(const SceneStudy& study, const Verdict& v) {
+std::string lost_words(const SceneStudy& study, const MethodComparison& v) {
   std::string words = fmt::format("{} ({}\u00d7 to {}\u00d7", escaped(v.method),
                                   factor_text(v.least), factor_text(v.most));
   const double below = faster_below(study, v.method);
@@ -138,7 +139,7 @@ std::string headline(const StudyReport& report) {
     ++compared;
     std::vector<std::string> depends;
     std::vector<std::string> slower;
-    for (const Verdict& v : rows)
+    for (const MethodComparison& v : rows)
       if (v.losses > 0) (v.wins > 0 ? depends : slower).push_back(lost_words(scene.study, v));
     if (depends.empty() && slower.empty()) {
       won.push_back(escaped(scene.study.scene));
@@ -185,7 +186,7 @@ std::string matrix_cell(const SceneStudy& study, const std::string& method) {
 std::string matrix(const StudyReport& report) {
   std::vector<std::string> methods;
   for (const SceneReport& scene : report.scenes)
-    for (const Verdict& v : verdicts(scene.study.equal_error))
+    for (const MethodComparison& v : verdicts(scene.study.equal_error))
       if (std::find(methods.begin(), methods.end(), v.method) == methods.end())
         methods.push_back(v.method);
   if (methods.empty()) return "";
@@ -213,7 +214,7 @@ std::string verdict_table(const StudyReport& report) {
   std::string rows;
   for (const SceneReport& scene : report.scenes) {
     bool first = true;
-    for (const Verdict& error : verdicts(scene.study.equal_error)) {
+    for (const MethodComparison& error : verdicts(scene.study.equal_error)) {
       const auto time = verdict_on(scene.study.equal_time, error.method);
       rows += fmt::format(
           "<tr{}><td class=\"t\">{}</td><td class=\"t\">{}</td><td class=\"t {}\">{}</td>"

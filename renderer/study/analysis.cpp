@@ -174,8 +174,8 @@ double value_of(const EqualTime& row) {
 }
 
 template <typename Row>
-std::vector<Verdict> verdicts_of(const std::vector<Row>& rows) {
-  std::vector<Verdict> all;
+std::vector<MethodComparison> verdicts_of(const std::vector<Row>& rows) {
+  std::vector<MethodComparison> all;
   std::vector<std::vector<double>> values, beyond;
   for (const Row& row : rows) {
     if (all.empty() || all.back().method != row.method) {
@@ -184,7 +184,7 @@ std::vector<Verdict> verdicts_of(const std::vector<Row>& rows) {
       beyond.emplace_back();
     }
     if (!row.best) continue;
-    Verdict& verdict = all.back();
+    MethodComparison& verdict = all.back();
     const double value = value_of(row);
     if (row.reading == Reading::extrapolated) {
       ++verdict.extrapolated;
@@ -282,11 +282,11 @@ void analyse(SceneStudy& study) {
   }
 }
 
-std::vector<Verdict> verdicts(const std::vector<EqualError>& rows) {
+std::vector<MethodComparison> verdicts(const std::vector<EqualError>& rows) {
   return verdicts_of(rows);
 }
 
-std::vector<Verdict> verdicts(const std::vector<EqualTime>& rows) {
+std::vector<MethodComparison> verdicts(const std::vector<EqualTime>& rows) {
   return verdicts_of(rows);
 }
 

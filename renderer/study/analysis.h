@@ -142,7 +142,7 @@ void analyse(SceneStudy& study);
 inline constexpr double even_band = 0.05;
 
 /// The outcome of the comparison with one rival.
-struct Verdict {
+struct MethodComparison {
   std::string method;  ///< the rival
   int wins = 0;        ///< of ASOS's best settings
   int evens = 0;
@@ -161,7 +161,7 @@ struct Verdict {
 };
 /// Returns the outcome for each rival, over ASOS's best settings above the floor. Rivals without
 /// rows are left out.
-[[nodiscard]] std::vector<Verdict> verdicts(const std::vector<EqualError>& rows);
-[[nodiscard]] std::vector<Verdict> verdicts(const std::vector<EqualTime>& rows);
+[[nodiscard]] std::vector<MethodComparison> verdicts(const std::vector<EqualError>& rows);
+[[nodiscard]] std::vector<MethodComparison> verdicts(const std::vector<EqualTime>& rows);
 
 }  // namespace asos

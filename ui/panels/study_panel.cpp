@@ -137,14 +137,14 @@ void curves_choice(Controls& controls, StudyChoice& choice) {
     choice.curves = chosen == 0 ? StudyCurves::finished : StudyCurves::while_rendering;
 }
 
-std::string median_text(const Verdict& verdict) {
+std::string median_text(const MethodComparison& verdict) {
   if (verdict.measured() == 0 && verdict.extrapolated > 0)
     return fmt::format("~{:.2f}", verdict.beyond_median);
   if (verdict.measured() == 0) return "not reached";
   return fmt::format("{:.2f}", verdict.median);
 }
 
-std::string range_text(const Verdict& verdict) {
+std::string range_text(const MethodComparison& verdict) {
   std::string text;
   if (verdict.measured() > 0) text = fmt::format("{:.2f} to {:.2f}", verdict.least, verdict.most);
   const auto add = [&](int count, const char* words) {
@@ -179,7 +179,7 @@ std::vector<std::string> rivals_of(const SceneStudy& study) {
 }
 
 void speed_table(Controls& controls, const SceneStudy& study) {
-  const std::vector<Verdict> rows = verdicts(study.equal_error);
+  const std::vector<MethodComparison> rows = verdicts(study.equal_error);
   ImGui::Spacing();
   ImGui::TextWrapped("Time over ASOS at equal error (below 1: faster)");
   if (!ImGui::BeginTable("slower", 3, ImGuiTableFlags_RowBg)) return;
@@ -189,8 +189,9 @@ void speed_table(Controls& controls, const SceneStudy& study) {
   ImGui::TableSetupColumn("Range", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableHeadersRow();
   for (const std::string& rival : rivals_of(study)) {
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [&](const Verdict& verdict) { return verdict.method == rival; });
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const MethodComparison& verdict) {
+      return verdict.method == rival;
+    });
     if (row != rows.end())
       speed_row(controls, rival, median_text(*row), range_text(*row));
     else
