@@ -13,7 +13,7 @@ std::string bias_text(const SceneStudy& study) {
     return fmt::format(
         "<p>ASOS's own bias beside the rendering equation: under the floor of {} RMSE.</p>\n",
         error_text(study.floor));
-  const OwnBias& bias = *study.bias;
+  const ResidualBias& bias = *study.bias;
   return fmt::format("<p>ASOS's own bias beside the rendering equation: {} {} RMSE ({}{}).</p>\n",
                      bias.levels_off ? "about" : "at most", error_text(bias.at_most),
                      escaped(bias.setting),

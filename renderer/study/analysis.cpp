@@ -74,15 +74,15 @@ bool levels_off(const SceneStudy& study, const std::string& method) {
   return std::isfinite(before) && in_all > levelled_share * before;
 }
 
-std::optional<OwnBias> bias_of(const SceneStudy& study) {
+std::optional<ResidualBias> bias_of(const SceneStudy& study) {
   const StudyPoint* best = nullptr;
   for (const StudyPoint& p : study.points) {
     if (p.rung.method == subject && (!best || p.measures.rmse < best->measures.rmse)) best = &p;
   }
   if (!best || best->under_floor) return std::nullopt;
   const double rmse = best->measures.rmse;
-  return OwnBias{std::sqrt(std::max(0.0, rmse * rmse - study.noise * study.noise)),
-                 levels_off(study, subject), best->rung.setting};
+  return ResidualBias{std::sqrt(std::max(0.0, rmse * rmse - study.noise * study.noise)),
+                      levels_off(study, subject), best->rung.setting};
 }
 
 /// A method's best settings, and whether its error has levelled off.

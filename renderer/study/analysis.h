@@ -79,7 +79,7 @@ struct Slope {
 /// ASOS's own bias: the error that more time does not reduce, relative to a reference that solves
 /// the rendering equation. Only an upper bound is known: the error of the best setting without the
 /// reference's noise.
-struct OwnBias {
+struct ResidualBias {
   double at_most = 0.0;     ///< RMSE
   bool levels_off = false;  ///< more time hardly helped, so the bias is about as large
   std::string setting;      ///< the best one
@@ -114,7 +114,7 @@ struct SceneStudy {
   std::vector<Slope> slopes;
   std::vector<RenderCurve> while_rendering;
   std::vector<AtMoment> at_moments;
-  std::optional<OwnBias> bias;  ///< nothing if all better settings are under the floor
+  std::optional<ResidualBias> bias;  ///< nothing if all better settings are under the floor
 };
 
 /// Returns the time that `rival` takes to reach the error of a point, with the best of its settings
