@@ -273,7 +273,7 @@ std::string compared_text(const StudyReport& report) {
 std::string incomparable_text(const StudyReport& report) {
   std::vector<std::string> words;
   for (const SceneReport& scene : report.scenes) {
-    const Incomparable found = incomparable(scene.study);
+    const NoiseFloorCount found = incomparable(scene.study);
     if (found.under_floor > 0)
       words.push_back(fmt::format("{} of {} on {}", found.under_floor, found.settings,
                                   escaped(scene.study.scene)));

@@ -66,7 +66,7 @@ Result<void> judge(const std::vector<const JobRecord*>& points, ScenesReference&
   const Film reference = made.reference.film();
   const double noise = made.reference.noise();
   double smallest = std::numeric_limits<double>::infinity();
-  Incomparable found;
+  NoiseFloorCount found;
   for (const JobRecord* point : points) {
     const Result<Film> film = film_of(*point);
     if (!film) return tl::unexpected(film.error());

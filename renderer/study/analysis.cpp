@@ -253,8 +253,8 @@ std::optional<EqualError> at_equal_error(const SceneStudy& study, const StudyPoi
   return equal_error_on(rival_of(study, rival), point, rival);
 }
 
-Incomparable incomparable(const SceneStudy& study) {
-  Incomparable found;
+NoiseFloorCount incomparable(const SceneStudy& study) {
+  NoiseFloorCount found;
   for (const StudyPoint& p : study.points) {
     if (p.rung.method != subject) continue;
     ++found.settings;

@@ -125,14 +125,14 @@ struct SceneStudy {
 
 /// The number of ASOS's settings, and of those with errors under the floor, which cannot be
 /// compared.
-struct Incomparable {
+struct NoiseFloorCount {
   int settings = 0;
   int under_floor = 0;
 
   /// Returns whether more than a quarter of them are under the floor.
   [[nodiscard]] bool too_many() const { return 4 * under_floor > settings; }
 };
-[[nodiscard]] Incomparable incomparable(const SceneStudy& study);
+[[nodiscard]] NoiseFloorCount incomparable(const SceneStudy& study);
 
 /// Marks the points under the floor and the best ones, and compares. Sets all members except scene,
 /// points, noise and while_rendering.
