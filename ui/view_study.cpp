@@ -210,7 +210,7 @@ class ViewStudy::Work {
     return curve;
   }
 
-  void add(const Rung& rung, TimedRender rendered) {
+  void add(const LadderStep& rung, TimedRender rendered) {
     auto at = std::find_if(study_.points.begin(), study_.points.end(), [&](const StudyPoint& p) {
       return p.rung.method == rung.method && p.rung.setting == rung.setting;
     });
@@ -269,7 +269,7 @@ StudyPlan ViewStudy::plan_in_time(StudyPlan plan, double sample_seconds, double 
   for (const std::string& method : plan.methods) {
     const auto rungs = ladder_of(method, {});
     if (!rungs) continue;
-    for (const Rung& rung : *rungs) {
+    for (const LadderStep& rung : *rungs) {
       const bool counted = row_of(rung.settings.method).samples != SampleCount::none;
       samples += counted ? rung.settings.sampling.spp : uncounted;
     }

@@ -15,7 +15,7 @@ namespace asos {
 
 /// One setting of a method, rendered for all frames of an animation.
 struct FlickerPoint {
-  Rung rung;
+  LadderStep rung;
   std::vector<double> seconds;  ///< CPU time of each frame
   FlickerMeter meter;
   std::vector<Film> strip;   ///< a detail of the frames to show: see FlickerStudy

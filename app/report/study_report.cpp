@@ -135,7 +135,7 @@ Result<void> add_regions(const JobRecords& jobs, SceneReport& scene) {
 Result<void> add_while_rendering(const JobRecords& jobs, SceneReport& scene) {
   for (const JobRecord& record : jobs.records) {
     if (record.job.kind != JobKind::progress || record.job.scene != scene.study.scene) continue;
-    const Rung& rung = record.job.rung;
+    const LadderStep& rung = record.job.rung;
     RenderCurve curve{rung.method, rung.setting, record.finished, {}};
     for (const double seconds : record.moments) {
       const Result<Film> film = film_of(record, moment_ending(curve.points.size()));

@@ -20,7 +20,7 @@ struct Cost {
 
 /// A setting of a method with all its measurements.
 struct StudyPoint {
-  Rung rung;
+  LadderStep rung;
   std::vector<Cost> costs;  ///< one per repetition
   std::uint64_t rays = 0;
   std::uint64_t pyrays = 0;

@@ -11,7 +11,7 @@
 namespace asos {
 namespace {
 
-using Rungs = std::vector<Rung>;
+using Rungs = std::vector<LadderStep>;
 using MakeRungs = Rungs (*)(const std::string& method, const RenderSettings& base);
 
 std::optional<Method> method_called(const std::string& name) {
@@ -20,8 +20,8 @@ std::optional<Method> method_called(const std::string& name) {
   return std::nullopt;
 }
 
-Rung make_rung(const std::string& method, const RenderSettings& base) {
-  Rung rung{method, "", method, base};
+LadderStep make_rung(const std::string& method, const RenderSettings& base) {
+  LadderStep rung{method, "", method, base};
   if (const auto known = method_called(method)) rung.settings.method = *known;
   return rung;
 }
@@ -38,7 +38,7 @@ Rungs asos_rungs(const std::string& method, const RenderSettings& base) {
   const int max_level = AsosSettings{}.max_level;
   for (double inverse = 8.0; inverse <= 2048.0; inverse *= 2.0)
     rungs.push_back(asos_rung(method, base, max_level, 1.0 / inverse));
-  for (Rung& rung : rungs) rung.curve = method;
+  for (LadderStep& rung : rungs) rung.curve = method;
   return rungs;
 }
 
@@ -53,7 +53,7 @@ Rungs sample_rungs(const std::string& method, const RenderSettings& base) {
 }
 
 Rungs one_rung(const std::string& method, const RenderSettings& base) {
-  Rung rung = make_rung(method, base);
+  LadderStep rung = make_rung(method, base);
   rung.setting = "as it is";
   return {rung};
 }
@@ -65,7 +65,7 @@ Rungs whitted_rungs(const std::string& method, const RenderSettings& base) {
   for (const bool spheres : {false, true}) {
     double contrast = 0.2;
     for (int depth = 1; depth <= 5; ++depth, contrast *= 0.5) {
-      Rung& rung = rungs.emplace_back(make_rung(method, base));
+      LadderStep& rung = rungs.emplace_back(make_rung(method, base));
       const char* with = spheres ? " spheres" : "";
       rung.setting = fmt::format("contrast {} depth {}{}", contrast, depth, with);
       rung.curve = method + with;
@@ -89,7 +89,7 @@ Rungs adaptive_rungs(const std::string& method, const RenderSettings& base) {
   Rungs rungs;
   for (const double inverse : {8.0, 16.0, 32.0, 64.0, 128.0, 256.0})
     rungs.push_back(asos_rung(method, base, 5, 1.0 / inverse));
-  for (Rung& rung : rungs) rung.curve = method;
+  for (LadderStep& rung : rungs) rung.curve = method;
   return rungs;
 }
 
@@ -137,7 +137,7 @@ std::vector<std::string> default_methods() {
   return methods_where(false);
 }
 
-Result<std::vector<Rung>> ladder_of(const std::string& method, const RenderSettings& base) {
+Result<std::vector<LadderStep>> ladder_of(const std::string& method, const RenderSettings& base) {
   for (const Ladder& ladder : all_ladders)
     if (method == ladder.method && method_called(method)) return ladder.make(method, base);
   std::string known;
@@ -145,12 +145,12 @@ Result<std::vector<Rung>> ladder_of(const std::string& method, const RenderSetti
   return unexpected(Error{fmt::format("\"{}\"", method), "not one of " + known});
 }
 
-Result<Rung> watched_rung(const std::string& method, const RenderSettings& base) {
+Result<LadderStep> watched_rung(const std::string& method, const RenderSettings& base) {
   constexpr int most_samples = 256;
   const auto ladder = ladder_of(method, base);
   if (!ladder) return unexpected(ladder.error());
   const AsosSettings usual;
-  const auto watched = [&](const Rung& rung) {
+  const auto watched = [&](const LadderStep& rung) {
     const RenderSettings& settings = rung.settings;
     if (settings.method == Method::asos)
       return settings.asos.eps == usual.eps && settings.asos.max_level == usual.max_level;
@@ -161,8 +161,9 @@ Result<Rung> watched_rung(const std::string& method, const RenderSettings& base)
   return found != ladder->rend() ? *found : ladder->back();
 }
 
-Rung asos_rung(const std::string& method, const RenderSettings& base, int max_level, double eps) {
-  Rung rung = make_rung(method, base);
+LadderStep asos_rung(const std::string& method, const RenderSettings& base, int max_level,
+                     double eps) {
+  LadderStep rung = make_rung(method, base);
   rung.setting = fmt::format("MAX {} EPS {}", max_level, eps_text(eps));
   if (base.texture.resolution > 1) rung.setting += fmt::format(" TR {}", base.texture.resolution);
   rung.curve = fmt::format("{} EPS {}", method, eps_text(eps));
@@ -171,8 +172,8 @@ Rung asos_rung(const std::string& method, const RenderSettings& base, int max_le
   return rung;
 }
 
-Rung sampling_rung(const std::string& method, const RenderSettings& base, int spp) {
-  Rung rung = make_rung(method, base);
+LadderStep sampling_rung(const std::string& method, const RenderSettings& base, int spp) {
+  LadderStep rung = make_rung(method, base);
   rung.setting = fmt::format("{} spp", spp);
   rung.settings.sampling.spp = spp;
   return rung;

@@ -9,7 +9,7 @@
 namespace asos {
 
 /// One setting of a method: a step of its ladder from quick to good.
-struct Rung {
+struct LadderStep {
   std::string method;   ///< as on the command line
   std::string setting;  ///< in words, such as "MAX 3 EPS 1/256" or "16 spp"
   std::string curve;    ///< steps of one line: the method, and for some also a common setting
@@ -22,18 +22,20 @@ struct Rung {
 [[nodiscard]] std::vector<std::string> default_methods();
 
 /// Returns the ladder of a method; `base` has the settings common to all. An error if it has none.
-[[nodiscard]] Result<std::vector<Rung>> ladder_of(const std::string& method,
-                                                  const RenderSettings& base);
+[[nodiscard]] Result<std::vector<LadderStep>> ladder_of(const std::string& method,
+                                                        const RenderSettings& base);
 
 /// Returns the step of a method's ladder whose progress a study records. For ASOS, it has the
 /// program's default EPS and MAX. For others, it is the last step with at most 256 samples, or the
 /// last one if steps have no sample counts.
-[[nodiscard]] Result<Rung> watched_rung(const std::string& method, const RenderSettings& base);
+[[nodiscard]] Result<LadderStep> watched_rung(const std::string& method,
+                                              const RenderSettings& base);
 
 /// Returns a step outside of the ladders, for a published comparison.
-[[nodiscard]] Rung asos_rung(const std::string& method, const RenderSettings& base, int max_level,
-                             double eps);
-[[nodiscard]] Rung sampling_rung(const std::string& method, const RenderSettings& base, int spp);
+[[nodiscard]] LadderStep asos_rung(const std::string& method, const RenderSettings& base,
+                                   int max_level, double eps);
+[[nodiscard]] LadderStep sampling_rung(const std::string& method, const RenderSettings& base,
+                                       int spp);
 
 /// Returns "0", "1/256", or the number if it is no such fraction.
 [[nodiscard]] std::string eps_text(double eps);

@@ -12,7 +12,7 @@ StudyScene scene_of(const PaperCase& row) {
   return scene;
 }
 
-Rung asos_rung(const PaperCase& row, const std::string& method, const RenderSettings& base) {
+LadderStep asos_rung(const PaperCase& row, const std::string& method, const RenderSettings& base) {
   RenderSettings settings = base;
   settings.texture.resolution = row.texture_resolution;
   return asos_rung(method, settings, row.max_level, row.eps);

@@ -136,7 +136,7 @@ inline constexpr std::array paper_cases{
 /// Returns the scene and look for a case's reference. asos_rung() returns its setting of an ASOS
 /// method.
 [[nodiscard]] StudyScene scene_of(const PaperCase& row);
-[[nodiscard]] Rung asos_rung(const PaperCase& row, const std::string& method,
-                             const RenderSettings& base);
+[[nodiscard]] LadderStep asos_rung(const PaperCase& row, const std::string& method,
+                                   const RenderSettings& base);
 
 }  // namespace asos

@@ -38,10 +38,10 @@ std::string dfr_text(const Dfr& dfr) {
   return text;
 }
 
-using Ladders = std::vector<std::vector<Rung>>;
+using Ladders = std::vector<std::vector<LadderStep>>;
 
-void add_rung(Ladders& ladders, Rung rung) {
-  const auto same = [&](const Rung& r) {
+void add_rung(Ladders& ladders, LadderStep rung) {
+  const auto same = [&](const LadderStep& r) {
     return r.method == rung.method && r.setting == rung.setting;
   };
   for (const auto& ladder : ladders)
@@ -66,7 +66,7 @@ void add_argument_rungs(Ladders& ladders, const RenderSettings& base) {
   for (const char* method : argument_methods) {
     auto ladder = ladder_of(method, base);
     if (!ladder) continue;
-    for (Rung& rung : *ladder) add_rung(ladders, std::move(rung));
+    for (LadderStep& rung : *ladder) add_rung(ladders, std::move(rung));
   }
 }
 

@@ -99,7 +99,7 @@ struct Job {
   JobKind kind = JobKind::point;
   std::string scene;  ///< its subject's name
   StudyScene subject;
-  Rung rung;           ///< the setting to render
+  LadderStep rung;     ///< the setting to render
   int repetition = 0;  ///< number of the repetition of a point, from 1
   int pass = 0;        ///< number of the pass of a reference, from 0
   int half = 0;        ///< half of a reference, 0 or 1

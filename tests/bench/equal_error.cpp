@@ -54,7 +54,7 @@ struct Settings {
 };
 
 /// One setting of a method.
-struct Rung {
+struct LadderStep {
   std::string name;
   RenderSettings settings;
   Times times;
@@ -64,11 +64,11 @@ struct Rung {
   double unresolved = 0.0;  ///< fraction of the picture's area
 };
 
-std::vector<Rung> asos_ladder(const RenderSettings& base, int levels) {
-  std::vector<Rung> ladder;
+std::vector<LadderStep> asos_ladder(const RenderSettings& base, int levels) {
+  std::vector<LadderStep> ladder;
   for (const double eps : {0.0, 1.0 / 256.0}) {
     for (int level = 1; level <= levels; ++level) {
-      Rung& rung = ladder.emplace_back();
+      LadderStep& rung = ladder.emplace_back();
       rung.name = fmt::format("asos MAX {}{}", level, eps > 0.0 ? " EPS 1/256" : "");
       rung.settings = base;
       rung.settings.method = Method::asos;
@@ -79,11 +79,11 @@ std::vector<Rung> asos_ladder(const RenderSettings& base, int levels) {
   return ladder;
 }
 
-std::vector<Rung> quality_rows(const RenderSettings& base) {
-  std::vector<Rung> rows;
+std::vector<LadderStep> quality_rows(const RenderSettings& base) {
+  std::vector<LadderStep> rows;
   for (const auto& quality : shadow_quality_names) {
     for (int level = 2; level <= 4; ++level) {
-      Rung& rung = rows.emplace_back();
+      LadderStep& rung = rows.emplace_back();
       rung.name = fmt::format("{} {}", quality.name, level);
       rung.settings = base;
       rung.settings.method = Method::asos;
@@ -94,10 +94,10 @@ std::vector<Rung> quality_rows(const RenderSettings& base) {
   return rows;
 }
 
-std::vector<Rung> sampling_ladder(const RenderSettings& base, Method method) {
-  std::vector<Rung> ladder;
+std::vector<LadderStep> sampling_ladder(const RenderSettings& base, Method method) {
+  std::vector<LadderStep> ladder;
   for (const int spp : {1, 4, 16, 64, 256}) {
-    Rung& rung = ladder.emplace_back();
+    LadderStep& rung = ladder.emplace_back();
     rung.name = fmt::format("{} {}", row_of(method).name, spp);
     rung.settings = base;
     rung.settings.method = method;
@@ -106,7 +106,7 @@ std::vector<Rung> sampling_ladder(const RenderSettings& base, Method method) {
   return ladder;
 }
 
-void render(Snapshot& snapshot, const Film& reference, Rung& rung) {
+void render(Snapshot& snapshot, const Film& reference, LadderStep& rung) {
   snapshot.settings = rung.settings;
   const RenderResult result = rung.times.render(snapshot);
   const auto pixels = static_cast<double>(reference.radiance.size());
@@ -118,22 +118,23 @@ void render(Snapshot& snapshot, const Film& reference, Rung& rung) {
 
 /// Time in seconds that a sampling method takes to an error. Extrapolated beyond its ladder from
 /// the first or last step; NaN if that is impossible.
-double rival_seconds(const std::vector<Rung>& ladder, double error) {
+double rival_seconds(const std::vector<LadderStep>& ladder, double error) {
   std::vector<CurvePoint> curve;
-  for (const Rung& rung : ladder) curve.push_back({rung.times.medians().cpu, rung.error.shown});
+  for (const LadderStep& rung : ladder)
+    curve.push_back({rung.times.medians().cpu, rung.error.shown});
   const auto seconds = seconds_at_error(curve, error);
   return seconds ? seconds->value : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The expected error with `spp` samples, extrapolated from the last two steps of the ladder.
-double extrapolated_error(const std::vector<Rung>& ladder, int spp) {
-  const Rung& a = *(ladder.end() - 3);
-  const Rung& b = ladder.back();
+double extrapolated_error(const std::vector<LadderStep>& ladder, int spp) {
+  const LadderStep& a = *(ladder.end() - 3);
+  const LadderStep& b = ladder.back();
   return between_log_log(spp, a.settings.sampling.spp, b.settings.sampling.spp, a.error.shown,
                          b.error.shown);
 }
 
-void print_rung(const Rung& rung, double floor) {
+void print_rung(const LadderStep& rung, double floor) {
   fmt::print("{:<22}{:>10.2e}{}{:>10.2e}{:>9.3f}{:>9.2f}{:>9.2f}", rung.name, rung.error.shown,
              rung.error.shown < 2.0 * floor ? '*' : ' ', rung.error.raw, rung.times.medians().cpu,
              rung.samples, rung.shadow_rays);
@@ -197,14 +198,14 @@ Result<void> measure(const Settings& settings) {
   snapshot.settings.sampling.spp = settings.reference;
   const Film reference = render_to_end(snapshot).film;
 
-  std::vector<Rung> asos =
+  std::vector<LadderStep> asos =
       settings.qualities ? quality_rows(base) : asos_ladder(base, settings.levels);
-  std::vector<Rung> stochastic = sampling_ladder(base, Method::stochastic);
-  std::vector<Rung> sobol = sampling_ladder(base, Method::sobol);
+  std::vector<LadderStep> stochastic = sampling_ladder(base, Method::stochastic);
+  std::vector<LadderStep> sobol = sampling_ladder(base, Method::sobol);
   for (int run = 0; run < settings.runs; ++run) {
-    for (Rung& rung : stochastic) render(snapshot, reference, rung);
-    for (Rung& rung : sobol) render(snapshot, reference, rung);
-    for (Rung& rung : asos) render(snapshot, reference, rung);
+    for (LadderStep& rung : stochastic) render(snapshot, reference, rung);
+    for (LadderStep& rung : sobol) render(snapshot, reference, rung);
+    for (LadderStep& rung : asos) render(snapshot, reference, rung);
   }
 
   const double floor = extrapolated_error(sobol, settings.reference);
@@ -216,12 +217,12 @@ Result<void> measure(const Settings& settings) {
   fmt::print("{:<22}{:>10} {:>10}{:>9}{:>9}{:>9}{:>10}{:>12}{:>9}\n", "", "RMSE", "raw RMSE",
              "cpu s", "eye/pix", "shad/pix", "unres. %", "stochastic x", "sobol x");
   for (const auto* ladder : {&stochastic, &sobol}) {
-    for (const Rung& rung : *ladder) {
+    for (const LadderStep& rung : *ladder) {
       print_rung(rung, floor);
       fmt::print("\n");
     }
   }
-  for (const Rung& rung : asos) {
+  for (const LadderStep& rung : asos) {
     print_rung(rung, floor);
     const double seconds = rung.times.medians().cpu;
     fmt::print("{:>10.4f}{:>12.2f}{:>9.2f}\n", 100.0 * rung.unresolved,

@@ -102,9 +102,10 @@ MeasuredLadder ladder_of_sobol(RenderSettings settings) {
 
 Result<MeasuredLadder> ladder_of_adaptive(const RenderSettings& settings) {
   return ladder_of(row_of(Method::sobol_adaptive).name, settings)
-      .map([](const std::vector<Rung>& rungs) {
+      .map([](const std::vector<LadderStep>& rungs) {
         MeasuredLadder ladder;
-        for (const Rung& rung : rungs) ladder.add(eps_text(rung.settings.asos.eps), rung.settings);
+        for (const LadderStep& rung : rungs)
+          ladder.add(eps_text(rung.settings.asos.eps), rung.settings);
         return ladder;
       });
 }

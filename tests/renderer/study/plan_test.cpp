@@ -153,7 +153,7 @@ TEST(Plan, EveryPublishedCaseIsMeasuredOnATruePictureOfItsOwn) {
   for (const PaperCase& row : paper_cases) {
     const StudyScene scene = scene_of(row);
     for (const char* method : {"asos", "asos-published"}) {
-      const Rung rung = asos_rung(row, method, {});
+      const LadderStep rung = asos_rung(row, method, {});
       const auto settings = settings_of(scene.name(), method, rung.setting);
       ASSERT_TRUE(settings);
       EXPECT_EQ(settings->asos.max_level, row.max_level);
