@@ -187,7 +187,7 @@ class ViewStudy::Work {
         publish(1);
         continue;
       }
-      WatchedRender watched =
+      RecordedRender watched =
           undisturbed(job, longest, stop, [&](const std::function<bool()>& ends) {
             return watch_render({subject_.scene, subject_.camera, job.rung.settings, true},
                                 study_factor, ends);
@@ -203,9 +203,9 @@ class ViewStudy::Work {
     return true;
   }
 
-  [[nodiscard]] std::vector<CurvePoint> curve_of(const WatchedRender& watched) const {
+  [[nodiscard]] std::vector<CurvePoint> curve_of(const RecordedRender& watched) const {
     std::vector<CurvePoint> curve;
-    for (const SeenPicture& picture : watched.pictures)
+    for (const TimedPicture& picture : watched.pictures)
       curve.push_back({picture.seconds, root_mean_square(picture.film, reference_film_, true)});
     return curve;
   }
@@ -251,8 +251,8 @@ class ViewStudy::Work {
   Film reference_film_;
   double reference_seconds_ = 0.0;
   bool quiet_ = false;
-  std::vector<Film> films_;             // films of the first repetition of each point
-  std::vector<WatchedRender> watched_;  // the study's curves of error during a render
+  std::vector<Film> films_;              // films of the first repetition of each point
+  std::vector<RecordedRender> watched_;  // the study's curves of error during a render
   SceneStudy study_;
 
   mutable std::mutex mutex_;

@@ -137,16 +137,16 @@ Result<void> JobRunner::watch(JobRecord& record, const std::function<bool()>& st
   const Job& job = record.job;
   Snapshot snapshot = snapshot_for(job, scene_, camera_);
   snapshot.progressive = true;
-  const WatchedRender watched = watch_render(snapshot, study_factor, stop);
+  const RecordedRender watched = watch_render(snapshot, study_factor, stop);
   record.finished = watched.finished;
-  for (const SeenPicture& picture : watched.pictures) {
+  for (const TimedPicture& picture : watched.pictures) {
     const std::string path = job_file(folder_, job.id, moment_ending(record.moments.size()));
     if (auto written = write_exr(path, picture.film, {{"asos.job", job.title()}}); !written)
       return written;
     record.moments.push_back(picture.seconds);
   }
   if (watched.pictures.empty()) return {};
-  const SeenPicture& last = watched.pictures.back();
+  const TimedPicture& last = watched.pictures.back();
   record.cost.wall_seconds = last.progress.seconds;
   record.cost.cpu_seconds = last.seconds;
   record.picture_hash = hash_of(last.film);

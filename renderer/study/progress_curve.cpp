@@ -39,9 +39,9 @@ void wait_until(double next, double now) {
 
 }  // namespace
 
-WatchedRender watch_render(const Snapshot& snapshot, double factor,
-                           const std::function<bool()>& stop) {
-  WatchedRender watched;
+RecordedRender watch_render(const Snapshot& snapshot, double factor,
+                            const std::function<bool()>& stop) {
+  RecordedRender watched;
   RenderSession session;
   const double start = others_seconds();
   double next = 0.0;

@@ -8,7 +8,7 @@
 namespace asos {
 
 /// The picture of a render at a moment.
-struct SeenPicture {
+struct TimedPicture {
   double seconds = 0.0;  ///< CPU time of the workers so far
   Film film;             ///< radiance alone
   Reached reached;
@@ -16,8 +16,8 @@ struct SeenPicture {
 };
 
 /// The pictures of a render, in the order of their times.
-struct WatchedRender {
-  std::vector<SeenPicture> pictures;
+struct RecordedRender {
+  std::vector<TimedPicture> pictures;
   bool finished = false;  ///< the last picture is the final one
 };
 
@@ -30,7 +30,7 @@ inline constexpr double study_factor = 1.5;
 /// its pictures so far are kept. Times are those of all threads of the process except the calling
 /// one, so nothing else in the process should work at the same time. Apart from the selection of
 /// moments, the result does not depend on the machine.
-[[nodiscard]] WatchedRender watch_render(const Snapshot& snapshot, double factor,
-                                         const std::function<bool()>& stop = {});
+[[nodiscard]] RecordedRender watch_render(const Snapshot& snapshot, double factor,
+                                          const std::function<bool()>& stop = {});
 
 }  // namespace asos

@@ -59,7 +59,7 @@ struct Settings {
 constexpr std::array moments{1, 4, 16, 64};  // samples a pixel
 
 /// The pictures of a render, at intervals of 3 % of its time.
-std::vector<SeenPicture> watched(const Snapshot& snapshot) {
+std::vector<TimedPicture> watched(const Snapshot& snapshot) {
   return watch_render(snapshot, 1.03).pictures;
 }
 
@@ -69,16 +69,16 @@ double error_at(const std::vector<CurvePoint>& curve, double seconds) {
 }
 
 /// The picture displayed at a time.
-const Film& film_at(const std::vector<SeenPicture>& seen, double seconds) {
+const Film& film_at(const std::vector<TimedPicture>& seen, double seconds) {
   const Film* film = &seen.front().film;
-  for (const SeenPicture& one : seen)
+  for (const TimedPicture& one : seen)
     if (one.seconds <= seconds) film = &one.film;
   return *film;
 }
 
 /// Two renders side by side, a row per time.
-Result<void> write_strip(const std::string& path, const std::vector<SeenPicture>& own,
-                         const std::vector<SeenPicture>& sobol, double sixteen_samples) {
+Result<void> write_strip(const std::string& path, const std::vector<TimedPicture>& own,
+                         const std::vector<TimedPicture>& sobol, double sixteen_samples) {
   constexpr std::array times{0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
   const int width = own.front().film.width, height = own.front().film.height;
   RgbImage strip;
@@ -110,14 +110,14 @@ struct TimeLeft {
   double largest_factor = std::numeric_limits<double>::quiet_NaN();
 };
 
-TimeLeft judge_time_left(const std::vector<SeenPicture>& seen) {
+TimeLeft judge_time_left(const std::vector<TimedPicture>& seen) {
   constexpr double first_share = 0.1;
   constexpr double least_left = 0.05;  // seconds
   constexpr double most_wrong = 1.5;
   const double end = seen.back().progress.seconds;
   TimeLeft judged;
   int count = 0, wrong = 0;
-  for (const SeenPicture& one : seen) {
+  for (const TimedPicture& one : seen) {
     const double left = end - one.progress.seconds;
     if (one.progress.fraction < first_share || one.progress.seconds_left < 0.0 || left < least_left)
       continue;
@@ -132,7 +132,7 @@ TimeLeft judge_time_left(const std::vector<SeenPicture>& seen) {
 }
 
 /// Time from which the displayed error stays below 1/64 in 99 % of the pixels.
-double good_from(const std::vector<SeenPicture>& seen, const HalvedReference& reference) {
+double good_from(const std::vector<TimedPicture>& seen, const HalvedReference& reference) {
   constexpr double good = 1.0 / 64.0;
   double from = std::numeric_limits<double>::infinity();
   for (auto one = seen.rbegin(); one != seen.rend(); ++one) {
@@ -164,7 +164,7 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   if (!reference) return unexpected(reference.error());
   const auto last_of = [&](Snapshot of) {
     of.progressive = false;
-    const std::vector<SeenPicture> seen = watched(of);
+    const std::vector<TimedPicture> seen = watched(of);
     return CurvePoint{seen.back().seconds, reference->error_of(seen.back().film).rmse};
   };
 
@@ -173,8 +173,8 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   const CurvePoint direct = last_of(snapshot);
   snapshot.progressive = true;
   std::vector<CurvePoint> curve;
-  const std::vector<SeenPicture> own = watched(snapshot);
-  for (const SeenPicture& seen : own) {
+  const std::vector<TimedPicture> own = watched(snapshot);
+  for (const TimedPicture& seen : own) {
     curve.push_back({seen.seconds, reference->error_of(seen.film).rmse});
     if (settings.curves)
       fmt::print(

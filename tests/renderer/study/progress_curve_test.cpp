@@ -35,10 +35,10 @@ TEST_F(WatchedBoxes, EndWithTheFinishedPicture) {
   for (const Method method : {Method::asos, Method::sobol, Method::mitchell}) {
     snapshot.settings.method = method;
     snapshot.progressive = true;
-    const WatchedRender watched = watch_render(snapshot, study_factor);
+    const RecordedRender watched = watch_render(snapshot, study_factor);
     ASSERT_GE(watched.pictures.size(), 2u) << row_of(method).name;
     EXPECT_TRUE(watched.finished);
-    const SeenPicture& last = watched.pictures.back();
+    const TimedPicture& last = watched.pictures.back();
     EXPECT_EQ(last.film.radiance, render_to_end(snapshot).film.radiance) << row_of(method).name;
     EXPECT_EQ(last.reached.pass, Reached::Pass::final_pixels);
     EXPECT_TRUE(last.progress.finished);
@@ -46,9 +46,9 @@ TEST_F(WatchedBoxes, EndWithTheFinishedPicture) {
 }
 
 TEST_F(WatchedBoxes, BeginWithAWholePictureAndKeepTheirDistance) {
-  const WatchedRender watched = watch_render(snapshot, study_factor);
+  const RecordedRender watched = watch_render(snapshot, study_factor);
   ASSERT_GE(watched.pictures.size(), 2u);
-  for (const SeenPicture& picture : watched.pictures) {
+  for (const TimedPicture& picture : watched.pictures) {
     EXPECT_EQ(picture.film.radiance.size(), 64u * 36u);
     EXPECT_NE(picture.reached.pass, Reached::Pass::nothing);
   }
@@ -60,7 +60,7 @@ TEST_F(WatchedBoxes, BeginWithAWholePictureAndKeepTheirDistance) {
 
 TEST_F(WatchedBoxes, OfARenderWithoutPassesAreTheFinishedOne) {
   snapshot.progressive = false;
-  const WatchedRender watched = watch_render(snapshot, study_factor);
+  const RecordedRender watched = watch_render(snapshot, study_factor);
   ASSERT_EQ(watched.pictures.size(), 1u);
   EXPECT_TRUE(watched.finished);
   EXPECT_EQ(watched.pictures[0].film.radiance, render_to_end(snapshot).film.radiance);
@@ -74,7 +74,7 @@ TEST_F(WatchedBoxes, AStopKeepsThePicturesUntilThen) {
   EXPECT_TRUE(watch_render(snapshot, study_factor, [] { return true; }).pictures.empty());
   // The first picture takes some thousandths of this time.
   const double start = test::processor_seconds();
-  const WatchedRender watched =
+  const RecordedRender watched =
       watch_render(snapshot, study_factor, [&] { return test::processor_seconds() > start + 0.2; });
   EXPECT_FALSE(watched.finished);
   EXPECT_FALSE(watched.pictures.empty());
