@@ -1,10 +1,10 @@
 #include "ui/view_study.h"
 
 #include "renderer/comparison/method.h"
-#include "renderer/study/given_up.h"
 #include "renderer/study/measures.h"
 #include "renderer/study/progress_curve.h"
 #include "renderer/study/reference.h"
+#include "renderer/study/timed_out_settings.h"
 #include "renderer/study/timed_render.h"
 
 #include <algorithm>
@@ -162,17 +162,17 @@ class ViewStudy::Work {
   }
 
   bool run_points(const std::stop_token& stop) {
-    GivenUp given_up;
+    TimedOutSettings timed_out;
     for (const Job& job : jobs_) {
       if (job.kind != JobKind::point) continue;
       const double longest = std::min(subject_.plan.longest_seconds, seconds_left());
       auto rendered =
-          given_up.holds(job) || longest <= 0.0 ? std::nullopt : render(job, longest, stop);
+          timed_out.holds(job) || longest <= 0.0 ? std::nullopt : render(job, longest, stop);
       if (stop.stop_requested()) return false;
       if (rendered) {
         add(job.rung, *std::move(rendered));
       } else {
-        given_up.add(job);
+        timed_out.add(job);
       }
       publish(1);
     }

@@ -143,7 +143,7 @@ ordered_json flicker_json(const FlickerStudy& study) {
       {"when", study.when},
       {"machine", machine_json(study.machine)},
       {"reference", {{"samples", study.samples}, {"noise", study.noise}, {"floor", study.floor}}},
-      {"given_up", study.given_up},
+      {"given_up", study.timed_out},
       {"points", ordered_json::array()},
       {"equal_time", ordered_json::array()}};
   for (const FlickerPoint& p : study.points)

@@ -129,9 +129,9 @@ std::string flicker_section(const FlickerStudy& study, const FlickerFigures& fig
         embed.uri(plot + ".svg"));
   text += strips_text(study, figures, embed);
   text += "<h3>All settings</h3>\n" + flicker_table(study);
-  if (!study.given_up.empty())
+  if (!study.timed_out.empty())
     text += "<p class=\"note\">Given up, for they take too long: " +
-            escaped(list_text(study.given_up)) + ".</p>\n";
+            escaped(list_text(study.timed_out)) + ".</p>\n";
   return text + fmt::format(
                     "<p class=\"note\">References: {} samples a pixel in every frame, with the "
                     "same points, so that their noise stays where nothing moves; noise {} RMSE. "

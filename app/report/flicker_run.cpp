@@ -277,7 +277,7 @@ class FlickerRun {
       const Result<bool> rendered = add_frame(p, 0, reference);
       if (!rendered) return tl::unexpected(rendered.error());
       if (!*rendered) {
-        study_.given_up.push_back(p.rung.method + " " + p.rung.setting);
+        study_.timed_out.push_back(p.rung.method + " " + p.rung.setting);
         longest[p.rung.curve] = std::numeric_limits<double>::infinity();
         if (!(anchor_seconds > 0.0)) anchor_seconds = arguments_.plan.longest_seconds;
         return {};
@@ -305,7 +305,8 @@ class FlickerRun {
         ++i;
         continue;
       }
-      study_.given_up.push_back(study_.points[i].rung.method + " " + study_.points[i].rung.setting);
+      study_.timed_out.push_back(study_.points[i].rung.method + " " +
+                                 study_.points[i].rung.setting);
       study_.points.erase(study_.points.begin() + static_cast<std::ptrdiff_t>(i));
     }
     return {};

@@ -49,7 +49,7 @@ struct FlickerStudy {
   int width = 0;
   int height = 0;
   std::vector<FlickerPoint> points;
-  std::vector<std::string> given_up;  ///< settings that would take too long
+  std::vector<std::string> timed_out;  ///< settings that would take too long
   std::vector<FlickerAtEqualTime> equal_time;
   // The references: samples per pixel, their noise (Reference::noise) over all frames, and the
   // smallest flicker that can be measured against them (flicker_floor).

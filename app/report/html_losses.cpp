@@ -85,10 +85,10 @@ std::string under_floor_text(const SceneStudy& study) {
 
 /// Lists the settings that exceeded the time limit, or were skipped because quicker ones had.
 std::string given_up_text(const SceneReport& scene, double longest_seconds) {
-  if (scene.given_up.empty()) return "";
+  if (scene.timed_out.empty()) return "";
   return fmt::format("<li>{}: given up after {}, or as dearer than what was: {}.</li>\n",
                      escaped(scene.study.scene), seconds_text(longest_seconds),
-                     escaped(list_text(scene.given_up)));
+                     escaped(list_text(scene.timed_out)));
 }
 
 /// Longer lists of rows are folded.

@@ -13,7 +13,7 @@
 #include "app/report/study_report.h"
 #include "app/scene_argument.h"
 #include "renderer/session/film_render.h"
-#include "renderer/study/given_up.h"
+#include "renderer/study/timed_out_settings.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -129,14 +129,14 @@ Result<void> run_all(const ReportArguments& arguments, const std::vector<Job>& j
   JobRecords done{arguments.plan, jobs, {}};
   for (const StudyScene& subject : scenes_of(arguments.plan)) {
     const std::string scene = subject.name();
-    GivenUp given_up;
+    TimedOutSettings timed_out;
     for (const Job& job : jobs) {
       if (job.scene != scene || job.kind == JobKind::reference) continue;
       journal.begin(job);
-      auto record = given_up.holds(job) ? runner.give_up(job)
-                                        : runner.run(job, arguments.plan.longest_seconds);
+      auto record = timed_out.holds(job) ? runner.give_up(job)
+                                         : runner.run(job, arguments.plan.longest_seconds);
       if (!record) return tl::unexpected(record.error());
-      if (!record->finished) given_up.add(job);
+      if (!record->finished) timed_out.add(job);
       done.records.push_back(*std::move(record));
     }
     if (const auto ran = run_reference(runner, done, scene, journal); !ran) return ran;

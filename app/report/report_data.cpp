@@ -75,7 +75,7 @@ json scene_json(const SceneReport& scene) {
          {"triangles", scene.facts.triangles},
          {"lights", scene.facts.lights},
          {"left_out", scene.facts.left_out},
-         {"given_up", scene.given_up},
+         {"given_up", scene.timed_out},
          {"reference",
           {{"passes", scene.passes},
            {"samples", scene.samples},

@@ -52,7 +52,7 @@ std::vector<const JobRecord*> first_repetitions(const JobRecords& jobs, const st
   return found;
 }
 
-std::vector<std::string> given_up(const JobRecords& jobs, const std::string& scene) {
+std::vector<std::string> timed_out(const JobRecords& jobs, const std::string& scene) {
   std::vector<std::string> settings;
   for (const JobRecord& record : jobs.records)
     if (record.job.kind == JobKind::point && record.job.repetition == 1 && !record.finished &&
@@ -157,7 +157,7 @@ Result<SceneReport> assemble_scene(const JobRecords& jobs, const std::string& na
   scene.samples = made->reference.samples();
   scene.quiet = made->quiet;
   scene.study.noise = made->reference.noise();
-  scene.given_up = given_up(jobs, name);
+  scene.timed_out = timed_out(jobs, name);
   if (const auto added = add_regions(jobs, scene); !added) return tl::unexpected(added.error());
 
   // Sorted by ladder, whatever the order of the jobs

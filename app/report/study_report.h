@@ -17,10 +17,10 @@ struct SceneReport {
   RegionMap regions;
   std::array<std::size_t, region_count> region_pixels{};
   Film reference;
-  int passes = 0;                     ///< of the reference
-  long samples = 0;                   ///< samples per pixel of the reference
-  bool quiet = false;                 ///< its noise is at most a quarter of the smallest error
-  std::vector<std::string> given_up;  ///< settings that would take too long
+  int passes = 0;                      ///< of the reference
+  long samples = 0;                    ///< samples per pixel of the reference
+  bool quiet = false;                  ///< its noise is at most a quarter of the smallest error
+  std::vector<std::string> timed_out;  ///< settings that would take too long
 };
 
 /// All that a report tells.

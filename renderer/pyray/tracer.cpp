@@ -53,8 +53,8 @@ Trace Tracer::trace_searched(const Pyray& pyray, std::span<const BorderEdge> out
                  list, true);
   root.list = list;
   Trace result;
-  result.given_up = list.size() > rules.most_entries || lists.exhausted() || caster.gives_up();
-  if (result.given_up) return result;
+  result.timed_out = list.size() > rules.most_entries || lists.exhausted() || caster.gives_up();
+  if (result.timed_out) return result;
 
   // Subdivide.
   result.outcome = subdivider_.run(search_, std::span(&root, 1), rules, caster).front();

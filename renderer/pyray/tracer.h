@@ -22,7 +22,7 @@ struct Trace {
   SubdivisionOutcome outcome;
   bool by_samples = false;  ///< the safety net split it
   bool missed = false;      ///< and only because a boundary was missed
-  bool given_up = false;    ///< too many boundaries for its rules, or its caster gave up: no leaves
+  bool timed_out = false;   ///< too many boundaries for its rules, or its caster gave up: no leaves
 };
 
 /// The central algorithm of this program: finds the boundaries that pass through a pyramid. None:

@@ -72,8 +72,8 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   LightPyramidCaster& caster = block.work->window_caster;
   caster.start(*block.scene, block.rules.see_through, query.lit.light, *window, refined);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);
-  const bool too_detailed =
-      trace.given_up || caster.gives_up() || trace.outcome.unresolved_area > rules.error_budget.eps;
+  const bool too_detailed = trace.timed_out || caster.gives_up() ||
+                            trace.outcome.unresolved_area > rules.error_budget.eps;
   return too_detailed ? sampled_shadow(block, query, counts)
                       : caster.visibility().value_or(Visibility(0.0));
 }

@@ -110,7 +110,7 @@ Trace trace_shadow(const ShadowContext& block, const ShadowQuery& query, const P
                                : tracer.trace(block.scene->features, pyray, rules, caster, traced);
   counts.shadow_rays += caster.rays_cast();
   counts.count_shadow_pyray(query.lit.index);
-  if (traced && !trace.given_up) {
+  if (traced && !trace.timed_out) {
     const int number = query.leaf.observed.begin(TracedPyray::Kind::shadow);
     TracedPyray& sent = query.leaf.observed.observer->at(number);
     sent.light = query.lit.index;

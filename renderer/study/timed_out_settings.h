@@ -9,7 +9,7 @@ namespace asos {
 
 /// The settings of one scene that exceeded the plan's time limit. Their other repetitions, and the
 /// later settings of their curves, need not be tried.
-class GivenUp {
+class TimedOutSettings {
  public:
   // Only jobs for points are added or found.
   void add(const Job& job);
