@@ -14,7 +14,7 @@ namespace asos::stability {
 namespace {
 
 // Set by tests only.
-thread_local std::optional<Disturbance> next_disturbance;
+thread_local std::optional<InjectedError> next_disturbance;
 
 /// Moves the camera so that the picture moves by `pixels`.
 Camera moved(Camera camera, glm::dvec2 pixels, int height) {
@@ -46,10 +46,10 @@ double Picture::at(int x, int y) const {
   return static_cast<double>(film.radiance[film.index(x, y)].x);
 }
 
-Disturbed::Disturbed(const Disturbance& disturbance) {
+ErrorInjection::ErrorInjection(const InjectedError& disturbance) {
   next_disturbance = disturbance;
 }
-Disturbed::~Disturbed() {
+ErrorInjection::~ErrorInjection() {
   next_disturbance.reset();
 }
 
@@ -69,7 +69,8 @@ Result<Picture> render(const Scene& scene, const RenderSettings& settings) {
   if (!prepared) return unexpected(prepared.error());
   if (const auto fits = check_method(**prepared, settings); !fits) return unexpected(fits.error());
   if ((*prepared)->world().cameras.empty()) return unexpected(Error{scene.name, "has no camera"});
-  const Disturbance wrong = std::exchange(next_disturbance, std::nullopt).value_or(Disturbance{});
+  const InjectedError wrong =
+      std::exchange(next_disturbance, std::nullopt).value_or(InjectedError{});
   const Camera camera = moved((*prepared)->world().cameras.front(), wrong.pixels, settings.height);
   RenderResult rendered = render_to_end({*prepared, camera, settings, false});
   // Light is additive: brighter lights scale the picture.

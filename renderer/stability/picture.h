@@ -33,17 +33,17 @@ struct Picture {
 
 /// A deliberate error in the next picture that a thread renders, with which tests check that a case
 /// fails: a factor of all lights, or a shift of everything in pixels.
-struct Disturbance {
+struct InjectedError {
   double light = 1.0;
   glm::dvec2 pixels{0.0};  ///< x to the right, y down
 };
 /// Applies a disturbance to the first picture that this thread renders while the object lives.
-class Disturbed {
+class ErrorInjection {
  public:
-  explicit Disturbed(const Disturbance& disturbance);
-  Disturbed(const Disturbed&) = delete;
-  Disturbed& operator=(const Disturbed&) = delete;
-  ~Disturbed();
+  explicit ErrorInjection(const InjectedError& disturbance);
+  ErrorInjection(const ErrorInjection&) = delete;
+  ErrorInjection& operator=(const ErrorInjection&) = delete;
+  ~ErrorInjection();
 };
 
 /// Renders the scene by its first camera, which it must have. Invalid settings are an error.

@@ -40,12 +40,12 @@ const std::map<std::string, double>& coarse_cases() {
 
 /// The case with the lights of its first picture brighter by this fraction.
 Finding brighter(const Case& item, double share) {
-  const Disturbed first(Disturbance{1.0 + share, {}});
+  const ErrorInjection first(InjectedError{1.0 + share, {}});
   return run_case(item);
 }
 /// The case with everything shifted by a hundredth of a pixel.
 Finding aside(const Case& item) {
-  const Disturbed first(Disturbance{1.0, {0.01, 0.007}});
+  const ErrorInjection first(InjectedError{1.0, {0.01, 0.007}});
   return run_case(item);
 }
 /// The finding with its value increased by this fraction.
