@@ -30,13 +30,13 @@ class HostWindow {
   [[nodiscard]] virtual float content_scale() const = 0;
 
   /// The events since the last call.
-  struct Happened {
+  struct WindowEvents {
     std::vector<InputEvent> input;
     std::vector<std::string> dropped_files;
     bool needs_redraw = false;    ///< uncovered, resized, moved to another screen
     bool asked_to_close = false;  ///< the close button was pressed; the window stays open
   };
-  [[nodiscard]] virtual Happened take_happened() = 0;
+  [[nodiscard]] virtual WindowEvents take_happened() = 0;
 };
 
 }  // namespace asos::ui

@@ -39,14 +39,14 @@ class Window final : public HostWindow {
   [[nodiscard]] glm::ivec2 plain_size() const override;
   [[nodiscard]] glm::ivec2 framebuffer_size() const override;
   [[nodiscard]] float content_scale() const override;
-  [[nodiscard]] Happened take_happened() override { return std::exchange(happened_, {}); }
+  [[nodiscard]] WindowEvents take_happened() override { return std::exchange(happened_, {}); }
 
  private:
   explicit Window(GLFWwindow* window);
   void install_callbacks();
 
   GLFWwindow* window_;
-  Happened happened_;
+  WindowEvents happened_;
 };
 
 }  // namespace asos::ui

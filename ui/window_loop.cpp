@@ -37,7 +37,7 @@ void WindowLoop::run() {
 }
 
 void WindowLoop::take_events() {
-  HostWindow::Happened happened = window_.take_happened();
+  HostWindow::WindowEvents happened = window_.take_happened();
   if (!happened.input.empty() || happened.needs_redraw) schedule_.note_input();
   for (const InputEvent& event : happened.input) content_.input().add(event);
   if (!happened.dropped_files.empty()) {

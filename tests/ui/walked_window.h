@@ -35,10 +35,10 @@ class WalkedWindow final : public HostWindow {
   [[nodiscard]] glm::ivec2 plain_size() const override { return size_; }
   [[nodiscard]] glm::ivec2 framebuffer_size() const override { return size_; }
   [[nodiscard]] float content_scale() const override { return 1.0f; }
-  [[nodiscard]] Happened take_happened() override { return std::exchange(happened_, {}); }
+  [[nodiscard]] WindowEvents take_happened() override { return std::exchange(happened_, {}); }
 
   void add(InputEvent event) { happened_.input.push_back(std::move(event)); }
-  Happened& happened() { return happened_; }
+  WindowEvents& happened() { return happened_; }
   /// 0: minimised.
   void resize(glm::ivec2 size);
   /// The next steps, one per wait; later waits do nothing.
@@ -68,7 +68,7 @@ class WalkedWindow final : public HostWindow {
 
   std::unique_ptr<OsmesaContext> context_;
   glm::ivec2 size_;
-  Happened happened_;
+  WindowEvents happened_;
   std::string title_, action_ = "the first frame";
   int frames_ = 0, frames_since_ = 0;
   double processor_since_ = 0.0, wall_since_ = 0.0;
