@@ -91,13 +91,13 @@ void PreviewRender::restart(const Subject& subject, double now_seconds) {
   ++restarts_;
   restarted_seconds_ = now_seconds;
   refinement_.begin();
-  if (refinement_.rest() == Rest::none) session_.resume();
+  if (refinement_.rest() == PauseReason::none) session_.resume();
   film_.begin(subject.settings, keeps_map);
 }
 
 void PreviewRender::rest_or_go_on() {
   if (!refinement_.decide(session_.progress(), film_.estimated_rmse())) return;
-  refinement_.rest() == Rest::none ? session_.resume() : session_.pause();
+  refinement_.rest() == PauseReason::none ? session_.resume() : session_.pause();
 }
 
 void PreviewRender::stop() {

@@ -10,14 +10,14 @@ std::optional<double> Refinement::seconds_to_limit(const Progress& progress) con
 }
 
 bool Refinement::decide(const Progress& progress, std::optional<double> rmse) {
-  if (rest_ == Rest::stopped) return false;
-  Rest rest = Rest::none;
+  if (rest_ == PauseReason::stopped) return false;
+  PauseReason rest = PauseReason::none;
   if (paused_) {
-    rest = Rest::paused;
+    rest = PauseReason::paused;
   } else if (limits_.seconds > 0.0 && progress.seconds >= spans_ * limits_.seconds) {
-    rest = Rest::time;
+    rest = PauseReason::time;
   } else if (limits_.rmse > 0.0 && !beyond_quality_ && rmse && *rmse <= limits_.rmse) {
-    rest = Rest::quality;
+    rest = PauseReason::quality;
   }
   if (rest == rest_) return false;
   rest_ = rest;
@@ -25,14 +25,14 @@ bool Refinement::decide(const Progress& progress, std::optional<double> rmse) {
 }
 
 void Refinement::go_on() {
-  if (rest_ == Rest::time) ++spans_;
-  if (rest_ == Rest::quality) beyond_quality_ = true;
+  if (rest_ == PauseReason::time) ++spans_;
+  if (rest_ == PauseReason::quality) beyond_quality_ = true;
 }
 
 void Refinement::begin() {
   spans_ = 1;
   beyond_quality_ = false;
-  if (rest_ != Rest::paused) rest_ = Rest::none;
+  if (rest_ != PauseReason::paused) rest_ = PauseReason::none;
 }
 
 }  // namespace asos::ui

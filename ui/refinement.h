@@ -17,7 +17,7 @@ struct RefinementLimits {
 };
 
 /// Why a render is paused before it is finished.
-enum class Rest { none, paused, time, quality, stopped };
+enum class PauseReason { none, paused, time, quality, stopped };
 
 /// Decides how long a render refines its picture: pause, limits, and the reason for stopping. All
 /// members must be called from one thread.
@@ -28,10 +28,12 @@ class Refinement {
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] RefinementLimits& limits() { return limits_; }
   [[nodiscard]] const RefinementLimits& limits() const { return limits_; }
-  [[nodiscard]] Rest rest() const { return rest_; }
+  [[nodiscard]] PauseReason rest() const { return rest_; }
 
   /// Whether the render has stopped at a limit.
-  [[nodiscard]] bool at_limit() const { return rest_ == Rest::time || rest_ == Rest::quality; }
+  [[nodiscard]] bool at_limit() const {
+    return rest_ == PauseReason::time || rest_ == PauseReason::quality;
+  }
   /// Resumes a render that stopped at a limit: for as long again, or to its end if it stopped for
   /// its quality. The limits stay for the next render.
   void go_on();
@@ -43,14 +45,14 @@ class Refinement {
   /// Call when a render starts; it is paused only if `set_paused` was.
   void begin();
   /// Call when the render was stopped; it stays so until another one starts.
-  void end() { rest_ = Rest::stopped; }
+  void end() { rest_ = PauseReason::stopped; }
 
  private:
   bool paused_ = false;
   RefinementLimits limits_;
   int spans_ = 1;                // number of time limits that this render may take
   bool beyond_quality_ = false;  // the render was resumed after it reached the quality limit
-  Rest rest_ = Rest::none;
+  PauseReason rest_ = PauseReason::none;
 };
 
 }  // namespace asos::ui

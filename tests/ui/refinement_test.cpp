@@ -15,14 +15,14 @@ class RefinementTest : public PanelsTest {
     settings().asos.jitter = !settings().asos.jitter;
     rig.frame();
   }
-  [[nodiscard]] bool rests(Rest rest) {
+  [[nodiscard]] bool rests(PauseReason rest) {
     return rig.frames_until([&] { return rig.previewer().refinement().rest() == rest; }) &&
            rig.frames_until([&] { return !rig.previewer().render().first_picture_pending(); });
   }
   [[nodiscard]] bool finished() {
     return rig.frames_until([&] {
       return rig.previewer().render().progress().finished &&
-             rig.previewer().refinement().rest() == Rest::none;
+             rig.previewer().refinement().rest() == PauseReason::none;
     });
   }
 };
@@ -34,7 +34,7 @@ TEST_F(RefinementTest, SpacePausesAndGoesOn) {
   rig.frame();
   EXPECT_FALSE(restarted()) << "pausing and display changes restart nothing";
   change();
-  ASSERT_TRUE(rests(Rest::paused));
+  ASSERT_TRUE(rests(PauseReason::paused));
   EXPECT_FALSE(rig.previewer().render().progress().finished);
   const double seconds = rig.previewer().render().progress().seconds;
   for (int i = 0; i < 60; ++i) rig.frame();
@@ -49,7 +49,7 @@ TEST_F(RefinementTest, SpacePausesAndGoesOn) {
 TEST_F(RefinementTest, ATimeLimitHoldsUntilItIsRaised) {
   rig.previewer().refinement().limits().seconds = 1e-6;
   change();
-  ASSERT_TRUE(rests(Rest::time));
+  ASSERT_TRUE(rests(PauseReason::time));
   EXPECT_LT(rig.previewer().render().progress().fraction, 1.0);
   EXPECT_FALSE(rig.previewer().seconds_to_update(0.0).has_value());
   rig.previewer().refinement().limits().seconds = 1000.0;
@@ -59,12 +59,12 @@ TEST_F(RefinementTest, ATimeLimitHoldsUntilItIsRaised) {
 TEST_F(RefinementTest, AtALimitItCanGoOn) {
   rig.previewer().refinement().limits().seconds = 1e-6;
   change();
-  ASSERT_TRUE(rests(Rest::time));
+  ASSERT_TRUE(rests(PauseReason::time));
   rig.click("section/Refinement");
   const std::uint64_t restarts = rig.previewer().render().restarts();
   int asked = 0;
   ASSERT_TRUE(rig.frames_until([&] {
-    if (rig.previewer().refinement().rest() != Rest::time) return true;
+    if (rig.previewer().refinement().rest() != PauseReason::time) return true;
     if (asked < 2) rig.click("Continue");
     if (asked == 2) rig.previewer().refinement().limits().seconds = 0.5;
     if (asked++ > 2) rig.key(Key::space);
@@ -80,9 +80,9 @@ TEST_F(RefinementTest, RenderAgainIsNotPaused) {
   rig.click("section/Refinement");
   rig.click("Pause");
   change();
-  ASSERT_TRUE(rests(Rest::paused));
+  ASSERT_TRUE(rests(PauseReason::paused));
   rig.click("Stop");
-  ASSERT_TRUE(rests(Rest::stopped));
+  ASSERT_TRUE(rests(PauseReason::stopped));
   rig.click("Restart");
   EXPECT_TRUE(finished());
   EXPECT_FALSE(rig.previewer().refinement().paused());
@@ -93,7 +93,7 @@ TEST_F(RefinementTest, AQualityIsEnough) {
   EXPECT_EQ(*rig.previewer().render().estimated_rmse(), 0.0) << "it is finished";
   rig.previewer().refinement().limits().rmse = 1.0;
   change();
-  ASSERT_TRUE(rests(Rest::quality));
+  ASSERT_TRUE(rests(PauseReason::quality));
   EXPECT_LE(*rig.previewer().render().estimated_rmse(), 1.0);
   rig.previewer().refinement().limits().rmse = 0.0;
   EXPECT_TRUE(finished());
@@ -105,10 +105,10 @@ TEST_F(RefinementTest, StopEndsARenderAndAnotherBegins) {
   rig.click("Pause");
   EXPECT_TRUE(rig.previewer().refinement().paused());
   change();
-  ASSERT_TRUE(rests(Rest::paused));
+  ASSERT_TRUE(rests(PauseReason::paused));
   rig.frame();
   rig.click("Stop");
-  EXPECT_EQ(rig.previewer().refinement().rest(), Rest::stopped);
+  EXPECT_EQ(rig.previewer().refinement().rest(), PauseReason::stopped);
   EXPECT_FALSE(rig.previewer().render().progress().paused);
   rig.click("Resume");
   rig.frame();

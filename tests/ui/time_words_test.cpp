@@ -48,7 +48,7 @@ TEST(TimeWords, AProgressNamesItsPassAndWhatIsLeft) {
   EXPECT_EQ(progress_words(facts), "Rendering 40 %   4 samples per pixel   2.0 s   4 s left");
   facts.without_edges = true;
   EXPECT_EQ(progress_words(facts), "Rendering 40 %   finding edges   2.0 s   4 s left");
-  facts.rest = Rest::paused;
+  facts.rest = PauseReason::paused;
   EXPECT_EQ(progress_words(facts), "Paused at 40 %   4 samples per pixel   2.0 s   4 s left");
   facts = {};
   facts.fraction = 0.0042;

@@ -22,7 +22,7 @@ void refinement_panel(Controls& controls, Previewer& previewer) {
     refinement.set_paused(!paused);
   }
   ImGui::SameLine();
-  const bool going = !render.progress().finished && refinement.rest() != Rest::stopped;
+  const bool going = !render.progress().finished && refinement.rest() != PauseReason::stopped;
   if (controls.button(going ? "Stop" : "Restart",
                       going ? "Stop rendering and keep the picture." : "Render from the start.",
                       width))

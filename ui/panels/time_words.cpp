@@ -18,17 +18,17 @@ std::string rough_duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-const char* doing(Rest rest) {
+const char* doing(PauseReason rest) {
   switch (rest) {
-    case Rest::none:
+    case PauseReason::none:
       break;
-    case Rest::paused:
+    case PauseReason::paused:
       return "Paused at";
-    case Rest::time:
+    case PauseReason::time:
       return "Time limit reached,";
-    case Rest::quality:
+    case PauseReason::quality:
       return "Quality reached,";
-    case Rest::stopped:
+    case PauseReason::stopped:
       return "Stopped at";
   }
   return "Rendering";
@@ -68,7 +68,7 @@ std::string progress_words(const ProgressFacts& facts) {
   const double percent = 100.0 * facts.fraction;
   std::string text =
       fmt::format("{} {:.{}f} %   ", doing(facts.rest), percent, percent < 9.95 ? 1 : 0);
-  const bool searching = facts.without_edges && facts.rest == Rest::none;
+  const bool searching = facts.without_edges && facts.rest == PauseReason::none;
   const std::string pass = searching ? "finding edges" : pass_words(facts.reached);
   if (!pass.empty()) text += pass + "   ";
   text += duration_words(progress.seconds);

@@ -23,7 +23,7 @@ namespace asos::ui {
 struct ProgressFacts {
   Progress progress;
   double fraction = 0.0;  ///< the displayed fraction: see ShownProgress
-  Rest rest = Rest::none;
+  PauseReason rest = PauseReason::none;
   bool without_edges = false;  ///< they are searched
   Reached reached;
   std::optional<TimeEstimate> estimate;
