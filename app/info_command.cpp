@@ -54,8 +54,8 @@ nlohmann::ordered_json layers_json() {
   return layers;
 }
 
-/// What `info` tells of: the scene as it is at a moment, and all of what a render would do first,
-/// for what a scene does not need is known only then.
+/// The subject of `info`: the scene at one moment, prepared as for rendering. Preparation finds out
+/// which features the scene uses.
 struct Told {
   Scene scene;
   std::shared_ptr<const RenderScene> ready;

@@ -98,7 +98,7 @@ class Playback {
   [[nodiscard]] const Exposure* exposure() const {
     return available() ? scene_->exposure.get() : nullptr;
   }
-  /// What a pose took last, in seconds: posing, and making ready to render.
+  /// Time in seconds that the last pose took: posing, and preparing for rendering.
   [[nodiscard]] double pose_seconds() const { return pose_seconds_; }
   [[nodiscard]] double prepare_seconds() const { return prepare_seconds_; }
 

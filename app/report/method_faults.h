@@ -27,8 +27,8 @@ inline constexpr std::array fault_subjects{
 struct MethodFaults {
   std::string method;
   /// Of each subject: the root mean square difference from the reference, in linear radiance where
-  /// white is 1. Of the wires that move: over eight pictures in which they move by a pixel in all,
-  /// whose reference is exact (beam).
+  /// white is 1. The moving wires are compared in eight pictures, one pixel of motion in all, with
+  /// exact ones (beam).
   std::array<double, fault_subjects.size()> errors{};
 };
 

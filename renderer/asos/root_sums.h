@@ -53,7 +53,7 @@ struct RootSum {
   float error = 0.0f;          ///< error bound of the root's centre, from the bounds of its leaves
   double squared_error = 0.0;  ///< of sampled parts: the sum of their squared standard errors
   double centre_error = 0.0;   ///< of leaves by their centres: the sum of their bounds, by area
-  std::uint64_t rays = 0;      ///< of all kinds that were cast for its leaves, beside their own
+  std::uint64_t rays = 0;      ///< of all kinds for its leaves, not counting eye rays
 
   /// Adds the estimate of a part of this weight by samples. `layers` says that it was sampled
   /// because of texture cut-outs.

@@ -39,9 +39,9 @@ struct FinishedTile {
   bool coarse = false;             ///< better pixels follow
 };
 
-/// Copies the pixels that two tiles of one picture share. Their cost is only copied where `to`
-/// keeps it, as 0 where `from` does not tell it; so is their coverage, as 1, and what is unlit, as
-/// 0. Layers are copied where both have them.
+/// Copies the common pixels of two tiles of one picture. Costs, coverage and unlit parts are copied
+/// if `to` has them. If `from` has none, they become 0, 1 and 0. Layers are copied if both tiles have
+/// them.
 void copy_pixels(const FinishedTile& from, FinishedTile& to);
 
 /// A whole picture: linear radiance, the split map by level and by cause, and the cost of each

@@ -147,11 +147,11 @@ Checked<Container> open_container(Bytes file, Warnings& warnings) {
   return Container{file, {}, false, false};
 }
 
-std::size_t nesting_depth(Bytes json) {
+std::size_t nesting_depth(Bytes text) {
   std::size_t depth = 0, deepest = 0;
   bool in_string = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto c = static_cast<char>(json[i]);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<char>(text[i]);
     if (in_string) {
       if (c == '\\') ++i;
       if (c == '"') in_string = false;

@@ -20,6 +20,6 @@ struct Container {
 [[nodiscard]] Checked<Container> open_container(Bytes file, Warnings& warnings);
 
 /// Returns the nesting depth of objects and arrays in a JSON text, without parsing it.
-[[nodiscard]] std::size_t nesting_depth(Bytes json);
+[[nodiscard]] std::size_t nesting_depth(Bytes text);
 
 }  // namespace asos::gltf

@@ -22,10 +22,9 @@
 
 namespace asos {
 
-/// Point samples, traced and shaded a batch at a time through packets of rays and added up by what
-/// they belong to. Samples that are not finite are left out of their sums and counted. The bits of
-/// a sum may depend on which samples were added before, never on anything else. With a moving
-/// picture each sample looks at the moment of its time.
+/// Traces and shades point samples in batches, with packets of rays, and adds them to their sums.
+/// Samples that are not finite are counted and not added. The bits of a sum depend only on the
+/// samples added before. With a moving picture each sample sees the scene at its own time.
 class SampleSums {
  public:
   struct Sum {
@@ -65,8 +64,8 @@ class SampleSums {
     targets_a_layer_ = targets;
   }
 
-  /// Makes room for sums 0 to `count` - 1; new ones are empty. Those beyond are forgotten, and none
-  /// of their samples may wait for `trace`.
+  /// Makes room for sums 0 to `count` - 1; new ones are empty. Sums beyond that are dropped, and
+  /// none of their samples may be waiting for `trace`.
   void resize(std::size_t count);
   [[nodiscard]] std::size_t size() const { return radiance_.size(); }
 

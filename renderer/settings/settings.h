@@ -111,8 +111,8 @@ struct ShutterSettings {
   bool operator==(const ShutterSettings&) const = default;
 };
 
-/// The settings of a rendering. Defaulted and comparable; widgets edit a copy, work takes a copy.
-/// `validated` says what is out of range; nothing is clamped silently.
+/// The settings of a rendering, with defaults. Widgets and renderers work on copies. `validated`
+/// returns an error for values out of range; nothing is clamped silently.
 struct RenderSettings {
   static constexpr double max_filter_width = 4.0;
   static constexpr double max_line_width = 16.0;

@@ -16,11 +16,11 @@ constexpr float layer_legend_width_em = 24.0f;
 
 // The range of each channel: "X: 0 to 2 m".
 std::string channel_ranges(Layer layer, const LayerScale& scale) {
-  const std::string channels = row_of(layer).channels;
+  const std::string letters = row_of(layer).channels;
   std::string words;
-  for (std::size_t c = 0; c < channels.size(); ++c) {
+  for (std::size_t c = 0; c < letters.size(); ++c) {
     const int k = static_cast<int>(c);
-    words += fmt::format("{}{}: {:.3g} to {}", words.empty() ? "" : "\n", channels[c], scale.lo[k],
+    words += fmt::format("{}{}: {:.3g} to {}", words.empty() ? "" : "\n", letters[c], scale.lo[k],
                          with_unit(scale.hi[k], layer));
   }
   return words;

@@ -103,7 +103,7 @@ TEST(LeafShader, AddsALeafByItsWeight) {
   std::vector<RootSum> sums(EyeBlock::side * EyeBlock::side);
   BlurredSum blurred;
   LeafShader shader(block.eye(), block.samples(), chooser, block.selected_lights(), block.shadows(),
-                    sums, blurred);
+                    sums, blurred, nullptr);
   const PyrayLeaf leaf = pixel_leaf(block, 1, 1, 0.25);
   shader.shade(std::span(&leaf, 1));
   shader.finish();
@@ -127,7 +127,7 @@ TEST(LeafShader, LeavesRegionsOpen) {
   std::vector<RootSum> sums(EyeBlock::side * EyeBlock::side);
   BlurredSum blurred;
   LeafShader shader(block.eye(), block.samples(), chooser, block.selected_lights(), block.shadows(),
-                    sums, blurred);
+                    sums, blurred, nullptr);
   PyrayLeaf leaf = pixel_leaf(block, 2, 1);
   leaf.decision = {Estimator::samples, LeafVariation::shading};
   shader.shade(std::span(&leaf, 1));

@@ -141,7 +141,7 @@ TEST(BeforeBoundaries, TimeLimitEndsRenderWithSamples) {
   EXPECT_TRUE(std::any_of(result->film.radiance.begin(), result->film.radiance.end(),
                           [](glm::vec3 pixel) { return pixel.g > 0.0f; }));
 
-  // Without a limit it goes on until it is told to stop.
+  // Without a time limit it renders until `go_on` returns false.
   const auto go_on = [&] { return !std::exchange(told, true); };
   EXPECT_FALSE(FilmRender().render(snapshot_of(held_geometry(closed)), go_on, {}).has_value());
 }
