@@ -115,8 +115,8 @@ Command add_info_command(CLI::App& program) {
                   most_lines_a_list));
   parser->add_flag("--layers", arguments->layers,
                    "List the layers that render writes, with channels, filters and units");
-  parser->callback([arguments] {
-    if (arguments->scene.empty() && !arguments->layers) throw CLI::RequiredError("SCENE");
+  parser->callback([arguments, parser] {
+    if (parser->count("SCENE") == 0 && !arguments->layers) throw CLI::RequiredError("SCENE");
   });
   parser->footer(
       "Examples:\n  asos info model.glb\n  asos info builtin:office --json\n"

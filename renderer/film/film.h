@@ -40,8 +40,8 @@ struct FinishedTile {
 };
 
 /// Copies the common pixels of two tiles of one picture. Costs, coverage and unlit parts are copied
-/// if `to` has them. If `from` has none, they become 0, 1 and 0. Layers are copied if both tiles have
-/// them.
+/// if `to` has them. If `from` has none, they become 0, 1 and 0. Layers are copied if both tiles
+/// have them.
 void copy_pixels(const FinishedTile& from, FinishedTile& to);
 
 /// A whole picture: linear radiance, the split map by level and by cause, and the cost of each

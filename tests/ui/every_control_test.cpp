@@ -123,7 +123,8 @@ class EveryControlTest : public PanelsTest {
                p.scene().asked_for() + s.opening.wanted;
       case Part::save:
         return numbers(static_cast<int>(s.save.what), s.save.exr, s.save.size.x, s.save.size.y,
-                       s.save.show, s.save_scene.show, s.save.frames, s.save.fps, s.save.mp4);
+                       s.save.show, s.save_scene.show, s.save.frames, s.save.fps, s.save.mp4,
+                       static_cast<int>(s.save.layers));
       case Part::picture:
         return numbers(d.show_split_map, static_cast<int>(d.split_colours), s.show_error,
                        s.show_before, s.view.zoom(), static_cast<int>(s.frames.comparison),
@@ -493,6 +494,11 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   use_all("save dialog, EXR", [&] {
     s.save.show = true;
     s.save.exr = true;
+  });
+  use_all("save dialog, EXR with all layers", [&] {
+    s.save.show = true;
+    s.save.exr = true;
+    s.save.layers = SaveChoice::Layers::all;
   });
   use_all("save dialog, window", [&] {
     s.save.show = true;

@@ -10,9 +10,13 @@ namespace {
 
 constexpr float widths_em[] = {25.0f, 21.0f, 17.0f, 14.5f};
 
-float overlap(const WindowRect& a, const WindowRect& b) {
-  const glm::vec2 lo = glm::max(a.lo, b.lo), hi = glm::min(a.lo + a.size, b.lo + b.size);
-  return hi.x > lo.x && hi.y > lo.y ? (hi.x - lo.x) * (hi.y - lo.y) : 0.0f;
+// Returns the covered fraction of a rectangle: to cover a pixel is as bad as to cover a whole
+// panel.
+float covered_fraction(const WindowRect& rect, const WindowRect& by) {
+  const glm::vec2 lo = glm::max(rect.lo, by.lo);
+  const glm::vec2 hi = glm::min(rect.lo + rect.size, by.lo + by.size);
+  if (hi.x <= lo.x || hi.y <= lo.y) return 0.0f;
+  return (hi.x - lo.x) * (hi.y - lo.y) / (rect.size.x * rect.size.y);
 }
 
 // Lists coordinates to try: both ends of the room, then those next to taken rectangles.
@@ -42,7 +46,8 @@ CardPlace card_place(const WindowRect& room, glm::vec2 size, std::span<const Win
     for (const float y : starts(room, height, taken, 1, gap)) {
       for (const float x : starts(room, width, taken, 0, gap)) {
         float hidden = 0.0f;
-        for (const WindowRect& rect : taken) hidden += overlap({{x, y}, {width, height}}, rect);
+        for (const WindowRect& rect : taken)
+          hidden += covered_fraction(rect, {{x, y}, {width, height}});
         if (hidden >= least) continue;
         least = hidden;
         best = {{x, y}, width};
