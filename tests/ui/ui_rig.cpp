@@ -33,6 +33,10 @@ RenderSettings small_settings() {
   return settings;
 }
 
+// A test waits for the render's thread, and laying out a frame takes about a millisecond. Without a
+// pause that is longer, waiting takes as much processor time as rendering.
+void pause_for_other_threads() { std::this_thread::sleep_for(std::chrono::milliseconds(4)); }
+
 }  // namespace
 
 UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skies)
@@ -83,7 +87,7 @@ bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds
       return false;
     }
     frame();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    pause_for_other_threads();
   }
   return true;
 }
@@ -103,8 +107,7 @@ bool UiRig::sleeps(double limit_seconds) {
       draw();
       schedule_.end_frame(content_->seconds_to_redraw());
     }
-    // Time for other threads, which do not use the test's clock.
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    pause_for_other_threads();
   }
   return false;
 }

@@ -127,7 +127,10 @@ void expect_finite(const Scene& scene) {
   for (const Settings& settings : {test::small_settings(8, 8), Settings{.width = 8, .height = 8}}) {
     const Result<Picture> picture = render(scene, scene.default_camera(1.0), settings);
     ASSERT_TRUE(picture) << picture.error().message();
-    for (const float value : picture->layer("beauty")->values) ASSERT_TRUE(std::isfinite(value));
+    const Result<Layer> beauty = picture->layer("beauty");
+    ASSERT_TRUE(beauty) << beauty.error().message();
+    ASSERT_FALSE(beauty->values.empty());
+    for (const float value : beauty->values) ASSERT_TRUE(std::isfinite(value));
   }
 }
 
