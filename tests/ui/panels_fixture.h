@@ -18,7 +18,7 @@ using namespace ui;
 /// that.
 class PanelsTest : public testing::Test {
  protected:
-  explicit PanelsTest(int pixel_size = 3) {
+  explicit PanelsTest(int pixel_size = 6) {
     rig.set_pixel_size(pixel_size);
     StoredSettings stored = rig.content().stored_settings();
     stored.tab = PanelTab::all;
