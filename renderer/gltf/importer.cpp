@@ -169,6 +169,7 @@ int Importer::load(int index, int p, const SkinPose* skin, const std::string& pl
     request.weights.assign(all.begin(), all.begin() + used);
   }
   const MeshKey key{node.mesh, p, request.weights};
+  // A skin's mesh is posed, so no other node shares it.
   if (const auto known = meshes_.find(key); !skin && known != meshes_.end()) return known->second;
   const int material = material_of(primitive, place);
   if (material >= 0) request.material = &scene_.materials[static_cast<std::size_t>(material)];
@@ -183,10 +184,10 @@ int Importer::load(int index, int p, const SkinPose* skin, const std::string& pl
                                    : load_mesh(std::move(request), mesh.name, world_from_mesh);
   if (loaded) loaded->material = material;
   if (still && made == still_.meshes.end()) still_.meshes.emplace(key, loaded);
-  int& known = meshes_[key];
-  known = loaded ? static_cast<int>(scene_.meshes.size()) : -1;
+  const int number_in_scene = loaded ? static_cast<int>(scene_.meshes.size()) : -1;
+  if (!skin) meshes_[key] = number_in_scene;
   if (loaded) scene_.meshes.push_back(std::move(*loaded));
-  return known;
+  return number_in_scene;
 }
 
 // Adds a skin's offset to `world_from_mesh`.

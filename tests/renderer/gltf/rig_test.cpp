@@ -156,6 +156,18 @@ TEST(PosableScene, BendsAnArmAtItsElbow) {
   expect_near(world_vertex(half, 2), {1 + std::sqrt(0.5), std::sqrt(0.5), 0});
 }
 
+// The second node comes later, and has the mesh without the skin.
+TEST(PosableScene, ASkinDoesNotPoseAnotherNodeOfItsMesh) {
+  GltfBuilder b = arm();
+  for (int k = 0; k < 4; ++k) b.json["nodes"][2]["rotation"][k] = about_z(-90)[k];
+  b.json["nodes"].push_back({{"mesh", 0}});
+  b.json["scenes"][0]["nodes"].push_back(3);
+  const Scene scene = with_rig(b);
+  ASSERT_EQ(scene.instances.size(), 2u);
+  expect_near(world_vertex(scene, 2, 0), {1, -1, 0});
+  expect_near(world_vertex(scene, 2, 1), {2, 0, 0});
+}
+
 TEST(PosableScene, AtRestTheFilesNodesPoseASkin) {
   GltfBuilder b = arm();
   for (int k = 0; k < 4; ++k) b.json["nodes"][2]["rotation"][k] = about_z(-90)[k];
