@@ -33,14 +33,14 @@ void add_railing(Mesh& mesh, glm::vec3 from, glm::vec3 to, int balusters) {
 }  // namespace
 
 void add_tiled_slope(Mesh& mesh, glm::vec2 eave, glm::vec2 ridge, float half_length, float side,
-                     int sky_fits) {
+                     int courses) {
   // The outline runs down the underside, from the ridge to the eave, and back up over the tiles.
   // Each course is thick at its lower end and thin at its upper end.
-  const auto n = static_cast<std::uint32_t>(sky_fits);
-  const glm::vec2 along = (ridge - eave) / static_cast<float>(sky_fits);
+  const auto n = static_cast<std::uint32_t>(courses);
+  const glm::vec2 along = (ridge - eave) / static_cast<float>(courses);
   const glm::vec2 out = glm::normalize(glm::vec2(along.y, -along.x));
   std::vector<glm::vec2> outline;
-  for (int i = sky_fits; i >= 0; --i) outline.push_back(eave + static_cast<float>(i) * along);
+  for (int i = courses; i >= 0; --i) outline.push_back(eave + static_cast<float>(i) * along);
   for (std::uint32_t i = 0; i < n; ++i) {
     outline.push_back(outline[n - i] + 0.09f * out);
     outline.push_back(outline[n - i - 1] + 0.035f * out);
@@ -87,7 +87,7 @@ void place_window(SceneAssembler& stage, const WindowMeshes& window, const glm::
 void add_porch(SceneAssembler& stage, float x0, float x1, float wall) {
   constexpr float deck = 0.3f, depth = 2.0f, eave = 2.35f;
   const float edge = wall + depth;
-  Mesh floor, wood, sky_fits;
+  Mesh floor, wood, courses;
   add_box(floor, {x0, 0.0f, wall + 0.08f}, {x1, deck, edge});
   for (int i = 0; i < 2; ++i) {
     const float z = edge + 0.3f * static_cast<float>(i);
@@ -116,9 +116,9 @@ void add_porch(SceneAssembler& stage, float x0, float x1, float wall) {
   // The lean-to roof: courses that fall from the wall to beyond the posts. Its slope's "ridge" is
   // the line where it meets the wall.
   const glm::vec2 low(edge + 0.25f, eave + 0.1f), high(wall, eave + 0.62f);
-  add_tiled_slope(sky_fits, low, high, 0.5f * (x1 - x0) + 0.15f, 1.0f, 4);
+  add_tiled_slope(courses, low, high, 0.5f * (x1 - x0) + 0.15f, 1.0f, 4);
   const int roof_mesh =
-      stage.keep("porch roof", std::move(sky_fits), stage.paint("porch tiles", 0x96604a, 0.85f));
+      stage.keep("porch roof", std::move(courses), stage.paint("porch tiles", 0x96604a, 0.85f));
   stage.place("porch roof", roof_mesh, turned({0.5 * (x0 + x1), 0.0, 0.0}, 0.0));
   stage.add("porch floor", std::move(floor), stage.paint("boards", 0xb59a78, 0.9f));
   stage.add("porch", std::move(wood), stage.paint("porch wood", white_trim, 0.7f));

@@ -12,7 +12,7 @@ namespace asos::builtin {
 /// triangles each). `eave` and `ridge` are (distance from the ridge's plane, height) of the slope's
 /// underside. `side` is +1 for the slope that falls towards +z and -1 for the other.
 void add_tiled_slope(Mesh& mesh, glm::vec2 eave, glm::vec2 ridge, float half_length, float side,
-                     int sky_fits);
+                     int courses);
 
 /// A window with mullions and shutters, around the origin and facing +z, for many instances.
 struct WindowMeshes {

@@ -15,10 +15,10 @@ namespace {
 constexpr float front_half = 7.5f, front_height = 9.6f;
 
 /// The strokes of a letter in a box 1 wide and 1.6 high, from its lower left corner.
-struct LineOrPoint {
+struct Stroke {
   glm::vec2 from, to;
 };
-std::vector<LineOrPoint> strokes_of(char letter) {
+std::vector<Stroke> strokes_of(char letter) {
   const glm::vec2 a(0.0f, 0.0f), b(1.0f, 0.0f), c(1.0f, 0.8f), d(1.0f, 1.6f), e(0.0f, 1.6f),
       f(0.0f, 0.8f), low(0.5f, 0.0f), middle(0.5f, 0.8f), high(0.5f, 1.6f);
   switch (letter) {
