@@ -75,6 +75,18 @@ class Actions {
   posix_spawn_file_actions_t actions_{};
 };
 
+// Asks the program to end, and kills it if it has not ended after a second.
+void end(pid_t child) {
+  kill(child, SIGTERM);
+  constexpr std::chrono::milliseconds patience{1000};
+  for (std::chrono::milliseconds waited{0}; waited < patience; waited += look_interval) {
+    if (waitpid(child, nullptr, WNOHANG) != 0) return;
+    std::this_thread::sleep_for(look_interval);
+  }
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
 // Waits for the program and returns its status. Error: it was stopped.
 Result<int> wait_for(pid_t child, const std::string& name, const std::function<bool()>& stop) {
   int status = 0;
@@ -83,8 +95,7 @@ Result<int> wait_for(pid_t child, const std::string& name, const std::function<b
     if (ended == child) return status;
     if (ended < 0 && errno != EINTR) return unexpected(Error{name, std::strerror(errno)});
     if (stop && stop()) {
-      kill(child, SIGTERM);
-      waitpid(child, &status, 0);
+      end(child);
       return unexpected(Error{name, "stopped"});
     }
     std::this_thread::sleep_for(look_interval);

@@ -252,5 +252,15 @@ TEST(HelperProgram, CanBeStopped) {
   EXPECT_EQ(ended.error().message(), "sleep: stopped");
 }
 
+TEST(HelperProgram, IsKilledIfItDoesNotEnd) {
+  TemporaryFolder folder;
+  const std::string ready = folder.file("ready");
+  const std::string deaf = "trap '' TERM; : > '" + ready + "'; while :; do sleep 1; done";
+  const Result<void> ended =
+      run_program({"/bin/sh", "-c", deaf}, "", [&] { return std::filesystem::exists(ready); });
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(ended.error().message(), "sh: stopped");
+}
+
 }  // namespace
 }  // namespace asos::test::save_more_test
