@@ -267,7 +267,6 @@ class FlickerRun {
   /// their curve that takes longer than the anchor.
   Result<void> choose_points(const Reference& reference) {
     std::vector<FlickerPoint> all = std::exchange(study_.points, {});
-    const std::string anchor_curve = "asos EPS 1/256";
     std::map<std::string, double> longest;  // slowest rendered setting of each curve, in seconds
     double anchor_seconds = 0.0;
     const auto take = [&](FlickerPoint& p) -> Result<void> {
@@ -284,14 +283,13 @@ class FlickerRun {
       }
       double& curve = longest[p.rung.curve];
       curve = std::max(curve, p.seconds.front());
-      if (p.rung.method == "asos" && p.rung.setting == anchor_setting)
-        anchor_seconds = p.seconds.front();
+      if (is_anchor(p.rung)) anchor_seconds = p.seconds.front();
       study_.points.push_back(std::move(p));
       return {};
     };
-    // The anchor's curve goes first.
+    // The anchor's method goes first.
     std::stable_partition(all.begin(), all.end(),
-                          [&](const FlickerPoint& p) { return p.rung.curve == anchor_curve; });
+                          [](const FlickerPoint& p) { return p.rung.method == "asos"; });
     for (FlickerPoint& p : all)
       if (const auto taken = take(p); !taken) return taken;
     return {};

@@ -52,9 +52,8 @@ double FlickerPoint::mean_seconds() const {
 }
 
 const FlickerPoint* FlickerStudy::anchor() const {
-  const auto usual = std::find_if(points.begin(), points.end(), [](const FlickerPoint& p) {
-    return p.rung.method == flicker_subject && p.rung.setting == anchor_setting;
-  });
+  const auto usual = std::find_if(points.begin(), points.end(),
+                                  [](const FlickerPoint& p) { return is_anchor(p.rung); });
   if (usual != points.end()) return &*usual;
   return points.empty() ? nullptr : &points[points.size() / 2];
 }

@@ -92,12 +92,18 @@ glm::u8vec3 region_colour(Region region) {
   return {60, 60, 60};
 }
 
+bool is_anchor(const LadderStep& step) {
+  const AsosSettings usual;
+  return step.method == "asos" && step.settings.asos.max_level == usual.max_level &&
+         step.settings.asos.eps == usual.eps;
+}
+
 const StudyPoint* anchor_of(const SceneStudy& study) {
   const StudyPoint* middle = nullptr;
   std::vector<const StudyPoint*> asos;
   for (const StudyPoint& p : study.points) {
     if (p.rung.method != "asos") continue;
-    if (p.rung.setting == anchor_setting) return &p;
+    if (is_anchor(p.rung)) return &p;
     asos.push_back(&p);
   }
   if (!asos.empty())

@@ -29,8 +29,8 @@ struct ScenePictures {
 [[nodiscard]] glm::u8vec3 error_colour(double share);
 [[nodiscard]] glm::u8vec3 region_colour(Region region);
 
-/// The setting of ASOS with the program's defaults.
-inline constexpr const char* anchor_setting = "MAX 3 EPS 1/256";
+/// Whether a step is ASOS with the program's default MAX and EPS.
+[[nodiscard]] bool is_anchor(const LadderStep& step);
 
 /// The point of a study at which pictures are compared: ASOS with the program's defaults, or else a
 /// setting in the middle. Null: there are no points.

@@ -2,8 +2,10 @@
 
 #include "app/report/html_page.h"
 #include "app/report/method_faults.h"
+#include "app/report/pictures.h"
 #include "app/report/plots.h"
 #include "app/report/subdivision_tables.h"
+#include "renderer/study/ladders.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/temporary_folder.h"
 
@@ -41,6 +43,20 @@ StudyReport paper_report() {
   analyse(office.study);
   report.scenes.push_back(office);
   return report;
+}
+
+TEST(Anchor, HasTheProgramsDefaults) {
+  SceneStudy study;
+  for (const char* method : {"sobol", "asos"}) {
+    const auto ladder = ladder_of(method, {});
+    ASSERT_TRUE(ladder);
+    for (const LadderStep& step : *ladder) study.points.emplace_back().rung = step;
+  }
+  const StudyPoint* anchor = anchor_of(study);
+  ASSERT_NE(anchor, nullptr);
+  EXPECT_EQ(anchor->rung.method, "asos");
+  EXPECT_EQ(anchor->rung.settings.asos.eps, AsosSettings{}.eps);
+  EXPECT_EQ(anchor->rung.settings.asos.max_level, AsosSettings{}.max_level);
 }
 
 // The bias is a line across the plot of the error that it limits, and across no other.
