@@ -5,6 +5,7 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/pyray/caster.h"
+#include "renderer/pyray/error_budget.h"
 #include "renderer/shadows/leaf_context.h"
 #include "renderer/shadows/light_view.h"
 #include "renderer/shadows/shadow_context.h"
@@ -13,6 +14,23 @@
 #include <vector>
 
 namespace asos {
+
+/// A leaf whose estimator is to be chosen.
+struct LeafChoice {
+  double weight = 1.0;  ///< fraction of the root's area
+  ErrorBound bound;     ///< error bound of its centre: the sum of all error terms
+  double price = 1.0;   ///< cost of one leaf of its surface, in samples
+  bool may_split = false;
+};
+
+/// Returns whether MAX or EPS allows so few samples for a part of this weight that sampling it
+/// costs no more than shading one leaf exactly.
+[[nodiscard]] bool samples_cost_least(const ErrorBudget& error_budget, double weight);
+
+/// Returns the cheapest estimator with an error within the allowance: the leaf's centre, samples of
+/// the leaf, or its four quarters. If none qualifies, returns the one with the least error (design
+/// section 14).
+[[nodiscard]] Estimator choose(const ErrorBudget& error_budget, const LeafChoice& leaf);
 
 /// Chooses the estimator of each leaf of a block and stores the evenly lit patches and the views of
 /// the lights that it finds.

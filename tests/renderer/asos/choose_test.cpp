@@ -1,4 +1,4 @@
-#include "renderer/asos/choose.h"
+#include "renderer/asos/leaf_chooser.h"
 
 #include <gtest/gtest.h>
 
