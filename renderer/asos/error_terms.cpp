@@ -2,7 +2,6 @@
 
 #include "renderer/asos/footprint_shape.h"
 #include "renderer/asos/highlight_rays.h"
-#include "renderer/asos/light_counts.h"
 #include "renderer/asos/textured_sight.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
@@ -13,6 +12,7 @@
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/unevenness.h"
 #include "renderer/shadows/penumbra.h"
+#include "renderer/shadows/shadow.h"
 #include "renderer/world/hit_plane.h"
 #include "renderer/world/surface_kind.h"
 

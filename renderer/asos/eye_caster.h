@@ -2,7 +2,6 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
-#include "renderer/asos/eye_workspace.h"
 #include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_layers.h"
 #include "renderer/asos/leaf_shader.h"
@@ -11,15 +10,33 @@
 #include "renderer/asos/selected_lights.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tracer.h"
+#include "renderer/shadows/shadow_context.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace asos {
+
+/// Scratch memory for the shadow pyrays and the reflected pyrays of leaves, by number of bounces.
+/// Holds no result.
+struct EyeWorkspace {
+  ShadowWorkspace shadows;
+
+  [[nodiscard]] Tracer& mirror_tracer(int bounce) {
+    while (mirrors_.size() <= static_cast<std::size_t>(bounce))
+      mirrors_.push_back(std::make_unique<Tracer>());
+    return *mirrors_[static_cast<std::size_t>(bounce)];
+  }
+
+ private:
+  std::vector<std::unique_ptr<Tracer>> mirrors_;
+};
 
 /// The engine's Caster for eye pyrays and reflected pyrays. It joins the block's samples, the data
 /// beyond single samples (covers, normals) and the shading of leaves. A root is a pixel.

@@ -295,7 +295,7 @@ bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
     sample_defocused(leaf.root, leaf.sample);
     return true;
   }
-  const RegionSampler::Goal goal = sample_goal(*eye_, leaf.weight, fewest);
+  const RegionSampler::Goal goal = sample_goal(eye_->error_budget, leaf.weight, fewest);
   if (!eye_->mirrored()) {
     defer(leaf, goal, layers_ && layers_->sampled(leaf));
     return true;

@@ -1,7 +1,6 @@
 #include "renderer/asos/leaf_transport.h"
 
 #include "renderer/asos/highlight_rays.h"
-#include "renderer/asos/light_counts.h"
 #include "renderer/asos/reflected_pyray.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/reflected_light.h"

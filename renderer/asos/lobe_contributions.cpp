@@ -1,7 +1,7 @@
 #include "renderer/asos/lobe_contributions.h"
 
-#include "renderer/asos/sample_goal.h"
 #include "renderer/geometry/largest.h"
+#include "renderer/samples/region_sampler.h"
 
 #include <algorithm>
 #include <bit>
@@ -22,7 +22,7 @@ RegionSampler& LobeContributions::sampler() {
 // As many samples as for noise, but the first round is limited by the lobes' reflectance of white.
 // MAX 0 requires one sample.
 RegionSampler::Goal LobeContributions::goal_of(double weight, glm::vec3 reflected) const {
-  RegionSampler::Goal goal = sample_goal(*eye_, weight);
+  RegionSampler::Goal goal = sample_goal(eye_->error_budget, weight);
   const double share = std::min(1.0, static_cast<double>(largest(reflected)));
   const auto worth = static_cast<std::uint32_t>(share * goal.least);
   goal.least = std::clamp(std::bit_ceil(worth), std::min(4u, goal.least), goal.least);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderer/asos/open_regions.h"
 #include "renderer/asos/root_sums.h"
 #include "renderer/film/block_result.h"
 #include "renderer/film/layer_sums.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/pyray/error_budget.h"
 #include "renderer/pyray/square.h"
 #include "renderer/reflections/reflection_mask.h"
 #include "renderer/samples/sample_sums.h"
@@ -138,5 +139,11 @@ class RegionSampler::Open {
   std::vector<SampleSums::Sum> sums_;  // as many of each as it has
   std::vector<LayerSum> layers_;       // one a region, or none
 };
+
+/// Returns the sampling goal of a part of a root. Sampling starts with the pilot's number, or
+/// `fewest` if larger. It ends at the number that MAX allows, or once the standard error is within
+/// the allowance.
+[[nodiscard]] RegionSampler::Goal sample_goal(const ErrorBudget& error_budget, double weight,
+                                              std::uint32_t fewest = 1);
 
 }  // namespace asos

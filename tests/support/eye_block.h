@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/asos/error_terms.h"
+#include "renderer/asos/eye_caster.h"
 #include "renderer/asos/eye_samples.h"
-#include "renderer/asos/eye_workspace.h"
 #include "renderer/asos/leaf.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/prepared/render_scene.h"
