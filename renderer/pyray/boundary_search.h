@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/pyray/boundary_kinds.h"
+#include "renderer/features/feature_edge.h"
 #include "renderer/pyray/hit_list.h"
 #include "renderer/pyray/subdivision_variant.h"
 #include "renderer/settings/settings.h"
@@ -13,6 +13,21 @@
 #include <vector>
 
 namespace asos {
+
+/// Kinds of boundaries, a bit for each FeatureKind.
+class BoundaryKinds {
+ public:
+  void add(FeatureKind kind) { bits_ = static_cast<std::uint8_t>(bits_ | bit(kind)); }
+  void add(BoundaryKinds other) { bits_ = static_cast<std::uint8_t>(bits_ | other.bits_); }
+  [[nodiscard]] bool has(FeatureKind kind) const { return (bits_ & bit(kind)) != 0; }
+  [[nodiscard]] bool empty() const { return bits_ == 0; }
+
+ private:
+  [[nodiscard]] static std::uint8_t bit(FeatureKind kind) {
+    return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
+  }
+  std::uint8_t bits_ = 0;
+};
 
 /// The boundaries near the cells of one root frame: its hit lists with the detection, which defines
 /// what counts as near (CGF'98 sections 3 and 6.1). One object per thread; `start` reuses its

@@ -1,7 +1,7 @@
 #include "renderer/pyray/partition.h"
 
 #include "renderer/geometry/cross.h"
-#include "renderer/pyray/partition_gaps.h"
+#include "renderer/pyray/partition_pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,8 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
-
-// The boundaries of a cell in cell units, with the tolerances for equal points and for points on
-// its border.
+#include <span>
+#include <vector>
 
 namespace asos {
 
@@ -41,5 +40,12 @@ inline constexpr double snap = 4e-6;
   }
   return p;
 }
+
+/// Connects pieces that end slightly (a 64th of a cell) before another, by additional pieces, so
+/// that no line moves. `nodes` and `edges` are those of the given pieces. Returns whether there
+/// were any gaps.
+[[nodiscard]] bool close_gaps(std::vector<PartitionPiece>& pieces,
+                              std::span<const glm::dvec2> nodes,
+                              std::span<const PartitionEdge> edges);
 
 }  // namespace asos

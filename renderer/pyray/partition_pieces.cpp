@@ -1,4 +1,4 @@
-#include "renderer/pyray/partition_gaps.h"
+#include "renderer/pyray/partition_pieces.h"
 
 #include "renderer/geometry/cross.h"
 
