@@ -1,15 +1,30 @@
 #include "renderer/shadows/area_shadow.h"
 
 #include "renderer/pyray/leaf_costs.h"
-#include "renderer/shadows/broad_lobe.h"
+#include "renderer/shading/reflected_light.h"
 #include "renderer/shadows/sampled_shadow.h"
 #include "renderer/shadows/shadow.h"
+#include "renderer/shadows/shadow_context.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace asos {
 namespace {
+
+// Partially occluded lights in broad lobes, such as those of rough metal. The highlight of a broad
+// lobe extends over the whole light, so it depends on which part of the light is visible and not
+// only on the visible fraction.
+
+// Returns whether that matters visibly for this visible fraction.
+bool lobe_tells_apart(const ShadowContext& block, const Illumination& lit, const Visibility& seen) {
+  const ErrorBudget& error_budget = block.rules.error_budget;
+  if (!error_budget.refines_leaves() || !is_broad(lit)) return false;
+  const Visibility both = seen * (1.0 - seen);
+  const auto share = static_cast<float>(std::max({both.x, both.y, both.z}));
+  const float tolerance = error_budget.tolerance;
+  return share * lit.highlight > tolerance && share * spread_over(lit) > tolerance;
+}
 
 // If neither a light nor its quarters can be cut along their boundaries, the light is sampled. More
 // levels of pyrays cost more than rays from all over the patch.

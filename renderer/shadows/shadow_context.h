@@ -1,8 +1,10 @@
 #pragma once
 
 #include "renderer/geometry/frame.h"
+#include "renderer/kernels/light_kernel.h"
 #include "renderer/pyray/rules.h"
 #include "renderer/pyray/tracer.h"
+#include "renderer/rays/ray_scene.h"
 #include "renderer/settings/settings.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/leaf_context.h"
@@ -10,8 +12,9 @@
 #include "renderer/shadows/patch_caster.h"
 #include "renderer/shadows/patch_points.h"
 #include "renderer/shadows/patch_view.h"
-#include "renderer/shadows/sampled_rays.h"
 #include "renderer/shadows/shadow_groups.h"
+
+#include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +22,17 @@
 #include <vector>
 
 namespace asos {
+
+/// A batch of rays between a patch and a light.
+struct SampledRays {
+  ShadowRayBatch rays;
+  std::vector<glm::vec3> transmittances;  ///< fraction of each that arrives
+
+  /// Returns the unshadowed irradiance of a ray.
+  [[nodiscard]] float weight(std::size_t ray) const { return rays.carried[0][ray]; }
+  /// Traces the batch. `own_part`: see RayScene.
+  void trace(const RayScene& scene, std::int32_t own_part);
+};
 
 class AreaShadows;
 
