@@ -6,6 +6,9 @@
 #include <span>
 #include <vector>
 
+// The boundaries of a cell in cell units, with the tolerances for equal points and for points on
+// its border.
+
 namespace asos {
 
 /// A straight boundary within the cell.

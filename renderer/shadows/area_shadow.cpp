@@ -12,11 +12,9 @@
 namespace asos {
 namespace {
 
-// Partially occluded lights in broad lobes, such as those of rough metal. The highlight of a broad
-// lobe extends over the whole light, so it depends on which part of the light is visible and not
-// only on the visible fraction.
-
-// Returns whether that matters visibly for this visible fraction.
+// Returns whether a lobe is so broad that it matters visibly which part of the light is visible,
+// and not only its fraction `seen`. The highlight of a broad lobe, such as that of rough metal,
+// extends over the whole light.
 bool lobe_tells_apart(const ShadowContext& block, const Illumination& lit, const Visibility& seen) {
   const ErrorBudget& error_budget = block.rules.error_budget;
   if (!error_budget.refines_leaves() || !is_broad(lit)) return false;
