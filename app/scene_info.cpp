@@ -3,7 +3,7 @@
 #include "app/printed_json.h"
 #include "renderer/files/counted.h"
 #include "renderer/scene/environment_cube.h"
-#include "renderer/scene/extension_warnings.h"
+#include "renderer/scene/scene_warnings.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>

@@ -1,4 +1,3 @@
-#include "renderer/lights/lighting_axes.h"
 #include "renderer/lights/studio_lighting.h"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "renderer/lights/studio_lighting.h"
 
-#include "renderer/lights/lighting_axes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -5,18 +5,26 @@
 #include "renderer/reflections/reflection_mask.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_sampler.h"
-#include "renderer/sampling/estimate.h"
 #include "renderer/sampling/sequential_mean.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <stop_token>
 #include <vector>
 
 namespace asos {
+
+/// A value, with its error and cost (design section 14).
+struct Estimate {
+  glm::dvec3 value{0.0};
+  /// A proven bound on the value's error, or its standard error, in display intensity (1 is white).
+  double error = std::numeric_limits<double>::infinity();
+  double cost = 0.0;  ///< in samples
+};
 
 /// Estimates parts of pixels by samples that are well distributed over the part and each light, in
 /// packets. Used where so many boundaries or lights affect a part that an exact result would cost

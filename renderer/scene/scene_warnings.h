@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asos {
@@ -14,5 +15,12 @@ namespace asos {
 
 /// Returns the number of remarks, including those that the last warning only counts.
 [[nodiscard]] std::uint64_t count_warnings(const SceneNotes& notes);
+
+/// Returns how a picture looks without a glTF extension; empty if unknown.
+[[nodiscard]] std::string_view seen_without(std::string_view extension);
+
+/// Returns a line about an unsupported glTF extension: its name, and how a picture looks without
+/// it, if known.
+[[nodiscard]] std::string unsupported_line(std::string_view extension);
 
 }  // namespace asos
