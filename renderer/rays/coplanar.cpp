@@ -15,7 +15,7 @@ namespace asos::tracing {
 namespace {
 
 // Distances below this fraction of the coordinates are rounding errors, as for intersection lines
-// (triangle_line.cpp).
+// (intersections.cpp).
 constexpr double rounding_share = 4e-7;
 
 // Limits for one triangle: the number of triangles of its size or larger to compare, and of any
