@@ -1,6 +1,5 @@
 #include "renderer/shading/surface.h"
 
-#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/hit_triangle.h"
 #include "renderer/shading/smooth_surface.h"
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace asos {
 namespace {
@@ -159,112 +157,6 @@ void place_on_face(const World& world, const Hit& hit, SurfacePoint& point) {
                 static_cast<float>(rounding_in_double * face.size);
 }
 
-/// Makes a material from its base colour; `sample(use, kind)` looks up the other textures.
-template <typename Sample>
-SurfaceMaterial material_with(const Material& material, const RenderFeatures& render_features,
-                              glm::vec4 base, const Sample& sample) {
-  SurfaceMaterial surface;
-  surface.base_color = glm::vec3(base);
-  surface.unlit = material.unlit;
-  surface.transmission = std::clamp(material.transmission, 0.0f, 1.0f);
-  if (surface.transmission > 0.0f && render_features.textures &&
-      material.transmission_texture.used())
-    surface.transmission *= sample(material.transmission_texture, TexelKind::data).r;
-  if (material.alpha_mode == AlphaMode::blend) {
-    surface.opacity = std::clamp(base.a, 0.0f, 1.0f);
-  } else if (material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
-    // Without transmission, RayScene has applied the cut-off already.
-    surface.opacity = base.a >= material.alpha_cutoff ? 1.0f : 0.0f;
-  }
-  const auto emission = [&] {
-    glm::vec3 emitted = material.emissive * material.emissive_strength;
-    if (material.emissive_texture.used() && emitted != glm::vec3(0.0f))
-      emitted *= glm::vec3(sample(material.emissive_texture, emissive_kind(material)));
-    return emitted;
-  };
-  if (surface.unlit) {
-    if (material.stroke && render_features.emission) surface.base_color += emission();
-    return surface;
-  }
-
-  surface.metallic = material.metallic;
-  surface.roughness = material.roughness;
-  if (render_features.textures && material.metallic_roughness_texture.used()) {
-    const glm::vec4 texel = sample(material.metallic_roughness_texture, TexelKind::data);
-    surface.roughness *= texel.g;
-    surface.metallic *= texel.b;
-  }
-  if (render_features.textures && material.occlusion_texture.used()) {
-    const float seen = sample(material.occlusion_texture, TexelKind::data).r;
-    surface.occlusion = 1.0f + material.occlusion_texture.scale * (seen - 1.0f);
-  }
-  const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
-  // KHR_materials_specular. An index of 0 means an infinite one: everything is reflected.
-  glm::vec3 specular_color = material.specular_color;
-  float specular = material.specular;
-  if (render_features.textures && material.specular_color_texture.used())
-    specular_color *= glm::vec3(sample(material.specular_color_texture, TexelKind::color));
-  if (render_features.textures && material.specular_texture.used())
-    specular *= sample(material.specular_texture, TexelKind::data).a;
-  surface.f0 = glm::min(dielectric * dielectric * specular_color, glm::vec3(1.0f)) * specular;
-  surface.f90 = specular;
-  surface.dielectric_f0 = std::max({surface.f0.x, surface.f0.y, surface.f0.z});
-  surface.dielectric_f90 = surface.f90;
-  if (render_features.metals) {
-    surface.f0 = glm::mix(surface.f0, surface.base_color, surface.metallic);
-    surface.f90 = glm::mix(surface.f90, 1.0f, surface.metallic);
-  }
-
-  if (material.coat.factor > 0.0f) {
-    surface.coat = {material.coat.factor, material.coat.roughness};
-    if (render_features.textures && material.coat.texture.used())
-      surface.coat.factor *= sample(material.coat.texture, TexelKind::data).r;
-    if (render_features.textures && material.coat.roughness_texture.used())
-      surface.coat.roughness *= sample(material.coat.roughness_texture, TexelKind::data).g;
-  }
-
-  if (material.sheen.used()) {
-    surface.sheen = {material.sheen.color, material.sheen.roughness};
-    if (render_features.textures && material.sheen.color_texture.used())
-      surface.sheen.color *= glm::vec3(sample(material.sheen.color_texture, TexelKind::color));
-    if (render_features.textures && material.sheen.roughness_texture.used())
-      surface.sheen.roughness *= sample(material.sheen.roughness_texture, TexelKind::data).a;
-  }
-
-  if (material.film.used()) {
-    surface.film = {material.film.factor, material.film.ior, material.film.thickness_max_nm};
-    if (render_features.textures && material.film.texture.used())
-      surface.film.factor *= sample(material.film.texture, TexelKind::data).r;
-    if (render_features.textures && material.film.thickness_texture.used()) {
-      const float g = sample(material.film.thickness_texture, TexelKind::data).g;
-      surface.film.thickness_nm =
-          glm::mix(material.film.thickness_min_nm, material.film.thickness_max_nm, g);
-    }
-  }
-
-  if (material.anisotropy.used()) {
-    const TextureUse& use = material.anisotropy.texture;
-    surface.anisotropy =
-        render_features.textures && use.used()
-            ? anisotropy_of(material.anisotropy, glm::vec3(sample(use, TexelKind::data)))
-            : anisotropy_of(material.anisotropy);
-  }
-
-  if (material.diffuse_transmission.used()) {
-    const DiffuseTransmission& through = material.diffuse_transmission;
-    surface.diffuse_transmission = through.factor;
-    surface.diffuse_transmission_color = through.color;
-    if (render_features.textures && through.texture.used())
-      surface.diffuse_transmission *= sample(through.texture, TexelKind::data).a;
-    if (render_features.textures && through.color_texture.used())
-      surface.diffuse_transmission_color *=
-          glm::vec3(sample(through.color_texture, TexelKind::color));
-  }
-
-  if (render_features.emission) surface.emission = emission();
-  return surface;
-}
-
 }  // namespace
 
 SurfacePoint surface_point(const World& world, const RenderFeatures& render_features,
@@ -312,75 +204,6 @@ SurfacePoint coat_point(const World& world, const RenderFeatures& render_feature
   return coat;
 }
 
-SurfaceMaterial surface_material(const World& world, const RenderFeatures& render_features,
-                                 const Hit& hit, const Footprint& footprint,
-                                 const MipChains* mips) {
-  const Material& material = world.material_of(hit.triangle);
-  const bool tinted = render_features.vertex_colors && !world.colors.empty();
-  const glm::vec4 tint =
-      tinted ? vertex_color(world, hit.triangle, hit.b1, hit.b2) : glm::vec4(1.0f);
-  // The texture's alpha from which on a mask is opaque.
-  std::optional<float> seen_from;
-  if (material.alpha_mode == AlphaMode::mask)
-    seen_from = material.alpha_cutoff / (material.base_color.a * tint.a);
-  const auto sample = [&](const TextureUse& use, TexelKind kind) {
-    // Textures with alpha keep their size: averaged over more than the footprint, each layer would
-    // show the holes of others.
-    const Footprint shown = kind == TexelKind::color ? of_colours(footprint) : footprint;
-    if (mips)
-      return filtered_texture(world, *mips, use, {kind, seen_from},
-                              {hit.triangle, hit.b1, hit.b2, shown});
-    return sample_texture(world, use, hit.triangle, hit.b1, hit.b2,
-                          kind == TexelKind::data ? Encoding::linear : Encoding::srgb);
-  };
-
-  glm::vec4 base = material.base_color;
-  if (render_features.textures && material.base_color_texture.used()) {
-    glm::vec4 texel = sample(material.base_color_texture, base_color_kind(material));
-    // The cut-off is tested at a point, as rays do.
-    if (mips && material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
-      texel.a = sample_texture(world, material.base_color_texture, hit.triangle, hit.b1, hit.b2,
-                               Encoding::srgb)
-                    .a;
-    }
-    base *= texel;
-  }
-  if (tinted) base *= tint;
-
-  return material_with(material, render_features, base, sample);
-}
-
-void average_colours(const World& world, const RenderFeatures& render_features, const Hit& hit,
-                     const Footprint& square, std::span<const WeightedShape> parts,
-                     const MipChains& mips, SurfaceMaterial& material) {
-  // With alpha blending, colours are weighted by opacity.
-  const bool blends = world.material_of(hit.triangle).alpha_mode == AlphaMode::blend;
-  glm::vec3 color(0.0f), emission(0.0f);
-  float opacity = 0.0f;
-  for (const WeightedShape& part : parts) {
-    Footprint footprint = shaped(square, part.shape);
-    footprint.side *= std::sqrt(part.share);
-    const SurfaceMaterial own = surface_material(world, render_features, hit, footprint, &mips);
-    const float share = part.share * (blends ? own.opacity : 1.0f);
-    color += share * own.base_color;
-    emission += share * own.emission;
-    opacity += share;
-  }
-  if (blends) {
-    material.opacity = opacity;
-    if (!(opacity > 0.0f)) return;
-    color /= opacity, emission /= opacity;
-  }
-  material.base_color = color;
-  material.emission = emission;
-}
-
-SurfaceMaterial untextured_material(const Material& material,
-                                    const RenderFeatures& render_features) {
-  return material_with(material, render_features, material.base_color,
-                       [](const TextureUse&, TexelKind) { return glm::vec4(1.0f); });
-}
-
 std::array<glm::vec3, 3> corner_normals(const World& world, const Hit& hit) {
   if (world.is_face(hit.triangle)) {
     const double u = hit.b1, v = hit.b2;
@@ -394,14 +217,6 @@ std::array<glm::vec3, 3> corner_normals(const World& world, const Hit& hit) {
   const double length = glm::length(normal);
   const glm::vec3 flat = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
   return {flat, flat, flat};
-}
-
-glm::vec4 vertex_color(const World& world, std::uint32_t triangle, float b1, float b2) {
-  if (world.is_face(triangle)) return glm::vec4(1.0f);
-  const glm::uvec3 v = world.triangles[triangle];
-  const glm::vec4 c = world.colors[v.x];
-  // A hit at an edge may lie beyond it by a rounding error; the result must not be negative.
-  return glm::max(c + b1 * (world.colors[v.y] - c) + b2 * (world.colors[v.z] - c), 0.0f);
 }
 
 NormalSpread normal_turn(const World& world, const Hit& hit, const Patch& patch, glm::vec3 normal) {
