@@ -1,27 +1,22 @@
 #include "renderer/gltf/materials.h"
 
 #include "renderer/gltf/material_dfr.h"
+#include "renderer/gltf/material_values.h"
 #include "renderer/gltf/values.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace asos::gltf {
 
 namespace {
 
-class MaterialReader {
+class MaterialReader : MaterialValues {
  public:
   MaterialReader(const tinygltf::Material& source, std::string place, Textures& textures,
                  Warnings& warnings, bool moves)
-      : source_(source),
-        place_(std::move(place)),
-        textures_(textures),
-        warnings_(warnings),
-        moves_(moves) {}
+      : MaterialValues(std::move(place), textures, warnings), source_(source), moves_(moves) {}
 
   Material read() {
     Material m;
@@ -107,24 +102,6 @@ class MaterialReader {
   /// Returns whether to read a property whose factor makes it visible now. For moving materials,
   /// returns true.
   [[nodiscard]] bool shows(bool now) const { return now || moves_; }
-
-  /// Returns `value` as a float, or `otherwise` if it does not fit.
-  float finite(double value, double otherwise, const char* what) {
-    const auto single = static_cast<float>(value);
-    if (std::isfinite(single)) return single;
-    warnings_.add(fmt::format("{}: its {} is not finite", place_, what));
-    return static_cast<float>(otherwise);
-  }
-
-  float within(double value, double low, double high, double otherwise, const char* what) {
-    const double number = static_cast<double>(finite(value, otherwise, what));
-    const double clamped = std::clamp(number, low, high);
-    if (clamped != number) {
-      warnings_.add(fmt::format("{}: its {} of {} is out of range; {} is used", place_, what,
-                                number, clamped));
-    }
-    return static_cast<float>(clamped);
-  }
 
   void read_surface(Material& m) {
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
@@ -360,59 +337,7 @@ class MaterialReader {
     m.roughness = 1.0f;
   }
 
-  /// `Info` is one of tinygltf's texture references, which share these members.
-  template <typename Info>
-  TextureUse use(const Info& info, const char* what) {
-    TextureUse use;
-    if (info.index < 0) return use;
-    use.texcoord = info.texCoord;
-    if (const auto* e = extension(info.extensions, "KHR_texture_transform")) {
-      use.texcoord = whole(*e, "texCoord").value_or(use.texcoord);
-      use.uv_transform = transform(*e);
-    }
-    if (use.texcoord < 0 || use.texcoord > 1) {
-      warnings_.add(
-          fmt::format("{}: its {} texture uses TEXCOORD_{}; only 0 and 1 are supported, "
-                      "so it is left out",
-                      place_, what, use.texcoord));
-      return {};
-    }
-    use.texture = textures_.use(info.index);
-    return use;
-  }
-
-  /// Returns the use of an extension's texture.
-  TextureUse use_in(const tinygltf::Value& parent, const char* name, const char* what) {
-    if (!parent.Has(name)) return {};
-    const tinygltf::Value& value = parent.Get(name);
-    tinygltf::TextureInfo info;
-    info.index = whole(value, "index").value_or(-1);
-    if (info.index < 0)
-      warnings_.add(fmt::format("{}: its {} texture names no texture", place_, what));
-    info.texCoord = whole(value, "texCoord").value_or(0);
-    if (const auto* e = extension(value, "KHR_texture_transform"))
-      info.extensions["KHR_texture_transform"] = *e;
-    return use(info, what);
-  }
-
-  glm::mat3 transform(const tinygltf::Value& e) {
-    const auto at = [&](const char* name, int i, double otherwise) {
-      return finite(number_at(e, name, i).value_or(otherwise), otherwise, "texture transform");
-    };
-    const float x = at("offset", 0, 0.0), y = at("offset", 1, 0.0);
-    const float sx = at("scale", 0, 1.0), sy = at("scale", 1, 1.0);
-    const float angle = finite(number(e, "rotation").value_or(0.0), 0.0, "texture transform");
-    const float c = std::cos(angle), s = std::sin(angle);
-    // Translation * rotation * scale, in columns. The rotation is counter-clockwise in the picture,
-    // whose v points down.
-    return {glm::vec3(c * sx, -s * sx, 0.0f), glm::vec3(s * sy, c * sy, 0.0f),
-            glm::vec3(x, y, 1.0f)};
-  }
-
   const tinygltf::Material& source_;
-  std::string place_;
-  Textures& textures_;
-  Warnings& warnings_;
   bool moves_;
 };
 
