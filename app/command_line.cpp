@@ -2,7 +2,8 @@
 
 #include "app/command.h"
 #include "app/exit_code.h"
-#include "app/version.h"
+#include "app/report/machine.h"
+#include "renderer/kernels/instruction_set.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,9 +12,25 @@
 #include <array>
 #include <new>
 #include <ostream>
+#include <string>
 
 namespace asos {
 namespace {
+
+// Returns the lines that `asos --version` prints: version, commit, compiler and features.
+std::string version_text() {
+  const Machine machine = this_machine();
+  return fmt::format(
+      "asos {}\n"
+      "commit: {}\n"
+      "compiler: {}\n"
+      "instruction set: {}\n"
+      "scenes: glTF 2.0 (.gltf, .glb), Draco, meshopt\n"
+      "textures: PNG, JPEG, WebP\n"
+      "skies: .hdr, .exr\n"
+      "pictures: PNG, EXR",
+      machine.version, machine.commit, machine.compiler, instruction_set());
+}
 
 constexpr const char* program_footer =
     "`asos [SCENE] [options]` is short for `asos view [SCENE] [options]`. SCENE is the path of a\n"
