@@ -1,6 +1,6 @@
 #include "renderer/asos/plane_cuts.h"
 
-#include "renderer/geometry/edge_range.h"
+#include "renderer/geometry/clip_segment.h"
 #include "renderer/prepared/plane_section.h"
 
 #include <optional>

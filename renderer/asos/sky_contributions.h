@@ -4,7 +4,6 @@
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/sky_fits.h"
-#include "renderer/asos/sky_leaf.h"
 #include "renderer/geometry/bounds2.h"
 #include "renderer/pyray/square.h"
 #include "renderer/samples/bounced_light.h"

@@ -1,12 +1,92 @@
 #pragma once
 
-#include "renderer/asos/sky_leaf.h"
+#include "renderer/geometry/largest.h"
+#include "renderer/pyray/square.h"
+#include "renderer/shading/light_transport.h"
 
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace asos {
+
+/// A leaf's surface under the sky, and the sums of its rays. A ray's error is its radiance minus
+/// the radiance without occlusion, divided by `unit`.
+struct SkyLeaf {
+  std::uint32_t share = 0;  ///< number of the leaf's contribution
+  std::uint32_t root = 0;   ///< the leaf's, with its weight and its sample's place in the frame
+  double weight = 1.0;
+  glm::vec2 at{0.0f};
+  std::uint64_t seed = 0;  ///< seed of the leaf
+  /// The leaf's region. The borders of all leaves are stored together; this one has `edges` edges.
+  Square square;
+  std::size_t first_edge = 0, edges = 0;
+  bool flat = false;  ///< the surface within the leaf is a plane
+  SurfacePoint point;
+  std::uint32_t smooth_surface = 0;  ///< number of the connected surface
+  ViewedMaterial material;
+  glm::vec3 to_viewer{0.0f};
+  float n_dot_v = 1.0f;
+  const Sky* sky = nullptr;
+  bool mirrors = false;
+  glm::vec3 factor{1.0f};
+  glm::vec3 open{0.0f};  ///< the sky's contribution without occlusion
+  /// Largest possible contribution: `open`, or with bounces that of white surroundings.
+  glm::vec3 unit{0.0f};
+
+  std::uint32_t rays = 0;
+  glm::dvec3 arrived{0.0};  ///< of all rays
+  glm::dvec3 sent{0.0};     ///< the same without occlusion
+  double error = 0.0;       ///< sums of the rays' errors and squared errors
+  double error2 = 0.0;
+  std::optional<glm::dvec3> told{};  ///< mean radiance from the fit through other leaves
+
+  [[nodiscard]] SkyQuery lit_point(const ViewedPoint& view) const {
+    return {sky, view, material, mirrors, factor};
+  }
+  /// Returns the visible fraction of the sky, by radiance, at most 1.
+  [[nodiscard]] double seen() const {
+    return largest(sent) > 0.0 ? std::min(1.0, largest(arrived) / largest(sent)) : 1.0;
+  }
+  /// Returns the mean radiance. Where most of the sky is visible, the rays estimate the hidden part
+  /// instead.
+  [[nodiscard]] glm::dvec3 mean() const {
+    if (told) return *told;
+    const double all = rays;
+    if (seen() < 0.5) return arrived / all;
+    return glm::max(glm::dvec3(open) - (sent - arrived) / all, 0.0);
+  }
+  /// Adds a ray with this radiance; `whole` is its radiance without occlusion. Clamps at white.
+  void arrive(glm::dvec3 brought, glm::vec3 whole) {
+    arrived += brought;
+    const glm::dvec3 off = brought - glm::dvec3(whole);
+    const double one = static_cast<double>(unit.x + unit.y + unit.z);
+    const double by = one > 0.0 ? std::min(3.0, off.x + off.y + off.z) / one : 0.0;
+    error += by;
+    error2 += by * by;
+  }
+  /// Returns the sum of squared deviations of the errors from their mean.
+  [[nodiscard]] double squares() const {
+    return rays > 0 ? std::max(0.0, error2 - error * error / rays) : 0.0;
+  }
+  /// Returns the squared error of the mean of `rays` rays of a Sobol sequence, if one ray's error
+  /// has this variance. Only strata that an occluder's outline crosses contribute. Their fraction
+  /// falls with the root of the number of rays. It grows with the outline's length, which is
+  /// proportional to the root of the hidden area.
+  [[nodiscard]] static double variance_of_mean(double variance, double rays) {
+    return 0.5 * std::sqrt(variance) / (rays * std::sqrt(rays));
+  }
+  /// Returns the number of rays whose mean has that squared error.
+  [[nodiscard]] static double rays_for(double variance, double error2) {
+    return std::cbrt(0.25 * variance / (error2 * error2));
+  }
+};
 
 /// Shares the sky's contribution between a block's leaves on one surface. Nodes spread over the
 /// surface are sampled densely. A fit through the nodes (PolynomialFit) is accepted if its misfit

@@ -1,7 +1,7 @@
 #include "renderer/features/shape_intersections.h"
 
 #include "renderer/features/face_contours.h"
-#include "renderer/geometry/edge_range.h"
+#include "renderer/geometry/clip_segment.h"
 #include "renderer/geometry/half_space.h"
 #include "renderer/world/hit_plane.h"
 

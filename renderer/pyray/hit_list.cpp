@@ -1,6 +1,6 @@
 #include "renderer/pyray/hit_list.h"
 
-#include "renderer/geometry/edge_range.h"
+#include "renderer/geometry/clip_segment.h"
 #include "renderer/pyray/node_test.h"
 
 #include <algorithm>

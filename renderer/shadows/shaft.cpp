@@ -1,6 +1,6 @@
 #include "renderer/shadows/shaft.h"
 
-#include "renderer/geometry/edge_range.h"
+#include "renderer/geometry/clip_segment.h"
 
 #include <algorithm>
 #include <cmath>
