@@ -74,6 +74,16 @@ struct UiState {
   std::string said;             ///< set by a key or a panel; becomes the message
   std::string message;          ///< shown in the status line until `message_until_seconds`
   double message_until_seconds = 0.0;
+
+  /// Whether a layer of the film or a surface property replaces the picture.
+  [[nodiscard]] bool shows_layer() const {
+    return display.layer.has_value() || surfaces.property.has_value();
+  }
+  /// Shows the picture again instead.
+  void leave_layer() {
+    display.layer.reset();
+    surfaces.property.reset();
+  }
 };
 
 }  // namespace asos::ui

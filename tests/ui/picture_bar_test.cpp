@@ -45,6 +45,56 @@ TEST_F(PictureBarTest, ChoosesWhatThePictureShows) {
   EXPECT_FALSE(display().show_split_map);
 }
 
+// The keys [ and ] and the surface keys show layers in place of the picture. The bar once marked
+// "Picture" meanwhile.
+TEST_F(PictureBarTest, MarksTheLayerThatIsShown) {
+  const UiState& state = rig.content().state();
+  const auto marked = [&] { return all().at("Layers in bar").words; };
+  EXPECT_EQ(marked(), "Layers");
+  EXPECT_EQ(all().at("Layer/Picture").words, "chosen");
+  rig.key(Key::right_bracket);
+  rig.frame();
+  EXPECT_EQ(marked(), "Alpha");
+  EXPECT_EQ(all().at("Layer/Picture").words, "");
+  rig.key(Key::n);
+  rig.frame();
+  EXPECT_EQ(marked(), "Surface: Normal");
+  rig.click("Layer/Level");
+  EXPECT_FALSE(state.shows_layer());
+  EXPECT_TRUE(display().show_split_map);
+  rig.click("Layers in bar");
+  rig.frame();
+  rig.click("Layers in bar/Depth");
+  rig.frame();
+  EXPECT_EQ(display().layer, Layer::depth);
+  EXPECT_EQ(marked(), "Depth");
+  EXPECT_EQ(all().at("Layer/Level").words, "");
+  rig.click("Layers in bar");
+  rig.frame();
+  rig.click("Layers in bar/None");
+  rig.frame();
+  EXPECT_EQ(marked(), "Layers");
+  EXPECT_EQ(all().at("Layer/Level").words, "chosen");
+}
+
+// A layer hides the split map and snapshots, so their keys end it.
+TEST_F(PictureBarTest, KeysOfThePictureEndALayer) {
+  const UiState& state = rig.content().state();
+  rig.key(Key::s);
+  for (const Key key : {Key::m, Key::c, Key::x, Key::one}) {
+    display().layer = Layer::depth;
+    display().show_split_map = true;
+    rig.content().state().frames.comparison = Comparison::flip;
+    rig.content().state().frames.flipped = false;
+    rig.key(key);
+    rig.frame();
+    EXPECT_FALSE(state.shows_layer());
+    EXPECT_TRUE(display().show_split_map);
+    const bool flips = key == Key::x || key == Key::one;
+    EXPECT_EQ(state.frames.flipped, flips);
+  }
+}
+
 // A click on Error samples the reference. The layer has a scale in display steps, and stays and is
 // updated while EPS changes.
 TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
@@ -95,12 +145,20 @@ TEST_F(PictureBarTest, SmallWindowsChooseLayerEpsAndMaxInOneRow) {
   rig.resize({420, 300});
   for (int i = 0; i < 4; ++i) rig.frame();
   EXPECT_FALSE(all().contains("Layer/Level")) << "a list";
-  rig.click("Layer");
-  rig.frame();
-  rig.click("Layer/Cause");
-  rig.frame();
+  const auto choose = [&](const std::string& name) {
+    rig.click("Layer");
+    for (int i = 0; i < 3; ++i) rig.frame();  // until the list has its size and place
+    const Controls::Placed list = rig.control("Layer/Picture");
+    while (rig.control("Layer/" + name).hi.y > 290.0f) rig.wheel(list.centre(), -1.0f);
+    rig.click("Layer/" + name);
+    rig.frame();
+  };
+  choose("Cause");
   EXPECT_TRUE(display().show_split_map);
   EXPECT_EQ(display().split_colours, SplitMapColours::cause);
+  choose("Layer: Depth");
+  EXPECT_EQ(display().layer, Layer::depth);
+  EXPECT_EQ(all().at("Layer").words, "Layer: Depth");
   const double eps = settings().asos.eps;
   slide("EPS in bar", 0.5f, 0.9f);
   EXPECT_GT(settings().asos.eps, eps);

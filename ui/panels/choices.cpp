@@ -20,6 +20,11 @@ float room_beside(std::span<const Controls::Option> options) {
   return ImGui::GetContentRegionAvail().x - taken;
 }
 
+// Minimum width around the names of `count` options.
+float least_room(std::size_t count) {
+  return 0.5f * ImGui::GetFontSize() * static_cast<float>(count);
+}
+
 // Options per row, for the smallest number of rows in which names do not touch.
 std::size_t longest_row(std::span<const Controls::Option> options) {
   const std::size_t all = options.size();
@@ -28,7 +33,7 @@ std::size_t longest_row(std::span<const Controls::Option> options) {
     bool fits = true;
     for (std::size_t first = 0; first < all && fits; first += longest) {
       const auto row = options.subspan(first, std::min(longest, all - first));
-      fits = room_beside(row) >= 0.5f * ImGui::GetFontSize() * static_cast<float>(row.size());
+      fits = room_beside(row) >= least_room(row.size());
     }
     if (fits) return longest;
   }
@@ -36,6 +41,10 @@ std::size_t longest_row(std::span<const Controls::Option> options) {
 }
 
 }  // namespace
+
+float Controls::least_width(std::span<const Option> options) {
+  return ImGui::GetContentRegionAvail().x - room_beside(options) + least_room(options.size());
+}
 
 bool Controls::options(const char* name, std::span<const Option> options, int& chosen,
                        const OptionsStyle& style) {
@@ -72,7 +81,9 @@ void Controls::option_row(const char* name, std::span<const Option> options, int
     ImGui::PopStyleVar();
     ImGui::PopID();
     ImGui::PopStyleColor(2);
-    placed(std::string(name) + "/" + option.name, option.tooltip, Use::edits);
+    const std::string placed_name = std::string(name) + "/" + option.name;
+    placed(placed_name, option.tooltip, Use::edits);
+    if (active) placed_[placed_name].words = "chosen";
   }
 }
 
@@ -85,6 +96,7 @@ bool Controls::list(const char* name, const char* tooltip, std::span<const std::
   reset(name, chosen, to);
   if (!ImGui::BeginCombo(("##" + std::string(name)).c_str(), preview)) {
     placed(name, tooltip, Use::edits);
+    placed_[name].words = preview;
     return chosen != before;
   }
   for (int i = 0; i < static_cast<int>(items.size()); ++i) {

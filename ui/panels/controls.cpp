@@ -182,6 +182,7 @@ bool Controls::reset(const char* name, T& value, const std::optional<T>& to) {
   value = *to;
   return true;
 }
+template bool Controls::reset<int>(const char* name, int& value, const std::optional<int>& to);
 
 bool Controls::slider(const char* name, const char* tooltip, float& value,
                       const Range<float>& range, const std::function<std::string(float)>& words) {

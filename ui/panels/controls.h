@@ -89,6 +89,8 @@ class Controls {
     bool labelled = true;
     std::optional<int> reset;
   };
+  /// The least width of one row of such buttons.
+  [[nodiscard]] static float least_width(std::span<const Option> options);
   bool options(const char* name, std::span<const Option> options, int& chosen,
                const OptionsStyle& style = {true, std::nullopt});
   /// A choice of many options as a drop-down list.

@@ -104,7 +104,9 @@ void flip(UiState& state, const Film& film) {
     state.said = "No snapshot yet: press S to keep one";
     return;
   }
-  frames.flipped = !(frames.comparison == Comparison::flip && frames.flipped);
+  const bool shown = frames.comparison == Comparison::flip && frames.flipped;
+  frames.flipped = state.shows_layer() || !shown;
+  state.leave_layer();
   frames.comparison = Comparison::flip;
   say_flipped(state, film);
 }
@@ -121,6 +123,7 @@ void snapshot_keys(UiState& state, const Film& film) {
       state.said = fmt::format("No snapshot {} yet: press S to keep one", i + 1);
       return;
     }
+    state.leave_layer();
     state.frames.flip_to(static_cast<int>(i));
     say_flipped(state, film);
   }
@@ -133,7 +136,8 @@ void show_before(UiState& state, const PreviewRender& render) {
     state.said = "Nothing to compare with: change EPS or MAX first";
     return;
   }
-  state.show_before = !state.show_before;
+  state.show_before = state.shows_layer() || !state.show_before;
+  state.leave_layer();
   state.said = state.show_before
                    ? fmt::format("Before: EPS {:.4g}, MAX {}", before->settings.asos.eps,
                                  before->settings.asos.max_level)
@@ -188,6 +192,21 @@ void camera_shortcuts(Viewpoint& viewpoint) {
   OrbitCamera& camera = viewpoint.camera();
   const bool perspective = camera.camera().type == Camera::Type::perspective;
   camera.set_projection(perspective ? Camera::Type::orthographic : Camera::Type::perspective);
+}
+
+// The split map, which layers and the error hide.
+void map_shortcuts(UiState& state) {
+  const bool map = shortcut_pressed(Key::m), colour = shortcut_pressed(Key::c);
+  if (!map && !colour) return;
+  const bool hidden = state.show_error || state.shows_layer();
+  state.show_error = false;
+  state.leave_layer();
+  if (map) state.display.show_split_map = hidden || !state.display.show_split_map;
+  if (!colour) return;
+  SplitMapColours& colours = state.display.split_colours;
+  colours = colours == SplitMapColours::time
+                ? SplitMapColours::level
+                : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
 }
 
 // Toggles the display of surface properties.
@@ -260,17 +279,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (!in_panel && shortcut_pressed(Key::page_up)) page(state, previewer, -1);
   if (shortcut_pressed(Key::x)) flip(state, previewer.render().film());
   snapshot_keys(state, previewer.render().film());
-  if (shortcut_pressed(Key::m)) {
-    state.display.show_split_map = state.show_error || !state.display.show_split_map;
-    state.show_error = false;
-  }
-  if (shortcut_pressed(Key::c)) {
-    state.show_error = false;
-    SplitMapColours& colours = state.display.split_colours;
-    colours = colours == SplitMapColours::time
-                  ? SplitMapColours::level
-                  : static_cast<SplitMapColours>(static_cast<int>(colours) + 1);
-  }
+  map_shortcuts(state);
   if (shortcut_pressed(Key::v)) show_before(state, previewer.render());
   if (!in_panel && shortcut_pressed(Key::space)) pause_or_go_on(previewer.refinement());
   if (shortcut_pressed(Key::f6)) state.focus_panel = true;

@@ -31,15 +31,14 @@ constexpr std::array tone_options{
 };
 static_assert(tone_options.size() == tone_names.size());
 
-// The titles of the layers, from the picture on.
+}  // namespace
+
 std::vector<std::string> layer_titles() {
   std::vector<std::string> titles{"Picture"};
   for (const LayerRow& row : layer_table())
     if (row.value != Layer::beauty) titles.emplace_back(row.title);
   return titles;
 }
-
-}  // namespace
 
 void show_next_layer(DisplaySettings& display, int by) {
   const int shown = display.layer ? static_cast<int>(*display.layer) : 0;

@@ -52,6 +52,8 @@ bool store_frame(Frames& frames, const Previewer& previewer);
 [[nodiscard]] std::string kept_words(const Frames& frames);
 
 void display_panel(Controls& controls, DisplaySettings& display);
+/// The titles of the layers in the order of Layer; the first is that of the picture.
+[[nodiscard]] std::vector<std::string> layer_titles();
 /// Shows the next layer of the list, or the one before it (`by` -1); the picture is one of them.
 void show_next_layer(DisplaySettings& display, int by);
 [[nodiscard]] const char* layer_title(const DisplaySettings& display);

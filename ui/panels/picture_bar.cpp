@@ -1,5 +1,6 @@
 #include "renderer/comparison/method.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/surface_panel.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -16,8 +17,9 @@ namespace asos::ui {
 namespace {
 
 constexpr float wide_em = 44.0f;  // of a bar with all controls
+constexpr float layers_em = 8.0f;
 
-constexpr std::array layers{
+constexpr std::array contents{
     Controls::Option{"Picture", "The picture alone (M)."},
     Controls::Option{"Level", "Split map: deepest level of each pixel (M, C)."},
     Controls::Option{"Cause", "Split map: why pixels are split (M, C)."},
@@ -28,19 +30,22 @@ constexpr std::array layers{
                      "reference once the picture is finished."},
     Controls::Option{"Difference", "Difference from the chosen snapshot (S keeps one)."},
 };
-constexpr int error_layer = static_cast<int>(layers.size()) - 2;
-constexpr int difference_layer = static_cast<int>(layers.size()) - 1;
+constexpr int error_content = static_cast<int>(contents.size()) - 2;
+constexpr int difference_content = static_cast<int>(contents.size()) - 1;
+constexpr int layer_content = -1;  // a layer or a surface property: none of the others
 
-int shown_layer(const UiState& state) {
+int shown_content(const UiState& state) {
+  if (state.shows_layer()) return layer_content;
   if (state.frames.compared() && state.frames.comparison == Comparison::difference)
-    return difference_layer;
-  if (state.show_error) return error_layer;
+    return difference_content;
+  if (state.show_error) return error_content;
   if (!state.display.show_split_map) return 0;
   return 1 + static_cast<int>(state.display.split_colours);
 }
 
-void show_layer(UiState& state, int layer) {
-  if (layer == difference_layer) {
+void show_content(UiState& state, int content) {
+  state.leave_layer();
+  if (content == difference_content) {
     if (state.frames.stored.empty()) {
       state.said = "No snapshot yet: press S to keep one";
       return;
@@ -50,10 +55,35 @@ void show_layer(UiState& state, int layer) {
     return;
   }
   if (state.frames.comparison == Comparison::difference) state.frames.comparison = Comparison::none;
-  state.show_error = layer == error_layer;
+  state.show_error = content == error_content;
   if (state.show_error) return;
-  state.display.show_split_map = layer > 0;
-  if (layer > 0) state.display.split_colours = static_cast<SplitMapColours>(layer - 1);
+  state.display.show_split_map = content > 0;
+  if (content > 0) state.display.split_colours = static_cast<SplitMapColours>(content - 1);
+}
+
+// The layers of the film, then the surface properties. The first entry shows none of them.
+std::vector<std::string> layer_entries(const char* first) {
+  std::vector<std::string> entries = layer_titles();
+  entries.front() = first;
+  for (int i = 0; i < surface_properties; ++i) {
+    const SurfaceChoice choice{static_cast<SurfaceProperty>(i), false};
+    entries.push_back(fmt::format("Surface: {}", surface_title(choice)));
+  }
+  return entries;
+}
+
+int shown_layer(const UiState& state) {
+  if (state.surfaces.property) return layer_count + static_cast<int>(*state.surfaces.property);
+  return state.display.layer ? static_cast<int>(*state.display.layer) : 0;
+}
+
+void show_layer(UiState& state, int entry) {
+  state.leave_layer();
+  if (entry > 0) state.show_error = false;
+  if (entry >= layer_count)
+    state.surfaces.property = static_cast<SurfaceProperty>(entry - layer_count);
+  else if (entry > 0)
+    state.display.layer = static_cast<Layer>(entry);
 }
 
 // Places the controls of a row in cells.
@@ -148,16 +178,61 @@ void zoom_buttons(Controls& controls, PictureView& view) {
   if (controls.button("+", "Zoom in (+).", width)) view.zoom_at(view.area_middle(), 1);
 }
 
+void layer_list(Controls& controls, UiState& state) {
+  int entry = shown_layer(state);
+  const ImVec4* colours = ImGui::GetStyle().Colors;
+  ImGui::PushStyleColor(ImGuiCol_FrameBg,
+                        colours[entry > 0 ? ImGuiCol_SliderGrab : ImGuiCol_Button]);
+  if (controls.list("Layers in bar", "Layer in false colours, or surface property ([ and ]).",
+                    layer_entries(entry > 0 ? "None" : "Layers"), entry))
+    show_layer(state, entry);
+  ImGui::PopStyleColor();
+}
+
+// A list of everything that the picture area can show.
+void content_list(Controls& controls, UiState& state) {
+  std::vector<std::string> names;
+  for (const Controls::Option& content : contents) names.emplace_back(content.name);
+  const auto first_layer = static_cast<int>(names.size());
+  // A layer may have the name of a split map: "Level".
+  const std::vector<std::string> entries = layer_entries("");
+  for (std::size_t i = 1; i < entries.size(); ++i)
+    names.push_back((i < layer_count ? "Layer: " : "") + entries[i]);
+  const int content = shown_content(state);
+  int chosen = content == layer_content ? first_layer + shown_layer(state) - 1 : content;
+  const char* tooltip = content == layer_content
+                            ? "Layer or surface property ([ and ])."
+                            : contents[static_cast<std::size_t>(content)].tooltip;
+  if (!controls.list("Layer", tooltip, names, chosen)) return;
+  if (chosen < first_layer)
+    show_content(state, chosen);
+  else
+    show_layer(state, chosen - first_layer + 1);
+}
+
+// The contents as buttons and the layers as a list; one list if there is no room.
+void content_cells(Controls& controls, Cells& cells, UiState& state, float width) {
+  const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+  const float buttons = width - layers_em * em - gap;
+  if (buttons < Controls::least_width(contents)) {
+    cells.add(width, [&] { content_list(controls, state); });
+    return;
+  }
+  cells.add(buttons, [&] {
+    int content = shown_content(state);
+    if (controls.options("Layer", contents, content, {false, std::nullopt}))
+      show_content(state, content);
+  });
+  cells.add(layers_em * em, [&] { layer_list(controls, state); });
+}
+
 void upper_row(Controls& controls, Previewer& previewer, UiState& state, float width,
                float height) {
   const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
-  const bool wide = width >= wide_em * em;
+  const bool wide = width >= (wide_em + layers_em) * em;
   Cells cells("upper", height);
   const float method = wide ? 10.0f * em : 0.0f, snapshot = wide ? 6.5f * em : 0.0f;
-  cells.add(width - method - snapshot - (wide ? 2.0f * gap : 0.0f), [&] {
-    int layer = shown_layer(state);
-    if (controls.options("Layer", layers, layer, {false, std::nullopt})) show_layer(state, layer);
-  });
+  content_cells(controls, cells, state, width - method - snapshot - (wide ? 2.0f * gap : 0.0f));
   if (!wide) return;
   cells.add(method, [&] { method_list(controls, previewer); });
   cells.add(snapshot, [&] {
@@ -196,19 +271,13 @@ void lower_row(Controls& controls, Previewer& previewer, UiState& state, float w
   cells.add(zoom, [&] { zoom_buttons(controls, state.view); });
 }
 
-// A single row: the layer as a list, EPS and MAX.
+// A single row: the contents as a list, EPS and MAX.
 void compact_row(Controls& controls, Previewer& previewer, UiState& state, float width,
                  float height) {
   const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
   Cells cells("compact", height);
   const float list = 7.0f * em;
-  cells.add(list, [&] {
-    std::vector<std::string> names;
-    for (const Controls::Option& layer : layers) names.emplace_back(layer.name);
-    int layer = shown_layer(state);
-    const char* tooltip = layers[static_cast<std::size_t>(layer)].tooltip;
-    if (controls.list("Layer", tooltip, names, layer)) show_layer(state, layer);
-  });
+  cells.add(list, [&] { content_list(controls, state); });
   const Method method = previewer.edits().settings().method;
   if (in_object_space(method) || row_of(method).samples_by_eps)
     splitting_sliders(controls, previewer, cells, width - list - 2.0f * gap);
