@@ -72,6 +72,25 @@ void RenderRun::work(const std::stop_token& stop) {
   }
 }
 
+Reached RenderRun::reached() const {
+  Reached reached = tiles_.reached();
+  if (!render_.snapshot.progressive || reached.pass != Reached::Pass::samples) return reached;
+  const std::vector<int>& rounds = samples_.rounds();
+  const auto done = std::count_if(rounds.begin(), rounds.end(),
+                                  [&](int samples) { return samples <= reached.samples; });
+  const auto running = static_cast<int>(done) + 1;
+  if (samples_.make_the_picture()) {
+    reached.rounds = static_cast<int>(rounds.size());
+    reached.round = std::min(running, reached.rounds);
+    return reached;
+  }
+  const std::lock_guard lock(mutex_);
+  const auto end = std::find(taken_.begin(), taken_.end(), false);
+  if (end != taken_.end()) reached.rounds = static_cast<int>(end - taken_.begin());
+  if (!sampled_ && (reached.rounds == 0 || running <= reached.rounds)) reached.round = running;
+  return reached;
+}
+
 // The picture is complete once its last tile is published; its user is notified.
 void RenderRun::count(bool finished_picture) {
   if (!finished_picture) return;

@@ -29,7 +29,7 @@ class RenderRun {
   [[nodiscard]] PixelRect visible() const { return render_.plan.visible; }
   [[nodiscard]] std::vector<FinishedTile> take_finished() { return tiles_.take_finished(); }
   [[nodiscard]] Progress progress() const { return clock_.progress(); }
-  [[nodiscard]] Reached reached() const { return tiles_.reached(); }
+  [[nodiscard]] Reached reached() const;
   [[nodiscard]] RenderStatistics statistics() const { return tiles_.statistics(); }
   /// Pauses all but the coarse passes after the current pieces of work, and resumes them.
   void pause() { clock_.pause(); }
@@ -56,7 +56,7 @@ class RenderRun {
   SampleRounds samples_;
   FinalBlocks blocks_;
   RunClock clock_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   bool sampled_ = false;     // blocks have their gains
   std::vector<bool> taken_;  // whether each round of samples takes place, as far as decided
 };

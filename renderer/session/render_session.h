@@ -42,6 +42,10 @@ struct Reached {
   Pass pass = Pass::nothing;
   int samples = 0;           ///< of Pass::samples
   double final_share = 0.0;  ///< of the pixels
+  /// The round of samples that runs now, from 1; 0: none, before the first picture and once final
+  /// blocks are rendered.
+  int round = 0;
+  int rounds = 0;  ///< in all; 0: not decided yet
 };
 
 /// Returns the number of workers for RenderSettings::threads; 0: one per core. With a window one

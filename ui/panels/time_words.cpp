@@ -1,7 +1,5 @@
 #include "ui/panels/time_words.h"
 
-#include "renderer/files/counted.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,11 +51,14 @@ std::string processor_words(double seconds) {
 }
 
 std::string pass_words(const Reached& reached) {
+  if (reached.round > 0 && reached.rounds > 0)
+    return fmt::format("round {} of {}", reached.round, reached.rounds);
+  if (reached.round > 0) return fmt::format("round {}", reached.round);
   if (reached.final_share >= 0.01)
     return fmt::format("{} % of pixels final", static_cast<int>(100.0 * reached.final_share));
   if (reached.pass == Reached::Pass::nothing) return "";
   if (reached.pass != Reached::Pass::samples) return "first samples";
-  return counted(static_cast<std::uint64_t>(reached.samples), "sample") + " per pixel";
+  return "first final pixels";
 }
 
 std::string progress_words(const ProgressFacts& facts) {

@@ -28,11 +28,11 @@ struct ProgressFacts {
   Reached reached;
   std::optional<TimeEstimate> estimate;
 };
-/// "Rendering 40 %   4 samples per pixel   2.0 s   4 s left": percentage over all passes, running
+/// "Rendering 40 %   round 3 of 6   2.0 s   4 s left": percentage over all passes, running
 /// pass, elapsed time and remaining time.
 [[nodiscard]] std::string progress_words(const ProgressFacts& facts);
-/// The running pass: "first samples", "4 samples per pixel", "12 % of pixels final"; empty before
-/// the first one.
+/// The running pass: "first samples", "round 3 of 6" or "round 3" of samples, "first final pixels",
+/// "12 % of pixels final"; empty before the first one.
 [[nodiscard]] std::string pass_words(const Reached& reached);
 /// "about 3.1 % split, 5 s": the time of the whole render.
 [[nodiscard]] std::string estimate_words(double split_share, const TimeEstimate& estimate);

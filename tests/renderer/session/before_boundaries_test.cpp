@@ -62,6 +62,8 @@ TEST(BeforeBoundaries, SamplesComeAndNothingElse) {
   EXPECT_EQ(session.reached().pass, Reached::Pass::samples);
   EXPECT_GE(session.reached().samples, 32);
   EXPECT_EQ(session.reached().final_share, 0.0);
+  EXPECT_GE(session.reached().round, 7) << "at 32 samples";
+  EXPECT_EQ(session.reached().rounds, 0) << "not decided";
   EXPECT_FALSE(session.progress().finished);
   EXPECT_TRUE(session.progress().running);
 
@@ -69,6 +71,7 @@ TEST(BeforeBoundaries, SamplesComeAndNothingElse) {
   session.wait();
   EXPECT_TRUE(session.progress().finished);
   EXPECT_EQ(session.reached().pass, Reached::Pass::final_pixels);
+  EXPECT_EQ(session.reached().round, 0);
 }
 
 TEST(BeforeBoundaries, ThePictureIsTheSameInTheEnd) {

@@ -148,6 +148,20 @@ TEST(Rounds, ShowTheSameWhateverTheThreads) {
   EXPECT_GT(same, 3u * one.size());
 }
 
+TEST(Rounds, AreCounted) {
+  Snapshot snapshot = fence(2, Method::sobol);
+  snapshot.settings.sampling.spp = 1 << 16;
+  RenderSession session;
+  session.restart(snapshot);
+  EXPECT_EQ(session.reached().round, 0) << "before the first picture";
+  while (session.reached().pass < Reached::Pass::samples)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  session.cancel();
+  const Reached reached = session.reached();
+  EXPECT_EQ(reached.rounds, 17);
+  EXPECT_EQ(1 << (reached.round - 2), reached.samples) << "the next round was running";
+}
+
 TEST(Rounds, AStoppedRenderKeepsWhatIsFinal) {
   RenderSession session;
   session.restart(fence(2));
