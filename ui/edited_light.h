@@ -15,6 +15,8 @@ struct EditedLight {
   Light light;
   bool on = true;
   Light original;  ///< as it was opened: a double click restores its values
+  /// Index among the lights that the scene was opened with; -1: it was added.
+  int source = -1;
 
   /// Tidied.
   [[nodiscard]] static EditedLight of(Light light);

@@ -36,7 +36,7 @@ void OpenScene::ask_for(SceneSource source) {
   asked_for_ = source.path;
   asked_ = source;
   outer_root_.clear();
-  reloading_ = false;
+  reloading_ = same_file_ = false;
   loader_.open(std::move(source));
 }
 
@@ -71,7 +71,7 @@ void OpenScene::load_again(const std::string& variant, std::vector<int> hidden) 
   source.variant = variant;
   source.hidden = std::move(hidden);
   ask_for(std::move(source));
-  reloading_ = true;
+  reloading_ = same_file_ = true;
 }
 
 void OpenScene::widen_asset_root() {
@@ -80,7 +80,7 @@ void OpenScene::widen_asset_root() {
   again.asset_root = outer_root_;
   const bool same = scene_ && scene_->geometry->source == again.path;
   ask_for(std::move(again));
-  reloading_ = same;
+  reloading_ = same_file_ = same;
 }
 
 void OpenScene::hide(int part) {
@@ -113,6 +113,7 @@ void OpenScene::show_scene(int index) {
   const SceneContents& contents = scene_->geometry->contents;
   ask_for(
       {scene_->geometry->source, contents.variant, name_of(contents, index), {}, {}, asset_root_});
+  same_file_ = true;
 }
 
 bool OpenScene::is(const RenderScene& scene) const {
@@ -123,6 +124,7 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   std::optional<LoadOutcome> outcome = loader_.take_outcome();
   if (!outcome) return std::nullopt;
   const bool reloaded = std::exchange(reloading_, false);
+  const bool same_file = std::exchange(same_file_, false);
   outer_root_ = outcome->outer_root;
   if (!outcome->scene) {
     error_ = outcome->scene.error();
@@ -138,8 +140,8 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   load_seconds_ = outcome->load_seconds;
   ++times_opened_;
   if (outcome->picture) opened_display_ = outcome->picture->display;
-  const glm::dvec3 moved = reloaded ? before - scene_->world().origin : glm::dvec3(0.0);
-  return Opened{reloaded, moved, std::move(outcome->picture)};
+  const glm::dvec3 moved = same_file ? before - scene_->world().origin : glm::dvec3(0.0);
+  return Opened{reloaded, same_file, moved, std::move(outcome->picture)};
 }
 
 }  // namespace asos::ui

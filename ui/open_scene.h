@@ -82,8 +82,9 @@ class OpenScene {
 
   /// Results of opening a scene.
   struct Opened {
-    bool reloaded = false;                      ///< the same scene was loaded again
-    glm::dvec3 moved{0.0};                      ///< for a reload: the change of World::origin
+    bool reloaded = false;   ///< the same scene was loaded again
+    bool same_file = false;  ///< or another scene of the same file: edits stay
+    glm::dvec3 moved{0.0};   ///< change of coordinates in the same file, by that of World::origin
     std::optional<PictureDescription> picture;  ///< if the source was a saved picture
   };
   /// Makes a loaded scene the open one and returns its facts, once. Returns none if no load has
@@ -103,6 +104,7 @@ class OpenScene {
   std::string asset_root_;
   std::string outer_root_;
   bool reloading_ = false;  // the scene being loaded is a reload of the open one
+  bool same_file_ = false;  // or another scene of its file
   bool reload_failed_ = false;
   std::vector<int> hidden_;  // ascending
   double load_seconds_ = 0.0;

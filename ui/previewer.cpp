@@ -25,7 +25,9 @@ Previewer::Previewer(Hooks hooks, const RenderSettings& settings)
 
 void Previewer::update(double now_seconds) {
   viewpoint_.settle_size(now_seconds);
-  if (const std::optional<OpenScene::Opened> opened = scene_.take_opened()) take_over(*opened);
+  const std::shared_ptr<const RenderScene> before = scene_.shared();
+  if (const std::optional<OpenScene::Opened> opened = scene_.take_opened())
+    take_over(*opened, before.get());
   edits_.relight();
   // The next pose is computed while the last one is displayed.
   const double posing_seconds = playback_.pose_seconds() + playback_.prepare_seconds();
@@ -49,9 +51,12 @@ void Previewer::update(double now_seconds) {
   }
 }
 
-void Previewer::take_over(const OpenScene::Opened& opened) {
+void Previewer::take_over(const OpenScene::Opened& opened, const RenderScene* before) {
   holds_free_memory_ = true;
-  edits_.adopt_scene(opened.picture);
+  if (before && opened.same_file)
+    carried_ = edits_.adopt_again(*before, opened.moved);
+  else
+    edits_.adopt_scene(opened.picture);
   playback_.adopt_scene(opened.reloaded);
   if (opened.picture) {
     viewpoint_.take_over(opened.picture->camera_from(scene_->world().origin));

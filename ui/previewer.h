@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace asos::ui {
 
@@ -57,6 +58,11 @@ class Previewer {
     return holds_free_memory_ || free_memory_.pending();
   }
 
+  /// Returns the edits that stayed when the scene was loaded again, once.
+  [[nodiscard]] std::optional<CarriedEdits> take_carried() {
+    return std::exchange(carried_, std::nullopt);
+  }
+
   /// Takes the results of other threads and restarts the render if its inputs changed. Call at
   /// least once a frame.
   void update(double now_seconds);
@@ -64,7 +70,7 @@ class Previewer {
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:
-  void take_over(const OpenScene::Opened& opened);
+  void take_over(const OpenScene::Opened& opened, const RenderScene* before);
   /// The subject to render; empty before there are a scene and a picture size.
   [[nodiscard]] PreviewRender::Subject subject() const;
   /// Whether the present view has been rendered for this long, or has one sample per pixel.
@@ -84,6 +90,7 @@ class Previewer {
   Refinement refinement_;
   PreviewRender render_;
   FreeMemory free_memory_;
+  std::optional<CarriedEdits> carried_;
   std::optional<Layer> shown_layer_;
   ToneCurve shown_tone_ = ToneCurve::none;
   bool holds_free_memory_ = false;  // loading has left some

@@ -4,6 +4,7 @@
 #include "renderer/prepared/environment_lights.h"
 #include "renderer/world/ground.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -19,8 +20,32 @@ RenderSettings without_crop(RenderSettings settings) {
 
 std::vector<EditedLight> lights_to_edit(const std::vector<Light>& of_scene) {
   std::vector<EditedLight> lights;
-  for (const Light& light : of_scene) lights.push_back(EditedLight::of(light));
+  for (const Light& light : of_scene) {
+    lights.push_back(EditedLight::of(light));
+    lights.back().source = static_cast<int>(lights.size()) - 1;
+  }
   return lights;
+}
+
+// Lights of a saved picture count as added, except those of the scene's own surfaces.
+std::vector<EditedLight> lights_of_picture(const std::vector<Light>& of_picture,
+                                           const std::vector<EditedLight>& own) {
+  std::vector<EditedLight> lights = lights_to_edit(of_picture);
+  for (EditedLight& edited : lights) {
+    const int part = edited.light.own_part;
+    const auto same = std::find_if(own.begin(), own.end(), [&](const EditedLight& light) {
+      return part >= 0 && light.light.own_part == part;
+    });
+    edited.source = same == own.end() ? -1 : same->source;
+  }
+  return lights;
+}
+
+std::vector<std::string> material_names(const World& world) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < materials_without_ground(world); ++i)
+    names.push_back(world.materials[i].name);
+  return names;
 }
 
 }  // namespace
@@ -46,7 +71,8 @@ std::vector<EditedLight>& SceneEdits::edit_lights() {
 
 void SceneEdits::reset_lights() {
   if (!scene_) return;
-  edit_lights() = lights_to_edit(lights_under(*scene_, now_.settings.sky.get()));
+  first_lights_ = lights_to_edit(lights_under(*scene_, now_.settings.sky.get()));
+  edit_lights() = first_lights_;
   now_.lights_edited = false;
 }
 
@@ -121,22 +147,46 @@ void SceneEdits::reset_dfrs() {
 }
 
 void SceneEdits::adopt_scene(const std::optional<PictureDescription>& picture) {
-  edit_lights() = lights_to_edit(scene_->own_lighting->lights);
+  first_lights_ = lights_to_edit(scene_->own_lighting->lights);
+  edit_lights() = first_lights_;
   now_.lights_edited = false;
   reset_dfrs();
   relighter_.start_from(now_.look);
   if (!picture) {
     take_default_look();
     if (changes_lights(*scene_, now_.settings.sky.get())) reset_lights();
+    opened_ = revisions();
     return;
   }
+  opened_ = revisions();
   // The scene already has the picture's lights and ratios, so they do not count as edits.
-  now_.look.lights = lights_to_edit(scene_->lights());
+  now_.look.lights = lights_of_picture(scene_->lights(), first_lights_);
   now_.look.dfrs = scene_->dfrs();
   now_.look.dfrs.resize(materials_without_ground(scene_->world()));
   RenderSettings settings = without_crop(picture->settings);
   settings.threads = now_.settings.threads;
   set_all_but_size(std::move(settings));
+}
+
+CarriedEdits SceneEdits::adopt_again(const RenderScene& before, glm::dvec3 moved) {
+  const State was = now_;
+  const std::vector<EditedLight> first = first_lights_;
+  adopt_scene(std::nullopt);
+  CarriedEdits carried;
+  std::vector<EditedLight> lights =
+      carried_lights(was.look.lights, first, first_lights_, moved, carried);
+  if (carried.lights > 0) {
+    edit_lights() = std::move(lights);
+    now_.lights_edited = was.lights_edited;
+  }
+  MaterialDfrs dfrs = carried_dfrs({material_names(before.world()), was.look.dfrs},
+                                   dfrs_without_ground(before.world()),
+                                   {material_names(scene_->world()), now_.look.dfrs}, carried);
+  if (carried.dfrs > 0) {
+    edit_dfrs() = std::move(dfrs);
+    now_.dfrs_edited = was.dfrs_edited;
+  }
+  return carried;
 }
 
 void SceneEdits::take_default_look() {

@@ -2,6 +2,7 @@
 
 #include "renderer/picture/picture_description.h"
 #include "renderer/settings/settings.h"
+#include "ui/carried_edits.h"
 #include "ui/chosen_look.h"
 #include "ui/open_scene.h"
 #include "ui/relighter.h"
@@ -69,6 +70,11 @@ class SceneEdits {
   /// Starts from a scene that was just opened: from its lights and materials, and from the settings
   /// of its saved picture, if any. Requires a scene.
   void adopt_scene(const std::optional<PictureDescription>& picture);
+  /// Starts from a scene that was loaded again in place of `before`. Edits of lights and DFRs stay
+  /// where the light or material still exists. `moved`: see OpenScene::Opened.
+  CarriedEdits adopt_again(const RenderScene& before, glm::dvec3 moved);
+  /// The revisions that the scene was opened with, before any edit.
+  [[nodiscard]] const Revisions& opened_revisions() const { return opened_; }
 
   /// The state that undo restores.
   struct State {
@@ -90,6 +96,8 @@ class SceneEdits {
   [[nodiscard]] bool environment_lights_scene() const;
 
   OpenScene& scene_;
+  std::vector<EditedLight> first_lights_;  // as the scene was opened, under its sky
+  Revisions opened_;
   RenderSettings first_settings_;
   ChosenLook keeps_;
   bool sky_chosen_ = false;  // by set_sky

@@ -18,7 +18,11 @@ UnsavedWork::Edits UnsavedWork::edits_of(const Previewer& previewer) {
 void UnsavedWork::update(const Previewer& previewer) {
   if (scene_ == previewer.scene().times_opened()) return;
   scene_ = previewer.scene().times_opened();
+  const SceneEdits::Revisions& opened = previewer.edits().opened_revisions();
   saved_ = edits_of(previewer);
+  // Edits that a reload has kept are not saved.
+  saved_.lights = opened.lights;
+  saved_.dfrs = opened.dfrs;
 }
 
 void UnsavedWork::note_saved(const Previewer& previewer) {

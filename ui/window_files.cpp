@@ -71,6 +71,8 @@ void WindowContent::follow_files(double now_seconds) {
                               state_.frames.comparison, state_.frames.chosen};
     }
   }
+  if (const auto carried = previewer_.take_carried())
+    if (std::string words = carried_words(*carried); !words.empty()) say(std::move(words));
   if (std::string said = metered_exposure_.update(previewer_, state_.display); !said.empty())
     say(std::move(said));
   if (state_.watch && !previewer_.scene().loading() &&

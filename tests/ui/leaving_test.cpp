@@ -126,20 +126,17 @@ TEST_F(LeavingTest, ResetAndUndoneLightsAreNoEdit) {
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "scene"; }));
 }
 
-TEST_F(LeavingTest, ReloadingAsksAboutEditedLights) {
+TEST_F(LeavingTest, ReloadingKeepsEditedLightsWithoutAQuestion) {
   rig.click("Add light");
-  rig.key(Key::r);
-  for (int i = 0; i < 3; ++i) rig.frame();
-  EXPECT_FALSE(rig.previewer().scene().loading().has_value());
-  ASSERT_TRUE(shown("Reload anyway"));
-  rig.key(Key::escape);
-  rig.frame();
-  EXPECT_FALSE(shown("Reload anyway"));
-  rig.key(Key::r);
-  for (int i = 0; i < 3; ++i) rig.frame();
+  const std::size_t lights = rig.previewer().edits().lights().size();
   const std::uint64_t opened = rig.previewer().scene().times_opened();
-  rig.click("Reload anyway");
-  EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+  rig.key(Key::r);
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+  rig.frame();
+  EXPECT_EQ(rig.previewer().edits().lights().size(), lights);
+  EXPECT_EQ(state().message, "Kept 1 light edit");
+  ask();
+  EXPECT_TRUE(shown("Quit")) << "it is not saved yet";
 }
 
 TEST_F(LeavingTest, TheDialogAsksAboutEditedLights) {

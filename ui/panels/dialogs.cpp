@@ -274,7 +274,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
     previewer.viewpoint().frame_all();
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
     store(state, previewer);
-  if (shortcut_pressed(Key::r) && previewer.scene()) state.opening = {{}, true};
+  if (shortcut_pressed(Key::r)) previewer.scene().reload();
   if (!in_panel && shortcut_pressed(Key::page_down)) page(state, previewer, 1);
   if (!in_panel && shortcut_pressed(Key::page_up)) page(state, previewer, -1);
   if (shortcut_pressed(Key::x)) flip(state, previewer.render().film());

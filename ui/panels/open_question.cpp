@@ -14,16 +14,11 @@ namespace asos::ui {
 namespace {
 
 void open_wanted(OpenScene& scene, OpenChoice& choice) {
-  if (choice.wanted.empty()) {
-    scene.reload();
-  } else {
-    scene.open(choice.wanted);
-  }
+  scene.open(choice.wanted);
   choice = {};
 }
 
 std::string question(const OpenChoice& choice) {
-  if (choice.wanted.empty()) return "Reload and lose these changes?";
   return fmt::format("Open {} and lose these changes?",
                      printable(std::filesystem::path(choice.wanted).filename().string()));
 }
@@ -33,7 +28,7 @@ std::string question(const OpenChoice& choice) {
 void open_question(Controls& controls, OpenScene& scene, OpenChoice& choice,
                    const std::vector<std::string>& losses) {
   constexpr const char* title = "Open another scene?";
-  const auto asked = [&] { return !choice.wanted.empty() || choice.reload; };
+  const auto asked = [&] { return !choice.wanted.empty(); };
   if (asked() && losses.empty()) open_wanted(scene, choice);
   if (asked() && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const float em = ImGui::GetFontSize();
@@ -51,9 +46,7 @@ void open_question(Controls& controls, OpenScene& scene, OpenChoice& choice,
   ImGui::PopTextWrapPos();
   ImGui::TextWrapped("A saved picture (P) or scene (Ctrl+Shift+S) keeps them.");
   ImGui::Spacing();
-  const bool open =
-      choice.reload ? controls.button("Reload anyway", "Load the file without your changes.")
-                    : controls.button("Open", "Open the scene without your changes.", 6.0f * em);
+  const bool open = controls.button("Open", "Open the scene without your changes.", 6.0f * em);
   ImGui::SameLine();
   const bool stay = controls.button("Cancel", "Keep this scene (Esc).", 6.0f * em) ||
                     ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);

@@ -8,10 +8,9 @@
 
 namespace asos::ui {
 
-/// A request to open another scene, or to reload the open one.
+/// A request to open another scene.
 struct OpenChoice {
-  std::string wanted;   ///< a source; empty: none
-  bool reload = false;  ///< the open scene's file
+  std::string wanted;  ///< a source; empty: none
 };
 
 /// Opens the scene immediately if `losses` is empty; otherwise lists them and asks for

@@ -58,7 +58,7 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   // A built-in scene cannot change.
   if (scene && !scene->geometry->source.starts_with("builtin:")) {
     if (controls.button("Reload", "Reload the file and keep the view (R).", width))
-      state.opening = {{}, true};
+      previewer.scene().reload();
     ImGui::SameLine();
     ImGui::Checkbox("Watch file", &state.watch);
     controls.placed("Watch file", "Reload automatically when the file changes.",
