@@ -227,7 +227,7 @@ void WindowContent::lay_out(const FrameInput& in) {
               shown);
   DisplaySettings legend = state_.display;
   const bool shows_layer = state_.display.layer && layers_.film() && !state_.surfaces.property;
-  if (state_.show_error || shows_layer) legend.show_legend = false;
+  if (state_.show_error || state_.shows_layer()) legend.show_legend = false;
   // The legend is hidden in pictures narrower than this if the tour's card or the pixel panel is
   // shown.
   constexpr float beside_another_em = 52.0f;
@@ -279,7 +279,7 @@ void WindowContent::explain_a_pixel() {
 }
 
 void WindowContent::dialogs(const WindowRect& picture) {
-  help_overlay(state_, picture);
+  help_overlay(controls_, state_, picture);
   open_dialog(controls_, state_, previewer_);
   const Film& film = previewer_.render().film();
   if (state_.save.show && state_.save.stem.empty() && previewer_.scene())

@@ -42,9 +42,24 @@ TEST_F(LeavingTest, EscapeClosesOneThingAfterTheOtherAndNeverQuits) {
   EXPECT_FALSE(state().leaving.quit);
 }
 
+// It was cut off above and below at 1000x640, and at both sides of narrow windows.
+TEST_F(LeavingTest, TheHelpIsInsideTheWindow) {
+  rig.key(Key::f1);
+  for (const glm::ivec2 size : {glm::ivec2(1000, 640), {420, 760}, {1920, 1200}}) {
+    rig.resize(size);
+    for (int i = 0; i < 4; ++i) rig.frame();
+    const Controls::Placed help = rig.content().controls().all().at("Help");
+    EXPECT_GE(help.lo.x, 0.0f);
+    EXPECT_GE(help.lo.y, 0.0f);
+    EXPECT_LE(help.hi.x, static_cast<float>(size.x));
+    EXPECT_LE(help.hi.y, static_cast<float>(size.y));
+  }
+}
+
 TEST_F(LeavingTest, EscapeClosesAListAndLeavesTheRest) {
-  state().show_help = true;
   rig.click("View");
+  rig.frame();
+  state().show_help = true;  // it covers the panel of a window of this width
   rig.frame();
   ASSERT_TRUE(shown("View/front"));
   rig.key(Key::escape);

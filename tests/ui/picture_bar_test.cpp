@@ -58,7 +58,10 @@ TEST_F(PictureBarTest, MarksTheLayerThatIsShown) {
   EXPECT_EQ(all().at("Layer/Picture").words, "");
   rig.key(Key::n);
   rig.frame();
-  EXPECT_EQ(marked(), "Surface: Normal");
+  EXPECT_EQ(marked(), "Normal (N)");
+  display().show_split_map = true;
+  rig.frame();
+  EXPECT_FALSE(all().contains("Why is this pixel like this?")) << "the hidden map's legend";
   rig.click("Layer/Level");
   EXPECT_FALSE(state.shows_layer());
   EXPECT_TRUE(display().show_split_map);

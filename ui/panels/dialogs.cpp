@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -61,27 +62,49 @@ constexpr std::array help_lines{
 
 }  // namespace
 
-void help_overlay(UiState& state, const WindowRect& area) {
+// Centred over the picture where there is room, else over the window. It scrolls if it is higher.
+void help_overlay(Controls& controls, UiState& state, const WindowRect& area) {
   if (!state.show_help) return;
-  const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({area.lo.x + 0.5f * area.size.x, area.lo.y + 0.5f * area.size.y},
-                          ImGuiCond_Always, {0.5f, 0.5f});
+  const float em = ImGui::GetFontSize(), padding = 1.2f * em;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float usual = 42.0f * em;
+  const float height = 2.0f * padding + ImGui::GetTextLineHeightWithSpacing() *
+                                            static_cast<float>(help_lines.size());
+  const bool fits = usual <= area.size.x && height <= area.size.y;
+  const ImVec2 centre = fits
+                            ? ImVec2(area.lo.x + 0.5f * area.size.x, area.lo.y + 0.5f * area.size.y)
+                            : ImVec2(0.5f * window.x, 0.5f * window.y);
+  const float width = std::min(usual, window.x - em);
+  ImGui::SetNextWindowPos(centre, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, window.y - em});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.6f * em, 1.2f * em});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});
   ImGui::Begin("help", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  const float column = 0.45f * ImGui::GetContentRegionAvail().x;
   for (const HelpLine& line : help_lines) {
     if (!line.input) {
       ImGui::Dummy({0.0f, 0.4f * em});
       continue;
     }
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(column);
     ImGui::TextUnformatted(line.input);
-    ImGui::SameLine(18.0f * em);
-    ImGui::TextDisabled("%s", line.meaning);
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+    ImGui::SameLine(column + 0.5f * em);
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    ImGui::TextUnformatted(line.meaning);
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
   }
+  controls.placed_window("Help");
   ImGui::End();
   ImGui::PopStyleVar(3);
 }
@@ -133,7 +156,7 @@ void snapshot_keys(UiState& state, const Film& film) {
 void show_before(UiState& state, const PreviewRender& render) {
   const PreviewRender::FinishedPicture* before = render.finished_before();
   if (!before) {
-    state.said = "Nothing to compare with: change EPS or MAX first";
+    state.said = "Nothing to compare with: no other EPS or MAX was finished";
     return;
   }
   state.show_before = state.shows_layer() || !state.show_before;

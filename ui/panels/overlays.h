@@ -80,7 +80,7 @@ void layer_legend(Controls& controls, const LayerFacts& facts, const WindowRect&
 /// Why a pixel was split, in a sentence.
 [[nodiscard]] const char* words_of(SplitCause cause);
 
-void help_overlay(UiState& state, const WindowRect& area);
+void help_overlay(Controls& controls, UiState& state, const WindowRect& area);
 /// The dialog that opens a file or a built-in scene.
 void open_dialog(Controls& controls, UiState& state, Previewer& previewer);
 

@@ -16,8 +16,8 @@ namespace asos::ui {
 
 namespace {
 
-constexpr float wide_em = 44.0f;  // of a bar with all controls
-constexpr float layers_em = 8.0f;
+constexpr float wide_em = 44.0f;    // of a bar with all controls
+constexpr float layers_em = 10.5f;  // of the list of layers
 
 constexpr std::array contents{
     Controls::Option{"Picture", "The picture alone (M)."},
@@ -67,7 +67,8 @@ std::vector<std::string> layer_entries(const char* first) {
   entries.front() = first;
   for (int i = 0; i < surface_properties; ++i) {
     const SurfaceChoice choice{static_cast<SurfaceProperty>(i), false};
-    entries.push_back(fmt::format("Surface: {}", surface_title(choice)));
+    entries.push_back(
+        fmt::format("{} ({})", surface_title(choice), surface_keys[static_cast<std::size_t>(i)]));
   }
   return entries;
 }
@@ -183,7 +184,7 @@ void layer_list(Controls& controls, UiState& state) {
   const ImVec4* colours = ImGui::GetStyle().Colors;
   ImGui::PushStyleColor(ImGuiCol_FrameBg,
                         colours[entry > 0 ? ImGuiCol_SliderGrab : ImGuiCol_Button]);
-  if (controls.list("Layers in bar", "Layer in false colours, or surface property ([ and ]).",
+  if (controls.list("Layers in bar", "Layer or surface property ([ and ]).",
                     layer_entries(entry > 0 ? "None" : "Layers"), entry))
     show_layer(state, entry);
   ImGui::PopStyleColor();
