@@ -368,8 +368,11 @@ void tidy_light(Light& light) {
 }
 
 EditedLight EditedLight::of(Light light) {
+  const float brightest = std::max({light.color.x, light.color.y, light.color.z});
+  const bool on = light.intensity > 0.0f || brightest <= 0.0f;
+  if (!on) light.intensity = 1.0f;
   tidy_light(light);
-  return {light, true, light};
+  return {light, on, light};
 }
 
 std::vector<Light> lights_on(const std::vector<EditedLight>& lights) {
@@ -378,6 +381,12 @@ std::vector<Light> lights_on(const std::vector<EditedLight>& lights) {
     if (edited.on) on.push_back(edited.light);
   }
   return on;
+}
+
+Light stored_light(const EditedLight& edited) {
+  Light light = edited.light;
+  if (!edited.on) light.color *= std::exchange(light.intensity, 0.0f);
+  return light;
 }
 
 }  // namespace asos::ui

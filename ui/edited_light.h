@@ -88,5 +88,8 @@ void tidy_light(Light& light);
 
 /// The lights that are on.
 [[nodiscard]] std::vector<Light> lights_on(const std::vector<EditedLight>& lights);
+/// The light as a file stores it. If it is off, its intensity is 0 and its colour is multiplied by
+/// the intensity that it has when it is on.
+[[nodiscard]] Light stored_light(const EditedLight& edited);
 
 }  // namespace asos::ui

@@ -33,6 +33,8 @@ class SceneEdits {
   /// without rebuilding the hierarchies.
   [[nodiscard]] const std::vector<EditedLight>& lights() const { return now_.look.lights; }
   [[nodiscard]] std::vector<EditedLight>& edit_lights();
+  /// The lights that the scene was opened with, under its sky.
+  [[nodiscard]] const std::vector<EditedLight>& opened_lights() const { return first_lights_; }
   /// Restores the lights that the scene was opened with, or those of its sky.
   void reset_lights();
   /// Scenes opened later get these parts from the initial settings instead of their default look.

@@ -1,12 +1,17 @@
 #include "ui/scene_export.h"
 
+#include "renderer/gltf/copy.h"
 #include "renderer/gltf/load.h"
 #include "renderer/world/ground.h"
 #include "ui/hidden_objects.h"
 #include "ui/previewer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <new>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -14,14 +19,85 @@ namespace asos::ui {
 
 namespace {
 
-std::vector<Light> moved(std::vector<Light> lights, glm::dvec3 by) {
-  for (Light& light : lights) {
-    light.position += by;
-    light.own_part = -1;
-    for (std::vector<glm::dvec3>& outline : light.outlines)
-      for (glm::dvec3& corner : outline) corner += by;
+/// The lights of each surface that emits.
+using SurfaceLights = std::map<int, std::vector<Light>>;  // by part
+
+SurfaceLights lights_of_surfaces(const std::vector<EditedLight>& lights) {
+  SurfaceLights by_part;
+  for (const EditedLight& edited : lights)
+    if (edited.light.own_part >= 0) by_part[edited.light.own_part].push_back(stored_light(edited));
+  return by_part;
+}
+
+/// The node of a part; a number of its own if the scene has no nodes.
+int emitting_node(const SceneContents& contents, int part, const std::vector<int>& hidden) {
+  const auto object = static_cast<std::size_t>(place_among_all(part, hidden));
+  if (object >= contents.object_nodes.size()) return -1 - part;
+  const int node = contents.object_nodes[object];
+  return node < 0 ? -1 - part : node;
+}
+
+/// The nodes that have a surface with edited lights. Marks in a file concern a whole node.
+std::set<int> nodes_with_edited_lights(const RenderScene& scene, const SceneEdits& edits,
+                                       const std::vector<int>& hidden) {
+  const SurfaceLights before = lights_of_surfaces(edits.opened_lights());
+  const SurfaceLights now = lights_of_surfaces(edits.lights());
+  std::set<int> nodes;
+  for (const auto& [part, lights] : before) {
+    const auto found = now.find(part);
+    if (found == now.end() || found->second != lights)
+      nodes.insert(emitting_node(scene.geometry->contents, part, hidden));
   }
-  return lights;
+  return nodes;
+}
+
+Light turned_over(Light light) {
+  light.direction = -light.direction;
+  for (std::vector<glm::dvec3>& outline : light.outlines)
+    std::reverse(outline.begin(), outline.end());
+  return light;
+}
+
+/// Adds the light of a surface as one of its own: slightly in front of the surface, which would
+/// occlude it.
+void add_in_front(Light light, std::vector<Light>& lights) {
+  constexpr double gap = 1e-3;
+  light.own_part = -1;
+  const double area = area_of(light);
+  if (!(area > 0.0)) {
+    light.radius *= 1.0 + gap;
+    lights.push_back(std::move(light));
+    return;
+  }
+  const bool both = std::exchange(light.two_sided, false);
+  for (Light side : {light, turned_over(light)}) {
+    if (!both && side.direction != light.direction) continue;
+    move_light(side, gap * std::sqrt(area) * side.direction);
+    lights.push_back(std::move(side));
+  }
+}
+
+void take_lights(const Previewer& previewer, SceneOrder& order) {
+  const RenderScene& scene = *previewer.scene();
+  const SceneContents& contents = scene.geometry->contents;
+  const std::vector<int>& hidden = order.source.hidden;
+  const std::set<int> nodes = nodes_with_edited_lights(scene, previewer.edits(), hidden);
+  const auto replaced = [&](int part) {
+    return nodes.contains(emitting_node(contents, part, hidden));
+  };
+  std::vector<Light>& lights = order.lights.emplace();
+  for (const EditedLight& edited : previewer.edits().lights()) {
+    Light light = stored_light(edited);
+    move_light(light, scene.world().origin);
+    if (light.own_part < 0)
+      lights.push_back(std::move(light));
+    else if (replaced(light.own_part))
+      add_in_front(std::move(light), lights);
+  }
+  for (int part = 0; part < static_cast<int>(scene.world().parts.size()); ++part)
+    if (replaced(part)) order.light_objects.push_back(place_among_all(part, hidden));
+  for (const int node : nodes)
+    if (node >= 0) order.light_nodes.push_back(node);
 }
 
 Result<void> check_path(const SceneOrder& order) {
@@ -31,15 +107,39 @@ Result<void> check_path(const SceneOrder& order) {
   return {};
 }
 
+/// Whether the file can be copied, instead of writing the scene anew from its meshes at rest.
+bool copies_file(const SceneOrder& order) {
+  return !order.source.path.starts_with("builtin:") && order.source.hidden.empty();
+}
+
+Result<std::string> copied(const SceneOrder& order) {
+  const GltfEdits edits{order.source.asset_root, order.shown_scene,
+                        order.source.variant,    order.lights,
+                        order.light_nodes,       order.dfrs};
+  return copy_gltf(order.source.path, order.path, edits).map([&] { return order.path; });
+}
+
+/// Marks the objects whose lights are in the list, which emit no light themselves.
+void mark_light_objects(const std::vector<int>& places, Scene& scene) {
+  int place = -1;
+  for (Instance& instance : scene.instances) {
+    if (!scene.shows_surface(instance)) continue;
+    ++place;
+    instance.shows_light |= std::find(places.begin(), places.end(), place) != places.end();
+  }
+}
+
 std::string words_of(const Scene& scene, const std::string& path) {
   return scene.contents.animations.empty() ? path : path + " (without its animations)";
 }
 
 Result<std::string> written(const SceneOrder& order) {
+  if (copies_file(order)) return copied(order);
   Result<Scene> scene = load_scene(order.source.path, {.variant = order.source.variant,
                                                        .scene = order.source.scene,
                                                        .asset_root = order.source.asset_root});
   if (!scene) return unexpected(scene.error());
+  mark_light_objects(order.light_objects, *scene);
   leave_out(*scene, order.source.hidden);
   if (order.lights) scene->lights = *order.lights;
   if (order.dfrs)
@@ -53,9 +153,11 @@ Result<std::string> written(const SceneOrder& order) {
 SceneOrder order_of(const Previewer& previewer, std::string path) {
   const RenderScene& scene = *previewer.scene();
   const SceneEdits& edits = previewer.edits();
-  SceneOrder order{previewer.scene().shown_source(), std::move(path), std::nullopt, std::nullopt};
-  if (scene.lighting != scene.own_lighting)
-    order.lights = moved(lights_on(edits.lights()), scene.world().origin);
+  SceneOrder order;
+  order.source = previewer.scene().shown_source();
+  order.path = std::move(path);
+  order.shown_scene = scene.geometry->contents.shown_scene;
+  if (scene.lighting != scene.own_lighting) take_lights(previewer, order);
   if (edits.dfrs() != dfrs_without_ground(scene.world())) order.dfrs = edits.dfrs();
   return order;
 }

@@ -17,15 +17,20 @@ class Previewer;
 struct SceneOrder {
   SceneSource source;
   std::string path;                          ///< .glb or .gltf
+  int shown_scene = -1;                      ///< of the file; -1: it has none
   std::optional<std::vector<Light>> lights;  ///< author's coordinates; none: the file's
-  std::optional<MaterialDfrs> dfrs;          ///< none: the file's own
+  /// The objects whose emissive surfaces are among `lights`: indices among all objects, and into
+  /// SceneContents::nodes.
+  std::vector<int> light_objects, light_nodes;
+  std::optional<MaterialDfrs> dfrs;  ///< none: the file's own
 };
 
 /// The open scene with its edits. Requires a scene.
 [[nodiscard]] SceneOrder order_of(const Previewer& previewer, std::string path);
 
-/// Loads the scene again and writes it with the edits. Returns the path, and a message that lists
-/// the unsupported parts. Errors name the file and the reason.
+/// Copies the scene's file with the edits. A built-in scene, and one with hidden objects, is
+/// written anew from its meshes at rest. Returns the path, with a note if animations were left
+/// out. Errors name the file and the reason.
 [[nodiscard]] Result<std::string> export_edited(const SceneOrder& order);
 
 using SceneExportJob = StoppableJob<Result<std::string>>;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asos::gltf {
 
@@ -61,6 +62,13 @@ std::string read_brightness(const tinygltf::Value& object, std::optional<double>
     color = *given;
   }
   return set_brightness(*intensity, color, light);
+}
+
+void read_off_intensity(const tinygltf::Value& extras, Light& light) {
+  if (light.intensity != 0.0f || !extras.IsObject()) return;
+  const double off = number(extras, "asos_off_intensity").value_or(0.0);
+  if (off > 1.0 && off < static_cast<double>(std::numeric_limits<float>::max()))
+    light.color *= static_cast<float>(off);
 }
 
 double largest_scale(const glm::dmat4& world_from_node) {

@@ -34,6 +34,10 @@ inline bool positive(double value) {
 [[nodiscard]] std::string set_brightness(double intensity, const std::vector<double>& color,
                                          Light& light);
 
+/// Moves the intensity of a light that is switched off from its extras into its colour, which then
+/// exceeds 1.
+void read_off_intensity(const tinygltf::Value& extras, Light& light);
+
 /// Sets them from `object`'s properties "intensity" and "color", which is white by default. With
 /// `default_intensity` nullopt, the intensity is required.
 [[nodiscard]] std::string read_brightness(const tinygltf::Value& object,

@@ -77,6 +77,7 @@ std::string read_light(const tinygltf::Light& source, const std::string& place, 
   if (std::string why = set_brightness(source.intensity, color, light); !why.empty()) return why;
   if (positive(source.range)) light.range = source.range;  // tinygltf's 0: infinite
   light.casts_shadows = on_or_off(source.extras, "casts_shadows").value_or(true);
+  read_off_intensity(source.extras, light);
   if (light.type != Light::Type::spot) return {};
 
   light.inner_cone_rad = source.spot.innerConeAngle;

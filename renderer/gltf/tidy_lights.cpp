@@ -12,8 +12,8 @@ using nlohmann::json;
 namespace {
 
 // The extras of lights and their nodes (LIGHTS.md).
-constexpr std::array<std::string_view, 4> light_extras = {"casts_shadows", "two_sided", "radius",
-                                                          "angular_diameter"};
+constexpr std::array<std::string_view, 5> light_extras = {"casts_shadows", "two_sided", "radius",
+                                                          "asos_off_intensity", "angular_diameter"};
 constexpr std::array<std::string_view, 5> node_extras = {
     "asos_light", "asos_light_fallback", "asos_shape", "radius", "angular_diameter"};
 constexpr std::array<std::string_view, 1> material_extras = {"asos_dfr"};  // MATERIALS.md

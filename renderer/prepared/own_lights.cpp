@@ -71,7 +71,10 @@ bool needs_default_lighting(const World& world, std::span<const Light> lights_of
                             std::span<const Light> emissive) {
   const bool shines =
       std::any_of(lights_of_file.begin(), lights_of_file.end(), [](const Light& light) {
-        return light.intensity * std::max({light.color.x, light.color.y, light.color.z}) > 0.0f;
+        const float brightest = std::max({light.color.x, light.color.y, light.color.z});
+        // The colour of a light that the user switched off contains its intensity (LIGHTS.md).
+        const bool switched_off = light.intensity == 0.0f && brightest > 1.0f;
+        return switched_off || light.intensity * brightest > 0.0f;
       });
   if (shines) return false;
   if (world.bounds.empty()) return true;

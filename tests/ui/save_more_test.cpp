@@ -1,6 +1,7 @@
 #include "renderer/gltf/load.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/session/render_session.h"
+#include "tests/renderer/gltf/moving_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/helper_program.h"
@@ -72,6 +73,24 @@ class SceneExportTest : public testing::Test {
     return render_to_end({scene, scene->world().cameras.front(), settings, false}).film;
   }
 
+  /// The largest difference of two pictures, in steps of 8 bits.
+  [[nodiscard]] static int largest_step(const Film& a, const Film& b) {
+    int largest = 0;
+    for (std::size_t i = 0; i < a.radiance.size(); ++i) {
+      const glm::ivec3 d = glm::abs(glm::ivec3(display_bytes(a.radiance[i], 0.0f)) -
+                                    glm::ivec3(display_bytes(b.radiance[i], 0.0f)));
+      largest = std::max({largest, d.x, d.y, d.z});
+    }
+    return largest;
+  }
+
+  [[nodiscard]] static double mean(const Film& film) {
+    double sum = 0.0;
+    for (const glm::vec3& colour : film.radiance)
+      sum += static_cast<double>(colour.x + colour.y + colour.z);
+    return sum / static_cast<double>(3 * film.radiance.size());
+  }
+
   TemporaryFolder folder;
   std::unique_ptr<Previewer> previewer;
   double now = 0.0;
@@ -111,20 +130,65 @@ TEST_F(SceneExportTest, KeepsLightsDfrsAndThePicture) {
   }
   ASSERT_EQ(previewer->edits().dfrs().size(), dfrs_before.size());
   EXPECT_EQ(previewer->edits().dfrs(), dfrs_before);
-  const Film after = picture();
-  int largest = 0;
-  for (std::size_t i = 0; i < before.radiance.size(); ++i) {
-    const glm::ivec3 d = glm::abs(glm::ivec3(display_bytes(before.radiance[i], 0.0f)) -
-                                  glm::ivec3(display_bytes(after.radiance[i], 0.0f)));
-    largest = std::max({largest, d.x, d.y, d.z});
-  }
-  EXPECT_LE(largest, 1) << "one step of an 8-bit picture";
+  EXPECT_LE(largest_step(picture(), before), 1) << "one step of an 8-bit picture";
 }
 
 TEST_F(SceneExportTest, WithoutEditsTheFileKeepsItsOwnLights) {
   const SceneOrder order = order_of(*previewer, folder.file("same.glb"));
   EXPECT_FALSE(order.lights);
   EXPECT_FALSE(order.dfrs);
+}
+
+// Animations were left out, and a light of an emissive surface was doubled.
+TEST_F(SceneExportTest, AFilesAnimationsAndSurfaceLightsStay) {
+  GltfBuilder b = GltfBuilder::square();
+  add_channel(b, 0, "translation", b.scalars({0.0f, 1.0f}), b.vec3({{0, 0, 0}, {2, 0, 0}}));
+  b.json["materials"] = {{{"name", "panel"}, {"emissiveFactor", {1, 1, 1}}}};
+  b.json["meshes"][0]["primitives"][0]["material"] = 0;
+  b.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  b.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 9}}};
+  b.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  b.node()["children"] = {1};
+  open(folder.write("panel.glb", b.glb()));
+  ASSERT_EQ(previewer->edits().lights().size(), 2u);
+  for (const bool edits_panel : {false, true}) {
+    std::vector<EditedLight>& lights = previewer->edits().edit_lights();
+    for (EditedLight& edited : lights)
+      if ((edited.light.own_part >= 0) == edits_panel) edited.light.intensity *= 3.0f;
+    relit();
+    const std::string path = folder.file(edits_panel ? "both.glb" : "lamp.glb");
+    const Result<std::string> written = export_edited(order_of(*previewer, path));
+    ASSERT_TRUE(written) << written.error().message();
+    const Result<Scene> saved = load_scene(path, {});
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->contents.animations.size(), 1u);
+    const auto prepared = *prepare(*saved);
+    ASSERT_EQ(prepared->lights().size(), 2u);
+    float point = 0.0f, panel = 0.0f;
+    for (const Light& light : prepared->lights())
+      (light.type == Light::Type::point ? point : panel) = light.intensity;
+    EXPECT_FLOAT_EQ(point, 27.0f);
+    EXPECT_FLOAT_EQ(panel, edits_panel ? 3.0f : 1.0f);
+  }
+}
+
+TEST_F(SceneExportTest, LightsThatAreOffStayOff) {
+  for (EditedLight& edited : previewer->edits().edit_lights()) edited.on = false;
+  relit();
+  const std::vector<EditedLight> before = previewer->edits().lights();
+  const Film dark = picture();
+  ASSERT_TRUE(export_edited(order_of(*previewer, folder.file("off.glb"))));
+  open(folder.file("off.glb"));
+  const std::vector<EditedLight>& after = previewer->edits().lights();
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_FALSE(after[i].on) << after[i].light.name;
+    const glm::vec3 once_on = after[i].light.color * after[i].light.intensity;
+    const glm::vec3 expected = before[i].light.color * before[i].light.intensity;
+    EXPECT_LT(glm::distance(once_on, expected), 1e-5f * glm::length(expected));
+  }
+  // Lights that were on, or default lights, would brighten it many times.
+  EXPECT_NEAR(mean(picture()) / mean(dark), 1.0, 0.01);
 }
 
 TEST_F(SceneExportTest, SaysWhatCannotBeWritten) {

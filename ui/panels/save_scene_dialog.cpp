@@ -34,7 +34,7 @@ void path_words(const std::string& path) {
 
 }  // namespace
 
-void save_scene_dialog(Controls& controls, SaveSceneChoice& choice) {
+void save_scene_dialog(Controls& controls, SaveSceneChoice& choice, bool hides_objects) {
   constexpr const char* title = "Save scene as";
   if (choice.show && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const float em = ImGui::GetFontSize();
@@ -46,7 +46,8 @@ void save_scene_dialog(Controls& controls, SaveSceneChoice& choice) {
                                   ImGuiWindowFlags_NoSavedSettings |
                                   ImGuiWindowFlags_AlwaysAutoResize))
     return;
-  ImGui::TextWrapped("Writes a glTF file with your lights and DFRs. Animations are left out.");
+  ImGui::TextWrapped("Writes a copy of the scene with your lights and DFRs.");
+  if (hides_objects) ImGui::TextWrapped("Hidden objects and animations are left out.");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##scene file", &choice.path);
   controls.placed("Scene file", "Path of the file, .glb or .gltf.", Controls::Use::edits);

@@ -13,6 +13,6 @@ struct SaveSceneChoice {
   bool asked = false;  ///< the dialog was confirmed: save now
 };
 
-void save_scene_dialog(Controls& controls, SaveSceneChoice& choice);
+void save_scene_dialog(Controls& controls, SaveSceneChoice& choice, bool hides_objects);
 
 }  // namespace asos::ui

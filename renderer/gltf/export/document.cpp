@@ -1,8 +1,12 @@
 #include "renderer/files/base64.h"
 #include "renderer/gltf/export/gltf_writer.h"
+#include "renderer/gltf/files.h"
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
+#include <utility>
 
 namespace asos::exporting {
 
@@ -30,11 +34,18 @@ GltfDocument::GltfDocument() {
   root["scenes"] = json::array({json::object()});
 }
 
-int GltfDocument::add_view(std::span<const std::uint8_t> bytes, int target) {
+GltfDocument::GltfDocument(json of_file) : root(std::move(of_file)) {}
+
+std::size_t GltfDocument::append(std::span<const std::uint8_t> bytes) {
   binary_.resize((binary_.size() + 3) / 4 * 4, 0);
-  json view{{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes.size()}};
-  if (target != 0) view["target"] = target;
+  const std::size_t offset = binary_.size();
   binary_.insert(binary_.end(), bytes.begin(), bytes.end());
+  return offset;
+}
+
+int GltfDocument::add_view(std::span<const std::uint8_t> bytes, int target) {
+  json view{{"buffer", 0}, {"byteOffset", append(bytes)}, {"byteLength", bytes.size()}};
+  if (target != 0) view["target"] = target;
   return add("bufferViews", std::move(view));
 }
 
@@ -44,13 +55,21 @@ int GltfDocument::add(const char* list, json value) {
 }
 
 void GltfDocument::add_root_node(json node) {
-  root["scenes"][0]["nodes"].push_back(add("nodes", std::move(node)));
+  const int index = add("nodes", std::move(node));
+  if (!root.contains("scenes")) return;
+  const auto scene = root.value("scene", std::size_t{0});
+  root["scenes"].at(scene)["nodes"].push_back(index);
 }
 
 void GltfDocument::finish() {
   binary_.resize((binary_.size() + 3) / 4 * 4, 0);
-  for (const std::string& name : extensions_) root["extensionsUsed"].push_back(name);
-  if (!binary_.empty()) root["buffers"] = json::array({{{"byteLength", binary_.size()}}});
+  json& used = root["extensionsUsed"];
+  for (const std::string& name : extensions_) {
+    if (std::find(used.begin(), used.end(), json(name)) == used.end()) used.push_back(name);
+  }
+  if (used.empty()) root.erase("extensionsUsed");
+  if (binary_.empty() && root.contains("buffers")) binary_.resize(4, 0);
+  if (!binary_.empty()) root["buffers"][0] = {{"byteLength", binary_.size()}};
 }
 
 Result<std::string> GltfDocument::as_glb(const std::string& path) {
@@ -75,6 +94,15 @@ Result<std::string> GltfDocument::as_glb(const std::string& path) {
     out.append(binary_.begin(), binary_.end());
   }
   return out;
+}
+
+Result<void> GltfDocument::write(const std::string& path) {
+  const std::string ending = gltf::lower_case(std::filesystem::path(path).extension().string());
+  if (ending == ".gltf") return write_atomically(path, as_gltf());
+  if (ending != ".glb") return unexpected(Error{path, "a scene is written as .glb or .gltf"});
+  const Result<std::string> bytes = as_glb(path);
+  if (!bytes) return unexpected(bytes.error());
+  return write_atomically(path, *bytes);
 }
 
 std::string GltfDocument::as_gltf() {

@@ -40,10 +40,7 @@ Result<void> export_gltf(const Scene& scene, const std::string& path) {
   exporting::write_meshes(scene, document);
   exporting::write_lights(scene, document);
   exporting::write_cameras(scene, document);
-  if (!binary) return exporting::write_atomically(path, document.as_gltf());
-  const Result<std::string> bytes = document.as_glb(path);
-  if (!bytes) return unexpected(bytes.error());
-  return exporting::write_atomically(path, *bytes);
+  return document.write(path);
 }
 
 }  // namespace asos

@@ -18,8 +18,13 @@ namespace asos::exporting {
 /// something return its index in the document.
 class GltfDocument {
  public:
+  /// Starts an empty document.
   GltfDocument();
+  /// Starts from the JSON of a file, whose own buffer is the first one.
+  explicit GltfDocument(nlohmann::json of_file);
 
+  /// Appends bytes to the buffer, at a multiple of four. Returns their offset.
+  std::size_t append(std::span<const std::uint8_t> bytes);
   /// Appends bytes as a buffer view that starts at a multiple of four. `target`: 34962 for vertex
   /// attributes, 34963 for indices, 0 for neither.
   int add_view(std::span<const std::uint8_t> bytes, int target);
@@ -36,17 +41,19 @@ class GltfDocument {
 
   /// Appends to one of the document's lists, such as "nodes".
   int add(const char* list, nlohmann::json value);
-  /// Appends a node that is a root of the scene.
+  /// Appends a node that is a root of the default scene. Without scenes, all nodes are shown.
   void add_root_node(nlohmann::json node);
   void use_extension(const std::string& name) { extensions_.insert(name); }
 
   nlohmann::json root;
 
-  /// Returns the whole file. Errors: too large for the container.
-  [[nodiscard]] Result<std::string> as_glb(const std::string& path);
-  [[nodiscard]] std::string as_gltf();
+  /// Writes the whole file, .glb or .gltf by its suffix. Errors: another suffix, too large for the
+  /// container, cannot be written.
+  [[nodiscard]] Result<void> write(const std::string& path);
 
  private:
+  [[nodiscard]] Result<std::string> as_glb(const std::string& path);
+  [[nodiscard]] std::string as_gltf();
   void finish();
 
   std::set<std::string> extensions_;
@@ -67,6 +74,9 @@ struct TextureTransform {
   glm::dvec2 scale{1.0};
 };
 [[nodiscard]] std::optional<TextureTransform> decompose(const glm::mat3& uv_transform);
+
+/// Returns defocusing ratios as extras have them (MATERIALS.md).
+[[nodiscard]] nlohmann::json dfr_json(const Dfr& dfr);
 
 // Each function writes one kind of element; indices in the document are those in the scene.
 [[nodiscard]] Result<void> write_images(const Scene& scene, const std::string& path,

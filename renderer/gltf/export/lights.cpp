@@ -23,6 +23,11 @@ json quaternion_json(const glm::dquat& q) {
   return json::array({q.x, q.y, q.z, q.w});
 }
 
+/// Returns the intensity of a light that is switched off, whose colour contains it; 0: it is on.
+float off_intensity(const Light& light) {
+  return light.intensity == 0.0f ? std::max({light.color.x, light.color.y, light.color.z}) : 0.0f;
+}
+
 /// Returns the rotation from -Z to the unit `direction`, as glTF's (x, y, z, w).
 json rotation_json(const glm::dvec3& direction) {
   const glm::dvec3 away(0.0, 0.0, -1.0);
@@ -49,6 +54,10 @@ bool is_punctual(const Light& light) {
 
 json punctual_json(const Light& light) {
   json out{{"color", vector_json(light.color)}, {"intensity", light.intensity}};
+  if (const float off = off_intensity(light); off > 1.0f) {
+    out["color"] = vector_json(light.color / off);
+    out["extras"]["asos_off_intensity"] = off;
+  }
   if (!light.name.empty()) out["name"] = light.name;
   if (light.type == Light::Type::directional) {
     out["type"] = "directional";

@@ -60,11 +60,7 @@ void write_reflection(const Material& material, json& out, GltfDocument& documen
     if (material.specular_color_texture.used())
       specular["specularColorTexture"] = texture_info(material.specular_color_texture, document);
   }
-  if (!material.dfr) return;
-  out["extras"]["asos_dfr"] = {{"min", by_colour(*material.dfr, &DfrCurve::min)},
-                               {"max", by_colour(*material.dfr, &DfrCurve::max)},
-                               {"exponent", by_colour(*material.dfr, &DfrCurve::exponent)},
-                               {"perturbation", material.dfr->perturbation}};
+  if (material.dfr) out["extras"]["asos_dfr"] = dfr_json(*material.dfr);
 }
 
 json normal_texture_info(const TextureUse& use, GltfDocument& document) {
@@ -204,6 +200,13 @@ json material_json(const Material& material, GltfDocument& document) {
 }
 
 }  // namespace
+
+json dfr_json(const Dfr& dfr) {
+  return {{"min", by_colour(dfr, &DfrCurve::min)},
+          {"max", by_colour(dfr, &DfrCurve::max)},
+          {"exponent", by_colour(dfr, &DfrCurve::exponent)},
+          {"perturbation", dfr.perturbation}};
+}
 
 std::optional<TextureTransform> decompose(const glm::mat3& uv_transform) {
   const glm::dmat3 m(uv_transform);
