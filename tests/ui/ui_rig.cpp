@@ -35,7 +35,9 @@ RenderSettings small_settings() {
 
 // A test waits for the render's thread, and laying out a frame takes about a millisecond. Without a
 // pause that is longer, waiting takes as much processor time as rendering.
-void pause_for_other_threads() { std::this_thread::sleep_for(std::chrono::milliseconds(4)); }
+void pause_for_other_threads() {
+  std::this_thread::sleep_for(std::chrono::milliseconds(4));
+}
 
 }  // namespace
 
