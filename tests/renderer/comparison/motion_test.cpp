@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -231,6 +232,38 @@ TEST(MotionBlur, AsPublishedElongatesPixelsOfMovingSurfaces) {
   for (int x = 5; x < 11; ++x)
     expected[static_cast<std::size_t>(x)] = (std::min(x + 3, 11) - std::max(x - 2, 5)) / 5.0;
   EXPECT_LT(worst_error(picture, expected), 0.02);
+}
+
+TEST(MotionBlur, AsPublishedShowsAllDepthsBetweenTheCamerasPlanes) {
+  // A white card at depth 4 before a grey wall at depth 12, which both move.
+  Scene scene;
+  scene.source = "card";
+  add_card(scene, 1.0, 7.0, 40.0);
+  add_card(scene, -80.0, 96.0, 40.0);
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].base_color = glm::vec4(0.25f, 0.25f, 0.25f, 1.0f);
+  scene.meshes[1].material = 1;
+  const auto rig = std::make_shared<PosedBy>(scene, clip_seconds, [](double seconds, Scene& posed) {
+    const glm::dvec3 way(4.0 * seconds * pixel, 0.0, 0.0);
+    posed.instances[0].world_from_mesh = glm::translate(glm::dmat4(1.0), way);
+    posed.instances[1].world_from_mesh =
+        glm::translate(glm::dmat4(1.0), way + glm::dvec3(0.0, 0.0, 8.0));
+  });
+  // Looks along z, from behind the origin between both.
+  Camera camera = still_camera();
+  camera.world_from_camera = glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -8)),
+                                         std::numbers::pi, glm::dvec3(0, 1, 0));
+  const RenderSettings settings = settings_of(Method::asos_published, 1.0);
+  const auto middle = [&] {
+    const Picture picture = render_exposed(exposed_at(*rig, 1.0, camera, settings), settings);
+    return picture.film.radiance[picture.film.index(8, side / 2)].x;
+  };
+  EXPECT_NEAR(middle(), 1.0, 1e-3);
+  camera.near_depth = 5.0;
+  EXPECT_NEAR(middle(), 0.25, 1e-3);
+  camera.near_depth.reset();
+  camera.far_depth = 3.0;
+  EXPECT_NEAR(middle(), 0.0, 1e-3);
 }
 
 TEST(MotionBlur, OfATurningWheelAgreesWithManySamples) {
