@@ -92,12 +92,21 @@ class ElongatedPixels {
     FinishedTile& tile = result.tile;
     tile.radiance[i] = found.tile.radiance[0];
     tile.split_level[i] = std::max(tile.split_level[i], found.tile.split_level[0]);
-    if (!tile.cause.empty() && !found.tile.cause.empty()) tile.cause[i] = found.tile.cause[0];
+    if (!tile.cause.empty()) note_motion(tile.cause[i], result.statistics);
     if (!tile.rays.empty() && !found.tile.rays.empty()) tile.rays[i] += found.tile.rays[0];
     result.statistics.eye_rays += found.statistics.eye_rays;
     result.statistics.shadow_rays += found.statistics.shadow_rays;
     result.statistics.reflection_rays += found.statistics.reflection_rays;
     result.statistics.sky_rays += found.statistics.sky_rays;
+  }
+
+  static void note_motion(SplitCause& cause, RenderStatistics& statistics) {
+    if (cause == SplitCause::none)
+      ++statistics.split_pixels;
+    else
+      --statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
+    cause = SplitCause::motion;
+    ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
   }
 
   const BlockJob& job_;

@@ -266,6 +266,28 @@ TEST(MotionBlur, AsPublishedShowsAllDepthsBetweenTheCamerasPlanes) {
   EXPECT_NEAR(middle(), 0.0, 1e-3);
 }
 
+TEST(MotionBlur, IsTheCauseOfPixelsThatItChanges) {
+  // From pixel 5 to pixel 11, and by 2 pixels to either side.
+  const auto rig = moving_pole(6.0, 1.0, 4.0);
+  for (const Method method : {Method::asos, Method::asos_published}) {
+    const RenderSettings settings = settings_of(method, 1.0);
+    const Picture picture =
+        render_exposed(exposed_at(*rig, 1.0, still_camera(), settings), settings);
+    std::uint64_t moving = 0;
+    for (int x = 0; x < side; ++x) {
+      const SplitCause cause = picture.film.cause[picture.film.index(x, side / 2)];
+      // Pixels with their centre on the moving card are elongated as published.
+      const bool changes =
+          method == Method::asos ? (x >= 3 && x < 7) || (x >= 9 && x < 13) : x >= 5 && x < 11;
+      EXPECT_EQ(cause == SplitCause::motion, changes) << row_of(method).name << ", " << x;
+    }
+    for (const SplitCause cause : picture.film.cause) moving += cause == SplitCause::motion;
+    const RenderStatistics& counts = picture.statistics;
+    EXPECT_EQ(counts.pixels_by_cause[static_cast<std::size_t>(SplitCause::motion)], moving);
+    EXPECT_GE(counts.split_pixels, moving);
+  }
+}
+
 TEST(MotionBlur, OfATurningWheelAgreesWithManySamples) {
   Scene scene;
   scene.source = "wheel";
