@@ -105,7 +105,10 @@ Ray View::ray(double x, double y) const {
 Ray View::ray(double x, double y, const ExposurePoint& exposure) const {
   const glm::dvec3 from = exposure.lens.x * lens_right_ + exposure.lens.y * lens_up_;
   const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
-  const glm::dvec3 direction = glm::normalize(target - from / *lens_.focus);
+  // Scaled so that it does not overflow for a near focus.
+  const double focus = *lens_.focus;
+  const glm::dvec3 direction =
+      glm::normalize(focus < 1.0 ? focus * target - from : target - from / focus);
   Ray ray;
   ray.origin = glm::vec3(eye_ + from + start_ * direction);
   ray.direction = glm::vec3(direction);
