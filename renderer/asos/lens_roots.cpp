@@ -40,7 +40,11 @@ LensEstimator LensRoots::way(std::uint32_t root, bool bounded, bool missed) {
   const RenderScene& scene = *eye_->scene;
   const bool textured =
       hit.valid() && is_textured(scene.world().material_of(hit.triangle), scene.render_features);
-  return textured ? LensEstimator::sampled : LensEstimator::smooth;
+  // A surface whose facets meet only at boundaries does not leave its plane.
+  const bool bends = hit.valid() && scene.features().deviation(hit.triangle) > 0.0f;
+  if (textured || (bends && !defocus.stays_within_reach(root, *eye_->counts)))
+    return LensEstimator::sampled;
+  return LensEstimator::smooth;
 }
 
 Square LensRoots::widened_square(std::uint32_t root) const {

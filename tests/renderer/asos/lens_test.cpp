@@ -363,6 +363,39 @@ TEST(Lens, FocusIsOnTheMiddleUnlessGiven) {
   EXPECT_FALSE(viewed_camera(*scene, camera, beam).lens.blurs());
 }
 
+TEST(Lens, SmoothMeshesMayBendOutOfReach) {
+  // Flat at depth 8 up to column 8.8, then smoothly away to depth 24 at column 11.6. The blur of 4
+  // pixels at depth 8 does not reach the mesh's end, but that of 6.7 pixels at its end does.
+  const std::vector<glm::dvec2> columns{{-400.0, 8.0}, {7.0, 8.0}, {8.8, 8.0}, {11.6, 24.0}};
+  const auto x_of = [](glm::dvec2 column) { return (column.x - 0.5 * side) * pixel * column.y; };
+  std::vector<TinyVertex> vertices;
+  std::vector<glm::uvec3> triangles;
+  for (const glm::dvec2 column : columns)
+    for (const double y : {-40.0, 40.0})
+      vertices.push_back({glm::vec3(x_of(column), y, -column.y), {0, 0, 1}, {0, 0}});
+  for (std::uint32_t k = 0; k + 2 < vertices.size(); k += 2) {
+    triangles.emplace_back(k, k + 2, k + 3);
+    triangles.emplace_back(k, k + 3, k + 1);
+  }
+  World world;
+  add_part(world, vertices, triangles, card(glm::vec3(1.0f)));
+  const auto scene = make_render_scene(std::move(world));
+  const auto seen = [&](glm::dvec2 from, glm::dvec2 along) {
+    const auto at = [&](double depth) { return from.x + depth * along.x; };
+    return at(8.0) < x_of(columns[2]) || at(24.0) < x_of(columns[3]) ? 1.0 : 0.0;
+  };
+  const double radius = radius_for(4.0, 8.0);
+  const Picture picture =
+      render_picture(*scene, camera_with(radius), settings_of(Method::asos, 1e-3));
+  std::vector<double> row, expected;
+  for (int x = 3; x < 9; ++x) {
+    row.push_back(picture.film.radiance[picture.film.index(x, 7)].r);
+    expected.push_back(sampled_pixel(x, 7, radius, in_disk, seen));
+  }
+  EXPECT_LT(rmse(row, expected), 2e-3);
+  EXPECT_GT(1.0 - expected[2], 0.01) << "the mesh ends within the blur of pixel 5";
+}
+
 TEST(Lens, TexturesAreFilteredOverTheBlur) {
   // A fine checkerboard far out of focus is grey even with four samples per pixel.
   World world;
