@@ -363,6 +363,34 @@ TEST(Lens, FocusIsOnTheMiddleUnlessGiven) {
   EXPECT_FALSE(viewed_camera(*scene, camera, beam).lens.blurs());
 }
 
+TEST(Lens, SmallLampsAreMetAtALargeEps) {
+  // The lamp fills 1/200 of the blur, so that 16 samples miss it in nine pixels of ten.
+  constexpr double depth = 2.0, confusion = 4.0, brightness = 100.0;
+  const auto half = static_cast<float>(0.25 * depth * pixel);
+  World world;
+  add_quad(world, {-half, -half, -depth}, {2 * half, 0, 0}, {0, 2 * half, 0},
+           card(glm::vec3(brightness)));
+  Light lamp;
+  lamp.type = Light::Type::rectangle;
+  lamp.own_part = 0;
+  lamp.intensity = brightness;
+  lamp.position = {0, 0, -depth};
+  lamp.direction = {0, 0, 1};
+  lamp.half_u = {half, 0, 0};
+  lamp.half_v = {0, half, 0};
+  const auto scene = make_render_scene(std::move(world), {lamp});
+  RenderSettings settings = settings_of(Method::asos, 1.0 / 64.0);
+  settings.asos.max_level = 4;
+  const Picture picture =
+      render_picture(*scene, camera_with(radius_for(confusion, depth)), settings);
+  std::vector<double> inside;
+  for (int i = 0; i < side * side; ++i)
+    if (glm::length(glm::dvec2(i % side + 0.5, i / side + 0.5) - 0.5 * side) < confusion - 1.2)
+      inside.push_back(picture.film.radiance[static_cast<std::size_t>(i)].r);
+  const double plateau = brightness * 0.25 / (pi * confusion * confusion);
+  EXPECT_LT(rmse(inside, std::vector<double>(inside.size(), plateau)) / plateau, 0.1);
+}
+
 TEST(Lens, SmoothMeshesMayBendOutOfReach) {
   // Flat at depth 8 up to column 8.8, then smoothly away to depth 24 at column 11.6. The blur of 4
   // pixels at depth 8 does not reach the mesh's end, but that of 6.7 pixels at its end does.
