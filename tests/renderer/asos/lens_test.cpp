@@ -363,6 +363,23 @@ TEST(Lens, FocusIsOnTheMiddleUnlessGiven) {
   EXPECT_FALSE(viewed_camera(*scene, camera, beam).lens.blurs());
 }
 
+TEST(Lens, MaxDividesTheLensAsThePixel) {
+  World world;
+  add_wall(world, 2.0f, -40.0f, 0.006f, glm::vec3(1.0f));
+  const auto scene = make_render_scene(std::move(world));
+  RenderSettings settings = settings_of(Method::asos, 1e-5);
+  for (const auto& [max_level, most] : {std::pair{1, 64.0f}, std::pair{2, 1024.0f}}) {
+    settings.asos.max_level = max_level;
+    const Picture picture = render_picture(*scene, camera_with(radius_for(2.5, 2.0)), settings);
+    float rays = 0.0f;
+    for (std::size_t i = 0; i < picture.film.rays.size(); ++i)
+      if (picture.film.cause[i] == SplitCause::lens) rays = std::max(rays, picture.film.rays[i]);
+    // Besides the samples, a few rays that choose the way.
+    EXPECT_GE(rays, most) << max_level;
+    EXPECT_LT(rays, most + 16.0f) << max_level;
+  }
+}
+
 TEST(Lens, SmallLampsAreMetAtALargeEps) {
   // The lamp fills 1/200 of the blur, so that 16 samples miss it in nine pixels of ten.
   constexpr double depth = 2.0, confusion = 4.0, brightness = 100.0;
