@@ -113,9 +113,14 @@ std::string lens_remark(const Camera& camera, const LensChoice& lens, Method met
                ? "--focus, --blades and --blade-turn have no effect without --aperture or --f-stop"
                : "";
   const MethodRow& row = row_of(method);
-  return row.takes_lens ? ""
-                        : fmt::format("{} renders without depth of field; {}'s lens is ignored",
-                                      row.name, called(camera));
+  if (!row.takes_lens)
+    return fmt::format("{} renders without depth of field; {}'s lens is ignored", row.name,
+                       called(camera));
+  if (!camera.lens.focus || camera.lens.radius <= *camera.lens.focus) return "";
+  return fmt::format(
+      "the lens of {} has a radius of {:.4g}, but its focus plane is only {:.4g} ahead; all but "
+      "that plane is blurred beyond recognition",
+      called(camera), camera.lens.radius, *camera.lens.focus);
 }
 
 std::string planes_remark(const RenderScene& scene, const Camera& camera,

@@ -50,7 +50,9 @@ struct CameraChoice {
 [[nodiscard]] std::string fit_remark(const World& world, const CameraChoice& choice,
                                      double aspect_ratio);
 
-/// A warning if the camera's lens, or an option for it, has no effect; empty: none.
+/// A warning if the camera's lens, or an option for it, has no effect, or if the lens is wider than
+/// the distance of its focus plane, so that hardly anything is sharp; empty: none. `camera` is
+/// focused.
 [[nodiscard]] std::string lens_remark(const Camera& camera, const LensChoice& lens, Method method);
 
 /// A warning if the camera's near or far plane (Camera::near_depth, far_depth) clips surfaces,

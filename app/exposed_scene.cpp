@@ -17,7 +17,7 @@ Result<std::shared_ptr<const RenderScene>> exposed_scene(
   return exposed(scene, camera, settings, [&](const ClipTime& time) {
     auto moment = opened.posed(time, picture);
     if (moment && !picture.lights) moment = lit_under(*moment, settings.sky.get());
-    if (moment) moment = with_ground(*std::move(moment), settings.ground);
+    if (moment) moment = with_ground(*std::move(moment), settings.ground, &scene->world());
     if (!moment) return moment;
     const Camera then =
         camera_at(camera, settings.shutter.camera, scene->world(), (*moment)->world());

@@ -22,6 +22,7 @@
 #include "renderer/picture/exr_picture.h"
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
+#include "renderer/prepared/focus.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_lines.h"
 #include "renderer/scene/source_files.h"
@@ -216,9 +217,10 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   if (const auto fits = check_method(ready, wanted.settings); !fits)
     return tl::unexpected(fits.error());
   RenderReport report = report_of(arguments, ready, *camera);
-  for (const std::string& note : {fit_remark(ready.world(), choice, aspect),
-                                  lens_remark(*camera, choice.lens, wanted.settings.method),
-                                  planes_remark(ready, *camera, wanted.settings)})
+  for (const std::string& note :
+       {fit_remark(ready.world(), choice, aspect),
+        lens_remark(focused(ready, *camera, wanted.settings), choice.lens, wanted.settings.method),
+        planes_remark(ready, *camera, wanted.settings)})
     if (!note.empty()) report.camera_notes.push_back(note);
   if (ready.world().shows_nothing() && !arguments.allow_empty)
     return tl::unexpected(nothing_drawn(report));

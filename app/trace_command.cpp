@@ -6,6 +6,7 @@
 #include "app/printed_json.h"
 #include "app/progress_bar.h"
 #include "app/scene_argument.h"
+#include "app/shutter_option.h"
 #include "app/trace_report.h"
 #include "renderer/asos/pixel_trace.h"
 #include "renderer/comparison/method.h"
@@ -85,7 +86,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   const View view(viewed_camera(ready, *camera, settings), settings.width, settings.height,
                   radius_around_origin(ready.world().bounds));
   return trace_json(trace_pixel(ready, view, settings, arguments.pixel.x, arguments.pixel.y), ready,
-                    {wanted.scene, camera->name, settings});
+                    {wanted.scene, camera->name, scene->time(), settings});
 }
 
 int run_trace(const TraceArguments& arguments, const Streams& streams) {
@@ -108,6 +109,7 @@ Command add_trace_command(CLI::App& program) {
   add_scene_choices(*parser, arguments->picture.scene_of_file, arguments->picture.variant,
                     arguments->picture.asset_root);
   add_clip_options(*parser, arguments->picture.clip);
+  add_shutter_option(*parser, arguments->picture);
   // Options that have no effect on one pixel's subdivision.
   for (const char* option : {"--spp", "--threads", "--exposure", "--crop"})
     parser->remove_option(parser->get_option(option));
@@ -116,7 +118,10 @@ Command add_trace_command(CLI::App& program) {
       ->required();
   parser->add_flag("--json", arguments->json, "Print JSON");
   parser->footer(trace_footer);
-  parser->callback([arguments] { check(*arguments); });
+  parser->callback([arguments] {
+    take_shutter(arguments->picture, usual_fps);
+    check(*arguments);
+  });
   return {parser, [arguments](const Streams& streams) { return run_trace(*arguments, streams); }};
 }
 

@@ -206,6 +206,19 @@ std::string colour_text(const Json& c) {
   return text;
 }
 
+std::string moment_text(const Json& moment) {
+  if (moment.is_null()) return {};
+  const double seconds = moment["seconds"].get<double>();
+  const double shutter = moment["shutter"].get<double>();
+  std::string text =
+      fmt::format(", animation {} at {:.4g} s", moment["animation"].get<int>(), seconds);
+  if (shutter > 0.0)
+    text += fmt::format(
+        "\nOne moment of the exposure, its middle: the shutter is open from {:.4g} to {:.4g} s",
+        seconds - 0.5 * shutter, seconds + 0.5 * shutter);
+  return text;
+}
+
 std::string head_text(const Json& trace) {
   const Json& s = trace["settings"];
   std::string text = fmt::format("Pixel {},{} of {} at {}x{}", trace["pixel"][0].get<int>(),
@@ -213,6 +226,7 @@ std::string head_text(const Json& trace) {
                                  trace["size"][0].get<int>(), trace["size"][1].get<int>());
   if (const std::string camera = text_of(trace["camera"]); !camera.empty())
     text += fmt::format(", camera {}", camera);
+  text += moment_text(trace["moment"]);
   const double width = s["filter_width"].get<double>();
   text += fmt::format("\n{}: MAX {}, EPS {:.4g}, {} rule, detection by the {}, {} leaves{}{}\n",
                       text_of(s["method"]), s["max_level"].get<int>(), s["eps"].get<double>(),
@@ -289,6 +303,13 @@ std::string pyrays_text(const Json& pyrays) {
   return text;
 }
 
+Json moment_json(const TracedPicture& picture) {
+  if (!picture.time) return nullptr;
+  return {{"animation", picture.time->animation},
+          {"seconds", picture.time->seconds},
+          {"shutter", picture.settings.shutter.seconds}};
+}
+
 }  // namespace
 
 Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedPicture& picture) {
@@ -299,6 +320,7 @@ Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedP
   for (const TracedPyray& pyray : trace.pyrays) pyrays.push_back(pyray_json(pyray, scene, namer));
   return {{"scene", picture.scene},
           {"camera", picture.camera},
+          {"moment", moment_json(picture)},
           {"size", {picture.settings.width, picture.settings.height}},
           {"pixel", {trace.x, trace.y}},
           {"settings", settings_json(picture.settings)},

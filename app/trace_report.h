@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 
 namespace asos {
@@ -14,7 +15,8 @@ namespace asos {
 struct TracedPicture {
   std::string scene;  ///< as named on the command line
   std::string camera;
-  RenderSettings settings;  ///< the settings it was rendered with
+  std::optional<ClipTime> time;  ///< none: the rest pose
+  RenderSettings settings;       ///< the settings it was rendered with
 };
 
 /// The subdivision of a pixel: the papers' table level by level, then every cell, then the shadow

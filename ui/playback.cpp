@@ -17,14 +17,14 @@ double elapsed_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Applies the edited lights and materials to another pose of the scene.
+/// Applies the edited lights and materials to another pose of the scene. `as`: see with_ground.
 Result<std::shared_ptr<const RenderScene>> with_look(
     std::shared_ptr<const RenderScene> scene, const std::optional<std::vector<Light>>& lights,
-    const std::optional<MaterialDfrs>& dfrs, Ground ground) {
+    const std::optional<MaterialDfrs>& dfrs, Ground ground, const World* as = nullptr) {
   Result<std::shared_ptr<const RenderScene>> edited = std::move(scene);
   if (lights) edited = with_lights(*edited, *lights);
   if (edited && dfrs) edited = with_dfrs(*edited, *dfrs);
-  if (edited) edited = with_ground(*edited, ground);
+  if (edited) edited = with_ground(*edited, ground, as);
   return edited;
 }
 
@@ -160,11 +160,11 @@ std::optional<MaterialDfrs> Playback::edited_dfrs() const {
 Result<std::shared_ptr<const RenderScene>> Playback::scene_at(
     const RenderScene& from, const std::optional<ClipTime>& time,
     const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
-    Ground ground) {
+    Ground ground, const World* as) {
   const Result<Scene> scene = from.geometry->rig->pose(time);
   if (!scene) return unexpected(scene.error());
   return prepare(*scene, from.forced, &from.geometry->stage).and_then([&](auto prepared) {
-    return with_look(std::move(prepared), lights, dfrs, ground);
+    return with_look(std::move(prepared), lights, dfrs, ground, as);
   });
 }
 
@@ -173,7 +173,7 @@ Result<std::shared_ptr<const RenderScene>> Playback::exposed_scene(
     const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs) {
   const RenderSettings& settings = wanted.settings;
   return exposed(scene, wanted.camera, settings, [&](const ClipTime& time) {
-    auto moment = scene_at(*scene, time, lights, dfrs, settings.ground);
+    auto moment = scene_at(*scene, time, lights, dfrs, settings.ground, &scene->world());
     if (!moment || (*moment)->world().lines_and_points.empty()) return moment;
     const Camera then =
         camera_at(wanted.camera, settings.shutter.camera, scene->world(), (*moment)->world());

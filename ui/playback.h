@@ -80,11 +80,11 @@ class Playback {
     return std::exchange(drawn_lines_, std::nullopt);
   }
   /// Returns the scene of `from`'s file at another time, with edits; without them, as in the file.
-  /// Only if `available`. Thread-safe.
+  /// `as`: see with_ground. Only if `available`. Thread-safe.
   [[nodiscard]] static Result<std::shared_ptr<const RenderScene>> scene_at(
       const RenderScene& from, const std::optional<ClipTime>& time,
       const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
-      Ground ground);
+      Ground ground, const World* as = nullptr);
   /// The scene that `scene_at` made with its exposure, as the settings' shutter asks. Any thread.
   [[nodiscard]] static Result<std::shared_ptr<const RenderScene>> exposed_scene(
       const std::shared_ptr<const RenderScene>& scene, const WantedExposure& wanted,

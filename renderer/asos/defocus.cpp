@@ -4,6 +4,7 @@
 #include "renderer/world/hit_plane.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +18,8 @@ constexpr double sharp_radius = 4.5;
 // Wider blur is sampled, since a search around one pixel would find the whole block's surroundings.
 constexpr double most_reach = 12.0;
 
-// Margin for meshes, which may bend away from the plane of one of their triangles.
+// Room for meshes that bend away from the plane of one of their triangles. With less room, more
+// pixels fail stays_within_reach and are sampled.
 constexpr double bend_of_meshes = 1.25;
 
 ErrorBudget refined(RenderSettings settings) {
@@ -30,6 +32,7 @@ ErrorBudget refined(RenderSettings settings) {
 Defocus::Defocus(const BlockJob& job, const ViewContext& viewer, int side)
     : scene_(&job.scene),
       view_(&job.view),
+      faces_(culling_of(job.settings)),
       spacing_(viewer.spacing),
       eye_(job.view.frame(0, 0, 1, 1).apex()),
       block_(job.block),
@@ -45,7 +48,7 @@ Defocus::Defocus(const BlockJob& job, const ViewContext& viewer, int side)
     for (int x = 0; x < side; ++x)
       rays.push_back(view_->ray(block_.x + x + 0.5, block_.y + y + 0.5));
   std::vector<Hit> hits(rays.size());
-  job.scene.rays().closest(rays, hits, culling_of(job.settings));
+  job.scene.rays().closest(rays, hits, faces_);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     measure(job.scene, rays[i], hits[i], pixels_[i]);
     if (pixels_[i].searched)
@@ -117,6 +120,30 @@ bool Defocus::meets_boundary(const Box& far_end) const {
 
 bool Defocus::nothing_nearer(std::uint32_t root) const {
   return !may_meet_ || !meets_boundary(far_end(root));
+}
+
+// All rays of the pixel meet the surface within the search region if its circles of confusion there
+// are no larger than the region's margin. Without boundaries, they are largest at its border or,
+// nearer than the focus plane, where nothing_nearer finds edges of meshes.
+bool Defocus::stays_within_reach(std::uint32_t root, RenderStatistics& counts) const {
+  const Pixel& pixel = pixels_[root];
+  const double reach = 0.5 * width_ + pixel.most;
+  const double x = block_.x + static_cast<int>(root) % side_ + 0.5;
+  const double y = block_.y + static_cast<int>(root) / side_ + 0.5;
+  std::array<Ray, 8> rays;
+  std::size_t count = 0;
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j)
+      if (i != 0 || j != 0) rays[count++] = view_->ray(x + i * reach, y + j * reach);
+  std::array<Hit, 8> hits;
+  scene_->rays().closest(rays, hits, faces_);
+  counts.eye_rays += count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double depth = hits[i].valid() ? view_->depth(rays[i], hits[i].t)
+                                         : std::numeric_limits<double>::infinity();
+    if (view_->confusion(depth) > pixel.most) return false;
+  }
+  return true;
 }
 
 double Defocus::leaf_side(std::uint32_t root) const {

@@ -33,6 +33,9 @@ class Defocus {
   /// Returns whether every boundary is so far from the lens that its circle of confusion is no
   /// larger than the pixel's. Conservative.
   [[nodiscard]] bool nothing_nearer(std::uint32_t root) const;
+  /// Returns whether rays at the border of the search region meet no larger circle of confusion
+  /// than `most`, as on a plane. Meshes may bend away from the plane of the centre's triangle.
+  [[nodiscard]] bool stays_within_reach(std::uint32_t root, RenderStatistics& counts) const;
   /// Returns the side of a square with the second moments of the pixel convolved with its circle of
   /// confusion. The circle is limited to the search radius.
   [[nodiscard]] double leaf_side(std::uint32_t root) const;
@@ -46,6 +49,7 @@ class Defocus {
 
   const RenderScene* scene_;
   const View* view_;
+  Culling faces_;
   PixelSpacing spacing_;
   glm::dvec3 eye_;
   PixelRect block_;

@@ -28,9 +28,9 @@ constexpr double samples_of_light = 256.0;
 // Fewest samples of a defocused pixel. With fewer, all may miss a bright object that is blurred
 // over many pixels, so that their variance is wrongly zero.
 constexpr std::uint32_t samples_of_blur = 16;
-// MAX allows this many times more samples for pixel and lens together than for a pixel, since the
-// lens has that many parts.
-constexpr std::uint32_t parts_of_lens = 16;
+// MAX divides the lens as it divides the pixel, into 4^MAX parts, but into no more than this. It
+// allows that many times more samples for pixel and lens together than for a pixel.
+constexpr double most_parts_of_lens = 16.0;
 
 // Samples of a pixel for its surface layers, where one cannot stand for a part of it.
 constexpr double samples_of_planes = 256.0;
@@ -276,7 +276,9 @@ void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint
   leaf.decision = {Estimator::samples};
   RegionSampler::Goal goal =
       sample_goal(eye_->defocus->error_budget(), 1.0, std::max(fewest, samples_of_blur));
-  if (goal.most > 1) goal.most *= parts_of_lens;
+  const double parts_of_lens =
+      std::min(most_parts_of_lens, eye_->defocus->error_budget().finest_cells(1.0));
+  if (goal.most > 1) goal.most *= static_cast<std::uint32_t>(parts_of_lens);
   sums_[root].defocused = true;
   defer(leaf, goal, true);
 }

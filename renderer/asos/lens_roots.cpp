@@ -6,15 +6,26 @@
 #include "renderer/shading/gloss.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace asos {
 namespace {
 
-// Number of samples of a root over which a light much brighter than white may be blurred. With
-// fewer, all samples may miss it, or its weight is overestimated.
-constexpr std::uint32_t samples_of_blurred_glare = 256;
-constexpr float glare = 4.0f;
+// Expected number of a pixel's samples on a visible light. With fewer, all may miss it, so that
+// their variance is wrongly zero: with this many, that happens to one pixel of 55.
+constexpr double samples_on_light = 4.0;
+
+// Returns the solid angle of a light that a surface shows; for small lights.
+double solid_angle(const PreparedLight& light, glm::dvec3 to_light) {
+  const double distance2 = glm::dot(to_light, to_light);
+  if (light.shape == PreparedLight::Shape::ball)
+    return std::numbers::pi * light.radius * light.radius / distance2;
+  const double cosine = std::abs(glm::dot(light.towards, to_light)) / std::sqrt(distance2);
+  return light.area * cosine / distance2;
+}
 
 }  // namespace
 
@@ -40,7 +51,11 @@ LensEstimator LensRoots::way(std::uint32_t root, bool bounded, bool missed) {
   const RenderScene& scene = *eye_->scene;
   const bool textured =
       hit.valid() && is_textured(scene.world().material_of(hit.triangle), scene.render_features);
-  return textured ? LensEstimator::sampled : LensEstimator::smooth;
+  // A surface whose facets meet only at boundaries does not leave its plane.
+  const bool bends = hit.valid() && scene.features().deviation(hit.triangle) > 0.0f;
+  if (textured || (bends && !defocus.stays_within_reach(root, *eye_->counts)))
+    return LensEstimator::sampled;
+  return LensEstimator::smooth;
 }
 
 Square LensRoots::widened_square(std::uint32_t root) const {
@@ -76,24 +91,34 @@ bool LensRoots::shows_other_depths(SampleId sample) const {
 }
 
 void LensRoots::sample_root(std::uint32_t root) {
-  shader_->sample_defocused(root, root, may_show_glare(root) ? samples_of_blurred_glare : 1);
+  shader_->sample_defocused(root, root, samples_for_lights(root));
 }
 
-// Returns whether a glaring light lies in the pixel's cone, widened by the blur at the light's
-// depth.
-bool LensRoots::may_show_glare(std::uint32_t root) const {
+// Returns the number of samples for enough of them to meet each visible light that lies in the
+// pixel's cone, widened by the blur at the light's depth, and that changes the pixel by more than
+// its tolerance. It follows from the fraction of the cone that the light fills.
+std::uint32_t LensRoots::samples_for_lights(std::uint32_t root) const {
   const View& view = eye_->viewer.view;
   const PixelSpacing& spacing = eye_->viewer.spacing;
   const glm::dvec3 eye = eye_->frame->apex(), axis(samples_->ray(root).direction);
   const double pixel = static_cast<double>(eye_->viewer.pixel * glm::length(spacing.right));
-  const auto lights = eye_->viewer.shader.lights();
-  return std::any_of(lights.begin(), lights.end(), [&](const PreparedLight& light) {
-    if (light.own_part < 0 || !(largest(light.power) > glare)) return false;
-    const double depth = glm::dot(light.position - eye, glm::dvec3(spacing.forward));
-    if (!(depth > 0.0)) return true;
-    const double reach = 0.5 * static_cast<double>(eye_->viewer.pixel) + view.confusion(depth);
-    return may_show(light, eye, axis, 1.5 * reach * pixel);
-  });
+  constexpr double most = 1u << 20;
+  double samples = 1.0;
+  for (const PreparedLight& light : eye_->viewer.shader.lights()) {
+    if (light.own_part < 0) continue;
+    const glm::dvec3 to_light = light.position - eye;
+    const double depth = glm::dot(to_light, glm::dvec3(spacing.forward));
+    if (!(depth > 0.0)) continue;
+    const double reach =
+        (0.5 * static_cast<double>(eye_->viewer.pixel) + view.confusion(depth)) * pixel;
+    if (!may_show(light, eye, axis, 1.5 * reach)) continue;
+    const double cone = std::numbers::pi * reach * reach;
+    const double share = std::min(1.0, solid_angle(light, to_light) / cone);
+    if (share * static_cast<double>(largest(light.power)) >
+        static_cast<double>(eye_->error_budget.tolerance))
+      samples = std::max(samples, samples_on_light / share);
+  }
+  return std::bit_ceil(static_cast<std::uint32_t>(std::min(samples, most)));
 }
 
 bool LensRoots::sharp_leaf(SampleId sample) const {

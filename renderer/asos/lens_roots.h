@@ -55,7 +55,7 @@ class LensRoots final : public LensCaster {
   };
 
   [[nodiscard]] bool shows_other_depths(SampleId sample) const;
-  [[nodiscard]] bool may_show_glare(std::uint32_t root) const;
+  [[nodiscard]] std::uint32_t samples_for_lights(std::uint32_t root) const;
   [[nodiscard]] bool sharp_leaf(SampleId sample) const;
 
   const EyeContext* eye_;

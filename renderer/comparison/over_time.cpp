@@ -2,12 +2,14 @@
 
 #include "renderer/comparison/method.h"
 #include "renderer/film/tone.h"
+#include "renderer/pyray/error_budget.h"
 #include "renderer/samples/sample_sums.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,9 @@ namespace {
 // A surface that crosses a block is seen in it at one end of a shorter way, or in its middle.
 constexpr double longest_way = 4.0;
 constexpr int probed_moments = 5;
+// Samples of two moments differ by less than this many EPS, where their standard errors are EPS
+// / 2.
+constexpr double sampling_noise = 4.0;
 constexpr unsigned seed_step = 0x9e3779b1u;
 
 /// The counts of pixels of one moment: those of the exposure are the largest.
@@ -41,6 +46,7 @@ class BlockOverTime {
     sum_.assign(first.size(), glm::dvec3(0.0));
     bisect({0, &first}, {steps_, &last});
     for (std::size_t i = 0; i < sum_.size(); ++i) result_.tile.radiance[i] = glm::vec3(sum_[i]);
+    note_motion();
     result_.tile.split_level = std::move(level_);
     result_.tile.cause = std::move(cause_);
     result_.tile.rays = std::move(rays_);
@@ -92,6 +98,7 @@ class BlockOverTime {
     ++shots_;
     level_.resize(tile.radiance.size());
     cause_.resize(tile.radiance.size());
+    widen_ranges(tile.radiance);
     for (std::size_t i = 0; i < tile.split_level.size(); ++i) {
       if (shots_ > 1 && tile.split_level[i] <= level_[i]) continue;
       level_[i] = tile.split_level[i];
@@ -100,6 +107,33 @@ class BlockOverTime {
     rays_.resize(tile.rays.size());
     for (std::size_t i = 0; i < tile.rays.size(); ++i) rays_[i] += tile.rays[i];
     return tile.radiance;
+  }
+
+  // Adds a shot's colours, as displayed, to the ranges of the pixels' colours.
+  void widen_ranges(const Colours& colours) {
+    darkest_.resize(colours.size(), glm::dvec3(std::numeric_limits<double>::infinity()));
+    brightest_.resize(colours.size(), glm::dvec3(0.0));
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      const glm::dvec3 shown =
+          displayed_intensity(glm::dvec3(colours[i]), job_.settings.judged_tone);
+      darkest_[i] = glm::min(darkest_[i], shown);
+      brightest_[i] = glm::max(brightest_[i], shown);
+    }
+  }
+
+  // Motion is the cause of pixels that it changes, whatever splits them at one moment.
+  void note_motion() {
+    if (newest_.tile.cause.empty()) return;
+    const double change = std::max(sampling_noise * job_.settings.asos.eps, ErrorBudget::invisible);
+    statistics_.split_pixels = 0;
+    statistics_.pixels_by_cause = {};
+    for (std::size_t i = 0; i < cause_.size(); ++i) {
+      const glm::dvec3 range = brightest_[i] - darkest_[i];
+      if (std::max({range.x, range.y, range.z}) > change) cause_[i] = SplitCause::motion;
+      if (cause_[i] == SplitCause::none) continue;
+      ++statistics_.split_pixels;
+      ++statistics_.pixels_by_cause[static_cast<std::size_t>(cause_[i])];
+    }
   }
 
   // The newest shot's, without the counts of pixels.
@@ -153,6 +187,7 @@ class BlockOverTime {
   RenderStatistics statistics_;
   std::vector<std::uint8_t> level_;
   std::vector<SplitCause> cause_;
+  std::vector<glm::dvec3> darkest_, brightest_;
   std::vector<float> rays_;
   std::vector<glm::dvec3> sum_;
 };

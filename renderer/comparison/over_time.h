@@ -11,6 +11,7 @@ struct MethodRow;
 /// time of other blocks is bisected until the deviation of an interval from a linear course, times
 /// its part of the exposure, is below 2 EPS: an edge then causes an error of up to EPS / 2. Blocks
 /// that a moving surface may cross are also bisected while it moves by more than half a block.
+/// The cause of pixels that change in between is SplitCause::motion.
 [[nodiscard]] BlockResult render_over_time(const BlockJob& job, const MethodRow& row);
 
 }  // namespace asos

@@ -17,21 +17,13 @@ namespace {
 // Shorter ways, in pixels, change a pixel by less than a display step.
 constexpr double shortest_way = 1.0 / 256.0;
 
-/// The rectangle around a pixel's centre that is longer than the pixel by a way across the picture.
-PyrayPicture elongated(const View& view, glm::dvec2 centre, glm::dvec2 way) {
+/// The view of the rectangle around a pixel's centre that is longer than the pixel by a way across
+/// the picture.
+View elongated(const View& view, glm::dvec2 centre, glm::dvec2 way) {
   const double length = glm::length(way);
   const glm::dvec2 along = way / length, across(-along.y, along.x);
-  const glm::dvec2 corner = centre - 0.5 * (1.0 + length) * along - 0.5 * across;
-  const Frame frame = view.frame(corner.x, corner.y, 1.0, 1.0);
-  const auto in_world = [&](glm::dvec2 p) { return p.x * frame.base_u() + p.y * frame.base_v(); };
-  PyrayPicture picture;
-  picture.perspective = !frame.parallel();
-  picture.apex = frame.apex();
-  picture.forward = glm::normalize(glm::cross(frame.base_u(), frame.base_v()));
-  picture.corner = frame.base_corner();
-  picture.right = in_world((1.0 + length) * along);
-  picture.down = in_world(across);
-  return picture;
+  return view.parallelogram(centre - 0.5 * (1.0 + length) * along - 0.5 * across,
+                            (1.0 + length) * along, across);
 }
 
 class ElongatedPixels {
@@ -87,7 +79,7 @@ class ElongatedPixels {
 
   void render(glm::ivec2 pixel, glm::dvec2 way, const Ray& ray, std::size_t i,
               BlockResult& result) {
-    const View view(elongated(job_.view, glm::dvec2(pixel) + 0.5, way));
+    const View view = elongated(job_.view, glm::dvec2(pixel) + 0.5, way);
     // A gradient is laid out by the whole picture.
     Background& background = settings_.background;
     if (background.kind == BackgroundKind::colours)
@@ -100,12 +92,21 @@ class ElongatedPixels {
     FinishedTile& tile = result.tile;
     tile.radiance[i] = found.tile.radiance[0];
     tile.split_level[i] = std::max(tile.split_level[i], found.tile.split_level[0]);
-    if (!tile.cause.empty() && !found.tile.cause.empty()) tile.cause[i] = found.tile.cause[0];
+    if (!tile.cause.empty()) note_motion(tile.cause[i], result.statistics);
     if (!tile.rays.empty() && !found.tile.rays.empty()) tile.rays[i] += found.tile.rays[0];
     result.statistics.eye_rays += found.statistics.eye_rays;
     result.statistics.shadow_rays += found.statistics.shadow_rays;
     result.statistics.reflection_rays += found.statistics.reflection_rays;
     result.statistics.sky_rays += found.statistics.sky_rays;
+  }
+
+  static void note_motion(SplitCause& cause, RenderStatistics& statistics) {
+    if (cause == SplitCause::none)
+      ++statistics.split_pixels;
+    else
+      --statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
+    cause = SplitCause::motion;
+    ++statistics.pixels_by_cause[static_cast<std::size_t>(cause)];
   }
 
   const BlockJob& job_;

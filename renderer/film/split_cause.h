@@ -22,18 +22,19 @@ enum class SplitCause : std::uint8_t {
   saturation,    ///< so many boundaries that samples cost less than the parts between them
   depth_limit,   ///< boundaries still crossed cells when MAX was reached
   lens,          ///< depth of field: sampled over pixel and lens
+  motion,        ///< motion blur: it changes while the shutter is open
 };
-inline constexpr std::size_t split_cause_count = 11;
+inline constexpr std::size_t split_cause_count = 12;
 
 /// The names of the causes in statistics, in the order of their values.
 inline constexpr std::array<const char*, split_cause_count> split_cause_names{
     "none",    "outline", "crease",     "intersection", "shadow", "reflection",
-    "shading", "cut_out", "saturation", "depth_limit",  "lens"};
+    "shading", "cut_out", "saturation", "depth_limit",  "lens",   "motion"};
 
 /// The names of the causes as the window and `asos trace` write them, in the order of their values.
 inline constexpr std::array<const char*, split_cause_count> split_cause_titles{
-    "not split", "silhouette", "crease, seam",   "intersection", "shadow",   "reflection",
-    "shading",   "alpha edge", "too many edges", "MAX reached",  "lens blur"};
+    "not split", "silhouette", "crease, seam",   "intersection", "shadow",    "reflection",
+    "shading",   "alpha edge", "too many edges", "MAX reached",  "lens blur", "motion blur"};
 
 [[nodiscard]] constexpr const char* title_of(SplitCause cause) {
   return split_cause_titles[static_cast<std::size_t>(cause)];
@@ -44,7 +45,7 @@ inline constexpr std::array<const char*, split_cause_count> split_cause_titles{
 }
 
 /// Returns the split map's colour of a cause: sRGB bytes, black for `none` only. The palette is
-/// that of Okabe and Ito (Color Universal Design, 2008) with white, brown and another blue, for
+/// that of Okabe and Ito (Color Universal Design, 2008) with white, brown and two other blues, for
 /// colour-blind people.
 [[nodiscard]] constexpr glm::u8vec3 split_cause_colour(SplitCause cause) {
   constexpr std::array<std::array<std::uint8_t, 3>, split_cause_count> colours{{{0, 0, 0},
@@ -57,7 +58,8 @@ inline constexpr std::array<const char*, split_cause_count> split_cause_titles{
                                                                                 {230, 159, 0},
                                                                                 {213, 94, 0},
                                                                                 {255, 255, 255},
-                                                                                {110, 60, 20}}};
+                                                                                {110, 60, 20},
+                                                                                {0, 0, 128}}};
   const auto& c = colours[static_cast<std::size_t>(cause)];
   return {c[0], c[1], c[2]};
 }

@@ -69,6 +69,17 @@ View::View(const PyrayPicture& picture)
   if (nearest > 0.0 && std::isfinite(nearest)) start_ = 0.5 * nearest;
 }
 
+View View::parallelogram(glm::dvec2 corner, glm::dvec2 right, glm::dvec2 down) const {
+  const auto in_world = [&](glm::dvec2 p) { return p.x * pixel_right_ + p.y * pixel_down_; };
+  View part = *this;
+  part.corner_ = corner_ + in_world(corner);
+  part.pixel_right_ = in_world(right);
+  part.pixel_down_ = in_world(down);
+  part.width_ = part.height_ = 1;
+  part.lens_ = {};
+  return part;
+}
+
 Ray View::ray(double x, double y) const {
   const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
   const glm::dvec3 direction = perspective_ ? glm::normalize(target) : forward_;
@@ -94,7 +105,10 @@ Ray View::ray(double x, double y) const {
 Ray View::ray(double x, double y, const ExposurePoint& exposure) const {
   const glm::dvec3 from = exposure.lens.x * lens_right_ + exposure.lens.y * lens_up_;
   const glm::dvec3 target = corner_ + x * pixel_right_ + y * pixel_down_;
-  const glm::dvec3 direction = glm::normalize(target - from / *lens_.focus);
+  // Scaled so that it does not overflow for a near focus.
+  const double focus = *lens_.focus;
+  const glm::dvec3 direction =
+      glm::normalize(focus < 1.0 ? focus * target - from : target - from / focus);
   Ray ray;
   ray.origin = glm::vec3(eye_ + from + start_ * direction);
   ray.direction = glm::vec3(direction);

@@ -82,6 +82,10 @@ class View {
   /// Computes the same for many points; `rays` is as long as `points`.
   void rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const;
 
+  /// Returns a view of one pixel: a parallelogram of this picture, from its corner and edges in
+  /// pixels. Its rays start and end where this view's do. It has no lens.
+  [[nodiscard]] View parallelogram(glm::dvec2 corner, glm::dvec2 right, glm::dvec2 down) const;
+
   /// Returns whether there is depth of field.
   [[nodiscard]] bool has_lens() const { return lens_.blurs(); }
   /// Returns the lens with a known focus; a pinhole without depth of field.

@@ -18,10 +18,11 @@ std::shared_ptr<const Lighting> lighting_on(const World& world, const Lighting& 
   return std::make_shared<const Lighting>(std::move(lighting));
 }
 
-Result<std::shared_ptr<const RenderScene>> in_memory(const RenderScene& scene, Ground ground) {
+Result<std::shared_ptr<const RenderScene>> in_memory(const RenderScene& scene, Ground ground,
+                                                     const World* as) {
   World world = scene.world();
   if (world.lines_and_points.drawn()) draw_lines(world, {{}, 1, 0.0});  // takes them away
-  put_on_ground(world, ground, scene.geometry->stage.floor);
+  put_on_ground(world, ground, scene.geometry->stage.floor, as);
   if (world.triangles.size() > most_triangles)
     return unexpected(Error{scene.geometry->source,
                             fmt::format("has {} triangles with its ground; the limit is {}",
@@ -45,11 +46,11 @@ Result<std::shared_ptr<const RenderScene>> in_memory(const RenderScene& scene, G
 }  // namespace
 
 Result<std::shared_ptr<const RenderScene>> with_ground(std::shared_ptr<const RenderScene> scene,
-                                                       Ground ground) {
+                                                       Ground ground, const World* as) {
   const bool extent = !bounds_without_ground(scene->world()).empty();
   if (ground == ground_of(scene->world()) || !extent) return scene;
   try {
-    return in_memory(*scene, ground);
+    return in_memory(*scene, ground, as);
   } catch (const std::bad_alloc&) {
     return unexpected(Error{scene->geometry->source, "does not fit into this machine's memory"});
   }

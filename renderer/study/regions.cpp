@@ -99,6 +99,7 @@ bool at_boundary(SplitCause cause) {
     case SplitCause::reflection:
     case SplitCause::shading:
     case SplitCause::lens:
+    case SplitCause::motion:
       break;
   }
   return false;

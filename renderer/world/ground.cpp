@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <vector>
 
 namespace asos {
 namespace {
@@ -59,6 +60,29 @@ void shift_lines(World& world, std::uint32_t parts) {
     for (LineOrPoint& stroke : *lines_and_points) stroke.part += parts;
 }
 
+/// Returns the plate's centre, followed by its corners.
+std::vector<glm::vec3> plate_vertices(const World& world, std::optional<double> floor) {
+  const glm::dvec3 lo(world.bounds.lo), hi(world.bounds.hi);
+  const double scene_radius = 0.5 * glm::length(hi - lo);
+  const double height = floor.value_or(lo.y) - below_in_radii * scene_radius;
+  const glm::dvec3 middle(0.5 * (lo.x + hi.x), height, 0.5 * (lo.z + hi.z));
+  std::vector<glm::vec3> vertices{glm::vec3(middle)};
+  for (std::uint32_t i = 0; i < plate_corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / plate_corners;
+    const glm::dvec3 outward(std::sin(angle), 0.0, std::cos(angle));
+    vertices.emplace_back(middle + ground_radii * scene_radius * outward);
+  }
+  return vertices;
+}
+
+/// Returns the same of the ground that a world has.
+std::vector<glm::vec3> present_vertices(const World& world, const Part& plate) {
+  std::vector<glm::vec3> vertices;
+  for (std::uint32_t i = 0; i < plate.vertex_count; ++i)
+    vertices.push_back(world.positions[plate.first_vertex + i]);
+  return vertices;
+}
+
 void take_ground_away(World& world) {
   const Part* plate = plate_of(world);
   if (!plate) return;
@@ -111,12 +135,10 @@ MaterialDfrs dfrs_without_ground(const World& world) {
   return dfrs;
 }
 
-void put_on_ground(World& world, Ground ground, std::optional<double> floor) {
+void put_on_ground(World& world, Ground ground, std::optional<double> floor, const World* as) {
   take_ground_away(world);
   if (ground == Ground::off || world.bounds.empty()) return;
-  const glm::dvec3 lo(world.bounds.lo), hi(world.bounds.hi);
-  const double scene_radius = 0.5 * glm::length(hi - lo);
-  if (!(scene_radius > 0.0)) return;
+  if (!(glm::length(glm::dvec3(world.bounds.hi) - glm::dvec3(world.bounds.lo)) > 0.0)) return;
 
   Part part;
   part.name = ground_name;
@@ -128,16 +150,10 @@ void put_on_ground(World& world, Ground ground, std::optional<double> floor) {
   world.materials.push_back(ground_material(ground));
 
   // Make a fan, so that no triangle is longer than the plate is wide.
-  const double height = floor.value_or(lo.y) - below_in_radii * scene_radius;
-  const glm::dvec3 middle(0.5 * (lo.x + hi.x), height, 0.5 * (lo.z + hi.z));
-  add_vertex(world, glm::vec3(middle));
-  for (std::uint32_t i = 0; i < plate_corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / plate_corners;
-    const glm::dvec3 outward(std::sin(angle), 0.0, std::cos(angle));
-    const glm::vec3 corner(middle + ground_radii * scene_radius * outward);
-    add_vertex(world, corner);
-    part.bounds.grow(corner);
-  }
+  const Part* other = as ? plate_of(*as) : nullptr;
+  const auto vertices = other ? present_vertices(*as, *other) : plate_vertices(world, floor);
+  for (const glm::vec3 vertex : vertices) add_vertex(world, vertex);
+  for (std::size_t i = 1; i < vertices.size(); ++i) part.bounds.grow(vertices[i]);
   const auto index = static_cast<std::uint32_t>(world.solid_parts());
   const auto first = static_cast<std::ptrdiff_t>(world.triangles.own().size());
   world.triangle_part.insert(world.triangle_part.begin() + first, plate_corners, index);

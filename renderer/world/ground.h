@@ -12,8 +12,10 @@ namespace asos {
 /// bounding sphere. It lies slightly below the lowest point, so that surfaces that end there are
 /// not coplanar with it. A reflecting plate blurs by a defocusing ratio: sharp at grazing angles.
 /// It is the last part before those of lines and points, and its material is the last one. A world
-/// without extent stays as it is. `floor` is a height to use instead of the lowest point's.
-void put_on_ground(World& world, Ground ground, std::optional<double> floor = std::nullopt);
+/// without extent stays as it is. `floor` is a height to use instead of the lowest point's. If `as`
+/// has a ground, this one gets its place and width; both worlds have the same origin.
+void put_on_ground(World& world, Ground ground, std::optional<double> floor = std::nullopt,
+                   const World* as = nullptr);
 
 inline constexpr double ground_radii = 10.0;
 

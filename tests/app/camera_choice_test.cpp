@@ -233,6 +233,10 @@ TEST(CameraChoice, LensOptionsAreChecked) {
   EXPECT_TRUE(test::contains(said({"--focus", "3"}, 0), "no effect without"));
   EXPECT_TRUE(
       test::contains(said({"--aperture", "0.1", "--method", "beam"}, 0), "without depth of field"));
+  // Automatic focus is on the scene.
+  EXPECT_TRUE(test::contains(said({"--aperture", "1e15"}, 0), "has a radius of 1e+15, but its"));
+  EXPECT_TRUE(test::contains(said({"--aperture", "2", "--focus", "1.5"}, 0), "only 1.5 ahead"));
+  EXPECT_EQ(said({"--aperture", "1.5", "--focus", "2"}, 0).find("radius"), std::string::npos);
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
   std::uint64_t with_cause = 0, rays = 0;
   for (const auto& [cause, pixels] : s["pixels_by_cause"].items())
     with_cause += pixels.get<std::uint64_t>();
-  EXPECT_EQ(s["pixels_by_cause"].size(), 10u);
+  EXPECT_EQ(s["pixels_by_cause"].size(), 11u);
   EXPECT_GE(with_cause, s["split_pixels"].get<std::uint64_t>());
   EXPECT_GT(s["pixels_by_cause"]["outline"], 0);
   ASSERT_FALSE(s["lights"].empty());

@@ -5,6 +5,7 @@
 #include "tests/renderer/gltf/moving_file.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <string>
@@ -101,6 +102,27 @@ TEST_F(Shutter, SaysWhatIsNotAsAsked) {
   EXPECT_TRUE(contains(note({"--time", "3", "--shutter", "0.1"}), "nothing moves"));
   EXPECT_TRUE(contains(note({"--time", "0.5", "--shutter", "0.1", "--method", "beam"}),
                        "beam renders without motion blur"));
+}
+
+TEST_F(Shutter, IsNotTracedButNamed) {
+  const auto trace = [&](const std::vector<std::string>& words) {
+    const AsosRun run = run_asos(
+        std::vector<std::string>{"trace", scene_, "--size", "24x16", "--pixel", "12,8"} + words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  };
+  EXPECT_FALSE(contains(trace({}), "animation"));
+  const std::string sharp = trace({"--time", "0.5"});
+  EXPECT_TRUE(contains(sharp, ", animation 0 at 0.5 s\n")) << sharp;
+  const std::string blurred = trace({"--time", "0.5", "--shutter", "0.25"});
+  EXPECT_TRUE(contains(blurred,
+                       "One moment of the exposure, its middle: the shutter is open from "
+                       "0.375 to 0.625 s\n"))
+      << blurred;
+  const auto json = nlohmann::json::parse(trace({"--time", "0.5", "--shutter", "0.25", "--json"}));
+  EXPECT_EQ(json.at("moment").at("seconds"), 0.5);
+  EXPECT_EQ(json.at("moment").at("shutter"), 0.25);
+  EXPECT_TRUE(nlohmann::json::parse(trace({"--json"})).at("moment").is_null());
 }
 
 TEST_F(Shutter, RefusesWhatCannotBe) {

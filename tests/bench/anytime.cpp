@@ -2,7 +2,8 @@
 // the times at which Sobol sampling has taken 1, 4, 16 and 64 samples per pixel.
 //
 //   bench anytime [--size WxH] [--reference N] [--cache DIR] [--method NAME] [--curves]
-//                 [--strips DIR] [SCENE...]
+//                 [--strips DIR] [--f-stop N] [--focus M] [--animation N] [--time S] [--shutter S]
+//                 [SCENE...]
 //
 // Times are CPU seconds of one worker since the first ray; the scene's hierarchy and its edges are
 // computed before. Errors are RMSE of linear radiance clipped to 0..1 against halves of --reference
@@ -53,6 +54,7 @@ struct Settings {
   std::string method = "asos";
   bool curves = false;
   std::string strips;
+  ExposureChoice exposure;
   std::vector<std::string> scenes;
 };
 
@@ -152,13 +154,18 @@ struct Row {
 };
 
 Result<Row> measure(const Settings& settings, const NamedScene& named) {
-  const auto scene = open_scene(named.source);
-  if (!scene) return unexpected(scene.error());
-  (void)(*scene)->features();
-  Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
+  const std::string label = settings.exposure.label();
+  const auto taken = label.empty()
+                         ? open_scene(named.source).map([&](const SharedScene& scene) {
+                             return snapshot_of(scene, settings.size.width, settings.size.height);
+                           })
+                         : exposed_snapshot(named.source, settings.size, {}, settings.exposure);
+  if (!taken) return unexpected(taken.error());
+  Snapshot snapshot = *taken;
+  (void)snapshot.scene->features();
   snapshot.settings.threads = 1;
   const std::string path =
-      kept_path(settings.cache, named.name, settings.size, settings.reference, false);
+      kept_path(settings.cache, named.name + label, settings.size, settings.reference, false);
   const auto reference = settings.keep ? HalvedReference::kept(path, snapshot, settings.reference)
                                        : HalvedReference::rendered(snapshot, settings.reference);
   if (!reference) return unexpected(reference.error());
@@ -234,6 +241,7 @@ int run(int argc, char** argv) {
   Settings settings;
   Options options("The error of a picture while it renders, beside Sobol sampling");
   options.size(settings.size);
+  options.exposure(settings.exposure);
   options.number("--reference", settings.reference, 256, 65536, "samples");
   options.parsed("--cache", "folder of references", [&](const std::string& text) -> Result<void> {
     settings.cache = text;

@@ -1,6 +1,8 @@
 #include "tests/bench/bench_support.h"
 
+#include "renderer/prepared/exposure.h"
 #include "renderer/scene/builtin.h"
+#include "renderer/scene/posable_scene.h"
 
 #include <fmt/format.h>
 
@@ -44,6 +46,44 @@ Snapshot snapshot_of(SharedScene scene, int width, int height) {
   snapshot.settings.width = width;
   snapshot.settings.height = height;
   snapshot.settings.threads = 2;
+  return snapshot;
+}
+
+std::string ExposureChoice::label() const {
+  std::string text;
+  if (f_stop > 0.0) text += fmt::format("-f{}", f_stop);
+  if (focus > 0.0) text += fmt::format("-at-{}", focus);
+  if (animation >= 0) text += fmt::format("-clip{}-{}s-{}s", animation, seconds, shutter_seconds);
+  return text;
+}
+
+Result<Snapshot> exposed_snapshot(const std::string& source, PictureSize size, CameraChoice camera,
+                                  const ExposureChoice& exposure) {
+  const bool moves = exposure.animation >= 0;
+  const Result<Scene> file = load_scene(source, {.keep_posable = moves});
+  if (!file) return unexpected(file.error());
+  Result<SharedScene> scene = prepare(*file);
+  if (!scene) return unexpected(scene.error());
+  if (moves && !file->rig) return unexpected(Error{source, "has no animations"});
+  const std::shared_ptr<const RenderScene> rest = *scene;
+  const auto posed = [&](const ClipTime& time) {
+    return file->rig->pose(time).and_then(
+        [&](const Scene& pose) { return prepare(pose, {}, &rest->geometry->stage); });
+  };
+  if (moves) scene = posed({exposure.animation, exposure.seconds});
+  if (scene) scene = with_boundaries(*scene);
+  if (!scene) return unexpected(scene.error());
+  if (exposure.f_stop > 0.0) camera.lens.f_stop = exposure.f_stop;
+  if (exposure.focus > 0.0) camera.lens.focus = exposure.focus;
+  const auto chosen =
+      choose_camera((*scene)->world(), camera, static_cast<double>(size.width) / size.height);
+  if (!chosen) return unexpected(chosen.error());
+  Snapshot snapshot = snapshot_of(*scene, size.width, size.height);
+  snapshot.camera = *chosen;
+  snapshot.settings.shutter.seconds = exposure.shutter_seconds;
+  auto over_time = exposed(*scene, *chosen, snapshot.settings, posed);
+  if (!over_time) return unexpected(over_time.error());
+  snapshot.scene = *std::move(over_time);
   return snapshot;
 }
 

@@ -49,6 +49,24 @@ struct NamedScene {
 
 [[nodiscard]] Result<SharedScene> open_scene(const std::string& source);
 
+/// How a benchmark's picture is exposed: by the camera's lens, and over the time of an animation.
+struct ExposureChoice {
+  double f_stop = 0.0;           ///< 0: the camera's own lens
+  double focus = 0.0;            ///< 0: the camera's own, or automatic
+  int animation = -1;            ///< -1: the rest pose
+  double seconds = 0.0;          ///< of the animation
+  double shutter_seconds = 0.0;  ///< 0: one moment
+
+  /// For names of files; empty: the file's own exposure.
+  [[nodiscard]] std::string label() const;
+};
+
+/// Opens a scene and takes its picture (snapshot_of) by this camera and exposure. The exposure's
+/// moments are prepared with their boundaries.
+[[nodiscard]] Result<Snapshot> exposed_snapshot(const std::string& source, PictureSize size,
+                                                CameraChoice camera,
+                                                const ExposureChoice& exposure);
+
 /// A whole picture from the scene's first camera, or from one that frames it, without coarse
 /// passes.
 [[nodiscard]] Snapshot snapshot_of(SharedScene scene, int width, int height);

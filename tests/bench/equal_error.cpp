@@ -7,7 +7,8 @@
 //
 //   bench equal-error [--size WxH] [--look-at ...] [--fov DEG] [--shadows on|off]
 //                     [--reference N] [--runs N] [--causes MAX] [--matte] [--key-light]
-//                     [--qualities] [--dfr MIN,MAX,N] [--tr N] [--levels K] SCENE
+//                     [--qualities] [--dfr MIN,MAX,N] [--tr N] [--levels K]
+//                     [--f-stop N] [--focus M] [--animation N] [--time S] [--shutter S] SCENE
 //
 // --matte removes textures, highlights and emission, so that only visibility and smooth shading
 // remain. --key-light keeps only the first rectangular light, of the scene or of its default
@@ -50,6 +51,7 @@ struct Settings {
   bool qualities = false;
   int texture_resolution = 1;
   std::optional<Dfr> dfr;
+  ExposureChoice exposure;
   std::string scene;
 };
 
@@ -179,7 +181,9 @@ Result<SharedScene> prepared_scene(const Settings& settings) {
   return unexpected(Error{settings.scene, "gets no rectangular light"});
 }
 
-Result<void> measure(const Settings& settings) {
+Result<Snapshot> snapshot_for(const Settings& settings) {
+  if (!settings.matte && !settings.key_light)
+    return exposed_snapshot(settings.scene, settings.size, settings.camera, settings.exposure);
   const auto scene = prepared_scene(settings);
   if (!scene) return unexpected(scene.error());
   Snapshot snapshot = snapshot_of(*scene, settings.size.width, settings.size.height);
@@ -188,6 +192,14 @@ Result<void> measure(const Settings& settings) {
                     static_cast<double>(settings.size.width) / settings.size.height);
   if (!camera) return unexpected(camera.error());
   snapshot.camera = *camera;
+  return snapshot;
+}
+
+Result<void> measure(const Settings& settings) {
+  const auto taken = snapshot_for(settings);
+  if (!taken) return unexpected(taken.error());
+  Snapshot snapshot = *taken;
+  const SharedScene scene = snapshot.scene;
   snapshot.settings.shadow.cast = settings.shadows;
   snapshot.settings.mirror.dfr = settings.dfr;
   snapshot.settings.texture.resolution = settings.texture_resolution;
@@ -212,7 +224,7 @@ Result<void> measure(const Settings& settings) {
   fmt::print(
       "\n{}{}, {}x{}, shadows {}, {} triangles; reference {} samples, its noise about {:.1e}\n",
       settings.scene, settings.matte ? " made matte" : "", settings.size.width,
-      settings.size.height, settings.shadows ? "on" : "off", (*scene)->world().triangles.size(),
+      settings.size.height, settings.shadows ? "on" : "off", scene->world().triangles.size(),
       settings.reference, floor);
   fmt::print("{:<22}{:>10} {:>10}{:>9}{:>9}{:>9}{:>10}{:>12}{:>9}\n", "", "RMSE", "raw RMSE",
              "cpu s", "eye/pix", "shad/pix", "unres. %", "stochastic x", "sobol x");
@@ -244,6 +256,7 @@ int run(int argc, char** argv) {
   Options options("Time at equal error, ASOS beside stochastic and Sobol sampling");
   options.size(settings.size);
   options.camera(settings.camera);
+  options.exposure(settings.exposure);
   options.choice("--shadows", shadows, {"on", "off"});
   options.number("--reference", settings.reference, 256, 65536, "samples");
   options.number("--runs", settings.runs, 1, 99);

@@ -67,6 +67,18 @@ void Options::camera(CameraChoice& choice) {
   impl_->app.add_option("--fov", choice.fov_y_deg, "vertical field of view, degrees");
 }
 
+void Options::exposure(ExposureChoice& choice) {
+  const auto add = [&](const char* name, double& value, double lo, double hi, const char* help) {
+    impl_->app.add_option(name, value, help)->check(CLI::Range(lo, hi));
+  };
+  add("--f-stop", choice.f_stop, Lens::smallest_f_stop, Lens::largest_f_stop, "f-number");
+  add("--focus", choice.focus, 1e-6, 1e15, "distance of the focus plane");
+  number("--animation", choice.animation, 0, 10'000, "number of the animation");
+  add("--time", choice.seconds, 0.0, 1e6, "seconds of the animation");
+  add("--shutter", choice.shutter_seconds, 0.0, ShutterSettings::longest,
+      "seconds that the shutter is open");
+}
+
 std::optional<int> Options::end(int argc, char** argv) {
   try {
     impl_->app.parse(argc, argv);

@@ -2,6 +2,7 @@
 
 #include "app/camera_choice.h"
 #include "renderer/result.h"
+#include "tests/bench/bench_support.h"
 
 #include <functional>
 #include <memory>
@@ -35,6 +36,8 @@ class Options {
   void size(PictureSize& size);
   /// --look-at and --fov.
   void camera(CameraChoice& choice);
+  /// --f-stop, --focus, --animation, --time and --shutter.
+  void exposure(ExposureChoice& choice);
 
   /// Parses the command line. Returns an exit code if the program is to end, as after --help.
   [[nodiscard]] std::optional<int> end(int argc, char** argv);

@@ -150,8 +150,8 @@ TEST_F(SplitMapTest, TheLegendHasEveryCausesColour) {
   display().show_legend = true;
   for (int i = 0; i < 3; ++i) rig.frame();
   const std::vector<std::string> names{
-      "silhouette", "crease, seam", "intersection",   "shadow",      "reflection",
-      "shading",    "alpha edge",   "too many edges", "MAX reached", "lens blur"};
+      "silhouette", "crease, seam",   "intersection", "shadow",    "reflection", "shading",
+      "alpha edge", "too many edges", "MAX reached",  "lens blur", "motion blur"};
   ASSERT_EQ(names.size() + 1, split_cause_count);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Controls::Placed entry = rig.control("Cause/" + names[i]);

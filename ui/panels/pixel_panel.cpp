@@ -62,9 +62,12 @@ void values(Controls& controls, const Film& film, const Frames& frames,
   }
 }
 
-/// Level and cause as in the split map, and why the splitting stopped.
-void why(Controls& controls, const PixelReport& report) {
-  const SplitCause cause = report.trace.cause;
+/// Level and cause as in the split map, and why the splitting stopped. A pixel with motion blur has
+/// many traces; `report` is of the middle moment.
+void why(Controls& controls, const PixelReport& report, const Film& film, glm::ivec2 pixel) {
+  const std::size_t i = film.index(pixel.x, pixel.y);
+  const bool moves = film.cause[i] == SplitCause::motion;
+  const SplitCause cause = moves ? SplitCause::motion : report.trace.cause;
   if (cause != SplitCause::none) {
     const glm::u8vec3 c = split_cause_colour(cause);
     const float em = ImGui::GetFontSize();
@@ -74,11 +77,12 @@ void why(Controls& controls, const PixelReport& report) {
     ImGui::GetWindowDrawList()->AddRect(lo, hi, theme::packed(theme::dim_text));
     ImGui::Dummy({0.8f * em, em});
     ImGui::SameLine();
-    const std::string words = report.split();
+    const std::string words = moves ? split_words(film.split_level[i], cause) : report.split();
     ImGui::TextWrapped("%s", words.c_str());
     controls.placed_words("Why", words, words_of(cause));
   }
-  const std::string verdict = report.verdict();
+  const std::string verdict =
+      moves ? "The mean of many moments. The cells show the middle one." : report.verdict();
   ImGui::TextWrapped("%s", verdict.c_str());
   controls.placed_words("Verdict", verdict, nullptr);
 }
@@ -313,7 +317,7 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   const bool closed = controls.button(close, "Close (Esc).");
   if (!facts.names.empty())
     controls.row("Surface", facts.names, "Object and material at the pixel's centre.");
-  if (report && !report->trace.cells.empty()) why(controls, *report);
+  if (report && !report->trace.cells.empty()) why(controls, *report, film, pixel);
   values(controls, film, state.frames, state.display, pixel);
   cost_rows(controls, film, facts.findings, pixel);
   if (report && !report->trace.cells.empty()) {

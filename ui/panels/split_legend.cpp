@@ -29,6 +29,7 @@ constexpr std::array<const char*, split_cause_count> cause_words{
     "Too many edges: sampled instead.",
     "MAX reached with edges left.",
     "Out of focus: sampled over the lens.",
+    "Moves while the shutter is open: the mean of many moments.",
 };
 
 void swatch(ImVec2 lo, ImVec2 hi, glm::u8vec3 c) {

@@ -363,6 +363,84 @@ TEST(Lens, FocusIsOnTheMiddleUnlessGiven) {
   EXPECT_FALSE(viewed_camera(*scene, camera, beam).lens.blurs());
 }
 
+TEST(Lens, MaxDividesTheLensAsThePixel) {
+  World world;
+  add_wall(world, 2.0f, -40.0f, 0.006f, glm::vec3(1.0f));
+  const auto scene = make_render_scene(std::move(world));
+  RenderSettings settings = settings_of(Method::asos, 1e-5);
+  for (const auto& [max_level, most] : {std::pair{1, 64.0f}, std::pair{2, 1024.0f}}) {
+    settings.asos.max_level = max_level;
+    const Picture picture = render_picture(*scene, camera_with(radius_for(2.5, 2.0)), settings);
+    float rays = 0.0f;
+    for (std::size_t i = 0; i < picture.film.rays.size(); ++i)
+      if (picture.film.cause[i] == SplitCause::lens) rays = std::max(rays, picture.film.rays[i]);
+    // Besides the samples, a few rays that choose the way.
+    EXPECT_GE(rays, most) << max_level;
+    EXPECT_LT(rays, most + 16.0f) << max_level;
+  }
+}
+
+TEST(Lens, SmallLampsAreMetAtALargeEps) {
+  // The lamp fills 1/200 of the blur, so that 16 samples miss it in nine pixels of ten.
+  constexpr double depth = 2.0, confusion = 4.0, brightness = 100.0;
+  const auto half = static_cast<float>(0.25 * depth * pixel);
+  World world;
+  add_quad(world, {-half, -half, -depth}, {2 * half, 0, 0}, {0, 2 * half, 0},
+           card(glm::vec3(brightness)));
+  Light lamp;
+  lamp.type = Light::Type::rectangle;
+  lamp.own_part = 0;
+  lamp.intensity = brightness;
+  lamp.position = {0, 0, -depth};
+  lamp.direction = {0, 0, 1};
+  lamp.half_u = {half, 0, 0};
+  lamp.half_v = {0, half, 0};
+  const auto scene = make_render_scene(std::move(world), {lamp});
+  RenderSettings settings = settings_of(Method::asos, 1.0 / 64.0);
+  settings.asos.max_level = 4;
+  const Picture picture =
+      render_picture(*scene, camera_with(radius_for(confusion, depth)), settings);
+  std::vector<double> inside;
+  for (int i = 0; i < side * side; ++i)
+    if (glm::length(glm::dvec2(i % side + 0.5, i / side + 0.5) - 0.5 * side) < confusion - 1.2)
+      inside.push_back(picture.film.radiance[static_cast<std::size_t>(i)].r);
+  const double plateau = brightness * 0.25 / (pi * confusion * confusion);
+  EXPECT_LT(rmse(inside, std::vector<double>(inside.size(), plateau)) / plateau, 0.1);
+}
+
+TEST(Lens, SmoothMeshesMayBendOutOfReach) {
+  // Flat at depth 8 up to column 8.8, then smoothly away to depth 24 at column 11.6. The blur of 4
+  // pixels at depth 8 does not reach the mesh's end, but that of 6.7 pixels at its end does.
+  const std::vector<glm::dvec2> columns{{-400.0, 8.0}, {7.0, 8.0}, {8.8, 8.0}, {11.6, 24.0}};
+  const auto x_of = [](glm::dvec2 column) { return (column.x - 0.5 * side) * pixel * column.y; };
+  std::vector<TinyVertex> vertices;
+  std::vector<glm::uvec3> triangles;
+  for (const glm::dvec2 column : columns)
+    for (const double y : {-40.0, 40.0})
+      vertices.push_back({glm::vec3(x_of(column), y, -column.y), {0, 0, 1}, {0, 0}});
+  for (std::uint32_t k = 0; k + 2 < vertices.size(); k += 2) {
+    triangles.emplace_back(k, k + 2, k + 3);
+    triangles.emplace_back(k, k + 3, k + 1);
+  }
+  World world;
+  add_part(world, vertices, triangles, card(glm::vec3(1.0f)));
+  const auto scene = make_render_scene(std::move(world));
+  const auto seen = [&](glm::dvec2 from, glm::dvec2 along) {
+    const auto at = [&](double depth) { return from.x + depth * along.x; };
+    return at(8.0) < x_of(columns[2]) || at(24.0) < x_of(columns[3]) ? 1.0 : 0.0;
+  };
+  const double radius = radius_for(4.0, 8.0);
+  const Picture picture =
+      render_picture(*scene, camera_with(radius), settings_of(Method::asos, 1e-3));
+  std::vector<double> row, expected;
+  for (int x = 3; x < 9; ++x) {
+    row.push_back(picture.film.radiance[picture.film.index(x, 7)].r);
+    expected.push_back(sampled_pixel(x, 7, radius, in_disk, seen));
+  }
+  EXPECT_LT(rmse(row, expected), 2e-3);
+  EXPECT_GT(1.0 - expected[2], 0.01) << "the mesh ends within the blur of pixel 5";
+}
+
 TEST(Lens, TexturesAreFilteredOverTheBlur) {
   // A fine checkerboard far out of focus is grey even with four samples per pixel.
   World world;

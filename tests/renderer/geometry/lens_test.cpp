@@ -121,6 +121,16 @@ TEST(LensView, RaysMeetOnTheFocusPlane) {
   }
 }
 
+TEST(LensView, RaysOfNearFocusCrossTheAxisAtOnce) {
+  for (const double focus : {1e-6, 1e-30, 1e-300}) {
+    Camera camera = camera_with_lens();
+    camera.lens.focus = focus;
+    const Ray ray = View(camera, 16, 16).ray(8.0, 8.0, {glm::dvec2(0.5, 0)});
+    EXPECT_NEAR(ray.direction.x, -1.0f, 1e-5f) << focus;
+    EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f) << focus;
+  }
+}
+
 TEST(LensView, ConfusionIsLinearInInverseDepth) {
   const View view(camera_with_lens(), 16, 16);
   // A pixel is 1/8 wide at distance 1.

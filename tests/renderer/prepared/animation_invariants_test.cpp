@@ -67,6 +67,27 @@ TEST(AnimationInvariants, TheGroundStaysWhereItIsAtRest) {
   EXPECT_NEAR(ground_height(jumps, nullptr), at_rest + 0.75, 1e-6);
 }
 
+TEST(AnimationInvariants, TheGroundOfAnotherMomentKeepsItsPlace) {
+  const auto rest = prepare(at(0.0)).value();
+  const AnimationInvariants& stage = rest->geometry->stage;
+  const auto plate_of = [](const RenderScene& scene) {
+    const World& world = scene.world();
+    const Part& plate = world.parts.back();
+    std::vector<glm::vec3> vertices;
+    for (std::uint32_t i = 0; i < plate.vertex_count; ++i)
+      vertices.push_back(world.positions[plate.first_vertex + i]);
+    return vertices;
+  };
+  const auto moved = prepare(at(7.0), {}, &stage).value();
+  const auto now = with_ground(rest, Ground::on).value();
+  const auto own = with_ground(moved, Ground::on).value();
+  const auto same = with_ground(moved, Ground::on, &now->world()).value();
+  EXPECT_NE(plate_of(*own), plate_of(*now)) << "lies under the scene of its moment";
+  EXPECT_EQ(plate_of(*same), plate_of(*now));
+  // A moment without a ground has none to copy.
+  EXPECT_EQ(plate_of(*with_ground(moved, Ground::on, &rest->world()).value()), plate_of(*own));
+}
+
 TEST(AnimationInvariants, TexturesAreNeitherCopiedNorAveragedAgain) {
   const Scene scene = at(0.0);
   const auto rest = prepare(scene).value();
