@@ -64,9 +64,9 @@ Visibility adaptive_shadow(const ShadowContext& block, const ShadowQuery& query,
   return sum;
 }
 
-// Returns its mean visibility over the whole leaf. The leaf is divided until each part is inside the light's
-// projection. Then a pyray around each part is traced, and only its rays through the part count
-// (4.3.4).
+// Returns its mean visibility over the whole leaf. The leaf is divided until each part is inside
+// the light's projection. Then a pyray around each part is traced, and only its rays through the
+// part count (4.3.4).
 Visibility adaptive_extended_shadow(const ShadowContext& block, const ShadowQuery& query,
                                     RenderStatistics& counts) {
   return adaptive_shadow(block, query, query.leaf.region.square,
