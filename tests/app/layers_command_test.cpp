@@ -92,8 +92,8 @@ TEST(LayersOption, InfoListsThemWithUnits) {
   const auto listed = nlohmann::json::parse(as_json.out);
   ASSERT_EQ(listed.size(), layer_table().size());
   for (const LayerRow& row : layer_table()) EXPECT_TRUE(test::contains(text.out, row.name));
-  EXPECT_EQ(listed[5]["name"], "depth");
-  EXPECT_EQ(listed[5]["unit"], "m");
+  EXPECT_EQ(listed[9]["name"], "depth");
+  EXPECT_EQ(listed[9]["unit"], "m");
   EXPECT_EQ(test::run_asos({"info"}).exit_code, 2) << "a scene, or --layers";
 }
 
