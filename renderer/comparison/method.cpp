@@ -180,6 +180,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_lens = false,
      .takes_motion = false,
+     .renders_layers = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::cone,
@@ -191,6 +192,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_lens = false,
      .takes_motion = false,
+     .renders_layers = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::covers,
@@ -202,6 +204,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_lens = false,
      .takes_motion = false,
+     .renders_layers = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::mask,
@@ -213,6 +216,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_lens = false,
      .takes_motion = false,
+     .renders_layers = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
 }};
@@ -297,7 +301,7 @@ BlockResult render_pixels(const BlockJob& job, std::span<const MethodRow> method
 BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
   const bool covers = shows_coverage(job.settings);
   // A blurred picture has no layers, so its coverage is a picture of its own.
-  if (covers && renders_layers(job.settings.method) && !job.motion) {
+  if (covers && covers_by_layer(job.settings.method) && !job.motion) {
     const RenderSettings covered = with_coverage(job.settings);
     BlockResult result = render_pixels(job.with(covered), methods);
     fill_in(result);

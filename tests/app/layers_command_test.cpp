@@ -80,9 +80,9 @@ TEST(LayersOption, SaysWhatItCannotDo) {
   EXPECT_EQ(png.exit_code, 2);
   EXPECT_TRUE(test::contains(png.err, ".exr"));
   EXPECT_EQ(render({"-o", exr, "--layers", "depth", "--time-limit", "1"}).exit_code, 2);
-  const test::AsosRun method = render({"-o", exr, "--layers", "depth", "--method", "whitted"});
+  const test::AsosRun method = render({"-o", exr, "--layers", "depth", "--method", "beam"});
   EXPECT_EQ(method.exit_code, 1);
-  EXPECT_TRUE(test::contains(method.err, "whitted renders none"));
+  EXPECT_TRUE(test::contains(method.err, "beam renders none"));
 }
 
 TEST(LayersOption, InfoListsThemWithUnits) {

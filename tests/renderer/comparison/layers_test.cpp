@@ -226,7 +226,8 @@ TEST(Layers, BeautyIsTheSameBits) {
   const FlattenedScene still = test::still_life();
   const auto scene = test::make_render_scene(still);
   const View view(test::look_at({1, 2, 5}, {0, 0.6, 0}, 0.7), 32, 32);
-  for (const Method method : {Method::asos, Method::asos_published, Method::sobol}) {
+  for (const Method method : {Method::asos, Method::asos_published, Method::sobol,
+                              Method::sobol_adaptive, Method::whitted, Method::mitchell}) {
     RenderSettings settings = test::settings_for(method, 8, 32);
     const PixelRect rect{8, 8, 16, 16};
     const BlockResult plain = render_block(*scene, view, settings, rect);
@@ -353,6 +354,29 @@ TEST(LightLayers, BackgroundCountsByItsArea) {
   EXPECT_NEAR(light_at(film, Layer::emission).x, 0.125f, 1e-5f);
 }
 
+// Methods with other weights of their samples than one each.
+TEST(Layers, EveryMethodOfSamplesWeighsThemAsItsPicture) {
+  World world;
+  test::add_card(world, {-9, -9}, {4.37f, 17}, test::unlit(glm::vec3(1.0f)));
+  const auto scene = test::make_render_scene(std::move(world));
+  for (const Method method : {Method::sobol_adaptive, Method::whitted, Method::mitchell,
+                              Method::ray_bound, Method::average}) {
+    RenderSettings settings = with_layers(method, 16);
+    settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
+    const BlockResult result = test::render_small(*scene, settings);
+    double parts = 0.0;
+    for (std::size_t i = 0; i < 64; ++i) {
+      const auto white = static_cast<double>(result.tile.radiance[i].x);
+      EXPECT_NEAR(plane(result, Layer::alpha).at(i)[0], white, 1e-6) << row_of(method).name;
+      EXPECT_NEAR(share_of(plane(result, Layer::object).ids[i], 0), white, 1e-6);
+      EXPECT_NEAR(plane(result, Layer::emission).at(i)[0], white, 1e-6);
+      parts += white > 0.0 && white < 1.0;
+    }
+    EXPECT_GE(parts, 8.0) << "an edge is seen";
+    expect_shares_add_up(result);
+  }
+}
+
 // A blended card hides by its opacity; its id is that of the nearest surface.
 TEST(Layers, AlphaOfBlendedSurfacesIsTheirOpacity) {
   World world;
@@ -451,7 +475,7 @@ TEST(Layers, ErrorEstimateIsOfTheErrorsSize) {
 
 TEST(Layers, MethodsWithoutThemSaySo) {
   const auto scene = test::make_render_scene(test::two_colours(4.0f, {1, 0, 0}, {0, 1, 0}));
-  RenderSettings settings = with_layers(Method::whitted);
+  RenderSettings settings = with_layers(Method::beam);
   const auto checked = check_method(*scene, settings);
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().subject, "layers");
