@@ -300,8 +300,7 @@ BlockResult render_pixels(const BlockJob& job, std::span<const MethodRow> method
 
 BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
   const bool covers = shows_coverage(job.settings);
-  // A blurred picture has no layers, so its coverage is a picture of its own.
-  if (covers && covers_by_layer(job.settings.method) && !job.motion) {
+  if (covers && covers_by_layer(job.settings.method)) {
     const RenderSettings covered = with_coverage(job.settings);
     BlockResult result = render_pixels(job.with(covered), methods);
     fill_in(result);
@@ -368,9 +367,6 @@ Result<void> check_method(const RenderScene& scene, const RenderSettings& settin
     return unexpected(
         Error{"layers", fmt::format("{} renders none; these do: {}", method.name, able)});
   }
-  if (settings.layers.of_surfaces() && settings.shutter.blurs() && scene.exposure &&
-      scene.exposure->moves())
-    return unexpected(Error{"layers", "show one moment: a picture with motion blur has none"});
   const std::size_t triangles = scene.world().triangles.size();
   if (triangles <= method.most_triangles) return {};
   return unexpected(
