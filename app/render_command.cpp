@@ -89,8 +89,6 @@ void check(const RenderArguments& arguments) {
   if (arguments.layers_chosen && !has_extension(arguments.output, ".exr"))
     throw CLI::ValidationError(
         "--layers", fmt::format("\"{}\": has to end in .exr to hold layers", arguments.output));
-  if (!settings.layers.empty() && arguments.time_limit_seconds)
-    throw CLI::ValidationError("--time-limit", "layers need the whole picture");
   if (!arguments.split_map.empty() && !has_extension(arguments.split_map, ".png"))
     throw CLI::ValidationError("--split-map",
                                fmt::format("\"{}\": has to end in .png", arguments.split_map));

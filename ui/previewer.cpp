@@ -85,7 +85,7 @@ PreviewRender::Subject Previewer::subject() const {
   settings.layers = {};
   const bool renders =
       shown_layer_ && has_plane(*shown_layer_) && renders_layer(settings.method, *shown_layer_);
-  if (renders && !settings.shutter.blurs()) settings.layers.insert(*shown_layer_);
+  if (renders) settings.layers.insert(*shown_layer_);
   return {scene_.shared(), camera.revision(), std::move(settings), camera.camera()};
 }
 

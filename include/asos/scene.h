@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,16 @@ struct LoadOptions {
   std::string variant = {};  ///< of its materials (KHR_materials_variants); empty: none
   /// Folder that buffers and images may come from; empty: at most three levels above the file.
   std::string asset_root = {};
+  /// A moment of one of the file's animations: which of them, by number from 0 or name (empty: the
+  /// first), and seconds from its beginning. Without `seconds` the scene is at rest.
+  std::string animation = {};
+  std::optional<double> seconds = {};
+};
+
+/// An animation of a file.
+struct AnimationInfo {
+  std::string name;      ///< may be empty
+  double seconds = 0.0;  ///< to its last key; later times show its last pose
 };
 
 /// A scene that is ready to render: an immutable handle that is cheap to copy. All members may be
@@ -31,7 +42,8 @@ class ASOS_API Scene {
   ~Scene();
 
   /// Opens a .gltf or .glb file, or a built-in scene ("builtin:office"). Blocks while it reads.
-  /// Fails with `cannot_open` where the file is missing, damaged or too large.
+  /// Fails with `cannot_open` where the file is missing, damaged or too large, and with
+  /// `invalid_argument` where it has no such animation or the time is not 0 or more.
   [[nodiscard]] static Result<Scene> load(const std::string& path, const LoadOptions& options = {});
 
   /// Returns the same scene in other light: these lights replace its own and its default lighting.
@@ -47,6 +59,8 @@ class ASOS_API Scene {
   /// Returns the first camera, or one that frames the scene in a picture of this aspect ratio
   /// (width over height, above 0).
   [[nodiscard]] Camera default_camera(double aspect_ratio) const;
+  /// The file's animations.
+  [[nodiscard]] std::vector<AnimationInfo> animations() const;
   /// Triangles of all instances; analytic shapes other than boxes have none.
   [[nodiscard]] std::uint64_t triangles() const;
 

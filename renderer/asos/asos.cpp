@@ -148,11 +148,7 @@ void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* wa
   const CameraEye camera(job, ErrorBudget::of(settings));
   RegionSampler sampler(job.scene, camera.viewer, settings, started.framed, settings.seed, nullptr,
                         job.stop);
-  std::optional<LayerProbe> probe;
-  if (settings.layers.of_surfaces()) {
-    probe.emplace(job.scene, camera.viewer, settings);
-    sampler.note_layers(*probe);
-  }
+  sampler.note_layers();
   const std::uint64_t before = started.statistics.rays();
   const auto found = sampler.resume(std::move(open.samples), started.statistics);
   const auto rays = static_cast<double>(started.statistics.rays() - before);
@@ -164,7 +160,7 @@ void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* wa
     const OpenRegions::Part& part = open.parts[i];
     RootSum& sum = started.pixels[started.pixel_of_root[part.root]].sum;
     sum.add_samples(found[i], part.weight, part.layers);
-    if (part.planes)
+    if (settings.layers.of_surfaces())
       started.layers[started.pixel_of_root[part.root]].add(sampler.layers(i), part.weight);
     const double more = found[i].cost - part.so_far.cost;
     if (samples > 0.0) sum.rays += static_cast<std::uint64_t>(std::llround(rays * more / samples));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/light_parts.h"
 #include "renderer/pyray/caster.h"
 
 #include <glm/glm.hpp>
@@ -19,6 +20,14 @@ struct Contribution {
   glm::dvec3 radiance{0.0};     ///< linear, times the weight
   double rays = 0.0;            ///< number of rays cast for it
   bool dropped = false;
+
+  /// Returns the radiance as direct light, for a weight of 1.
+  [[nodiscard]] LightSum direct_light() const {
+    LightSum light;
+    light.weight = 1.0;
+    light.add(LightPart::direct, radiance / weight);
+    return light;
+  }
 };
 
 /// Contributions that wait until all cells of a block are examined, so that many leaves share

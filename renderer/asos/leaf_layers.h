@@ -28,11 +28,18 @@ class LeafLayers {
   [[nodiscard]] bool sampled(const PyrayLeaf& leaf) const;
   /// Adds a leaf by its one sample.
   void add(const PyrayLeaf& leaf);
-  /// Adds a part by its samples.
+  /// Adds a part by its samples; without any, only their radiance's parts.
   void add(std::uint32_t root, const LayerSum& part, double weight) {
     sums_[root].add(part, weight);
   }
-  [[nodiscard]] const LayerProbe& probe() const { return probe_; }
+  /// Adds the radiance of a leaf of this weight, by part.
+  void add_light(std::uint32_t root, const LightSum& leaf, double weight) {
+    sums_[root].light.add(leaf, weight);
+  }
+  /// Adds a part of the radiance of a leaf whose weight is added elsewhere.
+  void add_radiance(std::uint32_t root, const LightSum& part, double weight) {
+    sums_[root].light.add_radiance(part, weight);
+  }
   [[nodiscard]] std::vector<LayerSum> take() { return std::exchange(sums_, {}); }
 
  private:

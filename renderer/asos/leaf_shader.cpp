@@ -56,7 +56,8 @@ LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& 
       shadows_(&shadows),
       sums_(sums),
       blurred_(&blurred),
-      layers_(layers) {}
+      layers_(layers),
+      adds_light_(layers && eye.settings->layers.of_light()) {}
 
 void LeafShader::shade(std::span<const PyrayLeaf> leaves) {
   for (const PyrayLeaf& leaf : leaves) {
@@ -149,6 +150,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) 
   }
   if (adds_planes_) layers_->add(leaf);
   sum.add(glm::dvec3(radiance), leaf.weight);
+  if (adds_light_) layers_->add_light(leaf.root, transport.light(radiance), leaf.weight);
   if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, transport.lobes());
   return radiance;
 }
@@ -264,7 +266,7 @@ RegionSampler& LeafShader::sampler() {
   if (!sampler_) {
     sampler_ = std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings,
                                                eye_->block, eye_->seed, eye_->mask, eye_->stop);
-    if (layers_) sampler_->note_layers(layers_->probe());
+    if (layers_) sampler_->note_layers();
   }
   return *sampler_;
 }
@@ -331,13 +333,18 @@ void LeafShader::drop(std::uint32_t selected_share, std::uint32_t sky_share) {
 
 // Adds contributions that were determined for many leaves together: a leaf's whole radiance, or a
 // part of it.
-void LeafShader::add(std::span<const Contribution> contributions, bool whole_leaves) {
-  for (const Contribution& found : contributions) {
+// `light_of` returns the parts of the radiance of one of them.
+void LeafShader::add(std::span<const Contribution> contributions, bool whole_leaves,
+                     const auto& light_of) {
+  for (std::size_t i = 0; i < contributions.size(); ++i) {
+    const Contribution& found = contributions[i];
     RootSum& sum = sums_[found.root];
     sum.rays += static_cast<std::uint64_t>(std::llround(found.rays));
     if (found.dropped) continue;
     sum.radiance += found.radiance;
     if (whole_leaves) sum.weight += found.weight;
+    if (adds_light_ && whole_leaves) layers_->add_light(found.root, light_of(i), found.weight);
+    if (adds_light_ && !whole_leaves) layers_->add_radiance(found.root, light_of(i), found.weight);
     glm::vec3 radiance(found.radiance / found.weight);
     if (!whole_leaves) radiance += result(found.sample);
     note_result(found.root, found.sample, radiance);
@@ -345,12 +352,15 @@ void LeafShader::add(std::span<const Contribution> contributions, bool whole_lea
 }
 
 void LeafShader::finish() {
-  add(single_.run(), true);
+  add(single_.run(), true, [&](std::size_t i) -> const LightSum& { return single_.light(i); });
   start_regions();
   if (eye_->stop.stop_requested()) return;
-  if (!selected_lights_->lights().empty()) add(selected_lights_->run(), false);
-  add(sky_.run(), false);
-  add(lobes_.run(), false);
+  const auto add_direct = [&](std::span<const Contribution> all) {
+    add(all, false, [&](std::size_t i) { return all[i].direct_light(); });
+  };
+  if (!selected_lights_->lights().empty()) add_direct(selected_lights_->run());
+  add_direct(sky_.run());
+  add(lobes_.run(), false, [&](std::size_t i) -> const LightSum& { return lobes_.light(i); });
 }
 
 // Runs the first stage of the deferred regions, and adds the regions that meet their goals.
@@ -369,13 +379,11 @@ void LeafShader::start_regions() {
           static_cast<std::uint64_t>(std::llround(rays * found[i].cost / samples));
     if (sampler_->open(i)) {
       open_.parts.push_back({leaf.root, leaf.sample, leaf.weight,
-                             leaf.decision.cause == LeafVariation::layers, leaves[i].planes,
-                             found[i]});
+                             leaf.decision.cause == LeafVariation::layers, found[i]});
       continue;
     }
-    const bool planes = leaves[i].planes && sampler_->layers(i).weight > 0.0;
-    if (planes) layers_->add(leaf.root, sampler_->layers(i), leaf.weight);
-    adds_planes_ = leaves[i].planes && !planes;
+    if (layers_) layers_->add(leaf.root, sampler_->layers(i), leaf.weight);
+    adds_planes_ = leaves[i].planes && !(sampler_->layers(i).weight > 0.0);
     // A region that no sample meets is too thin: its centre is shaded.
     if (!add_estimate(leaf, found[i]) && samples_->hit(leaf.sample).valid())
       note_result(leaf.root, leaf.sample, add_leaf(leaf, nullptr));

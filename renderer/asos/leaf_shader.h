@@ -57,7 +57,7 @@ class LeafShader {
   void start_regions();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
   void drop(std::uint32_t selected_share, std::uint32_t sky_share);
-  void add(std::span<const Contribution> contributions, bool whole_leaves);
+  void add(std::span<const Contribution> contributions, bool whole_leaves, const auto& light_of);
   [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
   glm::vec3 add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even);
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
@@ -87,6 +87,7 @@ class LeafShader {
   };
   std::vector<Deferred> deferred_;  // in the sampler's order
   LeafLayers* layers_;              // null: no surface layer is asked for
+  bool adds_light_;                 // parts of the radiance are among them
   bool adds_planes_ = false;        // the leaf that is shaded has no surface layers yet
   OpenRegions open_;
   std::vector<WeightedShape> parts_;  // of the leaf that is shaded

@@ -71,9 +71,20 @@ bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
   const ReflectionResult mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
   if (!mirrored.followed) return false;
   radiance += mirrored.radiance;
+  note(reflection.ratio > 0.0f ? LightPart::transmission : LightPart::reflection,
+       mirrored.radiance);
   met_mirror_edge_ |= mirrored.split;
   misplaces_light_ |= mirrored.misplaces;
   return true;
+}
+
+LightSum LeafTransport::light(glm::vec3 radiance) const {
+  LightSum all = light_;
+  all.weight = 1.0;
+  glm::dvec3 direct(radiance);
+  for (const glm::dvec3& part : light_.radiance) direct -= part;
+  all.add(LightPart::direct, direct);
+  return all;
 }
 
 }  // namespace asos

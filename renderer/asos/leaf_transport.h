@@ -28,7 +28,10 @@ class LeafTransport final : public LightTransport {
   bool add_sky(const SkyQuery& point, glm::vec3& radiance, RenderStatistics& counts) override;
   bool reflect(const Reflection& reflection, glm::vec3& radiance,
                RenderStatistics& counts) override;
+  void note(LightPart part, glm::vec3 radiance) override { light_.add(part, glm::dvec3(radiance)); }
 
+  /// Divides the leaf's radiance so far into its parts.
+  [[nodiscard]] LightSum light(glm::vec3 radiance) const;
   /// Returns the sampled lights' radiance in a reflected leaf.
   [[nodiscard]] glm::vec3 at_once() const { return at_once_; }
   /// Returns whether a point light took more than one ray and was partially occluded.
@@ -60,6 +63,7 @@ class LeafTransport final : public LightTransport {
   std::uint32_t sky_share_;
   glm::vec3 at_once_{0.0f};
   glm::vec3 lobes_{0.0f};
+  LightSum light_;  // parts other than direct light
   float unsure_highlights_ = 0.0f;
   bool met_shadow_edge_ = false;
   bool met_mirror_edge_ = false;

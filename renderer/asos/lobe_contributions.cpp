@@ -15,6 +15,7 @@ RegionSampler& LobeContributions::sampler() {
     sampler_ = std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings,
                                                eye_->block, eye_->seed, eye_->mask, eye_->stop,
                                                SampleSums::SummedRadiance::lobes);
+    if (!eye_->mirrored() && eye_->settings->layers.of_light()) sampler_->note_layers();
   }
   return *sampler_;
 }

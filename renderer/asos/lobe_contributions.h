@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -30,6 +31,10 @@ class LobeContributions {
 
   /// Samples the deferred leaves and empties the queue. The result is valid until the next leaf.
   std::span<const Contribution> run();
+  /// Returns the parts of the radiance of contribution `number`, if layers ask for them.
+  [[nodiscard]] const LightSum& light(std::size_t number) const {
+    return sampler_->layers(number).light;
+  }
 
  private:
   [[nodiscard]] RegionSampler& sampler();

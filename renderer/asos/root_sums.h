@@ -22,7 +22,6 @@ struct OpenRegions {
     SampleId sample = no_sample;  ///< sample that represents it
     double weight = 1.0;          ///< fraction of the root's area
     bool layers = false;          ///< it is sampled because of texture cut-outs
-    bool planes = false;          ///< its surface layers are those of its samples
     RegionSampler::Estimate so_far;
   };
   std::vector<Part> parts;

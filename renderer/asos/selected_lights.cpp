@@ -192,7 +192,7 @@ void SelectedLights::add(std::uint32_t number, const LightingQuery& lit, const L
                      lit.view.distance};
     places_.start_sample(static_cast<int>(number_[k]));
     (void)lights_.gather({lit.lights, view, lit.material, lit.mirrored, lit.share, lit.shadows},
-                         {x, y, static_cast<int>(number_[k])}, {number, weight});
+                         {x, y, static_cast<int>(number_[k])}, {{number}, weight});
   }
 }
 

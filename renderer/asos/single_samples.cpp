@@ -17,6 +17,12 @@ std::span<const Contribution> SingleSamples::run() {
     sums_ = std::make_unique<SampleSums>(*eye_->scene, eye_->viewer, *eye_->settings, places_);
   sums_->resize(0);
   sums_->resize(queue_.size());
+  if (!eye_->mirrored() && eye_->settings->layers.of_light()) {
+    light_.assign(queue_.size(), {});
+    targets_.light.clear();
+    for (LightSum& light : light_) targets_.light.push_back(&light);
+    sums_->note_layers(*eye_->settings, targets_);
+  }
   const PixelRect& block = eye_->block;
   for (std::uint32_t i = 0; i < queue_.size() && !eye_->stop.stop_requested(); ++i) {
     const Contribution& leaf = queue_[i];

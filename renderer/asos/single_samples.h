@@ -7,10 +7,12 @@
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_sampler.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace asos {
 
@@ -29,12 +31,16 @@ class SingleSamples {
   /// Shades the deferred leaves and empties the queue. Results that are not finite are dropped.
   /// Valid until the next `run`.
   [[nodiscard]] std::span<const Contribution> run();
+  /// Returns the parts of the radiance of contribution `number`, if layers ask for them.
+  [[nodiscard]] const LightSum& light(std::size_t number) const { return light_[number]; }
 
  private:
   const EyeContext* eye_;
   const EyeSamples* samples_;
   SobolSampler places_;
   std::unique_ptr<SampleSums> sums_;  // made when first needed: it is large
+  std::vector<LightSum> light_;       // of each leaf
+  LayerTargets targets_;              // these
   BlockQueue queue_;
   std::map<std::uint32_t, int> taken_;  // leaves of each root so far
 };

@@ -196,7 +196,7 @@ void SkyContributions::trace_bounces() {
     const std::uint64_t seed = lit_[sent.lit].seed;
     const SampleIndex sample{static_cast<int>(seed >> 32), static_cast<int>(seed),
                              static_cast<int>(sent.number)};
-    sky_rays_.push_back({packet_->rays[i], sent.weight, sample, i});
+    sky_rays_.push_back({packet_->rays[i], sent.weight, sample, {i}});
   }
   brought_.assign(count, glm::dvec3(0.0));
   bounced_.follow(sky_rays_, lights_, brought_, *eye_->counts);

@@ -94,8 +94,20 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   rays.push_back(outcome.probes + sum.rays);
 }
 
+// Returns the layers with those of the open regions so far.
+std::vector<LayerSum> layers_so_far(const StartedPyray& pyray) {
+  std::vector<LayerSum> layers = pyray.layers;
+  for (std::size_t i = 0; i < pyray.open.parts.size(); ++i) {
+    const OpenRegions::Part& part = pyray.open.parts[i];
+    layers[pyray.pixel_of_root[part.root]].add(pyray.open.samples.layers(i), part.weight);
+  }
+  return layers;
+}
+
 void publish_layers(const StartedPyray& pyray, std::span<const RootSum> sums, FinishedTile& tile) {
-  if (!pyray.layers.empty()) {
+  if (!pyray.layers.empty() && !pyray.open.parts.empty()) {
+    tile.layers = planes_of(layers_so_far(pyray), pyray.asked);
+  } else if (!pyray.layers.empty()) {
     tile.layers = planes_of(pyray.layers, pyray.asked);
   } else {
     tile.layers = blank_planes(pyray.asked, pyray.pixels.size());

@@ -1,8 +1,10 @@
 #include "renderer/samples/block_job.h"
+#include "renderer/samples/pixel_layers.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_sampler.h"
 
 #include <array>
+#include <vector>
 
 // "Replacing each pixel value by a (weighted) average of its neighbours" (CGF'98 section 2.1).
 
@@ -17,8 +19,12 @@ class Neighbourhood {
   explicit Neighbourhood(PixelRect block)
       : x_(block.x - 1), y_(block.y - 1), width_(block.width + 2), height_(block.height + 2) {}
 
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  }
+
   void take(SampleSums& sums, const std::stop_token& stop) const {
-    sums.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    sums.resize(size());
     for (int y = y_; y < y_ + height_; ++y) {
       for (int x = x_; x < x_ + width_; ++x) {
         if (sums.add({{x + 0.5, y + 0.5}, 1.0f, x, y, 0, index(x, y)}) && stop.stop_requested())
@@ -45,6 +51,16 @@ class Neighbourhood {
     return weight > 0.0 ? glm::vec3(sum / weight) : glm::vec3(0.0f);
   }
 
+  /// Returns the mean of the layers of the same samples.
+  [[nodiscard]] LayerSum mean(const PixelLayers& layers, int x, int y) const {
+    LayerSum sum;
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t i = 0; i < 3; ++i)
+        sum.add(layers.sum(index(x + static_cast<int>(i) - 1, y + static_cast<int>(j) - 1)),
+                weights[i] * weights[j]);
+    return sum;
+  }
+
  private:
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y - y_) * static_cast<std::size_t>(width_) +
@@ -64,13 +80,19 @@ BlockResult render_block_average(const BlockJob& job) {
   SobolSampler places(job.settings.seed);
   SampleSums sums(job, places);
   const Neighbourhood neighbourhood(block);
+  PixelLayers layers(job.settings, neighbourhood.size());
+  layers.note_each(sums);
   neighbourhood.take(sums, job.stop);
   BlockResult result = sums.block(block);
+  std::vector<LayerSum> means;
   std::size_t pixel = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
-    for (int x = block.x; x < block.x + block.width; ++x, ++pixel)
+    for (int x = block.x; x < block.x + block.width; ++x, ++pixel) {
       result.tile.radiance[pixel] = neighbourhood.mean(sums, x, y);
+      if (!layers.empty()) means.push_back(neighbourhood.mean(layers, x, y));
+    }
   }
+  if (!layers.empty()) result.tile.layers = planes_of(means, job.settings.layers);
   return result;
 }
 

@@ -25,7 +25,7 @@ class PartLights final : public LightTransport {
 
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     const int samples = lit.light.extended() ? samples_ : 1;
-    const SampleWeight share{0, glm::vec3(1.0f / static_cast<float>(samples))};
+    const SampleWeight share{{}, glm::vec3(1.0f / static_cast<float>(samples))};
     for (int i = 0; i < samples; ++i) {
       places_.start_sample(i);
       lights_.add(lit, share, counts);

@@ -180,6 +180,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_lens = false,
      .takes_motion = false,
+     .renders_layers = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::cone,
@@ -191,6 +192,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_lens = false,
      .takes_motion = false,
+     .renders_layers = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::covers,
@@ -202,6 +204,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_lens = false,
      .takes_motion = false,
+     .renders_layers = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
     {.value = Method::mask,
@@ -213,6 +216,7 @@ constexpr std::array<MethodRow, static_cast<std::size_t>(last_method) + 1> rows{
      .block_side = usual_side,
      .takes_lens = false,
      .takes_motion = false,
+     .renders_layers = false,
      .takes_shapes = false,
      .most_triangles = most_beam_triangles},
 }};
@@ -296,8 +300,7 @@ BlockResult render_pixels(const BlockJob& job, std::span<const MethodRow> method
 
 BlockResult render_block(const BlockJob& job, std::span<const MethodRow> methods) {
   const bool covers = shows_coverage(job.settings);
-  // A blurred picture has no layers, so its coverage is a picture of its own.
-  if (covers && renders_layers(job.settings.method) && !job.motion) {
+  if (covers && covers_by_layer(job.settings.method)) {
     const RenderSettings covered = with_coverage(job.settings);
     BlockResult result = render_pixels(job.with(covered), methods);
     fill_in(result);
@@ -364,9 +367,6 @@ Result<void> check_method(const RenderScene& scene, const RenderSettings& settin
     return unexpected(
         Error{"layers", fmt::format("{} renders none; these do: {}", method.name, able)});
   }
-  if (settings.layers.of_surfaces() && settings.shutter.blurs() && scene.exposure &&
-      scene.exposure->moves())
-    return unexpected(Error{"layers", "show one moment: a picture with motion blur has none"});
   const std::size_t triangles = scene.world().triangles.size();
   if (triangles <= method.most_triangles) return {};
   return unexpected(

@@ -58,7 +58,8 @@ struct MethodRow {
   /// Returns the sample placement of a method with the same number of samples in each pixel. These
   /// methods render in rounds (PixelSamples). Null for others.
   std::unique_ptr<PixelSampler> (*places)(const RenderSettings& settings) = nullptr;
-  bool takes_shapes = true;  ///< it renders analytic shapes, too
+  bool renders_layers = true;  ///< those that follow from surfaces
+  bool takes_shapes = true;    ///< it renders analytic shapes, too
   /// The largest scene that it renders.
   std::size_t most_triangles = any_number;
 
@@ -88,6 +89,12 @@ struct MethodRow {
 [[nodiscard]] RenderSettings coverage_of(RenderSettings settings);
 /// Whether the method renders the layers that follow from surfaces.
 [[nodiscard]] inline bool renders_layers(Method method) {
+  return row_of(method).renders_layers;
+}
+/// Whether a picture's coverage is its layer alpha. Methods that take more samples by contrast do
+/// not find a dark surface before a dark background, so that their coverage is a picture of its
+/// own, with samples of its own.
+[[nodiscard]] inline bool covers_by_layer(Method method) {
   return in_object_space(method) || row_of(method).places;
 }
 /// Whether it renders this one: ASOS alone estimates its error.

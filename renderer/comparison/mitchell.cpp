@@ -1,5 +1,6 @@
 #include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
+#include "renderer/samples/pixel_layers.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_sampler.h"
 
@@ -30,14 +31,20 @@ class TwoLevels {
         high_(job.settings.sampling.spp),
         pixels_(static_cast<std::size_t>(block_.width) * static_cast<std::size_t>(block_.height)),
         places_(job.settings.seed),
-        sums_(job, places_) {}
+        sums_(job, places_),
+        layers_(job.settings, pixels_) {}
 
   // Sums 0 to pixels_ - 1 hold the additional samples of each pixel. The base samples follow, one
   // sum each.
   BlockResult run() {
     sums_.resize(pixels_ * static_cast<std::size_t>(1 + base_));
+    std::vector<std::size_t> pixel_of_sum(sums_.size());
+    for (std::size_t i = 0; i < sums_.size(); ++i)
+      pixel_of_sum[i] = i < pixels_ ? i : (i - pixels_) / static_cast<std::size_t>(base_);
+    layers_.note(pixel_of_sum, 1, sums_);
     if (take_base() && high_ > base_) take_more();
     BlockResult result = sums_.block(block_);
+    result.tile.layers = layers_.planes();
     for (std::size_t pixel = 0; pixel < pixels_; ++pixel) {
       result.tile.radiance[pixel] = glm::vec3(whole(pixel).mean());
       result.tile.split_level[pixel] = contrasting_.empty() ? std::uint8_t{0} : contrasting_[pixel];
@@ -126,6 +133,7 @@ class TwoLevels {
   std::size_t pixels_;
   SobolSampler places_;
   SampleSums sums_;
+  PixelLayers layers_;
   std::vector<std::uint8_t> contrasting_;
 };
 

@@ -1,6 +1,7 @@
 #include "renderer/comparison/over_time.h"
 
 #include "renderer/comparison/method.h"
+#include "renderer/film/layer_mean.h"
 #include "renderer/film/tone.h"
 #include "renderer/pyray/error_budget.h"
 #include "renderer/samples/sample_sums.h"
@@ -41,15 +42,16 @@ class BlockOverTime {
 
   BlockResult run() {
     if (stands_still()) return row_.render(job_.at(steps_ / 2));
-    const Colours first = shot(0), last = shot(steps_);
+    const Shot first = shot(0), last = shot(steps_);
     result_ = std::move(newest_);  // the latest shot has all arrays of the method
-    sum_.assign(first.size(), glm::dvec3(0.0));
+    sum_.assign(first.colours.size(), glm::dvec3(0.0));
     bisect({0, &first}, {steps_, &last});
     for (std::size_t i = 0; i < sum_.size(); ++i) result_.tile.radiance[i] = glm::vec3(sum_[i]);
     note_motion();
     result_.tile.split_level = std::move(level_);
     result_.tile.cause = std::move(cause_);
     result_.tile.rays = std::move(rays_);
+    result_.tile.layers = layers_.planes(job_.settings.layers);
     result_.statistics = std::move(statistics_);
     result_.statistics.unresolved_area /= shots_;
     return std::move(result_);
@@ -57,9 +59,13 @@ class BlockOverTime {
 
  private:
   using Colours = std::vector<glm::vec3>;
+  struct Shot {
+    Colours colours;
+    std::vector<LayerPlane> layers;
+  };
   struct Moment {
     int number;
-    const Colours* colours;
+    const Shot* shot;
   };
 
   // Whether neither surfaces nor samples of the pixels' centres change.
@@ -86,11 +92,12 @@ class BlockOverTime {
   }
 
   // Each moment has samples of its own, so that their errors average out.
-  Colours shot(int moment) {
+  Shot shot(int moment) {
     RenderSettings settings = job_.settings;
     settings.seed = static_cast<int>(
         (static_cast<unsigned>(settings.seed) + static_cast<unsigned>(moment) * seed_step) &
         0x7fffffffu);
+    settings.layers = LayerMean::needed(settings.layers);
     newest_ = row_.render(job_.at(moment).with(settings));
     const FinishedTile& tile = newest_.tile;
     statistics_ += counted();
@@ -106,7 +113,7 @@ class BlockOverTime {
     }
     rays_.resize(tile.rays.size());
     for (std::size_t i = 0; i < tile.rays.size(); ++i) rays_[i] += tile.rays[i];
-    return tile.radiance;
+    return {tile.radiance, std::exchange(newest_.tile.layers, {})};
   }
 
   // Adds a shot's colours, as displayed, to the ranges of the pixels' colours.
@@ -147,8 +154,8 @@ class BlockOverTime {
   void bisect(Moment from, Moment to) {
     if (job_.stop.stop_requested()) return;
     const int number = (from.number + to.number) / 2;
-    const Colours colours = shot(number);
-    const Moment middle{number, &colours};
+    const Shot centre = shot(number);
+    const Moment middle{number, &centre};
     if (to.number - from.number > 2 && goes_on(from, middle, to)) {
       bisect(from, middle);
       bisect(middle, to);
@@ -156,8 +163,11 @@ class BlockOverTime {
     }
     const double weight = static_cast<double>(to.number - from.number) / (4.0 * steps_);
     for (std::size_t i = 0; i < sum_.size(); ++i)
-      sum_[i] += weight * (glm::dvec3((*from.colours)[i]) + 2.0 * glm::dvec3(colours[i]) +
-                           glm::dvec3((*to.colours)[i]));
+      sum_[i] += weight * (glm::dvec3(from.shot->colours[i]) + 2.0 * glm::dvec3(centre.colours[i]) +
+                           glm::dvec3(to.shot->colours[i]));
+    layers_.add(from.shot->layers, weight);
+    layers_.add(centre.layers, 2.0 * weight);
+    layers_.add(to.shot->layers, weight);
   }
 
   [[nodiscard]] bool goes_on(Moment from, Moment middle, Moment to) const {
@@ -169,11 +179,12 @@ class BlockOverTime {
     const double weight = static_cast<double>(to.number - from.number) / steps_;
     // The trapezoids of both halves have a quarter of the deviation as their error, at most.
     const double tolerance = 2.0 * job_.settings.asos.eps;
-    for (std::size_t i = 0; i < middle.colours->size(); ++i) {
-      const glm::dvec3 ends = 0.5 * (glm::dvec3((*from.colours)[i]) + glm::dvec3((*to.colours)[i]));
+    for (std::size_t i = 0; i < middle.shot->colours.size(); ++i) {
+      const glm::dvec3 ends =
+          0.5 * (glm::dvec3(from.shot->colours[i]) + glm::dvec3(to.shot->colours[i]));
       const glm::dvec3 off = glm::abs(
           displayed_intensity(ends, job_.settings.judged_tone) -
-          displayed_intensity(glm::dvec3((*middle.colours)[i]), job_.settings.judged_tone));
+          displayed_intensity(glm::dvec3(middle.shot->colours[i]), job_.settings.judged_tone));
       if (weight * std::max({off.x, off.y, off.z}) > tolerance) return true;
     }
     return false;
@@ -190,6 +201,7 @@ class BlockOverTime {
   std::vector<glm::dvec3> darkest_, brightest_;
   std::vector<float> rays_;
   std::vector<glm::dvec3> sum_;
+  LayerMean layers_;
 };
 
 }  // namespace

@@ -91,6 +91,7 @@ class ElongatedPixels {
         render_fat_pyray({job_.scene, view, settings_, {0, 0, 1, 1}, job_.stop});
     FinishedTile& tile = result.tile;
     tile.radiance[i] = found.tile.radiance[0];
+    copy_planes(found.tile.layers, {pixel.x, pixel.y, 1, 1}, tile.layers, job_.block);
     tile.split_level[i] = std::max(tile.split_level[i], found.tile.split_level[0]);
     if (!tile.cause.empty()) note_motion(tile.cause[i], result.statistics);
     if (!tile.rays.empty() && !found.tile.rays.empty()) tile.rays[i] += found.tile.rays[0];

@@ -2,6 +2,7 @@
 #include "renderer/prepared/render_scene.h"
 #include "renderer/pyray/fat_search.h"
 #include "renderer/samples/block_job.h"
+#include "renderer/samples/pixel_layers.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/world/surface_kind.h"
 
@@ -61,10 +62,12 @@ class BoundedBlock {
         pixels_(static_cast<std::size_t>(job.block.width) *
                 static_cast<std::size_t>(job.block.height)),
         places_(n_, true),
-        sums_(job, places_) {}
+        sums_(job, places_),
+        layers_(job_.settings, pixels_) {}
 
   BlockResult run() {
     sums_.resize(pixels_);
+    layers_.note_each(sums_);
     take_centres();
     std::vector<std::uint8_t> bounded(pixels_, 0);
     if (n_ > 1 && !job_.stop.stop_requested()) {
@@ -78,6 +81,7 @@ class BoundedBlock {
       supersample(bounded);
     }
     BlockResult result = sums_.block(job_.block);
+    result.tile.layers = layers_.planes();
     for (const std::uint8_t pixel : bounded) result.statistics.split_pixels += pixel;
     result.tile.split_level = std::move(bounded);
     return result;
@@ -125,6 +129,7 @@ class BoundedBlock {
   std::size_t pixels_;
   GridSampler places_;
   SampleSums sums_;
+  PixelLayers layers_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
+#include "renderer/samples/pixel_layers.h"
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/samples/sobol_sampler.h"
@@ -77,7 +78,8 @@ class SamplesUntilEps {
         pixels_(static_cast<std::size_t>(block_.width) * static_cast<std::size_t>(block_.height)),
         rays_(pixels_.size(), 0.0f),
         places_(job.settings.seed),
-        sums_(job, places_) {
+        sums_(job, places_),
+        layers_(job.settings, pixels_.size()) {
     for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) active_.push_back(pixel);
   }
 
@@ -92,6 +94,7 @@ class SamplesUntilEps {
     sums_.resize(pixels_.size());
     BlockResult result = sums_.block(block_);
     result.tile.rays = rays_;
+    result.tile.layers = layers_.planes();
     for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) {
       result.tile.radiance[pixel] = glm::vec3(pixels_[pixel].mean());
       result.tile.split_level[pixel] = level_of(pixels_[pixel].samples);
@@ -125,6 +128,7 @@ class SamplesUntilEps {
     const std::uint64_t rays_before = sums_.statistics().rays();
     sums_.resize(0);
     sums_.resize(parts * active_.size());
+    layers_.note(active_, parts, sums_);
     const float side = sample_side(width_, end);
     for (std::size_t k = 0; k < active_.size(); ++k) {
       const auto pixel = static_cast<int>(active_[k]);
@@ -165,6 +169,7 @@ class SamplesUntilEps {
   std::vector<std::size_t> active_;  // pixels still being sampled, in order
   SobolSampler places_;
   SampleSums sums_;  // of this round
+  PixelLayers layers_;
 };
 
 }  // namespace

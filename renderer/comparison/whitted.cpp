@@ -1,4 +1,5 @@
 #include "renderer/comparison/whitted_spheres.h"
+#include "renderer/film/layer_sums.h"
 #include "renderer/film/tone.h"
 #include "renderer/samples/block_job.h"
 #include "renderer/samples/sample_sums.h"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -49,6 +51,9 @@ class AdaptiveBlock {
     result_.tile.split_level.assign(pixels, 0);
     sum_.resize(pixels, glm::dvec3(0.0));
     area_.resize(pixels, 0.0);
+    if (!job.settings.layers.of_surfaces()) return;
+    layers_.resize(pixels);
+    sums_.note_layers(job_.settings, corner_targets_);
   }
 
   BlockResult run() {
@@ -79,12 +84,22 @@ class AdaptiveBlock {
   }
 
   void take_pixels_corners() {
-    sums_.resize(pixels_corners());
+    resize(pixels_corners());
     for (int y = 0; y <= job_.block.height; ++y) {
       for (int x = 0; x <= job_.block.width; ++x)
         take({x << depth_, y << depth_}, 0, pixels_corner(x, y));
     }
     trace();
+  }
+
+  // Makes room for the samples of so many corners, and for their layers.
+  void resize(std::size_t corners) {
+    sums_.resize(corners);
+    if (layers_.empty()) return;
+    while (corner_layers_.size() > corners) corner_layers_.pop_back();
+    corner_targets_.surfaces.resize(corner_layers_.size());
+    corner_targets_.light.resize(corner_layers_.size());
+    while (corner_layers_.size() < corners) corner_targets_.add(corner_layers_.emplace_back());
   }
 
   void trace() {
@@ -98,7 +113,7 @@ class AdaptiveBlock {
   // Subdivides the pixels of a part of the block, level by level.
   void subdivide(PixelRect part) {
     finer_.clear();
-    sums_.resize(pixels_corners());
+    resize(pixels_corners());
     shown_.resize(pixels_corners());
     std::vector<CornerSquare> squares, quarters;
     for (int y = part.y; y < part.y + part.height; ++y) {
@@ -137,6 +152,10 @@ class AdaptiveBlock {
     if (all.count == 0) return;
     sum_[square.pixel] += area * all.mean();
     area_[square.pixel] += area;
+    if (layers_.empty()) return;
+    LayerSum corners;
+    for (const std::size_t i : square.samples) corners.add(corner_layers_[i], 1.0);
+    layers_[square.pixel].add(corners, area);
   }
 
   // Splits a square into quarters, and samples their new corners.
@@ -163,7 +182,7 @@ class AdaptiveBlock {
                               static_cast<std::uint32_t>(corner.x);
     const auto [found, is_new] = finer_.try_emplace(key, sums_.size());
     if (is_new) {
-      sums_.resize(sums_.size() + 1);
+      resize(sums_.size() + 1);
       take(corner, level, found->second);
     }
     return found->second;
@@ -229,6 +248,7 @@ class AdaptiveBlock {
                                                      : glm::vec3(0.0f));
       result_.statistics.split_pixels += result_.tile.split_level[i] > 0;
     }
+    if (!layers_.empty()) result_.tile.layers = planes_of(layers_, job_.settings.layers);
     return std::move(result_);
   }
 
@@ -243,6 +263,9 @@ class AdaptiveBlock {
   std::vector<glm::vec3> shown_;                          // display intensities of the samples
   std::vector<glm::dvec3> sum_;
   std::vector<double> area_;
+  std::vector<LayerSum> layers_;        // of each pixel; empty: none is asked for
+  std::deque<LayerSum> corner_layers_;  // of each sample, at a fixed place
+  LayerTargets corner_targets_;         // these
   BlockResult result_;
 };
 

@@ -11,8 +11,12 @@
 namespace asos {
 namespace {
 
+bool is_radiance(Layer layer) {
+  return layer == Layer::beauty || LayerSet{layer}.of_light();
+}
+
 bool shows_colour(Layer layer) {
-  return layer == Layer::beauty || layer == Layer::albedo || layer == Layer::emission;
+  return layer == Layer::albedo || is_radiance(layer);
 }
 
 bool is_normal(Layer layer) {
@@ -113,7 +117,7 @@ glm::u8vec3 layer_colour(const Film& film, Layer layer, std::size_t pixel, const
   if (count == 0 || !std::isfinite(values[0])) return glm::u8vec3(0);
   if (count == 1) return heat_colour(scale.at(values[0]));
   const glm::vec3 value(values[0], values[1], values[2]);
-  if (layer == Layer::emission) return display_bytes(value, display);
+  if (is_radiance(layer)) return display_bytes(value, display);
   if (shows_colour(layer)) return display_bytes(value, 0.0f);
   return bytes_of_shares({scale.at(value.x, 0), scale.at(value.y, 1), scale.at(value.z, 2)});
 }

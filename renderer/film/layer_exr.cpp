@@ -65,8 +65,12 @@ class Channels {
     }
     const LayerPlane* plane = find_plane(film_.layers, layer);
     if (!plane) return;
-    if (layer == Layer::object)
-      return add_ids("CryptoObject", "object", *plane, options.object_names);
+    if (layer == Layer::object) {
+      add_ids("CryptoObject", "object", *plane, options.object_names);
+      if (!options.asset_names.empty())
+        add_ids("CryptoAsset", "asset", *plane, options.asset_names);
+      return;
+    }
     if (layer == Layer::material)
       return add_ids("CryptoMaterial", "material", *plane, options.material_names);
     add_plane(layer, plane->values.data());

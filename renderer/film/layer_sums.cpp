@@ -5,7 +5,41 @@
 namespace asos {
 namespace {
 
-using IdWeights = std::vector<std::pair<std::uint32_t, double>>;
+glm::vec3 vector_of(const LayerSum& pixel, Layer layer) {
+  const double scale = pixel.weight > 0.0 ? 1.0 / pixel.weight : 0.0;
+  switch (layer) {
+    case Layer::direct:
+      return {pixel.light.mean(LightPart::direct)};
+    case Layer::emission:
+      return {pixel.light.mean(LightPart::emission)};
+    case Layer::reflection:
+      return {pixel.light.mean(LightPart::reflection)};
+    case Layer::transmission:
+      return {pixel.light.mean(LightPart::transmission)};
+    case Layer::background:
+      return {pixel.light.mean(LightPart::background)};
+    case Layer::alpha:
+      return glm::vec3(static_cast<float>(pixel.alpha * scale));
+    case Layer::albedo:
+      return {pixel.albedo * scale};
+    case Layer::normal:
+      return {pixel.normal * scale};
+    case Layer::geometric_normal:
+      return {pixel.geometric_normal * scale};
+    case Layer::position:
+      return pixel.nearest.position;
+    case Layer::uv:
+      return {pixel.nearest.uv, 0.0f};
+    case Layer::depth:
+      return glm::vec3(pixel.nearest.depth);
+    case Layer::distance:
+      return glm::vec3(pixel.nearest.distance);
+    default:
+      return glm::vec3(0.0f);
+  }
+}
+
+}  // namespace
 
 void add_id(IdWeights& ids, std::uint32_t id, double weight) {
   for (auto& [known, sum] : ids) {
@@ -26,34 +60,6 @@ IdShares shares_of(const IdWeights& ids, double weight) {
   return shares;
 }
 
-glm::vec3 vector_of(const LayerSum& pixel, Layer layer) {
-  const double scale = 1.0 / pixel.weight;
-  switch (layer) {
-    case Layer::alpha:
-      return glm::vec3(static_cast<float>(pixel.alpha * scale));
-    case Layer::albedo:
-      return {pixel.albedo * scale};
-    case Layer::emission:
-      return {pixel.emission * scale};
-    case Layer::normal:
-      return {pixel.normal * scale};
-    case Layer::geometric_normal:
-      return {pixel.geometric_normal * scale};
-    case Layer::position:
-      return pixel.nearest.position;
-    case Layer::uv:
-      return {pixel.nearest.uv, 0.0f};
-    case Layer::depth:
-      return glm::vec3(pixel.nearest.depth);
-    case Layer::distance:
-      return glm::vec3(pixel.nearest.distance);
-    default:
-      return glm::vec3(0.0f);
-  }
-}
-
-}  // namespace
-
 void LayerSum::add(const LayerSample& sample, double sample_weight) {
   weight += sample_weight;
   add_id(objects, sample.object, sample_weight);
@@ -61,13 +67,13 @@ void LayerSum::add(const LayerSample& sample, double sample_weight) {
   if (sample.object == no_id) return;
   alpha += sample_weight * static_cast<double>(sample.alpha);
   albedo += sample_weight * glm::dvec3(sample.albedo);
-  emission += sample_weight * glm::dvec3(sample.emission);
   normal += sample_weight * glm::dvec3(sample.normal);
   geometric_normal += sample_weight * glm::dvec3(sample.geometric_normal);
   if (sample.distance < nearest.distance) nearest = sample;
 }
 
 void LayerSum::add(const LayerSum& part, double part_weight) {
+  light.add(part.light, part_weight);
   if (!(part.weight > 0.0)) return;
   const double scale = part_weight / part.weight;
   weight += part_weight;
@@ -75,7 +81,6 @@ void LayerSum::add(const LayerSum& part, double part_weight) {
   for (const auto& [id, sum] : part.materials) add_id(materials, id, scale * sum);
   alpha += scale * part.alpha;
   albedo += scale * part.albedo;
-  emission += scale * part.emission;
   normal += scale * part.normal;
   geometric_normal += scale * part.geometric_normal;
   if (part.nearest.distance < nearest.distance) nearest = part.nearest;
@@ -88,8 +93,8 @@ std::vector<LayerPlane> planes_of(std::span<const LayerSum> pixels, LayerSet lay
     if (!row.of_surfaces()) continue;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       const LayerSum& pixel = pixels[i];
-      if (!(pixel.weight > 0.0)) continue;
       if (row.holds_ids()) {
+        if (!(pixel.weight > 0.0)) continue;
         plane.ids[i] =
             shares_of(plane.layer == Layer::object ? pixel.objects : pixel.materials, pixel.weight);
         continue;

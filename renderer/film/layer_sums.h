@@ -1,9 +1,11 @@
 #pragma once
 
 #include "renderer/film/layers.h"
+#include "renderer/film/light_parts.h"
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -16,7 +18,6 @@ namespace asos {
 struct LayerSample {
   float alpha = 0.0f;
   glm::vec3 albedo{0.0f};
-  glm::vec3 emission{0.0f};
   glm::vec3 normal{0.0f};
   glm::vec3 geometric_normal{0.0f};
   glm::vec3 position{0.0f};
@@ -27,22 +28,40 @@ struct LayerSample {
   std::uint32_t material = no_id;
 };
 
+/// Weights of ids, in order of arrival.
+using IdWeights = std::vector<std::pair<std::uint32_t, double>>;
+void add_id(IdWeights& ids, std::uint32_t id, double weight);
+/// Returns their fractions of `weight`, largest first.
+[[nodiscard]] IdShares shares_of(const IdWeights& ids, double weight);
+
 /// The surface layers of one pixel, or of a part of one, as sums over its leaves or samples.
 struct LayerSum {
   double weight = 0.0;  ///< of all samples together
-  double alpha = 0.0;   ///< this and the next four: weighted sums
+  double alpha = 0.0;   ///< this and the next three: weighted sums
   glm::dvec3 albedo{0.0};
-  glm::dvec3 emission{0.0};
   glm::dvec3 normal{0.0};
   glm::dvec3 geometric_normal{0.0};
+  LightSum light;       ///< of the samples whose radiance counts
   LayerSample nearest;  ///< the sample nearest to the eye
-  std::vector<std::pair<std::uint32_t, double>>
-      objects;  ///< weight of each id, in order of arrival
-  std::vector<std::pair<std::uint32_t, double>> materials;
+  IdWeights objects;
+  IdWeights materials;
 
   void add(const LayerSample& sample, double sample_weight);
   /// Adds a part that was sampled by itself, so that it has this weight.
   void add(const LayerSum& part, double part_weight);
+};
+
+/// The sums to which samples add their layers: those of target i are number i / `targets_each`.
+/// Null: none.
+struct LayerTargets {
+  std::vector<LayerSum*> surfaces;
+  std::vector<LightSum*> light;
+  std::size_t targets_each = 1;
+
+  void add(LayerSum& sum) {
+    surfaces.push_back(&sum);
+    light.push_back(&sum.light);
+  }
 };
 
 /// The planes of `layers` that follow from surfaces; `error`, if it is one of them, stays 0.

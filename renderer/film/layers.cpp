@@ -17,8 +17,16 @@ constexpr std::array<LayerRow, layer_count> layer_rows{{
      "Share of the pixel that surfaces hide"},
     {Layer::albedo, "albedo", "Albedo", "RGB", LayerFilter::mean, "1",
      "Base colour, of unlit surfaces too"},
+    {Layer::direct, "direct", "Direct light", "RGB", LayerFilter::mean, "linear radiance",
+     "Light of lamps and sky that surfaces scatter"},
     {Layer::emission, "emission", "Emission", "RGB", LayerFilter::mean, "linear radiance",
-     "Light that surfaces send out"},
+     "Light that surfaces send out, unlit ones too"},
+    {Layer::reflection, "reflection", "Reflection", "RGB", LayerFilter::mean, "linear radiance",
+     "Light along reflected rays"},
+    {Layer::transmission, "transmission", "Transmission", "RGB", LayerFilter::mean,
+     "linear radiance", "Light along refracted rays"},
+    {Layer::background, "background", "Background", "RGB", LayerFilter::mean, "linear radiance",
+     "Background behind all surfaces"},
     {Layer::position, "position", "Position", "XYZ", LayerFilter::nearest, "m",
      "Position in the scene's coordinates"},
     {Layer::depth, "depth", "Depth", "Z", LayerFilter::nearest, "m",
@@ -42,7 +50,7 @@ constexpr std::array<LayerRow, layer_count> layer_rows{{
     {Layer::rays, "rays", "Rays", "V", LayerFilter::pixel, "rays", "Rays cast for the pixel"},
     {Layer::time, "time", "Time", "V", LayerFilter::pixel, "s", "Processor time of the pixel"},
     {Layer::error, "error", "Error estimate", "V", LayerFilter::pixel, "display intensity",
-     "Estimated error of the pixel; 1 is white"},
+     "Estimated error of the pixel; 1 is white, infinite: unknown"},
 }};
 
 static_assert([] {
@@ -139,8 +147,9 @@ LayerPlane::LayerPlane(Layer of, std::size_t pixels) : layer(of) {
     ids.assign(pixels, {{no_id, 1.0f}});
     return;
   }
-  const bool far = of == Layer::depth || of == Layer::distance;
-  values.assign(pixels * row.channel_count(), far ? std::numeric_limits<float>::infinity() : 0.0f);
+  const bool infinite = of == Layer::depth || of == Layer::distance || of == Layer::error;
+  values.assign(pixels * row.channel_count(),
+                infinite ? std::numeric_limits<float>::infinity() : 0.0f);
 }
 
 bool has_plane(Layer layer) {

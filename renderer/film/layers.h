@@ -19,7 +19,11 @@ enum class Layer : std::uint8_t {
   beauty,
   alpha,
   albedo,
+  direct,
   emission,
+  reflection,
+  transmission,
+  background,
   position,
   depth,
   distance,
@@ -81,6 +85,11 @@ class LayerSet {
   [[nodiscard]] std::vector<Layer> layers() const;
   /// Whether one of them follows from the surfaces that a pixel shows.
   [[nodiscard]] bool of_surfaces() const;
+  /// Whether one of them is a part of the radiance (LightPart).
+  [[nodiscard]] constexpr bool of_light() const {
+    return has(Layer::direct) || has(Layer::emission) || has(Layer::reflection) ||
+           has(Layer::transmission) || has(Layer::background);
+  }
   [[nodiscard]] bool has_ids() const { return has(Layer::object) || has(Layer::material); }
   bool operator==(const LayerSet&) const = default;
 
@@ -116,7 +125,7 @@ struct LayerPlane {
   std::vector<IdShares> ids;  ///< instead, of layers that hold ids
 
   LayerPlane() = default;
-  /// Makes a plane of so many pixels: zeros, the background, and infinite depths.
+  /// Makes a plane of so many pixels: zeros, the background, infinite depths and errors.
   LayerPlane(Layer of, std::size_t pixels);
   /// The pixel's values; empty for ids.
   [[nodiscard]] std::span<const float> at(std::size_t pixel) const {

@@ -1,8 +1,11 @@
 #include "renderer/picture/exr_picture.h"
 
+#include <fmt/format.h>
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace asos {
 namespace {
@@ -37,6 +40,21 @@ glm::dmat4 camera_to_ndc(const Camera& camera, const RenderSettings& settings) {
   return ndc;
 }
 
+// The asset of an object is the top-level node that it belongs to, or else the object itself.
+std::vector<std::string> assets_of(const RenderScene& scene, std::vector<std::string> objects) {
+  const SceneContents& contents = scene.geometry->contents;
+  if (contents.object_nodes.size() != objects.size()) return objects;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    int node = contents.object_nodes[i];
+    if (node < 0) continue;
+    const auto parent = [&] { return contents.nodes[static_cast<std::size_t>(node)].parent; };
+    while (parent() >= 0) node = parent();
+    objects[i] = contents.nodes[static_cast<std::size_t>(node)].name;
+    if (objects[i].empty()) objects[i] = fmt::format("node {}", node + 1);
+  }
+  return objects;
+}
+
 }  // namespace
 
 ExrOptions exr_options(const RenderScene& scene, const Camera& camera,
@@ -47,6 +65,7 @@ ExrOptions exr_options(const RenderScene& scene, const Camera& camera,
   options.world_to_ndc = camera_to_ndc(camera, settings) * *options.world_to_camera;
   if (!settings.layers.has_ids()) return options;
   for (const Part& part : scene.world().parts) options.object_names.push_back(part.name);
+  options.asset_names = assets_of(scene, options.object_names);
   for (const Material& material : scene.world().materials)
     options.material_names.push_back(material.name);
   return options;

@@ -35,8 +35,8 @@ class OneBounce final : public LightTransport {
 
 }  // namespace
 
-void BouncedLight::follow(std::span<const SkyRay> rays, SampledLights& lights,
-                          std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
+void BouncedLight::follow(std::span<const SkyRay> rays, SampledLights& lights, RadianceSums sums,
+                          RenderStatistics& counts) {
   if (rays.empty()) return;
   rays_.clear();
   for (const SkyRay& from : rays) rays_.push_back(from.ray);
@@ -54,7 +54,7 @@ void BouncedLight::follow(std::span<const SkyRay> rays, SampledLights& lights,
     OneBounce transport(lights, from);
     const glm::vec3 radiance = from.weight * shader_->radiance(seen, transport, counts);
     if (std::isfinite(radiance.x + radiance.y + radiance.z)) {
-      sums[from.target] += glm::dvec3(radiance);
+      sums.add(from.target, glm::dvec3(radiance));
     } else {
       ++counts.rejected_samples;
       lights.forget_since(before);

@@ -23,7 +23,7 @@ class BouncedLight {
 
   /// Adds the radiance along the rays to their sums. Lights and sky at their hits are deferred in
   /// `lights`. Changes the current sample of `places`.
-  void follow(std::span<const SkyRay> rays, SampledLights& lights, std::vector<glm::dvec3>& sums,
+  void follow(std::span<const SkyRay> rays, SampledLights& lights, RadianceSums sums,
               RenderStatistics& counts);
 
  private:

@@ -29,7 +29,7 @@ LayerProbe::LayerProbe(const RenderScene& scene, const ViewContext& viewer,
       viewer_(&viewer),
       layers_(settings.layers),
       points_(layers_.has(Layer::normal) || layers_.has(Layer::geometric_normal)),
-      materials_(layers_.has(Layer::albedo) || layers_.has(Layer::emission)),
+      materials_(layers_.has(Layer::albedo)),
       mips_(settings.texture.filter == TextureFilter::footprint ? &scene.mips() : nullptr) {
   if (layers_.has(Layer::alpha) && scene.render_features.alpha_blend)
     coverage_.emplace(coverage_shader(scene, viewer.view, settings));
@@ -70,7 +70,6 @@ void LayerProbe::add_surface(const ViewedRay& seen, LayerSample& sample) const {
   const SurfaceMaterial material = surface_material(
       world, scene_->render_features, hit, point.footprint, extent.point() ? nullptr : mips_);
   sample.albedo = material.base_color;
-  sample.emission = material.emission;
 }
 
 float LayerProbe::alpha(const ViewedRay& seen, RenderStatistics& counts) const {

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
-#include <utility>
 
 namespace asos {
 namespace {
@@ -14,29 +12,7 @@ glm::dvec3 shown(const SampleSums::Sum& sum) {
   return glm::clamp(sum.mean(), glm::dvec3(0.0), glm::dvec3(1.0));
 }
 
-/// A camera's view of a job for its layers.
-struct LayerEye {
-  explicit LayerEye(const BlockJob& job)
-      : shader(shader_of(job.scene, job.settings, job.view)),
-        viewer(ViewContext::camera(job.view, shader)),
-        probe(job.scene, viewer, job.settings) {}
-  LayerEye(const LayerEye&) = delete;
-  LayerEye& operator=(const LayerEye&) = delete;
-
-  Shader shader;
-  ViewContext viewer;
-  LayerProbe probe;
-};
-
 }  // namespace
-
-void PixelSamples::note_layers(LayerSet asked, const LayerProbe& probe, SampleSums& sums) {
-  asked_ = asked;
-  layers_.resize(sums_.size());
-  std::vector<LayerSum*> of_pixels;
-  for (LayerSum& layer : layers_) of_pixels.push_back(&layer);
-  sums.note_layers(&probe, std::move(of_pixels), 1);
-}
 
 PixelSamples::PixelSamples(PixelRect block)
     : block_(block),
@@ -51,10 +27,12 @@ void PixelSamples::advance(const BlockJob& job, PixelSampler& places, int end, i
   if (end <= taken_) return;
   SampleSums sums(job, places);
   sums.resize(sums_.size());
-  std::optional<LayerEye> eye;
+  LayerTargets targets;
   if (job.settings.layers.of_surfaces()) {
-    eye.emplace(job);
-    note_layers(job.settings.layers, eye->probe, sums);
+    asked_ = job.settings.layers;
+    layers_.resize(sums_.size());
+    for (LayerSum& layer : layers_) targets.add(layer);
+    sums.note_layers(job.settings, targets);
   }
   for (std::size_t i = 0; i < sums_.size(); ++i) sums.continue_from(i, sums_[i]);
   const double width = job.settings.filter_width;

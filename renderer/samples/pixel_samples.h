@@ -45,8 +45,6 @@ class PixelSamples {
   [[nodiscard]] const std::vector<float>& moved() const { return moved_; }
 
  private:
-  void note_layers(LayerSet asked, const LayerProbe& probe, SampleSums& sums);
-
   PixelRect block_;
   int taken_ = 0;
   std::vector<SampleSums::Sum> sums_;

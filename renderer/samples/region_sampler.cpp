@@ -98,7 +98,7 @@ RegionSampler::Open RegionSampler::take_open() {
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const Waiting& waiting = waiting_[i];
     if (waiting.done) continue;
-    if (probe_) open.layers_.push_back(std::move(layers_[i]));
+    if (with_layers_) open.layers_.push_back(std::move(layers_[i]));
     Waiting& kept = open.waiting_.emplace_back(waiting);
     kept.first_edge = open.borders_.size();
     const auto edges = std::span(borders_).subspan(waiting.first_edge, waiting.edges);
@@ -115,8 +115,8 @@ std::span<const RegionSampler::Estimate> RegionSampler::resume(Open&& open,
   waiting_ = std::move(open.waiting_);
   borders_ = std::move(open.borders_);
   make_room();
-  if (probe_) layers_ = std::move(open.layers_);
-  if (probe_) note_layers_of_waiting(sums_);
+  if (with_layers_) layers_ = std::move(open.layers_);
+  note_layers_of_waiting();
   std::size_t next = 0;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const Waiting& waiting = waiting_[i];
@@ -137,16 +137,20 @@ void RegionSampler::make_room() {
   sums_.resize(0);
   sums_.resize(most_sums * waiting_.size());
   found_.assign(waiting_.size(), {});
-  if (!probe_) return;
+  if (!with_layers_) return;
   layers_.assign(waiting_.size(), {});
-  note_layers_of_waiting(sums_);
+  note_layers_of_waiting();
 }
 
-void RegionSampler::note_layers_of_waiting(SampleSums& sums) {
-  std::vector<LayerSum*> targets;
-  for (std::size_t i = 0; i < waiting_.size(); ++i)
-    targets.push_back(waiting_[i].layer_samples > 0 ? &layers_[i] : nullptr);
-  sums.note_layers(probe_, std::move(targets), most_sums);
+void RegionSampler::note_layers_of_waiting() {
+  if (!with_layers_) return;
+  targets_ = {};
+  targets_.targets_each = most_sums;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    targets_.surfaces.push_back(waiting_[i].layer_samples > 0 ? &layers_[i] : nullptr);
+    targets_.light.push_back(&layers_[i].light);
+  }
+  sums_.note_layers(*settings_, targets_);
 }
 
 // Adds eye rays to regions whose radiance converged early: few samples may not give the coverage of
@@ -155,10 +159,10 @@ void RegionSampler::add_samples_for_layers(RenderStatistics& counts) {
   const auto needs_more = [](const Waiting& waiting) {
     return waiting.done && waiting.taken < waiting.layer_samples;
   };
-  if (!probe_ || std::none_of(waiting_.begin(), waiting_.end(), needs_more)) return;
+  if (!with_layers_ || std::none_of(waiting_.begin(), waiting_.end(), needs_more)) return;
   SampleSums rays(*scene_, *viewer_, *settings_, places_, SampleSums::SummedRadiance::layers);
   rays.resize(most_sums * waiting_.size());
-  note_layers_of_waiting(rays);
+  rays.note_layers(*settings_, targets_);
   for (const Waiting& waiting : waiting_) {
     if (!needs_more(waiting)) continue;
     Waiting more = waiting;

@@ -52,10 +52,11 @@ class RegionSampler {
     bool one_round = false;     ///< the first round was enough
   };
 
-  /// From now on regions may have layers, too; `probe` has to outlive this.
-  void note_layers(const LayerProbe& probe) { probe_ = &probe; }
+  /// From now on regions have the layers that the settings ask for, too.
+  void note_layers() { with_layers_ = settings_->layers.of_surfaces(); }
   /// Puts a region off until `run`; its number among those that wait, from 0. With layers, its
-  /// samples and as many more eye rays as make `layer_samples` are summed up to them.
+  /// samples and as many more eye rays as make `layer_samples` are summed up to them; 0: its layers
+  /// are only the parts of its radiance.
   std::size_t add(const LeafRegion& region, const Goal& goal, std::uint32_t layer_samples = 0);
   /// Samples all waiting regions and empties the queue. Returns their estimates by number, valid
   /// until the next call. Each round doubles the number of samples, until the means of eighths of a
@@ -71,7 +72,7 @@ class RegionSampler {
   std::span<const Estimate> start(RenderStatistics& counts, double times);
   /// Returns whether `start` left region `number` open.
   [[nodiscard]] bool open(std::size_t number) const { return !waiting_[number].done; }
-  /// The layers of a region after `start` or `resume`, as sums over its samples.
+  /// The layers of a region after `run`, `start` or `resume`, as sums over its samples.
   [[nodiscard]] const LayerSum& layers(std::size_t number) const { return layers_[number]; }
   /// Regions that were left open, in their order, with their samples so far.
   class Open;
@@ -106,7 +107,7 @@ class RegionSampler {
   void make_room();
   void sample_stage(double times, RenderStatistics& counts, const BlurKernel* kernel);
   void forget();
-  void note_layers_of_waiting(SampleSums& sums);
+  void note_layers_of_waiting();
   void add_samples_for_layers(RenderStatistics& counts);
   void add_round(Waiting& waiting, const BlurKernel* kernel);
   void add_samples(SampleSums& sums, Waiting& waiting, std::uint32_t end, const BlurKernel* kernel);
@@ -124,8 +125,9 @@ class RegionSampler {
   const RenderScene* scene_;
   const ViewContext* viewer_;
   const RenderSettings* settings_;
-  const LayerProbe* probe_ = nullptr;
-  std::vector<LayerSum> layers_;  // of each region that waits; none without a probe
+  bool with_layers_ = false;
+  std::vector<LayerSum> layers_;  // of each region that waits; none without layers
+  LayerTargets targets_;          // these
   std::vector<Waiting> waiting_;
   std::vector<BorderEdge> borders_;
   std::vector<Estimate> found_;
@@ -135,6 +137,8 @@ class RegionSampler {
 class RegionSampler::Open {
  public:
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
+  /// The layers of region `number` so far.
+  [[nodiscard]] const LayerSum& layers(std::size_t number) const { return layers_[number]; }
   [[nodiscard]] std::size_t bytes() const {
     return waiting_.size() * sizeof(Waiting) + borders_.size() * sizeof(BorderEdge) +
            sums_.size() * sizeof(SampleSums::Sum) + layers_.size() * sizeof(LayerSum);

@@ -1,6 +1,7 @@
 #include "renderer/samples/sample_sums.h"
 
 #include "renderer/reflections/own_side.h"
+#include "renderer/samples/one_sample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,74 +13,6 @@
 #include <vector>
 
 namespace asos {
-namespace {
-
-/// Collects the lights and reflections of one sample. One object per sample.
-class OneSample final : public LightTransport {
- public:
-  OneSample(SampledLights& lights, SampledReflections& reflections, const Shader& shader,
-            const PointSample& sample, glm::vec3 weight)
-      : lights_(lights),
-        reflections_(reflections),
-        shader_(shader),
-        sample_(sample),
-        weight_(weight) {}
-
-  HandledLights gather(const LightingQuery& point) override {
-    return lights_.gather(point, {sample_.x, sample_.y, sample_.index}, {sample_.target, weight_});
-  }
-  void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
-    lights_.add(lit, {sample_.target, weight_}, counts);
-  }
-  bool add_sky(const SkyQuery& point, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
-    const SampleWeight share{sample_.target, weight_};
-    if (shader_.settings().bounces) {
-      lights_.add_sky_ray(point, {sample_.x, sample_.y, sample_.index}, share, counts);
-    } else {
-      lights_.add_sky(point, share, counts);
-    }
-    return true;
-  }
-  bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
-               RenderStatistics& /*counts*/) override {
-    reflections_.add(reflection, sample_, weight_, shader_);
-    return true;
-  }
-
- private:
-  SampledLights& lights_;
-  SampledReflections& reflections_;
-  const Shader& shader_;
-  const PointSample& sample_;
-  glm::vec3 weight_;
-};
-
-/// Collects only the lobes' reflections at the first surfaces of a sample.
-class OneLobeSample final : public LightTransport {
- public:
-  OneLobeSample(SampledReflections& reflections, const Shader& shader, const PointSample& sample)
-      : reflections_(reflections), shader_(shader), sample_(sample) {}
-
-  HandledLights gather(const LightingQuery& /*point*/) override { return {.all = true}; }
-  void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
-           RenderStatistics& /*counts*/) override {}
-  bool add_sky(const SkyQuery& /*point*/, glm::vec3& /*radiance*/,
-               RenderStatistics& /*counts*/) override {
-    return true;
-  }
-  bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
-               RenderStatistics& /*counts*/) override {
-    if (reflection.lobe) reflections_.add(reflection, sample_, glm::vec3(1.0f), shader_);
-    return true;
-  }
-
- private:
-  SampledReflections& reflections_;
-  const Shader& shader_;
-  const PointSample& sample_;
-};
-
-}  // namespace
 
 /// Made moment by moment, as samples ask for them.
 struct SampleSums::Moving {
@@ -146,6 +79,13 @@ void SampleSums::widen_colours(float times) {
   simd_.widen_colours(times);
 }
 
+void SampleSums::note_layers(const RenderSettings& settings, const LayerTargets& targets) {
+  if (!settings.layers.of_surfaces()) return;
+  layers_ = &targets;
+  layer_settings_ = &settings;
+  light_ = settings.layers.of_light();
+}
+
 bool SampleSums::add_moving(const PointSample& sample) {
   places_->start_pixel(sample.x, sample.y);
   places_->start_sample(sample.index);
@@ -155,6 +95,7 @@ bool SampleSums::add_moving(const PointSample& sample) {
     at.reset(new SampleSums(moving_->picture->scene(moment), moving_->picture->view(moment),
                             *moving_->settings, *places_, &own_));
     at->widen_colours(colours_);
+    if (layers_) at->note_layers(*layer_settings_, *layers_);
   }
   return at->add(sample);
 }
@@ -184,7 +125,7 @@ void SampleSums::trace() {
     return;
   }
   if (!std::exchange(hits_known_, false)) cast_rays();
-  if (!layers_.empty()) add_layers();
+  if (layers_ && !layers_->surfaces.empty()) add_layers();
   if (shows_ == SummedRadiance::layers) {
     used_ = 0;
     return;
@@ -195,8 +136,8 @@ void SampleSums::trace() {
     shade_batch();
   }
   follow_reflections();
-  bounced_.follow(lights_.take_sky_rays(), lights_, radiance_, statistics_);
-  lights_.trace(radiance_, statistics_);
+  bounced_.follow(lights_.take_sky_rays(), lights_, sums(), statistics_);
+  lights_.trace(sums(), statistics_);
   used_ = 0;
 }
 
@@ -218,8 +159,9 @@ void SampleSums::cast_rays() {
 
 // The layers of the samples that wait.
 void SampleSums::add_layers() {
+  if (!probe_) probe_.emplace(*scene_, viewer_, *layer_settings_);
   for (std::size_t i = 0; i < used_; ++i) {
-    LayerSum* sum = layers_[samples_[i].target / targets_a_layer_];
+    LayerSum* sum = layers_->surfaces[samples_[i].target / layers_->targets_each];
     if (sum) sum->add(probe_->at(seen_by(i, samples_[i].side), statistics_), 1.0);
   }
 }
@@ -256,7 +198,7 @@ void SampleSums::gather_lobes() {
   std::size_t alone = 0;
   for (std::size_t i = 0; i < used_; ++i) {
     hit_[samples_[i].target] = hits_[i];
-    ++count_[samples_[i].target];
+    count(samples_[i].target);
     if (hits_[i].valid() && !simd_.add(i, rays_[i], hits_[i], samples_[i].side))
       alone_[alone++] = i;
   }
@@ -294,8 +236,9 @@ void SampleSums::shade_batch() {
     hit_[samples_[i].target] = hits_[i];
     if (simd_.add(i, rays_[i], hits_[i], samples_[i].side)) continue;
     if (!hits_[i].valid() && simd_.background()) {
-      radiance_[samples_[i].target] += glm::dvec3(*simd_.background());
-      ++count_[samples_[i].target];
+      const glm::dvec3 background(*simd_.background());
+      sums().add({samples_[i].target}, background, glm::dvec3(0.0), background);
+      count(samples_[i].target);
     } else {
       alone_[alone++] = i;
     }
@@ -307,7 +250,7 @@ void SampleSums::shade_batch() {
     const PointSample& sample = samples_[alone_[k]];
     if (k == 0 || sample.x != samples_[alone_[k - 1]].x || sample.y != samples_[alone_[k - 1]].y)
       places_->start_pixel(sample.x, sample.y);
-    if (shade(sample, glm::vec3(1.0f), seen_by(alone_[k], sample.side))) ++count_[sample.target];
+    if (shade(sample, glm::vec3(1.0f), seen_by(alone_[k], sample.side))) count(sample.target);
   }
 }
 
@@ -323,7 +266,7 @@ bool SampleSums::shade_plain() {
     const std::size_t index = simd_.index(i);
     const PointSample& sample = samples_[index];
     gathered.samples[i] = {sample.x, sample.y, sample.index};
-    gathered.targets[i] = sample.target;
+    gathered.targets[i] = {sample.target};
     bool mirrors = false;
     if (sky_rays || lights_.picks_lights() || simd_.may_mirror(i)) {
       places_->start_pixel(sample.x, sample.y);
@@ -335,13 +278,15 @@ bool SampleSums::shade_plain() {
       mirrors =
           simd_.reflect(i, seen_by(index, sample.side), gathered.points, transport, statistics_);
     }
+    const glm::dvec3 emission(simd_.emission(i));
     if (sky_rays) {
-      radiance_[sample.target] += glm::dvec3(simd_.emission(i));
+      sums().add({sample.target}, emission, emission, glm::dvec3(0.0));
       simd_.add_sky(i, gathered.points, mirrors, transport, statistics_);
     } else {
-      radiance_[sample.target] += glm::dvec3(simd_.unlit_radiance(i, gathered.points, mirrors));
+      const glm::dvec3 radiance(simd_.unlit_radiance(i, gathered.points, mirrors));
+      sums().add({sample.target}, radiance, emission, glm::dvec3(0.0));
     }
-    ++count_[sample.target];
+    count(sample.target);
   }
   return true;
 }
@@ -355,7 +300,9 @@ bool SampleSums::shade(const PointSample& sample, glm::vec3 weight, const Viewed
   OneSample transport(lights_, reflections_, viewer_.shader, sample, weight);
   const glm::vec3 radiance = weight * viewer_.shader.radiance(seen, transport, statistics_);
   if (std::isfinite(radiance.x + radiance.y + radiance.z)) {
-    radiance_[sample.target] += glm::dvec3(radiance);
+    sums().add({sample.target, sample.part}, glm::dvec3(radiance),
+               glm::dvec3(weight * transport.emission()),
+               glm::dvec3(weight * transport.background()));
     return true;
   }
   ++statistics_.rejected_samples;

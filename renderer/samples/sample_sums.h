@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace asos {
@@ -56,13 +55,9 @@ class SampleSums {
   /// samples' sides.
   void widen_colours(float times);
 
-  /// From now on samples are added to layer sums as well: those of target i to `sums[i / targets]`,
-  /// where that is not null. Empty: to none. The probe and the sums have to outlive the samples.
-  void note_layers(const LayerProbe* probe, std::vector<LayerSum*> sums, std::size_t targets) {
-    probe_ = probe;
-    layers_ = std::move(sums);
-    targets_a_layer_ = targets;
-  }
+  /// From now on samples are added to the sums of the layers that the settings ask for, too. The
+  /// targets may change between samples. Both have to outlive the samples.
+  void note_layers(const RenderSettings& settings, const LayerTargets& targets);
 
   /// Makes room for sums 0 to `count` - 1; new ones are empty. Sums beyond that are dropped, and
   /// none of their samples may be waiting for `trace`.
@@ -142,6 +137,11 @@ class SampleSums {
   void widen_footprints();
   void gather_lobes();
   void add_layers();
+  [[nodiscard]] RadianceSums sums() { return {radiance_, light_ ? layers_ : nullptr}; }
+  void count(std::size_t target) {
+    ++count_[target];
+    sums().count(target);
+  }
   void shade_batch();
   [[nodiscard]] bool shade_plain();
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
@@ -157,9 +157,10 @@ class SampleSums {
   SimdSamples simd_;
   Culling faces_;
   SummedRadiance shows_ = SummedRadiance::all;
-  const LayerProbe* probe_ = nullptr;
-  std::vector<LayerSum*> layers_;
-  std::size_t targets_a_layer_ = 1;
+  const LayerTargets* layers_ = nullptr;  // null: no layer of surfaces is asked for
+  const RenderSettings* layer_settings_ = nullptr;
+  std::optional<LayerProbe> probe_;  // made when first needed
+  bool light_ = false;               // some of them are parts of the radiance
   float colours_ = 1.0f;
   Totals own_;
   std::vector<glm::dvec3>& radiance_;

@@ -129,7 +129,7 @@ void SampledLights::forget_since(const Waiting& then) {
   sky_rays_.resize(then.sky_rays);
 }
 
-void SampledLights::trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
+void SampledLights::trace(RadianceSums sums, RenderStatistics& counts) {
   work_ = ThreadLocalCache<Work>::make();
   for (std::size_t first = 0; first < points_; first += ShadingPoints::size) {
     Gathered& batch = *batches_[first / ShadingPoints::size];
@@ -141,13 +141,12 @@ void SampledLights::trace(std::vector<glm::dvec3>& sums, RenderStatistics& count
   trace_pending(sums);
 }
 
-void SampledLights::trace(std::vector<glm::dvec3>& sums) {
+void SampledLights::trace(RadianceSums sums) {
   RenderStatistics none;
   trace(sums, none);
 }
 
-void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
-                          RenderStatistics& counts) {
+void SampledLights::trace(const Gathered& batch, RadianceSums sums, RenderStatistics& counts) {
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
   const bool many = picks_lights();
   wide_.find(batch.points, lights_, many ? std::span<const std::uint8_t>() : shadowed_, *places_);
@@ -157,8 +156,7 @@ void SampledLights::trace(const Gathered& batch, std::vector<glm::dvec3>& sums,
 }
 
 // Traces the lights that every point samples.
-void SampledLights::trace_each(const Gathered& batch, std::vector<glm::dvec3>& sums,
-                               RenderStatistics& counts) {
+void SampledLights::trace_each(const Gathered& batch, RadianceSums sums, RenderStatistics& counts) {
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     if (picks_lights() && sends_rays(light)) continue;
     if (wide_.holds(light)) {
@@ -176,7 +174,7 @@ void SampledLights::trace_each(const Gathered& batch, std::vector<glm::dvec3>& s
 }
 
 // Traces the stochastically selected lights.
-void SampledLights::trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums,
+void SampledLights::trace_picked(const Gathered& batch, RadianceSums sums,
                                  RenderStatistics& counts) {
   auto& [rays, picks, picked, places] = *work_;
   picks.pick(many_, batch.points, batch.picks, rays_a_point_);
@@ -233,7 +231,7 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
 
 // Traces a sample of each point's lobe for highlights. All lights share the same sample, which hits
 // few of them.
-void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums,
+void SampledLights::trace_lobes(const Gathered& batch, RadianceSums sums,
                                 RenderStatistics& counts) {
   const ShadingPoints& points = batch.points;
   if (!any_glossy(points)) return;
@@ -250,7 +248,7 @@ void SampledLights::trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& 
 
 // Adds the unoccluded contributions.
 void SampledLights::trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
-                          std::vector<glm::dvec3>& sums, RenderStatistics& counts) {
+                          RadianceSums sums, RenderStatistics& counts) {
   if (rays.count + rays.rejected == 0) return;
   shares_.assign(ShadingPoints::size, glm::vec3(1.0f));
   if (sends_rays(light)) {
@@ -259,7 +257,7 @@ void SampledLights::trace(const Gathered& batch, std::uint32_t light, const Shad
   }
   for (std::size_t i = 0; i < rays.count; ++i) {
     const glm::vec3 carried(rays.carried[0][i], rays.carried[1][i], rays.carried[2][i]);
-    sums[batch.targets[rays.point[i]]] += glm::dvec3(shares_[i] * carried);
+    sums.add(batch.targets[rays.point[i]], glm::dvec3(shares_[i] * carried));
   }
 }
 
@@ -273,7 +271,7 @@ void SampledLights::trace_shadows(const ShadowRayBatch& rays, std::int32_t own_p
       std::span(shares_).first(rays.count), own_part);
 }
 
-void SampledLights::trace_pending(std::vector<glm::dvec3>& sums) {
+void SampledLights::trace_pending(RadianceSums sums) {
   // Sort rays by light, for coherence and because each light's own part is ignored.
   std::stable_sort(pending_.begin(), pending_.end(), [](const Pending& a, const Pending& b) {
     return a.ignored_part < b.ignored_part;
@@ -287,7 +285,7 @@ void SampledLights::trace_pending(std::vector<glm::dvec3>& sums) {
     shares_.resize(batch_.size());
     rays_->transmittance(batch_, shares_, pending_[first].ignored_part);
     for (std::size_t i = first; i < end; ++i)
-      sums[pending_[i].target] += glm::dvec3(shares_[i - first] * pending_[i].carried);
+      sums.add(pending_[i].target, glm::dvec3(shares_[i - first] * pending_[i].carried));
     first = end;
   }
   pending_.clear();

@@ -4,6 +4,7 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/samples/light_sample_points.h"
 #include "renderer/samples/light_selection.h"
+#include "renderer/samples/radiance_sums.h"
 #include "renderer/samples/thread_local_cache.h"
 #include "renderer/samples/wide_lights.h"
 #include "renderer/shading/light_transport.h"
@@ -23,7 +24,7 @@ namespace asos {
 
 /// A sample's target sum and its weight in it.
 struct SampleWeight {
-  std::size_t target = 0;  ///< index of the sum
+  SumTarget target;
   glm::vec3 weight{1.0f};
 };
 
@@ -32,7 +33,7 @@ struct SkyRay {
   Ray ray;
   glm::vec3 weight{1.0f};  ///< weight of the radiance along it in that of its sample
   SampleIndex sample;
-  std::size_t target = 0;  ///< index of the sample's sum
+  SumTarget target;  ///< the sample's
 };
 
 /// Visibility of lights for sampling methods. Each sample sends a shadow ray to one point of each
@@ -55,7 +56,7 @@ class SampledLights {
   struct Gathered {
     ShadingPoints points;
     std::array<SampleIndex, ShadingPoints::size> samples;
-    std::array<std::size_t, ShadingPoints::size> targets;
+    std::array<SumTarget, ShadingPoints::size> targets;
     LightPointBatch::Fractions picks;  ///< pick_place of each point, if lights are selected
   };
   /// Prepares the lights' data, which is the same for all points of a picture. Has no effect after
@@ -100,30 +101,30 @@ class SampledLights {
 
   /// Shades and traces all waiting items and adds the results. Changes the current sample of the
   /// places.
-  void trace(std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+  void trace(RadianceSums sums, RenderStatistics& counts);
   /// The same if all waiting items came by `add`, which has counted them.
-  void trace(std::vector<glm::dvec3>& sums);
+  void trace(RadianceSums sums);
 
  private:
   struct Pending {
     Ray ray;
     glm::vec3 carried{0.0f};
-    std::size_t target = 0;
+    SumTarget target;
     std::int32_t ignored_part = -1;
   };
 
-  void trace(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
-  void trace_each(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
-  void trace_picked(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+  void trace(const Gathered& batch, RadianceSums sums, RenderStatistics& counts);
+  void trace_each(const Gathered& batch, RadianceSums sums, RenderStatistics& counts);
+  void trace_picked(const Gathered& batch, RadianceSums sums, RenderStatistics& counts);
   [[nodiscard]] bool sends_rays(std::uint32_t light) const {
     return shadows_ && lights_[light].light->casts_shadows;
   }
   void shade(const Gathered& batch, std::uint32_t light, ShadowRayBatch& rays);
-  void trace_lobes(const Gathered& batch, std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+  void trace_lobes(const Gathered& batch, RadianceSums sums, RenderStatistics& counts);
   void trace(const Gathered& batch, std::uint32_t light, const ShadowRayBatch& rays,
-             std::vector<glm::dvec3>& sums, RenderStatistics& counts);
+             RadianceSums sums, RenderStatistics& counts);
   void trace_shadows(const ShadowRayBatch& rays, std::int32_t own_part);
-  void trace_pending(std::vector<glm::dvec3>& sums);
+  void trace_pending(RadianceSums sums);
 
   const RayScene* rays_;
   LightSamplePoints* places_;

@@ -56,6 +56,8 @@ void SampledReflections::add(const Reflection& reflection, const PointSample& sa
                              glm::vec3 weight, const Shader& shader) {
   ReflectedSample start;
   start.sample = sample;
+  if (sample.part == LightPart::direct)
+    start.sample.part = reflection.ratio > 0.0f ? LightPart::transmission : LightPart::reflection;
   start.weight = weight;
   start.side = reflection.seen.side > 0.0f ? reflection.seen.side : 1.0f;
   start.bounces = reflection.seen.bounces + 1;

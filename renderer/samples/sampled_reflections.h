@@ -23,6 +23,8 @@ struct PointSample {
   int y = 0;
   int index = 0;
   std::size_t target = 0;  ///< index of its sum
+  /// The part of the radiance that the ray carries; direct: it is the sample's eye ray.
+  LightPart part = LightPart::direct;
 };
 
 /// A ray that continues a sample after a reflection.

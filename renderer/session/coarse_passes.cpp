@@ -1,5 +1,6 @@
 #include "renderer/session/coarse_passes.h"
 
+#include "renderer/samples/pixel_layers.h"
 #include "renderer/samples/sample_sums.h"
 
 #include <array>
@@ -22,6 +23,7 @@ class Middles {
   explicit Middles(const PlannedRender& render)
       : places_(1, false),
         sums_(*render.snapshot.scene, render.view, render.snapshot.settings, places_),
+        layers_(render.snapshot.settings, most_squares_in_group),
         world_(render.snapshot.scene->world()) {}
 
   /// Divides blocks into squares of this side; squares at the right and lower edge are clipped.
@@ -39,6 +41,8 @@ class Middles {
   void see(std::span<const PixelRect> squares, int side) {
     sums_.resize(0);
     sums_.resize(squares.size());
+    layers_.clear();
+    layers_.note_each(sums_);
     for (std::size_t i = 0; i < squares.size(); ++i) {
       const PixelRect& r = squares[i];
       (void)sums_.add(
@@ -49,6 +53,8 @@ class Middles {
 
   /// Radiance of square i; 0 where it is not finite.
   [[nodiscard]] glm::vec3 radiance(std::size_t i) const { return glm::vec3(sums_.sum(i).mean()); }
+  /// Returns the layers of all squares.
+  [[nodiscard]] std::vector<LayerPlane> layers() const { return layers_.planes(); }
   /// Returns whether the ray through the centre of square i hit a surface.
   [[nodiscard]] bool met(std::size_t i) const { return sums_.hit(i).valid(); }
   /// Returns whether it hit an unlit surface.
@@ -59,6 +65,7 @@ class Middles {
  private:
   GridSampler places_;
   SampleSums sums_;
+  PixelLayers layers_;
   const World& world_;
   std::array<PixelRect, most_squares_in_group> squares_;
 };
@@ -74,6 +81,25 @@ FinishedTile flat_tile(const PixelRect& rect, glm::vec3 radiance, bool covered, 
   if (!covered) tile.coverage.assign(pixels, 0.0f);
   if (unlit) tile.unlit.assign(pixels, glm::vec4(radiance, 1.0f));
   return tile;
+}
+
+/// Gives the pixels of a square the layers of its centre, number `square` of `centres`.
+void fill_layers(std::span<const LayerPlane> centres, std::size_t square, const PixelRect& rect,
+                 FinishedTile& tile) {
+  const PixelRect part = intersection(rect, tile.rect);
+  for (LayerPlane& plane : tile.layers) {
+    const LayerPlane& from = *find_plane(centres, plane.layer);
+    const std::size_t channels = row_of(plane.layer).channel_count();
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      for (int x = part.x; x < part.x + part.width; ++x) {
+        const auto pixel = static_cast<std::size_t>((y - tile.rect.y) * tile.rect.width) +
+                           static_cast<std::size_t>(x - tile.rect.x);
+        if (!plane.ids.empty()) plane.ids[pixel] = from.ids[square];
+        for (std::size_t c = 0; c < channels; ++c)
+          plane.values[pixel * channels + c] = from.values[square * channels + c];
+      }
+    }
+  }
 }
 
 std::span<const WorkPlan::Block> blocks_of(const WorkPlan& plan, const BlockGroup& group) {
@@ -103,10 +129,15 @@ void CoarsePasses::work_middles(const PlannedRender& render, Pass pass, TileColl
     FinishedTile tile = tiles.blank_tile(group);
     if (clear) tile.coverage.assign(tile.radiance.size(), 0.0f);
     if (render.unlit) tile.unlit.assign(tile.radiance.size(), glm::vec4(0.0f));
-    for (std::size_t i = 0; i < squares.size(); ++i)
+    const std::vector<LayerPlane> layers = middles.layers();
+    if (!layers.empty())
+      tile.layers = blank_planes(render.snapshot.settings.layers, tile.radiance.size());
+    for (std::size_t i = 0; i < squares.size(); ++i) {
       copy_pixels(flat_tile(squares[i], middles.radiance(i), !clear || middles.met(i),
                             render.unlit && middles.met_unlit(i)),
                   tile);
+      fill_layers(layers, i, squares[i], tile);
+    }
     tiles.publish_coarse(index, pass, std::move(tile));
   }
 }

@@ -25,10 +25,7 @@ struct PlannedRender {
                               snapshot.settings)),
         plan(snapshot.settings),
         group_order(plan.spread_groups()),
-        unlit(has_unlit(snapshot.scene->world())) {
-    // Layers show one moment.
-    if (motion) snapshot.settings.layers = {};
-  }
+        unlit(has_unlit(snapshot.scene->world())) {}
 
   /// The job of a block.
   [[nodiscard]] BlockJob job(const RenderSettings& settings, const PixelRect& block,

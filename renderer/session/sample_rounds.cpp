@@ -41,7 +41,7 @@ SampleRounds::SampleRounds(const PlannedRender& render)
       next_(rounds_.size()),
       done_(rounds_.size()),
       order_(render.group_order) {
-  if (shows_coverage(settings_) && !render.motion) settings_ = with_coverage(settings_);
+  if (shows_coverage(settings_)) settings_ = with_coverage(settings_);
 }
 
 // Renders all rounds of a group up to this one. Does nothing if other threads have already rendered
@@ -65,13 +65,7 @@ std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, st
   };
   take(own.pixels, job);
   BlockResult result = own.pixels->result();
-  if (shows_coverage(settings_) && job.motion) {
-    const RenderSettings covered = coverage_of(settings_);
-    take(own.covered, job.with(covered));
-    set_coverage(own.covered->result(), result);
-  } else if (shows_coverage(settings_)) {
-    take_coverage(render.snapshot.settings.layers, result);
-  }
+  if (shows_coverage(settings_)) take_coverage(render.snapshot.settings.layers, result);
   if (render.unlit) {
     const UnlitPasses passes(settings_);
     take(own.unlit_share, job.with(passes.share));
@@ -96,7 +90,6 @@ std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, st
 void SampleRounds::drop_samples(Group& group) {
   group.done = true;
   group.pixels.reset();
-  group.covered.reset();
   group.unlit_share.reset();
   group.unlit_colour.reset();
 }
@@ -112,8 +105,7 @@ std::size_t SampleRounds::bytes() const {
   std::size_t sum = 0;
   for (const Group& group : groups_) {
     const std::lock_guard lock(group.mutex);
-    for (const auto* pixels :
-         {&group.pixels, &group.covered, &group.unlit_share, &group.unlit_colour})
+    for (const auto* pixels : {&group.pixels, &group.unlit_share, &group.unlit_colour})
       if (*pixels) sum += (*pixels)->bytes();
   }
   return sum;

@@ -59,7 +59,6 @@ class SampleRounds {
     mutable std::mutex mutex;
     bool done = false;  // nobody asks for its samples any more
     std::optional<PixelSamples> pixels;
-    std::optional<PixelSamples> covered;  // of pictures with motion blur; others have a layer
     std::optional<PixelSamples> unlit_share, unlit_colour;
     double seconds = 0.0;
   };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/light_parts.h"
 #include "renderer/film/statistics.h"
 #include "renderer/geometry/ray.h"
 #include "renderer/lights/prepared_light.h"
@@ -152,6 +153,9 @@ class LightTransport {
                        RenderStatistics& /*counts*/) {
     return false;
   }
+
+  /// Called when the shader adds emission or background to the radiance by itself.
+  virtual void note(LightPart /*part*/, glm::vec3 /*radiance*/) {}
 };
 
 }  // namespace asos

@@ -102,8 +102,12 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
     below.share *= scaling;
   }
 
-  if (!seen.diffuse && shows_emission(seen.hides_lights, layer.hit.triangle))
-    radiance += below.share * material.emission;
+  if (!seen.diffuse && shows_emission(seen.hides_lights, layer.hit.triangle) &&
+      material.emission != glm::vec3(0.0f)) {
+    const glm::vec3 emission = below.share * material.emission;
+    transport.note(LightPart::emission, emission);
+    radiance += emission;
+  }
   ViewedMaterial base{};
   if (!layer.boundary) {
     base = viewed(material, mirroring);
@@ -209,6 +213,7 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   const glm::vec3 beyond =
       seen.bounces == 0 ? settings_.backdrop.radiance(settings_.sky, seen.ray, spacing, seen.side)
                         : background(settings_.sky, seen.ray.direction, spacing, seen.side);
+  transport.note(LightPart::background, met.behind * beyond);
   return met.radiance + met.behind * beyond;
 }
 
@@ -275,7 +280,9 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
           here.passage = boundary->reflected(passage);
         }
         if (material.unlit) {
-          sum += here.share * unlit_colour(material);
+          const glm::vec3 colour = here.share * unlit_colour(material);
+          transport.note(LightPart::emission, colour);
+          sum += colour;
         } else {
           left = add_material(seen, point, material, here, mips, transport,
                               only_unlit ? left_out : sum, counts);

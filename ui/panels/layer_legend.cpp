@@ -30,7 +30,7 @@ std::string layer_key_words(const LayerFacts& facts) {
   const LayerRow& row = row_of(facts.layer);
   if (!facts.rendered) return "This method does not render it.";
   if (row.holds_ids()) return "A colour for each. Edges mix by coverage.";
-  if (facts.layer == Layer::albedo || facts.layer == Layer::emission) return row.about;
+  if (facts.layer == Layer::albedo || LayerSet{facts.layer}.of_light()) return row.about;
   return channel_ranges(facts.layer, facts.scale);
 }
 

@@ -142,6 +142,45 @@ TEST(MotionBlur, SamplersAgreeWithTheBoxInTime) {
   }
 }
 
+// The white pole before black covers as much as it brightens. Nothing is behind it.
+TEST(MotionBlur, LayersAreMeansOverTheShutter) {
+  const auto rig = moving_pole(2.3, 4.2, 3.0);
+  for (const Method method : {Method::asos, Method::sobol}) {
+    RenderSettings settings = settings_of(method, 1.0);
+    settings.sampling.spp = 64;
+    settings.layers = {Layer::alpha, Layer::object, Layer::depth, Layer::emission};
+    const ExposedScene scene = exposed_at(*rig, 1.0, still_camera(), settings);
+    const Film film = render_exposed(scene, settings).film;
+    ASSERT_EQ(film.layers.size(), 4u) << "nothing that nobody asked for";
+    std::size_t parts = 0;
+    for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+      const float white = film.radiance[i].x;
+      EXPECT_NEAR(find_plane(film.layers, Layer::alpha)->at(i)[0], white, 1e-5f);
+      EXPECT_NEAR(find_plane(film.layers, Layer::emission)->at(i)[2], white, 1e-5f);
+      const IdShares& ids = find_plane(film.layers, Layer::object)->ids[i];
+      float sum = 0.0f;
+      for (const IdShare& share : ids) {
+        EXPECT_TRUE(share.id != 0 || std::abs(share.share - white) < 1e-5f);
+        sum += share.share;
+      }
+      EXPECT_NEAR(sum, 1.0f, 1e-5f);
+      const float depth = find_plane(film.layers, Layer::depth)->at(i)[0];
+      if (white > 0.0f)
+        EXPECT_NEAR(depth, 4.0f, 1e-4f);
+      else
+        EXPECT_TRUE(std::isinf(depth));
+      parts += white > 0.0f && white < 1.0f;
+    }
+    EXPECT_GT(parts, 4u * side) << "it is blurred";
+    RenderSettings without = settings;
+    without.layers = {};
+    EXPECT_EQ(render_exposed(scene, without).film.radiance, film.radiance);
+    without.background.kind = BackgroundKind::transparent;
+    const Film clear = render_exposed(scene, without).film;
+    EXPECT_EQ(clear.coverage, find_plane(film.layers, Layer::alpha)->values);
+  }
+}
+
 TEST(MotionBlur, FollowsAnAnimatedCamera) {
   Scene still;
   still.source = "pole";

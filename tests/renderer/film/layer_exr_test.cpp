@@ -40,6 +40,7 @@ ExrOptions all_layers(ExrCompression compression) {
   options.compression = compression;
   options.layers = LayerSet::all();
   options.object_names = {"left", "right"};
+  options.asset_names = {"both", "both"};
   options.material_names = {"red"};
   options.frames_a_second = 24.0;
   glm::dmat4 matrix(1.0);
@@ -88,6 +89,10 @@ TEST(LayerExr, ChannelsHaveTheNamesOthersRead) {
   EXPECT_EQ(channel_of(path, "CryptoObject00.R")[1], cryptomatte_id("right"));
   EXPECT_EQ(channel_of(path, "CryptoObject00.G")[1], 0.75f);
   EXPECT_EQ(channel_of(path, "CryptoMaterial00.R")[1], cryptomatte_id("material 2"));
+  for (const std::size_t pixel : {0u, 1u}) {
+    EXPECT_EQ(channel_of(path, "CryptoAsset00.R")[pixel], cryptomatte_id("both"));
+    EXPECT_EQ(channel_of(path, "CryptoAsset00.G")[pixel], 0.75f);
+  }
 }
 
 TEST(LayerExr, HeaderTellsColoursCameraAndRate) {

@@ -1,4 +1,5 @@
 #include "renderer/film/film.h"
+#include "renderer/film/layer_mean.h"
 #include "renderer/film/layer_sums.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,34 @@ TEST(Layers, ListIsRead) {
     ASSERT_FALSE(read) << bad;
     EXPECT_NE(read.error().reason.find("geometric-normal"), std::string::npos);
   }
+}
+
+// Two renderings: a far card over half of the pixel, and a near one that covers it.
+TEST(LayerMean, MixesByWeightAndKeepsTheNearest) {
+  const LayerSet asked{Layer::alpha, Layer::depth, Layer::object};
+  const LayerSet needed = LayerMean::needed(asked);
+  EXPECT_TRUE(needed.has(Layer::distance)) << "decides which is nearest";
+  EXPECT_EQ(LayerMean::needed({Layer::alpha}), LayerSet{Layer::alpha});
+  LayerSample far, near;
+  far.object = 2, far.alpha = 1.0f, far.depth = 7.0f, far.distance = 7.5f;
+  near.object = 4, near.alpha = 1.0f, near.depth = 3.0f, near.distance = 3.5f;
+  LayerSum half, whole;
+  half.add(far, 0.5);
+  half.add(LayerSample{}, 0.5);
+  whole.add(near, 1.0);
+  LayerMean mean;
+  mean.add(planes_of(std::vector{half}, needed), 0.25);
+  mean.add(planes_of(std::vector{whole}, needed), 0.5);
+  mean.add(planes_of(std::vector{half}, needed), 0.25);
+  const auto planes = mean.planes(asked);
+  EXPECT_EQ(planes.size(), 3u);
+  EXPECT_NEAR(find_plane(planes, Layer::alpha)->at(0)[0], 0.75f, 1e-7f);
+  EXPECT_EQ(find_plane(planes, Layer::depth)->at(0)[0], 3.0f);
+  const IdShares& ids = find_plane(planes, Layer::object)->ids[0];
+  ASSERT_EQ(ids.size(), 3u);
+  EXPECT_EQ(ids[0], (IdShare{4, 0.5f}));
+  EXPECT_EQ(ids[1], (IdShare{2, 0.25f}));
+  EXPECT_EQ(ids[2], (IdShare{no_id, 0.25f}));
 }
 
 TEST(Layers, SumIsAreaWeighted) {

@@ -1,5 +1,6 @@
 #include "renderer/picture/exr_picture.h"
 
+#include "renderer/gltf/load.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -47,6 +48,26 @@ TEST(ExrPicture, NamesComeWithIds) {
   const ExrOptions options = exr_options(*scene, {}, settings);
   EXPECT_EQ(options.object_names.size(), scene->world().parts.size());
   EXPECT_EQ(options.layers, settings.layers);
+}
+
+// An object's asset is the node at the top of its tree.
+TEST(ExrPicture, AssetsAreTopLevelNodes) {
+  Scene file = load_scene("builtin:boxes").value();
+  file.contents.nodes = {{"house", -1}, {"door", 0}, {"handle", 1}, {"", -1}};
+  file.contents.object_nodes.assign(prepare(file).value()->world().parts.size(), -1);
+  ASSERT_GE(file.contents.object_nodes.size(), 4u);
+  file.contents.object_nodes[0] = 2;
+  file.contents.object_nodes[1] = 0;
+  file.contents.object_nodes[2] = 3;
+  const auto scene = prepare(file).value();
+  RenderSettings settings;
+  settings.layers = {Layer::object};
+  const ExrOptions options = exr_options(*scene, {}, settings);
+  ASSERT_EQ(options.asset_names.size(), scene->world().parts.size());
+  EXPECT_EQ(options.asset_names[0], "house");
+  EXPECT_EQ(options.asset_names[1], "house");
+  EXPECT_EQ(options.asset_names[2], "node 4");
+  EXPECT_EQ(options.asset_names[3], options.object_names[3]) << "in no node";
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <thread>
@@ -90,6 +91,33 @@ TEST(Rounds, EndAsADirectRenderDoesBehindATransparentBackground) {
     ASSERT_EQ(film.coverage.size(), direct.coverage.size());
     EXPECT_EQ(film.coverage, direct.coverage);
     EXPECT_LT(*std::min_element(film.coverage.begin(), film.coverage.end()), 1.0f);
+  }
+}
+
+// Whatever pass is the last, its pixels have layers. Only final ones have an estimate of the error.
+TEST(Rounds, HaveLayersFromTheFirstPassOn) {
+  Snapshot snapshot = fence(2);
+  snapshot.settings.layers = {Layer::object, Layer::alpha, Layer::error};
+  std::size_t coarse = 0;
+  Film film(width, height);
+  for (const FinishedTile& tile : shown_of(snapshot).tiles) {
+    film.put(tile);
+    ASSERT_EQ(tile.layers.size(), 3u);
+    const LayerPlane& objects = *find_plane(tile.layers, Layer::object);
+    const LayerPlane& errors = *find_plane(tile.layers, Layer::error);
+    for (std::size_t i = 0; i < tile.radiance.size(); ++i) {
+      float sum = 0.0f;
+      for (const IdShare& share : objects.ids[i]) sum += share.share;
+      EXPECT_NEAR(sum, 1.0f, 1e-5f);
+      EXPECT_GT(errors.values[i], 0.0f);
+      coarse += std::isinf(errors.values[i]);
+    }
+  }
+  EXPECT_GE(coarse, std::size_t{width} * height);
+  const Film direct = render_to_end(snapshot).film;
+  for (const Layer layer : {Layer::object, Layer::alpha, Layer::error}) {
+    EXPECT_EQ(find_plane(film.layers, layer)->values, find_plane(direct.layers, layer)->values);
+    EXPECT_EQ(find_plane(film.layers, layer)->ids, find_plane(direct.layers, layer)->ids);
   }
 }
 
