@@ -20,7 +20,7 @@ struct FrameRequest {
                                                   const SceneContents& contents,
                                                   const std::optional<ClipTime>& time);
 
-/// The first of them, without its time: that is known only with the scene.
+/// The first of these pictures, without its time, which is known only with the scene.
 [[nodiscard]] FrameRequest first_frame(const RenderArguments& arguments);
 
 /// The arguments of this picture alone, with its camera and file names.

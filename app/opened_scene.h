@@ -30,10 +30,10 @@ class OpenedScene {
   /// edges may still be being searched.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
                                                               const PictureDescription& picture);
-  /// The same at that moment of a scene that moves; it is not kept.
+  /// The same at a time of a scene that moves; the result is not kept.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> posed(
       const std::optional<ClipTime>& time, const PictureDescription& picture) const;
-  /// The scene as the file's nodes place it, where it moves; else as `at` has it.
+  /// The scene as the file's nodes place it, if it moves; otherwise the result of `at`.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at_rest(
       const PictureDescription& picture);
   /// Replaces the last scene by this one with its lights and ground; `at` of the same time returns

@@ -35,9 +35,9 @@ struct PictureArguments {
   ClipChoice clip;
   std::optional<ShutterChoice> shutter;  ///< until take_shutter makes it settings.shutter
   SkyChoice sky;                         ///< until with_sky makes it settings.sky
-  bool sky_chosen = false;               ///< else the scene has that of its default_look
-  bool ground_chosen = false;            ///< else its ground, where the sky is not chosen either
-  bool background_chosen = false;        ///< else it has default_background of the sky
+  bool sky_chosen = false;               ///< false: the sky of default_look
+  bool ground_chosen = false;            ///< false: that of default_look, unless a sky is chosen
+  bool background_chosen = false;        ///< false: default_background of the sky
   float exposure_ev = 0.0f;
   bool exposure_chosen = false;   ///< false: usual_exposure
   bool exposure_metered = false;  ///< "auto" was chosen

@@ -114,7 +114,8 @@ tl::unexpected<Error> interrupted_error() {
   return tl::unexpected(Error{"render", "interrupted"});
 }
 
-// The parts of the saved picture that are not overridden. Its lights are used only with its scene.
+// The parts of the saved picture that are not overridden. The picture's lights are used only with
+// the picture's scene.
 PictureDescription wanted_picture(const PictureArguments& wanted, const SceneContents& shown) {
   PictureDescription picture = wanted.from.value_or(PictureDescription{});
   picture.render_features = wanted.render_features;
@@ -235,7 +236,6 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   report.build_seconds = seconds_since(started);
   building.reset();
 
-  // Render
   const std::optional<RenderResult> rendered = run_render_job(
       {*prepared, *camera, wanted.settings, false}, bar, interrupt, arguments.time_limit_seconds);
   if (interrupt.interrupted()) return interrupted_error();
@@ -416,7 +416,7 @@ Command add_render_command(CLI::App& program) {
     read_frames(*arguments);
     const std::optional<ClipFrames>& frames = arguments->clip_frames;
     take_shutter(arguments->picture, frames ? frames->fps : usual_fps);
-    // A saved picture's layers go on in an EXR.
+    // Layers of a saved picture are kept only for an EXR.
     if (!arguments->layers_chosen && !has_extension(arguments->output, ".exr"))
       arguments->picture.settings.layers = {};
     check(*arguments);

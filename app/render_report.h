@@ -28,13 +28,13 @@ struct RenderReport {
   std::string scene;  ///< as named on the command line
   std::uint64_t triangles = 0;
   std::optional<FeatureCounts> feature_edges;  ///< none: a time limit ended the render earlier
-  std::vector<std::string> warnings;           ///< the scene's remarks
-  std::vector<std::string> camera_notes;       ///< see fit_remark and planes_remark
-  std::uint64_t warning_count = 0;             ///< all warnings; the last one may stand for several
+  std::vector<std::string> warnings;           ///< the scene's warnings
+  std::vector<std::string> camera_notes;       ///< on the fit, lens, planes and shutter
+  std::uint64_t warning_count = 0;             ///< total; the last of `warnings` may count several
   PictureDescription description;
-  bool kept = false;                  ///< it existed already; then nothing below is known
+  bool kept = false;                  ///< not rendered again; nothing below is known
   std::vector<ReportedLight> lights;  ///< in the order of Lighting::lights
-  int threads = 0;                    ///< that worked
+  int threads = 0;                    ///< worker threads
   RenderStatistics statistics;
   double load_seconds = 0.0;   ///< reading the file or making the built-in scene
   double build_seconds = 0.0;  ///< hierarchies; with a time limit without those of edges
@@ -55,7 +55,8 @@ struct RenderReport {
 /// statistics.
 [[nodiscard]] ImageText picture_metadata(const RenderReport& report);
 
-/// Progress of a picture that a time limit ended, in words: "MAX 1 everywhere, 37 % final".
+/// Progress of a picture that a time limit ended, in words: "4 samples a pixel everywhere, 37 %
+/// final".
 [[nodiscard]] std::string reached_text(const Reached& reached);
 
 /// Peak memory of this process, in 10^6 bytes.

@@ -23,10 +23,11 @@ inline constexpr double usual_fps = 24.0;
 /// The option for how long the shutter is open.
 void add_shutter_option(CLI::App& app, PictureArguments& arguments);
 
-/// Gives the settings the shutter that was asked for, at so many frames a second.
+/// Sets the requested shutter in the settings; `fps` converts its degrees to seconds.
 void take_shutter(PictureArguments& arguments, double fps);
 
-/// The scene's camera whose motion a picture by the chosen camera follows; -1: it stands still.
+/// The scene's camera whose motion a picture by the chosen camera follows; -1: the camera stands
+/// still.
 [[nodiscard]] int followed_camera(const CameraChoice& choice, const World& world,
                                   const ShutterSettings& saved);
 
@@ -34,7 +35,7 @@ void take_shutter(PictureArguments& arguments, double fps);
 [[nodiscard]] Result<void> check_shutter(const ShutterSettings& shutter,
                                          const SceneContents& contents, const std::string& source);
 
-/// Remarks on the motion blur of a picture by this method; `exposure` may be null.
+/// Warnings about the motion blur of a picture by this method; `exposure` may be null.
 [[nodiscard]] std::vector<std::string> shutter_remarks(const RenderSettings& settings,
                                                        const Exposure* exposure);
 

@@ -68,7 +68,6 @@ int run_stability(const StabilityArguments& arguments, const std::vector<stabili
   const auto files = plan_files(arguments.folder);
   if (!files) return fail(streams, files.error());
 
-  // Run the cases
   ProgressBar bar(streams.err, streams.err_is_terminal);
   std::vector<stability::Finding> findings;
   std::size_t broken = 0;
@@ -87,7 +86,7 @@ int run_stability(const StabilityArguments& arguments, const std::vector<stabili
   }
   bar.wipe();
 
-  // Tell what was found
+  // Write and print the results
   if (const auto done = commit(files->table, stability_csv(findings)); !done)
     return fail(streams, done.error());
   if (const auto done = commit(files->page, stability_page(findings, arguments.quick)); !done)

@@ -99,9 +99,9 @@ class Namer {
 
  private:
   const RenderScene& scene_;
-  std::map<std::uint32_t, std::uint32_t> first_triangle_;  // of a sheet
-  std::map<std::uint32_t, std::uint32_t> number_;          // of a sheet in its part
-  std::map<std::uint32_t, std::uint32_t> count_;           // of a part's sheets
+  std::map<std::uint32_t, std::uint32_t> first_triangle_;  // of a smooth surface
+  std::map<std::uint32_t, std::uint32_t> number_;          // of a smooth surface in its part
+  std::map<std::uint32_t, std::uint32_t> count_;           // smooth surfaces of a part
 };
 
 Json level_json(const LevelStatistics& level, const Namer& namer) {

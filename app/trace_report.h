@@ -11,7 +11,7 @@
 
 namespace asos {
 
-/// Whose pixel was traced.
+/// The picture whose pixel was traced.
 struct TracedPicture {
   std::string scene;  ///< as named on the command line
   std::string camera;

@@ -21,7 +21,7 @@ struct DisplaySettings {
   bool show_grid = false;       ///< draws grid and axes over the picture
   bool show_legend = true;      ///< draws the split map's legend over the picture
   SplitMapColours split_colours = SplitMapColours::level;
-  std::optional<Layer> layer;  ///< shown in place of the picture, in false colours; none: that
+  std::optional<Layer> layer;  ///< in false colours in place of the picture; none: the picture
 
   [[nodiscard]] DisplayTransform transform() const { return {exposure_ev, tone}; }
 

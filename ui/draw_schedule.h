@@ -18,8 +18,8 @@ class DrawSchedule {
   void note_woken(bool hurried);
   /// Call before drawing a frame, which will show all that was noted.
   void begin_frame(double now);
-  /// `wish`: when the content wants the next frame although nothing happens, in seconds after this
-  /// one. The frame is drawn even if the reason has gone by then, so that its end shows.
+  /// `wish`: seconds after this frame at which the content wants the next one, even without input.
+  /// That frame is drawn even if its reason has ended by then, so that the end shows.
   void end_frame(std::optional<double> wish);
   /// When the next frame is due; it may lie in the past.
   [[nodiscard]] double due() const { return due_; }

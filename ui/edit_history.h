@@ -31,7 +31,7 @@ class EditHistory {
 
   [[nodiscard]] bool can_undo() const { return changed_ || !past_.empty(); }
   [[nodiscard]] bool can_redo() const { return !changed_ && !future_.empty(); }
-  /// Seconds until `update` has to be called although nothing happens; none: no such time.
+  /// Seconds until `update` is due without any input; none: no such time.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:

@@ -282,7 +282,7 @@ void turn_light(Light& light, const LightTurn& turn) {
     return;
   }
   light.direction = to.forward;
-  // Set from their lengths, because repeated rotation would make the sides lose their right angle.
+  // Rebuild the sides from their lengths: repeated rotation would lose their right angle.
   if (light.type == Light::Type::rectangle) {
     light.half_u = glm::length(light.half_u) * to.right;
     light.half_v = glm::length(light.half_v) * to.up;

@@ -18,7 +18,7 @@ struct EditedLight {
   /// Index among the lights that the scene was opened with; -1: it was added.
   int source = -1;
 
-  /// Tidied.
+  /// Returns the light as tidy_light normalises it.
   [[nodiscard]] static EditedLight of(Light light);
 };
 

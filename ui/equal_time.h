@@ -28,9 +28,9 @@ struct EqualTimeNews {
 };
 using TellEqualTime = std::function<void(EqualTimeNews)>;
 
-/// Renders the view by such a method at the best quality that fits into `seconds` of CPU time,
-/// found by quicker trial renders. `tell` (may be empty) is called with each render's progress.
-/// Returns nothing if `stop` returned true.
+/// Renders the view by a method that can_be_timed at the best quality that fits into `seconds` of
+/// CPU time, found by quicker trial renders. `tell` (may be empty) is called with each render's
+/// progress. Returns nothing if `stop` returned true.
 [[nodiscard]] std::optional<EqualTimeFrame> render_in_time(Snapshot snapshot, Method method,
                                                            double seconds,
                                                            const std::function<bool()>& stop,

@@ -26,7 +26,7 @@ struct ErrorScale {
                                  const DisplayTransform& display);
 
 /// Keeps the reference picture that "Check splits" has sampled for as long as the view stays,
-/// whatever EPS, MAX and method its picture has. Not thread-safe.
+/// whatever EPS, MAX and method the picture uses. Not thread-safe.
 class ErrorReference {
  public:
   /// Call once a frame. `findings`: null: there are none.
@@ -35,7 +35,7 @@ class ErrorReference {
   [[nodiscard]] const Film* film() const { return film_.get(); }
   /// Samples of a pixel.
   [[nodiscard]] int samples() const { return samples_; }
-  /// Counts its changes.
+  /// Counts the changes of the reference.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
  private:

@@ -50,8 +50,9 @@ struct NextModel {
   std::size_t number = 0, count = 0;  ///< its number, from 1, and the number of models
 };
 
-/// The model `step` places after this one in its folder, sorted by name and wrapping around. If it
-/// is alone there, the folders next to it are searched. None: `file` is no file, or the only model.
+/// The model `step` places after `file` in its folder, sorted by name and wrapping around. If
+/// `file` is alone there, the folders next to it are searched. None: `file` is no file, or the only
+/// model.
 [[nodiscard]] std::optional<NextModel> next_model(const std::string& file, int step);
 
 }  // namespace asos::ui

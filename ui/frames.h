@@ -40,12 +40,12 @@ struct Frames {
     std::uint64_t restarts = 0;  ///< of the picture
     std::uint64_t revision = 0;
     int chosen = -1;
-    bool finished = false;  ///< the picture is
+    bool finished = false;  ///< the picture was finished
     bool operator==(const Measured&) const = default;
   };
   Measured measured;
   double rmse = 0.0;                ///< of the picture against the chosen snapshot; NaN: unknown
-  std::vector<double> stored_rmse;  ///< of each stored one
+  std::vector<double> stored_rmse;  ///< RMSE of the picture against each snapshot
 
   /// Returns the film of snapshot `index` resampled to `size`. The result is valid until the next
   /// call.

@@ -31,7 +31,7 @@ class GroundLayer {
     Result<std::shared_ptr<const RenderScene>> scene;
   };
 
-  std::weak_ptr<const Geometry> tried_;  // ground_ could not be built for it
+  std::weak_ptr<const Geometry> tried_;  // geometry for which tried_ground_ was last tried
   Ground tried_ground_ = Ground::off;
   LatestJob<Request, Built> job_;
 };

@@ -15,7 +15,7 @@ struct FrameState {
   bool wheel = false;
   bool typed = false;
   unsigned buttons = 0;                                    // changed in this frame
-  std::bitset<static_cast<std::size_t>(Key::count)> keys;  // the same
+  std::bitset<static_cast<std::size_t>(Key::count)> keys;  // keys changed in this frame
   bool plain_key = false;                                  // at least one of them is not a modifier
   bool editing_key = false;                                // one of them edits text
 };

@@ -30,7 +30,7 @@ class LayerViewer {
     Layer layer = Layer::depth;
     DisplayTransform display;
     LayerScale scale;
-    bool unfinished = true;  // the film was when the scale was found
+    bool unfinished = true;  // whether the film was, when the scale was found
     double scaled_seconds = 0.0;
   };
   void convert(const Film& film, const PixelRect& rect);

@@ -13,7 +13,7 @@
 namespace asos::ui {
 
 /// Redraws the open scene's lines and points for the current camera on its own thread, once the
-/// camera is still; while it moves they stay as they were. Scenes without lines and points cost
+/// camera is still; until then they stay as they were. Scenes without lines and points cost
 /// nothing. All members must be called from one thread.
 class LineDrawer {
  public:
@@ -27,7 +27,7 @@ class LineDrawer {
               double now_seconds);
   /// Call when the scene has come with lines and points drawn for this picture.
   void adopt(const OpenScene& scene, const LinePicture& picture, std::uint64_t camera_revision);
-  /// Seconds until `update` has to be called although nothing happens; none: when woken.
+  /// Seconds until `update` is due without any event; none: only after events.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:
@@ -51,11 +51,11 @@ class LineDrawer {
   void take(OpenScene& scene, bool busy);
   [[nodiscard]] bool is_drawn(const RenderScene& scene, const Wanted& wanted) const;
 
-  std::weak_ptr<const Geometry> drawn_;  // or could not be drawn
+  std::weak_ptr<const Geometry> drawn_;  // geometry of the last drawing, also of a failed one
   Wanted drawn_for_;
   Wanted newest_;
   double newest_since_ = 0.0;
-  std::optional<double> due_;  // a time
+  std::optional<double> due_;  // time of the next drawing
   LatestJob<Request, Drawn> job_;
 };
 

@@ -34,7 +34,7 @@ class MeteredExposure {
 
   bool looks_ = false;      // the opened scene is still to be metered
   bool was_auto_ = false;   // in the last frame
-  float set_stops_ = 0.0f;  // by this
+  float set_stops_ = 0.0f;  // exposure that this object set
   std::weak_ptr<const RenderScene> metered_;
   LatestJob<Request, Metering> job_;
 };

@@ -23,7 +23,7 @@ class NodeTree {
   [[nodiscard]] bool has_children(int node) const { return !nodes_[index(node)].children.empty(); }
   /// Ascending indices of the objects of the node and its descendants.
   [[nodiscard]] std::vector<int> objects(int node) const;
-  /// Their number.
+  /// Number of objects of the node and its descendants.
   [[nodiscard]] std::size_t object_count(int node) const {
     return nodes_[index(node)].end - nodes_[index(node)].begin;
   }

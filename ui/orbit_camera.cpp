@@ -119,7 +119,7 @@ void OrbitCamera::look_at(glm::dvec3 pivot) {
 void OrbitCamera::look_around(double azimuth_rad, double elevation_rad) {
   const glm::dvec3 stands = eye();
   const std::uint64_t before = revision_;
-  // Turning the scene is the opposite of moving the eye around it.
+  // Raising the eye around the pivot tilts the view down, so the elevation is negated.
   orbit(azimuth_rad, -elevation_rad);
   if (revision_ != before) pivot_ = stands - distance_ * basis().back;
 }

@@ -14,7 +14,7 @@ namespace asos::ui {
 class OrbitCamera {
  public:
   /// Starts from `camera` (relative to World::origin) with the pivot `pivot_distance` ahead of it.
-  /// `scene_radius` sets the range of distances. Both become 1 if they are not positive.
+  /// `scene_radius` sets the range of distances. Either becomes 1 if it is not positive.
   void set(const Camera& camera, double pivot_distance, double scene_radius);
 
   /// Orbits the pivot; the elevation is clamped to straight up and straight down.

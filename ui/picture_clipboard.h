@@ -10,7 +10,7 @@
 namespace asos::ui {
 
 /// The program and arguments that copy a PNG to the clipboard: wl-copy under Wayland, xclip under
-/// X11. They read `file` as standard input. The error names the package to install.
+/// X11. They read the PNG from standard input. The error names the package to install.
 [[nodiscard]] Result<std::vector<std::string>> clipboard_command();
 
 using ClipboardJob = StoppableJob<Result<void>>;

@@ -23,7 +23,7 @@ Result<std::unique_ptr<PictureWriter>> writer_of(const PictureOrder& order) {
   return make_png_writer(order.path, size, order.display, order.text, alpha);
 }
 
-// Layers are written as a whole.
+// Layers are not written in strips, but as a whole.
 std::optional<Result<std::string>> write_layers(const PictureOrder& order,
                                                 const std::stop_token& stop,
                                                 const std::function<void(double)>& on_progress) {

@@ -19,7 +19,7 @@ namespace {
 constexpr double dialog_fades_seconds = 0.3;
 constexpr const char* no_picture = "No picture to save yet";
 
-// Those that the method renders.
+// Returns the layers to save that the method renders.
 LayerSet saved_layers(const SaveChoice& choice, Method method, std::optional<Layer> shown) {
   LayerSet saved;
   if (!choice.as_exr() || choice.layers == SaveChoice::Layers::none) return saved;

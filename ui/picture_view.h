@@ -33,7 +33,7 @@ class PictureView {
 
   glm::ivec2 area_{0};
   glm::ivec2 picture_{0};
-  int step_ = 0;  // on the ladder
+  int step_ = 0;  // index in the list of zooms
   glm::vec2 offset_{0.0f};
 };
 

@@ -46,7 +46,7 @@ std::string strongest_object(const RenderScene& scene, const LevelStatistics& le
   return strongest == level.objects.end() ? "" : object_name(scene, strongest->object);
 }
 
-/// All edges in the hit list of the whole picture, visible or hidden.
+/// Finds all edges in the hit list of the whole picture, visible or hidden.
 void find_boundaries(const RenderScene& scene, const View& view, PixelReport& report) {
   const glm::vec2 size(static_cast<float>(view.width()), static_cast<float>(view.height()));
   const Square whole;

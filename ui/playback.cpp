@@ -125,7 +125,7 @@ bool Playback::posing() const {
   return !(has_failed_ && failed_ == time_);
 }
 
-// Whether the pose that the scene is at is to be exposed, or exposed anew.
+// Whether the present pose is to be exposed, or exposed anew.
 bool Playback::exposes() const {
   if (playing_ || !time_ || !exposure_ || !exposure_->settings.shutter.blurs()) return false;
   const Exposure* now = scene_->exposure.get();

@@ -37,7 +37,8 @@ class Playback {
     RenderSettings settings;
   };
 
-  /// Both must outlive it. `wake` is called from another thread when `update` has something to do.
+  /// `scene` and `edits` must outlive the object. `wake` is called from another thread when
+  /// `update` has something to do.
   Playback(OpenScene& scene, SceneEdits& edits, std::function<void()> wake);
 
   /// Whether the open scene has animations; without any, all other members do nothing.
@@ -69,10 +70,10 @@ class Playback {
 
   /// Call when a scene was opened. `again`: it is the same file, so the time is kept.
   void adopt_scene(bool again);
-  /// Lets time pass, takes the pose that is finished and asks for the next one. `seen`: the
-  /// picture of the last one has been seen. Call once or more a frame.
-  /// Poses come with their lines and points drawn for `lines_and_points`; none: as they are at
-  /// rest. A pose that does not play is exposed for `exposure` next; none: it shows one moment.
+  /// Lets time pass, takes the finished pose and requests the next one. `seen`: the picture of the
+  /// last pose has been displayed. Call at least once a frame. Poses come with their lines and
+  /// points drawn for `lines_and_points`; none: as they are at rest. A pose that does not play is
+  /// exposed for `exposure` next; none: it shows one moment.
   void update(bool seen, double now_seconds, const std::optional<LineRequest>& lines_and_points,
               const std::optional<WantedExposure>& exposure = std::nullopt);
   /// Returns the picture and camera that the last pose's lines and points were drawn for, once.
@@ -85,7 +86,8 @@ class Playback {
       const RenderScene& from, const std::optional<ClipTime>& time,
       const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
       Ground ground, const World* as = nullptr);
-  /// The scene that `scene_at` made with its exposure, as the settings' shutter asks. Any thread.
+  /// Returns `scene`, made by `scene_at`, with the exposure that the settings' shutter asks for.
+  /// Any thread.
   [[nodiscard]] static Result<std::shared_ptr<const RenderScene>> exposed_scene(
       const std::shared_ptr<const RenderScene>& scene, const WantedExposure& wanted,
       const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs);
@@ -134,7 +136,7 @@ class Playback {
   SceneEdits& edits_;
   Options options_;
   std::optional<ClipTime> time_;
-  std::optional<ClipTime> failed_;  // posing failed there; it is not tried again
+  std::optional<ClipTime> failed_;  // time at which posing failed; not tried again
   bool has_failed_ = false;
   bool playing_ = false;
   std::optional<WantedExposure> exposure_;

@@ -43,7 +43,7 @@ class PredictedMap {
 
   std::vector<Known> known_;             // one a pixel
   std::vector<RenderSettings> origins_;  // by `origin`
-  std::uint16_t rendering_ = unknown;    // of the render that runs
+  std::uint16_t rendering_ = unknown;    // index of the running render's settings
   RenderSettings asked_;
 };
 

@@ -82,7 +82,7 @@ bool PreviewRender::should_wait(const Subject& subject, double now_seconds) cons
 }
 
 void PreviewRender::restart(const Subject& subject, double now_seconds) {
-  // The old scene must not be destroyed while a worker uses it; restart waits for that.
+  // The old scene must not be destroyed while a worker uses it; restart waits for the workers.
   held_.clear();
   session_.restart({subject.scene, subject.camera, subject.settings, true, true});
   const bool keeps_map = differs_in_splitting_only(rendered_, subject);

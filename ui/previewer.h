@@ -50,7 +50,7 @@ class Previewer {
   /// Sets the displayed tone curve; methods that limit the displayed error render again.
   void show_by(ToneCurve tone) { shown_tone_ = tone; }
   [[nodiscard]] ToneCurve shown_tone() const { return shown_tone_; }
-  /// The layer that is shown, which is rendered beside the picture where the method has it.
+  /// The displayed layer, which is rendered with the picture if the method supports it.
   void show_layer(std::optional<Layer> layer) { shown_layer_ = layer; }
 
   /// Whether freed memory of previous scenes is still to be returned to the system.
@@ -66,7 +66,7 @@ class Previewer {
   /// Takes the results of other threads and restarts the render if its inputs changed. Call at
   /// least once a frame.
   void update(double now_seconds);
-  /// Seconds until `update` has to be called although nothing happens; none: when woken.
+  /// Seconds until `update` is due without any event; none: only after events.
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:

@@ -42,7 +42,7 @@ class Refinement {
   [[nodiscard]] std::optional<double> seconds_to_limit(const Progress& progress) const;
   /// Decides from the progress whether the render is paused. Returns true if `rest` has changed.
   [[nodiscard]] bool decide(const Progress& progress, std::optional<double> rmse);
-  /// Call when a render starts; it is paused only if `set_paused` was.
+  /// Call when a render starts; it is paused only after `set_paused(true)`.
   void begin();
   /// Call when the render was stopped; it stays so until another one starts.
   void end() { rest_ = PauseReason::stopped; }

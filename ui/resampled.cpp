@@ -22,7 +22,7 @@ std::vector<Covered> cover(int from, int count, double step) {
     const double lo = 0.5 * from + step * (i - 0.5 * count);
     const double begin = std::max(lo, 0.0), end = std::min(lo + step, double(from));
     Covered& covered = all[static_cast<std::size_t>(i)];
-    // Rounding is no pixel.
+    // A sliver from rounding is no pixel.
     if (!(end - begin > 1e-6 * step)) continue;
     covered.first = std::min(static_cast<int>(begin), from - 1);
     double sum = 0.0;

@@ -46,7 +46,7 @@ class SceneEdits {
   /// Rotates an image or environment sky to this angle from its first position, with the lights of
   /// a scene that an environment lights.
   void turn_sky(double turn_deg);
-  /// Multiplies the radiance of such a sky and its lights by `times`.
+  /// Sets the brightness factor of an image or environment sky and of its lights.
   void brighten_sky(double times);
   /// Rotates the scene's surroundings about the vertical axis, counter-clockwise seen from above:
   /// an image or environment sky, and the default lights of a scene that has none.

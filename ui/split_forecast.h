@@ -15,7 +15,7 @@ struct Forecast {
   double split_share = 0.0;        ///< of the pixels, 0 to 1
   double split_error = 0.0;        ///< its standard error
   double wait_seconds = 0.0;       ///< wall-clock time for the final pixels with all workers
-  int pixels = 0;                  ///< that were looked at
+  int pixels = 0;                  ///< rendered for the estimate
   double processor_seconds = 0.0;  ///< CPU time that the estimate's pixels took
 };
 

@@ -31,7 +31,7 @@ int rank_of(const Film& film, std::size_t i) {
   return film.split_level[i] + 256 * sort;
 }
 
-// Range of the display bytes in a pixel's 3 x 3 neighbourhood, 0 to 255.
+// Range of the green display bytes in a pixel's 3 x 3 neighbourhood, 0 to 255.
 int contrast_around(const Film& film, glm::ivec2 pixel) {
   int darkest = 255, brightest = 0;
   for (int y = std::max(0, pixel.y - 1); y <= std::min(film.height - 1, pixel.y + 1); ++y) {
@@ -102,8 +102,8 @@ std::size_t splits(const PixelTrace& trace) {
   return trace.cells.size() / 4;
 }
 
-// How much there is to see, 0 to 1: the number of split cells, or without any of parts that edges
-// cut off, and the contrast of their colours.
+// Returns how much a pixel shows, 0 to 1: by the number of split cells (without any: of parts that
+// edges cut off) and the contrast of their colours.
 double interest(const PixelTrace& trace) {
   std::size_t samples = 0;
   int darkest = 255, brightest = 0;
@@ -120,7 +120,7 @@ double interest(const PixelTrace& trace) {
   const auto share_of = [](std::size_t count, std::size_t many) {
     return static_cast<double>(std::min(count, many)) / static_cast<double>(many);
   };
-  constexpr double as_nothing = 0.02;  // beside what is split
+  constexpr double as_nothing = 0.02;  // weight compared with split pixels
   if (splits(trace) == 0) return as_nothing * share_of(samples, 4) * contrast;
   return share_of(splits(trace), 6) * (0.2 + 0.8 * contrast);
 }

@@ -20,7 +20,7 @@ class StoppableJob {
 
   /// Only while not busy.
   void start(Work work) {
-    thread_ = {};  // has ended
+    thread_ = {};  // the previous work has ended
     {
       const std::scoped_lock lock(mutex_);
       outcome_.reset();

@@ -51,7 +51,7 @@ inline constexpr std::uint32_t plot_text = 0xd8dadd;
 [[nodiscard]] std::uint32_t rgb(Look look, Colour colour);
 /// The look that was applied last.
 [[nodiscard]] Look look();
-/// Of that look.
+/// Returns a colour of that look.
 [[nodiscard]] std::uint32_t rgb(Colour colour);
 
 /// Converts to Dear ImGui's packed colours.

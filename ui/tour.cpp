@@ -88,7 +88,7 @@ void end_tour(UiState& state, Previewer& previewer) {
       !tour.own_source.empty())
     state.opening = {tour.own_source};
   tour.own_source.clear();
-  tour.card = Tour::Card::pyray;  // which shows nothing
+  tour.card = Tour::Card::pyray;  // it sets up nothing
   act(state, 0.0);
   tour.card.reset();
   state.display = tour.before.display;

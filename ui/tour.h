@@ -27,7 +27,7 @@ struct Tour {
   std::optional<Card> card;  ///< none: it is not shown
   bool seen = false;         ///< it was shown once; from then on only on request
   double since_seconds = 0.0;
-  std::optional<glm::ivec2> pixel;  ///< that the cards speak of
+  std::optional<glm::ivec2> pixel;  ///< the pixel that the cards explain
   /// The situation in which `pixel` was chosen.
   struct Chosen {
     std::uint64_t restarts = 0;  ///< of the picture
@@ -50,7 +50,7 @@ struct Tour {
   };
   Before before;
   std::string own_source;                        ///< scene to open again at the end; empty: none
-  std::optional<std::size_t> frames_when_asked;  ///< before that of the other method
+  std::optional<std::size_t> frames_when_asked;  ///< number of snapshots before the other method's
   std::string rival;  ///< name of the other method's snapshot; empty: none
 };
 
@@ -61,8 +61,8 @@ void show_card(UiState& state, Previewer& previewer, int card, double now_second
 inline constexpr const char* tour_scene = "builtin:fence";
 /// Opens `tour_scene`, or the user's own scene again.
 void switch_scene(UiState& state, const Previewer& previewer);
-/// Restores the settings from before the tour, except sky, background and ground; also the scene,
-/// if the tour opened another one.
+/// Restores the settings from before the tour, except threads, sky, background and ground; also the
+/// scene, if the tour opened another one.
 void end_tour(UiState& state, Previewer& previewer);
 
 /// The display settings without the changes of the current card, for undo steps.

@@ -55,7 +55,7 @@ struct UiState {
   bool show_panel = true;
   PanelTab tab = PanelTab::antialias;
   std::string search;               ///< text to find in the panel's controls, on all tabs
-  bool focus_search = false;        ///< the keyboard moves to it
+  bool focus_search = false;        ///< move the keyboard focus to the search
   bool focus_panel = false;         ///< move the keyboard focus to the panel, or back from it
   bool watch = false;               ///< reload the scene's file when it changes
   std::vector<std::string> recent;  ///< see StoredSettings

@@ -32,7 +32,7 @@ class ViewStudy::Work {
     study_.scene = subject_.plan.scenes.front();
   }
 
-  /// On the thread.
+  /// Runs the study, on its own thread.
   void run(const std::stop_token& stop) {
     const bool measured =
         fit_into_time(stop) && run_pass(0, stop) && run_points(stop) && watch_renders(stop);

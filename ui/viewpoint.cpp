@@ -73,7 +73,7 @@ void Viewpoint::take_over(const Camera& of_file, int index) {
   chosen_placed_ = of_file.world_from_camera;
   const Camera camera = fitted_camera(of_file, aspect_ratio(), CameraFit::fit);
   const World& world = scene_->world();
-  // Orbit the surface in view, or without one the scene's centre at its depth.
+  // Orbit the surface in view, or else a point at the scene centre's depth.
   const Box bounds = bounds_without_ground(world);
   const double radius = subject_radius(bounds);
   camera_.set(camera, radius, radius);

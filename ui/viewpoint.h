@@ -16,7 +16,7 @@ namespace asos::ui {
 /// settings). All members must be called from one thread.
 class Viewpoint {
  public:
-  /// Both must outlive the object. It changes only the size in `settings`.
+  /// `scene` and `settings` must outlive the object, which changes only the size in `settings`.
   Viewpoint(const OpenScene& scene, RenderSettings& settings);
 
   [[nodiscard]] OrbitCamera& camera() { return camera_; }
@@ -25,7 +25,7 @@ class Viewpoint {
   void choose_camera(int index);
   /// Index of the scene's camera that was chosen last; -1: another view.
   [[nodiscard]] int chosen_camera() const { return chosen_camera_; }
-  /// Whether the camera has been moved since then.
+  /// Whether the camera has been moved since it was chosen.
   [[nodiscard]] bool left_chosen() const { return camera_.revision() != chosen_revision_; }
   /// Follows the animation of the chosen camera unless the user has moved the view. Call at least
   /// once a frame.
@@ -53,7 +53,7 @@ class Viewpoint {
   void set_picture_size(int width, int height, double now_seconds);
   /// Applies the requested size once it has been still. Call at least once a frame.
   void settle_size(double now_seconds);
-  /// Seconds until then; none: the size is applied.
+  /// Seconds until the requested size applies; none: it is applied already.
   [[nodiscard]] std::optional<double> seconds_to_settle(double now_seconds) const;
   /// Whether the picture's size is known.
   [[nodiscard]] bool sized() const { return sized_; }
@@ -100,9 +100,9 @@ class Viewpoint {
   OrbitCamera camera_;
   int chosen_camera_ = -1;
   std::uint64_t chosen_revision_ = 0;  // camera revision when it was chosen
-  glm::dmat4 chosen_placed_{1.0};      // where it was then
-  std::uint64_t framings_ = 0;         // counts them
-  std::uint64_t framing_ = 0;          // the last one
+  glm::dmat4 chosen_placed_{1.0};      // its placement when it was chosen
+  std::uint64_t framings_ = 0;         // number of framings so far
+  std::uint64_t framing_ = 0;          // number of the last framing
   std::uint64_t framed_revision_ = 0;  // camera revision when the scene was framed last
   bool sized_ = false;
   std::optional<PendingSize> pending_size_;

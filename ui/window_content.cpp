@@ -326,7 +326,8 @@ void WindowContent::panel_window(const WindowRect& rect) {
   if (std::exchange(state_.forget, false)) apply(StoredSettings{});
 }
 
-// The error layer has its own reference once that is complete.
+// Returns whether the check has to sample a reference: for itself, or until the error layer's own
+// reference is complete.
 bool WindowContent::wants_reference() const {
   constexpr int whole = SplitCheck::most_passes * SplitCheck::samples_each;
   const bool has = error_reference_.film() && error_reference_.samples() >= whole;

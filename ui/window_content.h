@@ -64,8 +64,8 @@ class WindowContent {
   /// Draws one frame. A frame without area only updates the previewer.
   void draw(const FrameInput& in);
 
-  /// Seconds from the last frame until the next one is due although nothing happens; none: when
-  /// there is input, or the previewer wakes.
+  /// Seconds from the last frame until the next one is due without any event; none: only after
+  /// input, or when the previewer wakes.
   [[nodiscard]] std::optional<double> seconds_to_redraw() const;
 
   /// Opens a file that was dropped on the window: a sky, a scene or a saved picture.
@@ -133,7 +133,7 @@ class WindowContent {
   FileWatch watch_;
   PictureSaver saver_;
   SceneExportJob scene_export_;
-  SceneEdits::Revisions exported_;  // the edits that it writes
+  SceneEdits::Revisions exported_;  // the edits that scene_export_ writes
   ClipboardJob clipboard_;
   UnsavedWork unsaved_;
   int saves_noted_ = 0;
@@ -141,7 +141,7 @@ class WindowContent {
   bool before_shown_ = false;
   DisplaySettings shown_display_;     // settings of the displayed picture
   std::uint64_t surfaces_shown_ = 0;  // revision of the displayed property; 0: picture
-  std::uint64_t layer_shown_ = 0;     // its revision; 0: none is shown
+  std::uint64_t layer_shown_ = 0;     // revision of the shown layer; 0: none
   bool touring_ = false;              // in the frame before
   std::uint32_t shown_activity_ = 0;  // activities when the frame was laid out
   std::uint64_t scenes_seen_ = 0;

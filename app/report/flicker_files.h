@@ -32,7 +32,7 @@ struct FlickerFigures {
 /// flicker.csv: a header, and a line for each setting of each method.
 [[nodiscard]] std::string flicker_csv(const std::vector<FlickerStudy>& studies);
 
-/// report.html for such studies, a self-contained file.
+/// Returns report.html for these studies, a self-contained file.
 [[nodiscard]] Result<std::string> flicker_page(const std::vector<FlickerStudy>& studies,
                                                const std::vector<FlickerFigures>& figures);
 

@@ -31,7 +31,7 @@ struct FlickerAtEqualTime {
   double seconds = 0.0;
   double asos_flicker = 0.0;  ///< the floor, if the flicker is below it
   double rival_flicker = 0.0;
-  bool at_least = false;  ///< it is, so the true ratio is larger
+  bool at_least = false;  ///< asos_flicker is the floor, so the true ratio is larger
   Reading reading = Reading::measured;
 
   /// Above 1: ASOS flickers less.

@@ -28,7 +28,7 @@ struct CurvePlot {
   std::string value_title;
   std::vector<PlotCurve> curves;
   double floor = 0.0;  ///< a line across; 0: none
-  double bias = 0.0;   ///< the same
+  double bias = 0.0;   ///< a second line across; 0: none
   std::string bias_title{};
 
   [[nodiscard]] bool empty() const;  ///< there is nothing to draw

@@ -94,7 +94,7 @@ std::string given_up_text(const SceneReport& scene, double longest_seconds) {
 /// Longer lists of rows are folded.
 constexpr int most_open_rows = 20;
 
-/// Table by scene of the methods that ASOS's best settings do not beat.
+/// List by scene of the methods that ASOS's best settings do not beat.
 std::string losses_matrix(const StudyReport& report) {
   std::string items;
   for (const SceneReport& scene : report.scenes) {

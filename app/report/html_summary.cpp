@@ -119,7 +119,7 @@ double faster_below(const SceneStudy& study, const std::string& method) {
   return won;
 }
 
-/// "sobol (0.34x to 3.48x; faster from RMSE 1e-3 down)".
+/// "sobol (0.34x to 3.48x; ASOS is faster from RMSE 1e-3 down)".
 std::string lost_words(const SceneStudy& study, const MethodComparison& v) {
   std::string words = fmt::format("{} ({}\u00d7 to {}\u00d7", escaped(v.method),
                                   factor_text(v.least), factor_text(v.most));

@@ -19,7 +19,7 @@ namespace asos {
 [[nodiscard]] std::string error_text(double error);
 /// The RMSE of a point, or a note that it is below the noise floor.
 [[nodiscard]] std::string shown_error(const StudyPoint& point);
-/// "3.1", "0.45", "120": a factor to two or three figures.
+/// "3.10", "0.45", "120": a factor to two or three figures.
 [[nodiscard]] std::string factor_text(double factor);
 /// "1 234 567", with narrow no-break spaces.
 [[nodiscard]] std::string count_text(std::uint64_t count);

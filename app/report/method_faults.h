@@ -8,11 +8,11 @@
 
 namespace asos {
 
-/// A part of `builtin:cards` that shows what methods get wrong that know only fractions of a pixel
+/// A part of `builtin:cards` on which methods fail that only track covered fractions of a pixel
 /// (CGF'98 sections 2.7 and 2.8).
 struct FaultSubject {
   const char* name;
-  const char* right;  ///< what a right picture has there
+  const char* right;  ///< what a correct picture has there
 };
 
 inline constexpr std::array fault_subjects{

@@ -160,7 +160,7 @@ Result<SceneReport> assemble_scene(const JobRecords& jobs, const std::string& na
   scene.timed_out = timed_out(jobs, name);
   if (const auto added = add_regions(jobs, scene); !added) return tl::unexpected(added.error());
 
-  // Sorted by ladder, whatever the order of the jobs
+  // Group by method, whatever the order of the jobs
   std::vector<const JobRecord*> points = first_repetitions(jobs, name);
   std::vector<std::string> methods;
   for (const JobRecord* p : points)

@@ -23,7 +23,7 @@ struct SceneReport {
   std::vector<std::string> timed_out;  ///< settings that would take too long
 };
 
-/// All that a report tells.
+/// All data of a report.
 struct StudyReport {
   StudyPlan plan;
   std::vector<SceneReport> scenes;

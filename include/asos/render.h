@@ -15,7 +15,7 @@ struct Progress {
   bool running = false;
   bool paused = false;
   bool finished = false;                    ///< every pixel is final
-  bool failed = false;                      ///< no more pixels will be: lack of memory
+  bool failed = false;                      ///< no more pixels will become final: lack of memory
   double fraction = 0.0;                    ///< of the forecast work, 0 to 1
   double seconds = 0.0;                     ///< of rendering, without pauses
   std::optional<double> seconds_left = {};  ///< estimate; none: not known yet

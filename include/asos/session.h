@@ -22,8 +22,8 @@ class ASOS_API Session {
   /// Cancels the render and waits for its workers.
   ~Session();
 
-  /// Cancels what runs and starts a render. Blocks until the former workers have stopped. Fails as
-  /// `render` does; the former render is cancelled only on success.
+  /// Cancels the running render and starts a new one. Blocks until the former workers have stopped.
+  /// Fails as `render` does; the former render is cancelled only on success.
   Result<void> start(const Scene& scene, const Camera& camera, const Settings& settings);
   /// Starts the last render anew in other light. Fails with `invalid_argument` for a light that is
   /// not valid, or before `start`.

@@ -42,7 +42,7 @@ struct TracedCell {
 struct PixelTrace {
   Float3 radiance{0, 0, 0};            ///< linear; the same bits as in the whole picture
   int level = 0;                       ///< as in layer "level"
-  std::string cause = {};              ///< as `cause_name`
+  std::string cause = {};              ///< see `cause_name`
   double unresolved_area = 0.0;        ///< share of the pixel that stayed marginal
   std::vector<TracedCell> cells = {};  ///< level by level
 };

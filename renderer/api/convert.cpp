@@ -27,7 +27,7 @@ asos::Light::Type type_of(LightType type) {
     case LightType::disk:
       return Type::disk;
   }
-  return static_cast<Type>(-1);  // which is a fault
+  return static_cast<Type>(-1);  // invalid: rejected later
 }
 
 }  // namespace

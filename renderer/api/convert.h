@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-// From the public types to the renderer's, and back.
+// Conversions from the public types to the renderer's, and back.
 
 namespace asos::api {
 
@@ -52,7 +52,7 @@ template <typename Work>
   return {v.x, v.y, v.z};
 }
 [[nodiscard]] glm::dmat4 matrix_of(const Matrix4& m);
-/// Whether all values are finite and the last row is that of an affine matrix.
+/// Returns whether all values are finite and the last row is that of an affine matrix.
 [[nodiscard]] bool is_affine(const Matrix4& m);
 
 /// The camera, relative to `origin`. Its values may be out of range (validate_camera).

@@ -7,9 +7,9 @@ namespace asos::api {
 
 struct Picture::Impl {
   RenderResult result;
-  Snapshot snapshot;  ///< that it is of
+  Snapshot snapshot;  ///< the input of the render
   bool finished = true;
-  bool from_file = false;  ///< its scene; see Scene::Impl
+  bool from_file = false;  ///< the scene is: see Scene::Impl
   ToneCurve tone = ToneCurve::neutral;
 };
 

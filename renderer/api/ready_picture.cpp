@@ -78,7 +78,7 @@ Result<RenderSettings> settings_of(const Settings& from) {
 }
 
 /// Finds the sky and the ground that the settings ask for. Without a choice they follow the scene's
-/// default look, or are those of a lit scene where the caller has lit it.
+/// default look, or DefaultLook{} if the caller has replaced the lights.
 Result<void> set_surroundings(const Settings& from, const Scene::Impl& scene,
                               const asos::Camera& camera, RenderSettings& to) {
   if (!(std::isfinite(from.sky_turn_deg))) return wrong_setting("sky_turn_deg", "is not finite");

@@ -6,7 +6,7 @@
 namespace asos::api {
 
 /// A picture that can be rendered: scene, camera and settings are checked, and the scene has the
-/// light, ground and strokes of the picture.
+/// light, ground, lines and points of the picture.
 struct ReadyPicture {
   Snapshot snapshot;
   ToneCurve tone = ToneCurve::neutral;  ///< of saved pictures

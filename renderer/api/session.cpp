@@ -29,7 +29,7 @@ void copy_tile(const FinishedTile& tile, const Film& film, std::span<float> rgb)
 }  // namespace
 
 struct Session::Impl {
-  /// Wakes those that wait for tiles. Workers ring it, so it has a mutex of its own.
+  /// Wakes the threads that wait for tiles. Workers ring it, so it has a mutex of its own.
   class TileBell {
    public:
     void ring() {
@@ -38,7 +38,7 @@ struct Session::Impl {
       tiles_wait_ = true;
       condition_.notify_all();
     }
-    /// The tiles are about to be taken.
+    /// Call before the tiles are taken.
     void quiet() {
       const std::lock_guard lock(mutex_);
       tiles_wait_ = false;
@@ -47,7 +47,7 @@ struct Session::Impl {
       const std::lock_guard lock(mutex_);
       return rings_;
     }
-    /// Waits until tiles wait or it was rung after `seen` rings.
+    /// Waits until there are tiles or more than `seen` rings. Returns false after `timeout`.
     bool wait(std::uint64_t seen, std::chrono::milliseconds timeout) {
       std::unique_lock lock(mutex_);
       return condition_.wait_for(lock, timeout, [&] { return tiles_wait_ || rings_ != seen; });

@@ -152,7 +152,7 @@ void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* wa
   const std::uint64_t before = started.statistics.rays();
   const auto found = sampler.resume(std::move(open.samples), started.statistics);
   const auto rays = static_cast<double>(started.statistics.rays() - before);
-  // Add them to their pixels.
+  // Add the samples to their pixels.
   double samples = 0.0;
   for (std::size_t i = 0; i < found.size(); ++i)
     samples += found[i].cost - open.parts[i].so_far.cost;

@@ -28,9 +28,10 @@ struct PixelWatch {
 /// to the picture.
 [[nodiscard]] BlockResult render_fat_pyray(const BlockJob& job, PixelWatch* watch = nullptr);
 
-/// Runs its first stage.
+/// Runs the first stage of render_fat_pyray.
 [[nodiscard]] StartedPyray start_fat_pyray(const BlockJob& job, PixelWatch* watch = nullptr);
-/// Its second stage: samples the open regions until they are within their allowance.
+/// Runs the second stage of render_fat_pyray: samples the open regions until their error is within
+/// the allowance.
 void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* watch = nullptr);
 
 }  // namespace asos

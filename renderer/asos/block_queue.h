@@ -12,13 +12,13 @@
 
 namespace asos {
 
-/// A leaf's radiance, or a part of it, that its block determines later.
+/// A leaf's radiance, or a part of that radiance. The block determines it later.
 struct Contribution {
   std::uint32_t root = 0;
   SampleId sample = no_sample;  ///< the leaf's
   double weight = 1.0;          ///< the leaf's
   glm::dvec3 radiance{0.0};     ///< linear, times the weight
-  double rays = 0.0;            ///< number of rays cast for it
+  double rays = 0.0;            ///< number of rays cast to find it
   bool dropped = false;
 
   /// Returns the radiance as direct light, for a weight of 1.
@@ -50,8 +50,8 @@ class BlockQueue {
   [[nodiscard]] std::size_t size() const { return waiting_.size(); }
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
 
-  /// Distributes rays over the contributions that were not dropped, in proportion to `parts`, which
-  /// has one entry for each.
+  /// Distributes rays over all contributions, dropped ones too, in proportion to `parts`, which has
+  /// one entry for each.
   void share_rays(double rays, std::span<const double> parts) {
     double all = 0.0;
     for (const double part : parts) all += part;

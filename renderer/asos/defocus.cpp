@@ -12,7 +12,7 @@ namespace asos {
 namespace {
 
 // An edge along a pixel's border changes the pixel by 2 / (3 pi) of its contrast per pixel of blur
-// radius. At full contrast that is EPS where the radius is this many times EPS.
+// radius. At full contrast, that is EPS at a radius of 4.7 EPS; this factor is slightly smaller.
 constexpr double sharp_radius = 4.5;
 
 // Wider blur is sampled, since a search around one pixel would find the whole block's surroundings.
@@ -62,7 +62,7 @@ Defocus::Defocus(const BlockJob& job, const ViewContext& viewer, int side)
   may_meet_ = !all.empty() && meets_boundary(all);
 }
 
-// Over the picture of a plane, the circle of confusion is linear, as 1 / depth is.
+// Across the picture of a plane, the circle of confusion varies linearly, as 1 / depth does.
 void Defocus::measure(const RenderScene& scene, const Ray& ray, const Hit& hit,
                       Pixel& pixel) const {
   double slope = 0.0;
@@ -74,11 +74,11 @@ void Defocus::measure(const RenderScene& scene, const Ray& ray, const Hit& hit,
     const double height = std::abs(glm::dot(normal, glm::dvec3(ray.at(hit.t)) - eye_));
     const double turn = std::abs(glm::dot(normal, glm::dvec3(spacing_.right))) +
                         std::abs(glm::dot(normal, glm::dvec3(spacing_.down)));
-    // Change of the radius per pixel across the picture.
+    // Change of the circle's radius per pixel across the picture.
     slope = view_->confusion_of_nearness(turn / height);
   }
   pixel.radius = view_->confusion(depth);
-  // Whether a pixel's surface is sharp depends on that pixel alone.
+  // If the pixel itself is sharp, its neighbours need no search.
   if (is_sharp(pixel.radius + 0.5 * width_ * slope)) {
     pixel.most = pixel.radius + 0.5 * width_ * slope;
     pixel.searched = true;
@@ -91,8 +91,8 @@ void Defocus::measure(const RenderScene& scene, const Ray& ray, const Hit& hit,
   pixel.searched = pixel.most <= most_reach;
 }
 
-// Returns the cross-section of all rays of a pixel at one depth: nearer than the focus plane, where
-// the circle of confusion is the pixel's largest.
+// Returns the cross-section of all rays of a pixel at the depth in front of the focus plane where
+// the circle of confusion has the pixel's largest radius.
 Box Defocus::far_end(std::uint32_t root) const {
   const Pixel& pixel = pixels_[root];
   const double radius = std::max(pixel.most, sharpest_);

@@ -16,8 +16,8 @@ class Defocus {
  public:
   struct Pixel {
     double radius = 0.0;    ///< radius of the circle of confusion at the centre's depth
-    double most = 0.0;      ///< largest radius over the square that `reach` covers
-    bool searched = false;  ///< `most` is within reach
+    double most = 0.0;      ///< largest radius within this distance of the pixel
+    bool searched = false;  ///< boundaries are searched within `most`; else sampled
   };
 
   /// Casts a ray through the centre of each of side x side pixels, starting at the job's block.
@@ -30,8 +30,8 @@ class Defocus {
   /// Returns whether a circle of confusion of this radius changes no pixel by more than EPS.
   [[nodiscard]] bool is_sharp(double radius) const { return radius <= sharpest_; }
   [[nodiscard]] bool is_sharp_at(double depth) const { return is_sharp(view_->confusion(depth)); }
-  /// Returns whether every boundary is so far from the lens that its circle of confusion is no
-  /// larger than the pixel's. Conservative.
+  /// Returns whether no boundary in the pixel's cone is so near the lens that its circle of
+  /// confusion exceeds the pixel's `most`. Conservative: false if unsure.
   [[nodiscard]] bool nothing_nearer(std::uint32_t root) const;
   /// Returns whether rays at the border of the search region meet no larger circle of confusion
   /// than `most`, as on a plane. Meshes may bend away from the plane of the centre's triangle.
@@ -39,7 +39,7 @@ class Defocus {
   /// Returns the side of a square with the second moments of the pixel convolved with its circle of
   /// confusion. The circle is limited to the search radius.
   [[nodiscard]] double leaf_side(std::uint32_t root) const;
-  /// Returns the allowance of a sampled pixel. It refines, even where the settings do not.
+  /// Returns the allowance of a sampled pixel, with refine_shading even if the settings lack it.
   [[nodiscard]] const ErrorBudget& error_budget() const { return error_budget_; }
 
  private:

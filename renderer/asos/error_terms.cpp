@@ -33,7 +33,7 @@ bool any_light(const EyeContext& eye, const auto& holds) {
   return std::any_of(lights.begin(), lights.end(), holds);
 }
 
-/// Returns whether samples of its lobes contain all that a surface reflects and transmits.
+/// Returns whether sampling a surface's lobes covers all its reflection and transmission.
 bool by_lobes_only(const EyeContext& eye, const Leaf& leaf) {
   const Material& material = *leaf.material;
   return !material.metallic_roughness_texture.used() && !material.coat.roughness_texture.used() &&
@@ -128,8 +128,8 @@ ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
                                              footprint_shape(leaf.region, leaf.at), leaf.weight));
 }
 
-// The normal at the centre does not represent the others. Where some of them face away from a
-// light, a ray to the light is sent, so that the samples determine more of the leaf.
+// The centre's normal does not represent the leaf's. With soft shadows, leaves with normal maps are
+// sampled, and so are those on curved meshes, except inside one triangle with a bright highlight.
 ErrorBound ErrorTerms::bumps(const Leaf& leaf) const {
   const RenderScene& scene = *eye_->scene;
   if (!leaf.is_lit()) return ErrorBound::none();
@@ -248,7 +248,7 @@ HighlightError ErrorTerms::highlights_error(const GlossyPatch& glossy) const {
   return all;
 }
 
-// A quarter of the area has a quarter of the squared angle.
+// The error grows with the squared angle, as with the leaf's area.
 ErrorBound ErrorTerms::mirror(const Leaf& leaf) const {
   const double wide = mirrored_width(leaf);
   if (!(wide > 1.0)) return ErrorBound::none();
@@ -305,14 +305,14 @@ glm::ivec2 ErrorTerms::pixel_of(const LeafRegion& region) const {
          border_;
 }
 
-// Returns whether the light has an extent and its shadows are found one light at a time.
+// Returns whether the light casts soft shadows and is not one of the sampled lights.
 bool ErrorTerms::casts_soft_shadow(std::uint32_t light) const {
   const PreparedLight& asked = eye_->viewer.shader.lights()[light];
   return asked.casts_shadows && asked.extended() && !selected_lights_->holds(light);
 }
 
-// Each bound is for an edge along the whole patch at the worst place. Half of it is expected. The
-// loop ends once the sum exceeds the allowance.
+// Each bound is for a shadow's edge along the whole patch at the worst place; half of it is
+// expected. The loop ends once the sum exceeds the allowance.
 ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
   constexpr double expected = 0.5;
   if (!leaf.is_lit() || !(leaf.albedo() > 0.0f)) return ErrorBound::none();
@@ -342,7 +342,7 @@ double ErrorTerms::cost_of_shadows() const {
 }
 
 bool ErrorTerms::may_misplace_light(const Leaf& leaf) const {
-  constexpr double wider = 8.0;  // than the corner rays: the other mirror's pyray starts elsewhere
+  constexpr double wider = 8.0;  // than the corner rays: another mirror's pyray starts elsewhere
   const ViewContext& viewer = eye_->viewer;
   if (!leaf.shows_surface() || viewer.shader.lights_without_geometry().empty()) return false;
   const double spread =

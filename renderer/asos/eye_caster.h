@@ -48,8 +48,8 @@ class EyeCaster final : public Caster {
 
   SampleId probe(std::span<const glm::vec2> points) override { return samples_.probe(points); }
   [[nodiscard]] LensCaster* lens() override { return lens_ ? &*lens_ : nullptr; }
-  /// Finds the occluders between each surface at a pixel centre and the lights, for shadow pyrays
-  /// to share.
+  /// Finds the shadow pyrays' common occluders, the variation of normals, and the sampled lights,
+  /// from the surfaces at the pixel centres.
   void middles_known(int side) override;
   /// Replaces `middles_known` for a caller that sends one ray only.
   void sends_one_ray() { selected_lights_.take_all(); }
@@ -68,7 +68,7 @@ class EyeCaster final : public Caster {
     return chooser_.decide(sample, weight, region, may_split);
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
-    constexpr double contrast = 0.5;  // of a part with many surfaces
+    constexpr double contrast = 0.5;  // of parts with many surfaces, assumed
     return shades_parts_ &&
            eye_.error_budget.samples_suffice(weight, contrast,
                                              chooser_.part_price() * static_cast<double>(parts));
@@ -89,17 +89,17 @@ class EyeCaster final : public Caster {
   /// and counted.
   [[nodiscard]] glm::vec3 colour(std::uint32_t root) const;
   [[nodiscard]] const RootSum& sum(std::uint32_t root) const { return sums_[root]; }
-  /// Returns the camera's parts that still need samples, and leaves none. They are in no sum yet.
+  /// Takes the camera's parts that still need samples. No sum contains them yet.
   [[nodiscard]] OpenRegions take_open() { return leaf_shader_.take_open(); }
-  /// Takes the surface layers of the roots, without these parts. Empty: no layer is asked for.
+  /// Takes the surface layers of the roots, without the open parts. Empty if none is requested.
   [[nodiscard]] std::vector<LayerSum> take_layers() {
     return layers_ ? layers_->take() : std::vector<LayerSum>();
   }
 
  private:
   EyeContext eye_;
-  bool casts_shadows_;  // whether any light does
-  bool shades_parts_;   // parts cost more than samples: true where anything is lit at all
+  bool casts_shadows_;  // some light casts shadows
+  bool shades_parts_;   // parts may cost more than samples: some lit surface may be in shadow
   EyeSamples samples_;
   ShadowScene shadow_scene_;
   ShadowGroups groups_;
@@ -108,7 +108,7 @@ class EyeCaster final : public Caster {
   LeafChooser chooser_;
   std::vector<RootSum> sums_;
   BlurredSum blurred_;
-  std::optional<LeafLayers> layers_;  // where surface layers are asked for
+  std::optional<LeafLayers> layers_;  // none: no surface layers are asked for
   LeafShader leaf_shader_;
   std::optional<LensRoots> lens_;
 };

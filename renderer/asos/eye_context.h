@@ -34,10 +34,10 @@ struct EyeContext {
   EyeWorkspace* work = nullptr;
   std::stop_token stop{};
   RenderStatistics* counts = nullptr;
-  /// The pyray that root `observed_root` is, for observers.
+  /// Observer and pyray number of the root `observed_root`.
   ObservedLeaf observed{};
   std::uint32_t observed_root = 0;
-  Square observed_square{0.0f, 0.0f, 1.0f};  ///< of that root, in the frame
+  Square observed_square{0.0f, 0.0f, 1.0f};  ///< square of that root, in the frame
 
   /// Returns whether the block is the picture of a reflected pyray.
   [[nodiscard]] bool mirrored() const { return mask != nullptr; }

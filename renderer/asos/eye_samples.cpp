@@ -65,7 +65,7 @@ std::uint64_t EyeSamples::seed(SampleId sample) const {
 }
 
 OccluderPlane EyeSamples::cover(SampleId sample) const {
-  // A transparent surface does not hide the boundaries behind it.
+  // A transparent surface hides no boundaries behind it, so its cover is empty.
   const Hit& hit = hits_[sample];
   if (!hit.valid() || !opaque(sample)) return OccluderPlane::none();
   return occluder_of(*eye_->frame, eye_->scene->world(), eye_->scene->features(), hit);

@@ -40,8 +40,8 @@ struct Moments {
   }
 };
 
-// Adds a side clipped to a rectangle. The parts outside run along the rectangle's border, there and
-// back.
+// Adds a side clamped to a rectangle: its parts outside follow the rectangle's border, so that
+// their areas cancel.
 void add_drawn_in(glm::dvec2 p, glm::dvec2 q, glm::dvec2 lo, glm::dvec2 hi, Moments& sum) {
   // Handle sides entirely beyond one side of the rectangle, or entirely inside.
   const glm::dvec2 low = glm::min(p, q), high = glm::max(p, q);

@@ -14,9 +14,9 @@ namespace asos {
 [[nodiscard]] bool shows_highlight(const EyeContext& eye, std::uint32_t light,
                                    const SurfacePoint& point, glm::vec3 to_viewer);
 
-/// Counts how many of thirteen rays reach the light. One goes to the highlight's peak, and four to
-/// each of three circles around it. The circles contain a fifth, a half and four fifths of the lobe
-/// of a surface of that roughness.
+/// Number of rays that reach a light, of thirteen: one to the highlight's peak, and four to each of
+/// three circles around it. The circles contain a fifth, a half and four fifths of the lobe of a
+/// surface with the given roughness.
 struct HighlightRays {
   int sent = 0;
   int arrived = 0;

@@ -10,8 +10,8 @@
 
 namespace asos {
 
-/// A part of a root and the surface at its sample. Made once, when the engine chooses an estimator
-/// for it. Valid as long as its region's border.
+/// A part of a root and the surface at its sample, from which the part's estimator is chosen. Valid
+/// as long as its region's border.
 struct Leaf {
   SampleId sample = no_sample;
   double weight = 1.0;  ///< fraction of the root's area

@@ -44,7 +44,7 @@ class LeafChooser {
   void learn_normals(int side) { terms_.learn_normals(side); }
 
   /// Returns the estimator of a leaf of this weight, from the sum of its error terms. The
-  /// decision's record is the number of the leaf's view of the lights.
+  /// decision's `record` is the index of the leaf's `views`.
   [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
                                     bool may_split);
   /// Returns a leaf's views of the lights that were computed so far.
@@ -54,11 +54,12 @@ class LeafChooser {
 
   /// Returns the evenly lit patch of the sample's surface that contains the region, if any.
   [[nodiscard]] UniformShadowPatch* even_around(SampleId sample, const LeafRegion& region);
-  /// Returns a patch whose lights are evaluated once for all of it, if it is evenly lit.
+  /// Returns a patch whose lights are evaluated once for all of it. Does not check that it is
+  /// evenly lit.
   [[nodiscard]] UniformShadowPatch even_patch(SampleId sample, const LeafRegion& region,
                                               const LightViews& views) const;
 
-  /// Returns the cost of each of many parts of a cell, in samples.
+  /// Returns the cost of one part of a divided cell, in samples.
   [[nodiscard]] double part_price() const { return part_price_; }
   /// See ErrorTerms.
   [[nodiscard]] bool may_misplace_light(SampleId sample, double weight,

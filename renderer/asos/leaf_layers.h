@@ -17,7 +17,7 @@ namespace asos {
 /// has a known area, so that coverage is exact; parts that show several are sampled.
 class LeafLayers {
  public:
-  /// Both have to outlive this.
+  /// Both references have to outlive it.
   LeafLayers(const EyeContext& eye, const EyeSamples& samples, std::size_t roots)
       : eye_(&eye),
         samples_(&samples),

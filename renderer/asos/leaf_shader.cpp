@@ -32,13 +32,13 @@ constexpr std::uint32_t samples_of_blur = 16;
 // allows that many times more samples for pixel and lens together than for a pixel.
 constexpr double most_parts_of_lens = 16.0;
 
-// Samples of a pixel for its surface layers, where one cannot stand for a part of it.
+// Samples of a pixel for its surface layers, where one sample cannot represent a part of it.
 constexpr double samples_of_planes = 256.0;
 
-// Expected error of a part that one sample stands for although boundaries pass through it.
+// Expected error of a part that boundaries cross although one sample represents it.
 constexpr double error_of_marginal = 0.25;
 
-// A block's first stage samples regions until they are within so many times their allowed error.
+// A block's first stage samples regions until their error is within this many times the allowance.
 constexpr double first_stage_error = 4.0;
 
 }  // namespace
@@ -90,7 +90,7 @@ void LeafShader::shade_one(const PyrayLeaf& leaf) {
   note_result(leaf.root, leaf.sample, radiance);
 }
 
-// Reflected leaves are shaded immediately.
+// Reflected leaves are never deferred as single samples.
 bool LeafShader::worth_one_sample(const PyrayLeaf& leaf) const {
   const ErrorBudget& error_budget = eye_->error_budget;
   return !eye_->mirrored() && error_budget.refines() &&
@@ -155,9 +155,9 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) 
   return radiance;
 }
 
-// A leaf that a boundary has cut is no parallelogram. Where its parallelogram reaches beyond the
-// boundary, the texture may differ, as it does at seams. The colour is therefore averaged over its
-// parts.
+// The footprint of a cut leaf is approximated by a parallelogram. Where that reaches beyond the
+// boundary, the texture may differ, as at seams. The colour is therefore averaged over parts of the
+// leaf.
 std::span<const WeightedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm::vec2 at) {
   parts_.clear();
   const LeafRegion& region = leaf.region;
@@ -173,8 +173,8 @@ std::span<const WeightedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, g
   return parts_;
 }
 
-// Returns whether the highlights of partially occluded lights may have a larger error than a leaf
-// may. The error is at most unsure_highlights(), since the whole highlight may be occluded.
+// Returns whether the highlights of partially occluded lights may exceed the leaf's tolerance.
+// Their error is at most unsure_highlights(), since the whole highlight may be occluded.
 bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const {
   const ErrorBudget& error_budget = eye_->error_budget;
   return !eye_->mirrored() && error_budget.refines_leaves() && !leaf.region.marginal &&
@@ -187,9 +187,9 @@ bool LeafShader::blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transpor
   return leaf.defocused && (transport.met_shadow_edge() || transport.met_mirror_edge());
 }
 
-// Returns the number of samples that resolve such a highlight. With few samples, all may miss the
-// visible part of the light, so that their variance is wrongly zero. It is half of the likely
-// number.
+// Returns the fewest samples of a leaf whose highlight is unsure: half of the number that it is
+// expected to need. With fewer, all may miss the visible part of the light, so that their variance
+// is wrongly zero.
 std::uint32_t LeafShader::enough_for(const PyrayLeaf& leaf, float highlights) const {
   constexpr double most = 256.0;
   const double likely = eye_->error_budget.samples(
@@ -237,7 +237,7 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   if (n == 1 || region.marginal || !region.border.empty() || !hit.valid() ||
       !is_textured(eye_->scene->world().material_of(hit.triangle), eye_->scene->render_features))
     return false;
-  // Sample its parts.
+  // Sample the leaf's parts.
   const LeafPlace place{{eye_->block.x, eye_->block.y}, eye_->block.width};
   const std::vector<TexturePart> parts =
       texture_parts(region.square, n, place, eye_->seed, settings.filter == TextureFilter::point);
@@ -255,7 +255,7 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
     const PyrayLeaf part{leaf.root, first + i, share, {parts[i].square, {}}};
     (void)add_leaf(part, even ? &whole : chooser_->even_around(part.sample, part.region));
   }
-  // Record their mean as the leaf's radiance.
+  // Record the mean of the parts as the leaf's radiance.
   const double added = sums_[leaf.root].weight - before.weight;
   const glm::dvec3 radiance = sums_[leaf.root].radiance - before.radiance;
   note_result(leaf.root, leaf.sample, added > 0.0 ? glm::vec3(radiance / added) : glm::vec3(0.0f));
@@ -285,7 +285,7 @@ void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint
   defer(leaf, goal, true);
 }
 
-// Puts a leaf off until `finish`. With `planes` its surface layers are those of its samples.
+// Defers a leaf until `finish`. With `planes`, its samples also determine its surface layers.
 void LeafShader::defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal, bool planes) {
   const bool adds = layers_ && planes;
   const double samples = adds ? std::max(1.0, samples_of_planes * std::min(1.0, leaf.weight)) : 0.0;
@@ -323,8 +323,7 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
   return true;
 }
 
-// Drops a leaf's contributions from the sampled lights and the sky. Reflected leaves have them
-// already.
+// Drops a leaf's contributions from the sampled lights and the sky. Reflected leaves defer none.
 void LeafShader::drop(std::uint32_t selected_share, std::uint32_t sky_share) {
   if (eye_->mirrored()) return;
   selected_lights_->drop(selected_share);
@@ -384,7 +383,7 @@ void LeafShader::start_regions() {
     }
     if (layers_) layers_->add(leaf.root, sampler_->layers(i), leaf.weight);
     adds_planes_ = leaves[i].planes && !(sampler_->layers(i).weight > 0.0);
-    // A region that no sample meets is too thin: its centre is shaded.
+    // If a region is so thin that no sample hits it, shade the leaf's own sample.
     if (!add_estimate(leaf, found[i]) && samples_->hit(leaf.sample).valid())
       note_result(leaf.root, leaf.sample, add_leaf(leaf, nullptr));
   }

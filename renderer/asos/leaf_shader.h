@@ -35,14 +35,14 @@ class LeafShader {
 
   void shade(std::span<const PyrayLeaf> leaves);
 
-  /// Samples a part of a root, with samples spread evenly over the part and each light: at least
-  /// `fewest` samples, represented by `sample`. Returns false if no sample hit the region. A
+  /// Samples a part of a root, with at least `fewest` samples spread evenly over the part and each
+  /// light. The leaf's sample identifies the result. Returns false if no sample hit the region. A
   /// camera's parts are deferred until `finish`, to share packets of rays.
   bool add_samples(const PyrayLeaf& leaf, std::uint32_t fewest = 1);
-  /// Samples a root over the camera's lens likewise, with at least `fewest` samples. `sample` is
-  /// that of its centre.
+  /// Samples a root over pixel and lens, with at least `fewest` samples, deferred until `finish`.
+  /// `sample` is at the root's centre.
   void sample_defocused(std::uint32_t root, SampleId sample, std::uint32_t fewest = 1);
-  /// Determines the deferred parts. After it all sums are complete except those of open regions.
+  /// Determines the deferred parts. Then all sums are complete except those with open regions.
   void finish();
   /// Takes the regions that `finish` left open.
   [[nodiscard]] OpenRegions take_open() { return std::exchange(open_, {}); }
@@ -80,15 +80,15 @@ class LeafShader {
   const ShadowContext* shadows_;
   std::span<RootSum> sums_;
   BlurredSum* blurred_;
-  std::unique_ptr<RegionSampler> sampler_;  // made when first needed: it is large
+  std::unique_ptr<RegionSampler> sampler_;  // large, so made when first needed
   struct Deferred {
     PyrayLeaf leaf;       // without its border
-    bool planes = false;  // its surface layers are those of its samples
+    bool planes = false;  // its samples determine its surface layers
   };
   std::vector<Deferred> deferred_;  // in the sampler's order
   LeafLayers* layers_;              // null: no surface layer is asked for
   bool adds_light_;                 // parts of the radiance are among them
-  bool adds_planes_ = false;        // the leaf that is shaded has no surface layers yet
+  bool adds_planes_ = false;        // the current leaf has no surface layers yet
   OpenRegions open_;
   std::vector<WeightedShape> parts_;  // of the leaf that is shaded
   std::map<SampleId, glm::vec3> results_;

@@ -31,7 +31,7 @@ class LensRoots final : public LensCaster {
   [[nodiscard]] bool stayed_sharp(std::uint32_t root) const override { return !blurred_[root]; }
 
  private:
-  /// Looks through the leaves of sharp roots that boundaries cross.
+  /// Receives the leaves of sharp roots, and records roots with a blurred leaf.
   class Trial final : public Caster {
    public:
     explicit Trial(LensRoots& roots) : roots_(&roots) {}

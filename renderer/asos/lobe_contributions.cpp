@@ -20,8 +20,8 @@ RegionSampler& LobeContributions::sampler() {
   return *sampler_;
 }
 
-// As many samples as for noise, but the first round is limited by the lobes' reflectance of white.
-// MAX 0 requires one sample.
+// Returns the usual goal of a part, with the first round reduced by the lobes' reflectance of
+// white, but not below four samples (one at MAX 0).
 RegionSampler::Goal LobeContributions::goal_of(double weight, glm::vec3 reflected) const {
   RegionSampler::Goal goal = sample_goal(eye_->error_budget, weight);
   const double share = std::min(1.0, static_cast<double>(largest(reflected)));

@@ -41,8 +41,8 @@ class LobeContributions {
   [[nodiscard]] RegionSampler::Goal goal_of(double weight, glm::vec3 reflected) const;
 
   const EyeContext* eye_;
-  std::unique_ptr<RegionSampler> sampler_;  // made when first needed: it is large
-  BlockQueue queue_;                        // in its order
+  std::unique_ptr<RegionSampler> sampler_;  // large, so made when first needed
+  BlockQueue queue_;                        // in the sampler's order
 };
 
 }  // namespace asos

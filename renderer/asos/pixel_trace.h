@@ -21,7 +21,7 @@ struct PixelTrace {
   glm::vec3 radiance{0.0f};             ///< the pixel's, linear
   std::vector<LevelStatistics> levels;  ///< the papers' tables: K, M, in, out, L for each object
   std::vector<TracedCell> cells;
-  std::vector<TracedPyray> pyrays;      ///< those that leaves cast; at most Observer::most
+  std::vector<TracedPyray> pyrays;      ///< cast by leaves; at most Observer::most
   double unresolved_area = 0.0;         ///< fraction of the pixel whose leaves stayed marginal
   int level = 0;                        ///< level of the pixel, as in the split map
   SplitCause cause = SplitCause::none;  ///< as in the split map

@@ -20,9 +20,9 @@ struct NoisyValue {
 /// noise. Its degree is 2 if there are enough values, else 1.
 class PolynomialFit {
  public:
-  /// The fewest values for a fit of degree 1 and of degree 2. There are more values than
-  /// coefficients, so that the fit can be checked. Returns nothing if the values are too few or lie
-  /// on a line.
+  /// Fewest values for a fit of degree 1 and of degree 2. They exceed the number of coefficients,
+  /// so that the fit can be checked. `through` returns nothing if the values are too few or lie on
+  /// a line.
   static constexpr std::size_t fewest = 5, fewest_bent = 9;
   [[nodiscard]] static std::optional<PolynomialFit> through(std::span<const NoisyValue> values);
 
@@ -37,7 +37,7 @@ class PolynomialFit {
   using Terms = std::array<double, most_terms>;
   [[nodiscard]] Terms terms_at(glm::dvec2 place) const;
 
-  std::size_t count_ = 0;  // number of its terms
+  std::size_t count_ = 0;  // number of terms
   glm::dvec2 middle_{0.0};
   double scale_ = 1.0;
   std::array<glm::dvec3, most_terms> factors_{};

@@ -13,7 +13,7 @@ LevelPrediction::LevelPrediction(const RenderSettings& rendered, const RenderSet
   tolerance_before_ = static_cast<double>(before.tolerance);
   tolerance_ = static_cast<double>(after.tolerance);
   most_samples_ = after.most_samples(1.0);
-  constexpr double contrast = 0.5;  // of a part with many surfaces
+  constexpr double contrast = 0.5;  // of parts with many surfaces, assumed
   tangle_samples_ =
       std::max(after.samples(1.0, contrast), static_cast<double>(after.pilot_samples(1.0)));
   const double one = before.samples(1.0, ErrorBudget::usual_contrast);
@@ -23,7 +23,7 @@ LevelPrediction::LevelPrediction(const RenderSettings& rendered, const RenderSet
 int LevelPrediction::level_of(const SplitPredictionData& pixel, SplitCause cause) const {
   const auto error = static_cast<double>(pixel.error);
   double level = 0.0;
-  // Boundaries. The cells that they cut may have been split for shading alone.
+  // Boundaries, unless the cells that they cut were split for shading alone.
   const bool for_shading = pixel.unresolved <= 0.0f && !pixel.at_limit &&
                            error > tolerance_before_ && error <= tolerance_;
   if (cause == SplitCause::saturation && pixel.edges == 0) {
@@ -37,9 +37,9 @@ int LevelPrediction::level_of(const SplitPredictionData& pixel, SplitCause cause
       level = max_level_;
     }
   }
-  // Shading.
+  // Shading error.
   if (error > tolerance_) level = std::max(level, std::ceil(0.5 * std::log2(error / tolerance_)));
-  // Samples.
+  // Sample count.
   if (pixel.samples > 1) {
     const double samples = std::clamp(more_samples_ * pixel.samples, 1.0, most_samples_);
     level = std::max(level, std::ceil(0.5 * std::log2(samples)));

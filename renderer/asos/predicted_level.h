@@ -21,10 +21,10 @@ class LevelPrediction {
 
  private:
   int max_level_;
-  double eps_;               // asked for
+  double eps_;               // requested
   double tolerance_before_;  // with the settings of the rendering
-  double tolerance_;         // with the asked settings
-  double more_samples_;      // factor of the sample count between the two
+  double tolerance_;         // with the requested settings
+  double more_samples_;      // requested samples divided by the rendering's samples
   double tangle_samples_;    // samples of a pixel with too many edges
   double most_samples_;
 };

@@ -35,7 +35,7 @@ IncidentPyray incident_pyray(const Frame& frame, const Reflection& reflection,
   return pyray;
 }
 
-// Returns the sight as a pyramid (CGF'98 section 5).
+// Returns the reflected hit as a pyramid (CGF'98 section 5).
 std::optional<ReflectedHit> pyramid_sight(const EyeContext& eye, const Reflection& reflection,
                                           const Bounds2& part, float width) {
   IncidentPyray pyray = incident_pyray(*eye.frame, reflection, part);
@@ -64,8 +64,8 @@ std::optional<ReflectedHit> pyramid_sight(const EyeContext& eye, const Reflectio
   return sight;
 }
 
-// Returns the length of the ray in the centre of a bundle, or the size of the whole scene if it
-// meets nothing.
+// Returns the length of the ray in the centre of a bundle, or a length of twice the scene's size if
+// it meets nothing.
 double depth_of(const EyeContext& eye, const RayBundle& bundle, const MirrorSurface& surface,
                 const VolumePath& passage, RenderStatistics& counts) {
   const RenderScene& scene = *eye.scene;

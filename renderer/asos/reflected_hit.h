@@ -14,15 +14,15 @@ namespace asos {
 struct ReflectedHit {
   MirroredPyray pyray;
   MirrorSurface surface;
-  /// Replaces the pyray after any refraction or blur.
+  /// The exact rays after any refraction or blur, instead of `pyray`.
   std::optional<RayBundle> bundle;
   bool exact = true;  ///< the pyray is the exact reflection, to first order
 };
 
 /// Returns the reflected or refracted pyray of a part of a viewer's frame at the surface that it
-/// meets. `whole` says that the part is the whole frame; `width` is that of the lobe around it.
-/// After a refraction or blur, the pyray is the pyramid around a bundle, and one ray determines its
-/// depth. Returns nothing if the part has no extent or its numbers are not finite.
+/// meets. `whole` says that the part is the whole frame; `width` is the width of the lobe around
+/// the pyray. After a refraction or blur, the pyray is the pyramid around a bundle, and one ray
+/// determines its depth. Returns nothing if the part has no extent or its numbers are not finite.
 [[nodiscard]] std::optional<ReflectedHit> reflected_hit(const EyeContext& eye,
                                                         const Reflection& reflection,
                                                         const Bounds2& part, bool whole,

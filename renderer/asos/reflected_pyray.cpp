@@ -43,7 +43,8 @@ void add_line(std::vector<BorderEdge>& outline, const Segment& s) {
   outline.push_back({p + c.t0 * d, p + c.t1 * d});
 }
 
-// Adds the outlines of lights that are visible in mirrors only. They have no edges in the scene.
+// Adds the outlines of lights that are visible in mirrors only, since the scene has no edges for
+// them.
 void add_lights(std::vector<BorderEdge>& outline, const Frame& frame, const ViewContext& viewer) {
   if (!viewer.sees_bare_lights()) return;
   for (const std::uint32_t i : viewer.shader.lights_without_geometry()) {
@@ -112,9 +113,9 @@ ErrorBudget reflected_allowance(const EyeContext& eye, const Reflection& reflect
   return eye.error_budget.of_part(leaf.weight).nested(levels, reflected, may_be_one_ray ? 0 : 1);
 }
 
-// Returns the part of the parent's square that is reflected: the leaf's bounding box. If the square
-// itself is blurred, it is as wide as the kernel there, since the variances of two blurs add up and
-// their widths do not.
+// Returns the part of the parent's square that is reflected: the leaf's bounding box. If that
+// square is itself blurred, returns a rectangle with the kernel's mean and variances in the box,
+// since the variances of two blurs add up and their widths do not.
 Bounds2 incident_part(const EyeContext& eye, const Reflection& reflection,
                       const LeafRegion& region) {
   const Bounds2 part = bounds_of(region);
@@ -210,7 +211,7 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
   const Frame frame = view.frame(0, 0, 1, 1);
   const ReflectionMask mask = mask_of(*sight, leaf.region, part, view.start());
 
-  // Make a viewer along it.
+  // Make the viewer of the reflected pyray.
   const ViewContext viewer{view,
                            eye.viewer.shader,
                            PixelSpacing::of(view),
@@ -236,11 +237,11 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
     mirrored_eye.observed = {leaf.observed.observer,
                              leaf.observed.begin(TracedPyray::Kind::mirror)};
   }
-  // Trace it, or one ray where its weight allows no more.
+  // Trace the pyray, or one ray if its weight allows no more.
   EyeCaster caster(mirrored_eye, 1);
   bool split = false;
   if (one_ray) {
-    // Send that ray through the leaf's own sample, or in any direction of the lobe.
+    // Send the ray through the leaf's own sample, or in a random direction of the lobe.
     glm::vec2 at = glm::clamp((leaf.at - part.lo) / (part.hi - part.lo), 0.0f, 1.0f);
     if (mask.blur)
       at = BlurKernel(mask.blur->far_share)
@@ -251,7 +252,7 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
   } else {
     split = trace_mirrored(mirrored_eye, *sight, leaf, caster, eye.viewer.bounces);
   }
-  // Count its eye rays as reflection rays of the picture.
+  // Count the pyray's eye rays as reflection rays of the picture.
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
   const bool misplaces = !sight->exact && caster.sum(0).misplaced;

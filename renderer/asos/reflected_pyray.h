@@ -11,10 +11,9 @@ namespace asos {
 /// The radiance that a leaf reflects to the viewer.
 struct ReflectionResult {
   glm::vec3 radiance{0.0f};
-  bool split = false;  ///< a boundary divided it
-  bool misplaces =
-      false;             ///< a bright light: bent mirrors, one in the other, may show it elsewhere
-  bool followed = true;  ///< false: the reflected pyray has no extent or is not finite
+  bool split = false;      ///< a boundary divided the reflection
+  bool misplaces = false;  ///< curved mirrors that reflect each other may misplace a bright light
+  bool followed = true;    ///< false: the reflected pyray has no extent or is not finite
 };
 
 /// Follows a leaf's reflection with the same engine in the reflected frame. Colours with different

@@ -19,9 +19,9 @@ namespace asos {
 struct OpenRegions {
   struct Part {
     std::uint32_t root = 0;
-    SampleId sample = no_sample;  ///< sample that represents it
+    SampleId sample = no_sample;  ///< sample that represents the part
     double weight = 1.0;          ///< fraction of the root's area
-    bool layers = false;          ///< it is sampled because of texture cut-outs
+    bool layers = false;          ///< the part is sampled because of texture cut-outs
     RegionSampler::Estimate so_far;
   };
   std::vector<Part> parts;
@@ -62,14 +62,14 @@ struct RootSum {
   bool mirror_cut = false;  ///< a boundary split the reflection of a leaf
   /// Curved mirrors that reflect each other may show a bright light at a wrong place.
   bool misplaced = false;
-  bool defocused = false;     ///< it was sampled over the camera's lens
+  bool defocused = false;     ///< the root was sampled over the camera's lens
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
   /// Samples of parts whose samples differ visibly and need more than one round.
   std::uint32_t varied = 0;
   float error = 0.0f;          ///< error bound of the root's centre, from the bounds of its leaves
   double squared_error = 0.0;  ///< of sampled parts: the sum of their squared standard errors
   double centre_error = 0.0;   ///< of leaves by their centres: the sum of their bounds, by area
-  std::uint64_t rays = 0;      ///< of all kinds for its leaves, not counting eye rays
+  std::uint64_t rays = 0;      ///< of all kinds for the root's leaves, except for eye rays
 
   /// Adds the estimate of a part of this weight by samples. `layers` says that it was sampled
   /// because of texture cut-outs.

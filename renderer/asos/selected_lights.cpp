@@ -86,7 +86,7 @@ void SelectedLights::find(int side) {
     if (lights[i].casts_shadows) order.push_back(i);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return carried[a] > carried[b]; });
-  // Sample as many lights one by one as pays.
+  // Find how many bright lights are worth evaluating one by one.
   double rest = 0.0;
   for (const std::uint32_t i : order) rest += carried[i];
   double asked = 0.0;

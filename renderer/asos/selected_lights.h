@@ -25,28 +25,28 @@ namespace asos {
 /// each leaf immediately.
 class SelectedLights {
  public:
-  /// Both arguments have to outlive this.
+  /// Both arguments have to outlive this object.
   SelectedLights(const EyeContext& eye, EyeSamples& samples);
   SelectedLights(const SelectedLights&) = delete;
   SelectedLights& operator=(const SelectedLights&) = delete;
 
-  /// Divides the lights from the first samples, the centres of side x side roots. The division has
-  /// the least total cost: one ray series for each strong light, plus the selected rays for the
-  /// weak ones.
+  /// Chooses the sampled lights from their contributions at the centres of side x side roots (the
+  /// first samples). The choice has the least total cost: one ray series for each other light, plus
+  /// the rays to selected ones.
   void find(int side);
-  /// Treats all lights that cast shadows as weak. One reflected ray is worth no more, and judging
-  /// the lights would cost more than it.
+  /// Samples all lights that cast shadows. One reflected ray is worth no more, and choosing the
+  /// lights would cost more than the ray.
   void take_all();
 
-  /// Returns for each light whether it is weak. Empty: none is.
+  /// Returns for each light whether it is sampled. Empty: none is.
   [[nodiscard]] std::span<const std::uint8_t> lights() const { return weak_; }
   [[nodiscard]] bool holds(std::size_t light) const { return !weak_.empty() && weak_[light] != 0; }
 
-  /// Begins the contribution of these lights to a leaf and returns its number.
+  /// Begins the sampled lights' contribution to a leaf and returns its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
-  /// Adds a surface of the leaf to its contribution, to be shaded later.
+  /// Queues points on a surface of the leaf, to be shaded by `run`.
   void add(std::uint32_t number, const LightingQuery& point, const LeafContext& leaf);
-  /// Returns their contribution to a surface of a leaf, immediately.
+  /// Returns the sampled lights' contribution to a surface of a leaf, immediately.
   [[nodiscard]] glm::vec3 at_once(const LightingQuery& point, const LeafContext& leaf);
   /// Drops a contribution.
   void drop(std::uint32_t number) { queue_.drop(number); }
@@ -55,9 +55,9 @@ class SelectedLights {
   std::span<const Contribution> run();
 
  private:
-  /// The expected worth of the weak lights.
+  /// The expected contribution of the sampled lights.
   struct Expected {
-    double intensity = 0.0;      ///< of all together, where they are brightest
+    double intensity = 0.0;      ///< of all weak lights together, where they are brightest
     double rays_of_point = 1.0;  ///< average rays per point, where they are brightest
   };
   [[nodiscard]] bool sought() const;
@@ -70,7 +70,7 @@ class SelectedLights {
   EyeSamples* samples_;
   std::vector<std::uint8_t> weak_;
   std::optional<UnshadowedContributions> carried_;
-  Expected expected_;  // where the pixels' centres receive most of them
+  Expected expected_;  // from each light's brightest pixel centre
   SobolSampler places_;
   SampledLights lights_;
   BlockQueue queue_;

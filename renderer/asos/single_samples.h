@@ -16,12 +16,12 @@
 
 namespace asos {
 
-/// Leaves that are worth one sample: at MAX 0, and cells that are still marginal at MAX. Their rays
-/// were cast when the cell was examined. They are shaded in batches, with one shadow ray to each
-/// light.
+/// Leaves that get one sample: cells still marginal at MAX, and leaves for which MAX allows no
+/// second sample. Their rays were cast when the cell was examined. They are shaded in batches, with
+/// one shadow ray to each light.
 class SingleSamples {
  public:
-  /// Both have to outlive this.
+  /// Both references have to outlive it.
   SingleSamples(const EyeContext& eye, const EyeSamples& samples);
   SingleSamples(const SingleSamples&) = delete;
   SingleSamples& operator=(const SingleSamples&) = delete;
@@ -38,7 +38,7 @@ class SingleSamples {
   const EyeContext* eye_;
   const EyeSamples* samples_;
   SobolSampler places_;
-  std::unique_ptr<SampleSums> sums_;  // made when first needed: it is large
+  std::unique_ptr<SampleSums> sums_;  // large, so made when first needed
   std::vector<LightSum> light_;       // of each leaf
   LayerTargets targets_;              // these
   BlockQueue queue_;

@@ -24,7 +24,7 @@ namespace {
 // picture is 2.5e-4 too dark. An allowed error above `coarse` needs only `few` samples.
 constexpr std::uint32_t few = 16, enough = 128, most = 1024;
 constexpr double coarse = 1.0 / 64.0;
-// The number of a light in the sequence that is hardly ever used.
+// A light number whose dimensions of the sequence are hardly ever used.
 constexpr std::uint32_t other_places = 0x100;
 
 // Returns the sky's radiance that a surface reflects to its viewer if nothing occludes the sky, to

@@ -41,12 +41,12 @@ class SkyContributions {
 
   /// Begins the sky's contribution to a leaf and returns its number.
   std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
-  /// Adds a surface of the leaf to its contribution.
+  /// Queues the sky rays of a surface of the leaf.
   void add(std::uint32_t number, const SkyQuery& point, const LeafContext& leaf);
   /// Drops a contribution.
   void drop(std::uint32_t number) { queue_.drop(number); }
 
-  /// Returns the sky's contribution immediately, for a surface in a leaf of this weight.
+  /// Returns the sky's contribution to a surface of a leaf, immediately.
   [[nodiscard]] glm::vec3 at_once(const SkyQuery& point, const LeafContext& leaf);
 
   /// Traces all deferred rays and empties the queue. The result is valid until the next leaf.
@@ -87,7 +87,7 @@ class SkyContributions {
   std::vector<BorderEdge> borders_;
   std::vector<SkyFits::Expected> expected_;  // one per element of `lit_`
   CachedPtr<Packet> packet_ = ThreadLocalCache<Packet>::make();
-  // Whether occluders contribute bounced light.
+  // Occluders of the sky contribute bounced light.
   bool bounces_;
   SobolSampler places_;
   SampledLights lights_;

@@ -13,9 +13,9 @@
 namespace asos {
 namespace {
 
-// Smaller groups of leaves are sampled themselves.
+// Fewest leaves that share a fit.
 constexpr std::size_t fewest_lits = 14;
-// Fits have to save at least this factor over the cost of their nodes.
+// Least ratio of rays for all leaves alone to rays for the nodes.
 constexpr double least_gain = 1.3;
 constexpr int nodes_along = 3;
 // The nodes' error is common to all leaves of a cell, so it has to be smaller than the allowed
@@ -58,7 +58,7 @@ std::vector<SkyFits::Cell> SkyFits::cells() const {
   std::vector<Cell> cells;
   for (std::uint32_t i = 0; i < lits_.size(); ++i) {
     const SkyLeaf& lit = lits_[i];
-    // A surface without diffuse reflection shows its own part of the sky, so it cannot share.
+    // Without diffuse reflection, each leaf reflects another part of the sky, so none can share.
     if (lit.rays == 0 || lit.material.diffuse == glm::vec3(0.0f)) continue;
     if (!(std::min({lit.unit.x, lit.unit.y, lit.unit.z}) > 0.0f)) continue;
     const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {

@@ -20,7 +20,7 @@ namespace asos {
 /// the radiance without occlusion, divided by `unit`.
 struct SkyLeaf {
   std::uint32_t share = 0;  ///< number of the leaf's contribution
-  std::uint32_t root = 0;   ///< the leaf's, with its weight and its sample's place in the frame
+  std::uint32_t root = 0;   ///< the leaf's root; below, its weight and sample's place
   double weight = 1.0;
   glm::vec2 at{0.0f};
   std::uint64_t seed = 0;  ///< seed of the leaf
@@ -41,8 +41,8 @@ struct SkyLeaf {
   glm::vec3 unit{0.0f};
 
   std::uint32_t rays = 0;
-  glm::dvec3 arrived{0.0};  ///< of all rays
-  glm::dvec3 sent{0.0};     ///< the same without occlusion
+  glm::dvec3 arrived{0.0};  ///< radiance of all rays
+  glm::dvec3 sent{0.0};     ///< the rays' sum without occlusion
   double error = 0.0;       ///< sums of the rays' errors and squared errors
   double error2 = 0.0;
   std::optional<glm::dvec3> told{};  ///< mean radiance from the fit through other leaves
@@ -62,7 +62,8 @@ struct SkyLeaf {
     if (seen() < 0.5) return arrived / all;
     return glm::max(glm::dvec3(open) - (sent - arrived) / all, 0.0);
   }
-  /// Adds a ray with this radiance; `whole` is its radiance without occlusion. Clamps at white.
+  /// Adds a ray with this radiance; `whole` is its radiance without occlusion. Its error is clamped
+  /// at white.
   void arrive(glm::dvec3 brought, glm::vec3 whole) {
     arrived += brought;
     const glm::dvec3 off = brought - glm::dvec3(whole);
@@ -82,7 +83,7 @@ struct SkyLeaf {
   [[nodiscard]] static double variance_of_mean(double variance, double rays) {
     return 0.5 * std::sqrt(variance) / (rays * std::sqrt(rays));
   }
-  /// Returns the number of rays whose mean has that squared error.
+  /// Returns the number of rays whose mean has the squared error `error2`.
   [[nodiscard]] static double rays_for(double variance, double error2) {
     return std::cbrt(0.25 * variance / (error2 * error2));
   }
@@ -112,7 +113,7 @@ class SkyFits {
   SkyFits(std::span<SkyLeaf> lits, std::span<const Expected> expected, double standard_error)
       : lits_(lits), expected_(expected), standard_error_(standard_error) {}
 
-  /// Groups the leaves that may share, by surface.
+  /// Groups the leaves that may share a fit, by surface.
   [[nodiscard]] std::vector<Cell> cells() const;
   /// Chooses nodes. Returns false if sharing does not pay.
   [[nodiscard]] bool choose_nodes(Cell& cell) const;

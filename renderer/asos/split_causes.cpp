@@ -21,7 +21,7 @@ SplitCause cause_of(const PixelFindings& pixel) {
   if (pixel.mirror_cut) return SplitCause::reflection;
   if (outcome.uneven_shadow) return SplitCause::shadow;
   if (outcome.uneven_shading) return SplitCause::shading;
-  // Only hidden boundaries are left: a group of edges of several kinds counted as visible.
+  // Only hidden boundaries are left: an unresolved group of edges counted as visible.
   return SplitCause::outline;
 }
 

@@ -55,10 +55,10 @@ SplitPredictionData outlook_of(const SubdivisionOutcome& outcome, const RootSum&
   return outlook;
 }
 
-// Returns the expected error of a pixel in display intensity. It adds the errors of sampled parts,
-// those of leaves shaded at their centres, and a share of the tolerance.
+// Returns the expected error of a pixel in display intensity: the root of the summed squares of the
+// errors of sampled parts, of leaves shaded at their centres, and of a fraction of the tolerance.
 double error_estimate(const RootSum& sum, double tolerance) {
-  // Fitted to built-in scenes: bounds are seldom reached.
+  // Fitted to built-in scenes; errors seldom reach their bounds.
   constexpr double share_of_tolerance = 1.0 / 12.0, share_of_bound = 0.6;
   const double usual = share_of_tolerance * tolerance, centres = share_of_bound * sum.centre_error;
   return std::sqrt(sum.squared_error + centres * centres + usual * usual);

@@ -20,10 +20,10 @@ struct StartedPyray {
   };
 
   PixelRect block;                           ///< of the picture
-  PixelRect framed;                          ///< of its frame
+  PixelRect framed;                          ///< the block's frame
   std::vector<Pixel> pixels;                 ///< row by row
-  std::vector<LayerSum> layers;              ///< of each pixel; empty: none is asked for
-  LayerSet asked;                            ///< by the settings
+  std::vector<LayerSum> layers;              ///< of each pixel; empty: no layer is asked for
+  LayerSet asked;                            ///< layers that the settings request
   double tolerance = 0.0;                    ///< allowed error of a leaf
   std::vector<std::uint32_t> pixel_of_root;  ///< place in `pixels` of each root of the fat pyray
   OpenRegions open;

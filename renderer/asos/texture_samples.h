@@ -26,7 +26,8 @@ struct TexturePart {
   glm::vec2 at{0.0f};  ///< place of its sample
 };
 
-/// The position of a leaf in the picture: the place of its frame's (0, 0) and its size, in pixels.
+/// The position of a leaf's frame in the picture: the frame's corner (0, 0) and its width, in
+/// pixels.
 struct LeafPlace {
   glm::ivec2 origin{0};
   int width = 1;

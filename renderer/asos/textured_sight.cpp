@@ -140,7 +140,7 @@ Places places_near_border(const LeafRegion& region, const FootprintShape& part, 
 }  // namespace
 
 bool reaches_beyond_triangle(const World& world, const Hit& hit, const Patch& patch) {
-  constexpr float far = 0.5f;  // of the triangle
+  constexpr float far = 0.5f;  // of the triangle's sides
   const Footprint seen = footprint_on(world, hit, patch);
   const auto reach = [](glm::vec2 edge) {
     return std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.x + edge.y)});
@@ -157,7 +157,7 @@ bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& pat
 }
 
 bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const Leaf& leaf) {
-  constexpr float negligible = 0.5f, slightly = 0.1f;  // texels; of the leaf's extent
+  constexpr float negligible = 0.5f, slightly = 0.1f;  // in texels; in extents of the leaf
   // The mean's error is this fraction of the error at a corner, if the surface bends at an edge
   // within the leaf.
   constexpr float share_of_corner = 0.25f;
@@ -185,7 +185,8 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
   scene.rays().closest(std::span(rays).first(places.count), std::span(hits).first(places.count),
                        culling_of(*eye.settings));
   eye.counts->eye_rays += places.count;
-  // Compare these hits with the footprint. Other surfaces belong to other leaves.
+  // Compare these hits with the footprint. Skip hits on other surfaces, which belong to other
+  // leaves.
   const TexturePlane plane(world, hit.triangle, use);
   const float allowed = std::max(negligible, slightly * plane.extent(seen));
   for (std::size_t i = 0; i < places.count; ++i) {
@@ -206,7 +207,7 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
 }
 
 bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch& patch) {
-  constexpr float much = 0.1f;  // of the distance
+  constexpr float much = 0.1f;  // of the hit's distance
   const RenderScene& scene = *eye.scene;
   const Material& material = scene.world().material_of(hit.triangle);
   if (eye.settings->texture.filter == TextureFilter::point ||

@@ -13,8 +13,8 @@ namespace asos {
 /// not represent the patch.
 [[nodiscard]] bool reaches_beyond_triangle(const World& world, const Hit& hit, const Patch& patch);
 
-/// Returns whether it does so on a curved, textured mesh, whose textures need not continue as on
-/// the triangle.
+/// Returns whether a patch of a curved, textured mesh extends far beyond its hit's triangle.
+/// Textures need not continue there as on the triangle.
 [[nodiscard]] bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& patch);
 
 /// Returns whether a leaf extends beyond its triangle and the colours there differ from the

@@ -20,7 +20,7 @@ class UnshadowedContributions {
 
   /// Forgets all points so far.
   void start();
-  /// Another one.
+  /// Adds a point.
   void add(const LightingQuery& point);
   /// Returns the contributions in display units, by light. The lights of one part of a mesh hide
   /// each other, so together they count for at most the light of the two sides that are visible at
@@ -30,11 +30,11 @@ class UnshadowedContributions {
  private:
   LightTable table_;
   std::vector<double> brightest_;           // largest contribution by each light; at most white
-  std::vector<std::size_t> part_of_light_;  // its number, or none
+  std::vector<std::size_t> part_of_light_;  // number of its part of a mesh, or none
   std::size_t parts_ = 0;
   CachedPtr<ShadingPoints> point_;
-  std::vector<float> worth_;  // at one place
-  std::vector<float> most_;   // at any
+  std::vector<float> worth_;  // contributions at the current point
+  std::vector<float> most_;   // the largest at any point
 };
 
 }  // namespace asos

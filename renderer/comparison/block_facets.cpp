@@ -16,8 +16,8 @@ std::array<glm::dvec3, 3> corners_of_triangle(const World& world, std::uint32_t 
           glm::dvec3(world.positions[t.z])};
 }
 
-/// The lights of one visible part. Each light is sampled with as many points as the settings have
-/// samples.
+/// The lights of one visible part. Each light with an extent is sampled with `samples` points,
+/// others with one.
 class PartLights final : public LightTransport {
  public:
   PartLights(SampledLights& lights, PixelSampler& places, int samples)

@@ -33,7 +33,8 @@ class BlockFacets {
   [[nodiscard]] double pixel() const { return pixel_; }
 
   /// Returns the radiance of a facet, or of the background for null, at a point of the frame, for a
-  /// square of `side` pixels. Each light gets as many shadow rays as the settings have samples.
+  /// square of `side` pixels. Each light with an extent gets as many shadow rays as the settings
+  /// have samples, rounded up to n * n; others get one.
   [[nodiscard]] glm::vec3 radiance(const Facet* facet, glm::dvec2 at, double side);
   /// Renders each pixel (x, y) of the block by `render`, which returns its radiance and sets
   /// `split` if it shows several surfaces.

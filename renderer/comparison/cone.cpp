@@ -12,8 +12,8 @@ namespace {
 
 // An object that intersects a cone.
 struct ConeLayer {
-  double nearness = 0.0;  // of its largest visible part
-  double share = 0.0;     // fraction of the cone that it covers
+  double nearness = 0.0;  // of the object's largest visible part
+  double share = 0.0;     // fraction of the cone that the object covers
   glm::dvec3 radiance{0.0};
 };
 

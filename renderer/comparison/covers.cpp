@@ -44,8 +44,8 @@ struct CoverLayer {
   double weight = 0.0;  // of the object, 0 to 1
 };
 
-// Returns the object's weight by the distance of the ray from its nearest edge: 1 at half a pixel
-// or more inside the object, 0 at half a pixel or more outside.
+// Returns the object's layer. Its weight depends on the distance of the ray from the object's
+// nearest edge: 1 at half a pixel or more inside the object, 0 at half a pixel or more outside.
 CoverLayer layer_of(std::span<const Facet> object, std::span<const VisiblePart> parts,
                     glm::dvec2 centre, double pixel) {
   CoverLayer layer;

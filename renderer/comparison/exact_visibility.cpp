@@ -142,7 +142,7 @@ std::optional<Facet> make_facet(const Frame& frame, std::uint32_t triangle,
   std::array<glm::dvec3, 3> h;
   for (std::size_t i = 0; i < 3; ++i) h[i] = frame.homogeneous(corners[i]);
 
-  // Most triangles lie outside one of the square's sides.
+  // Reject triangles outside one of the square's sides: most of them.
   const auto weight = [&](glm::dvec3 p) { return frame.parallel() ? 1.0 : p.z; };
   const auto beyond = [&](auto&& margin) {
     return margin(h[0]) < 0 && margin(h[1]) < 0 && margin(h[2]) < 0;
@@ -307,8 +307,7 @@ void ExactVisibility::emit(std::uint32_t facet) {
     part.facet = facet;
     part.area = area_of(piece);
     if (!(part.area > 0.0)) continue;
-    // The triangles of the fan from the first corner, weighted by area; all have the same
-    // orientation.
+    // Weight the triangles of the fan from the first corner by area; all have the same orientation.
     for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
       const glm::dvec2 p = piece[i] - piece[0];
       const glm::dvec2 q = piece[i + 1] - piece[0];

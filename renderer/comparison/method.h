@@ -35,7 +35,7 @@ struct MethodRow {
   const char* about = "";  ///< a description in whole sentences
   /// Renders the final pixels of the job's block (see render_block); may leave out causes and rays.
   BlockResult (*render)(const BlockJob& job) = nullptr;
-  /// Renders the same in two stages, for interactive display; null: it has one stage. Not with
+  /// Renders the same in two stages, for interactive display; null: one stage only. Not used with
   /// coverage.
   StartedBlock (*start)(const BlockJob& job) = nullptr;
   /// See the function of that name.
@@ -49,21 +49,21 @@ struct MethodRow {
   /// Uses MAX and EPS without splitting pyrays: takes samples until EPS is reached.
   bool samples_by_eps = false;
   bool takes_filter_width = false;
-  bool takes_lens = true;    ///< else its cameras are pinholes
-  bool takes_motion = true;  ///< else its pictures show one moment
-  /// It renders all moments of BlockJob::motion by itself: its samples have times. Else they are
-  /// rendered one by one (render_over_time).
+  bool takes_lens = true;    ///< false: its cameras are pinholes
+  bool takes_motion = true;  ///< false: its pictures show one moment
+  /// Its samples have times, so that it renders all moments of BlockJob::motion by itself. False:
+  /// moments are rendered one by one (render_over_time).
   bool samples_time = false;
   SampleCount samples = SampleCount::none;
   /// Returns the sample placement of a method with the same number of samples in each pixel. These
   /// methods render in rounds (PixelSamples). Null for others.
   std::unique_ptr<PixelSampler> (*places)(const RenderSettings& settings) = nullptr;
   bool renders_layers = true;  ///< those that follow from surfaces
-  bool takes_shapes = true;    ///< it renders analytic shapes, too
-  /// The largest scene that it renders.
+  bool takes_shapes = true;    ///< the method renders analytic shapes, too
+  /// The largest scene that the method renders.
   std::size_t most_triangles = any_number;
 
-  /// Returns whether there are scenes that it does not support.
+  /// Returns whether there are scenes that the method does not support.
   [[nodiscard]] bool limited() const { return !takes_shapes || most_triangles != any_number; }
 };
 
@@ -87,7 +87,7 @@ struct MethodRow {
 [[nodiscard]] bool shows_coverage(const RenderSettings& settings);
 /// Returns the settings that render the coverage: the same boundaries and samples, without light.
 [[nodiscard]] RenderSettings coverage_of(RenderSettings settings);
-/// Whether the method renders the layers that follow from surfaces.
+/// Returns whether the method renders the layers that depend on surfaces.
 [[nodiscard]] inline bool renders_layers(Method method) {
   return row_of(method).renders_layers;
 }
@@ -97,16 +97,17 @@ struct MethodRow {
 [[nodiscard]] inline bool covers_by_layer(Method method) {
   return in_object_space(method) || row_of(method).places;
 }
-/// Whether it renders this one: ASOS alone estimates its error.
+/// Whether the method renders this layer. Errors: only methods in object space.
 [[nodiscard]] inline bool renders_layer(Method method, Layer layer) {
   if (layer == Layer::error) return in_object_space(method);
   return !row_of(layer).of_surfaces() || renders_layers(method);
 }
-/// The settings that render coverage along with the picture, as its layer alpha.
+/// Returns the settings that render coverage with the picture, as its layer alpha.
 [[nodiscard]] RenderSettings with_coverage(RenderSettings settings);
-/// Makes that layer the coverage of the block's pixels; it stays a layer where it is `asked` for.
+/// Makes the layer alpha the coverage of the block's pixels. If it is in `asked`, it also stays a
+/// layer.
 void take_coverage(LayerSet asked, BlockResult& result);
-/// Adds the coverage of a block's pixels that was rendered by these settings.
+/// Adds the coverage of a block's pixels: `covered`, rendered with coverage_of.
 void set_coverage(const BlockResult& covered, BlockResult& result);
 /// The settings of two passes that find the contribution of unlit surfaces to pixels
 /// (FinishedTile::unlit): the same boundaries and samples, without light.
@@ -127,10 +128,10 @@ void add_unlit_colour(const BlockResult& colour, BlockResult& result);
 /// Renders both passes and adds them to the result of `render_block`. Adds nothing if the block
 /// shows no unlit surface. Statistics stay those of the pass with light.
 void add_unlit(const BlockJob& job, BlockResult& result);
-/// Adds again what `add_unlit` found of a block, to better pixels of it: the colour of a pixel that
-/// shows nothing else is the pixel's own.
+/// Adds the result of an earlier `add_unlit` of a block to better pixels of it. Pixels that show
+/// only unlit surfaces take their new radiance.
 void renew_unlit(std::vector<glm::vec4> unlit, BlockResult& result);
-/// The block as the row of the settings' method renders it, over all moments of the job.
+/// Renders a block by the row of the settings' method, over all moments of the job.
 [[nodiscard]] BlockResult render_pixels(const BlockJob& job,
                                         std::span<const MethodRow> methods = method_table());
 /// Fills in causes and rays that a method left out.
@@ -156,7 +157,7 @@ void fill_in(BlockResult& result);
                                                           const Camera& camera,
                                                           const RenderSettings& settings);
 
-/// Side of the aligned blocks of pixels that are rendered as one piece of work.
+/// Returns the side of the aligned blocks of pixels that are rendered as one piece of work.
 [[nodiscard]] int block_side(const RenderSettings& settings);
 
 /// The largest scene for beam tracing, in triangles. Each block tests every triangle, which takes
@@ -164,7 +165,8 @@ void fill_in(BlockResult& result);
 /// 1280x720.
 inline constexpr std::size_t most_beam_triangles = 300'000;
 
-/// Returns an error if the method cannot render the scene: beam tracing refuses large scenes.
+/// Returns an error if the method cannot render the scene (its shapes, or its number of triangles)
+/// or the layers.
 [[nodiscard]] Result<void> check_method(const RenderScene& scene, const RenderSettings& settings);
 
 }  // namespace asos

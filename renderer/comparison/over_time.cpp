@@ -17,7 +17,8 @@
 namespace asos {
 namespace {
 
-// A surface that crosses a block is seen in it at one end of a shorter way, or in its middle.
+// Longest motion between two moments, in pixels, after which a surface that crosses a block is in
+// it at one of them or half-way.
 constexpr double longest_way = 4.0;
 constexpr int probed_moments = 5;
 // Samples of two moments differ by less than this many EPS, where their standard errors are EPS
@@ -25,7 +26,7 @@ constexpr int probed_moments = 5;
 constexpr double sampling_noise = 4.0;
 constexpr unsigned seed_step = 0x9e3779b1u;
 
-/// The counts of pixels of one moment: those of the exposure are the largest.
+/// Raises the counts of pixels to those of one moment: the exposure has the largest.
 void take_larger_counts(const RenderStatistics& moment, RenderStatistics& all) {
   all.split_pixels = std::max(all.split_pixels, moment.split_pixels);
   all.missed_splits = std::max(all.missed_splits, moment.missed_splits);
@@ -68,7 +69,7 @@ class BlockOverTime {
     const Shot* shot;
   };
 
-  // Whether neither surfaces nor samples of the pixels' centres change.
+  // Returns whether neither surfaces nor the samples at the pixels' centres change.
   [[nodiscard]] bool stands_still() const {
     if (job_.motion->crosses(job_.block, 0, steps_)) return false;
     std::vector<glm::dvec3> before;
@@ -143,7 +144,7 @@ class BlockOverTime {
     }
   }
 
-  // The newest shot's, without the counts of pixels.
+  // Returns the newest shot's statistics, without the counts of pixels.
   [[nodiscard]] RenderStatistics counted() const {
     RenderStatistics all = newest_.statistics;
     all.split_pixels = all.missed_splits = all.uneven_pixels = all.saturated_pixels = 0;
@@ -177,7 +178,7 @@ class BlockOverTime {
     // A shadow may pass in between.
     if (!crossed && to.number - from.number == steps_) return true;
     const double weight = static_cast<double>(to.number - from.number) / steps_;
-    // The trapezoids of both halves have a quarter of the deviation as their error, at most.
+    // If both halves are integrated as trapezoids, the error is at most a quarter of the deviation.
     const double tolerance = 2.0 * job_.settings.asos.eps;
     for (std::size_t i = 0; i < middle.shot->colours.size(); ++i) {
       const glm::dvec3 ends =

@@ -30,7 +30,7 @@ std::vector<std::uint8_t> pixels_with_boundaries(const RenderScene& scene, const
                                                  PixelRect block, std::span<const Hit> centres) {
   const FatPyray fat{view.frame(block.x, block.y, block_size, block_size), block_size};
   const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * block.width + x); };
-  // The plane of the surface at a pixel's centre, if it is opaque there.
+  // Returns the plane of the surface at a pixel's centre, if that surface is opaque.
   const auto cover = [&](int x, int y) {
     if (x >= block.width || y >= block.height) return OccluderPlane::none();
     const Hit& hit = centres[index(x, y)];

@@ -26,7 +26,7 @@ int most_samples(int max_level) {
   return std::max(first_samples, 4 << (2 * max_level));
 }
 
-// Returns the smallest MAX that allows this many samples; 0 for those of the first round.
+// Returns the smallest MAX that allows this many samples; 0 if the first round has as many.
 std::uint8_t level_of(int samples) {
   if (samples <= first_samples) return 0;
   const int doublings = std::bit_width(static_cast<unsigned>(samples) / 4) - 1;

@@ -58,7 +58,7 @@ class AdaptiveBlock {
 
   BlockResult run() {
     take_pixels_corners();
-    // Samples between them are kept for a few pixels at a time, which bounds the memory.
+    // Samples between these corners are kept for a few pixels at a time, which bounds the memory.
     const int side = std::max(1, most_cells_across >> depth_);
     for (int y = 0; y < job_.block.height; y += side) {
       for (int x = 0; x < job_.block.width; x += side) {
@@ -259,7 +259,7 @@ class AdaptiveBlock {
   SobolSampler places_;
   SampleSums sums_;
   EnlargedSpheres spheres_;
-  std::unordered_map<std::uint64_t, std::size_t> finer_;  // corners inside pixels and their sides
+  std::unordered_map<std::uint64_t, std::size_t> finer_;  // corners in pixels and on their sides
   std::vector<glm::vec3> shown_;                          // display intensities of the samples
   std::vector<glm::dvec3> sum_;
   std::vector<double> area_;

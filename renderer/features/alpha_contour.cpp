@@ -9,7 +9,7 @@ namespace {
 
 // Each halving of an arc leaves a quarter of its deviation.
 constexpr int most_halvings = 12;
-// A texture with more cells on its curve is noise.
+// With more contour cells, a texture is noise and gets no outline.
 constexpr std::size_t endless_cells = std::size_t{1} << 22;
 
 std::int64_t floor_division(std::int64_t a, std::int64_t b) {
@@ -24,7 +24,7 @@ struct Hyperbola {
   explicit Hyperbola(const std::array<double, 4>& v)
       : b(v[1] - v[0]), c(v[2] - v[0]), d(v[0] - v[1] - v[2] + v[3]) {}
 
-  /// If byte values differ, they differ by more than this.
+  /// Returns whether d is 0 up to rounding; if byte values differ, it is larger.
   [[nodiscard]] bool straight() const {
     return std::abs(d) <= 1e-6 * (std::abs(b) + std::abs(c) + std::abs(d));
   }
@@ -151,7 +151,7 @@ void AlphaContour::find_mixed_cells() {
   const std::int64_t top = down_.wrap == Wrap::clamp_to_edge ? -1 : 0;
   std::array<std::uint8_t, 256> keeps{};
   for (std::size_t byte = 0; byte < keeps.size(); ++byte) keeps[byte] = value_of_[byte] >= 0.0;
-  // Places, in a row of the image, of the alphas of a period.
+  // Byte offsets, in a row of the image, of the alphas of a period.
   std::vector<std::size_t> places;
   for (std::int64_t x = first; x <= first + across_.period(); ++x)
     places.push_back(4 * static_cast<std::size_t>(across_.texel(x)) + 3);

@@ -38,7 +38,7 @@ FastBox fast_box(const EdgeItem& item) {
   return fast;
 }
 
-// Doubled.
+// Returns twice the centre.
 Floats centre(const EdgeItem& item) {
   const FastBox fast = fast_box(item);
   return fast.lo + fast.hi;

@@ -15,9 +15,9 @@ struct EdgeItem {
 };
 using EdgeItems = std::span<EdgeItem>;
 
-/// Splits the items into two halves by the cheapest plane between bins. The cost is the sum of the
-/// boxes' extents. If all centres are equal, splits by count. Neither half is empty if there are
-/// two items.
+/// Splits the items into two halves by the cheapest plane between bins. The cost is the sum of both
+/// boxes' extents, each times its number of items. If all centres are equal, splits by count.
+/// Neither half is empty if there are two items.
 [[nodiscard]] std::pair<EdgeItems, EdgeItems> binned_split(EdgeItems items);
 
 }  // namespace asos

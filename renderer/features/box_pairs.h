@@ -66,7 +66,7 @@ class BoxTree {
     float hi[3];
   };
   using Lanes = std::uint32_t;                    // one bit for each of eight boxes
-  static constexpr std::size_t most_levels = 12;  // enough for 2^32 triangles, plus one
+  static constexpr std::size_t most_levels = 12;  // one more than 2^32 triangles need
 
   [[nodiscard]] static OneBox union_of(const Boxes& boxes);
   [[nodiscard]] static OneBox at(const Boxes& boxes, std::size_t i) {

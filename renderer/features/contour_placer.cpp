@@ -10,8 +10,8 @@
 namespace asos {
 namespace {
 
-// Texture coordinates are floats. A triangle with less area than this, relative to its extent, is
-// on a line.
+// Least area of a triangle in texture coordinates, which are floats, relative to its extent. A
+// smaller one counts as a line.
 constexpr double least_area = 1e-7;
 // Beyond this, floats cannot resolve single texels.
 constexpr double farthest_texel = 1e9;
@@ -50,7 +50,8 @@ bool TexturedTriangle::flat_in_texture() const {
   return !(std::abs(cross(a, b)) > least_area * longest);
 }
 
-// Returns the signed distance to the side; negative on its left, since y points downwards.
+// Returns the signed distance to the side, times its length; negative on its left, since y points
+// downwards.
 double ContourPlacer::Side::height(glm::dvec2 p) const {
   return cross(along, p - lo);
 }
@@ -97,7 +98,8 @@ bool ContourPlacer::hides(glm::dvec2 p, glm::dvec2 q, const AlphaContour& contou
   TexturedTriangle line;
   line.texels = {p, q, q};
   const double length = glm::length(q - p);
-  // Touching counts as crossing. A curve is no farther from its chord than the chord is long.
+  // Touching counts as crossing. The distance of a curve from its chord is at most the chord's
+  // length.
   const auto passes_by = [&](const ContourPiece& piece) {
     const double h0 = cross(q - p, piece.from - p), h1 = cross(q - p, piece.to - p);
     return (h0 < 0.0) == (h1 < 0.0) &&
@@ -111,8 +113,9 @@ bool ContourPlacer::hides(glm::dvec2 p, glm::dvec2 q, const AlphaContour& contou
   return untouched && !contour.keeps(0.5 * (p + q));
 }
 
-// Two triangles that share a side with the same texture coordinates agree bit for bit on two
-// things: which parts of a piece belong to whom, and where the piece crosses the side.
+// Directs the sides so that two triangles that share one, with the same texture coordinates, agree
+// bit for bit on two things: which parts of a piece belong to which triangle, and where the piece
+// crosses the side.
 void ContourPlacer::set_sides(const TexturedTriangle& triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
     std::size_t i = k, j = (k + 1) % 3;

@@ -32,9 +32,9 @@ class ContourPlacer {
 
   /// Appends the pieces of the curve inside the triangle, in world coordinates. The triangle must
   /// not be flat in its texture. Lines of one curve that meet have equal ends, bit for bit: inside
-  /// a triangle, or at a side that two triangles share with the same texture coordinates. The
-  /// number of visited cells is subtracted from `looks`. Returns false if `looks` or `most_lines`
-  /// did not suffice.
+  /// a triangle, or at a side that two triangles share with the same texture coordinates. A bound
+  /// on the visited rows and cells is subtracted from `looks`. Returns false if `looks` or
+  /// `most_lines` did not suffice.
   [[nodiscard]] bool place(const TexturedTriangle& triangle, const AlphaContour& contour,
                            double tolerance, std::size_t most_lines, std::size_t& looks,
                            std::vector<Line>& lines);
@@ -49,7 +49,7 @@ class ContourPlacer {
                                 std::size_t& looks);
 
  private:
-  /// A side of the triangle, with a direction that is the same for both its triangles.
+  /// A side of the triangle, with a direction that is the same for both triangles that share it.
   struct Side {
     glm::dvec2 lo, along;
     glm::dvec3 lo_position, along_position;

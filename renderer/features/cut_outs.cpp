@@ -151,8 +151,8 @@ class CutOutFinder {
     return true;
   }
 
-  // Returns whether the triangle's lines are all of its cut-outs; nothing if the budget does not
-  // suffice.
+  // Adds the triangle's lines. Returns whether they outline all of its cut-outs; nothing if the
+  // budget does not suffice.
   std::optional<bool> outline(std::uint32_t triangle, double tolerance) {
     const Material& material = world_.material_of(triangle);
     const glm::uvec3 corners = world_.triangles[triangle];
@@ -192,7 +192,7 @@ class CutOutFinder {
     return true;
   }
 
-  // Returns null if the contour is endless, or if there are too many.
+  // Returns null if the contour is endless, or if there are too many contours.
   const AlphaContour* contour_of(const Image& image, int texture_index, float factor,
                                  float cutoff) {
     const Texture& texture = world_.textures[static_cast<std::size_t>(texture_index)];
@@ -210,7 +210,7 @@ class CutOutFinder {
 
   const World& world_;
   CutOutBudget budget_;         // with the remaining looks
-  std::size_t most_lines_ = 0;  // including those of a part
+  std::size_t most_lines_ = 0;  // up to the current part's end
   std::size_t looks_ = 0;       // the looks that a part may use
   std::stop_token stop_;
   CutOuts found_;

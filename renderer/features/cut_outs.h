@@ -32,10 +32,10 @@ struct CutOutBudget {
 struct CutOuts {
   std::vector<glm::vec3> positions;
   std::vector<CutOutLine> lines;  ///< ordered by their triangles; connected ends share a position
-  /// By surface, 1: `lines` contains all outlines of its cut-outs. 0: it is no masked surface, or
-  /// its cut-outs have no lines. This applies to analytic shapes with textures, where the vertices'
-  /// alpha differs, where texture coordinates span no area or have endless contours, and where the
-  /// budget does not suffice. Empty without masked surfaces.
+  /// By surface. 1: `lines` contains all outlines of its cut-outs. 0: it is not masked, or its
+  /// cut-outs have no lines. Without lines are analytic shapes with textures, triangles whose
+  /// vertices' alpha differs, whose texture coordinates span no area or whose contours are endless,
+  /// and parts beyond the budget. Empty without masked surfaces.
   std::vector<std::uint8_t> outlined;
   /// One entry per triangle; bit k: the whole side from corner k to the next is cut out. As long as
   /// `outlined`.

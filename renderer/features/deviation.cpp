@@ -64,7 +64,7 @@ std::vector<float> deviations(const World& world, DisjointSets& facets,
     const auto box = boxes.find(facets.find(to));
     const double d = box == boxes.end() ? plane.distance(glm::dvec3(world.positions[third]))
                                         : plane.distance(box->second);
-    // The surface that continues from a flat facet continues from all its triangles.
+    // The deviation beyond one edge of a flat facet applies to all its triangles.
     raise(deviation[facets.find(from)], static_cast<float>(d));
   };
   in_parallel(edges.size(), stop, [&](std::uint32_t i) {

@@ -12,7 +12,7 @@ namespace asos {
 struct EdgeChain {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
-  float deviation = 0.0f;  ///< largest distance from the line between them
+  float deviation = 0.0f;  ///< largest distance from the line between the ends
 };
 
 /// Joins parts to one open chain, if each part is a chain and they form just one.

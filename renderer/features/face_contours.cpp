@@ -62,7 +62,8 @@ class Contours {
     }
     return std::hypot(q.x, q.z) - other_.radius_at(q.y) - touching_;
   }
-  // Above 0 where the other face ends and the surface of its equation continues.
+  // Returns a value above 0 where the surface of the other face's equation continues beyond the
+  // face.
   [[nodiscard]] double beyond(glm::dvec3 p) const {
     const glm::dvec3 q = other_.unit(p);
     if (other_.kind == ShapeFace::Kind::sphere) return -1.0;

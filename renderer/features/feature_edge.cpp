@@ -23,7 +23,7 @@ constexpr double coplanar_sine = 1e-5;
 // Largest number of different-looking triangles with the same three corners that are compared.
 constexpr std::size_t most_alternatives = 4;
 
-// There are three for each triangle, so every byte counts.
+// Each triangle has three half-edges, so every byte counts.
 struct HalfEdge {
   HalfEdge() = default;
   HalfEdge(std::uint32_t to, std::uint32_t corner, std::uint32_t of, bool up)
@@ -193,7 +193,7 @@ class Extractor {
     edge.a = low;
     edge.b = faces[0].high;
     edge.left = faces[0].third;
-    // These are triangles until finish() knows their smooth surfaces.
+    // Store triangles until finish() knows their smooth surfaces.
     edge.left_surface = faces[0].triangle;
     if (faces.size() > 1) edge.right_surface = faces[1].triangle;
     if (faces.size() != 2) {

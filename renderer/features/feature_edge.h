@@ -14,7 +14,7 @@ namespace asos {
 /// every viewpoint. The last holds only where the two faces project to the same side.
 enum class FeatureKind : std::uint8_t {
   open,          ///< one face, or more than two
-  crease,        ///< material, visible textures, or the visible side differ across the edge
+  crease,        ///< shading normals or vertex colours differ across the edge; rims of shapes
   seam,          ///< material, what textures show, or the side that shows differs across the edge
   intersection,  ///< two faces pass through each other; no edge of the mesh
   cut_out,       ///< the outline of a texture's cut-out in a face; no edge of the mesh
@@ -23,10 +23,11 @@ enum class FeatureKind : std::uint8_t {
 
 /// An edge of the welded mesh. Vertices index World::positions (or those that FeatureSet appends);
 /// the first of several vertices at one place represents all. `left` and `right` are the third
-/// vertices of the two faces; open edges, intersections and cut-outs have no `right`. The sheets
-/// are the smooth surfaces of the faces on either side (ExtractedFeatures::surface_of_triangle).
-/// There is none without a face. An edge of more than two faces has the first two, and an
-/// intersection those of its two triangles. A cut-out has the left one only.
+/// vertices of the two faces; open edges, intersections and cut-outs have no `right`.
+/// `left_surface` and `right_surface` are the smooth surfaces of the faces on either side
+/// (ExtractedFeatures::surface_of_triangle); `none` without a face. An edge of more than two faces
+/// has the surfaces of the first two, an intersection those of its two triangles, and a cut-out the
+/// left one only.
 struct FeatureEdge {
   static constexpr std::uint32_t none = 0xffffffffu;
 
@@ -37,11 +38,11 @@ struct FeatureEdge {
   std::uint32_t left_surface = none;
   std::uint32_t right_surface = none;
   FeatureKind kind = FeatureKind::open;
-  bool folds = false;  ///< its two faces are not coplanar, so it can also be a silhouette
+  bool folds = false;  ///< its two faces are not coplanar, so the edge can also be a silhouette
 
   /// Returns whether the edge is a curve of an analytic shape, without vertices.
   [[nodiscard]] bool is_curve() const { return a == none; }
-  /// Returns the index of its curve in FeatureSet::curves; `b` stores it.
+  /// Returns the index of the edge's curve in FeatureSet::curves, stored in `b`.
   [[nodiscard]] std::uint32_t curve() const { return b; }
   void set_curve(std::uint32_t index) { a = none, b = index; }
 };

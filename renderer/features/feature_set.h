@@ -68,8 +68,8 @@ class FeatureSet {
                                                     : placed_deviation(triangle);
   }
 
-  /// Returns the same within `reach` of a point of the surface. It is less for analytic shapes,
-  /// whose curvature is uniform.
+  /// Returns the deviation within `reach` of a point of the surface. For analytic shapes, whose
+  /// curvature is uniform, it is smaller.
   [[nodiscard]] double deviation(std::uint32_t surface, glm::dvec3 position, double reach) const {
     const std::size_t triangles = deviation_of_triangle_.size() - faces_.size();
     if (surface < triangles || placed_) return deviation(surface);
@@ -100,8 +100,8 @@ class FeatureSet {
   std::vector<std::uint32_t> surface_of_triangle_;
   std::vector<float> deviation_of_triangle_;
   std::vector<FeatureCurve> curves_;
-  std::vector<ShapeFace> faces_;      // the world's
-  std::vector<glm::vec3> positions_;  // the world's, then the ends of intersections and cut-outs
+  std::vector<ShapeFace> faces_;      // of the world
+  std::vector<glm::vec3> positions_;  // of the world, then the ends of intersections and cut-outs
   std::vector<std::uint8_t> outlined_;
   bool intersections_complete_ = true;
   bool cut_outs_unbounded_ = false;

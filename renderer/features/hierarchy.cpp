@@ -307,7 +307,7 @@ class Builder {
     const glm::dvec3 along = glm::dvec3(positions_[edge.b]) - a;
     const glm::dvec3 l = glm::normalize(glm::cross(along, glm::dvec3(positions_[edge.left]) - a));
     const glm::dvec3 r = glm::normalize(glm::cross(glm::dvec3(positions_[edge.right]) - a, along));
-    // merge() could flip one of the two, which would be another pair of faces.
+    // Not merge(), which could flip one of the normals, as of another pair of faces.
     return asos::cone_of(l, r);
   }
 

@@ -24,9 +24,9 @@ struct alignas(32) FeatureNode {
 
   float lo[3][width];
   float hi[3][width];
-  /// Double cone around the normals of all faces below; each edge's pair of normals has the sign
-  /// that suits. If a viewpoint is outside of the uncertainty of all the planes, no edge below is a
-  /// silhouette. cosine <= 0: the cone contains everything.
+  /// Double cone around the normals of all faces below; each edge's pair of normals may be flipped
+  /// to fit. If no plane with such a normal through the child's box contains the viewpoint, no edge
+  /// below is a silhouette. cosine <= 0: the cone contains everything.
   float axis[3][width];
   float cone_sine[width];
   float cone_cosine[width];

@@ -29,7 +29,8 @@ struct LineSegment {
 constexpr double on_plane = 4e-7;
 // Lines shorter than this fraction of the smaller triangle's size are contacts at a corner.
 constexpr double shortest_line = 1e-6;
-// Both triangles' segments are on one line unless rounding turned one of them; as the sine.
+// Largest sine of the angle between both triangles' segments. They are on one line, except for
+// rounding.
 constexpr double askew = 1e-3;
 
 // Largest rounding error of a corner, by axis: a floor of kilometres is exactly level, and a small
@@ -145,9 +146,9 @@ Meeting meeting(const Places& a, const Places& b) {
 }
 
 // Returns whether a plane through the shared corner separates `a` from the rest of `b` by more than
-// the error of single precision. It tests the plane of `a`, as for most neighbours at a corner. It
-// also tests a plane through a side of `a` across it, as for triangles around a hub. This applies
-// to most pairs.
+// the error of single precision. Tests the plane of `a`, for most neighbours at a corner, and the
+// planes perpendicular to `a` through its sides at the corner, for triangles around a hub. Most
+// pairs are separated.
 bool beside(const Corners& a, const Corners& b, int corner_a, int corner_b) {
   const glm::vec3 v = a[corner_a];
   const glm::vec3 p = a[(corner_a + 1) % 3] - v, q = a[(corner_a + 2) % 3] - v;
@@ -212,8 +213,8 @@ class Collider {
     std::size_t pairs = 0;  // not yet added to pairs_
   };
 
-  // Testing a pair costs far more than counting it. Count those of a few leaves first, chosen by
-  // a fixed rule.
+  // Returns whether a few leaves, chosen by a fixed rule, have too many pairs. Counting a pair
+  // costs far less than testing it.
   [[nodiscard]] bool hopeless() const {
     const std::size_t n = count_;
     const std::size_t leaves = boxes_.leaf_count();
@@ -316,7 +317,7 @@ Intersections find_intersections(const World& world, std::span<const std::uint32
   if (world.solid_triangles() > 1)
     found = Collider(world, welded, Collider::Of::surfaces, budget, stop).run();
   if (world.solid_triangles() == 0 || !world.lines_and_points.drawn()) return found;
-  // Surfaces keep their lines even if there are too many of strokes.
+  // Surfaces keep their lines even if lines and points have too many.
   const std::size_t n = world.lines_and_points.triangle_count;
   const IntersectionBudget more{budget.lines + 4 * n, budget.pairs + 256 * n};
   const Intersections of_strokes =

@@ -19,8 +19,8 @@ struct IntersectionLine {
   std::uint32_t second_triangle = 0;
 };
 
-/// The budget of a scene. Beyond it there are no lines at all, so that the picture does not depend
-/// on threads or on time.
+/// The budget of a scene's search. Beyond it no line is returned, so that the picture does not
+/// depend on threads or on time.
 struct IntersectionBudget {
   std::size_t lines = 0;
   std::size_t pairs = 0;  ///< triangles with overlapping boxes
@@ -51,8 +51,8 @@ struct Intersections {
                                                const IntersectionBudget& budget,
                                                const std::stop_token& stop = {});
 
-/// Finds the same for placed meshes with each other and with other surfaces, among some triangles
-/// only.
+/// Finds the intersections of placed meshes with each other and with other surfaces, among these
+/// triangles only.
 [[nodiscard]] Intersections intersections_among(const World& world,
                                                 std::vector<std::uint32_t> triangles,
                                                 const IntersectionBudget& budget,

@@ -21,7 +21,7 @@ struct NormalCone {
 };
 
 /// Returns the smallest cone that contains two unit normals themselves, and not their opposites.
-/// Contains everything if they are farther apart than a right angle, or no normals.
+/// Contains everything if they are more than 90 degrees apart, or not finite.
 inline NormalCone cone_of(glm::dvec3 a, glm::dvec3 b) {
   if (!(glm::dot(a, b) >= 0.0)) return NormalCone::everything();
   const glm::dvec3 sum = a + b;
@@ -29,7 +29,8 @@ inline NormalCone cone_of(glm::dvec3 a, glm::dvec3 b) {
   return {sum / length, 0.5 * glm::length(a - b), 0.5 * length};
 }
 
-/// Returns the smallest cone that contains both; the second one is flipped if that is narrower.
+/// Returns the smallest cone that contains x and y; y is flipped first if the result is narrower
+/// then.
 inline NormalCone merge(const NormalCone& x, NormalCone y) {
   if (x.holds_nothing()) return y;
   if (y.holds_nothing()) return x;

@@ -25,10 +25,10 @@ struct UpperItem {
   std::uint32_t place = own;  ///< `own`: the world's own boundaries
 };
 
-/// Marks such children; never in a finished node.
+/// Edge count of such children until they are numbered.
 constexpr std::uint8_t root_below = 255;
 
-/// Numbers the roots below upper nodes; that of the own hierarchy is `own_root`.
+/// Numbers the roots below upper nodes; the own hierarchy's root is `own_root`.
 template <typename RootOf>
 void finish_upper_nodes(std::vector<FeatureNode>& nodes, std::uint32_t own_root,
                         RootOf root_of_place) {

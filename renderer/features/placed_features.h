@@ -16,7 +16,7 @@
 namespace asos {
 
 struct PlacedFeatures {
-  /// Finds those of the meshes of a world.
+  /// Finds the boundaries of a world's meshes.
   PlacedFeatures(const World& world, TextureAt texture_at, const std::stop_token& stop);
 
   /// Returns the hierarchy of all boundaries: nodes over the places and over `own`, followed by
@@ -30,19 +30,19 @@ struct PlacedFeatures {
   [[nodiscard]] NodeChains chains(std::uint32_t number) const;
   [[nodiscard]] FeatureEdge edge(std::uint32_t number) const;
   [[nodiscard]] glm::dvec3 position(std::uint32_t number) const;
-  /// For a triangle of the world.
+  /// Take the world's triangle numbers.
   [[nodiscard]] std::uint32_t smooth_surface(std::uint32_t triangle) const;
   [[nodiscard]] float deviation(std::uint32_t triangle) const;
   [[nodiscard]] std::size_t memory_bytes() const;
 
   std::shared_ptr<const Placements> places;
-  std::vector<FeatureSet> meshes;  ///< one a mesh of `places`
+  std::vector<FeatureSet> meshes;  ///< one for each mesh of `places`
 
  private:
   [[nodiscard]] FeatureNode placed(const FeatureNode& node, std::size_t place) const;
   [[nodiscard]] Box box_of(std::size_t place) const;
 
-  // By place; each has at least one number.
+  // Ranges of numbers by place; none is empty.
   RangeIndex by_node_, by_chains_, by_edge_, by_position_;
   std::uint32_t first_node_ = 0, first_chains_ = 0, first_edge_ = 0, first_position_ = 0;
 };

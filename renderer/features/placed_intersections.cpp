@@ -14,7 +14,7 @@ namespace {
 
 // Number of box pairs per part after which the search is given up.
 constexpr std::size_t most_box_pairs = 1024;
-// If there are more boxes around a part, they are merged.
+// Further boxes around a part are merged into its last one.
 constexpr std::size_t most_boxes_around = 32;
 
 bool boxes_meet(const Box& a, const Box& b) {

@@ -11,7 +11,7 @@ namespace asos {
                                                       const IntersectionBudget& budget,
                                                       const std::stop_token& stop = {});
 
-/// Each takes 40 bytes while they are compared.
+/// Candidates take 40 bytes each while they are compared.
 inline constexpr std::size_t most_candidates = 6'000'000;
 
 }  // namespace asos

@@ -17,7 +17,8 @@ namespace {
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr std::uint64_t most_pairs = 200'000'000;
 constexpr std::size_t most_face_pairs = 256;
-// The distance, in the space of the unit surface, at which a plane touches it or meets a rim.
+// Distance, in the space of the unit surface, within which a plane only touches the surface or
+// meets it in a rim.
 constexpr double touch = 1e-6;
 constexpr double parallel = 1e-9;
 // Number of straight pieces around a cone.

@@ -36,7 +36,7 @@ class SurfaceLook {
   [[nodiscard]] bool seam(std::uint32_t x, std::uint32_t y,
                           std::span<const SharedCorner> ends) const;
 
-  /// Returns whether shading normals (up to their sign) or vertex colours differ there.
+  /// Returns whether shading normals (up to their sign) or vertex colours differ across that edge.
   [[nodiscard]] bool crease(std::uint32_t x, std::uint32_t y,
                             std::span<const SharedCorner> ends) const;
 

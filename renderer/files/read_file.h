@@ -26,9 +26,9 @@ struct FileHead {
 /// The requirements for a file to be read.
 struct FileRules {
   std::uint64_t most_bytes = 0;
-  /// Returns why the file is not a wanted one, from its first bytes, before the rest is read. Large
-  /// files of another kind are thus rejected at once. Empty: it may be read. Without a function,
-  /// all files may be read.
+  /// Returns why the file is refused, from its first bytes, before the rest is read. Large files of
+  /// another kind are thus rejected at once. Empty: it may be read. Without a function, all files
+  /// may be read.
   std::function<std::string(const FileHead& head)> fault{};
 };
 

@@ -16,7 +16,7 @@ std::uint32_t scrambled(std::uint32_t k) {
   return std::rotl(k, 15) * 0x1b873593u;
 }
 
-/// A JSON string; bytes beyond ASCII stay as they are.
+/// Returns a JSON string; bytes beyond ASCII stay as they are.
 std::string json_string(std::string_view text) {
   std::string json = "\"";
   for (const char c : text) {
@@ -41,7 +41,7 @@ std::string manifest_of(const std::vector<std::string>& names) {
   return fmt::format("{{{}}}", json);
 }
 
-/// A pixel's shares by the floats that names make of ids, largest first.
+/// Sums a pixel's shares by Cryptomatte id and sorts them, largest first.
 void merge_ids(const IdShares& shares, std::span<const float> ids,
                std::vector<std::pair<float, float>>& merged) {
   merged.clear();

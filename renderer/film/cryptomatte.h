@@ -16,10 +16,11 @@ namespace asos {
 
 /// MurmurHash3_x86_32 with the seed 0.
 [[nodiscard]] std::uint32_t murmur_hash(std::string_view text);
-/// A name's id: its hash as the bits of a float that is neither 0, denormal, infinite nor NaN.
+/// Returns a name's id: the name's hash as the bits of a float that is neither 0, denormal,
+/// infinite nor NaN.
 [[nodiscard]] float cryptomatte_id(std::string_view name);
 
-/// Ids and coverages of one pixel that a file holds; further ones are dropped, smallest first.
+/// Largest number of ids of one pixel in a file; those with the smallest coverage are dropped.
 inline constexpr std::size_t cryptomatte_ranks = 6;
 
 /// One Cryptomatte layer of a picture.
@@ -38,7 +39,7 @@ struct Cryptomatte {
                                       std::span<const IdShares> pixels,
                                       std::span<const std::string> names);
 
-/// Whether a string attribute of an EXR belongs to Cryptomatte.
+/// Returns whether a string attribute of an EXR belongs to Cryptomatte.
 [[nodiscard]] bool is_cryptomatte_key(std::string_view key);
 
 }  // namespace asos

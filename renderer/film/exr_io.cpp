@@ -146,7 +146,7 @@ tl::unexpected<Error> unreadable(const std::string& path, std::string_view reaso
   return unexpected(Error{path, fmt::format("is no EXR that can be read: {}", reason)});
 }
 
-// Without the file name in OpenEXR's message.
+// Leaves out the file name that OpenEXR's message contains.
 tl::unexpected<Error> unreadable(const std::string& path, const std::exception& e) {
   const std::string_view what = e.what();
   const std::size_t head = what.find("\". ");

@@ -23,11 +23,11 @@ inline constexpr std::array exr_compression_names{
 /// The contents of an EXR in addition to radiance and text.
 struct ExrOptions {
   ExrCompression compression = ExrCompression::zip;
-  LayerSet layers;                            ///< of those that the film has
+  LayerSet layers;                            ///< to write, if the film has them
   std::vector<std::string> object_names;      ///< by id; "": none
   std::vector<std::string> asset_names;       ///< of the assets that objects belong to, by object
   std::vector<std::string> material_names;    ///< as object_names
-  std::optional<glm::dmat4> world_to_camera;  ///< as OpenEXR has it: left-handed, +z ahead
+  std::optional<glm::dmat4> world_to_camera;  ///< in OpenEXR's convention: left-handed, +z ahead
   std::optional<glm::dmat4> world_to_ndc;     ///< to 0..1, y down, after the division by w
   std::optional<double> frames_a_second;      ///< of the sequence that the picture belongs to
 };

@@ -33,7 +33,7 @@ class PartStream : public Imf::OStream {
   const PartFile& file_;
 };
 
-/// Errors: a key that is no name of an attribute.
+/// Returns an error for a key that is no attribute name.
 [[nodiscard]] Result<void> check_exr_attributes(const std::string& path,
                                                 const ImageText& attributes);
 

@@ -56,8 +56,8 @@ struct Film {
   std::vector<float> seconds;
   std::vector<float> coverage;               ///< as a tile's; empty until a tile has it
   std::vector<SplitPredictionData> outlook;  ///< as a tile's; empty until a tile has it
-  std::vector<glm::vec4> unlit;              ///< the same
-  std::vector<LayerPlane> layers;            ///< the same
+  std::vector<glm::vec4> unlit;              ///< by id; "": none
+  std::vector<LayerPlane> layers;            ///< by id; "": none
   /// 1 where no final pixel has come yet, while the window renders. Empty: all are final.
   std::vector<std::uint8_t> unfinished;
 
@@ -74,7 +74,8 @@ struct Film {
 /// Returns the display intensity, 0 to 1: exposure in stops, clip at white, sRGB curve. See tone.h
 /// for tone curves, and for the intensity that stopping rules use.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev);
-/// Returns the same as rounded bytes; fast enough for whole pictures. NaN becomes black.
+/// Returns the display intensity as rounded bytes, fast enough for whole pictures. NaN becomes
+/// black.
 [[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, float exposure_ev);
 
 /// Returns the split map's colour of a pixel: sRGB bytes, brighter for deeper levels, the same for

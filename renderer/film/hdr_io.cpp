@@ -199,7 +199,8 @@ Checked<HdrImage> read(Bytes file, const SizeCheck& check) {
     if (std::string unwanted = check(header->width, header->height); !unwanted.empty())
       return fault(std::move(unwanted));
   }
-  // A run of two bytes covers at most 127 values, and an old code of 4 bytes any number of pixels.
+  // A run of two bytes covers at most 127 values, but an old code of 4 bytes covers any number of
+  // pixels.
   constexpr std::int64_t least_bytes_a_row = 4;
   if (header->height > static_cast<std::int64_t>(header->pixels.size()) / least_bytes_a_row)
     return fault("its picture cannot be read: it ends too early");

@@ -41,8 +41,8 @@ struct RgbImage {
 [[nodiscard]] Result<void> write_split_map_png(const std::string& path, const Film& film,
                                                SplitMapKey key, const ImageText& text = {});
 
-/// Linear radiance as 32-bit floats, with `attributes` as string attributes (keys
-/// of 1 to 255 bytes, each once), which come back in the order of their keys.
+/// Writes linear radiance as 32-bit floats, and `attributes` as string attributes (keys of 1 to 255
+/// bytes, each once), which are read in the order of their keys.
 /// `options`: layers in channels of their own ("depth.Z"), ids as Cryptomatte, and the camera.
 [[nodiscard]] Result<void> write_exr(const std::string& path, const Film& film,
                                      const ImageText& attributes, const ExrOptions& options = {});

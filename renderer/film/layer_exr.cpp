@@ -30,7 +30,7 @@ struct Channel {
   bool colour = false;  ///< may be compressed with loss
 };
 
-/// The channels of a film's layers, and the values of those that the film holds otherwise.
+/// The channels of a film's layers. Owns the values that the film does not store as floats.
 class Channels {
  public:
   Channels(const Film& film, const ExrOptions& options) : film_(film) {
@@ -143,7 +143,7 @@ void add_channel(const Film& film, const Channel& channel, ExrPart& part) {
                        channel.step * sizeof(float) * static_cast<std::size_t>(film.width)));
 }
 
-// Loss is for colours alone: ids and depths would be none any more.
+// Only colours are compressed with loss, which would corrupt ids and depths.
 std::vector<ExrPart> parts_of(const Film& film, const Channels& channels, const ImageText& text,
                               const ExrOptions& options) {
   const bool lossy = options.compression == ExrCompression::dwaa;

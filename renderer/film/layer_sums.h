@@ -47,7 +47,7 @@ struct LayerSum {
   IdWeights materials;
 
   void add(const LayerSample& sample, double sample_weight);
-  /// Adds a part that was sampled by itself, so that it has this weight.
+  /// Adds a part that was sampled separately, scaled to this weight.
   void add(const LayerSum& part, double part_weight);
 };
 
@@ -64,7 +64,7 @@ struct LayerTargets {
   }
 };
 
-/// The planes of `layers` that follow from surfaces; `error`, if it is one of them, stays 0.
+/// Returns the planes of `layers`. Those that follow from surfaces are filled; `error` stays 0.
 [[nodiscard]] std::vector<LayerPlane> planes_of(std::span<const LayerSum> pixels, LayerSet layers);
 
 }  // namespace asos

@@ -59,7 +59,7 @@ struct LayerRow {
   const char* about = "";
 
   [[nodiscard]] bool holds_ids() const { return filter == LayerFilter::coverage; }
-  /// A leaf's surface decides on it, and not the method.
+  /// Returns whether the layer follows from surfaces, not from the method.
   [[nodiscard]] bool of_surfaces() const {
     return filter != LayerFilter::pixel && value != Layer::beauty;
   }
@@ -81,9 +81,9 @@ class LayerSet {
   constexpr void erase(Layer layer) { bits_ &= ~bit(layer); }
   [[nodiscard]] constexpr bool has(Layer layer) const { return (bits_ & bit(layer)) != 0; }
   [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
-  /// Its layers in the order of the table.
+  /// Returns the set's layers in table order.
   [[nodiscard]] std::vector<Layer> layers() const;
-  /// Whether one of them follows from the surfaces that a pixel shows.
+  /// Returns whether a layer of the set follows from the surfaces that a pixel shows.
   [[nodiscard]] bool of_surfaces() const;
   /// Whether one of them is a part of the radiance (LightPart).
   [[nodiscard]] constexpr bool of_light() const {
@@ -102,7 +102,7 @@ class LayerSet {
 
 /// Reads "depth,normal" or "all". Errors: an unknown name, an empty list.
 [[nodiscard]] Result<LayerSet> parse_layers(std::string_view text);
-/// The same text of a set.
+/// Returns a set's text for parse_layers.
 [[nodiscard]] std::string text_of(LayerSet layers);
 
 /// The id of the background.
@@ -114,7 +114,8 @@ struct IdShare {
   float share = 0.0f;
   bool operator==(const IdShare&) const = default;
 };
-/// All ids of a pixel, the background included: largest first, equal ones by id. They add up to 1.
+/// All ids of a pixel, including the background: largest share first, equal shares by id. Shares
+/// add up to 1.
 using IdShares = std::vector<IdShare>;
 
 /// The values of one layer over a rectangle of pixels, row-major. Layers that a Film has by name
@@ -122,7 +123,7 @@ using IdShares = std::vector<IdShare>;
 struct LayerPlane {
   Layer layer = Layer::alpha;
   std::vector<float> values;  ///< channels of a pixel side by side
-  std::vector<IdShares> ids;  ///< instead, of layers that hold ids
+  std::vector<IdShares> ids;  ///< in place of values, for ids
 
   LayerPlane() = default;
   /// Makes a plane of so many pixels: zeros, the background, infinite depths and errors.
@@ -134,10 +135,10 @@ struct LayerPlane {
   }
 };
 
-/// Whether the layer has a plane of its own in tiles and films.
+/// Returns whether the layer has a plane of its own in tiles and films.
 [[nodiscard]] bool has_plane(Layer layer);
 [[nodiscard]] std::vector<LayerPlane> blank_planes(LayerSet layers, std::size_t pixels);
-/// Null where it is none of them.
+/// Returns the layer's plane; null: none.
 [[nodiscard]] const LayerPlane* find_plane(std::span<const LayerPlane> planes, Layer layer);
 /// Copies the pixels that two rectangles share, of each layer that both have.
 void copy_planes(std::span<const LayerPlane> from, const PixelRect& from_rect,

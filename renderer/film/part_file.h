@@ -18,7 +18,7 @@ class PartFile {
 
   /// The stream to write to; this object keeps the ownership.
   [[nodiscard]] std::FILE* stream() const { return file_.get(); }
-  /// Renames it to its target. Also fails if an earlier write failed.
+  /// Gives the file its final name. Also fails if an earlier write failed.
   [[nodiscard]] Result<void> commit();
   /// Returns the error of a write that has just failed.
   [[nodiscard]] Error write_error() const;

@@ -33,7 +33,7 @@ struct PictureSizePx {
   int height = 0;
 };
 
-/// Whether a picture's file has an alpha channel.
+/// The alpha channel of a picture's file.
 enum class Alpha { none, coverage };
 
 [[nodiscard]] inline Alpha alpha_of(const Film& film) {

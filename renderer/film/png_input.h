@@ -9,8 +9,8 @@
 
 namespace asos {
 
-/// libpng's reader of a file in memory. On errors it jumps back, which `guarded` catches; it prints
-/// nothing.
+/// libpng's reader of a file in memory. It prints nothing. On errors libpng does a longjmp, which
+/// `guarded` catches.
 class PngInput {
  public:
   explicit PngInput(std::span<const std::uint8_t> file) : rest_(file) {

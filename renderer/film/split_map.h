@@ -36,7 +36,7 @@ struct SplitMapKey {
   [[nodiscard]] std::uint8_t value(const Film& film, std::size_t pixel) const;
   /// Returns the largest value with a colour of its own.
   [[nodiscard]] std::uint8_t last() const;
-  /// Returns the colour of such a value, sRGB bytes.
+  /// Returns the colour of a displayed value, sRGB bytes.
   [[nodiscard]] glm::u8vec3 colour(std::uint8_t value) const;
 };
 

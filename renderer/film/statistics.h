@@ -48,7 +48,7 @@ struct RenderStatistics {
   }
   /// Counts shadow rays to a light, in the total and for that light.
   void count_shadow_ray(std::uint32_t light, std::uint64_t rays = 1);
-  /// Does the same for pyrays that were subdivided; their rays are counted separately.
+  /// Counts subdivided pyrays to a light in the same way. Their rays are counted separately.
   void count_shadow_pyray(std::uint32_t light, std::uint64_t pyrays = 1);
   /// Returns the statistics of one light; all zero if there are none.
   [[nodiscard]] LightStatistics of_light(std::size_t light) const {

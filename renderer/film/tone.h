@@ -41,14 +41,14 @@ inline constexpr std::array tone_names{NamedTone{ToneCurve::none, "none"},
 /// of the approximation). `none` returns the exposed radiance unclipped. NaN becomes black.
 [[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, const DisplayTransform& display);
 
-/// Returns the same for a pixel with the unlit part `unlit` (FinishedTile::unlit), which exposure
-/// and curve do not change. They are applied to the mean radiance of the lit part, which is
-/// weighted by its fraction of the pixel.
+/// Returns the displayed colour of a pixel with the unlit part `unlit` (FinishedTile::unlit), which
+/// exposure and curve do not change. They are applied to the mean radiance of the lit part. The
+/// result is weighted by that part's fraction of the pixel.
 [[nodiscard]] glm::vec3 tone_mapped(glm::vec3 radiance, glm::vec4 unlit,
                                     const DisplayTransform& display);
 
-/// Returns the same without an exposure, and clipped at white for any curve: the intensity in which
-/// EPS and contrasts are measured.
+/// Returns the displayed value without exposure, and clipped at white for any curve: the intensity
+/// in which EPS and contrasts are measured.
 [[nodiscard]] glm::dvec3 displayed_intensity(glm::dvec3 radiance, ToneCurve curve);
 
 /// Returns the maximal slope of a curve for small differences of radiance, if the channels rise
@@ -61,7 +61,7 @@ inline constexpr std::array tone_names{NamedTone{ToneCurve::none, "none"},
 /// Return display_rgb and display_bytes (film.h) for any curve.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, const DisplayTransform& display);
 [[nodiscard]] glm::u8vec3 display_bytes(glm::vec3 radiance, const DisplayTransform& display);
-/// Return the same for a pixel that may show unlit surfaces.
+/// Return the display colour of a film's pixel, which may show unlit surfaces.
 [[nodiscard]] glm::vec3 display_rgb(const Film& film, std::size_t pixel,
                                     const DisplayTransform& display);
 [[nodiscard]] glm::u8vec3 display_bytes(const Film& film, std::size_t pixel,

@@ -21,11 +21,11 @@ struct Camera {
   double height = 1.0;                    ///< orthographic: full height in world units
   std::optional<double> aspect_ratio;     ///< width over height, if the file has one
   /// The picture shows nothing nearer or farther than these depths along the view's axis (glTF's
-  /// znear and zfar). Shadows and reflections still include it.
+  /// znear and zfar). Shadows and reflections still include such objects.
   std::optional<double> near_depth, far_depth;
   Lens lens;  ///< perspective: depth of field
 
-  /// Returns the same camera without these planes.
+  /// Returns the camera without near and far plane.
   [[nodiscard]] Camera without_planes() const {
     Camera camera = *this;
     camera.near_depth = camera.far_depth = std::nullopt;

@@ -31,7 +31,7 @@ class Frame {
   static Frame prism(glm::dvec3 corner, glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b);
 
   [[nodiscard]] bool parallel() const { return parallel_; }
-  /// The apex, or for a prism a point of its base.
+  /// Returns a pyramid's apex, or a point of a prism's base.
   [[nodiscard]] glm::dvec3 apex() const { return apex_; }
   /// Returns the unit direction of a prism's rays; for a pyramid, the direction through its centre.
   [[nodiscard]] glm::dvec3 direction() const { return direction_; }
@@ -87,7 +87,8 @@ class PlaneCrossings {
         rise_u_(glm::dot(plane.normal, a_)),
         rise_v_(glm::dot(plane.normal, b_)) {}
 
-  /// Returns where the line through (u, v) meets it, not behind the apex; nothing if it does not.
+  /// Returns where the line through (u, v) meets the plane, not behind the apex; nothing if it does
+  /// not.
   [[nodiscard]] std::optional<glm::dvec3> at(glm::dvec2 uv) const {
     const glm::dvec3 across = uv.x * a_ + uv.y * b_;
     const double rise = uv.x * rise_u_ + uv.y * rise_v_;

@@ -24,13 +24,14 @@ struct Lens {
   bool operator==(const Lens&) const = default;
 };
 
-/// Where a camera's ray starts within the exposure: a point of the lens, in world units to the
-/// right and up from its centre.
+/// Where a camera's ray starts: a point of the lens, in world units to the right and up from its
+/// centre.
 struct ExposurePoint {
   glm::dvec2 lens{0.0};
 };
 
-/// The first property of a lens that is out of range, in the words of saved pictures; empty: none.
+/// Returns the first property of a lens that is out of range, in the words of saved pictures;
+/// empty: none.
 [[nodiscard]] std::string validate_lens(const Lens& lens);
 
 /// Maps the unit square to the aperture; equal areas go to equal areas, and neighbours to
@@ -38,16 +39,16 @@ struct ExposurePoint {
 /// between disk and square"), and polygons by way of the disk.
 [[nodiscard]] glm::dvec2 point_on_aperture(const Lens& lens, glm::dvec2 uv);
 
-/// Area of the aperture, in that of the disk of its radius.
+/// Returns the aperture's area as a fraction of its circle's area.
 [[nodiscard]] double aperture_share(const Lens& lens);
 
-/// Variance along an axis of a point of an aperture with radius 1.
+/// Returns the variance, along an axis, of uniform points on an aperture of radius 1.
 [[nodiscard]] double aperture_variance(const Lens& lens);
 
-/// Radius of the aperture, in metres, at f/`f_stop`: half of the focal length over `f_stop`. The
-/// focal length is that of the field of view on a sensor of Lens::sensor_height.
+/// Returns the radius of the aperture, in metres, at f/`f_stop`: half of the focal length over
+/// `f_stop`. The focal length is that of the field of view on a sensor of Lens::sensor_height.
 [[nodiscard]] double aperture_of_f_stop(double f_stop, double fov_y_rad);
-/// The same the other way round.
+/// Returns the f-stop of a radius in metres.
 [[nodiscard]] double f_stop_of_aperture(double radius, double fov_y_rad);
 
 }  // namespace asos

@@ -102,8 +102,8 @@ std::vector<UnitFace> unit_faces(const Shape& shape) {
   return faces;
 }
 
-/// Computes the inverse with rows scaled to length 1, so that neither tiny nor huge shapes
-/// overflow.
+/// Computes the inverse with columns scaled to length 1, so that neither tiny nor huge shapes
+/// overflow. Returns false if there is none.
 bool invert(const glm::dmat3& m, glm::dmat3& inverse) {
   constexpr double least_volume = 1e-12;
   glm::dmat3 unit(0.0);

@@ -65,7 +65,7 @@ struct FacePoint {
   return glm::sqrt(a * a + b * b);
 }
 
-/// The corners of the smallest axis-aligned box around a face.
+/// Two opposite corners of the smallest axis-aligned box around a face.
 struct FaceBounds {
   glm::dvec3 lo, hi;
 };

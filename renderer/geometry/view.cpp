@@ -33,7 +33,7 @@ View::View(const Camera& camera, int width, int height, double scene_radius)
   confusion_ = lens_.radius / pixel;
 }
 
-// Planes with nothing of the scene beyond them are left out, since rays without ends are cheaper.
+// Planes that cut off nothing of the scene are left out, since rays without ends are cheaper.
 void View::set_planes(const Camera& camera, double scene_radius) {
   const double middle = -glm::dot(eye_, forward_);
   if (camera.near_depth && *camera.near_depth > std::max(0.0, middle - scene_radius))
@@ -57,7 +57,8 @@ View::View(const PyrayPicture& picture)
       width_(1),
       height_(1),
       beyond_(picture.beyond) {
-  // Start at half of the way to where the first ray enters, since floats lose less from there.
+  // Start rays halfway to where the first of them enters, since floats lose less precision from
+  // there.
   double nearest = std::numeric_limits<double>::infinity();
   for (const glm::dvec2 p : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
     const glm::dvec3 target = corner_ + p.x * pixel_right_ + p.y * pixel_down_;
@@ -121,7 +122,7 @@ void View::rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const {
     for (std::size_t i = 0; i < points.size(); ++i) rays[i] = ray(points[i].x, points[i].y);
     return;
   }
-  // The same bits as one by one, in loops that compilers vectorize.
+  // Compute the same bits as `ray` does, in loops that compilers vectorize.
   constexpr std::size_t some = 16;
   double x[some], y[some], z[some], nearness[some];
   for (std::size_t first = 0; first < points.size(); first += some) {

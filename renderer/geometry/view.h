@@ -26,10 +26,10 @@ namespace asos {
 struct PyrayPicture {
   bool perspective = true;
   glm::dvec3 apex{0.0};  ///< for parallel rays: any point of the image plane
-  /// From the apex to the parallelogram's corner, where `forward` is one unit ahead; for parallel
-  /// rays, one unit ahead of the corner.
+  /// From the apex to the parallelogram's corner, at depth 1 along `forward`; for parallel rays, to
+  /// the point one unit ahead of the corner.
   glm::dvec3 corner{0, 0, -1};
-  glm::dvec3 right{1, 0, 0};  ///< its edges; perpendicular to `forward`
+  glm::dvec3 right{1, 0, 0};  ///< the parallelogram's edges; perpendicular to `forward`
   glm::dvec3 down{0, -1, 0};
   glm::dvec3 forward{0, 0, -1};  ///< unit
   HalfSpace beyond;              ///< rays start where they enter it; those that do not hit nothing
@@ -79,7 +79,7 @@ class View {
   /// Returns the eye ray through a point of the picture, in pixels, with a unit direction.
   [[nodiscard]] Ray ray(double x, double y) const;
 
-  /// Computes the same for many points; `rays` is as long as `points`.
+  /// Computes the eye rays through many points; `rays` is as long as `points`.
   void rays(std::span<const glm::dvec2> points, std::span<Ray> rays) const;
 
   /// Returns a view of one pixel: a parallelogram of this picture, from its corner and edges in
@@ -88,7 +88,7 @@ class View {
 
   /// Returns whether there is depth of field.
   [[nodiscard]] bool has_lens() const { return lens_.blurs(); }
-  /// Returns the lens with a known focus; a pinhole without depth of field.
+  /// Returns the lens with a known focus; without depth of field, a pinhole.
   [[nodiscard]] const Lens& lens() const { return lens_; }
   /// Returns the ray through a point of the picture that starts at a point of the lens.
   [[nodiscard]] Ray ray(double x, double y, const ExposurePoint& exposure) const;

@@ -48,7 +48,7 @@ int component_count(int type) {
   }
 }
 
-// Zero bytes that a file of any size may declare.
+// Bytes of zeros without data that a file of any size may declare.
 constexpr std::uint64_t free_zeros = std::uint64_t{1} << 20;
 
 // Largest expansion by meshopt's codecs. Views that share their bytes would exceed it.
@@ -293,7 +293,7 @@ Checked<std::vector<Out>> Accessors::read(int index, int components, const Selec
   }
   // Sparse data may replace any element, so all of them are read first.
   const bool all = !selection || accessor.sparse.isSparse;
-  // A sparse accessor's data and vertices are in the file.
+  // Sparse accessors do not count: their data, and the vertices they belong to, are in the file.
   if (elements->bytes.empty() && !accessor.sparse.isSparse) {
     zeros_ += (all ? accessor.count : selection->size()) * n * sizeof(Out);
     if (zeros_ > doc_.honest_bytes + free_zeros)

@@ -22,7 +22,7 @@ class Accessors {
   explicit Accessors(Document& document) : doc_(document) {}
 
   /// Returns the number of elements that the accessor declares and that exist. Faults: it reaches
-  /// outside its buffer, or declares more zeros than the file is large.
+  /// outside its buffer, or it has no data and declares more bytes than the file has.
   [[nodiscard]] Checked<std::size_t> count(int accessor);
 
   /// Returns the elements as floats, `components` each. Normalised integers become [0, 1] or [-1,
@@ -43,7 +43,8 @@ class Accessors {
   [[nodiscard]] Checked<std::vector<std::uint32_t>> integers(
       int accessor, int components, const Selection& selection = std::nullopt);
 
-  /// Restarts the count of zeros without data, for example to read the whole file again.
+  /// Resets the count of bytes read from accessors without data, for example to read the whole file
+  /// again.
   void forget_zeros() { zeros_ = 0; }
 
   /// Returns a buffer view's bytes, decompressed if it has EXT_meshopt_compression.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view lights_place = "/extensions/KHR_lights_punctual/lights/";
 
-/// Properties of the objects at `within`, which follows the number of a material and so on.
+/// Properties of the objects at `within`, which follows the index of a material, camera or light.
 struct Movable {
   std::string_view root, within;
   int numbers;
@@ -89,7 +89,7 @@ std::optional<PointedAt> place_of(std::string_view pointer) {
   return std::nullopt;
 }
 
-/// KHR_texture_transform is the same for all of a material's textures.
+/// Counts the numbers of a KHR_texture_transform property, in any texture of a material.
 std::optional<int> transform_numbers(const PointedAt& place) {
   if (place.root != "/materials/" || !place.within.ends_with("Texture/KHR_texture_transform"))
     return std::nullopt;

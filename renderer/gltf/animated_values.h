@@ -15,16 +15,16 @@
 
 namespace asos::gltf {
 
-/// Returns how many numbers the property at a pointer has; nullopt: not one of these.
+/// Returns how many numbers the property at a pointer has; nullopt: it is not movable.
 [[nodiscard]] std::optional<int> movable_numbers(std::string_view pointer);
 
 /// Returns whether the object that contains the property exists.
 [[nodiscard]] bool has_object_of(const nlohmann::json& root, std::string_view pointer);
 
-/// Returns the number of the material that a pointer points into.
+/// Returns the index of the material that a pointer points into.
 [[nodiscard]] std::optional<std::size_t> material_of(std::string_view pointer);
 
-/// Returns the parts of a document that these pointers point into.
+/// Returns a document's movable parts: materials, cameras and punctual lights.
 [[nodiscard]] nlohmann::json movable_parts(const nlohmann::json& root);
 
 struct AnimatedValue {

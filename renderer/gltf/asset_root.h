@@ -8,7 +8,7 @@ namespace asos::gltf {
 
 /// The folders from which a model's files may come; both are canonical.
 struct AssetFolders {
-  std::filesystem::path model;  ///< the model file's own; URIs are relative to it
+  std::filesystem::path model;  ///< the model file's folder; URIs are relative to it
   std::filesystem::path root;   ///< files inside it, at any depth, may be read
 
   /// Returns whether `path`, which is canonical, is inside one of the folders.

@@ -32,8 +32,8 @@ std::size_t morph_target_count(const Document& doc, const tinygltf::Node& node) 
   return mesh && !mesh->primitives.empty() ? mesh->primitives.front().targets.size() : 0;
 }
 
-/// The targets of an animation's channels as pointers. A channel conflicts with another one if its
-/// target is inside the other's.
+/// The targets of an animation's channels as pointers. Channels conflict if their targets are equal
+/// or one contains the other.
 class Targets {
  public:
   [[nodiscard]] bool add(const std::string& target) {
@@ -154,7 +154,7 @@ std::vector<Clip> read_clips(Document& doc, Accessors& accessors) {
     ChannelReader channels(animation, doc, reader);
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const tinygltf::AnimationChannel& source = animation.channels[i];
-      if (source.target_node < 0 && pointer_of(source).empty()) continue;  // glTF: ignore it
+      if (source.target_node < 0 && pointer_of(source).empty()) continue;  // glTF requires this
       Checked<Channel> channel = channels.read(source);
       if (channel) {
         clip.seconds = std::max(clip.seconds, static_cast<double>(channel->keys.seconds->back()));

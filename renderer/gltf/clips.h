@@ -18,7 +18,7 @@ struct Channel {
   std::size_t node = 0;
   Path path = Path::translation;
   std::size_t weight = 0;               ///< one_weight: its index
-  std::vector<double> weights_at_rest;  ///< these
+  std::vector<double> weights_at_rest;  ///< one_weight: all weights
   std::string pointer;                  ///< value: pointer to its target
   Keys keys;
 };
@@ -28,7 +28,7 @@ struct Clip {
   std::string name;
   double seconds = 0.0;  ///< time of its last key
   std::size_t declared_channels = 0;
-  std::vector<Channel> channels;  ///< each with another target
+  std::vector<Channel> channels;  ///< with distinct targets
 };
 
 /// Reads all animations of a file. Channels that are invalid, or have unsupported targets, are left
@@ -38,7 +38,7 @@ struct Clip {
 /// Sets the poses of the nodes that `clip` moves to those at `seconds`.
 void apply_clip(const Clip& clip, double seconds, std::vector<NodePose>& poses);
 
-/// Returns the other values that it moves, at `seconds`.
+/// Returns the values besides poses that `clip` moves, at `seconds`.
 [[nodiscard]] std::vector<AnimatedValue> animated_values(const Clip& clip, double seconds);
 
 /// Returns the materials that any of the clips moves.

@@ -28,8 +28,8 @@ class Accessors;
 /// A primitive decoded from KHR_draco_mesh_compression.
 class DracoPrimitive {
  public:
-  /// Decodes a primitive. `extension` is the primitive's. The accessor of its indices declares
-  /// `index_count`. Faults: data that does not decode, or that claims more than was declared.
+  /// Decodes a primitive by its `extension`. `index_count` is declared by the accessor of its
+  /// indices. Faults: data that does not decode, or that claims more than was declared.
   [[nodiscard]] static Checked<DracoPrimitive> decode(const tinygltf::Value& extension,
                                                       Accessors& accessors,
                                                       std::uint64_t index_count);

@@ -99,10 +99,10 @@ Buffer holding(FileBytes bytes) {
   return buffer;
 }
 
-/// Files by their place; each is read once, even if it is named several times.
+/// Files by path; each is read once, even if it is named several times.
 using FilesRead = std::map<std::filesystem::path, Buffer>;
 
-/// Reads a named file; `place` is the buffer's name in remarks.
+/// Reads a named file; `place` is the buffer's name in warnings.
 Buffer read_named(Document& doc, const std::string& place, const std::string& uri,
                   FilesRead& files) {
   const Checked<UriFile> file = doc.files.find(uri);
@@ -116,7 +116,7 @@ Buffer read_named(Document& doc, const std::string& place, const std::string& ur
   return buffer;
 }
 
-/// Reads one buffer; `bin` is the GLB's binary chunk if this is its buffer.
+/// Reads one buffer; `bin` is the GLB's binary chunk for the buffer that has it, else null.
 Buffer read_buffer(const json& declared, Document& doc, const std::string& place, const Bytes* bin,
                    FilesRead& files) {
   if (!declared.is_object()) return missing("is not an object");
@@ -205,7 +205,7 @@ void take_strides(json& root, Document& doc) {
   }
 }
 
-/// Adds tinygltf's remarks, one per line, without those about properties that glTF allows to omit.
+/// Adds tinygltf's warnings, one per line, without those about properties that glTF allows to omit.
 void add_remarks(const std::string& text, Warnings& warnings) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {

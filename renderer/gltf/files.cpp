@@ -97,7 +97,7 @@ Checked<ModelFiles::Place> ModelFiles::inside(const std::string& relative) {
                   named ? "a symbolic link" : "it", folders_.root.string()));
 }
 
-/// Returns the names in a folder; empty beyond a limit.
+/// Returns the names in a folder; incomplete beyond most_entries_listed.
 const ModelFiles::FoldedNames& ModelFiles::names_in(const fs::path& folder) {
   const auto [known, is_new] = listed_.try_emplace(folder);
   if (!is_new) return known->second;

@@ -144,7 +144,7 @@ void Textures::plan() {
     const ImagePlace place = place_of(doc_.images[i]);
     if (place != ImagePlace{} && !seen.insert(place).second) continue;
     Checked<ImageBytes> bytes = image_bytes(doc_, accessors_, index);
-    if (!bytes) continue;  // the warning comes where it is used
+    if (!bytes) continue;  // the warning comes when the image is used
     const PictureResult<PictureHead> head = picture_head(bytes->bytes);
     if (!head) continue;
     claims[i] = {head->width, head->height, bytes->bytes.size()};

@@ -33,8 +33,9 @@ class Textures {
   [[nodiscard]] int use(int texture);
 
   /// Returns a texture with the roughness 1 - factor * alpha of one of the scene's textures in
-  /// green (KHR_materials_pbrSpecularGlossiness); `factor` is 0 to 1. Returns -1, with a warning,
-  /// if one image is needed with too many factors, since each takes the image's memory again.
+  /// green (KHR_materials_pbrSpecularGlossiness); `factor` is 0 to 1. Each factor takes the image's
+  /// memory again: returns -1, with a warning, for too many factors of one image, or if all copies
+  /// are too large for the file's size.
   [[nodiscard]] int roughness_of(int texture, float factor);
 
  private:
@@ -53,10 +54,10 @@ class Textures {
   Document& doc_;
   Accessors& accessors_;
   Scene& scene_;
-  std::vector<int> texture_of_;  // by document texture: unknown, or the scene's
+  std::vector<int> texture_of_;  // by document texture: the scene's texture, or unknown
   std::vector<int> image_of_;
-  std::map<ImagePlace, int> image_at_;  // the scene's, by the place of its bytes
-  std::vector<int> shrinks_;            // by document image, when there is a plan
+  std::map<ImagePlace, int> image_at_;  // the scene's image, by the place of its bytes
+  std::vector<int> shrinks_;            // by document image; empty before plan()
   std::map<int, ImageBytes> read_;      // by document image: files read for the plan
   std::uint64_t all_bytes_ = 0;         // of encoded images
   std::uint64_t copied_texels_ = 0;     // by `roughness_of`

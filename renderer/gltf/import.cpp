@@ -149,7 +149,7 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
   }
 
  private:
-  /// Sets the values besides nodes that move. The document has them as they are at that time.
+  /// Sets the document's materials, cameras and lights to their animated values at `time`.
   Checked<void> move_values(const std::optional<ClipTime>& time) {
     if (!doc_.movable) return {};
     std::vector<AnimatedValue> values;

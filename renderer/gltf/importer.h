@@ -17,7 +17,7 @@
 
 namespace asos::gltf {
 
-/// A document's mesh and primitive, and its morph weights.
+/// Key of a scene's mesh: the document's mesh and primitive, and the morph weights.
 using MeshKey = std::tuple<int, int, std::vector<double>>;
 
 /// Meshes that do not change with time, for the next import of the same document; nullopt: left
@@ -25,7 +25,7 @@ using MeshKey = std::tuple<int, int, std::vector<double>>;
 struct StaticMeshes {
   bool wanted = false;
   std::set<std::size_t> morphing_nodes;    ///< those whose weights an animation moves
-  std::set<std::size_t> moving_materials;  ///< that need tangents only at some times
+  std::set<std::size_t> moving_materials;  ///< animated: may need tangents only at some times
   std::map<MeshKey, std::optional<Mesh>> meshes;
 };
 
@@ -61,12 +61,12 @@ class Importer {
   StaticMeshes& still_;
   const LoadOptions& options_;
   Scene scene_;
-  std::map<MeshKey, int> meshes_;  // the scene's
-  std::set<std::size_t> shown_;    // the document's meshes
+  std::map<MeshKey, int> meshes_;  // indices of the scene's meshes
+  std::set<std::size_t> shown_;    // the document's meshes that nodes use
   std::map<int, Checked<SkinPose>> skins_;
   std::uint64_t triangles_ = 0;
   int nodes_ = 0;  // number of added nodes
-  int node_ = -1;  // the current one, among the visible ones
+  int node_ = -1;  // index of the current node, among the visible ones
 };
 
 }  // namespace asos::gltf

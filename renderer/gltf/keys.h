@@ -15,7 +15,7 @@ namespace asos::gltf {
 enum class Interpolation { step, linear, cubic_spline };
 
 /// The keys of an animation's sampler (glTF 2.0, section 3.11 and appendix C): `width` numbers at
-/// each time. For a cubic spline these are its in-tangents, values and out-tangents.
+/// each time. A cubic spline has three times as many: in-tangents, values and out-tangents.
 struct Keys {
   Interpolation interpolation = Interpolation::linear;
   bool rotation = false;  ///< quaternions x, y, z, w, interpolated along the shortest arc
@@ -40,10 +40,10 @@ class KeyReader {
  public:
   KeyReader(const Document& document, Accessors& accessors);
 
-  /// Reads a sampler. `components` is that of an output's elements; `groups` of them are a key's
-  /// value, and four of a `rotation` are a quaternion. Faults: no such data, times that decrease or
-  /// are below 0, numbers that are not finite, not one value for each time, a rotation of length 0,
-  /// an unknown interpolation.
+  /// Reads a sampler. An element of the output has `components` numbers, and a key's value has
+  /// `groups` elements; with `rotation` it is a quaternion. Faults: no such data, times that
+  /// decrease or are below 0, numbers that are not finite, not one value for each time, a rotation
+  /// of length 0, an unknown interpolation.
   [[nodiscard]] Checked<Keys> read(const tinygltf::AnimationSampler& sampler, int components,
                                    std::size_t groups, bool rotation);
 

@@ -151,7 +151,7 @@ bool concerns(const Rule& rule, std::string_view place, const std::string& shape
   return shape.ends_with(rule.within);
 }
 
-/// `count`: the number of entries; 0: any except none.
+/// Returns whether a value lists `count` numbers; 0: one or more.
 bool are_numbers(const json& value, std::size_t count) {
   return value.is_array() && !value.empty() && (count == 0 || value.size() == count) &&
          std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_number(); });

@@ -12,7 +12,7 @@ namespace asos::gltf {
 [[nodiscard]] std::string_view wrong_kind(std::string_view name, const nlohmann::json& value,
                                           std::string_view place);
 
-/// Returns the same for a property whose value should be a whole number; 3.0 is one.
+/// Returns whether a value is a whole number; 3.0 is one.
 [[nodiscard]] bool is_whole(const nlohmann::json& value);
 
 }  // namespace asos::gltf

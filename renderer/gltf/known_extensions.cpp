@@ -9,7 +9,7 @@ namespace asos::gltf {
 namespace {
 
 /// The kinds of objects that an extension may extend: the place without the numbers of entries.
-/// `textures` is any reference to a texture in a material, at any depth.
+/// `textures_of_materials` is any reference to a texture in a material, at any depth.
 enum class Place {
   root,
   scenes,

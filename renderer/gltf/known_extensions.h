@@ -9,7 +9,7 @@ namespace asos::gltf {
 [[nodiscard]] bool supports_extension(std::string_view name);
 
 /// Returns whether a supported extension has an effect in the `extensions` of the object at `place`
-/// ("/nodes/3"), by its specification. If it has none, that is a loss.
+/// ("/nodes/3"), by its specification. Otherwise, its content is lost.
 [[nodiscard]] bool belongs_at(std::string_view extension, std::string_view place);
 
 /// Converts "/nodes/3/extensions" to "/nodes/extensions"; the document itself is "/".

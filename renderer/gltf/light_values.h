@@ -38,8 +38,8 @@ inline bool positive(double value) {
 /// exceeds 1.
 void read_off_intensity(const tinygltf::Value& extras, Light& light);
 
-/// Sets them from `object`'s properties "intensity" and "color", which is white by default. With
-/// `default_intensity` nullopt, the intensity is required.
+/// Sets intensity and colour from `object`'s properties "intensity" and "color", which is white by
+/// default. With `default_intensity` nullopt, the intensity is required.
 [[nodiscard]] std::string read_brightness(const tinygltf::Value& object,
                                           std::optional<double> default_intensity, Light& light);
 

@@ -75,7 +75,7 @@ std::string read_light(const tinygltf::Light& source, const std::string& place, 
     color.assign(3, 1.0);
   }
   if (std::string why = set_brightness(source.intensity, color, light); !why.empty()) return why;
-  if (positive(source.range)) light.range = source.range;  // tinygltf's 0: infinite
+  if (positive(source.range)) light.range = source.range;  // 0 in tinygltf: infinite
   light.casts_shadows = on_or_off(source.extras, "casts_shadows").value_or(true);
   read_off_intensity(source.extras, light);
   if (light.type != Light::Type::spot) return {};
@@ -161,7 +161,7 @@ void add_punctual_light(Document& document, const tinygltf::Node& node,
   scene.lights.push_back(std::move(light));
 }
 
-/// Reads a lens. Orthographic cameras have none, and invalid ones are left out, with a warning.
+/// Reads a lens. Orthographic cameras have none, and invalid lenses are left out, with a warning.
 void add_lens(const tinygltf::Camera& source, const std::string& place, Camera& camera,
               Warnings& warnings) {
   const Checked<Lens> lens = read_lens(source.extras, camera.fov_y_rad);

@@ -8,7 +8,7 @@
 namespace asos {
 
 struct LoadOptions {
-  /// More are rejected, before anything of that size is allocated.
+  /// Files with more are rejected, before anything of that size is allocated.
   std::uint64_t max_triangles = 60'000'000;
   bool keep_posable = false;  ///< set Scene::rig if there are animations
   /// One of the file's material variants (KHR_materials_variants); empty: none.
@@ -24,7 +24,7 @@ struct LoadOptions {
 /// reason. Any thread.
 [[nodiscard]] Result<Scene> load_scene(const std::string& source, const LoadOptions& options = {});
 
-/// Imports glTF 2.0 through tinygltf, with its own validation; see renderer/gltf/.
+/// Imports glTF 2.0 through tinygltf, with additional validation; see renderer/gltf/.
 [[nodiscard]] Result<Scene> import_gltf(const std::string& path, const LoadOptions& options = {});
 
 /// Writes `scene` as a self-contained .glb (or .gltf with embedded buffers, by the suffix).

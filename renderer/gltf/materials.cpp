@@ -48,7 +48,7 @@ class MaterialReader : MaterialValues {
     read_anisotropy(m);
     read_volume(m);
     read_diffuse_transmission(m);
-    // Textures last: an unlit material needs only its base colour's.
+    // Textures last: an unlit material needs only its base colour texture.
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
     m.base_color_texture = glossy ? use_in(*glossy, "diffuseTexture", "diffuse")
                                   : use(pbr.baseColorTexture, "base colour");
@@ -304,8 +304,8 @@ class MaterialReader : MaterialValues {
     m.coat.normal_texture.scale = finite(scale, 1.0, "clearcoat normal scale");
   }
 
-  /// Reads a dielectric of infinite index, whose reflection at normal incidence is its specular
-  /// colour. The diffuse part has the weight of one minus its largest channel, as the extension
+  /// Reads a dielectric of infinite index, which reflects its specular colour at normal incidence.
+  /// The diffuse part is weighted by one minus that colour's largest channel, as the extension
   /// requires.
   void read_specular_glossiness(const tinygltf::Value& e, Material& m) {
     for (int c = 0; c < 4; ++c) {

@@ -15,7 +15,7 @@ struct NodePose {
   glm::dvec3 translation{0.0};
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
   glm::dvec3 scale{1.0};
-  std::optional<glm::dmat4> matrix;  ///< replaces the three
+  std::optional<glm::dmat4> matrix;  ///< replaces the three above
   std::vector<double> weights;       ///< of morph targets; empty: the mesh's weights
   bool visible = true;               ///< KHR_node_visibility: includes everything below it
 
@@ -41,7 +41,7 @@ class NodeGraph {
     return poses_[static_cast<std::size_t>(node)];
   }
   [[nodiscard]] std::size_t size() const { return poses_.size(); }
-  /// -1: none.
+  /// Returns -1 for roots.
   [[nodiscard]] int parent(int node) const { return parent_[static_cast<std::size_t>(node)]; }
 
   /// Returns the visible nodes of a scene, parents first, each once. Leaves out invisible subtrees

@@ -33,17 +33,17 @@ struct LoadedMesh {
 /// Returns the number of vertices for drawing a primitive: its indices, or else its positions.
 [[nodiscard]] Checked<std::uint64_t> element_count(const tinygltf::Primitive& primitive,
                                                    Accessors& accessors);
-/// Returns the number of triangles, points or line segments for so many elements.
+/// Returns the number of triangles, points or line segments of this many elements.
 [[nodiscard]] std::uint64_t drawn_count(int mode, std::uint64_t elements);
 
 /// Returns the faults of a primitive's accessors, without reading their data; empty if none.
 [[nodiscard]] std::string declared_faults(const tinygltf::Primitive& primitive,
                                           Accessors& accessors);
 
-/// Loads one primitive. Its triangles have their attributes read, morphed, skinned, and completed
-/// with normals and tangents; lines or points have only positions and colours. Elements with
-/// vertices that do not exist or are not finite are dropped with a warning. Faults: there are no
-/// usable positions or indices.
+/// Loads one primitive. Its attributes are read, morphed and skinned. Triangles are completed with
+/// normals and tangents; lines and points are not, and have no tangents. Elements with vertices
+/// that do not exist or are not finite are dropped with a warning. Faults: there are no usable
+/// positions or indices.
 [[nodiscard]] Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request,
                                                  Accessors& accessors, Warnings& warnings);
 

@@ -13,8 +13,8 @@ struct DecodedImageSize {
   std::uint64_t bytes = 0;  ///< as it is stored
 };
 
-/// Returns the largest number of pixels for all pictures of a file that together have so many
-/// bytes. It is enough for real textures, and limits the memory for small files.
+/// Returns the limit on a file's decoded pixels, given the bytes of all its stored pictures. It is
+/// enough for real textures, but small files cannot claim huge pictures.
 [[nodiscard]] std::uint64_t most_texels(std::uint64_t picture_bytes);
 
 /// Returns the reduction of each picture while it is read (read_picture), a power of two; 1: none.

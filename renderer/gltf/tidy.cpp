@@ -165,7 +165,7 @@ class Tidier {
   Checked<void> tidy_number(const std::string& name, json& value, const std::string& place) {
     const bool size = is_one_of(name, size_names);
     if (!size && !is_one_of(name, reference_names)) return {};
-    if (value.is_null() || (name == "indices" && value.is_object())) return {};  // a sparse one's
+    if (value.is_null() || (name == "indices" && value.is_object())) return {};  // of `sparse`
     make_whole(value);
     if (size && !value.is_number_unsigned()) {
       return fault(fmt::format("{}/{} is not a whole number", place, name));

@@ -18,11 +18,11 @@ namespace asos::gltf {
 /// Prepares a parsed document for tinygltf, which checks little. Faults: offsets and lengths that
 /// are not whole numbers, and more entries than `json_bytes` of text justify, since tinygltf needs
 /// hundreds of times their memory. Recursive: check the nesting depth first.
-/// - Drops `extras` (except a light's `casts_shadows`) and unknown extensions, since tinygltf would
-///   copy their values many times.
+/// - Drops unused `extras` (tidy_extras) and unknown extensions, since tinygltf would copy their
+/// values many times.
 /// - Drops references that are not whole numbers, since they would wrap around.
 /// - Moves each primitive's `indices` to its attributes, since tinygltf rejects indices without a
-///   buffer view, as with Draco and sparse accessors.
+/// buffer view, as with Draco and sparse accessors.
 [[nodiscard]] Checked<void> tidy(nlohmann::json& root, std::size_t json_bytes, Warnings& warnings);
 
 }  // namespace asos::gltf

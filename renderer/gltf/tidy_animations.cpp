@@ -28,7 +28,7 @@ constexpr std::string_view weights = "weights/";
 struct PointedNode {
   int node = 0;
   std::string_view path;
-  bool core = false;  ///< a path that channels without the extension have, too
+  bool core = false;  ///< one of glTF's own paths
 };
 
 /// Parses "/nodes/3/rotation" and the like, if it is a part of a node's own pose or its visibility.

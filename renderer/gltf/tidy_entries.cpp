@@ -38,7 +38,7 @@ bool has_text(const json& object, const char* name) {
   return found != object.end() && found->is_string();
 }
 
-/// Returns the first of the object's sizes that is not a whole number; empty: none.
+/// Returns the fault of the object's first size that is not a whole number; empty: none.
 std::string bad_size(const json& object) {
   for (const char* name : {"byteOffset", "byteLength", "byteStride", "count", "componentType"}) {
     const auto found = object.find(name);
@@ -106,7 +106,7 @@ class EntryTidier {
  public:
   EntryTidier(json& root, Warnings& warnings) : root_(root), warnings_(warnings) {}
 
-  /// Replaces each entry of `list` with a fault, as reported by `fault_of`.
+  /// Replaces each entry of `list` for which `fault_of` reports a fault by `by`.
   template <typename Fault>
   void replace(const char* list, const char* kind, const json& by, Fault fault_of) {
     each(root_, list, [&](json& entry, std::size_t i) {
@@ -167,7 +167,7 @@ class EntryTidier {
     if (!root_.contains(place)) return;
     each(root_[place], "lights", [&](json& light, std::size_t i) {
       if (!light.is_object()) light = json::object();
-      // A node that uses it reports its name and that it is left out.
+      // Nodes that use the light report that it is left out.
       if (!has_text(light, "type")) light["type"] = "";
       if (light["type"] != "spot" || object_in(light, "spot")) return;
       warnings_.add(fmt::format("light {} is a spot without angles; glTF's defaults are used", i));

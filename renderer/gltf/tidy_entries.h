@@ -16,8 +16,8 @@ namespace asos::gltf {
 /// tidied.
 [[nodiscard]] std::set<std::size_t> tidy_entries(nlohmann::json& root, Warnings& warnings);
 
-/// Adds the planes that tinygltf requires to cameras without them. They have invalid values, so
-/// they do not clip. Must be called after the rest of the document is tidied.
+/// Adds the near and far planes that tinygltf requires to cameras without them. Their values are
+/// invalid, so they do not clip. Must be called after the rest of the document is tidied.
 void complete_planes(nlohmann::json& root, Warnings& warnings);
 
 }  // namespace asos::gltf

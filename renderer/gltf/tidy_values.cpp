@@ -35,7 +35,7 @@ std::optional<double> number(const json& object, const char* name) {
   return found->get<double>();
 }
 
-// These planes do not clip, so a wrong one does not change the picture.
+// Wrong planes are ignored: they do not clip.
 void check_planes(const json& camera, const std::string& place, Warnings& warnings) {
   for (const char* type : {"perspective", "orthographic"}) {
     const auto found = camera.find(type);

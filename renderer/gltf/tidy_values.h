@@ -6,9 +6,9 @@
 
 namespace asos::gltf {
 
-/// Warns about invalid values of cameras, samplers and morph targets, whether or not they are used.
-/// `root`: after properties of wrong kinds were removed. Invalid filters and wrap modes are
-/// removed, so that glTF's defaults apply.
+/// Warns about invalid values of nodes, cameras, samplers, morph targets and positions, whether or
+/// not they are used. Properties of wrong kinds must have been removed before. Invalid filters and
+/// wrap modes are removed, so that glTF's defaults apply.
 void tidy_values(nlohmann::json& root, Warnings& warnings);
 
 }  // namespace asos::gltf

@@ -1,7 +1,7 @@
 #pragma once
 
-// tinygltf with the importer's options: it only reads the JSON. preflight.h lists the parts that
-// are withheld from it.
+// tinygltf with the importer's options: it only reads the JSON. document.cpp and tidy.h withhold
+// the other parts from it.
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE

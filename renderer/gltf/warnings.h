@@ -13,7 +13,7 @@ namespace asos::gltf {
 template <typename T>
 using Checked = tl::expected<T, std::string>;
 
-/// Returns a remark of at most 500 bytes. A longer one, with names from a file, loses its middle.
+/// Shortens a text to at most 500 bytes. A longer one, with names from a file, loses its middle.
 [[nodiscard]] std::string shortened(const std::string& text);
 
 inline tl::unexpected<std::string> fault(const std::string& reason) {

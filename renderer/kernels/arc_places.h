@@ -64,9 +64,10 @@ HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& 
 }
 
 /// The formulas of SphericalRectangle, with sums of angles as products of unit complex numbers.
-/// First: its solid angle, 0 where the light is sampled by area. Second: the place along half_u as
-/// 1 / (x / z)^2, with the sign of x. Third and fourth: the ends, along half_v, of the part that
-/// may be above the point's horizons, from the foot of its perpendicular.
+/// First: the rectangle's solid angle, 0 where it is sampled by area. Second: the place along
+/// half_u as 1 / (x / z)^2, with the sign of x. Third and fourth: the ends, along half_v, of the
+/// part that may be above the point's horizons, measured from the foot of the point's
+/// perpendicular.
 inline void rectangle_places(const ShadingPoints& points, const PreparedLight& light,
                              const LightPointBatch& places, ArcPlaces& found) {
   const DoubleTag d;
@@ -131,8 +132,8 @@ inline void rectangle_places(const ShadingPoints& points, const PreparedLight& l
 }
 
 /// Samples by the angle at the point (Kulla and Fajardo 2012, "equi-angular"). First: the place
-/// along the segment from the foot of the point's perpendicular. Second: its measure. Third: the
-/// perpendicular's length.
+/// along the segment from the foot of the point's perpendicular. Second: the measure ds / du there.
+/// Third: the perpendicular's length.
 inline void segment_places(const ShadingPoints& points, const PreparedLight& light,
                            const LightPointBatch& places, ArcPlaces& found) {
   const DoubleTag d;

@@ -96,7 +96,7 @@ HWY_INLINE SampleLanes area_sample(const LightConstants& light, const ReceiverLa
   return at.sample;
 }
 
-/// Returns the light's attenuation, as PreparedLight.
+/// As the function attenuation of a PreparedLight.
 HWY_INLINE Lanes attenuation(const LightConstants& light, const Vectors& middle, Lanes distance,
                              Lanes nearness) {
   const auto one = all_lanes(1.0f);

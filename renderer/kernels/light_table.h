@@ -38,7 +38,7 @@ class LightTable {
     power_z,
     extent,     ///< power times this is the intensity; for distant lights, the irradiance
     far,        ///< 1 for distant lights, which shine from `towards` everywhere; else 0
-    flat,       ///< 1 where it emits with the cosine to `towards`; else 0
+    flat,       ///< 1 for lights that emit with the cosine to `towards`; else 0
     two_sided,  ///< 1 or 0
     /// Radius of the bounding sphere about the position; for distant lights its tangent.
     radius,

@@ -26,7 +26,7 @@ struct LobeGeometryLanes {
   Lanes light_nearness;
 };
 
-/// ggx_lobe's.
+/// As ggx_lobe.
 HWY_INLINE Lanes point_lobe(const LobeGeometryLanes& at) {
   const auto one = all_lanes(1.0f);
   const auto a2 = hn::Mul(at.alpha, at.alpha);
@@ -111,7 +111,8 @@ HWY_INLINE Lanes patch_lobe(const LobeGeometryLanes& at, const SlopeLanes& lobe)
                  hn::Mul(hn::Mul(hn::Sqrt(det), hn::Mul(d, d)), shadowing));
 }
 
-/// Adds sheen_lobe where there is sheen, lane by lane, since it is rare and uses powers.
+/// Replaces the lobe by sheen_lobe where there is sheen, lane by lane, since it is rare and uses
+/// powers.
 HWY_INLINE Lanes with_sheen(const ShadingPoints& points, const LobeGeometryLanes& at, Lanes others,
                             std::size_t i) {
   const FloatTag d;

@@ -25,14 +25,14 @@ struct ShadingPoints {
 
   std::size_t count = 0;
   Vectors position;   ///< where light arrives
-  Vectors geometric;  ///< normal of its horizon
+  Vectors geometric;  ///< normal of the horizon
   Vectors normal;     ///< shading normal
   Vectors to_viewer;
   Floats clear_height{};
   Floats to_edge{};
   Floats n_dot_v{};
   // With s = (1 - v.h)^5, radiance per irradiance is diffuse (1 - falloff s) + (f0 + (f90 - f0) s)
-  // lobe. All but falloff are multiplied by the point's weight in its sum.
+  // lobe. All but falloff include the point's weight (see `add`).
   Vectors diffuse;
   Floats falloff{};
   Vectors f0;
@@ -40,15 +40,15 @@ struct ShadingPoints {
   Floats alpha{};            ///< squared roughness, floored
   Floats shows_lights{};     ///< MirroredLights as a number
   Floats turns{};            ///< 0 where the following fields are 0; else 1
-  Floats sheen{};            ///< ViewedMaterial's
-  Vectors stretch;           ///< LobeStretch's `along`, only where it turns
+  Floats sheen{};            ///< as in ViewedMaterial
+  Vectors stretch;           ///< LobeStretch::along; only where `turns` is 1
   Floats viewer_nearness{};  ///< 1 / distance
   Vectors patch_right, patch_down;
   Vectors spread_right, spread_down;
   Floats spread_variance{};
 
   [[nodiscard]] bool full() const { return count == size; }
-  /// Adds a point with this weight in its sum. The batch must not be full.
+  /// Adds a point whose reflectance is multiplied by `weight`. The batch must not be full.
   void add(const LightingQuery& point, glm::vec3 weight);
   /// Adds a point without material or viewer; their fields are not set.
   void add(const SurfacePoint& point);

@@ -42,7 +42,7 @@ class SobolBatch {
 /// SobolPixel::pixel for several samples at a time.
 class SobolPixelSampler {
  public:
-  /// Must be called before the pixel changes.
+  /// Must be called whenever the pixel changes.
   void forget() { turn_ = none; }
   [[nodiscard]] glm::dvec2 at(const SobolPixel& pixel, std::uint32_t index) {
     if (index / per_turn != turn_) take_turn(pixel, index / per_turn);

@@ -17,7 +17,7 @@ struct TriangleBatch {
   std::size_t count = 0;
   Vectors corner_0, corner_1, corner_2;
   Vectors normal_0, normal_1, normal_2;  ///< the interpolated normals at the corners
-  Floats b1{}, b2{};                     ///< of Hit
+  Floats b1{}, b2{};                     ///< as in Hit
   Floats distance{};
   Vectors direction;  ///< of the ray; unit
   Floats side{};      ///< side of the square that the ray represents, in pixels

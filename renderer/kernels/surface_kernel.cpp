@@ -48,7 +48,7 @@ void find_geometric_normals(const TriangleBatch& hits, ShadingPoints& points) {
     store_floats(hn::IfThenElseZero(some, hn::Div(across.x, divisor)), &points.geometric.x[i]);
     store_floats(hn::IfThenElseZero(some, hn::Div(across.y, divisor)), &points.geometric.y[i]);
     store_floats(hn::IfThenElseZero(some, hn::Div(across.z, divisor)), &points.geometric.z[i]);
-    store_floats(length, &points.to_edge[i]);  // still multiplied by the area
+    store_floats(length, &points.to_edge[i]);  // twice the area, until place_points
   }
 }
 
@@ -123,7 +123,7 @@ HWY_INLINE Vectors turn_along(const Lanes& b1, const Lanes& b2, const Vectors& b
 }
 
 /// Computes, for points from i on, the position, its error, the height that clears the surface, and
-/// the least distance to which the surface extends. Needs find_geometric_normals first.
+/// the bound of the distance to the triangle's border. Needs find_geometric_normals first.
 HWY_INLINE void place_points(const TriangleBatch& hits, const Weights& w, const Vectors& geometric,
                              SurfaceRest& rest, ShadingPoints& points, std::size_t i) {
   const Vectors p0 = loaded(hits.corner_0, i), p1 = loaded(hits.corner_1, i),

@@ -28,7 +28,7 @@ struct SpecularLanes {
 struct ShineLanes {
   Vectors direction;
   Lanes nearness;  ///< 1 / distance
-  Lanes ratio;     ///< the lobe's peak relative to that of a point light's lobe
+  Lanes ratio;     ///< factor of the lobe: MIS weight, or by widening (published rule)
 };
 HWY_INLINE SpecularLanes specular(const ShadingPoints& points, const LightConstants& light,
                                   const Vectors& normal, const ShineLanes& shown, std::size_t i) {
@@ -36,7 +36,7 @@ HWY_INLINE SpecularLanes specular(const ShadingPoints& points, const LightConsta
   const Vectors to_viewer = loaded(points.to_viewer, i);
   const auto n_dot_l = dot(normal, shown.direction);
   auto mirrors = hn::Gt(n_dot_l, zero);
-  // Lights with an area that a reflection contains have no highlight besides it.
+  // A reflection that contains the light replaces its highlight.
   mirrors = hn::And(mirrors, hn::Lt(loaded(points.shows_lights, i), all_lanes(light.shown_from)));
 
   LobeGeometryLanes at;

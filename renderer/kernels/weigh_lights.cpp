@@ -80,8 +80,8 @@ struct SeenLanes {
   Lanes form;  ///< irradiance for a power of 1
 };
 
-/// Returns direction and irradiance of a light at a place, with this extent and reach. The power
-/// times `size` is its intensity. `by_distance`: as LightTable::near_linear.
+/// Returns direction and irradiance of a light at `offset`, with the extent `size` and this reach.
+/// The power times `size` is its intensity. `by_distance`: as LightTable::near_linear.
 HWY_INLINE SeenLanes seen(const LightTable& lights, const PointLanes& at, const Vectors& offset,
                           Lanes size, const ReachLanes& reach, Lanes by_distance, std::size_t k) {
   using enum LightTable::Field;
@@ -236,7 +236,7 @@ void weigh_all(const LightTable& lights, const PointLanes& at, float* weights) {
     hn::StoreU(weight<shiny>(lights, at, k), FloatTag(), weights + k);
 }
 
-/// Returns alpha^2 of the point's lobe, or of an isotropic lobe about as wide as its patch's.
+/// Returns alpha^2 of the point's lobe, or of an isotropic lobe about as wide as the patch's lobe.
 float alpha2_of(const ShadingPoints& points, std::size_t i) {
   const float alpha = points.alpha[i];
   if (points.turns[i] == 0.0f) return alpha * alpha;

@@ -54,9 +54,10 @@ Circle make_circle(glm::dvec3 centre, glm::dvec3 facing, double radius) {
   return circle;
 }
 
-/// The whole disk above the horizons: Lambert's vector irradiance, along the disk's axis and across
-/// it (the configuration factors from a small element to a parallel and to a perpendicular disk,
-/// Hamilton and Morgan 1952). The formula has no differences of nearly equal numbers.
+/// Returns the form of a disk that is wholly above the horizons: Lambert's vector irradiance, along
+/// the disk's axis and across it (the configuration factors from a small element to a parallel and
+/// to a perpendicular disk, Hamilton and Morgan 1952). The formula has no differences of nearly
+/// equal numbers.
 double whole_form(const Circle& c, glm::dvec3 normal) {
   const double radius2 = c.radius * c.radius;
   const double difference = c.aside * c.aside + c.height * c.height - radius2;

@@ -18,9 +18,9 @@ struct ClusterPoint {
 };
 
 /// Groups points and returns their indices by group; no group is empty. There are at most `most`
-/// groups, and no more than needed to bring every point within `tolerance` of its group's first
-/// one. Seeds are farthest from each other (Gonzalez 1985), followed by Lloyd's k-means in the nine
-/// dimensions. Depends only on the points' order.
+/// groups, and no more than needed for a seed within `tolerance` of every point. Seeds are farthest
+/// from each other (Gonzalez 1985), followed by Lloyd's k-means in the nine dimensions. Depends
+/// only on the points' order.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> cluster(std::span<const ClusterPoint> points,
                                                               std::size_t most, double tolerance);
 

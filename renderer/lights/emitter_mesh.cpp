@@ -11,8 +11,8 @@ namespace {
 // A region's triangles face the same way within half a degree. Their corners lie within
 // `flatness_of_emitters` of the plane of the region's largest triangle.
 constexpr double least_cosine = 0.99996;
-// Largest distance from their plane of positions rounded to single precision, relative to their
-// size.
+// Largest distance of positions in single precision from their plane by rounding, relative to the
+// coordinates.
 constexpr double rounding = 4.0 * std::numeric_limits<float>::epsilon();
 
 struct Edge {

@@ -39,7 +39,7 @@ PrincipalAxes principal_axes(const glm::dmat3& symmetric) {
 Moments Moments::of(std::span<const EmitterTriangle> triangles, const Piece& piece) {
   Moments sum;
   if (piece.empty()) return sum;
-  // Relative to a point of the piece, so that nothing cancels far from the origin.
+  // Sums are relative to a point of the piece, so that nothing cancels far from the origin.
   const glm::dvec3 base = triangles[piece.front()].corner[0];
   for (const std::uint32_t i : piece) {
     const EmitterTriangle& t = triangles[i];
@@ -59,8 +59,8 @@ Moments Moments::of(std::span<const EmitterTriangle> triangles, const Piece& pie
     const glm::dvec3 middle = t.middle() - sum.centre;
     facing += t.area * glm::dot(t.normal, middle);
     distance += t.area * glm::length(middle);
-    // The integral over a triangle is area / 12 times the sum over its corners and nine times its
-    // centre's square.
+    // The integral of d d^T over a triangle is area / 12 times the sum over its corners plus nine
+    // times the centroid's value.
     glm::dmat3 square = 9.0 * glm::outerProduct(middle, middle);
     for (const glm::dvec3& p : t.corner)
       square += glm::outerProduct(p - sum.centre, p - sum.centre);

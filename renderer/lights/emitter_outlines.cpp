@@ -14,7 +14,8 @@ namespace {
 using Outline = std::vector<glm::dvec3>;
 
 // Largest difference between the outlines' area and the triangles', as a fraction. Largest distance
-// of a corner from the line between its neighbours, relative to the line's length.
+// of a corner from the line between its neighbours, relative to the line's length. Largest
+// deviation from a right angle, as a cosine.
 constexpr double area_tolerance = 5e-3;
 constexpr double straightness = 1e-5;
 constexpr double squareness = 1e-4;
@@ -51,8 +52,8 @@ double clockwise_angle(glm::dvec3 from, glm::dvec3 to, glm::dvec3 normal) {
   return angle > 0.0 ? angle : angle + 2.0 * std::numbers::pi;
 }
 
-/// Connects the border's edges to outlines. Where several leave a corner, the outline continues
-/// along the same inside, so that regions that touch at a corner have their own outlines.
+/// Connects the border's edges to outlines. Where several edges leave a corner, the outline
+/// continues along the same inside, so that regions that touch at a corner have their own outlines.
 std::vector<Outline> outlines_of(const std::vector<DirectedEdge>& edges, glm::dvec3 normal) {
   std::vector<Outline> outlines;
   std::vector<bool> used(edges.size(), false);
@@ -81,7 +82,7 @@ std::vector<Outline> outlines_of(const std::vector<DirectedEdge>& edges, glm::dv
   return outlines;
 }
 
-/// Removes corners on the line between those before and after them.
+/// Removes corners that lie on the line between their neighbours.
 Outline without_straight_corners(const Outline& outline) {
   Outline kept = outline;
   for (bool changed = true; changed && kept.size() > 3;) {

@@ -114,8 +114,8 @@ void leave_out_dimmest(std::vector<EmitterTriangle>& triangles) {
   for (EmitterTriangle& t : triangles) t.radiance *= power / kept;
 }
 
-/// Numbers values along one axis. Values closer to each other than `gap` get the same number, as
-/// long as these do not span more than four times that.
+/// Numbers the corners' coordinates along one axis. Values closer to each other than `gap` get the
+/// same number, as long as those with one number span at most four gaps.
 std::vector<std::uint32_t> numbers_along(const std::vector<EmitterTriangle>& triangles, int axis,
                                          double gap) {
   std::vector<std::pair<double, std::uint32_t>> values;

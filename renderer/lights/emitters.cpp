@@ -32,7 +32,7 @@ constexpr double facing_share = 0.5;
 // of the bounding sphere's radius.
 constexpr double large_piece = 0.1;
 
-// A triangle's emission is even if it varies by less than this fraction of its mean square.
+// A piece's emission is even if its variance is less than this fraction of its mean square.
 constexpr double uneven_share = 0.05;
 
 struct EmissiveSurface {
@@ -42,7 +42,7 @@ struct EmissiveSurface {
   bool double_sided = false;
   bool painted = false;  ///< a texture or a mask varies its emission
   double scene_radius = 0.0;
-  std::size_t most_of_piece = 1;  ///< lights of a painted one
+  std::size_t most_of_piece = 1;  ///< most lights of a painted piece
 };
 
 /// Regions connected by edges.
@@ -52,7 +52,8 @@ struct ConnectedPiece {
   Moments moments;
   bool closed = false;  ///< no edge is open
 
-  /// Returns whether one of its sides faces a space that it surrounds completely or almost.
+  /// Returns whether one of the surface's sides faces a space that the surface encloses completely
+  /// or almost.
   [[nodiscard]] bool encloses() const { return closed || moments.encloses(); }
 };
 
@@ -76,7 +77,8 @@ std::vector<ConnectedPiece> pieces_of(EmissiveSurface& surface) {
     piece.moments = Moments::of(surface.triangles, piece.triangles);
     piece.closed = std::all_of(piece.triangles.begin(), piece.triangles.end(),
                                [&](std::uint32_t t) { return neighbours.surrounded(t); });
-    // Both sides of a surface that encloses a space count as its outside.
+    // A double-sided surface that encloses a space emits only outwards, so its front has to face
+    // outwards.
     if (surface.double_sided && piece.encloses() && piece.moments.outward < 0.0) {
       turn_inside_out(surface, piece.triangles);
       piece.moments = Moments::of(surface.triangles, piece.triangles);
@@ -191,8 +193,8 @@ std::vector<Light> lights_of_few(const EmissiveSurface& surface,
   return lights;
 }
 
-/// Returns the lights of more pieces than that, merging pieces that are near to each other and face
-/// the same way.
+/// Returns the lights of more than `max_lights_of_part` pieces, merging pieces that are near to
+/// each other and face the same way.
 std::vector<Light> lights_of_many(const EmissiveSurface& surface,
                                   const std::vector<ConnectedPiece>& pieces) {
   Piece all(surface.triangles.size());

@@ -25,20 +25,20 @@ namespace asos {
 /// Holes run the other way, and their (negative) form is added. The receiver must not lie in the
 /// polygon's plane.
 [[nodiscard]] double polygon_form(std::span<const glm::dvec3> corners, glm::dvec3 normal);
-/// Returns the same with the corners in the world, clipped to both horizons of `receiver`.
+/// Returns polygon_form for corners in the world, clipped to both horizons of `receiver`.
 [[nodiscard]] double polygon_form(std::span<const glm::dvec3> corners, const Receiver& receiver);
 
 /// Returns the form of a flat disk, from the side to which `facing` (unit) points, clipped to the
 /// horizon. 0 from the other side and from its plane.
 [[nodiscard]] double disk_form(glm::dvec3 centre, glm::dvec3 facing, double radius,
                                glm::dvec3 normal);
-/// Returns the same with the disk in the world, clipped to both horizons of `receiver`.
+/// Returns disk_form for a disk in the world, clipped to both horizons of `receiver`.
 [[nodiscard]] double disk_form(glm::dvec3 centre, glm::dvec3 facing, double radius,
                                const Receiver& receiver);
 
 /// Returns the form of a ball, clipped to the horizon; pi for a receiver inside of it.
 [[nodiscard]] double ball_form(glm::dvec3 centre, double radius, glm::dvec3 normal);
-/// Returns the same with the ball in the world, clipped to both horizons of `receiver`.
+/// Returns ball_form for a ball in the world, clipped to both horizons of `receiver`.
 [[nodiscard]] double ball_form(glm::dvec3 centre, double radius, const Receiver& receiver);
 
 /// Returns the form of a sun: all directions within an angle below 90 degrees of `axis` (unit),

@@ -10,9 +10,9 @@ namespace {
 
 using LightShape = PreparedLight::Shape;
 
-/// Returns the point of the light's plane that the mirrored ray hits, relative to `to_middle`. If
-/// the ray hits it beyond the whole light, or not at all, its far end is used instead, so that the
-/// hit moves without a jump as the ray turns away.
+/// Returns the point where the mirrored ray hits the light's plane, relative to `to_middle`. If the
+/// ray hits the plane beyond the whole light, or not at all, the ray's far end is used instead, so
+/// that the point moves continuously as the ray turns away.
 glm::dvec3 plane_hit(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
   const double far = glm::length(to_middle) + glm::length(light.half_u) + glm::length(light.half_v);
   const double along = glm::dot(to_middle, light.towards);

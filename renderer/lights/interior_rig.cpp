@@ -15,8 +15,8 @@ constexpr double half_width_to_distance = 0.25;
 constexpr double bright_quantile = 0.9;
 constexpr std::size_t candidates = 9;
 
-/// A part of an eye ray, in front of the visible point, that no surface cuts. Walls seen from
-/// behind, which the eye does not see, end it, too.
+/// A part of an eye ray, in front of the visible point, that no surface cuts. Back faces of walls,
+/// which are invisible to the eye, end it, too.
 struct Stretch {
   glm::dvec3 end;        ///< just in front of the point
   glm::dvec3 to_viewer;  ///< unit
@@ -55,7 +55,7 @@ Light fitted(const char* name, glm::dvec3 middle, glm::dvec3 direction, glm::dve
   return light;
 }
 
-/// If nothing is below, this is the distance of an assumed floor.
+/// Returns the distance of the assumed floor if nothing is below.
 double farthest(const Stretch& stretch) {
   return 2.0 * stretch.length;
 }
@@ -82,8 +82,8 @@ Light viewer_light(const Stretch& stretch, const glm::dmat3& axes,
                 half_width_to_distance * stretch.length, free_distance);
 }
 
-/// Sets the intensity so that the brighter ones of the visible points that it reaches, and the
-/// surface ahead, get at most `radiance`.
+/// Sets the intensity so that the surface ahead, and bright_quantile of the visible points that the
+/// light reaches, get at most `radiance`.
 void set_intensity(Light& light, double ahead, double radiance, std::span<const SeenPoint> seen,
                    const FreeDistance& free_distance) {
   std::vector<double> irradiance;

@@ -49,7 +49,7 @@ class CutLight {
     const glm::dvec3 farthest = glm::abs(light_.position) + reach;
     tolerance_ = touching * std::max(glm::length(light_.half_u), glm::length(light_.half_v)) +
                  place_error * std::max({farthest.x, farthest.y, farthest.z});
-    // Rounded to float32 as well.
+    // Twice, since the box is rounded to float32 as well.
     const glm::dvec3 around = reach + 2.0 * tolerance_;
     box_.grow(glm::vec3(light_.position - around));
     box_.grow(glm::vec3(light_.position + around));
@@ -97,7 +97,8 @@ class CutLight {
     return light_.position + p.x * light_.half_u + p.y * light_.half_v;
   }
 
-  // Returns the line where a triangle meets the plane, if there is one on the emitting side.
+  // Returns the line where a triangle meets the light's plane, if there is one on the emitting
+  // side.
   [[nodiscard]] std::optional<Piece> crossing_of(const std::array<glm::vec3, 3>& corners) const {
     std::array<double, 3> height;
     int above = 0, below = 0;
@@ -122,12 +123,13 @@ class CutLight {
     return Piece{met[0], met[1]};
   }
 
-  // Returns whether a piece bounds the visible part of the light's window, and does not only run
-  // along the outline.
+  // Returns whether a piece bounds the visible part of the light, and does not only run along the
+  // outline.
   [[nodiscard]] bool counts(const Piece& piece) const {
     const auto inner = clipped(piece, 1.0 - touching);
     if (!inner) return false;
-    // A disk's rim is no boundary of its window, so a piece that ends there would have a loose end.
+    // A disk's rim does not bound its visible part, so a piece that ends there would have a loose
+    // end.
     if (light_.rectangle || light_.shape == PreparedLight::Shape::disk) return true;
     bool crosses = false, inside = false;
     const glm::dvec2 middle = inner->at(0.5);

@@ -19,12 +19,13 @@ namespace asos {
 [[nodiscard]] LightIntersections find_light_intersections(const World& world,
                                                           std::span<const PreparedLight> lights);
 
-/// Returns which lights are balls that other parts' triangles reach into. Beyond the ball's
-/// surface, these triangles hide nothing of the ball, but no plane separates the two parts.
+/// Returns which lights are balls that other parts' triangles reach into. The parts of these
+/// triangles inside the ball hide nothing of it, but no plane separates them from the parts
+/// outside.
 [[nodiscard]] std::vector<bool> find_entered_balls(const World& world,
                                                    std::span<const PreparedLight> lights);
 
-/// More than any shadow pyray cuts along; beyond this the light is sampled.
+/// More than any shadow pyray cuts along. With more of them, the light is sampled.
 inline constexpr std::size_t most_light_intersections = 512;
 
 }  // namespace asos

@@ -16,9 +16,10 @@ constexpr std::array<float, LightPatch::nodes> gauss_nodes{0.0694318442f, 0.3300
                                                            0.6699905218f, 0.9305681558f};
 constexpr std::array<float, LightPatch::nodes> gauss_weights{0.1739274226f, 0.3260725774f,
                                                              0.3260725774f, 0.1739274226f};
-constexpr std::array<float, 2> two_nodes{0.2113248654f, 0.7886751346f};  // a half each
+constexpr std::array<float, 2> two_nodes{0.2113248654f, 0.7886751346f};  // weights: 1/2
 
-/// Places of a patch at one v: origin + u * step, with the weight `area` times that of `by_u`.
+/// Places of a patch at one v: origin + u * step. Their weight is `area` times a factor by u
+/// (set_node).
 struct Row {
   glm::vec3 origin, step;
   float area = 0.0f;
@@ -35,7 +36,7 @@ Row row_of(const LightPatch& patch, float v) {
   return {patch.origin, std::cos(angle) * patch.x + std::sin(angle) * patch.y, quarter};
 }
 
-/// A direction of a cap, and the solid angle per du and turn.
+/// A direction of a cap, and the solid angle per du and radian of turn.
 struct CapPlace {
   glm::vec3 direction;
   float solid_angle;
@@ -60,7 +61,7 @@ void set_node(const LightPatch& patch, const Row& row, float u, float share, Lig
   cell.solid_angle[at] = share * (patch.kind == LightPatch::Kind::sector ? u : 1.0f);
 }
 
-/// A patch whose vectors are in units of `unit`.
+/// Returns a patch with the light's centre, in units of its distance from `position`.
 LightPatch patch_of(const PreparedLight& light, glm::dvec3 position) {
   const glm::dvec3 to_middle = light.position - position;
   const double per_unit = 1.0 / glm::length(to_middle);

@@ -36,11 +36,12 @@ struct LightPatch {
   glm::vec3 x{0.0f}, y{0.0f};
   glm::vec3 facing{0.0f};  ///< its length is the area of a unit square of x and y
   bool two_sided = false;
-  /// Trapezoid: x from left to left + width at its foot; the second numbers are the change along y.
+  /// Trapezoid: x from left to left + width at its foot; the `_on` values are their changes from
+  /// foot to top.
   float left = 0.0f, left_on = 0.0f, width = 0.0f, width_on = 0.0f, foot = 0.0f, height = 0.0f;
   float one_less_cosine = 0.0f;  ///< cap
 
-  /// Returns a unit direction; undefined for a receiver at that very place.
+  /// Returns the unit direction to a point; undefined for a receiver at that point.
   [[nodiscard]] glm::vec3 direction(float u, float v) const;
   /// Returns Gauss-Legendre nodes. Nodes that do not face the receiver have no solid angle.
   [[nodiscard]] Cell cell(const Square& square) const;

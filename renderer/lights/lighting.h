@@ -16,14 +16,14 @@ namespace asos {
 /// The lights of a scene with all data for shading, computed once. Immutable once shared.
 struct Lighting {
   std::vector<Light> lights;        ///< positions relative to World::origin
-  std::size_t emissive_lights = 0;  ///< how many of them represent emissive meshes
-  /// The scene has almost no light of its own: the last ones are default lighting.
+  std::size_t emissive_lights = 0;  ///< number of those for emissive meshes
+  /// The scene has almost no light of its own: the last of `lights` are default lighting.
   bool default_lights_added = false;
   RenderFeatures render_features;  ///< the features of the lights alone
   LightsWithoutGeometry lights_without_geometry;
-  /// One entry per World::parts; 1 if the surface emits as evenly as the lights that it shows.
+  /// One entry per World::parts; 1: the surface shows a light and emits as evenly as that light.
   std::vector<std::uint8_t> shows_even_light;
-  std::array<std::vector<PreparedLight>, 2> by_rule;  ///< see prepared
+  std::array<std::vector<PreparedLight>, 2> by_rule;  ///< see prepared()
 
   /// Returns the prepared lights in the order of `lights`, with their intersections
   /// (find_light_intersections).

@@ -20,7 +20,7 @@ using LightsWithoutGeometry = std::vector<std::uint32_t>;
 [[nodiscard]] LightsWithoutGeometry find_lights_without_geometry(const World& world,
                                                                  std::span<const Light> lights);
 
-/// Returns whether a part that shows a light of the file shows this one.
+/// Returns whether a part that shows a light of the file (Part::shows_light) shows this light.
 [[nodiscard]] bool stands_in(const Part& part, const Light& light);
 
 /// Where a ray hits a light, and the radiance towards the ray's origin.
@@ -32,8 +32,8 @@ struct LightHit {
 /// area.
 [[nodiscard]] std::optional<LightHit> meet_light(const PreparedLight& light, const Ray& ray);
 
-/// Returns the outlines of such a light as seen from `apex`, or from infinity towards `direction`,
-/// as closed chains of points. Circles have `circle_points` of them.
+/// Returns the outlines of a light with an area as seen from `apex`, or from infinity towards
+/// `direction`, as closed chains of points. Circles have `circle_points` of them.
 inline constexpr int circle_points = 128;
 [[nodiscard]] std::vector<std::vector<glm::dvec3>> light_outlines(const PreparedLight& light,
                                                                   std::optional<glm::dvec3> apex,

@@ -17,7 +17,7 @@ struct PolygonRows {
     double width0 = 0.0;  ///< summed over its trapezoids, at y0 and at y1
     double width1 = 0.0;
     double area_before = 0.0;  ///< area of the rows below
-    std::uint32_t first = 0;   ///< into `trapezoids`, from left to right
+    std::uint32_t first = 0;   ///< index into `trapezoids`, left to right
     std::uint32_t count = 0;
   };
   /// x at a row's y0 and y1.

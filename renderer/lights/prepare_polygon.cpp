@@ -75,7 +75,7 @@ TurnedBox box_along(const Outline2& corners, glm::dvec2 axis) {
 }
 
 /// Returns the direction of a side along which the box is smallest. The smallest rectangle around a
-/// set of points has a side along one of their hull's (Freeman and Shapira 1975).
+/// set of points has a side along a side of their hull (Freeman and Shapira 1975).
 glm::dvec2 best_axis(const std::vector<Outline2>& outlines) {
   Outline2 corners;
   for (const Outline2& outline : outlines)

@@ -28,7 +28,7 @@ bool spread(glm::vec3& power, double measure) {
 void prepare_ball(const Light& light, PreparedLight& prepared) {
   prepared.inverse_range = light.range > 0.0 ? 1.0 / light.range : 0.0;
   if (light.type == Light::Type::spot) {
-    // The extension's own formula, with its own guard against equal angles.
+    // The formula of KHR_lights_punctual, with its guard against equal angles.
     const double cos_outer = std::cos(light.outer_cone_rad);
     const double scale = 1.0 / std::max(0.001, std::cos(light.inner_cone_rad) - cos_outer);
     prepared.cone_scale = scale;
@@ -69,7 +69,7 @@ bool prepare_rectangle(const Light& light, glm::dvec3 direction, PreparedLight& 
   }
   const glm::dvec3 c = light.position;
   std::vector<std::vector<glm::dvec3>> outlines{{c - u - v, c + u - v, c + u + v, c - u + v}};
-  // A sheared one is a polygon like any other.
+  // A sheared rectangle is prepared as a polygon.
   if (std::abs(glm::dot(u, v)) > 1e-6 * lengths)
     return prepare_polygon(outlines, direction, prepared);
   prepared.rectangle = true;

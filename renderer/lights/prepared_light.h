@@ -61,9 +61,9 @@ struct PreparedLight {
       intersections;     ///< polygon, disk: where surfaces of the world pass through it
   bool entered = false;  ///< ball: another part's surface reaches into it
 
-  /// Returns whether it has an extent, so that its shadows have penumbrae.
+  /// Returns whether the light has an extent, so that its shadows have penumbrae.
   [[nodiscard]] bool extended() const { return shape != Shape::point && shape != Shape::distant; }
-  /// Returns whether a point this high above a flat light's plane (negative: below) sees an
+  /// Returns whether a point at this height above a flat light's plane (negative: below) is on an
   /// emitting side.
   [[nodiscard]] bool faces(double height) const {
     return height > thickness || (two_sided && height < -thickness);
@@ -83,7 +83,8 @@ struct PreparedLight {
 /// light.
 [[nodiscard]] glm::vec3 unshadowed_irradiance(const PreparedLight& light, const Receiver& receiver);
 
-/// Returns the same for the part of a segment between the parameters t0 < t1 in -1..1 along half_u.
+/// Returns unshadowed_irradiance for the part of a segment between the parameters t0 < t1 in -1..1
+/// along half_u.
 [[nodiscard]] glm::vec3 segment_irradiance(const PreparedLight& light, const Receiver& receiver,
                                            double t0, double t1);
 
@@ -91,7 +92,7 @@ struct PreparedLight {
 struct LightSample {
   glm::dvec3 direction{0, 1, 0};  ///< unit, from the receiver
   double distance = 0.0;          ///< to the point; infinite for distant lights and suns
-  glm::vec3 irradiance{0.0f};     ///< irradiance by this sample's measure, if it is visible
+  glm::vec3 irradiance{0.0f};     ///< estimate of the whole light's irradiance, if visible
 };
 
 /// Samples a point of a light from two numbers in 0..1. The mean of `irradiance` over the unit
@@ -112,7 +113,7 @@ struct LightSample {
 struct Highlight {
   glm::vec3 direction{0, 1, 0};
   float half_angle_tangent = 0.0f;
-  /// To the point, or a ball's surface; 0 inside of one.
+  /// Distance to the point or the ball's surface; 0 inside a ball.
   float distance = std::numeric_limits<float>::infinity();
 };
 /// `mirrored_view` is unit and leads away from the surface.

@@ -156,7 +156,7 @@ LightSample segment_sample(const PreparedLight& light, const Receiver& receiver,
   const double angle = std::atan2(height * 2.0 * half, height * height + s0 * s1);
 
   double s = s0 + 2.0 * half * u;
-  double measure = 2.0 * half;  // ds / du over the squared distance, times that square
+  double measure = 2.0 * half;  // ds / du
   if (angle > 1e-4) {
     s = std::clamp(height * std::tan(std::atan2(s0, height) + u * angle), s0, s1);
     measure = angle / height * (height * height + s * s);

@@ -23,7 +23,7 @@ class SphericalRectangle {
   /// Returns the solid angle in steradians. Its absolute error is about 1e-15, so small solid
   /// angles have few digits.
   [[nodiscard]] double solid_angle() const { return solid_angle_; }
-  /// Returns the point, relative, for u along half_u and v along half_v, both in 0..1.
+  /// Returns the point for u along half_u and v along half_v, both in 0..1, relative to the viewer.
   [[nodiscard]] glm::dvec3 point(double u, double v) const;
 
  private:

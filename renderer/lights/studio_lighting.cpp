@@ -42,7 +42,7 @@ Light studio_light(const char* name, const glm::dmat3& world_from_rig, const Sph
 std::vector<Light> studio_lighting(const Camera& camera, const Box& bounds) {
   const glm::dmat3 world_from_rig = lighting_axes(camera);
   const Sphere scene = sphere_around(bounds);
-  // The key and the fill are 75 degrees apart.
+  // The key and the fill are 80 degrees apart.
   return {
       studio_light("key", world_from_rig, scene, {-0.6, 1.0, 0.7}, key_radiance),
       studio_light("fill", world_from_rig, scene, {1.0, 0.35, 0.8}, fill_radiance),

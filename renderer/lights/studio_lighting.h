@@ -31,7 +31,7 @@ namespace asos {
 }
 
 /// Returns a one-sided rectangle of 1 nit that casts shadows. `direction` is unit. `right` is any
-/// vector not parallel to it; the first sides follow it.
+/// vector not parallel to it; half_u follows `right`.
 [[nodiscard]] inline Light lighting_rectangle(const char* name, glm::dvec3 middle,
                                               glm::dvec3 direction, glm::dvec3 right,
                                               double half_width, double half_height) {
@@ -66,7 +66,7 @@ inline constexpr double fill_radiance = 0.16;
 
 /// A point of a surface that the camera sees.
 struct SeenPoint {
-  glm::dvec3 eye{0.0};  ///< start of its eye ray
+  glm::dvec3 eye{0.0};  ///< start of the point's eye ray
   glm::dvec3 position{0.0};
   glm::dvec3 normal{0, 1, 0};  ///< unit, on the viewer's side
 };

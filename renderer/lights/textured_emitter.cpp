@@ -52,7 +52,7 @@ struct EmissionSums {
     weight -= o.weight, radiance -= o.radiance, square -= o.square;
     return *this;
   }
-  /// Returns the variance of the squares about their mean.
+  /// Returns the sum of the squared deviations from the mean.
   [[nodiscard]] double left() const {
     return weight > 0.0 ? std::max(0.0, square - glm::dot(radiance, radiance) / weight) : 0.0;
   }

@@ -51,7 +51,7 @@ class FieldWriter {
   OrderedJson json_ = OrderedJson::object();
 };
 
-/// Reads members. All have to exist, and nothing else; the first fault is kept.
+/// Reads members. All must exist, and no other fields. Keeps the first fault.
 class FieldReader {
  public:
   /// `where` is the object's name in errors. The object has to outlive the reader.

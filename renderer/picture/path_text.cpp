@@ -13,8 +13,7 @@ constexpr std::string_view scheme = "file://";
 }  // namespace
 
 std::string text_of_path(std::string_view path) {
-  // A path that looks like such a text is converted, too; otherwise it would be read as another
-  // path.
+  // Encode a path that starts with the scheme, too; otherwise it would be read as another path.
   if (is_utf8(path) && !path.starts_with(scheme)) return std::string(path);
   std::string text(scheme);
   for (const char c : path) {

@@ -9,7 +9,7 @@ namespace asos {
 /// which are bytes, are read back unchanged.
 [[nodiscard]] std::string text_of_path(std::string_view path);
 
-/// Converts such a text to its path.
+/// Converts a text of text_of_path to its path.
 [[nodiscard]] std::string path_of_text(std::string_view text);
 
 }  // namespace asos

@@ -68,7 +68,7 @@ OrderedJson camera_json(const Camera& camera) {
     fields(axis_names[static_cast<std::size_t>(i)], glm::dvec3(camera.world_from_camera[i]));
   fields("fov_y_rad", camera.fov_y_rad);
   fields("height", camera.height);
-  // Written only if they exist, since many cameras have none.
+  // Write near and far plane only if they exist, since many cameras have none.
   if (camera.near_depth) fields(near_key, *camera.near_depth);
   if (camera.far_depth) fields(far_key, *camera.far_depth);
   if (camera.lens.blurs()) fields.other(lens_key, lens_json(camera.lens));
@@ -96,7 +96,7 @@ std::string read_camera(const OrderedJson& json, Camera& camera) {
   return fault.empty() ? fault : "camera: " + fault;
 }
 
-// Written only for a picture of some time, likewise.
+// Written only for a picture at a time of an animation.
 constexpr const char* time_key = "animation";
 
 OrderedJson time_json(const ClipTime& time) {
@@ -118,7 +118,7 @@ std::string read_time(const OrderedJson& json, ClipTime& time) {
 // Written only if there is a curve, so that older pictures can be read.
 constexpr const char* tone_key = "tone";
 
-// Written only if there is one, likewise.
+// Written only if not the default, for the same reason.
 constexpr const char* variant_key = "variant";
 constexpr const char* scene_number_key = "scene_number";
 
@@ -174,7 +174,7 @@ std::string read_fields(FieldReader& fields, bool moves, PictureDescription& rea
   return fields.fault();
 }
 
-/// If `file` does not exist, uses the file of the same name in `folder` and returns a remark.
+/// If `file` does not exist, uses the file of the same name in `folder` and returns a warning.
 std::string look_beside(const std::filesystem::path& folder, std::string& file) {
   if (file.empty() || file.starts_with("builtin:")) return {};
   std::error_code error;

@@ -47,11 +47,11 @@ struct PictureDescription {
   RenderSettings settings;
   SkyChoice sky;  ///< the sky for `settings`, if these have none yet
   FeatureChoice render_features = FeatureChoice::scene;
-  std::optional<std::vector<Light>> lights;  ///< replace the scene's own; none: its own
-  std::optional<MaterialDfrs> dfrs;          ///< replace its materials' own; none: their own
+  std::optional<std::vector<Light>> lights;  ///< replace the scene's lights; none: the scene's own
+  std::optional<MaterialDfrs> dfrs;          ///< replace the materials' ratios; none: kept
   std::optional<ClipTime> time;              ///< of animations; none: the scene at rest
   PictureDisplay display;
-  /// Remarks on files that `read_description` found next to the picture.
+  /// Warnings about files that `read_description` found next to the picture.
   std::vector<std::string> found_beside;
 
   /// Returns how to open the scene's file.
@@ -84,8 +84,8 @@ struct PictureDescription {
 /// scene's file name.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
     const Scene& scene, const PictureDescription& description);
-/// Prepares a scene that is already posed at the picture's time, on the stage of the one at rest;
-/// null: on its own.
+/// Prepares a scene that is already posed at the picture's time, with the invariants of the scene
+/// at rest; null: with its own.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare_posed(
     const Scene& scene, const PictureDescription& description, const AnimationInvariants* stage);
 

@@ -13,7 +13,7 @@ namespace asos {
 
 /// Returns the text in a picture's file: the program and the description.
 [[nodiscard]] ImageText picture_text(const PictureDescription& description);
-/// Returns the same, with `statistics` as JSON.
+/// Returns this text, with `statistics` as JSON.
 [[nodiscard]] ImageText picture_text(const PictureDescription& description,
                                      const nlohmann::ordered_json& statistics);
 

@@ -12,7 +12,7 @@
 namespace asos {
 namespace {
 
-/// Visits every setting with its own value. Crop, DFR and sky are optional and are written
+/// Visits the settings that every picture has. Crop, DFR, sky and newer settings are written
 /// separately.
 template <typename Fields, typename Settings>
 void each_setting(Fields& fields, Settings& s) {

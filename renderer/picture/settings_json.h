@@ -10,9 +10,9 @@ namespace asos {
 
 /// Returns all settings on which a picture depends, which are all except the number of threads, by
 /// their members' names; choices by their names on the command line. The sky is "neutral", two
-/// colours, or a file with its turn.
+/// colours, or an environment or a file with turn and brightness.
 [[nodiscard]] nlohmann::ordered_json settings_json(const RenderSettings& settings);
-/// Returns the same with another sky.
+/// Returns settings_json with another sky.
 [[nodiscard]] nlohmann::ordered_json settings_json(const RenderSettings& settings,
                                                    const SkyChoice& sky);
 

@@ -25,7 +25,7 @@ void BoundaryFeatures::work(const Search& search, const std::stop_token& stop) {
     const std::lock_guard lock(mutex_);
     known_.store(&features_, std::memory_order_release);
   } catch (const SearchStopped&) {
-    return;  // nobody is left to ask
+    return;  // only the destructor stops it: nobody waits
   } catch (...) {
     const std::lock_guard lock(mutex_);
     failure_ = std::current_exception();

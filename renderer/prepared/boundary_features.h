@@ -22,7 +22,7 @@ class BoundaryFeatures {
   /// Throws SearchStopped once a stop is requested, and exceptions of memory allocation.
   using Search = std::function<FeatureSet(const std::stop_token& stop)>;
 
-  BoundaryFeatures() = default;  ///< none, and known
+  BoundaryFeatures() = default;  ///< no boundaries; known
   BoundaryFeatures(const BoundaryFeatures&) = delete;
   BoundaryFeatures& operator=(const BoundaryFeatures&) = delete;
 
@@ -35,16 +35,16 @@ class BoundaryFeatures {
   [[nodiscard]] bool known() const { return known_.load(std::memory_order_acquire) != nullptr; }
   /// Returns whether the search failed for lack of memory.
   [[nodiscard]] bool failed() const;
-  /// Waits until they are known, and returns true. Returns false if the search failed, or `stop` is
-  /// requested.
+  /// Waits until the boundaries are known, and returns true. Returns false if the search failed, or
+  /// `stop` is requested.
   [[nodiscard]] bool wait(const std::stop_token& stop = {}) const;
-  /// Waits for them, and throws the exception of the search, if any. If the caller may be stopped,
-  /// call `wait` first.
+  /// Waits for the boundaries, and throws the exception of the search, if any. A caller that can be
+  /// stopped calls `wait` first.
   [[nodiscard]] const FeatureSet& get() const {
     const FeatureSet* known = known_.load(std::memory_order_acquire);
     return known ? *known : waited_for();
   }
-  /// Returns the seconds that the search took; 0 before they are known.
+  /// Returns the seconds that the search took; 0 before its end.
   [[nodiscard]] double seconds() const { return known() ? seconds_ : 0.0; }
 
  private:
@@ -57,7 +57,7 @@ class BoundaryFeatures {
   mutable std::mutex mutex_;
   mutable std::condition_variable_any ended_;
   std::exception_ptr failure_;  // under the mutex
-  std::jthread thread_;         // last: ends before its data is destroyed
+  std::jthread thread_;         // last member: joins before the others are destroyed
 };
 
 }  // namespace asos

@@ -21,7 +21,7 @@ struct DefaultLook {
 /// `softboxes`. An interior, and a scene seen from below, has no ground. Other scenes have the
 /// neutral sky.
 [[nodiscard]] DefaultLook default_look(const RenderScene& scene, const Camera& camera);
-/// Returns the same for the file's first camera, or the one that frames the scene.
+/// Returns the look for the file's first camera, or for the one that frames the scene.
 [[nodiscard]] DefaultLook default_look(const RenderScene& scene);
 
 /// Returns the default background of a sky. It is a grey gradient for environments with panels,

@@ -13,10 +13,10 @@ namespace asos {
 /// a disk at infinity, or by nothing; or they follow its turn and brightness.
 [[nodiscard]] std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky);
 
-/// Returns whether these differ from the scene's lights when it was prepared.
+/// Returns whether lights_under differ from the lights with which the scene was prepared.
 [[nodiscard]] bool changes_lights(const RenderScene& scene, const Sky* sky);
 
-/// Returns the scene with these lights; the same scene if they do not differ.
+/// Returns the scene with the lights under the sky; the same scene if they do not differ.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> lit_under(
     std::shared_ptr<const RenderScene> scene, const Sky* sky);
 

@@ -133,7 +133,7 @@ class ExposureBuilder {
   double end_ = 0.0;
   Exposure exposure_;
   std::array<Shared, Exposure::most_steps + 1> grid_;
-  Shared known_;  // the latest one that was made
+  Shared known_;  // the latest moment made
 };
 
 }  // namespace
@@ -142,7 +142,7 @@ Result<Shared> exposed(const Shared& scene, const Camera& camera, const RenderSe
                        const MomentMaker& at) {
   if (!settings.shutter.blurs() || !scene->geometry->time) return scene;
   if (!scene->exposure) return ExposureBuilder(scene, camera, settings, at).run();
-  // The exposure before would stay with the middle moment.
+  // The middle moment would keep the previous exposure.
   RenderScene one_moment = *scene;
   one_moment.exposure.reset();
   return ExposureBuilder(std::make_shared<const RenderScene>(std::move(one_moment)), camera,

@@ -22,13 +22,13 @@ struct Exposure {
   /// No visible vertex moves farther in a step, in pixels, if these bounds allow it.
   static constexpr double finest_step = 0.25;
 
-  ShutterSettings shutter;  ///< that it was made for
-  /// An odd number of them; the middle one is the picture's own. Empty: nothing moves.
+  ShutterSettings shutter;  ///< for which it was made
+  /// An odd number of moments; the middle one is the picture's own. Empty: nothing moves.
   std::vector<std::shared_ptr<const RenderScene>> moments;
   double step_pixels = 0.0;  ///< the farthest that a visible vertex moves in a step
   bool limited = false;      ///< a bound allowed no more steps
   bool before_clip = false;  ///< the shutter opens before the animation begins
-  bool after_clip = false;   ///< it closes after the animation's end
+  bool after_clip = false;   ///< the shutter closes after the animation's end
 
   [[nodiscard]] bool moves() const { return !moments.empty(); }
   [[nodiscard]] int steps() const { return static_cast<int>(moments.size()) - 1; }
@@ -37,22 +37,22 @@ struct Exposure {
 /// Makes the scene of a picture at another time of its animation ready to render.
 using MomentMaker = std::function<Result<std::shared_ptr<const RenderScene>>(const ClipTime& time)>;
 
-/// The scene with its exposure as `settings.shutter` asks, for a picture by this camera; as it is
-/// where it has no time or the shutter blurs nothing. Times beyond the clip show its first or last
-/// pose. The fastest visible vertex sets the number of steps: at least 4 for each pixel of its way,
-/// and at least 16 times the root of that way. The mean of a pixel that an edge enters or leaves
-/// then has an error of at most 1/2048 of the contrast. Waits for the boundaries of all moments.
-/// Errors: the maker's, and lack of memory for boundaries.
+/// Returns the scene with the exposure of `settings.shutter`, for a picture by this camera. Returns
+/// the same scene if it has no time or the shutter blurs nothing. Times beyond the clip show its
+/// first or last pose. The fastest visible vertex sets the number of steps: at least 4 for each
+/// pixel of its motion, and at least 16 times the root of that motion. The mean of a pixel that an
+/// edge enters or leaves then has an error of at most 1/2048 of the contrast. Waits for the
+/// boundaries of all moments. Errors: the maker's, and lack of memory for boundaries.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> exposed(
     const std::shared_ptr<const RenderScene>& scene, const Camera& camera,
     const RenderSettings& settings, const MomentMaker& at);
 
-/// The picture's camera at another moment: it moves along with the scene's camera number `followed`
-/// from where that is in `now` to where it is in `then`; -1: it stands still.
+/// Returns the picture's camera at another moment. It follows the scene's camera number `followed`
+/// on its way from `now` to `then`; -1: it stands still.
 [[nodiscard]] Camera camera_at(const Camera& camera, int followed, const World& now,
                                const World& then);
 
-/// Remarks on an exposure: nothing moves, a bound on its steps, times beyond the clip.
+/// Returns warnings about an exposure: nothing moves, a bound on its steps, times beyond the clip.
 [[nodiscard]] std::vector<std::string> exposure_remarks(const Exposure& exposure);
 
 }  // namespace asos

@@ -7,7 +7,7 @@
 namespace asos {
 namespace {
 
-// Number of rays across the picture that search for the nearest surface to its centre.
+// Rays across the picture; the surface that one of them meets nearest to the centre is in focus.
 constexpr int rays_across = 17;
 
 double automatic_focus(const RenderScene& scene, const Camera& camera,

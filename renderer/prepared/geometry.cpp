@@ -47,7 +47,7 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
   fill_forced_attributes(world, forced);
   geometry->world = std::move(world);
 
-  // The two are independent.
+  // Mip chains are built along with the rays' hierarchy.
   auto mips = std::async(std::launch::async, [&] {
     return MipChains(geometry->world, geometry->render_features.with(forced), known);
   });

@@ -28,7 +28,7 @@ struct AnimationInvariants {
   glm::dvec3 origin{0.0};             ///< World::origin
   std::optional<double> floor;        ///< height of the lowest point; none: no surfaces
   bool has_default_lighting = false;  ///< the scene itself has almost no light
-  std::vector<Light> rig;             ///< its default lights in that case; relative to the origin
+  std::vector<Light> rig;             ///< default lights in that case; relative to `origin`
   /// Walls block a studio's lights, so the default lights are inside.
   bool default_lighting_inside = false;
   MipChains mips;                  ///< of its images
@@ -43,10 +43,10 @@ struct Geometry {
   Geometry(const Geometry&) = delete;
   Geometry& operator=(const Geometry&) = delete;
 
-  World world;  ///< with the materials of its boundary search
+  World world;  ///< with the materials that the boundary search used
   RayScene rays;
   MipChains mips;
-  PlaneSections sections;  ///< of its surfaces
+  PlaneSections sections;  ///< of the world
   std::vector<ObjectSphere> object_spheres;
   RenderFeatures render_features;  ///< for the surfaces and their own materials; see needs_of
   SceneNotes notes;                ///< of the file; see notes_of
@@ -57,7 +57,7 @@ struct Geometry {
   std::shared_ptr<PosableScene> rig;  ///< see Scene::rig
   AnimationInvariants stage;          ///< for the scene at other times
   double build_seconds = 0.0;         ///< without the boundaries
-  BoundaryFeatures boundaries;        ///< last: their search ends before its data is destroyed
+  BoundaryFeatures boundaries;        ///< last member: the search ends before its data is destroyed
 
   /// Returns the memory of geometry, textures with mip chains, and the hierarchies that exist so
   /// far.

@@ -84,7 +84,7 @@ void MovingPicture::mark(int step, const RenderScene& before, const RenderScene&
   const World &a = before.world(), &b = after.world();
   const auto from = screen_points(a, view(step)), to = screen_points(b, view(step + 1));
   if (from.size() != to.size() || a.triangles != b.triangles) return mark_all(step);
-  // The box of points `first` and so on at both moments.
+  // Marks the box around points at both moments.
   bool behind = false;
   const auto mark_points = [&](auto&& points) {
     glm::dvec2 lo(1e30), hi(-1e30);

@@ -14,10 +14,10 @@ namespace asos {
 /// something moves in the picture. Immutable; the scene has to outlive it.
 class MovingPicture {
  public:
-  /// `scene` has an exposure that moves. `camera`: the picture's, as its method sees through it.
+  /// `scene` has an exposure that moves. `camera` is the picture's viewed_camera (method.h).
   MovingPicture(const RenderScene& scene, const Camera& camera, const RenderSettings& settings);
 
-  /// Steps between the moments 0 to `steps`, an even number.
+  /// Returns the number of steps between moments 0 and `steps`; even.
   [[nodiscard]] int steps() const { return exposure_->steps(); }
   [[nodiscard]] const RenderScene& scene(int moment) const {
     return *exposure_->moments[static_cast<std::size_t>(moment)];
@@ -25,14 +25,14 @@ class MovingPicture {
   [[nodiscard]] const View& view(int moment) const {
     return views_[static_cast<std::size_t>(moment)];
   }
-  /// The moment that a time stands for, 0 to 1 from the shutter's opening to its closing: the
-  /// nearest one, so that the first and the last have half the weight of the others.
+  /// Returns the moment nearest to a time, 0 to 1 from the shutter's opening to its closing. The
+  /// first and the last moment thus have half the weight of the others.
   [[nodiscard]] int moment_at(double time) const;
 
-  /// Whether a moving surface may cross a block of pixels from one moment to another. Conservative;
-  /// ignores shadows and reflections.
+  /// Returns whether a moving surface may cross a block of pixels from one moment to another.
+  /// Conservative; ignores shadows and reflections.
   [[nodiscard]] bool crosses(const PixelRect& block, int first, int last) const;
-  /// The farthest that a visible vertex moves meanwhile, in pixels, about.
+  /// Returns about how far a visible vertex moves at most in between, in pixels.
   [[nodiscard]] double way(int first, int last) const {
     return exposure_->step_pixels * (last - first);
   }

@@ -67,7 +67,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
             : !scene.surroundings && needs_default_lighting(flattened->world, lights, emissive);
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
 
-  // After the emitters, whose sampling depends on whether there are colours.
+  // Build this after the emitters, whose sampling depends on whether there are colours.
   auto geometry =
       build_geometry(std::move(flattened->world), lights, forced, stage ? &stage->mips : nullptr,
                      scene.time ? BvhPurpose::moment : BvhPurpose::lasting);
@@ -184,7 +184,7 @@ Result<std::shared_ptr<const RenderScene>> with_lights(
 Result<std::shared_ptr<const RenderScene>> with_dfrs(
     const std::shared_ptr<const RenderScene>& scene, MaterialDfrs dfrs) {
   const std::vector<Material>& materials = scene->world().materials;
-  // The ground keeps its own ratios.
+  // Keep the ground's own ratios.
   if (dfrs.size() == materials_without_ground(scene->world())) {
     for (std::size_t i = dfrs.size(); i < materials.size(); ++i) dfrs.push_back(materials[i].dfr);
   }

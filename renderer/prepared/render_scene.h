@@ -19,28 +19,28 @@ namespace asos {
 struct Exposure;
 
 /// A scene made ready to render, of three parts that are immutable, shared, and replaced one at a
-/// time: editing a light or a material costs what that part costs. A small value; `assembled` keeps
-/// its needs and its table of plain materials those of its parts.
+/// time: editing a light or a material costs what that part costs. A small value; `assembled`
+/// derives its features and its compact materials from the parts.
 struct RenderScene {
   std::shared_ptr<const Geometry> geometry;
-  std::shared_ptr<const MaterialDfrs> materials;  ///< their defocusing ratios, which can be edited
+  std::shared_ptr<const MaterialDfrs> materials;  ///< defocusing ratios of materials; editable
   std::shared_ptr<const Lighting> lighting;
   std::shared_ptr<const Lighting> own_lighting;  ///< as the scene was prepared, before any edit
   std::shared_ptr<const SimdMaterials> plain;    ///< compact materials for batches of points
   RenderFeatures forced;                         ///< see prepare
-  RenderFeatures render_features;                ///< those of all parts, and what was forced
-  /// It while the shutter is open (`exposed`). Null: not made; edits of the scene drop it.
+  RenderFeatures render_features;                ///< features of all parts, and the forced ones
+  /// The scene while the shutter is open (`exposed`). Null: not made; edits of the scene drop it.
   std::shared_ptr<const Exposure> exposure;
 
   [[nodiscard]] const World& world() const { return geometry->world; }
   [[nodiscard]] const RayScene& rays() const { return geometry->rays; }
-  /// Waits until they are known: see BoundaryFeatures.
+  /// Waits until the boundaries are known: see BoundaryFeatures.
   [[nodiscard]] const FeatureSet& features() const { return geometry->boundaries.get(); }
   [[nodiscard]] const MipChains& mips() const { return geometry->mips; }
   [[nodiscard]] const std::vector<Light>& lights() const { return lighting->lights; }
   [[nodiscard]] const MaterialDfrs& dfrs() const { return *materials; }
-  /// Returns the surroundings of a picture of it: those in the settings, or the file's own; null:
-  /// the neutral sky.
+  /// Returns the surroundings in a picture of the scene: those in the settings, or the file's own;
+  /// null: the neutral sky.
   [[nodiscard]] const Sky* sky_of(const RenderSettings& settings) const {
     return settings.sky ? settings.sky.get() : geometry->stage.sky.get();
   }
@@ -50,7 +50,7 @@ struct RenderScene {
   }
 };
 
-/// Makes a scene from these parts, with its needs. All parts must be set.
+/// Makes a scene from these parts and derives its features. All parts must be set.
 [[nodiscard]] std::shared_ptr<const RenderScene> assembled(RenderScene parts);
 
 /// Makes a scene from these parts, with its materials' own defocusing ratios.

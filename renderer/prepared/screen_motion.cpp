@@ -30,7 +30,8 @@ class StepWay {
   StepWay(const SeenMoment& from, const SeenMoment& to)
       : from_(from.scene->world()), to_(to.scene->world()), seen_(from.view), next_(to.view) {}
 
-  /// The farthest way of points on the edges of triangles that are not all near the picture.
+  /// Returns the farthest motion of points on edges of triangles with a corner far from the
+  /// picture.
   [[nodiscard]] double of_cut_edges(const std::vector<ScreenPoint>& points) const {
     double farthest = 0.0;
     for (const glm::uvec3 t : from_.triangles) {
@@ -42,7 +43,7 @@ class StepWay {
     return farthest;
   }
 
-  /// The farthest way of the points that rays meet.
+  /// Returns the farthest way of the points that rays meet.
   [[nodiscard]] double of_hits(const SeenMoment& from) const {
     std::vector<Ray> rays;
     const glm::dvec2 size = seen_.size();

@@ -19,14 +19,14 @@ class ScreenProjection {
       : frame_(view.frame(0, 0, view.width(), view.height())), size_(view.width(), view.height()) {}
 
   [[nodiscard]] glm::dvec2 size() const { return size_; }
-  /// In pixels; none: behind the eye.
+  /// Returns the place, in pixels; none: behind the eye.
   [[nodiscard]] std::optional<glm::dvec2> at(glm::dvec3 p) const {
     const glm::dvec3 h = frame_.homogeneous(p);
     if (!frame_.parallel() && !(h.z > 0.0)) return std::nullopt;
     const FramePoint found = frame_.project(h);
     return size_ * glm::dvec2(found.u, found.v);
   }
-  /// Homogeneous coordinates of the picture as a square from 0 to 1.
+  /// Returns homogeneous coordinates in the picture, a square from 0 to 1.
   [[nodiscard]] glm::dvec3 homogeneous(glm::dvec3 p) const {
     const glm::dvec3 h = frame_.homogeneous(p);
     return {h.x, h.y, frame_.parallel() ? 1.0 : h.z};
@@ -37,15 +37,16 @@ class ScreenProjection {
   glm::dvec2 size_;
 };
 
-/// Where the vertices of a world appear, and the corners of the boxes of its analytic shapes.
+/// Returns where the world's vertices, and the corners of its analytic shapes' boxes, appear in the
+/// picture.
 [[nodiscard]] std::vector<std::optional<glm::dvec2>> screen_points(const World& world,
                                                                    const View& view);
 
-/// The point of `to` that the point `p` of `from`, which a ray met, moves to. Both have the same
-/// surfaces.
+/// Returns the point of `to` to which `p` moves, a point of `from` that a ray hit. Both have the
+/// same surfaces.
 [[nodiscard]] glm::dvec3 point_at(const World& from, const World& to, glm::dvec3 p, const Hit& hit);
 
-/// Whether two moments of a scene have the same surfaces, materials and cameras.
+/// Returns whether two moments of a scene have the same surfaces, materials and cameras.
 [[nodiscard]] bool same_surfaces(const World& a, const World& b);
 
 /// A moment of a scene, and how it is seen.
@@ -57,7 +58,7 @@ struct SeenMoment {
 /// How far surfaces move in the picture, in pixels.
 struct ScreenWay {
   double in_step = 0.0;  ///< the farthest from one moment to the next
-  double in_all = 0.0;   ///< over all of them
+  double in_all = 0.0;   ///< over all moments
   bool known = true;     ///< the moments have the same vertices
 };
 

@@ -19,20 +19,20 @@ struct ViewContext {
   int bounces = 0;
   float throughput = 1.0f;
   bool hides_lights = false;
-  /// The flat mirror that its rays leave, if any.
+  /// The flat mirror that the viewer's rays leave, if any.
   std::optional<MirrorPlane> mirror = std::nullopt;
   VolumePath passage = {};  ///< of its rays, see ViewedRay
-  /// The bundle that its picture approximates, after a refraction.
+  /// The ray bundle that the camera's picture approximates, after a refraction.
   std::optional<RayBundle> bundle = std::nullopt;
   float pixel = 1.0f;  ///< side of the square over which a pixel is averaged, in pixels
 
-  /// Returns whether its rays may hit lights that no surface shows.
+  /// Returns whether the viewer's rays may hit lights that no surface shows.
   [[nodiscard]] bool sees_bare_lights() const {
     return bounces > passage.refractions && !hides_lights &&
            !shader.lights_without_geometry().empty();
   }
 
-  /// Returns a camera whose picture is the shader's.
+  /// Returns the viewer of a camera, for the shader's picture.
   [[nodiscard]] static ViewContext camera(const View& view, const Shader& shader,
                                           double filter_width = 1.0) {
     const ViewedRay eye = shader.eye_ray({}, {}, 0.0f);

@@ -21,7 +21,7 @@ std::shared_ptr<const Lighting> lighting_on(const World& world, const Lighting& 
 Result<std::shared_ptr<const RenderScene>> in_memory(const RenderScene& scene, Ground ground,
                                                      const World* as) {
   World world = scene.world();
-  if (world.lines_and_points.drawn()) draw_lines(world, {{}, 1, 0.0});  // takes them away
+  if (world.lines_and_points.drawn()) draw_lines(world, {{}, 1, 0.0});  // removes the lines
   put_on_ground(world, ground, scene.geometry->stage.floor, as);
   if (world.triangles.size() > most_triangles)
     return unexpected(Error{scene.geometry->source,

@@ -9,8 +9,8 @@ namespace {
 // Largest width of the pyray at the surface, in widths at the light: almost parallel.
 constexpr double widest_cover = 0.99;
 
-// The edges of the patch in units of the light's, along the line between their centres, or the
-// other way round. Row i has the components of edge i of the one along both edges of the other.
+// Size of the patch in units of the light's edges, projected along the line between their centres,
+// or of the light in units of the patch's edges: components along each unit edge.
 struct Ratio {
   double along_first = 0.0, along_second = 0.0;  ///< summed over both edges
 
@@ -47,7 +47,7 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightPyramid& window, const
   const double width = std::min(covered, widest_cover);
   const double back = width / (1.0 - width);
 
-  // Place its apex behind the surface accordingly, and bound it by surface and light.
+  // Place the pyray's apex that far behind the surface, and bound the pyray by surface and light.
   ExtendedPyray pyray{
       Frame::pyramid(window.frame().apex() - back * m, (1.0 + back) * m - 0.5 * (a + b), a, b),
       {},
@@ -58,7 +58,7 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightPyramid& window, const
   pyray.between[0] = pyray.surface;
   const auto between = window.between();
   pyray.between[1] = between.size() > 1 ? between[1] : pyray.surface;
-  // Project the patch's outline into its square.
+  // Project the patch's outline into the pyray's square.
   static constexpr std::size_t around[4] = {0, 1, 3, 2};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto at = [&](std::size_t corner) {

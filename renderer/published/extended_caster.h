@@ -14,8 +14,8 @@ namespace asos {
 /// and averages over it (CGF'98 sections 4.3.2 to 4.3.4).
 struct ExtendedPyray {
   enum class Fit {
-    inside,  ///< the largest shadow patch inside the leaf's (4.3.2)
-    around,  ///< the smallest around it; only its part inside the leaf's counts (4.3.4)
+    inside,  ///< the largest shadow patch inside the leaf's patch (4.3.2)
+    around,  ///< the smallest around the leaf's patch; only rays of that patch count (4.3.4)
   };
 
   Frame frame;
@@ -24,11 +24,11 @@ struct ExtendedPyray {
   std::array<BorderEdge, 4> outline;  ///< around: the leaf's patch in the frame's square
   Fit fit = Fit::inside;
 
-  /// Makes the pyray; `window` is that from the patch's centre. Returns nothing if the light sees
-  /// the patch edge-on. For `around`, also returns nothing if the patch is not inside the light's
-  /// projection onto the surface. A light whose projection is smaller than the patch would need a
-  /// source behind the light ("we may have to move the source"). Then the pyray is nearly as narrow
-  /// as the light and samples only its part of the patch.
+  /// Makes the pyray; `window` is the light's pyramid from the patch's centre. Returns nothing if
+  /// the light sees the patch edge-on. For `around`, also returns nothing if the patch is not
+  /// inside the light's projection onto the surface. A light whose projection is smaller than the
+  /// patch would need a source behind the light ("we may have to move the source"). Then the pyray
+  /// is nearly as narrow as the light and samples only its part of the patch.
   [[nodiscard]] static std::optional<ExtendedPyray> of(const LightPyramid& window,
                                                        const ShadowPatch& patch, Fit fit);
 };

@@ -25,7 +25,7 @@ std::optional<Visibility> trace_extended(const ShadowContext& block, const Shado
   const auto extended = ExtendedPyray::of(*window, *patch, fit);
   if (!extended) return std::nullopt;
 
-  // Trace it.
+  // Trace the pyray.
   Pyray pyray{extended->frame};
   pyray.bounds = query.found;
   pyray.bounds.within = extended->between;
@@ -97,7 +97,7 @@ Visibility PublishedShadows::divided(const ShadowContext& block, const ShadowQue
     const glm::vec2 at(part.u + part.side * static_cast<float>(inside.x),
                        part.v + part.side * static_cast<float>(inside.y));
     if (!region.holds(at)) continue;
-    // Find the visibility from it, or from the part.
+    // Find the visibility from the point, or from the part.
     if (extended) {
       sum += extended_shadow(block, query, part, counts);
     } else {

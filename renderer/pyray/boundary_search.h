@@ -53,7 +53,7 @@ class BoundarySearch {
     return {reach, CellOccluder::of(cover, lists_.frame(), reach.side)};
   }
 
-  /// Computes the list of a cell from that of any square that contains it. `seen`: see
+  /// Computes the hit list of a cell from the list of any square that contains it. `seen`: see
   /// HitLists::refine.
   void refine(const Square& cell, const Sight& sight, std::span<const std::uint32_t> parent,
               List& list, bool seen) {

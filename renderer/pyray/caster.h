@@ -29,7 +29,7 @@ enum class Estimator : std::uint8_t {
 struct LeafDecision {
   Estimator estimator = Estimator::centre;
   LeafVariation cause = LeafVariation::none;
-  std::uint32_t record = 0;  ///< the caster's number; 0: nothing
+  std::uint32_t record = 0;  ///< number of the caster's data; 0: none
   float error = 0.0f;        ///< of the centre, in display intensity, if it is bounded
 
   [[nodiscard]] bool sampled() const { return estimator == Estimator::samples; }
@@ -43,7 +43,7 @@ struct PyrayLeaf {
   double weight = 1.0;  ///< fraction of the root's area
   LeafRegion region;    ///< in the root frame
   LeafDecision decision = {};
-  bool defocused = false;  ///< its region is as wide as the blur of its root
+  bool defocused = false;  ///< the region is as wide as the blur of the root
 };
 
 class LensCaster;
@@ -59,7 +59,7 @@ class Caster {
   /// packets. The samples get consecutive numbers; returns the first.
   virtual SampleId probe(std::span<const glm::vec2> points) = 0;
 
-  /// Returns the handling of defocused roots (lens_caster.h); null: a pinhole's.
+  /// Returns the handling of defocused roots (lens_caster.h); null: a pinhole camera.
   [[nodiscard]] virtual LensCaster* lens() { return nullptr; }
 
   /// Called after the roots' centres were sampled: side x side roots, row by row. Their samples are

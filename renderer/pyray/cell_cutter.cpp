@@ -22,9 +22,9 @@ float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {
   return chain_tolerance * finest * std::min(1.0f, finest / cell.square.side);
 }
 
-// Returns the number of parts up to which a cut pays. A few parts are worth it at any level: one
-// sample each, where MAX would allow one for all. More parts pay only if they replace several
-// levels of children: half as many as there are finest cells.
+// Returns the number of parts up to which a cut pays. A few parts pay at any level: each gets a
+// sample, even where MAX allows one for the whole cell. More parts pay only if they replace several
+// levels of children: at most half as many as there are finest cells.
 std::size_t most_parts(const CellToCut& cell, const SubdivisionRules& rules) {
   const int below = rules.error_budget.max_level - cell.level;
   return static_cast<std::size_t>(
@@ -65,14 +65,15 @@ CellCut CellCutter::cut(const CellToCut& cell, std::span<const std::uint32_t> vi
   return result;
 }
 
-// Opens the visible boundaries down to visible segments.
+// Resolves visible groups into segments. Returns false if there are too many.
 bool CellCutter::resolve(const CellToCut& cell, std::span<const std::uint32_t> visible,
                          const SubdivisionRules& rules, HitLists& lists) {
   const std::size_t finest_cells = std::size_t{1}
                                    << 2 * (rules.error_budget.max_level - cell.level);
   const std::size_t most =
       std::clamp(pieces_a_finest_cell * finest_cells, least_pieces, most_pieces_resolved);
-  // An outline has few groups, or chains. Many groups of other kinds saturate the cell.
+  // Give up with many unresolved groups that are no chains: a plain outline has few, so the cell is
+  // saturated.
   const auto groups = std::count_if(visible.begin(), visible.end(), [&](std::uint32_t i) {
     return !lists.entry(i).is_segment() && !lists.entry(i).is_chain();
   });

@@ -21,11 +21,11 @@ struct CellToCut {
 
 /// A cell cut along its boundaries. The spans are valid until the next cut.
 struct CellCut {
-  std::span<const CellPart> parts;        ///< none: it could not be cut
+  std::span<const CellPart> parts;        ///< empty: the cell could not be cut
   std::span<const BorderEdge> borders;    ///< of the parts
   std::span<const std::uint32_t> along;   ///< the boundaries, as entries of the hit lists
   std::span<const std::uint32_t> hidden;  ///< boundaries that turned out to be hidden
-  std::size_t boundaries = 0;             ///< number of edges, or of chains where those count
+  std::size_t boundaries = 0;             ///< number of edges, or of chains if edges were joined
 };
 
 /// Computes exact leaves (CGF'98 sections 6.2 and 6.4; design section 5): the parts of a cell

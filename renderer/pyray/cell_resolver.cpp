@@ -71,7 +71,7 @@ void CellResolver::plan(std::uint32_t cell_index, bool with_own_sample) {
   // Saturation needs a sample first: its surface might hide all of the boundaries.
   const bool seen = cell.cover.valid || has_middle;
   if (exact && seen && plan_saturated(cell_index, boundaries)) return;
-  // Otherwise it is marginal.
+  // Otherwise the cell is marginal.
   if (!has_middle) add_plan(Plan::Kind::middle, cell_index, std::span(&middle, 1));
 }
 
@@ -103,7 +103,7 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const CellOccluder& hiding
     parts_.back().first_edge += first_edge;
     points_.emplace_back(part.u, part.v);
   }
-  // Record the entries that are not visible; both are in the list's order.
+  // Record the list's entries that are not visible; `visible_` is in the list's order.
   plan.hidden.first = static_cast<std::uint32_t>(hidden_.size());
   auto next = visible_.begin();
   for (const std::uint32_t i : level_->list(cell)) {
@@ -119,8 +119,8 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const CellOccluder& hiding
   return true;
 }
 
-// Returns whether a root with a sample costs less by samples than by so many parts. Smaller cells
-// were split for accuracy, so they are not sampled.
+// Returns whether a root that has a sample costs less by samples than by shading `parts` parts.
+// Smaller cells were split for accuracy, so they are not sampled.
 bool CellResolver::better_sampled(const Cell& cell, std::size_t parts) const {
   const bool seen = cell.cover.valid || cell.middle != no_sample;
   return level_->number == 0 && state_->rules.error_budget.max_level > 0 && seen &&
@@ -136,7 +136,7 @@ bool CellResolver::plan_saturated(std::uint32_t cell_index, std::size_t boundari
   const int below = state_->rules.error_budget.max_level - level_->number;
   const std::uint32_t n = 1u << below;
   if (below < 1) return false;
-  // Each boundary adds at least one part, and each crossing one more.
+  // Each boundary adds at least one part, and each crossing of two boundaries one more.
   if (!better_sampled(cell, 2 * boundaries)) {
     const auto few = static_cast<std::size_t>(state_->rules.limits.most_boundaries);
     if (boundaries <= few || 4 * boundaries < n * n) return false;
@@ -227,7 +227,7 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     cell.nothing_hides = true;
     return;
   }
-  // Make leaves of the parts. A single uneven one splits the cell.
+  // Make leaves of the parts. If the shading of only one varies, split the whole cell.
   const int finest = state_->rules.error_budget.max_level;
   const double whole = state_->weight(cell);
   const std::size_t first_leaf = state_->leaves.size();
@@ -240,13 +240,13 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
     if (decision.splits()) {
       cell.uneven = decision.cause;
       state_->leaves.resize(first_leaf);
-      // Each of its children needs a sample in its closure.
+      // Without a sample at its centre, the cell has no cover for its children.
       if (cell.middle == no_sample) cell.cover = OccluderPlane::none();
       return;
     }
     state_->add_leaf(cell, first + i, whole * part.area, region, decision);
   }
-  // Tell observers.
+  // Record the cut for observers.
   if (TracedCell* traced = trace(cell, plan, CellFate::cut)) {
     traced->hidden = plan.hidden.count;
     for (std::uint32_t i = 0; i < plan.points.count; ++i) {
@@ -271,7 +271,7 @@ void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first
   const double whole = state_->weight(cell);
   const Root& root = state_->root(cell);
   TracedCell* traced = trace(cell, plan, CellFate::saturated);
-  // Make a leaf of each jittered sample; the caster adds up its own.
+  // Make a leaf of each jittered sample. The caster's own samples need none.
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
     const double share = whole / plan.points.count;
     const LeafRegion region{cell.square.part(static_cast<int>(n), static_cast<int>(i)), {}, true};

@@ -29,7 +29,7 @@ class CellResolver {
     Kind kind = Kind::middle;
     std::uint32_t cell = 0;
     Slice points;
-    std::uint32_t first_part = 0;      // as many as points
+    std::uint32_t first_part = 0;      // of as many parts as points
     Slice hidden;                      // entries that count as hidden
     Slice visible;                     // entries that are visible; only for observers
     SampleId own_samples = no_sample;  // represents the caster's own samples

@@ -122,7 +122,7 @@ void ChainSimplifier::emit_range(std::size_t first, std::size_t last, float tole
     emit_range(farthest, last, tolerance);
     return;
   }
-  // Use the smallest nearness along the chain, so that no visible boundary counts as hidden.
+  // Use the largest nearness along the chain, so that no visible boundary counts as hidden.
   float nearness0 = chain_[first].nearness, nearness1 = chain_[last].nearness;
   for (std::size_t i = first + 1; i < last; ++i) {
     nearness0 = std::max(nearness0, chain_[i].nearness);

@@ -23,7 +23,7 @@ class ChainSimplifier {
   [[nodiscard]] std::span<const Segment> simplify(std::span<const Segment> segments,
                                                   float tolerance);
 
-  /// Returns the number of chains in the last segments.
+  /// Returns the number of chains in the last call's segments.
   [[nodiscard]] std::size_t chain_count() const { return chain_count_; }
 
  private:

@@ -21,8 +21,8 @@ namespace asos {
 struct ErrorBudget {
   int max_level = 4;  ///< MAX, 0 to max_level_limit
   double eps = 0.0;   ///< EPS: allowed error of the root, 0 to 1
-  /// Allowed error of a leaf whose errors its neighbours share: EPS, or the visibility threshold if
-  /// that is larger. Infinite if shading is not refined.
+  /// Allowed error of a leaf, if its neighbours have the same error: EPS, or the visibility
+  /// threshold if that is larger. Infinite if shading is not refined.
   float tolerance = 0.0f;
   /// Slope of the tone curve where it is steepest: EPS and the tolerance are divided by it.
   double steep = 1.0;
@@ -52,11 +52,11 @@ struct ErrorBudget {
 
   /// Returns whether leaves are split or sampled for their shading.
   [[nodiscard]] bool refines() const { return std::isfinite(tolerance); }
-  /// Returns the same, if MAX leaves room for more than one sample.
+  /// As `refines`, but false if MAX allows only one sample.
   [[nodiscard]] bool refines_leaves() const { return refines() && max_level > 0; }
 
   /// Returns the allowed standard error of a sampled part. Errors of parts are independent, so it
-  /// grows with the root of the part's weight.
+  /// is inversely proportional to the root of the part's weight.
   [[nodiscard]] double standard_error(double part, double intensity = 1.0) const {
     return standard_errors * static_cast<double>(tolerance) /
            (intensity * std::sqrt(weight * part));
@@ -107,7 +107,8 @@ struct ErrorBudget {
   /// is small, since neighbours share the error and many lights add up.
   [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 64.0f); }
 
-  /// Returns the number of levels that a part of this weight has used: one for each quarter.
+  /// Returns the number of levels that a part of this weight has used: one for each division by
+  /// four.
   [[nodiscard]] static int levels_of(double part) {
     return std::max(0, static_cast<int>(std::floor(0.5 * std::log2(1.0 / part))));
   }

@@ -15,7 +15,7 @@ namespace asos {
 /// quarters, and so on (CGF'98 sections 6.1 and 6.4). Reuses its memory; one object per thread.
 class FatSearch {
  public:
-  /// Returns the cover of a sample at the centre of a square, by the index of the pyray there.
+  /// Returns the cover of the sample of pyray (x, y), which is at the centre of a square.
   using OccluderOf = std::function<OccluderPlane(int x, int y)>;
 
   /// `search` must have been started in the fat pyray's frame.
@@ -23,7 +23,7 @@ class FatSearch {
 
   /// Returns whether a boundary that may be visible passes through a pyray.
   [[nodiscard]] bool bounded(std::uint32_t index) const { return found_[index].bounded; }
-  /// Returns its hit list; empty if a larger square around it has no visible boundary.
+  /// Returns a pyray's hit list; empty if a larger square around it has no visible boundary.
   [[nodiscard]] std::span<const std::uint32_t> list(std::uint32_t index) const {
     return found_[index].list;
   }

@@ -12,8 +12,8 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double most_area = 1.0 / 400.0;
 constexpr double most_bulge = 1.0 / 16.0;
 constexpr int deepest = 14;
-// A part of an arc is halved until it turns by less than this, in radians, before its ends are
-// compared with its centre.
+// An arc is divided into parts that turn by at most this, in radians, before the centre of each
+// part is compared with its chord.
 constexpr double widest_turn = 1.1;
 
 }  // namespace
@@ -47,7 +47,7 @@ std::span<const Segment> Flattener::flatten(const Frame& frame, const EllipseArc
   return segments_;
 }
 
-// Sorts the angles between which the arc is inside or outside, with its ends and breaks.
+// Finds and sorts the angles where the arc crosses the bounds, with its ends and breaks.
 void Flattener::find_angles(const Frame& frame, const EllipseArc& arc,
                             std::span<const double> breaks, const FlattenBounds& bounds) {
   angles_.clear();

@@ -33,12 +33,12 @@ class Flattener {
  private:
   struct Break {
     double angle;  ///< among `angles_`
-    double given;  ///< the same except for whole turns
+    double given;  ///< the angle as given: differs by whole turns
   };
   struct Joint {
     double angle = 0.0;
     FramePoint at;
-    glm::dvec2 bulge{0.0};  ///< from the centre of the chord to the next joint to the arc
+    glm::dvec2 bulge{0.0};  ///< offset of the arc from the chord to the next joint
     bool fixed = false;
   };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double finest_curve = 1.0 / 4096.0;
 
 // With at most `few_entries`, opening them may prove the cell empty or crossed by one boundary.
-// With `many_entries` it is marginal in any case.
+// With more than `many_entries`, the cell is marginal in any case.
 constexpr std::size_t few_entries = 4;
 constexpr std::size_t many_entries = 16;
 // With this many nodes, or segments, in front of a sample's surface, the cell is saturated with
@@ -25,8 +25,8 @@ constexpr std::size_t most_nodes_in_front = 64;
 constexpr std::size_t most_segments_in_front = 256;
 // Segments are cut this far outside the root square, so that they are straight across its border.
 constexpr double margin = 1.0 / 16.0;
-// An edge smaller than this in the square, at any angle, may be a point in float32. It is kept, so
-// that no sample is taken there.
+// An edge smaller than this in the square may be a point in float32. It is kept, whatever its
+// direction, so that no sample is taken there.
 constexpr double point_size = 1e-6;
 
 // Returns the part of an edge between homogeneous end points within the pyray, widened by the
@@ -86,7 +86,8 @@ void HitLists::reset(const FeatureSet& features, const Frame& frame, float fines
   frame_ = frame;
   test_frame_ = NodeTestFrame(frame);
   finest_side_ = finest_side;
-  // The map from the world to the square is steepest across the shorter of the base's heights.
+  // The map from the world to the square is steepest along the shorter height of the base
+  // parallelogram.
   const glm::dvec3 a = frame.base_u(), b = frame.base_v();
   const double area = glm::length(glm::cross(a, b));
   squares_a_unit_ = static_cast<float>(std::max(glm::length(a), glm::length(b)) / area);

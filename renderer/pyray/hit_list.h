@@ -22,9 +22,9 @@ struct HitEntry {
   enum class Type : std::uint8_t { node, leaf, segment };
 
   float u0 = 0, v0 = 0, u1 = 0, v1 = 0;
-  float nearness = 0;             ///< the greatest
+  float nearness = 0;             ///< the largest one
   std::uint32_t ref = 0;          ///< node, first edge of a leaf, or segment
-  std::uint32_t first_child = 0;  ///< the first entry made when it was opened
+  std::uint32_t first_child = 0;  ///< first of the entries made by opening
   std::uint32_t chain[2] = {FeatureEdge::none, FeatureEdge::none};  ///< see NodeChains
   float chain_deviation = 0.0f;
   std::uint32_t chord = FeatureEdge::none;  ///< the entry that represents the chain, once made
@@ -61,7 +61,7 @@ class HitLists {
   /// Returns the list of the whole square: the unopened root of the hierarchy or the cut, and the
   /// added boundaries.
   [[nodiscard]] const List& root() const { return root_; }
-  /// Returns the same without the added boundaries.
+  /// Returns that list without the added boundaries.
   [[nodiscard]] std::span<const std::uint32_t> scene_root() const {
     return std::span(root_).first(scene_entries_);
   }
@@ -99,7 +99,7 @@ class HitLists {
                                                 : features_->edge(segment(i).edge).kind;
   }
   [[nodiscard]] const Frame& frame() const { return frame_; }
-  /// Returns whether nodes stayed closed because the search reached the limit of its bounds.
+  /// Returns whether nodes stayed closed because the search reached SearchBounds::most_entries.
   [[nodiscard]] bool exhausted() const { return entries_.size() > bounds_.most_entries; }
 
   /// Returns whether an entry of a cell's list lies behind `hiding` everywhere in the cell.

@@ -22,7 +22,7 @@ struct LeafCosts {
   // In samples of a part of the same weight.
   static constexpr double exact_leaf = 16.0;  ///< a leaf's centre with exact shadows
   static constexpr double leaf = 3.0;         ///< one of the leaves of a part that is split
-  static constexpr double soft_shadow = 8.0;  ///< one light's soft shadow on such a leaf
+  static constexpr double soft_shadow = 8.0;  ///< one light's soft shadow on a leaf
   static constexpr double part = 10.0;        ///< one of the parts of a cell that is cut into many
 };
 

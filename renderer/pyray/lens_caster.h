@@ -20,8 +20,8 @@ class LensCaster {
  public:
   virtual ~LensCaster() = default;
 
-  /// Returns the way for a root. `bounded`: a boundary that may be visible passes through it or its
-  /// search region. `missed`: samples show that a boundary was not found.
+  /// Returns the estimator of a root. `bounded`: a boundary that may be visible passes through the
+  /// root or its search region. `missed`: samples show that a boundary was not found.
   [[nodiscard]] virtual LensEstimator way(std::uint32_t root, bool bounded, bool missed) = 0;
   /// Shades a root as one leaf. Returns false if it varies too much and has to be sampled.
   [[nodiscard]] virtual bool shade_smooth(std::uint32_t root) = 0;

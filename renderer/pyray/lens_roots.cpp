@@ -80,7 +80,7 @@ void Tracer::sample_lens_root(const Root& root, LensCaster& lens) {
   cell.samples.push_back({root.id, glm::vec2(0.5f), 1.0, {}, {}});
 }
 
-// The surface behind a boundary may have a depth that is not sharp. Then the root is sampled.
+// The surface behind a boundary may lie at a depth that is not sharp. Such roots are sampled.
 void Tracer::drop_blurred_roots(const SubdivisionRules& rules, LensCaster& lens) {
   if (crossed_.empty()) return;
   std::vector<Root> tried = crossed_;

@@ -18,20 +18,20 @@ struct ObjectStatistics {
   std::uint32_t out = 0;     ///< marginal cells whose axis misses it
   bool one_edge = true;      ///< each of its marginal cells is near one edge only
 
-  /// M.
+  /// Returns M.
   [[nodiscard]] std::uint32_t marginal() const { return in + out; }
   /// Returns L; for clusters, whose in and out are unknown, the sum.
   [[nodiscard]] std::uint32_t larger() const {
     return object == clusters ? in + out : std::max(in, out);
   }
   /// Returns the largest change of the object's fraction of the root by splitting: L / 2^2K. Near
-  /// one edge, at most half a cell can change, so it is L / 2^(2K+1) (6.2).
+  /// one edge, at most half of each cell can change, so it is L / 2^(2K+1) (CGF'98 section 6.2).
   [[nodiscard]] double change(int level) const {
     return std::ldexp(larger(), -2 * level - (one_edge ? 1 : 0));
   }
 };
 
-/// One root after level K.
+/// A root's state after level K.
 struct LevelStatistics {
   int level = 0;                          ///< K
   std::uint32_t marginal = 0;             ///< M: all marginal cells

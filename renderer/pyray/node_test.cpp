@@ -115,9 +115,9 @@ NodeTestResult test_children(const FeatureNode& node, const NodeTestFrame& frame
     v1 = ahead ? v1 * (v1 < 0.0f ? q_far : q_near) : all(infinity);
     nearness = ahead ? q_near : all(infinity);
   }
-  // No silhouette below: |axis . view| > sin(cone + ball). The ball is the box's, seen from the
-  // apex, and the sum of the two angles is below a right one. All terms are multiplied by the
-  // distance.
+  // A child contains no silhouette if |axis . view| > sin(cone + ball), where the ball is the
+  // sphere around its box, seen from the apex, and the two angles add up to less than 90 degrees.
+  // All terms are multiplied by the distance.
   Floats view[3], r2 = {};
   for (int k = 0; k < 3; ++k) {
     view[k] = frame.parallel ? all(frame.direction[k]) : c[k];

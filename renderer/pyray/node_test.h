@@ -21,7 +21,7 @@ struct NodeTestFrame {
 /// The children of a node that are kept: the rectangle of each in the frame and its greatest
 /// nearness.
 struct NodeTestResult {
-  unsigned kept = 0;  ///< bit i: child i may be a boundary inside the square
+  unsigned kept = 0;  ///< bit i: child i may contain a boundary in the square
   float u0[FeatureNode::width];
   float v0[FeatureNode::width];
   float u1[FeatureNode::width];

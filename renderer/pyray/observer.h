@@ -23,7 +23,7 @@ enum class CellFate {
   /// No boundary, or cut along them, but its shading varies too much: its four children follow.
   uneven,
   split,      ///< marginal: its four children follow
-  stopped,    ///< marginal, and the rule held: one sample
+  stopped,    ///< marginal, but the stopping rule held: one sample
   finest,     ///< marginal at MAX: one sample, or samples distributed over it
   sampled,    ///< no visible boundary, and samples distributed over it
   saturated,  ///< so many boundaries that samples cost less than its parts
@@ -34,19 +34,19 @@ enum class CellFate {
 struct TracedSample {
   static constexpr std::uint32_t no_triangle = 0xffffffffu;
 
-  SampleId id = no_sample;  ///< the caster's number
+  SampleId id = no_sample;  ///< its number in the caster
   glm::vec2 at{0.0f};
   double weight = 0.0;                   ///< fraction of the pyray
   glm::vec3 radiance{0.0f};              ///< linear; shadows: the visibility of the light
   std::uint32_t triangle = no_triangle;  ///< the world's triangle at its hit
-  std::vector<BorderEdge> border{};      ///< sides of its part; empty: the part is its whole cell
+  std::vector<BorderEdge> border{};      ///< sides of the sample's part; empty: the whole cell
 };
 
 /// A piece of a boundary that may be visible, clipped to the reach of its cell's detection.
 struct TracedBoundary {
   glm::vec2 from{0.0f};
   glm::vec2 to{0.0f};
-  FeatureKind kind = FeatureKind::open;  ///< also open where it is no edge of the scene
+  FeatureKind kind = FeatureKind::open;  ///< `open` if the boundary is no edge of the scene
 };
 
 struct TracedCell {
@@ -66,8 +66,8 @@ struct TracedPyray {
 
   Kind kind = Kind::eye;
   std::uint32_t light = 0;  ///< shadow: index of the light
-  int bounces = 0;          ///< number of mirrors before it
-  int parent = -1;          ///< number of the reflected pyray whose leaf cast it; -1: the pixel's
+  int bounces = 0;          ///< number of mirrors before this pyray
+  int parent = -1;          ///< number of the reflected pyray whose leaf cast it; -1: the pixel
   glm::vec2 from{0.0f};     ///< that leaf's sample, in the parent's square
   double weight = 1.0;      ///< that leaf's fraction of the parent
   glm::vec3 result{0.0f};   ///< mean radiance along it; shadow: the light's visibility
@@ -101,7 +101,7 @@ class Observer {
 struct ObservedLeaf {
   Observer* observer = nullptr;
   int pyray = -1;      ///< number of the leaf's pyray
-  glm::vec2 at{0.0f};  ///< its sample, in the pyray's square
+  glm::vec2 at{0.0f};  ///< the leaf's sample, in the pyray's square
   double weight = 1.0;
 
   [[nodiscard]] bool wants_more() const {

@@ -223,8 +223,8 @@ bool CellPartition::trace_loops(std::size_t max_parts) {
   if (edges_.size() + components > nodes_.size() + max_parts) return false;
 
   // Sort the half-edges around each node by angle; the successor of h is the predecessor of its
-  // twin there. One sort by (node, angle) does this; the angle is a number from 0 to 4 that grows
-  // with it.
+  // twin there. One sort by (node, angle) does this. A monotonic number from 0 to 4 replaces the
+  // angle.
   around_.clear();
   for (std::uint32_t h = 0; h < count; ++h) {
     const glm::dvec2 d = nodes_[head(h)] - nodes_[tail(h)];

@@ -11,7 +11,8 @@
 
 namespace asos {
 
-/// One part of a cell between its boundary lines. It is uniform if those are all the boundaries.
+/// One part of a cell between its boundary lines. It is uniform if the cell has no other
+/// boundaries.
 struct CellPart {
   double area = 0.0;  ///< fraction of the cell, 0 to 1
   float u = 0.0f;     ///< a point well inside it, in the root frame

@@ -54,13 +54,13 @@ std::optional<glm::dvec2> beyond_gap(std::span<const PartitionPiece> pieces, std
     nearest = distance;
     found = p;
   };
-  // The border.
+  // The cell's border.
   for (int k = 0; k < 2; ++k) {
     if (ahead[k] == 0.0) continue;
     const double t = ((ahead[k] > 0.0 ? 1.0 : 0.0) - end[k]) / ahead[k];
     offer(snapped(end + t * ahead), t);
   }
-  // Other pieces that it would cross.
+  // Offer the crossings with other pieces.
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i == piece) continue;
     const glm::dvec2 along = pieces[i].q - pieces[i].p;
@@ -71,7 +71,7 @@ std::optional<glm::dvec2> beyond_gap(std::span<const PartitionPiece> pieces, std
     if (s > 0.0 && s < 1.0) offer(end + t * ahead, t);
   }
   if (found) return found;
-  // Other pieces that end nearby.
+  // Offer ends of other pieces.
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i == piece) continue;
     for (const glm::dvec2 other : {pieces[i].p, pieces[i].q})

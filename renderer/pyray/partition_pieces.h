@@ -35,7 +35,7 @@ inline constexpr double snap = 4e-6;
   return p.x == 0.0 || p.x == 1.0 || p.y == 0.0 || p.y == 1.0;
 }
 
-/// Moves a point to the border if it is that near.
+/// Moves a point to the border if it is closer than `snap`.
 [[nodiscard]] inline glm::dvec2 snapped(glm::dvec2 p) {
   for (int k = 0; k < 2; ++k) {
     if (p[k] < snap) p[k] = 0.0;

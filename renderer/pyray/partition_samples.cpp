@@ -22,9 +22,9 @@ bool CellPartition::inside_part(std::int32_t part, glm::dvec2 p) const {
   return in;
 }
 
-// Computes area and centroid. If the centroid is not well inside, it selects the place farthest
-// from the border among the centroid and the centres of a few chords, since boundaries may be
-// slightly displaced.
+// Computes a part's area and the place of its sample: the centroid if it is well inside, since
+// boundaries may be slightly displaced, else the place farthest from the border among the centroid
+// and the centres of a few chords.
 bool CellPartition::place_sample(std::int32_t part, const Loop& outer) {
   // Sum up the area, the centroid and the bounds.
   double area = 0.0;

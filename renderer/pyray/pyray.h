@@ -29,9 +29,9 @@ struct Pyray {
 struct FatPyray {
   Frame frame;
   int side = 1;     ///< side x side pyrays; a power of two
-  int columns = 1;  ///< only columns x rows of them are needed, from the top left
+  int columns = 1;  ///< only columns x rows pyrays are needed, from the top left
   int rows = 1;
-  int border = 0;                         ///< number of the frame's steps around them
+  int border = 0;                         ///< number of the frame's steps around the pyrays
   double width = 1.0;                     ///< width of a pyray's square, in steps
   double reach = 0.0;                     ///< search radius around it, in steps, for a lens' blur
   glm::ivec2 origin{0};                   ///< position of the first in the picture, for seeds
@@ -46,7 +46,7 @@ struct FatPyray {
   [[nodiscard]] Square square_of(int x, int y, int size) const {
     return square_around(x, y, size, 0.5 * (width - 1.0));
   }
-  /// Returns the same with the search radius.
+  /// Returns that square, widened by the search radius.
   [[nodiscard]] Square searched_square(int x, int y, int size) const {
     return square_around(x, y, size, 0.5 * (width - 1.0) + reach);
   }

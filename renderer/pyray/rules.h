@@ -8,23 +8,23 @@
 
 namespace asos {
 
-/// Limits for cutting a cell instead of splitting it. The defaults suit pixels, since there are
-/// many and their children are cheap. A light is seen once, from a distance, and its parts cost a
-/// ray each.
+/// Limits for cutting a cell instead of splitting it. The defaults suit pixels, which are many and
+/// have cheap children. Lights need other limits: each is seen once, from a distance, and its parts
+/// cost a ray each.
 struct CutLimits {
   int least_parts = 16;      ///< number of parts allowed at any level
   int most_groups = 8;       ///< number of groups of boundaries to resolve
   int most_boundaries = 12;  ///< number of edges, or chains of edges
   int most_pieces = 32;      ///< number of straight pieces of a few chains
-  /// The tolerance of simplified chains, in roots; 0: a 64th of a finest cell, and less in larger
-  /// cells.
+  /// The tolerance of simplified chains, in sides of the root; 0: a 64th of a finest cell, and less
+  /// in larger cells.
   float tolerance = 0.0f;
 };
 
 /// When to stop and how to sample (CGF'98 section 3.1; design section 5).
 struct SubdivisionRules {
   ErrorBudget error_budget;
-  const SubdivisionVariant* variant = nullptr;  ///< null: the engine's own way
+  const SubdivisionVariant* variant = nullptr;  ///< null: the engine's own rules
   bool jitter = false;  ///< jitter the samples of cells that stay marginal at MAX
   CutLimits limits;
   /// Boundaries are at least as detailed as for this MAX, so that cells can be cut along them.
@@ -41,15 +41,14 @@ struct SubdivisionRules {
     rules.jitter = settings.asos.jitter;
     return rules;
   }
-  /// Returns whether a root ends with the marginal cells of a level.
+  /// Returns whether a root ends after a level with these marginal cells.
   [[nodiscard]] bool ends(const LevelStatistics& tally) const {
     return variant ? variant->ends(tally, error_budget.eps)
                    : tally.unresolved_area() <= error_budget.eps;
   }
   /// Returns whether cells are cut along their boundaries.
   [[nodiscard]] bool cuts_cells() const { return !variant || variant->cuts_cells(); }
-  /// Returns the size below which boundaries are never resolved because of their size, in a root of
-  /// side 1.
+  /// Returns the size below which boundaries are too small to be resolved, in a root of side 1.
   [[nodiscard]] float finest_side() const {
     return std::ldexp(1.0f, -std::max(error_budget.max_level, finest_detail));
   }

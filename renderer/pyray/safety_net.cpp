@@ -6,7 +6,7 @@
 namespace asos {
 namespace {
 
-// A boundary is near, so four samples that agree are not trusted yet.
+// At lower levels, four equal samples do not end the splitting: a boundary is near.
 constexpr int first_trusted_level = 2;
 
 struct Splitter {
@@ -31,12 +31,12 @@ struct Splitter {
     bool differ = false;
     for (std::uint32_t i = 1; i < 4; ++i)
       differ |= caster.surface(first + i) != caster.surface(first);
-    // Split further where they show different surfaces.
+    // Split the quarters if their samples' surfaces differ.
     if ((differ || level < first_trusted_level) && level < max_level) {
       for (int i = 0; i < 4; ++i) split(square.quarter(i), level + 1);
       return;
     }
-    // Else make a leaf of each.
+    // Else make a leaf of each quarter.
     if (differ) outcome.unresolved_area += 4.0 * weight;
     for (std::uint32_t i = 0; i < 4; ++i) {
       PyrayLeaf leaf{root.id, first + i, weight, {square.quarter(static_cast<int>(i)), {}, differ}};

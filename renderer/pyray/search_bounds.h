@@ -24,15 +24,16 @@ using FeatureCut = std::vector<CutNode>;
 struct SearchBounds {
   /// Null: the whole hierarchy.
   const FeatureCut* cut = nullptr;
-  /// Boundaries are cut off outside of these.
+  /// Boundaries are cut off outside of these half-spaces.
   std::span<const HalfSpace> within;
   /// Boundaries that reach into the first half-space extend this far beyond its plane. So an object
-  /// on a patch bounds it down to the patch itself, although rays end above it.
+  /// on a patch counts down to the patch itself, although rays end above the patch.
   double beyond_first = 0.0;
   /// Edges that start at one of these vertices do not count.
   std::uint32_t first_ignored_vertex = 0;
   std::uint32_t ignored_vertices = 0;
-  /// Edges that start at one of these do not count either, since lines and points cast no shadows.
+  /// Edges that start at one of these vertices do not count either: those of lines and points,
+  /// which cast no shadows.
   std::uint32_t first_shadowless_vertex = 0;
   std::uint32_t shadowless_vertices = 0;
   /// No more nodes are opened after this many entries.

@@ -27,7 +27,7 @@ std::span<const SubdivisionOutcome> Subdivider::run(BoundarySearch& search,
     // Make leaves of the cells without boundaries and of those that can be cut.
     resolver_.resolve(*current, state_);
     if (caster.cancelled()) break;  // some cells may have been left without a sample
-    // The others are marginal. End the roots whose rule holds.
+    // The other cells are marginal. End the roots whose stopping rule holds.
     stop_roots(*current);
     // Split the rest in four.
     split(*current, *next);
@@ -83,7 +83,7 @@ void Subdivider::stop_roots(CellLevel& level) {
 // Counts the marginal cells of one root. Their objects matter to variants and observers only.
 void Subdivider::tally(const CellLevel& level, std::span<const Cell> cells) {
   tally_.start(level.number);
-  // Without these, count cells only.
+  // Otherwise count the cells only.
   if (!state_.rules.variant && !state_.root(cells.front()).traced) {
     tally_.marginal = static_cast<std::uint32_t>(std::count_if(
         cells.begin(), cells.end(), [](const Cell& cell) { return !cell.is_uneven(); }));

@@ -11,9 +11,9 @@
 namespace asos {
 
 /// The subdivision routine for every kind of pyray. It splits squares level by level where
-/// boundaries pass through them, until no cell is marginal, the rule holds, or MAX is reached.
-/// Roots of one frame are processed together, so that their rays go in packets; none influences
-/// another. Reuses its memory; one object per thread.
+/// boundaries pass through them, until no cell is marginal, the stopping rule holds
+/// (SubdivisionRules::ends), or MAX is reached. Roots of one frame are processed together, so that
+/// their rays go in packets; none influences another. Reuses its memory; one object per thread.
 class Subdivider {
  public:
   /// Returns one outcome per root. The weights of each root's leaves add up to 1, unless the caster

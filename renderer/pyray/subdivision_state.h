@@ -58,9 +58,9 @@ struct Cell {
   SampleId middle = no_sample;
   bool fresh = false;  ///< its centre was sampled in this level's first round
   bool done = false;
-  /// Boundaries hidden from a sample are visible elsewhere in it.
+  /// Boundaries hidden from a sample are visible elsewhere in the cell.
   bool nothing_hides = false;
-  LeafVariation uneven = LeafVariation::none;  ///< the only reason why it is not resolved
+  LeafVariation uneven = LeafVariation::none;  ///< only this keeps the cell from being resolved
 
   [[nodiscard]] bool is_uneven() const { return uneven != LeafVariation::none; }
 };
@@ -82,7 +82,7 @@ struct SubdivisionState {
   Caster* caster = nullptr;
   SubdivisionRules rules;
   std::span<const Root> roots;
-  std::vector<SubdivisionOutcome> outcomes;  ///< one a root
+  std::vector<SubdivisionOutcome> outcomes;  ///< one per root
   std::vector<PyrayLeaf> leaves;             ///< finished, but not passed to the caster yet
 
   [[nodiscard]] const Root& root(const Cell& cell) const { return roots[cell.root]; }

@@ -27,7 +27,7 @@ class SubdivisionVariant {
  public:
   virtual ~SubdivisionVariant() = default;
 
-  /// Returns the detection in a root frame; null: the engine's.
+  /// Returns the detection in a root frame; null: the engine's detection.
   [[nodiscard]] virtual std::unique_ptr<const DetectionTest> detection(
       const Frame& frame) const = 0;
   /// Returns whether a root ends after a level with these marginal cells.

@@ -47,7 +47,7 @@ Trace Tracer::trace_searched(const Pyray& pyray, std::span<const BorderEdge> out
   root.traced = traced;
   caster.middles_known(1);
 
-  // Find the boundaries in front of it.
+  // Find the boundaries in front of that surface.
   BoundarySearch::List& list = list_;
   search_.refine(root.square, search_.sight(root.square, caster.cover(root.middle)), lists.root(),
                  list, true);
@@ -163,16 +163,16 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
         roots_.push_back(root);
         continue;
       }
-      // A missed one goes to the safety net.
+      // Split such a pyray by the safety net.
       if (traces_[i].by_samples && !caster.samples_leaf(i)) {
         traces_[i].outcome = split_by_samples(root, max_level, caster);
         continue;
       }
-      // Subdivide a clear one whose shading varies too much. Any other is one leaf.
+      // Subdivide a pyray without boundaries if its shading varies too much. Any other is one leaf.
       if (!finish_clear_root(root, max_level, caster)) roots_.push_back(root);
     }
   }
-  // Subdivide them together.
+  // Subdivide all of them together.
   const auto done = subdivider_.run(search_, roots_, rules, caster);
   for (std::size_t k = 0; k < done.size(); ++k) traces_[roots_[k].id].outcome = done[k];
 }

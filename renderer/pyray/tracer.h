@@ -20,15 +20,16 @@ namespace asos {
 /// Statistics of a traced pyray.
 struct Trace {
   SubdivisionOutcome outcome;
-  bool by_samples = false;  ///< the safety net split it
-  bool missed = false;      ///< and only because a boundary was missed
+  bool by_samples = false;  ///< the safety net split the pyray
+  bool missed = false;      ///< by_samples, because a boundary was missed
   bool timed_out = false;   ///< too many boundaries for its rules, or its caster gave up: no leaves
 };
 
-/// The central algorithm of this program: finds the boundaries that pass through a pyramid. None:
-/// one sample. Some: split (CGF'98 section 3; design section 1). Pixels of a block, shadows of all
-/// lights, and reflections all use it, with their own frame, rules and caster. One object per
-/// thread and depth of nesting; reuses its memory and holds no result.
+/// The central algorithm of this program: finds the boundaries that pass through a pyramid. Without
+/// any, it takes one sample; else it splits the pyramid (CGF'98 section 3; design section 1).
+/// Pixels of a block, shadows of all lights, and reflections all use it, with their own frame,
+/// rules and caster. One object per thread and depth of nesting; reuses its memory and holds no
+/// result.
 class Tracer {
  public:
   /// Passes the pyray's leaves to the caster. `traced` records its subdivision, or is null.
@@ -65,7 +66,8 @@ class Tracer {
   [[nodiscard]] bool touches_boundary(const FatPyray& fat, glm::ivec2 at, const Caster& caster);
   void finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                     std::uint32_t observed, TracedPyray* traced);
-  /// Ends a root without boundaries by one leaf. Returns false if it has to be subdivided.
+  /// Makes a root without boundaries one leaf. Returns false if the root has to be subdivided
+  /// instead.
   bool finish_clear_root(const Root& root, int max_level, Caster& caster);
   void finish_lens_roots(const FatPyray& fat, const SubdivisionRules& rules, Caster& caster,
                          LensCaster& lens, std::uint32_t observed, TracedPyray* traced);
@@ -81,7 +83,7 @@ class Tracer {
   BoundarySearch::List scratch_;
   std::vector<glm::vec2> middles_;
   std::vector<Root> roots_;
-  std::vector<Root> crossed_;                     // sharp ones with boundaries
+  std::vector<Root> crossed_;                     // sharp roots with boundaries
   std::vector<BoundarySearch::List> lens_lists_;  // by root; with depth of field
   std::vector<Trace> traces_;
   std::vector<Segment> segments_;

@@ -19,7 +19,8 @@ namespace asos {
   return glm::dot(plane_of_triangle(world, triangle).normal(), glm::dvec3(direction)) > 0.0;
 }
 
-/// Returns the same for a hit: the front of an analytic shape is outside, or towards +Y for a disk.
+/// Returns whether a ray meets the back at a hit. The front of an analytic shape is outside; of a
+/// disk, towards +Y.
 [[nodiscard]] inline bool meets_back(const World& world, const Hit& hit, glm::vec3 direction) {
   if (!world.is_face(hit.triangle)) return meets_back(world, hit.triangle, direction);
   const FacePoint at = face_point(world.face(hit.triangle), hit.b1, hit.b2);

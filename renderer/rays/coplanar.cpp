@@ -96,12 +96,12 @@ bool meet(const Box& a, const Box& b) {
 struct Neighbours {
   static constexpr std::size_t most = 16;
   std::vector<Box> boxes;
-  std::vector<Box> placed;  ///< those of placed meshes among them
+  std::vector<Box> placed;  ///< boxes of placed meshes, kept apart
   bool full = false;
 
   void add(const Box& box, bool is_placed) {
     if (is_placed) {
-      // With more, all count as one.
+      // Further boxes are merged into the last one.
       if (placed.size() < most)
         placed.push_back(box);
       else
@@ -215,8 +215,8 @@ class CoplanarSearch {
                        [&](const Box& other) { return meet(box, other); });
   }
 
-  // Finds those around a triangle that are of its size or larger; in a pair, the smaller one finds
-  // the other.
+  // Compares a triangle with those around it that are of its size or larger. In a pair, the smaller
+  // one finds the other.
   void look(std::uint32_t triangle) {
     Query query{this, triangle, world_.triangle_part[triangle], sizes_[triangle],
                 corners_of(world_, triangle)};
@@ -285,7 +285,7 @@ float reach_of_hit(const World& world, const Ray& ray, const Hit& hit) {
   const double length = glm::length(normal), speed = glm::length(glm::dvec3(ray.direction));
   const auto size = static_cast<double>(size_of(world, hit.triangle));
   const glm::dvec3 rounding = rounding_of(corners, corners, world.origin, size);
-  // Limits the reach for planes seen edge-on to 64 times their distance.
+  // Limits the reach for planes seen edge-on to 64 times that from the front.
   constexpr double least_cosine = 1.0 / 64.0;
   const double across = std::abs(glm::dot(normal, glm::dvec3(ray.direction)));
   const double apart = length > 0.0 ? glm::dot(glm::abs(normal), rounding) / length : 0.0;

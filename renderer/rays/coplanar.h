@@ -39,8 +39,9 @@ struct Coplanar {
 /// a triangle.
 [[nodiscard]] float reach_of_hit(const World& world, const Ray& ray, const Hit& hit);
 
-/// Returns whether the first of two hits in the same place is in front. Blended and cut-out
-/// surfaces are in front of opaque ones; within a kind the later primitive of the file is.
+/// Returns whether hit `a` is in front of hit `b` in the same place. Blended and cut-out surfaces
+/// are in front of opaque ones; of two surfaces of one kind, the later primitive of the file is in
+/// front.
 [[nodiscard]] bool in_front(const World& world, const Hit& a, const Hit& b);
 
 /// The filter of a context that collects all hits into Context::met, and keeps none.

@@ -73,8 +73,8 @@ class EmbreeScene {
   [[nodiscard]] RTCScene scene_of_mesh(const World& mesh, Group& group,
                                        const RenderFeatures& forced, RTCBuildQuality quality);
 
-  // Three kinds, then the three of lights' own parts, then the same for faces of shapes, then three
-  // kinds of lines and points.
+  // Meshes: three kinds of surfaces, then these kinds of lights' own parts. Then six such groups
+  // for faces of shapes, then three kinds of lines and points.
   std::array<Group, Geometries::group_count> groups_;
   std::vector<Group> mesh_groups_;  // of shared meshes
   Sides sides_;
@@ -82,8 +82,8 @@ class EmbreeScene {
   bool see_through_ = false;
   bool volumes_ = false;
   float scale_ = 1.0f;
-  const float* corners_ = nullptr;  // the world's, if they need no copy
-  std::vector<float> vertices_;     // else
+  const float* corners_ = nullptr;  // vertices: the world's, or a copy
+  std::vector<float> vertices_;     // the copy, if needed
   Errors errors_;
   std::atomic<std::int64_t> device_bytes_{0};
   RTCDevice device_ = nullptr;

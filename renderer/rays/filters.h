@@ -43,7 +43,7 @@ struct Group {
   const World* world = nullptr;
   Transparency open;
   SurfaceKind kind = SurfaceKind::opaque;
-  bool owned = false;  ///< its parts are surfaces of lights
+  bool owned = false;  ///< holds the surfaces of lights
   std::vector<std::uint32_t> triangles;
   float scale = 1.0f;       ///< EmbreeScene::scale
   bool shadowless = false;  ///< lines and points, which shadow queries ignore
@@ -61,10 +61,10 @@ struct Lanes {
   std::array<glm::vec3, most_lanes> transmittance;
   std::array<float, most_lanes> touched;  ///< distance of the first masked or blended surface that
                                           ///< is not outlined
-  std::array<float, most_lanes> masked;   ///< distance of the first masked surface
+  std::array<float, most_lanes> masked;   ///< distance of the first masked one of these
 
   // For volumes: extinction times distance, measured from the rays' starts, added where rays leave
-  // and subtracted where they enter; and the extinction of those entered but not left.
+  // and subtracted where they enter; and the extinction of volumes that were entered but not left.
   std::array<glm::vec3, most_lanes> depth;
   std::array<glm::vec3, most_lanes> entered;
 

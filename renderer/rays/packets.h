@@ -126,7 +126,8 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
   }
 }
 
-/// Finds out whether anything blocks the rays. Calls `store(i, lane, blocked)`, as above.
+/// Tests whether anything blocks the rays. Calls `store(i, lane, blocked)`, as intersect_packets
+/// does.
 template <int width, typename Store>
 void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays, Store store) {
   constexpr std::size_t lanes = width;
@@ -149,7 +150,7 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
   }
 }
 
-/// Copies `lanes` numbers together.
+/// Copies `lanes` numbers, times `scale`.
 template <std::size_t lanes>
 void copy_scaled(const float* __restrict from, float scale, float* __restrict to) {
   for (std::size_t i = 0; i < lanes; ++i) to[i] = from[i] * scale;
@@ -186,7 +187,7 @@ void load(Rays& query, std::array<int, lanes>& valid, const RayArrays& rays, std
   }
 }
 
-/// The same for rays as arrays.
+/// Does so for rays in arrays.
 template <int width, typename Store>
 void occlude_packets(RTCScene scene, Context& context, const RayArrays& rays, Store store) {
   constexpr std::size_t lanes = width;

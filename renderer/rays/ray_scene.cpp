@@ -40,7 +40,7 @@ struct RayScene::Impl {
     });
   }
 
-  /// `rays`: one after the other, or as arrays.
+  /// `rays`: a span of rays, or arrays by member.
   template <typename Rays>
   void transmittance(const Rays& rays, std::size_t count, std::span<glm::vec3> shares,
                      std::int32_t ignored_part) const {

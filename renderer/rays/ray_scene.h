@@ -64,7 +64,7 @@ struct Blocker {
   /// itself), even at a hole. Then nearby rays may have another result without a surface outline in
   /// between. Masked surfaces with known cut-out outlines do not count.
   bool see_through = false;
-  /// The same for masked materials only.
+  /// See-through by masked materials.
   bool cut_out = false;
 };
 
@@ -108,7 +108,8 @@ class RayScene {
 
   /// Returns whether a hit's triangle is coplanar with one of another part, and overlaps it.
   [[nodiscard]] bool is_coplanar(const Hit& hit) const;
-  /// Finds all surfaces at the place of such a hit, from front to back, including the hit itself.
+  /// Finds all surfaces at the place of a coplanar hit, from front to back, including the hit
+  /// itself.
   void in_place(const Ray& ray, const Hit& hit, Culling faces, std::vector<Hit>& met) const;
 
   /// Computes the fraction of light that passes straight along each ray, 0 (blocked) to 1 by

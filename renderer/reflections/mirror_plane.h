@@ -10,8 +10,8 @@ namespace asos {
 
 /// The plane of a flat mirror. Reflected rays leave it and never hit it again.
 struct MirrorPlane {
-  HalfSpace above;  ///< the side to which they lead; unit normal
-  /// Largest height above it at which rounding may give a hit with a surface in it.
+  HalfSpace above;  ///< the side to which reflected rays lead; unit normal
+  /// Largest height above the plane of a ray's hit with a surface in it, because of rounding.
   double hit_tolerance = 0.0;
 };
 

@@ -33,8 +33,8 @@ void take_plane(const World& world, const Hit& hit, double ray_length, MirrorSur
   surface.clearance = std::min(surface.clearance, rounding);
 }
 
-// Returns the height of a concave surface at half of either edge, to second order and with a margin
-// for higher orders. There the normals lean towards each other.
+// Returns the height of a concave surface at the patch's corners, to second order and with a margin
+// for higher orders. The normals of a concave surface lean towards each other.
 double hollow_rise(const MirrorPatch& patch, glm::dvec3 turn_right, glm::dvec3 turn_down) {
   const double along_right = glm::dot(turn_right, patch.right);
   const double along_down = glm::dot(turn_down, patch.down);

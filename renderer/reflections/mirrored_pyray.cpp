@@ -66,8 +66,8 @@ double share_of(glm::dvec3 edge, glm::dvec3 wide) {
   return length > 0.0 ? std::min(1.0, glm::length(edge) / length) : 1.0;
 }
 
-// Replaces the patch across the reflected axis by the pyray's own edges, mirrored. At very steep
-// views, the patch itself is shortened.
+// Returns the pyray's own edges at the surface, mirrored. They replace the patch, which is
+// shortened at very steep views.
 MirrorPatch mirrored_patch(const IncidentPyray& pyray, const MirrorSurface& surface) {
   const double scale = pyray.perspective ? pyray.distance : 1.0;
   return {scale * carried(pyray.right, surface), scale * carried(pyray.down, surface)};

@@ -11,22 +11,22 @@ namespace asos {
 /// A pyray that hits a surface: the part of a picture that a leaf or a sample represents.
 struct IncidentPyray {
   bool perspective = true;
-  glm::dvec3 axis{0, 0, -1};  ///< from the apex through its centre, `forward` one unit ahead
-  glm::dvec3 right{0.0};      ///< its edges one unit ahead; for parallel rays, anywhere
+  glm::dvec3 axis{0, 0, -1};  ///< from the apex through the pyray's centre, to depth 1
+  glm::dvec3 right{0.0};      ///< the pyray's edges one unit ahead; for parallel rays, anywhere
   glm::dvec3 down{0.0};
   double distance = 0.0;  ///< factor of the axis from the apex to the surface
 };
 
-/// The surface where the axis hits it.
+/// The surface at the hit of the axis.
 struct MirrorSurface {
   glm::dvec3 position{0.0};
   glm::dvec3 normal{0, 0, 1};     ///< unit normal of the reflection, towards the viewer
   glm::dvec3 geometric{0, 0, 1};  ///< unit normal of the plane that reflected rays have to leave
-  double clearance = 0.0;         ///< height above that plane at which they start
+  double clearance = 0.0;         ///< height above that plane at which reflected rays start
   double hit_tolerance = 0.0;     ///< as MirrorPlane's; 0: not a plane
   double rise = 0.0;   ///< height of a concave surface at the corners of the pyray's patch
-  double fall = 0.0;   ///< depth of a convex surface there
-  double ratio = 0.0;  ///< ratio of the indices before and behind it for refraction; 0: reflection
+  double fall = 0.0;   ///< depth of a convex surface at these corners
+  double ratio = 0.0;  ///< ratio of the indices before and behind the surface; 0: reflection
   glm::dvec3 turn_right{0.0};  ///< turn of the unit normal across the pyray's patch; 0: flat
   glm::dvec3 turn_down{0.0};
 
@@ -43,7 +43,8 @@ struct MirrorLobe {
   double width = 0.0;
 };
 
-/// Returns the surface for refracted rays, by Snell's law: the side below it is the side above.
+/// Returns the surface for refracted rays, by Snell's law. Its sides are swapped: the rays leave
+/// below it.
 [[nodiscard]] MirrorSurface refracting(MirrorSurface surface, double ratio);
 
 /// Returns the part of a vector perpendicular to a unit axis.
@@ -77,7 +78,8 @@ struct MirrorPatch {
 struct MirroredPyray {
   PyrayPicture picture;
   double apex_distance = 0.0;  ///< from the apex to the surface; infinite: parallel rays
-  /// Fraction of the pyray's width far from the surface that is not the lobe's: right and down.
+  /// Fraction of the pyray's width, far from the surface, that it has without the lobe: right and
+  /// down.
   glm::dvec2 sharp_share{1.0};
 };
 

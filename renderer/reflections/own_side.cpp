@@ -8,8 +8,8 @@
 namespace asos {
 namespace {
 
-// A ray that grazes facets hits fewer than this. A mesh whose triangles have mixed windings has
-// more.
+// A ray that grazes facets has fewer such hits than this. With mixed windings of triangles, it may
+// have more.
 constexpr int most_passed = 16;
 
 bool met_own_side(const VolumePath& passage, const World& world, const Ray& ray, const Hit& hit) {

@@ -8,9 +8,9 @@
 
 namespace asos {
 
-/// Finds nearest hits of rays that left a volume's boundary, skipping the boundary's part on the
-/// side that they cannot hit before its other side. Curved boundaries of flat triangles have such
-/// hits where rays leave them. Each of `hits` is the nearest of its ray.
+/// Finds nearest hits of rays that left a volume's boundary. Skips hits of the boundary from the
+/// side that a ray cannot reach without crossing the boundary first. Flat triangles of a curved
+/// boundary give such hits where rays leave. Each of `hits` is the nearest of its ray.
 void pass_own_side(const VolumePath& passage, const World& world, const RayScene& scene,
                    Culling faces, std::span<const Ray> rays, std::span<Hit> hits);
 

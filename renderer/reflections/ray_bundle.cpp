@@ -10,8 +10,8 @@
 namespace asos {
 namespace {
 
-// Limits of a pyramid's size at the surface, relative to its size at `t`. Near 0 it would begin at
-// the surface itself, and near 1 its apex would exceed the range of doubles.
+// Limits of a pyramid's size at the surface, relative to its size at `t`. Near 0 the apex would lie
+// on the surface, and near 1 it would exceed the range of doubles.
 constexpr double least_share = 1.0 / 64.0;
 constexpr double most_share = 63.0 / 64.0;
 
@@ -276,8 +276,8 @@ std::optional<MirroredPyray> pyramid_around(const RayBundle& bundle, const Mirro
                                  : (of_right + of_down) / (right2 + down2);
   const double share = std::clamp(fitting, least_share, most_share);
   const double before = t * share / (1.0 - share);
-  // At the surface the pyramid is completely sharp. Far away its sharpness is such that it is right
-  // at `t`.
+  // The pyramid is completely sharp at the surface. Choose its sharpness far away so that it is
+  // right at `t`.
   if (blurred) out.sharp_share = glm::clamp((out.sharp_share - share) / (1.0 - share), 0.0, 1.0);
 
   out.apex_distance = before;

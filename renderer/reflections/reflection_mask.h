@@ -16,7 +16,7 @@ namespace asos {
 /// The blur kernel of a pyray as a function of depth. At the mirror, the whole width is the pyray's
 /// own patch; far away, most of it is the lobe's.
 struct BlurByDepth {
-  glm::dvec2 far_share{1.0};   ///< fraction of the width that is not the lobe's, far away
+  glm::dvec2 far_share{1.0};   ///< fraction of the width without the lobe, far away
   double apex_distance = 0.0;  ///< from the apex to the mirror
   double start = 0.0;          ///< from the apex to the origin of distances
 

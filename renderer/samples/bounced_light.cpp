@@ -47,7 +47,7 @@ void BouncedLight::follow(std::span<const SkyRay> rays, SampledLights& lights, R
     places_->start_pixel(from.sample.x, from.sample.y);
     places_->start_sample(from.sample.index);
     ViewedRay seen{from.ray, hits_[i]};
-    // No reflections are followed there, and lights are sampled separately.
+    // No reflections are followed at the hit, and lights are sampled separately.
     seen.bounces = std::max(1, shader_->reflections());
     seen.hides_lights = seen.diffuse = true;
     const SampledLights::Waiting before = lights.waiting();

@@ -13,15 +13,15 @@
 
 namespace asos {
 
-/// Computes the light from all surroundings of a surface with one bounce. It is the sky's radiance,
-/// or that of an occluder: its diffuse reflection of direct light from lights and the sky.
+/// Computes the light from all surroundings of a surface with one bounce: along each ray the sky's
+/// radiance, or an occluder's diffuse reflection of direct light from lights and the sky.
 class BouncedLight {
  public:
   /// All arguments have to outlive this.
   BouncedLight(const RenderScene& scene, const Shader& shader, PixelSampler& places)
       : scene_(&scene), shader_(&shader), places_(&places) {}
 
-  /// Adds the radiance along the rays to their sums. Lights and sky at their hits are deferred in
+  /// Adds the radiance along the rays to the rays' sums. Lights and sky at the hits are deferred in
   /// `lights`. Changes the current sample of `places`.
   void follow(std::span<const SkyRay> rays, SampledLights& lights, RadianceSums sums,
               RenderStatistics& counts);

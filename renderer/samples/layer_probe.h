@@ -11,13 +11,13 @@
 namespace asos {
 
 /// Evaluates the surface layers that the settings ask for where an eye ray meets its nearest
-/// surface. Blended surfaces count as a whole, but for alpha. Thread-compatible.
+/// surface. Blended surfaces count as opaque, except in the alpha layer. Thread-compatible.
 class LayerProbe {
  public:
   /// `scene` and `viewer` have to outlive this.
   LayerProbe(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings);
 
-  /// `seen`: the ray, its hit, and the square that it stands for.
+  /// `seen`: the ray, its hit, and the square of the picture that the ray represents.
   [[nodiscard]] LayerSample at(const ViewedRay& seen, RenderStatistics& counts) const;
 
  private:

@@ -23,7 +23,7 @@ class LightSelection {
   /// Largest average number of shadow rays per point if there are more lights.
   static constexpr float rays_a_point = 4.0f;
 
-  /// Picks lights for all points. `at` is each point's random number, of 2^32.
+  /// Picks lights for all points. `at` is each point's random number, a 32-bit fraction.
   void pick(const LightTable& lights, const ShadingPoints& points,
             const LightPointBatch::Fractions& at, float a_point = rays_a_point);
 

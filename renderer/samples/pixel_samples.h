@@ -49,7 +49,7 @@ class PixelSamples {
   int taken_ = 0;
   std::vector<SampleSums::Sum> sums_;
   std::vector<float> moved_;
-  LayerSet asked_;                // by the job
+  LayerSet asked_;                // the job's layers
   std::vector<LayerSum> layers_;  // one a pixel; none where no surface layer is asked for
   RenderStatistics statistics_;
 };

@@ -10,8 +10,8 @@ namespace asos {
 namespace {
 
 // Side of a sample's footprint, relative to the square that the sample represents; colours use
-// colour_side. Many samples need no smoothing. With squares as large as theirs, the smoothing of
-// highlights (PatchLobe) is up to twice too bright at grazing angles.
+// colour_side. Many samples need no smoothing. Footprints as large as the square would make
+// smoothed highlights (PatchLobe) up to twice too bright at grazing angles.
 constexpr float footprint_share = 0.25f;
 
 constexpr auto parts = static_cast<std::uint32_t>(SequentialMean::parts);

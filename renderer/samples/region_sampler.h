@@ -148,7 +148,7 @@ class RegionSampler::Open {
   friend class RegionSampler;
   std::vector<Waiting> waiting_;
   std::vector<BorderEdge> borders_;
-  std::vector<SampleSums::Sum> sums_;  // as many of each as it has
+  std::vector<SampleSums::Sum> sums_;  // the sums that each region uses
   std::vector<LayerSum> layers_;       // one a region, or none
 };
 

@@ -34,7 +34,7 @@ class PixelSampler : public LightSamplePoints {
 
   /// From now on samples have times while the shutter is open, too.
   virtual void use_time() {}
-  /// When the sample under way looks, in [0, 1) from the shutter's opening to its closing.
+  /// Returns the current sample's time, in [0, 1) from the shutter's opening to its closing.
   [[nodiscard]] virtual double in_time() const = 0;
 
   using LightSamplePoints::on_light;
@@ -67,10 +67,10 @@ inline constexpr float colour_side = 0.75f;
 /// the rounds of PixelSamples. Each sample represents an equal part of the pixel's area.
 [[nodiscard]] BlockResult sample_block(const BlockJob& job, PixelSampler& places, int samples);
 
-/// n x n strata of the pixel and of time, and for the lens and each light another assignment of its
-/// own n x n strata to the samples, seeded by pixel: a sample in the middle of each stratum, or
-/// anywhere in it. Samples go from stratum to stratum so that the first few are spread over the
-/// pixel as well.
+/// Samples n x n strata of the pixel. The lens, the time and each light have their own n x n
+/// strata, assigned to the samples in another order, seeded by pixel. A sample lies in the middle
+/// of its stratum, or anywhere in it. Samples go from stratum to stratum so that the first few are
+/// spread over the pixel as well.
 class GridSampler final : public PixelSampler {
  public:
   GridSampler(int n, bool jittered);
@@ -93,7 +93,7 @@ class GridSampler final : public PixelSampler {
     RandomPair place;
   };
   [[nodiscard]] Stratum stratum(std::uint32_t stream) const;
-  /// A place in the strata, likewise.
+  /// Returns a place in the unit square, in the stratum of a stream.
   [[nodiscard]] glm::dvec2 in_strata(std::uint32_t stream) const;
 
   int n_;

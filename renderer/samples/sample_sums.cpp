@@ -14,7 +14,7 @@
 
 namespace asos {
 
-/// Made moment by moment, as samples ask for them.
+/// One SampleSums per moment, made for the first sample at that moment.
 struct SampleSums::Moving {
   const MovingPicture* picture;
   const RenderSettings* settings;
@@ -157,7 +157,7 @@ void SampleSums::cast_rays() {
   (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
 }
 
-// The layers of the samples that wait.
+// Adds the layers of the waiting samples.
 void SampleSums::add_layers() {
   if (!probe_) probe_.emplace(*scene_, viewer_, *layer_settings_);
   for (std::size_t i = 0; i < used_; ++i) {

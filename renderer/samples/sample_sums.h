@@ -41,8 +41,8 @@ class SampleSums {
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              PixelSampler& places);
-  /// What samples are summed up of: all of their radiance, what the lobes of the first surfaces
-  /// mirror and no other part of it, or only layers: those samples cast their eye rays alone.
+  /// The summed part of the samples' radiance: all of it, only the reflections by lobes of the
+  /// first surfaces, or none (`layers`: samples only cast eye rays).
   enum class SummedRadiance { all, lobes, layers };
   /// For any viewer of the scene; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
@@ -68,7 +68,7 @@ class SampleSums {
   /// sample of the places.
   bool add(const PointSample& sample) {
     if (moving_) return add_moving(sample);
-    // Member by member: a copy as a whole would wait for what was just written in parts.
+    // Copy member by member: a copy of the whole would stall on the narrower stores just before it.
     PointSample& place = samples_[used_];
     points_[used_].x = place.at.x = sample.at.x;
     points_[used_].y = place.at.y = sample.at.y;

@@ -22,7 +22,7 @@
 
 namespace asos {
 
-/// A sample's target sum and its weight in it.
+/// The sum to which a sample is added, and the sample's weight in it.
 struct SampleWeight {
   SumTarget target;
   glm::vec3 weight{1.0f};
@@ -31,7 +31,7 @@ struct SampleWeight {
 /// A ray to the sky or to its occluder.
 struct SkyRay {
   Ray ray;
-  glm::vec3 weight{1.0f};  ///< weight of the radiance along it in that of its sample
+  glm::vec3 weight{1.0f};  ///< weight of the ray's radiance in its sample
   SampleIndex sample;
   SumTarget target;  ///< the sample's
 };
@@ -68,7 +68,7 @@ class SampledLights {
   void gathered(std::size_t points);
   /// Returns whether there are so many lights that points select some of them.
   [[nodiscard]] bool picks_lights() const { return lights_with_rays_ > LightSelection::few_lights; }
-  /// Returns the current sample's random number for selecting lights, of 2^32.
+  /// Returns the current sample's random number for selecting lights, a 32-bit fraction.
   [[nodiscard]] std::uint32_t pick_place() const;
 
   /// Returns whether `gather` handles all of these lights.
@@ -85,7 +85,7 @@ class SampledLights {
   /// current sample's for this lobe. An occluder blocks the sky.
   void add_sky(const SkyQuery& point, const SampleWeight& share, RenderStatistics& counts,
                int lobe = lobe_of_sky);
-  /// Adds the same ray, but defers it for a caller that evaluates its hit.
+  /// Adds the ray of add_sky, but defers it for a caller that evaluates its hit.
   void add_sky_ray(const SkyQuery& point, const SampleIndex& sample, const SampleWeight& share,
                    RenderStatistics& counts);
   [[nodiscard]] std::vector<SkyRay> take_sky_rays() { return std::exchange(sky_rays_, {}); }
@@ -102,7 +102,7 @@ class SampledLights {
   /// Shades and traces all waiting items and adds the results. Changes the current sample of the
   /// places.
   void trace(RadianceSums sums, RenderStatistics& counts);
-  /// The same if all waiting items came by `add`, which has counted them.
+  /// As above, if all waiting items came by `add`, which has counted them.
   void trace(RadianceSums sums);
 
  private:
@@ -137,7 +137,7 @@ class SampledLights {
   bool shadows_ = true;  // the same for all points
   std::size_t lights_with_rays_ = 0;
   std::size_t points_ = 0;
-  std::vector<CachedPtr<Gathered>> batches_;  // all full except the last of `points_`
+  std::vector<CachedPtr<Gathered>> batches_;  // all full, except the one with the last point
   LightPointBatch on_light_;
   LobeBatch lobe_;
   WideLights wide_;

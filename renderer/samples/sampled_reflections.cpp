@@ -76,7 +76,7 @@ void SampledReflections::add(const Reflection& reflection, const PointSample& sa
 }
 
 // Russian roulette (Arvo and Kirk 1990, "Particle transport and image synthesis"). Returns the
-// probability that a ray of that weight continues; its weight is divided by it. 0: it ends.
+// probability by which to divide the weight of a ray that continues; 0: the ray ends.
 float SampledReflections::chance(const Reflection& reflection, glm::vec3 weight) const {
   const float most = largest(weight);
   if (!(most < least_followed)) return 1.0f;

@@ -30,7 +30,7 @@ struct PointSample {
 /// A ray that continues a sample after a reflection.
 struct ReflectedSample {
   PointSample sample;
-  glm::vec3 weight{1.0f};  ///< weight of its radiance in the sample's
+  glm::vec3 weight{1.0f};  ///< weight of the ray's radiance in its sample
   Ray ray;
   PixelSpacing spacing;
   float side = 1.0f;

@@ -25,7 +25,7 @@ class SimdSamples {
 
   /// See SampleSums.
   void widen_colours(float times) { colours_ = times; }
-  /// Adds the hit of ray number `index` to the batch. Returns false if it is not plain.
+  /// Adds the hit of ray number `index` to the batch. Returns false if the hit needs Shader.
   [[nodiscard]] bool add(std::size_t index, const Ray& ray, const Hit& hit, float side);
   [[nodiscard]] std::size_t count() const { return arrays_ ? arrays_->hits.count : 0; }
   /// Returns the number of point i's ray.
@@ -87,7 +87,7 @@ class SimdSamples {
   bool usable_;
   bool reflections_;
   float roughest_mirror_;
-  bool same_sky_;                 // all over
+  bool same_sky_;                 // the same in all directions
   glm::vec3 sky_radiance_{0.0f};  // of such a sky
   std::optional<glm::vec3> background_;
   float colours_ = 1.0f;

@@ -34,7 +34,7 @@ bool wider_than_lobe(const PreparedLight& light, const ShadingPoints& points) {
   return shown.half_angle_tangent > points.alpha[i];
 }
 
-// Returns a number, of 2^32, that is distributed evenly over samples and lights.
+// Returns a 32-bit fraction that is distributed evenly over samples and lights.
 std::uint32_t chance(const SampleIndex& sample, std::uint32_t light) {
   const auto half = [](std::uint32_t high, std::uint32_t low) {
     return static_cast<std::uint64_t>(high) << 32 | low;

@@ -16,8 +16,8 @@ namespace asos {
 inline constexpr std::uint32_t place_in_lobe = 0x3000;
 
 /// Keeps one ray per point out of several, with a probability proportional to its contribution. The
-/// kept ray contributes `share` of their total. `at` is each point's random number, of 2^32;
-/// `walked` is scratch. `kept` must not be one of `rays`.
+/// kept ray contributes `share` of their total. `at` is each point's random number, a 32-bit
+/// fraction; `walked` is scratch. `kept` must not be one of `rays`.
 void pick_one(std::size_t points, std::span<const ShadowRayBatch> rays,
               const LightPointBatch::Fractions& at, float share, std::vector<float>& walked,
               ShadowRayBatch& kept);

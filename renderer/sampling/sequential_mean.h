@@ -12,8 +12,7 @@
 
 namespace asos {
 
-/// When a mean that is sampled in rounds is accurate enough. Each round doubles the number of
-/// samples.
+/// The stopping rule of a mean that is sampled in rounds. Each round doubles the number of samples.
 struct SamplingGoal {
   double standard_error = 0.0;  ///< allowed error; negative: take `most`
   std::uint32_t least = 16;     ///< samples of the first round, at most `most`
@@ -99,7 +98,7 @@ class SequentialMean {
     return std::sqrt(squares / (1.0 - weights2));
   }
 
-  /// With fewer parts, they agree by chance too often, which ends sampling too early.
+  /// Fewer parts agree by chance too often, which ends sampling too early.
   static constexpr std::size_t parts = 8;
   /// Number of stored sums: with more samples, each sum has more of them.
   static constexpr std::size_t most_sums = 2 * parts;

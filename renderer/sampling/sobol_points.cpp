@@ -122,7 +122,7 @@ SobolPixel::Seeds SobolPixel::light_seeds(std::uint32_t light) const {
 }
 
 glm::dvec2 SobolPixel::lobe(std::uint32_t index, std::uint32_t bounce) const {
-  // Far from the lights' own seeds.
+  // Far from the streams of the lights.
   const std::uint32_t stream = 0x80000000u + bounce;
   const std::uint32_t own = owen_scramble(index, seed_of(key_, stream, 0));
   return light(own, stream);

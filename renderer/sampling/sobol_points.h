@@ -67,11 +67,12 @@ class SobolPixel {
   /// dimensions 2 and 3, so that pixel and lens together are a net. Lights then use `shuffled`
   /// indices.
   [[nodiscard]] glm::dvec2 lens(std::uint32_t index) const;
-  /// When sample `index` looks while the shutter is open, in [0, 1): dimension 2, so that pixel and
-  /// time together are a net; `beside_lens`, which has that dimension: of another order of points.
+  /// Returns the time of sample `index` while the shutter is open, in [0, 1). It has dimension 2,
+  /// so that pixel and time together are a net. With `beside_lens`, the lens has that dimension,
+  /// and the time uses another order of points.
   [[nodiscard]] double time(std::uint32_t index, bool beside_lens) const;
-  /// An order of points for what shares dimensions with lens or time; aligned runs of 2^m indices
-  /// stay such runs.
+  /// Returns the index in another order of points, for samples that share dimensions with lens or
+  /// time. Aligned runs of 2^m indices stay such runs.
   [[nodiscard]] std::uint32_t shuffled(std::uint32_t index) const;
 
   /// The scrambling seeds, for callers that scramble many places. `pixel` is owen_scramble of

@@ -7,8 +7,8 @@
 
 namespace asos {
 
-/// A moment of one of a file's animations. Before its first key and after its last one nothing
-/// moves.
+/// A moment of an animation of a file. Before the animation's first key and after its last one
+/// nothing moves.
 struct ClipTime {
   int animation = 0;     ///< index into SceneContents::animations
   double seconds = 0.0;  ///< at least 0
@@ -44,7 +44,7 @@ struct SceneContents {
   std::vector<Animation> animations;
   std::vector<Skin> skins;
   std::vector<Morph> morphs;
-  std::vector<std::string> scenes;    ///< the file's
+  std::vector<std::string> scenes;    ///< names of the file's scenes
   int shown_scene = -1;               ///< index into `scenes`; -1: all nodes
   int default_scene = -1;             ///< the one that is shown by default
   std::vector<std::string> variants;  ///< KHR_materials_variants

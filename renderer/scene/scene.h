@@ -86,9 +86,9 @@ struct Dfr {
 struct Clearcoat {
   float factor = 0.0f;  ///< 0 to 1; 0: no coat
   float roughness = 0.0f;
-  TextureUse texture;            ///< R of `factor`, linear
+  TextureUse texture;            ///< R scales `factor`, linear
   TextureUse roughness_texture;  ///< G, linear
-  TextureUse normal_texture;     ///< its own: the material's normal map is not the coat's
+  TextureUse normal_texture;     ///< the coat's own; the material's normal map does not affect it
 
   bool operator==(const Clearcoat&) const = default;
 };
@@ -99,7 +99,7 @@ struct Sheen {
   glm::vec3 color{0.0f};  ///< linear, 0 to 1; black: no sheen
   float roughness = 0.0f;
   TextureUse color_texture;      ///< sRGB
-  TextureUse roughness_texture;  ///< A, linear
+  TextureUse roughness_texture;  ///< A scales `roughness`, linear
 
   [[nodiscard]] bool used() const { return color != glm::vec3(0.0f); }
   bool operator==(const Sheen&) const = default;
@@ -112,7 +112,7 @@ struct Iridescence {
   float ior = 1.3f;
   float thickness_min_nm = 100.0f;
   float thickness_max_nm = 400.0f;  ///< used if there is no texture
-  TextureUse texture;               ///< R of `factor`, linear
+  TextureUse texture;               ///< R scales `factor`, linear
   TextureUse thickness_texture;     ///< G, linear: from the minimum to the maximum
 
   [[nodiscard]] bool used() const { return factor > 0.0f; }
@@ -123,8 +123,8 @@ struct Iridescence {
 /// highlights are elongated as on brushed metal.
 struct Anisotropy {
   float strength = 0.0f;      ///< 0 to 1; 0: isotropic
-  float rotation_rad = 0.0f;  ///< of that direction, counter-clockwise from the tangent
-  TextureUse texture;         ///< RG: the direction before the rotation, B of `strength`, linear
+  float rotation_rad = 0.0f;  ///< of the rougher direction, counter-clockwise from the tangent
+  TextureUse texture;         ///< RG: direction before the rotation, B scales `strength`; linear
 
   [[nodiscard]] bool used() const { return strength > 0.0f; }
   bool operator==(const Anisotropy&) const = default;
@@ -147,7 +147,7 @@ struct Volume {
 struct DiffuseTransmission {
   float factor = 0.0f;       ///< 0 to 1
   glm::vec3 color{1.0f};     ///< linear, 0 to 1
-  TextureUse texture;        ///< A of `factor`, linear
+  TextureUse texture;        ///< A scales `factor`, linear
   TextureUse color_texture;  ///< sRGB
 
   [[nodiscard]] bool used() const { return factor > 0.0f; }
@@ -177,9 +177,9 @@ struct Material {
   bool stroke = false;
   float ior = 1.5f;                ///< KHR_materials_ior
   float transmission = 0.0f;       ///< KHR_materials_transmission
-  float specular = 1.0f;           ///< KHR_materials_specular: of a dielectric's reflection, 0 to 1
-  glm::vec3 specular_color{1.0f};  ///< the same, linear, at normal incidence; may exceed 1
-  TextureUse specular_texture;     ///< A of `specular`, linear
+  float specular = 1.0f;           ///< KHR_materials_specular: scales dielectric reflection, 0 to 1
+  glm::vec3 specular_color{1.0f};  ///< scales it at normal incidence, linear; may exceed 1
+  TextureUse specular_texture;     ///< A scales `specular`, linear
   TextureUse specular_color_texture;  ///< sRGB
   TextureUse transmission_texture;    ///< R, linear
   Clearcoat coat;
@@ -223,12 +223,12 @@ struct Material {
 }
 
 /// Returns whether a thin wall blurs the transmitted view (KHR_materials_transmission). If a
-/// texture scales its roughness, parts of it may not.
+/// texture scales the roughness, parts of the wall may be clear.
 [[nodiscard]] inline bool is_frosted(const Material& m) {
   return !m.unlit && m.transmission > 0.0f && !(m.volume.thickness > 0.0f) && m.roughness > 0.0f;
 }
 
-/// Returns whether rays hit its back as well as its front.
+/// Returns whether rays hit a surface's back as well as its front.
 [[nodiscard]] inline bool shows_both_sides(const Material& m) {
   return m.double_sided || bounds_volume(m);
 }

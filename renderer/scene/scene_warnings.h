@@ -13,7 +13,7 @@ namespace asos {
 /// that are not shown, or shown differently.
 [[nodiscard]] std::vector<std::string> scene_warnings(const SceneNotes& notes);
 
-/// Returns the number of remarks, including those that the last warning only counts.
+/// Returns the number of warnings, including those that the last warning only counts.
 [[nodiscard]] std::uint64_t count_warnings(const SceneNotes& notes);
 
 /// Returns how a picture looks without a glTF extension; empty if unknown.

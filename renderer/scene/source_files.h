@@ -12,7 +12,7 @@ namespace asos {
 [[nodiscard]] std::vector<std::string> source_files(const std::string& source,
                                                     const std::string& asset_root = {});
 
-/// Returns whether a file at `path` can be one of them, without reading the scene.
+/// Returns whether a file at `path` can be one of source_files, without reading the scene.
 [[nodiscard]] bool may_be_source_file(const std::string& path, const std::string& source,
                                       const std::string& asset_root = {});
 

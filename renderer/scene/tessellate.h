@@ -6,7 +6,7 @@
 namespace asos {
 
 /// Returns the shape as a mesh with normals, for programs that do not support shapes: exact for a
-/// box, some thousand triangles for the others.
+/// box, 128 to 4,608 triangles for the others.
 [[nodiscard]] Mesh tessellated(const Shape& shape);
 
 }  // namespace asos

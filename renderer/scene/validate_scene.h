@@ -7,7 +7,7 @@
 
 namespace asos {
 
-/// The largest 32-bit count, less the marker for none.
+/// Largest number of vertices with 32-bit indices; the index 0xffffffff means none.
 inline constexpr std::uint64_t largest_vertex_count = 0xfffffffeu;
 
 /// Returns the first violated invariant of scene.h: indices in range, arrays of equal length, sizes

@@ -57,7 +57,7 @@ class Middles {
   [[nodiscard]] std::vector<LayerPlane> layers() const { return layers_.planes(); }
   /// Returns whether the ray through the centre of square i hit a surface.
   [[nodiscard]] bool met(std::size_t i) const { return sums_.hit(i).valid(); }
-  /// Returns whether it hit an unlit surface.
+  /// Returns whether the ray of square i hit an unlit surface.
   [[nodiscard]] bool met_unlit(std::size_t i) const {
     return met(i) && world_.material_of(sums_.hit(i).triangle).unlit;
   }

@@ -65,7 +65,7 @@ double CostForecast::left_by_likeness(const PassCosts& pass, const Guide& guide)
   }
   const std::size_t done = sums.size() - 1, taken = std::min(done, nearest);
   const double known = guide.known * static_cast<double>(nearest - taken) / nearest;
-  // Forecast the others.
+  // Forecast the blocks that are not done.
   double left = 0.0;
   std::size_t below = 0;  // done blocks before this one
   for (const std::uint32_t block : alike_) {
@@ -82,7 +82,7 @@ double CostForecast::left_by_likeness(const PassCosts& pass, const Guide& guide)
 }
 
 std::optional<double> CostForecast::seconds_left() const {
-  // The prior ratio has the weight of so many blocks.
+  // The prior ratio weighs as much as this many blocks.
   constexpr double blocks_of_growth = 4.0;
   const PassCosts* before = nullptr;
   double growth = 1.0;      // from the pass `before` to this one

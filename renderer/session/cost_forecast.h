@@ -30,7 +30,7 @@ class CostForecast {
   void leave_out(std::size_t pass);
 
   [[nodiscard]] double seconds_done() const { return done_; }
-  /// None before the first block is done.
+  /// Returns the forecast; none before the first block is done.
   [[nodiscard]] std::optional<double> seconds_left() const;
 
  private:
@@ -50,8 +50,8 @@ class CostForecast {
       return all > 0.0 ? (here + growth * known) / all : 0.0;
     }
   };
-  /// The data for forecasting the rest of a pass. `known`: work of the pass before that is weighted
-  /// with the prior `growth`.
+  /// The data for forecasting the rest of a pass. `known` is the weight of the prior `growth`, as
+  /// work of the pass before.
   struct Guide {
     const PassCosts& before;
     double all_before = 0.0;

@@ -47,7 +47,7 @@ std::optional<RenderResult> FilmRender::render(
   };
   auto next_report = Clock::now() + report_step;
   for (bool finished = false; !finished;) {
-    // Before the tiles are taken: these then include all that was published up to the end.
+    // Read before the tiles are taken, which then include everything published up to the end.
     const Progress progress = session_.progress();
     if ((go_on && !go_on()) || progress.failed) {
       session_.cancel();

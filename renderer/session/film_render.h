@@ -10,8 +10,8 @@
 
 namespace asos {
 
-/// Renders snapshots one after the other, each into a film that the calling thread waits for: the
-/// loop of all that render without a window.
+/// Renders snapshots one after the other, each into a film that the calling thread waits for: used
+/// by everything that renders without a window.
 class FilmRender {
  public:
   FilmRender();

@@ -9,11 +9,12 @@
 namespace asos {
 namespace {
 
-// One block in so many is part of the trial, and at most so many in all, to limit its time.
+// One block in blocks_a_trial is part of the trial, and at most most_tried in all, to limit its
+// time.
 constexpr std::size_t blocks_a_trial = 32;
 constexpr std::size_t most_tried = 48;
-// One block in so many is done in spread order instead of by its gain, so that the cost of the
-// remaining blocks can be forecast.
+// One block in blocks_a_spread is done in spread order instead of by its gain, so that the cost of
+// the remaining blocks can be forecast.
 constexpr std::size_t blocks_a_spread = 4;
 
 BlockJob job_of(const PlannedRender& render, std::size_t block, const std::stop_token& stop) {
@@ -111,8 +112,8 @@ bool FinalBlocks::work_trial(const PlannedRender& render, double enough, TileCol
   return finished_picture;
 }
 
-// Returns whether the consecutive finished blocks of the trial took enough time, or are all of it.
-// Under the mutex.
+// Returns whether the first finished blocks of the trial took more than enough_, or are the whole
+// trial. The caller holds mutex_.
 bool FinalBlocks::trial_is_over() const {
   double sum = 0.0;
   for (const double seconds : seconds_) {
@@ -181,7 +182,7 @@ bool FinalBlocks::work(const PlannedRender& render, TileCollector& tiles, RunClo
   return finish_all(render, tiles, clock, stop) || finished_picture;
 }
 
-// Runs once all blocks are started.
+// Waits until all blocks are started, then finishes them by falling gain.
 bool FinalBlocks::finish_all(const PlannedRender& render, TileCollector& tiles, RunClock& clock,
                              const std::stop_token& stop) {
   {

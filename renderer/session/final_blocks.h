@@ -53,7 +53,7 @@ class FinalBlocks {
   struct Started {
     std::size_t block = 0;
     std::unique_ptr<UnfinishedBlock> rest;
-    std::vector<glm::vec4> unlit;  // as of the tile
+    std::vector<glm::vec4> unlit;  // see FinishedTile::unlit
     double gain = 0.0;
     double seconds = 0.0;
   };

@@ -38,7 +38,7 @@ struct PlannedRender {
   std::optional<MovingPicture> motion;  ///< while the shutter is open; none: one moment
   WorkPlan plan;
   std::vector<std::size_t> group_order;  ///< of rounds of samples
-  /// Some surface may be: tiles hold the unlit part of pixels.
+  /// Some surface may be unlit: tiles hold the unlit part of pixels.
   bool unlit = false;
 };
 

@@ -25,7 +25,7 @@ constexpr double share_of_trial = 0.1;
 // Work of all blocks of ASOS relative to one sample per pixel: about the median over all test
 // scenes.
 constexpr double blocks_over_sample = 64.0;
-// The fraction of it in their first stage.
+// The fraction of that work in the blocks' first stage.
 constexpr double start_of_blocks = 0.6;
 
 // Returns the growth of the work from round to round, and from the last round to the blocks.
@@ -91,7 +91,7 @@ Reached RenderRun::reached() const {
   return reached;
 }
 
-// The picture is complete once its last tile is published; its user is notified.
+// Once the last tile is published, the picture is complete, and its user is notified.
 void RenderRun::count(bool finished_picture) {
   if (!finished_picture) return;
   clock_.complete();
@@ -120,7 +120,7 @@ void RenderRun::sample_first(const std::stop_token& stop) {
     samples_.put_what_moves_first(round);
   }
   if (stop.stop_requested()) return;
-  // All threads have left the rounds; only the first one here reads their samples.
+  // All threads have left the rounds; only the first thread here reads the samples.
   const std::lock_guard lock(mutex_);
   if (std::exchange(sampled_, true)) return;
   const std::vector<double> gain = samples_.moved(render_.plan);

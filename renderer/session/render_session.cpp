@@ -16,8 +16,8 @@ namespace asos {
 
 namespace {
 
-// Gives workers a lower priority than the window's thread. Otherwise its frames would wait for a
-// busy processor, and typing would lag.
+// Gives workers a lower priority than the window's thread. Otherwise the window's frames would wait
+// for a busy processor, and typing would lag.
 void give_way_to_window() {
   constexpr int steps_of_nice = 5;
   const id_t thread = static_cast<id_t>(gettid());

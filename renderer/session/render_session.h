@@ -27,7 +27,7 @@ struct Progress {
   bool running = false;  ///< and not paused
   bool paused = false;
   bool finished = false;  ///< every pixel is final
-  /// No more will be final: the search for the scene's boundaries failed.
+  /// No more pixels will become final: the search for the scene's boundaries failed.
   bool failed = false;
   double fraction = 0.0;       ///< of the work, 0 to 1, as forecast
   double seconds = 0.0;        ///< since restart, without pauses
@@ -77,7 +77,7 @@ class RenderSession {
 
   /// Cancels the present render, waits until no worker uses it, and starts the new one.
   void restart(Snapshot snapshot);
-  /// Pauses or resumes the final pass; the coarse passes continue. Also applies to later snapshots.
+  /// Pauses or resumes all but the coarse passes. Also applies to later snapshots.
   void pause();
   void resume();
   /// Stops and waits. Published tiles stay.

@@ -91,8 +91,8 @@ bool RunClock::wait_while_paused(const std::stop_token& stop) {
   return !stop.stop_requested();
 }
 
-// Under the mutex. Work that was done after the last forecast is taken off it. A forecast is made
-// anew after a while, and where much of it is done.
+// The caller holds the mutex. Subtracts the work done since the latest forecast. Forecasts again
+// after forecast_step, or once a quarter of the forecast work is done.
 std::optional<double> RunClock::work_left(Clock::time_point now) const {
   constexpr double most_of_it = 0.25;
   const double done = forecast_.seconds_done();
@@ -103,7 +103,7 @@ std::optional<double> RunClock::work_left(Clock::time_point now) const {
   return *made_->left - (done - made_->done);
 }
 
-// Under the mutex.
+// The caller holds the mutex.
 double RunClock::seconds_left(Clock::time_point now) const {
   if (complete_) return 0.0;
   if (pace_.empty() || closed_) return -1.0;

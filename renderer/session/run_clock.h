@@ -53,11 +53,11 @@ class RunClock {
     double seconds;  // processor time of all workers
   };
 
-  /// The forecast when it was last made: it looks at every block, and progress is asked for several
-  /// times in each frame.
+  /// The latest forecast. It is kept, since a forecast reads every block, and progress is queried
+  /// several times in each frame.
   struct Forecast {
-    std::optional<double> left;  // seconds of processors
-    double done = 0.0;           // the same, by then
+    std::optional<double> left;  // processor seconds
+    double done = 0.0;           // processor seconds done by then
     Clock::time_point time;
   };
 
@@ -70,10 +70,10 @@ class RunClock {
   std::condition_variable_any resumed_;
   std::atomic<bool> paused_ = false;  // changed under the mutex
   Clock::time_point paused_since_;
-  Clock::duration rested_{0};  // before
+  Clock::duration rested_{0};  // duration of earlier pauses
   CostForecast forecast_;
   mutable std::optional<Forecast> made_;  // none: something other than work has changed since
-  mutable double fraction_ = 0.0;         // that was told: it never goes back
+  mutable double fraction_ = 0.0;         // last reported; never decreases
   std::deque<Pace> pace_;                 // of the last seconds
   bool complete_ = false;
   bool failed_ = false;

@@ -44,8 +44,8 @@ SampleRounds::SampleRounds(const PlannedRender& render)
   if (shows_coverage(settings_)) settings_ = with_coverage(settings_);
 }
 
-// Renders all rounds of a group up to this one. Does nothing if other threads have already rendered
-// this round.
+// Renders the missing rounds of a group up to this one; other threads may have rendered them
+// already.
 std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, std::size_t group,
                                                  int samples, double& seconds,
                                                  const std::stop_token& stop) {
@@ -86,7 +86,7 @@ std::optional<BlockResult> SampleRounds::advance(const PlannedRender& render, st
   return result;
 }
 
-// Under the group's mutex.
+// The caller holds the group's mutex.
 void SampleRounds::drop_samples(Group& group) {
   group.done = true;
   group.pixels.reset();

@@ -18,8 +18,8 @@ namespace asos {
 
 /// The rounds of point samples that a picture begins with, group by group: 1, 2, 4 and so on per
 /// pixel. A method with the same number of samples in every pixel uses its own samples
-/// (MethodRow::places), and its picture is complete after the rounds. For other methods they are
-/// Sobol points. Any number of threads.
+/// (MethodRow::places), and its picture is complete after the rounds. For other methods the rounds
+/// use Sobol points. Any number of threads.
 class SampleRounds {
  public:
   /// Maximal number of rounds before the blocks of a method: up to 2^10 samples per pixel, while
@@ -57,7 +57,7 @@ class SampleRounds {
  private:
   struct Group {
     mutable std::mutex mutex;
-    bool done = false;  // nobody asks for its samples any more
+    bool done = false;  // its samples are no longer needed
     std::optional<PixelSamples> pixels;
     std::optional<PixelSamples> unlit_share, unlit_colour;
     double seconds = 0.0;

@@ -51,14 +51,14 @@ FinishedTile TileCollector::visible_part(FinishedTile&& tile) const {
   return seen == tile.rect ? std::move(tile) : part_of(tile, seen);
 }
 
-// Under the mutex.
+// The caller holds the mutex.
 void TileCollector::start(std::size_t block) {
   if (started_[block]) return;
   started_[block] = true;
   ++groups_[plan_->blocks[block].group].started_blocks;
 }
 
-// Under the mutex.
+// The caller holds the mutex.
 void TileCollector::put(FinishedTile&& tile) {
   tile.rect.x -= plan_->visible.x;
   tile.rect.y -= plan_->visible.y;
@@ -108,7 +108,7 @@ bool TileCollector::finish_block(std::size_t block, BlockResult&& result) {
   bool first = false, last = false;
   {
     const std::lock_guard lock(mutex_);
-    // Kept by block: unlike integers, its sum depends on the order.
+    // Kept per block: unlike integer counts, a floating-point sum depends on the order.
     unresolved_area_[block] = std::exchange(result.statistics.unresolved_area, 0.0);
     totals_ += result.statistics;
     GroupState& state = groups_[index];

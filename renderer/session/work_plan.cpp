@@ -38,10 +38,11 @@ std::uint64_t along_hilbert_curve(std::uint64_t side, std::uint64_t x, std::uint
   return along;
 }
 
-// Neighbours on a Hilbert curve are neighbours in the picture, unlike those on a ring.
+// Orders pieces along a Hilbert curve: its neighbours are neighbours in the picture, unlike those
+// on a ring of the plan.
 template <typename Pieces>
 std::vector<std::size_t> spread_over(const Pieces& pieces, int side) {
-  constexpr std::uint64_t squares = 1u << 13;  // of 8 pixels, in the largest picture and more
+  constexpr std::uint64_t squares = 1u << 13;  // 8-pixel squares per side: more than any picture
   std::vector<std::pair<std::uint64_t, std::size_t>> curve;
   curve.reserve(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {

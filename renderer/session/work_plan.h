@@ -40,7 +40,7 @@ struct WorkPlan {
   /// over the picture, so that finished work predicts the remaining work (CostForecast).
   [[nodiscard]] std::vector<std::size_t> spread_blocks() const;
   [[nodiscard]] std::vector<std::size_t> spread_groups() const;
-  /// Returns the blocks of groups in that order.
+  /// Returns the blocks of the groups, in the groups' order `order`.
   [[nodiscard]] std::vector<std::size_t> blocks_of(const std::vector<std::size_t>& order) const;
 };
 

@@ -65,9 +65,9 @@ enum class LightRule {
 /// The construction of the pyray that a curved surface reflects (CGF'98 section 5.2).
 enum class CurvedMirror {
   approximate,  ///< the pyramid nearest to the reflected corner rays (5.2.1)
-  tangent,      ///< as by the tangent plane at the pyray's axis (5.2.2)
-  supersample,  ///< the same, with each pyray split down to MAX first (5.2.3)
-  adaptive,     ///< the same, split if the reflected corners diverge too much (5.2.4)
+  tangent,      ///< reflected in the tangent plane at the pyray's axis (5.2.2)
+  supersample,  ///< tangent, with each pyray split down to MAX first (5.2.3)
+  adaptive,     ///< tangent, split if the reflected corners diverge too much (5.2.4)
 };
 
 /// Texture lookup. footprint: textures, and highlights on normal maps, are averaged over the

@@ -125,7 +125,7 @@ Result<RenderSettings> validated(const RenderSettings& s) {
   const PixelRect c = s.crop;
   const auto name = [&] { return fmt::format("{},{},{},{}", c.x, c.y, c.width, c.height); };
   if (c.empty()) return unexpected(Error{"crop", name() + " is empty"});
-  // As differences, which cannot overflow.
+  // Compare differences, which cannot overflow.
   if (c.x < 0 || c.y < 0 || c.width > s.width - c.x || c.height > s.height - c.y) {
     return unexpected(Error{"crop", fmt::format("{} does not lie within the picture of {} x {}",
                                                 name(), s.width, s.height)});

@@ -8,11 +8,13 @@
 
 namespace asos {
 
-// KHR_materials_anisotropy: the squared roughness of the lobe is the material's own across a
-// direction, and mix(that, 1, strength^2) along it ("Anisotropy"; its V is not clamped to 1 here).
+// KHR_materials_anisotropy: the lobe's alpha (roughness^2) is the material's across a direction,
+// and mix(alpha, 1, strength^2) along it. Unlike in the extension, the visibility term V is not
+// clamped to 1.
 
-/// Returns the values at a point with this texel. Red and green are the direction, which is then
-/// rotated; blue is the strength. A texel without a direction uses the tangent.
+/// Returns the anisotropy at a point with this texel of its texture. Red and green are the
+/// direction, which is then rotated; blue is the strength. A texel without a direction uses the
+/// tangent.
 [[nodiscard]] SurfaceAnisotropy anisotropy_of(const Anisotropy& material,
                                               glm::vec3 texel = {1.0f, 0.5f, 1.0f});
 
@@ -40,8 +42,8 @@ namespace asos {
 [[nodiscard]] float widest_roughness(const SurfaceMaterial& material);
 [[nodiscard]] float round_roughness(const ViewedMaterial& material);
 
-/// Returns the distance of a half vector from the normal, with the part along the stretch scaled
-/// down by the lobe's width there. Both vectors are unit.
+/// Returns the distance of a half vector from the normal. The part along the stretch is scaled by
+/// the ratio of the lobe's widths across and along it. Both vectors are unit.
 [[nodiscard]] float away_from_peak(glm::vec3 normal, glm::vec3 half, const LobeStretch& stretch,
                                    float roughness);
 

@@ -21,7 +21,7 @@ AzimuthVariation::AzimuthVariation(const Amounts& amounts)
       two_(amounts.two) {}
 
 double AzimuthVariation::around(glm::dvec3 direction, double width) const {
-  // The squares in the directions across are equal, and all squares add up to 0.
+  // The disk's second moments across the direction are equal, and the form square() has trace 0.
   const DiskMoments disk = DiskMoments::of(static_cast<float>(width));
   const auto along = static_cast<double>(disk.along), squared = static_cast<double>(disk.squared);
   return along * linear(direction) + (1.5 * squared - 0.5) * square(direction);

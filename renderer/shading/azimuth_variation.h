@@ -7,12 +7,12 @@
 namespace asos {
 
 /// The part of a sky's radiance that varies with the azimuth. It is grey, has mean 0, and consists
-/// of the spherical harmonics of degrees 1 and 2 that do not depend on height. Azimuths are about
-/// +Y from +Z, in degrees. All means are closed forms. Immutable.
+/// of the sectoral spherical harmonics (m = +-l) of degrees 1 and 2. Azimuths are about +Y from +Z,
+/// in degrees. All means are closed forms. Immutable.
 class AzimuthVariation {
  public:
-  /// `one` is the value at one azimuth, and its negative is on the opposite side. `two` is the
-  /// value at both ends of another axis, and its negative is across it.
+  /// Maxima and their azimuths. Degree 1 is `one` there and -`one` on the opposite side. Degree 2
+  /// is `two` at both ends of an axis and -`two` across it.
   struct Amounts {
     double one = 0.0, one_deg = 0.0;
     double two = 0.0, two_deg = 0.0;
@@ -23,7 +23,7 @@ class AzimuthVariation {
 
   [[nodiscard]] bool none() const { return none_; }
 
-  /// Returns the mean over a small patch around a unit direction; the steps are across it.
+  /// Returns the mean over a small patch around a unit direction, with edges perpendicular to it.
   [[nodiscard]] double mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const {
     return linear(direction) + square(direction) + (square(right) + square(down)) / 12.0;
   }

@@ -33,7 +33,7 @@ class BackgroundRadiance {
  private:
   Background chosen_;
   std::optional<Frame> picture_;  // of a gradient
-  glm::vec3 right_{0.0f};         // the square of directions for the blur, along the picture
+  glm::vec3 right_{0.0f};         // edges of the square of directions for the blur
   glm::vec3 down_{0.0f};
 };
 

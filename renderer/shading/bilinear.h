@@ -50,7 +50,7 @@ glm::vec4 nearest(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
                   std::min(static_cast<int>(y), level.height - 1));
 }
 
-/// The four texels around a place, and the place between the first and the last of them.
+/// The four texels around a place, and the place's fractions between them.
 struct BilinearTexels {
   int left, right, top, bottom;
   float fx, fy;

@@ -33,20 +33,20 @@ struct ViewedMaterial {
   glm::vec3 f0;
   float roughness;
   glm::vec3 f90{1.0f};
-  float falloff = 0.0f;  ///< fraction of `diffuse` that is lost, times Schlick's (1 - v.h)^5
+  float falloff = 0.0f;  ///< loss of `diffuse` per unit of Schlick's (1 - v.h)^5, as a fraction
   /// Fraction of a constant environment that the Lambert part reflects, times the material's
   /// occlusion.
   glm::vec3 ambient{0.0f};
-  /// Fraction of it that the dielectric's lobe transmits to the layers below.
+  /// Fraction of a constant environment that the dielectric's lobe transmits to the layers below.
   float below = 1.0f;
   float sheen = 0.0f;        ///< roughness of Charlie's lobe; 0: the lobe is GGX
   LobeStretch stretch = {};  ///< of the GGX lobe; `roughness` is that across the stretch
 };
 
 /// Computes the values for a viewer. The diffuse part is weighted by 1 - F(v.h) of the dielectric's
-/// largest colour (glTF appendix B, KHR_materials_specular). Under light from all around it
-/// reflects the rest of the specular lobe *for this viewer*: with glTF's weight, a white surface at
-/// a grazing angle would reflect up to 1.5 times the light. The lobe is the dielectric's, since
+/// largest colour (glTF appendix B, KHR_materials_specular). `ambient` is weighted by the rest of
+/// the specular lobe *for this viewer* instead: with glTF's weight, a white surface at a grazing
+/// angle would reflect up to 1.5 times the light. Both weights use the dielectric's lobe, since
 /// appendix B mixes two materials and the metal has no layer below. The transmitted fraction has no
 /// diffuse reflection.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v);
@@ -84,7 +84,7 @@ struct ViewedMaterial {
 /// Returns radiance per irradiance (1 / sr) for light from one direction. The caller multiplies by
 /// the cosine.
 [[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles);
-/// Returns the specular part alone, for any lobe's D * V.
+/// Returns the specular part alone; `lobe` is the lobe's D * V.
 [[nodiscard]] glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles,
                                       float lobe);
 

@@ -5,9 +5,9 @@
 
 namespace asos {
 
-/// Converts a cube's pictures to an equirectangular one. It is four times as wide as a side, up to
-/// 4096 texels, and each texel is the mean of four places. A texel whose alpha of 0 would make it
-/// infinite is black.
+/// Converts a cube map to an equirectangular picture. It is four times as wide as a side of the
+/// cube, up to 4096 texels, and each texel is the mean of four samples. A texel to be divided by an
+/// alpha of 0 is black.
 [[nodiscard]] SkyMap sky_map_of(const EnvironmentCube& surroundings);
 
 }  // namespace asos

@@ -12,22 +12,24 @@
 
 namespace asos {
 
-/// The ratio used instead of smaller ones. At 0 the pyray would fill a half-space and its source
-/// would lie in the surface. With this one, a pyray of 2 degrees widens to 173.
+/// Lower limit of the ratio. At 0 the pyray would fill a half-space and its source would lie in the
+/// surface. At this limit, a pyray of 2 degrees widens to 173.
 inline constexpr double least_dfr = 1.0 / 1024.0;
 
-/// DFRMIN + (DFRMAX - DFRMIN) sin(alpha)^N at the incidence angle alpha of this cosine (of either
-/// sign), least_dfr to 1. With N = 0 it is DFRMAX everywhere, for sin(0)^0 is 1. NaN stays NaN.
+/// Returns DFRMIN + (DFRMAX - DFRMIN) sin(alpha)^N, clamped to least_dfr to 1. `cosine` is that of
+/// the incidence angle alpha, of either sign. With N = 0 it is DFRMAX everywhere, since sin(0)^0 is
+/// 1. NaN stays NaN.
 [[nodiscard]] double dfr_at(const DfrCurve& curve, double cosine);
 
-/// The same by colour, with a perturbation: all three are multiplied by one number from `bits`,
-/// uniform in 1 - perturbation to 1 + perturbation. A product above 1 is 1, a mirror.
+/// Returns the ratios by colour, perturbed: all three are multiplied by one number from `bits`,
+/// uniform in 1 - perturbation to 1 + perturbation. Products are clamped to 1, a mirror.
 [[nodiscard]] std::array<double, 3> dfr_at(const Dfr& dfr, double cosine, std::uint64_t bits);
 
-/// Returns random bits that depend on the place alone, not on side or thread.
+/// Returns random bits that depend on the place alone, not on the surface's side or the thread.
 [[nodiscard]] std::uint64_t place_bits(glm::vec3 position);
 
-/// tan(gamma / 2) of a pyray of tan(beta / 2) = `half_tangent` that is defocused by `dfr`.
+/// Returns tan(gamma / 2) of a pyray with tan(beta / 2) = `half_tangent` that is defocused by
+/// `dfr`.
 [[nodiscard]] double widened_half_tangent(double half_tangent, double dfr);
 /// gamma = 2 atan(tan(beta / 2) / DFR); beta in radians, 0 to pi.
 [[nodiscard]] double widened_angle(double beta_rad, double dfr);

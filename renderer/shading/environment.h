@@ -14,9 +14,9 @@ inline constexpr float sky_radiance = 0.35f;
 /// without rays; this factor replaces the occlusion.
 inline constexpr float sky_visibility = 0.6f;
 
-/// The same for the reflection in a lobe of this roughness. A mirror follows its rays, so it needs
-/// no occlusion. The roughest lobe has the occlusion of a matte surface. In between it is linear in
-/// the lobe's width (alpha, roughness squared).
+/// Returns the visible fraction for the reflection in a lobe of this roughness. A mirror follows
+/// its rays, so it needs no occlusion. The roughest lobe has the occlusion of a matte surface. In
+/// between it is linear in the lobe's width (alpha, roughness squared).
 inline float mirrored_visibility(float roughness) {
   return 1.0f - (1.0f - sky_visibility) * roughness * roughness;
 }

@@ -51,7 +51,7 @@ constexpr Room soft_box_room{glm::dvec3(0.24), glm::dvec3(0.33), glm::dvec3(0.46
 constexpr Room window_room{
     {0.10, 0.075, 0.05}, {0.26, 0.20, 0.145}, {0.46, 0.44, 0.40}, {0.62, 0.62, 0.62}, room_windows};
 
-/// Returns 1 within `half` and 0 beyond, with an edge a little wider than a texel.
+/// Returns 1 within `half` and 0 beyond, with an edge about two texels wide.
 double within(double distance, double half) {
   constexpr double edge = 0.012;
   return std::clamp(0.5 + (half - distance) / edge, 0.0, 1.0);

@@ -84,8 +84,9 @@ inline constexpr float steepest_patch = 1.0f / 64.0f;
 struct Footprint {
   glm::vec2 right{0.0f};
   glm::vec2 down{0.0f};
-  glm::vec2 offset{0.0f};  ///< from the hit to its centre
-  /// Side of the square that shows it, in pixels. It determines how finely textures are averaged.
+  glm::vec2 offset{0.0f};  ///< from the hit to the footprint's centre
+  /// Side of the square of the picture that the footprint covers, in pixels. It determines how
+  /// finely textures are averaged.
   float side = 1.0f;
   float colours = 1.0f;  ///< factor of the width over which colours are averaged
 

@@ -10,12 +10,12 @@ namespace asos {
 
 /// A highlight's strength and width.
 struct Gloss {
-  float f0 = 0.04f;  ///< largest of the colours
+  float f0 = 0.04f;  ///< largest colour component
   float roughness = 1.0f;
 };
 
-/// Returns whether a lobe of this roughness has highlights that are no reflections and vary faster
-/// than diffuse reflection.
+/// Returns whether a lobe of this roughness has highlights that are shaded, not traced as
+/// reflections, and vary faster than diffuse reflection.
 [[nodiscard]] inline bool has_highlights(float roughness) {
   return roughness >= roughness_floor && roughness < least_broad_roughness;
 }
@@ -35,13 +35,13 @@ struct Gloss {
   return m.coat.factor > 0.0f ? std::min(base, m.coat.roughness) : base;
 }
 
-/// Returns the largest fraction of its base colour that is reflected diffusely. It is less where a
-/// volume's boundary transmits light.
+/// Returns the largest fraction of a material's base colour that is reflected diffusely. It is less
+/// than 1 where a volume's boundary transmits light.
 [[nodiscard]] inline float diffuse_share(const Material& m) {
   return bounds_volume(m) && !m.transmission_texture.used() ? 1.0f - m.transmission : 1.0f;
 }
 
-/// Returns whether its highlights vary faster than diffuse reflection.
+/// Returns whether a material's highlights may vary faster than diffuse reflection.
 [[nodiscard]] inline bool may_be_glossy(const Material& m) {
   return m.metallic_roughness_texture.used() || least_roughness(m) < least_broad_roughness;
 }

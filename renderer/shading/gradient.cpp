@@ -84,8 +84,8 @@ glm::dvec3 Gradient::mean(double height, double half_range) const {
 }
 
 glm::dvec3 Gradient::around(double height, double width) const {
-  // The rest of the squares is shared equally by the two directions across. Single precision, since
-  // it is computed for every sample of a surface.
+  // The rest of the unit vectors' squared length, 1 - squared, is split equally between the two
+  // directions across. Single precision, since it is computed for every sample of a surface.
   const auto y = static_cast<float>(height);
   const auto [along, squared] = DiskMoments::of(static_cast<float>(width));
   const float variance =

@@ -31,8 +31,8 @@ class Gradient {
   Gradient() = default;
   explicit Gradient(const Colours& colours);
 
-  /// Returns the mean over directions around a unit one whose heights have the spread of a range of
-  /// twice `half_range`. Exact for a range of heights.
+  /// Returns the mean over directions whose heights are evenly distributed within `half_range` of
+  /// `height`. Approximate for other distributions of the same variance.
   [[nodiscard]] glm::dvec3 mean(double height, double half_range) const;
 
   /// Returns the mean around a unit direction of this height, over a disk with the area of a square
@@ -44,11 +44,9 @@ class Gradient {
   /// Closed form, up to the third order of the ramp.
   [[nodiscard]] glm::dvec3 irradiance_over_pi(glm::dvec3 normal) const;
 
-  /// Returns whether it is constant.
   [[nodiscard]] bool constant() const;
-  /// Returns whether it is linear for heights within `reach` of this one.
+  /// Returns whether the radiance is linear for heights within `reach` of this one.
   [[nodiscard]] bool linear_near(double height, double reach) const;
-  /// Returns the colour at the zenith.
   [[nodiscard]] glm::vec3 zenith() const { return colours_.zenith; }
 
  private:

@@ -94,8 +94,8 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const float width2 = alpha * alpha + least_away * least_away;
   const float m = 1.0f - std::clamp(glm::dot(half, glossy.to_viewer), 0.0f, 1.0f);
   const float fresnel = glossy.f0 + (1.0f - glossy.f0) * m * m * m * m * m;
-  // A segment's power is in candela per metre: it looks as bright as one that is as wide as the
-  // lobe.
+  // A segment's power is in candela per metre: the segment looks as bright as a strip as wide as
+  // the lobe.
   const float brightest =
       light.shape == PreparedLight::Shape::segment
           ? largest(light.power) / (alpha * light_distance(light, glossy.point.position))

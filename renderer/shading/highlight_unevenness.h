@@ -17,7 +17,7 @@ struct GlossyPatch {
   Patch patch;
   glm::vec3 to_viewer;    ///< unit
   float viewer_distance;  ///< infinite for parallel rays
-  float f0 = 0.0f;        ///< largest of the colours
+  float f0 = 0.0f;        ///< largest colour component
   float roughness = 0.0f;
   LobeStretch stretch = {};
   glm::vec2 stretch_turn{0.0f};  ///< tangent_turn of the patch
@@ -28,14 +28,14 @@ struct GlossyPatch {
 /// reflectance.
 [[nodiscard]] bool turns(const GlossyPatch& glossy);
 
-/// Returns the average error of a patch's reflectance of uniform light (environment_specular) when
-/// it is taken at the patch's centre. Fresnel's term rises steeply at grazing angles, and a wide
-/// pyray contains many of them. Compares Simpson's rule with the midpoint rule.
+/// Returns the average error of a patch's reflectance of uniform light (environment_specular) if
+/// the centre's value is used. Fresnel's term rises steeply at grazing angles, and a wide pyray
+/// covers many angles. Compares Simpson's rule with the midpoint rule.
 [[nodiscard]] float reflectance_error(const GlossyPatch& glossy);
 
 /// Error and contrast of a light's highlight on a patch.
 struct HighlightError {
-  float error = 0.0f;     ///< error of the centre as the mean display intensity (0 to 1)
+  float error = 0.0f;     ///< bound for the shaded radiance, clamped at `white`
   float contrast = 0.0f;  ///< approximate contrast of its samples; 1 is white
 };
 

@@ -32,7 +32,7 @@ struct SurfaceLayer {
 
 /// The smallest visible contribution of a layer behind others, even at +8 stops.
 inline constexpr float invisible_share = 1.0f / (256.0f * 256.0f);
-/// The same for stacks of `deep_stack` and more surfaces, because each of them takes time. It is a
+/// The limit for stacks of `deep_stack` and more surfaces, because each of them takes time. It is a
 /// quarter of an 8-bit step.
 inline constexpr float invisible_in_stack = 1.0f / 1024.0f;
 inline constexpr int deep_stack = 64;

@@ -16,9 +16,9 @@ constexpr float least_of_nearest = 1e-4f;
 // still finite.
 constexpr float longest_edge = 1e9f;
 
-/// Shortens an edge so that the variance along it, w^2 / 12, is right. A tent of texels that are
-/// boxes themselves adds 1/4 to the variance; the finest level's own tent would have added 1/6 of
-/// its texels.
+/// Shortens an edge by the variance that filtering adds to w^2 / 12, that of the edge. A tent of
+/// texels that are boxes themselves adds 1/4 squared texel; the finest level's tent would have
+/// added 1/6 of its own squared texel.
 glm::vec2 less_of_texels(glm::vec2 edge, float texels) {
   const float length2 = glm::dot(edge, edge);
   if (!(length2 > 1e-30f)) return {};  // avoids a division by zero

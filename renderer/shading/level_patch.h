@@ -15,7 +15,7 @@ namespace asos {
 /// The resolution at which a footprint is sampled. It grows with the footprint's size in the
 /// picture.
 struct TexelBudget {
-  float across = 8.0f;   ///< smallest width in texels, if the finest level has so many
+  float across = 8.0f;   ///< smallest width in texels, if the finest level has that many
   float most = 1024.0f;  ///< largest number of texels; longer footprints use coarser levels
 
   /// Returns the budget for a footprint that a square of `side` pixels covers.
@@ -25,7 +25,7 @@ struct TexelBudget {
     return {std::max(1.0f, share * whole.across), std::max(16.0f, share * share * whole.most)};
   }
 };
-/// Footprints up to this size, in texels, are a point of a bilinear texture.
+/// Up to this size, in texels, the footprint of a bilinear texture is treated as a point.
 inline constexpr float least_footprint = 0.25f;
 
 /// A level, 0 being the image itself, and a patch of its texels.
@@ -36,13 +36,13 @@ struct LevelPatch {
   [[nodiscard]] bool point() const { return patch.right == glm::vec2(0.0f); }
 };
 
-/// Selects the level for `patch`, given in the finest level's texels. It is a point where it is no
-/// longer than least_footprint. Coarser levels are used while the patch stays wide enough, or
-/// contains too many texels.
+/// Selects the level for `patch`, given in the finest level's texels. Bilinear patches no longer
+/// than least_footprint become points. Coarser levels are used while the patch stays wide enough,
+/// or contains too many texels.
 [[nodiscard]] LevelPatch patch_in(const MipChain& chain, const Image& image, Filter filter,
                                   TexelPatch patch, TexelBudget budget);
 
-/// Returns the patch of the finest level in the next one.
+/// Converts a patch of the finest level to level 1.
 [[nodiscard]] LevelPatch coarser(const LevelPatch& patch, const MipChain& chain,
                                  const Texels& finest);
 

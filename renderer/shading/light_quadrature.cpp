@@ -11,9 +11,8 @@
 namespace asos {
 namespace {
 
-// Cells are divided while they span more than this. The limits are an angle in radians from centre
-// to corner, and the larger of a fraction of the way to the mirrored view and a fraction of the
-// lobe.
+// Limits above which cells are divided, from centre to corner: an angle in radians, and the larger
+// of a fraction of the way to the mirrored view and a fraction of the lobe.
 struct Widest {
   float cell;
   float share_of_way;
@@ -55,7 +54,7 @@ LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer,
 float LightQuadrature::way_to_peak(glm::vec3 direction) const {
   const float to_mirrored = glm::length(mirrored_ - direction);
   if (across_ridge_ == glm::vec3(0.0f)) return to_mirrored;
-  // A stretched lobe is bright where the half vector is nearly perpendicular to this.
+  // A stretched lobe is bright where the half vector is nearly perpendicular to across_ridge_.
   return std::min(to_mirrored, std::abs(glm::dot(across_ridge_, to_viewer_ + direction)));
 }
 
@@ -194,8 +193,8 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
   }
 }
 
-// Substitutes the angle at the receiver, which cancels the squared distance. The sine of the angle
-// to the line is then the cosine to its foot.
+// Integrates over the angle at the receiver instead of the length, which cancels the squared
+// distance. The sine of the angle to the line is the cosine of the angle from its foot.
 void LightQuadrature::add_segment(const PreparedLight& light) {
   const glm::dvec3 to_middle = light.position - receiver_.position;
   const double half = glm::length(light.half_u);

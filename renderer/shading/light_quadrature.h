@@ -23,16 +23,17 @@ struct ReflectedIntegral {
 
 /// The reflectance of a surface's lobe at normal incidence, which determines the accuracy.
 enum class Reflectance {
-  high,  ///< a metal's
-  /// A dielectric's, at most a tenth, so the error of its lobe's sum may be larger by that factor.
+  high,  ///< of metals
+  /// Of dielectrics, at most a tenth: the error of the lobe's integral may be ten times as large.
   low,
 };
 
-/// Integrates the BRDF over lights with an extent, by the physical rule, above both of a receiver's
-/// horizons. A light is divided until its parts are small compared with their angle to the mirrored
-/// view, or with the lobe there. Each part is integrated at Gauss-Legendre nodes. Up to 75 degrees
-/// of view the average error over lights in all places is 0.02 %, or 0.2 % for a dielectric. At 85
-/// degrees it is up to 2 % for lobes of roughness 0.1, which are bent and cut by the horizon.
+/// Integrates the BRDF over lights with an extent, by the physical rule, above both horizons of a
+/// receiver (geometric and shading). A light is divided until its parts are small compared with
+/// their angle to the mirrored view, or with the lobe there. Each part is integrated at
+/// Gauss-Legendre nodes. Up to 75 degrees of view the average error over lights in all places is
+/// 0.02 %, or 0.2 % for a dielectric. At 85 degrees it is up to 2 % for lobes of roughness 0.1,
+/// which are bent and cut by the horizon.
 class LightQuadrature {
  public:
   /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine. `sheen` is that
@@ -51,7 +52,7 @@ class LightQuadrature {
   struct Sums {
     float lobe = 0.0f, fresnel = 0.0f, scattered = 0.0f;
   };
-  using Corners = std::array<glm::vec3, 4>;  ///< u from 0 to 1, and again at the larger v
+  using Corners = std::array<glm::vec3, 4>;  ///< at u = 0 and 1, then the same at the larger v
   void add_patch(const LightPatch& patch);
   void add_square(const LightPatch& patch, const LightPatch::Square& square, const Corners& corners,
                   int depth);
@@ -69,12 +70,12 @@ class LightQuadrature {
   glm::vec3 normal_, geometric_, to_viewer_, mirrored_;
   float n_dot_v_;
   float alpha2_;
-  float viewer_root_;  // of Smith's term
+  float viewer_root_;  // root in Smith's term
   float widest_;       // largest width of a cell
   float share_of_way_;
   float narrowest_;  // the lobe's width
   float sheen_;
-  PatchLobe stretched_;           // where it is wider()
+  PatchLobe stretched_;           // used where it is wider()
   glm::vec3 across_ridge_{0.0f};  // unit, perpendicular to the stretch; 0: isotropic
   int cells_ = 0;
   Sums sums_;

@@ -76,7 +76,7 @@ struct SkyQuery {
   const Sky* sky = nullptr;  ///< null: the neutral one
   const ViewedPoint& view;
   const ViewedMaterial& material;
-  bool mirrors = false;   ///< a traced reflection replaces its lobe
+  bool mirrors = false;   ///< a traced reflection replaces the specular lobe
   glm::vec3 share{1.0f};  ///< weight of the point's radiance in that of its ray
 };
 
@@ -90,14 +90,14 @@ struct Illumination {
   int layer = 0;               ///< number of surfaces in front of the point
   const LightingQuery* lit =
       nullptr;  ///< the point with its viewer, for methods that sample the light
-  /// Radiance of a narrow lobe's highlight of a light with an extent.
+  /// Radiance of the highlight, for a narrow lobe and a light with an extent.
   float highlight = 0.0f;
 };
 
 /// The lights that `gather` takes over.
 struct HandledLights {
-  std::span<const std::uint8_t> taken{};  ///< by light index, 0: not taken; empty: none is
-  bool all = false;                       ///< none is left
+  std::span<const std::uint8_t> taken{};  ///< by light index, 0: not taken; empty: none taken
+  bool all = false;                       ///< no light is left for `add`
 
   [[nodiscard]] bool holds(std::size_t light) const { return !taken.empty() && taken[light] != 0; }
 };
@@ -116,14 +116,14 @@ struct Reflection {
   /// Ratio of the indices before and behind a refracting surface; 0: reflection.
   float ratio = 0.0f;
   VolumePath passage = {};               ///< of the ray that leaves
-  const ViewedMaterial* lobe = nullptr;  ///< lobe that blurs it; null: the square does, if any
+  const ViewedMaterial* lobe = nullptr;  ///< lobe that blurs the reflection; null: the square does
   glm::vec3 share{1.0f};                 ///< weight of the lobe's radiance in that of the ray
 
   /// Returns ViewedRay::throughput of the reflected ray.
   [[nodiscard]] float throughput() const {
     return seen.throughput * std::max({reflected.x, reflected.y, reflected.z});
   }
-  /// Returns whether all reflected colours have the same width, or none.
+  /// Returns whether the width is the same for all colours.
   [[nodiscard]] bool one_width() const { return width.x == width.y && width.y == width.z; }
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 // Variance of a turn that is distributed evenly over the patch's edge.
 constexpr float box_variance = 1.0f / 12.0f;
-// Fraction of a lobe's squared roughness below which an addition has no visible effect.
+// Fraction of a lobe's alpha^2 below which an addition has no visible effect.
 constexpr float least_added = 1e-3f;
 
 }  // namespace
@@ -36,8 +36,8 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
                      glm::vec3 stretch) {
   const bool stretched = stretch != glm::vec3(0.0f);
   if (spread.flat() && !stretched) return;
-  // A map's normals are distributed like a lobe and not like a box: twice their variance in two
-  // directions (Toksvig 2005, Olano and Baker 2010), half of it in each.
+  // A map's normals are distributed like a lobe and not like a box, so that their variance counts
+  // twice (Toksvig 2005, Olano and Baker 2010): `variance` in each of two directions.
   const float turned =
       (glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down)) * box_variance;
   const float added = turned + 2.0f * spread.variance;

@@ -31,8 +31,8 @@ struct LobeGeometry {
 /// there is no highlight.
 class PatchLobe {
  public:
-  /// Largest squared roughness that a patch adds over both directions. Beyond it, the derivatives
-  /// of one triangle's normals do not represent the patch.
+  /// Largest alpha^2 that a patch adds, summed over both directions. Beyond it, the derivatives of
+  /// one triangle's normals do not represent the patch.
   static constexpr float most_added = 0.18f;
 
   /// `stretch`: LobeStretch::along, for an anisotropic lobe.
@@ -51,7 +51,7 @@ class PatchLobe {
                             const BrdfAngles& angles) const;
 
  private:
-  /// v^T A v for the part of v in the tangent plane.
+  /// Returns v^T A v for the part of v in the tangent plane.
   [[nodiscard]] float quadratic(glm::vec3 v) const;
 
   bool wider_ = false;

@@ -16,8 +16,8 @@ class LobeDirections {
   /// Smallest squared roughness along both directions.
   static constexpr float least_alpha = 1e-4f;
 
-  /// `spread` is added to the squares of the lobe's squared roughness, for bumps smaller than a
-  /// sample. All directions are unit.
+  /// `spread` is added to the lobe's alpha^2, for bumps smaller than a sample. All directions are
+  /// unit.
   LobeDirections(const ViewedMaterial& material, float spread, glm::vec3 normal,
                  glm::vec3 to_viewer);
 

@@ -27,9 +27,9 @@ inline constexpr std::size_t texel_kinds = 4;
 struct MipLevel {
   int width = 0;
   int height = 0;
-  std::vector<std::uint16_t> rgba;  ///< linear, of 65535; see `at` for normals
+  std::vector<std::uint16_t> rgba;  ///< linear, 0 to 65535; see `at` for normals
 
-  /// Returns a texel. For normals, xyz is the mean, encoded like the map's bytes. The last is the
+  /// Returns a texel. For normals, xyz is the mean, encoded like the map's bytes, and w is the
   /// variance: the mean squared distance from the mean, 0 to 1. Both are those of a bilinear
   /// look-up with unit normals.
   [[nodiscard]] glm::vec4 at(int x, int y) const {
@@ -67,10 +67,10 @@ class MipChains {
   std::vector<std::array<Shared, texel_kinds>> chains_;  // by image
 };
 
-/// The kind of a material's base colour texture.
+/// Returns the kind of a material's base colour texture.
 [[nodiscard]] TexelKind base_color_kind(const Material& material);
-/// Returns the kind of its emissive texture. If it is also the base colour's texture, whose alpha
-/// is coverage, its emission is weighted by alpha, too.
+/// Returns the kind of a material's emissive texture. If that is also the base colour's texture,
+/// whose alpha is coverage, its emission is weighted by alpha, too.
 [[nodiscard]] TexelKind emissive_kind(const Material& material);
 
 }  // namespace asos

@@ -4,7 +4,7 @@
 
 namespace asos {
 
-/// The variation of a patch's normals about its sample's. The default is none.
+/// The variation of a patch's normals about its sample's normal. The default is none.
 struct NormalSpread {
   glm::vec3 right{0.0f};  ///< turn of the unit normal along the patch's edges
   glm::vec3 down{0.0f};

@@ -88,7 +88,7 @@ PatchCurvature::Point PatchCurvature::point(const ViewedPoint& view, const Viewe
   surface.shading_normal = glm::normalize(surface.shading_normal + from_middle.normal);
   if (surface.smooth_normal != glm::vec3(0.0f))
     surface.smooth_normal = glm::normalize(surface.smooth_normal + from_middle.normal);
-  // It is a point, since the patch's turn is resolved by the several points.
+  // No spread remains, since the several points resolve the patch's turn.
   surface.spread.right = surface.spread.down = glm::vec3(0.0f);
   if (rounded) {
     surface.geometric_normal = surface.shading_normal;

@@ -12,9 +12,9 @@
 
 namespace asos {
 
-/// The curvature of the patch that a point represents. It evaluates the patch at several points: at
-/// two Gauss-Legendre points along each edge of each of its parts. Their mean is exact for cubic
-/// functions over a part; the centre is exact only for linear ones.
+/// The curvature of the patch that a point represents. It evaluates the patch at several points:
+/// 2x2 Gauss-Legendre points in each of its parts. Their mean is exact for cubic functions over a
+/// part; the centre is exact only for linear ones.
 struct PatchCurvature {
   NormalSpread turn;             ///< of the shading normal along the edges
   glm::vec2 stretch_turn{0.0f};  ///< turn of the lobe's stretch about the normal, in radians
@@ -26,11 +26,11 @@ struct PatchCurvature {
                                          const ViewedPoint& view, const ViewedMaterial& material,
                                          float negligible);
 
-  /// Largest squared width of a part, in squared highlight widths. Up to it these points give a
-  /// better mean than a widened lobe.
+  /// Largest squared width of a part, in squared highlight widths. Up to this width the points give
+  /// a better mean than a widened lobe.
   static constexpr float most_bent = 3.0f;
 
-  /// Number of parts along a patch's edges, so that no part is wider than that.
+  /// Number of parts along a patch's edges, so that no part exceeds most_bent.
   struct Parts {
     int right = 1, down = 1;
   };

@@ -29,9 +29,9 @@ PatchLobe patch_lobe(const ViewedMaterial& seen, const ViewedPoint& view, glm::v
           view.point.shading_normal, seen.stretch.along};
 }
 
-/// Returns the lobe of a patch for a light with an extent, as an isotropic one. A highlight wider
-/// than the patch is resolved by parts of the patch where needed, so its lobe is not widened.
-/// Widening would add tails that the highlight does not have.
+/// Returns the lobe of a patch for a light with an extent, as an isotropic one. For a highlight
+/// wider than the patch the lobe is not widened, since the patch is divided where needed, and
+/// widening would add tails that the highlight does not have.
 PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
                            const Highlight& highlight, const PreparedLight& light,
                            Widening widening) {
@@ -155,7 +155,7 @@ ReflectedLights::LightReflection ReflectedLights::of(const PreparedLight& light,
   if (light.extended() && light.rule == LightRule::physical) {
     share = of_extended(light, highlight, irradiance, Widening::by_patch);
   } else if (shows(point_.mirrored, light)) {
-    // A light with an area that a reflection contains has no highlight besides it.
+    // A reflection that contains the light replaces its highlight.
     share.reflected = diffuse_towards(point_.material, point_.view, highlight.direction);
   } else {
     share.reflected = reflected_share(light, point_.material, point_.view, highlight);
@@ -164,7 +164,7 @@ ReflectedLights::LightReflection ReflectedLights::of(const PreparedLight& light,
   if (!bend_ || !light.extended() || light.rule != LightRule::physical) return share;
   const auto [error, parts] = bend_->of_middle(point_.view, point_.material, light, highlight);
   if (!parts) return share;
-  // Broad lobes never split a leaf, so only their own mean improves them.
+  // Broad lobes never split a leaf, so only the mean over the patch improves them.
   const bool broad = point_.material.roughness >= least_broad_roughness;
   const float negligible = (broad ? 0.1f : 1.0f) * bend_->negligible;
   const float radiance = largest(share.reflected * irradiance);

@@ -33,8 +33,8 @@ namespace asos {
 /// light and beyond.
 [[nodiscard]] bool is_broad(const Illumination& lit);
 
-/// Returns by how much the light's contribution would differ if the whole light were at its centre
-/// or at one of its corners. It bounds the error of a partially occluded light's contribution.
+/// Returns the largest difference between the contributions if the whole light were at its centre
+/// or near one of its corners. It bounds the error of a partially occluded light's contribution.
 [[nodiscard]] float spread_over(const Illumination& lit);
 
 /// Returns the least value of MirroredLights that includes the light. Returns nothing for a light
@@ -45,13 +45,13 @@ namespace asos {
   return least && mirrored >= *least;
 }
 
-/// The cause that widens a point's lobe beyond its roughness: also the curvature of its patch, or
-/// only bumps smaller than it.
+/// Causes that widen a point's lobe beyond its roughness: its patch's curvature and bumps, or only
+/// bumps smaller than the patch.
 enum class Widening { by_patch, by_bumps };
 
 /// Unshadowed contributions of the lights to one point. For lights with an extent, by the physical
-/// rule, it is the mean over the point's patch where the two may differ by more than
-/// PatchCurvature::negligible.
+/// rule, they are means over the point's patch where its centre may differ from the mean by more
+/// than PatchCurvature::negligible or 1/1024 of the radiance.
 class ReflectedLights {
  public:
   /// `point` has to outlive this.
@@ -64,7 +64,7 @@ class ReflectedLights {
   };
   /// Returns the reflection of a light. `irradiance` is that of the whole light, not 0. For a light
   /// with an extent, by the physical rule, the BRDF is integrated over the light (LightQuadrature).
-  /// Its lobe is isotropic and as wide as the patch makes it at the highlight's centre.
+  /// The patch widens the lobe equally in all directions, as at the highlight's centre.
   [[nodiscard]] LightReflection of(const PreparedLight& light, glm::vec3 irradiance);
 
  private:

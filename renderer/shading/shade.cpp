@@ -137,7 +137,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   ViewedPoint view = viewed_point;
   const SurfacePoint& point = view.point;
   const glm::vec3 to_viewer = view.to_viewer;
-  // An anisotropic lobe is no mirror if its rougher direction is too rough for one.
+  // An anisotropic lobe is not followed as a mirror if its rougher direction is too rough for one.
   const float blur = round_roughness(seen);
   const bool drawn_out = !seen.stretch.none() && !own_dfr(point.triangle) &&
                          widest_roughness(seen) > settings_.roughest_mirror;
@@ -232,7 +232,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
   SurfaceWalk walk(rays_, seen.ray, seen.hit, settings_.faces);
   std::uint32_t last = Hit::none;
   VolumePath passage = seen.passage;
-  float passed = seen.ray.t_near;  // attenuation is included up to here
+  float passed = seen.ray.t_near;  // share has the attenuation up to here
   const glm::vec3 to_viewer = -seen.ray.direction;
   const auto light = seen.reflected() && !seen.hides_lights
                          ? nearest_light_without_geometry(seen.ray)
@@ -258,7 +258,6 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
       passage = boundary->passed(passage);
       count.add_layer();
     } else if (hit.triangle != last || world_.is_face(hit.triangle)) {
-      // Add the layer by its opacity.
       SurfaceMaterial material = surface_material(world_, needs_, hit, point.footprint, mips);
       if (!seen.parts.empty() && mips)
         average_colours(world_, needs_, hit, square_footprint(world_, extent, ray, hit, point),
@@ -289,7 +288,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
         }
       }
       if (!blended) return {sum};
-      // Refracting or blurring glass is followed and has full coverage.
+      // Where pixels contain no light, refracting or blurring glass covers fully.
       const bool frosted =
           !boundary && material.transmission > 0.0f && material.roughness > 0.0f && !material.unlit;
       if ((boundary || frosted) && !settings_.backdrop.shows_light() && settings_.reflections > 0)
@@ -314,7 +313,6 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
       count.add_layer();
     }
 
-    // Continue behind the surface.
     walk.go_on(point);
     ++(seen.bounces > 0 ? counts.reflection_rays : counts.eye_rays);
   }

@@ -29,7 +29,7 @@ class Sky;
 /// material it is the value that is compared with the cut-off.
 [[nodiscard]] float alpha_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
-/// Returns the same without transmission, and with a masked material's cut-off applied: 0 or 1.
+/// Returns the opacity without transmission; for a masked material 0 or 1, by its cut-off.
 [[nodiscard]] float opacity_at(const World& world, std::uint32_t triangle, float b1, float b2);
 
 /// Returns the transmittance of a blended surface without deflection; it is the RayScene's
@@ -42,7 +42,7 @@ class Sky;
 /// Selects what shading includes.
 struct ShadingSettings {
   bool shadows = true;       ///< lights cast shadows
-  bool sky_shadows = false;  ///< the sky is shadowed, too; else it is unoccluded
+  bool sky_shadows = false;  ///< surfaces shadow the sky, too
   /// Occluders of the sky contribute bounced light; only with sky_shadows.
   bool bounces = false;
   LightRule light_rule = LightRule::physical;
@@ -50,7 +50,7 @@ struct ShadingSettings {
   /// The mip chains for averaging textures and highlights over a sample's extent; null: every
   /// sample is a point.
   const MipChains* mips = nullptr;
-  PixelSpacing spacing;                ///< of the picture; only with mips
+  PixelSpacing spacing;                ///< of the picture; used only with mips
   const Sky* sky = nullptr;            ///< the surroundings of the world; null: the neutral one
   int reflections = 0;                 ///< largest number of bounces
   float roughest_mirror = 0.35f;       ///< see RenderSettings
@@ -70,15 +70,14 @@ class Shader {
          const Lighting& lighting, ShadingSettings settings = {});
 
   /// Returns the linear radiance that arrives along a ray. Blended surfaces are composited in depth
-  /// order. Lights that cast shadows and reflections are computed by `transport`. Rays that
-  /// continue behind a blended surface are counted. Results that are not finite are returned
-  /// unchanged; the caller drops and counts them.
-  /// Some backdrops ask for other values:
+  /// order. `transport` computes reflections and the lights that cast shadows. Rays that continue
+  /// behind a blended surface are counted. Results that are not finite are returned unchanged; the
+  /// caller drops and counts them.
+  /// Some backgrounds request another value than radiance:
   /// - Coverage: the fraction of the ray that surfaces hide, by colour. Volume boundaries and
-  ///   frosted glass have full coverage where they are followed, since they contain the
-  ///   environment.
-  /// - Unlit surfaces: the fraction of unlit layers, or their colour. Reflections and such glass
-  ///   count as lit, even those of unlit surfaces.
+  /// frosted glass have full coverage where they are followed, since they contain the environment.
+  /// - Unlit surfaces: the fraction of unlit layers, or their colour. Reflections and followed
+  /// glass count as lit, even those of unlit surfaces.
   /// Behind LayerCount::most surfaces the rest is dropped, and counted if it may be visible.
   [[nodiscard]] glm::vec3 radiance(const ViewedRay& seen, LightTransport& transport,
                                    RenderStatistics& counts) const;
@@ -94,7 +93,6 @@ class Shader {
   /// Returns the eye ray with the nearest hit `hit`, for a square of `side` pixels.
   [[nodiscard]] ViewedRay eye_ray(const Ray& ray, const Hit& hit, float side) const;
 
-  /// Returns the spacing of the picture's pixels.
   [[nodiscard]] const PixelSpacing& spacing() const { return settings_.spacing; }
   [[nodiscard]] int reflections() const { return settings_.reflections; }
   [[nodiscard]] const ShadingSettings& settings() const { return settings_; }
@@ -103,7 +101,7 @@ class Shader {
   [[nodiscard]] std::span<const std::uint32_t> lights_without_geometry() const {
     return lighting_.lights_without_geometry;
   }
-  /// Returns the first of them along a ray, if any, ignoring all surfaces.
+  /// Returns the nearest light without geometry along a ray, if any, ignoring all surfaces.
   [[nodiscard]] std::optional<LightHit> nearest_light_without_geometry(const Ray& ray) const;
   /// Returns the blur width of a surface's reflection, as Reflection::width; nothing if the
   /// reflection is not followed.

@@ -11,7 +11,7 @@
 namespace asos {
 namespace {
 
-// Less rough lobes are as narrow as the sharpest mirror image.
+// Smoother lobes are so narrow that a square of directions represents them.
 constexpr float least_lobe_roughness = 1.0f / 64.0f;
 
 }  // namespace

@@ -13,11 +13,11 @@ namespace asos {
 struct SimdMaterial {
   SurfaceMaterial surface;  ///< without textures and vertex colours
   bool plain = false;       ///< opaque at every hit, lit, of one layer, and finite
-  bool looked_up = false;   ///< textures or vertex colours change it
+  bool looked_up = false;   ///< textures or vertex colours change `surface`
   bool normal_map = false;
-  bool textured = false;  ///< in any way: the patch matters
+  bool textured = false;  ///< any texture is used: the patch matters
   bool shiny = false;     ///< with highlights so narrow that curvature matters
-  bool own_dfr = false;   ///< a defocusing ratio
+  bool own_dfr = false;   ///< has its own defocusing ratio
 };
 
 /// Compact copies of the materials on a world's triangles, for the SIMD path. Immutable.

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double sqrt2 = std::numbers::sqrt2;
 
-/// A patch is integrated in parts of at most this size, in radians, about as wide as high. There
-/// are at most `most_parts` per side.
+/// A patch is integrated in parts of about this size, in radians, and about as wide as high. There
+/// are at most `most_parts` per side, or `most_parts_of_long` if the patch is long.
 constexpr double widest_part = 0.25;
 constexpr int most_parts = 8;
 constexpr int most_parts_of_long = 16;

@@ -56,12 +56,11 @@ class Sky {
   /// `times`. Constant colours stay the same.
   [[nodiscard]] Sky brightened(double times) const;
 
-  /// Returns whether it is constant.
   [[nodiscard]] bool constant() const { return !map_ && gradient_.constant() && sides_.none(); }
   [[nodiscard]] bool is_picture() const { return map_ != nullptr; }
 
-  /// Returns its name on the command line, with turn and brightness: the environment, "R,G,B:R,G,B"
-  /// or the file.
+  /// Returns the sky's name on the command line, with turn and brightness: the environment,
+  /// "R,G,B:R,G,B" or the file.
   [[nodiscard]] std::string name() const;
   /// Returns the choice from which it was made.
   [[nodiscard]] const SkyChoice& choice() const { return choice_; }
@@ -87,7 +86,7 @@ class Sky {
 
 /// Reads a sky from a file: .hdr (Radiance) or .exr, linear, twice as wide as high. Errors name the
 /// file and one of these reasons: it is not readable, it has other proportions or more than 2^26
-/// texels, or it has negative or non-finite texels, which are counted.
+/// texels (.exr: 2^27), or it has negative, non-finite or too bright texels, which are counted.
 [[nodiscard]] Result<std::shared_ptr<const Sky>> read_sky(const std::string& path,
                                                           double turn_deg = 0.0);
 

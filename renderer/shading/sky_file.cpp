@@ -15,8 +15,8 @@ namespace asos {
 namespace {
 
 constexpr std::int64_t most_texels = std::int64_t{1} << 26;
-// Limits of an .exr, whose texels take 15 bytes: this number is free, and one more is allowed per 5
-// bytes of the file. Larger pictures are reduced.
+// Limits of an .exr, whose texels take 15 bytes. This number of texels is always allowed, and one
+// more per 5 bytes of the file. Larger pictures are reduced.
 constexpr std::int64_t free_exr_texels = std::int64_t{1} << 24;
 constexpr std::int64_t most_exr_texels = std::int64_t{1} << 27;
 // Limit of radiance; the sun has 2e9 nits. Squares of this value stay finite, even with the largest

@@ -10,7 +10,7 @@
 
 namespace asos {
 
-/// Number of the lobe in a sample's sequence that gives the directions to the sky.
+/// Lobe number of the directions to the sky in a sample's random sequence.
 inline constexpr int lobe_of_sky = 0x1001;
 
 /// A sampled direction from a point to the sky.
@@ -55,7 +55,7 @@ class SkySampler {
   const Sky* sky_;
   ViewedMaterial material_;
   glm::vec3 factor_;
-  glm::vec3 right_, up_, normal_;  ///< axes of its own frame
+  glm::vec3 right_, up_, normal_;  ///< axes of the surface's frame
   glm::vec3 viewer_;               ///< direction to the viewer, in this frame
   glm::vec3 horizon_{0, 0, 1};     ///< normal of the surface itself, in this frame
   glm::vec2 alpha_;

@@ -22,7 +22,7 @@ constexpr std::size_t large_picture = std::size_t{1} << 23;
 /// Directions are sampled by texels of half a degree.
 constexpr int distribution_rows = 360;
 
-/// Makes rows with an even number of columns, without texels.
+/// Makes rows without texels; row `r` has columns_of(r) columns.
 template <typename ColumnsOf>
 SkyRows empty_rows(int rows, const ColumnsOf& columns_of) {
   SkyRows level;
@@ -40,7 +40,7 @@ SkyRows reduced_rows(int rows, int most_columns) {
   });
 }
 
-/// Returns the sum of a row of `n` texels over u from `lo` to `hi` turns.
+/// Returns the integral of a row of `n` texels over u from `lo` to `hi` turns.
 template <typename Texel>
 glm::dvec3 row_integral(int n, double lo, double hi, const Texel& texel) {
   const double from = lo * n, to = hi * n;
@@ -69,7 +69,7 @@ glm::vec3 mean_in_row(const SkyRows& picture, int row, int column, int columns) 
   return row_integral(picture, row, lo, hi) / (hi - lo);
 }
 
-/// Returns whether a row with so many columns is computed on access instead of stored.
+/// Returns whether a row with this many columns is computed on access instead of stored.
 bool is_made_anew(int columns, int picture_columns) {
   constexpr int most_covered = 8;
   return most_covered * columns >= picture_columns;

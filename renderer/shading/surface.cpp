@@ -134,9 +134,9 @@ void place_on_triangle(const World& world, const Triangle& t, SurfacePoint& poin
       std::min({t.b0, t.b1, t.b2}) * static_cast<float>(length) / (longest_side * point.extent);
 }
 
-/// Orients the ribbon of a lit line by the line's normals. The ribbon faces the viewer, but light
-/// arrives from where the normals point. Normals are taken on the viewer's side, as for
-/// double-sided surfaces.
+/// Sets the geometric normal of a lit line's ribbon to the line's normal. The ribbon faces the
+/// viewer, but light arrives from where the normals point. Normals are taken on the viewer's side,
+/// as for double-sided surfaces.
 void face_along_normals(const World& world, const Hit& hit, const Triangle& t, glm::vec3 to_viewer,
                         SurfacePoint& point) {
   const std::array<glm::vec3, 3> normals = corner_normals(world, hit);

@@ -22,14 +22,13 @@ struct SurfacePoint {
   glm::vec3 error{0.0f};             ///< bound of position's rounding error, per coordinate
   glm::vec3 geometric_normal{0.0f};  ///< unit, towards the viewer; 0 for a zero-area triangle
   glm::vec3 shading_normal{0.0f};    ///< unit, in the geometric normal's half-space
-  /// Where a mesh represents a smooth surface that bulges above it, lights see that surface
+  /// Where a mesh represents a smooth surface that bulges above it, lights illuminate that surface
   /// (height_of_smooth). `lift` is its displacement from `position`, and `smooth_normal` its unit
-  /// normal without normal maps. 0: lights see the triangle.
+  /// normal without normal maps. 0: the triangle itself is lit.
   glm::vec3 lift{0.0f};
   glm::vec3 smooth_normal{0.0f};
   float extent = 0.0f;  ///< largest side of the triangle's box
-  /// The least distance to which the triangle extends in all directions; unbounded for analytic
-  /// shapes.
+  /// A lower bound of the distance to the triangle's border; infinite for analytic shapes.
   float to_edge = std::numeric_limits<float>::infinity();
   std::uint32_t triangle = Hit::none;
   Footprint footprint;
@@ -40,7 +39,7 @@ struct SurfacePoint {
   [[nodiscard]] glm::vec3 horizon() const {
     return smooth_normal == glm::vec3(0.0f) ? geometric_normal : smooth_normal;
   }
-  /// Makes lights see the triangle itself.
+  /// Makes lights illuminate the triangle itself.
   void forget_smooth_surface() { lift = smooth_normal = glm::vec3(0.0f); }
 };
 
@@ -66,8 +65,8 @@ struct SurfaceAnisotropy {
 
 /// A GGX lobe that is rougher along one direction of the tangent plane than across it.
 struct LobeStretch {
-  /// That direction. Its length is sqrt(at^2 - ab^2), with the squared roughness `at` along it and
-  /// `ab`, the material's own, across. 0: the lobe is isotropic.
+  /// The direction of greater roughness. Its length is sqrt(at^2 - ab^2), with the squared
+  /// roughness `at` along it and `ab`, the material's own, across. 0: the lobe is isotropic.
   glm::vec3 along{0.0f};
   /// Squared cosine, 0 to 1, between this direction and the viewer in the tangent plane.
   float seen_along2 = 0.0f;
@@ -152,8 +151,8 @@ void map_normal(const World& world, const Hit& hit, const MipChains* mips, float
                                       const SurfacePoint& point);
 
 /// Returns the values of the interpolated normal at the corners of the hit's triangle. On a face of
-/// an analytic shape they belong to a vector that equals the normal at the hit and turns as it
-/// does. Without vertex normals, all are the triangle's normal.
+/// an analytic shape they are those of a linear function with the normal's value and derivatives at
+/// the hit. Without vertex normals, all are the triangle's normal.
 [[nodiscard]] std::array<glm::vec3, 3> corner_normals(const World& world, const Hit& hit);
 
 /// Returns the vertex colour at (b1, b2) of a triangle, as linear RGBA. Exact where the corners

@@ -127,13 +127,13 @@ SurfaceMaterial surface_material(const World& world, const RenderFeatures& rende
   const bool tinted = render_features.vertex_colors && !world.colors.empty();
   const glm::vec4 tint =
       tinted ? vertex_color(world, hit.triangle, hit.b1, hit.b2) : glm::vec4(1.0f);
-  // The texture's alpha from which on a mask is opaque.
+  // The least alpha of the texture at which a mask is opaque.
   std::optional<float> seen_from;
   if (material.alpha_mode == AlphaMode::mask)
     seen_from = material.alpha_cutoff / (material.base_color.a * tint.a);
   const auto sample = [&](const TextureUse& use, TexelKind kind) {
-    // Textures with alpha keep their size: averaged over more than the footprint, each layer would
-    // show the holes of others.
+    // The footprint of textures with alpha is not widened: otherwise, each layer would show the
+    // holes of others.
     const Footprint shown = kind == TexelKind::color ? of_colours(footprint) : footprint;
     if (mips)
       return filtered_texture(world, *mips, use, {kind, seen_from},
@@ -193,7 +193,7 @@ glm::vec4 vertex_color(const World& world, std::uint32_t triangle, float b1, flo
   if (world.is_face(triangle)) return glm::vec4(1.0f);
   const glm::uvec3 v = world.triangles[triangle];
   const glm::vec4 c = world.colors[v.x];
-  // A hit at an edge may lie beyond it by a rounding error; the result must not be negative.
+  // A hit at an edge may lie beyond it by a rounding error, but a colour must not be negative.
   return glm::max(c + b1 * (world.colors[v.y] - c) + b2 * (world.colors[v.z] - c), 0.0f);
 }
 

@@ -17,7 +17,7 @@ struct TangentFrame {
 };
 
 /// Returns the frame of the mesh's tangents or, without any, of the direction in which `use`'s u
-/// grows. `normal` is unit and on the front side by the triangle's corners or normals.
+/// grows. `normal` is unit and on the front side, which the triangle's corners or normals define.
 [[nodiscard]] TangentFrame tangent_frame(const World& world, const Hit& hit, const TextureUse& use,
                                          glm::vec3 normal);
 

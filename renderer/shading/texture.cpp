@@ -23,7 +23,7 @@ std::array<float, 256> make_decode_table(Encoding encoding) {
   return table;
 }
 
-/// Returns a table by 16-bit value. It is computed when the first such picture is looked up.
+/// Returns the decoding table of 16-bit values, which is computed at first use.
 const float* wide_table(Encoding encoding) {
   static const auto tables = [] {
     std::array<std::vector<float>, 2> made;

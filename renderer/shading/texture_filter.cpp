@@ -21,7 +21,8 @@ namespace {
 // texels.
 
 /// Visits a grid of points of a patch, half a texel apart and at least `fewest` along each edge. A
-/// point is its offset from the patch's centre, in a texture of that size. Returns their number.
+/// point is given by its offset from the patch's centre, in the UV of a texture of `size` texels.
+/// Returns their number.
 template <typename Visit>
 int for_each_point(const TexelPatch& patch, int fewest, glm::vec2 size, const Visit& visit) {
   const auto count = [fewest](glm::vec2 edge) {
@@ -84,8 +85,8 @@ struct Axis {
   int size;
   Wrap wrap;
 
-  /// Converts a coordinate of any size to texels near the level. Places farther outside give the
-  /// same texel.
+  /// Converts a coordinate of any size to texels. Places far outside the level become a nearer one
+  /// with the same texel.
   [[nodiscard]] float place(float u) const {
     if (!std::isfinite(u)) u = 0.0f;
     if (wrap == Wrap::repeat) u -= floor_near(u);
@@ -224,9 +225,8 @@ struct Moments {
   }
 };
 
-// Patches up to these sizes, in texels, are sampled at several points if their values are not
-// linear between texels. Unit normals are not, and colours weighted by coverage are not, so one
-// point is not their mean.
+// Patches of unit normals, and of colours weighted by coverage, are sampled at several points up to
+// these sizes, in texels. Neither is linear between texels, so a single point is not their mean.
 constexpr float longest_normals_by_points = 4.0f;
 constexpr float longest_seen_by_points = 16.0f;
 
@@ -283,7 +283,7 @@ MeanNormal filtered_normal(const World& world, const MipChains& mips, const Text
     const Texels finest(*image_of(world, use.texture), Encoding::linear);
     if (found.patch.longest() <= longest_normals_by_points)
       return mean_of_normals(finest, uv, found.patch, texture);
-    // The next level includes the values between this one's texels.
+    // The next level includes interpolated normals between these texels.
     found = coarser(found, chain, finest);
   }
   const TexelShape shape = shape_of(texture, found.level);

@@ -24,7 +24,7 @@ struct TexturePlace {
 /// The meaning of texels in a lookup.
 struct TexelUse {
   TexelKind kind = TexelKind::color;
-  /// For colours with a cut-off: the alpha from which on they are visible. Nothing: alpha blends
+  /// For colours with a cut-off: the least alpha at which they are visible. Nothing: alpha blends
   /// them.
   std::optional<float> cutoff = std::nullopt;
 };

@@ -27,7 +27,7 @@ struct Bend {
     return glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down) +
            12.0f * spread.variance;
   }
-  /// Returns the same about the half vector of a light, which turns as well.
+  /// Returns turn2 of the normals about the half vector of a light, which turns as well.
   [[nodiscard]] float turn2_about_half(glm::vec3 to_viewer, glm::vec3 to_light,
                                        float light_distance) const {
     return turn2(
@@ -151,8 +151,8 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   const Bend bend = bend_of(world, hit, patch, -ray.direction, viewer_distance);
   const glm::vec3 position = ray.at(hit.t);
   const float turn2 = Bend::turn2(bend.spread);
-  // The error of a bend's centre is 1/24 of the squared turn. Where a part of the patch is beyond
-  // grazing, it is up to 1/8 of the turn. A third of the square is in between.
+  // The centre of a curved patch has an error of turn^2 / 24, or of up to turn / 8 where part of
+  // the patch is beyond grazing. turn^2 / 3 is in between.
   float error = reflected * (turn2 / 3.0f + nearness2(lights, position, patch) / 4.0f);
   const auto add_highlights = [&](const Gloss& lobe, const LobeStretch& stretch,
                                   float stretch_turn2) {

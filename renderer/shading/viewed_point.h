@@ -12,7 +12,7 @@ namespace asos {
 
 /// Smallest cosine to the viewer. A smooth normal may turn away from the viewer near a mesh's
 /// outline, which a real surface cannot. The lobe's denominator needs a positive cosine; this one
-/// is within a tenth of a degree.
+/// is a tenth of a degree above the horizon.
 inline constexpr float grazing_cosine = 1.0f / 512.0f;
 
 /// Returns a unit direction to the viewer in the frame of a shading normal, z. It is raised to
@@ -29,7 +29,7 @@ struct ViewedPoint {
   glm::vec3 to_viewer;
   float n_dot_v;     ///< at least grazing_cosine
   Patch patch = {};  ///< patch of surface that it represents; a point where that does not matter
-  float distance = std::numeric_limits<float>::infinity();  ///< of the viewer; parallel rays
+  float distance = std::numeric_limits<float>::infinity();  ///< of the viewer
 };
 
 [[nodiscard]] inline ViewedPoint viewed_point(const SurfacePoint& point, glm::vec3 to_viewer) {
@@ -41,7 +41,7 @@ struct ViewedPoint {
 inline constexpr float least_mirrored_rise = 1.0f / 1024.0f;
 
 /// Returns how far the direction reflected at the shading normal rises above the surface itself.
-/// For a surface without another shading normal, that is the least required.
+/// Returns least_mirrored_rise if that normal is the geometric one.
 [[nodiscard]] inline float mirrored_rise(const SurfacePoint& point, glm::vec3 to_viewer) {
   if (point.shading_normal == point.geometric_normal) return least_mirrored_rise;
   const float cosine = glm::dot(point.shading_normal, to_viewer);
@@ -61,7 +61,7 @@ inline constexpr float least_mirrored_rise = 1.0f / 1024.0f;
   return glm::normalize(to_viewer + raised);
 }
 
-/// Returns the cosine between that normal and the viewer, at least grazing_cosine.
+/// Returns the cosine between mirroring_normal and the viewer, at least grazing_cosine.
 [[nodiscard]] inline float mirroring_cosine(const ViewedPoint& view) {
   const SurfacePoint& point = view.point;
   const float rise = mirrored_rise(point, view.to_viewer);

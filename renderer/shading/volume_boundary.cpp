@@ -12,7 +12,7 @@ const Material& material_of(const World& world, std::uint32_t part) {
   return world.materials[world.parts[part].material];
 }
 
-// Returns a box's volume, by which nested volumes are sorted; infinite if unknown.
+// Returns the volume of a part's box, by which nested volumes are sorted; infinite if unknown.
 double size_of(const World& world, std::uint32_t part) {
   const Box& box = world.parts[part].bounds;
   if (box.empty()) return std::numeric_limits<double>::infinity();

@@ -33,9 +33,9 @@ struct VolumePath {
   /// 0 to 2: the only colour of the ray, red, green or blue; -1: all.
   int colour = -1;
   int refractions = 0;                ///< along the path, among ViewedRay's bounces
-  bool straight = false;              ///< it entered without deflection, and leaves so
+  bool straight = false;              ///< the ray passes the medium without deflection
   NestedVolumes around;               ///< the enclosing volumes
-  glm::vec3 attenuation_color{1.0f};  ///< the medium's
+  glm::vec3 attenuation_color{1.0f};  ///< of the medium
   float attenuation_distance = std::numeric_limits<float>::infinity();
 
   /// Returns the fraction of light that remains after a finite distance in the medium (Beer and

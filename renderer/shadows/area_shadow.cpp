@@ -27,7 +27,7 @@ bool lobe_tells_apart(const ShadowContext& block, const Illumination& lit, const
 // If neither a light nor its quarters can be cut along their boundaries, the light is sampled. More
 // levels of pyrays cost more than rays from all over the patch.
 constexpr int window_levels = 1;
-// A light whose square contains more groups of boundaries is saturated.
+// A light whose square contains more groups of boundaries is not resolved.
 constexpr std::size_t most_entries = 400;
 
 // Uses rays where they cost less, or represent the patch better, than a pyray from its centre.

@@ -34,8 +34,8 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
       parallel ? lit.light.towards : lit.light.position - glm::dvec3(lit.point.lit_position());
   if (!(glm::dot(to_light, patch.plane.normal) > 0.0)) return sampled_shadow(block, query, counts);
 
-  // A part that a few rays determine well enough takes them immediately, if they cost less than a
-  // search for boundaries.
+  // A leaf whose visibility a few rays determine well enough is sampled immediately, if they cost
+  // less than a search for boundaries.
   const ErrorBudget& error_budget = block.rules.error_budget;
   const bool refined = !block.rules.area_shadows;
   const auto rays_suffice = [&](double price) {
@@ -61,7 +61,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
 
   // Trace, with the leaf's own border.
   if (parallel) {
-    // The parallel frame's square is not the leaf's: the leaf is a region of it.
+    // The parallel frame's square is not the leaf's square: the leaf is a region of it.
     std::vector<BorderEdge>& border = block.work->border;
     border.clear();
     const auto placed = [&](glm::vec2 at) {

@@ -35,13 +35,13 @@ struct LeafContext {
   glm::vec2 at{0.5f};                  ///< place of its sample, in that frame
   std::uint64_t seed = 0;              ///< of the leaf's random numbers
   UniformShadowPatch* even = nullptr;  ///< the evenly lit patch around it, if any
-  const LightViews* views = nullptr;   ///< those of its sample that were computed
+  const LightViews* views = nullptr;   ///< computed views from its sample
   ObservedLeaf observed;
 
   [[nodiscard]] LightView view_of(std::uint32_t light) const {
     return views ? views->of(light) : LightView{light};
   }
-  /// Returns how many times its root was split to get it.
+  /// Returns how many times the root was split to get this leaf.
   [[nodiscard]] int level() const {
     return static_cast<int>(std::lround(std::log2(root_side / region.square.side)));
   }

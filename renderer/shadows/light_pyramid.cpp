@@ -11,8 +11,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Distance of the end of shadow pyrays from a light, relative to its distance. The light's own
-// surface must not shade it.
+// Distance of the end of shadow pyrays from a light, relative to the light's distance. The light's
+// own surface must not shade it.
 constexpr double before_light = 1e-5;
 
 struct Rectangle {
@@ -48,7 +48,7 @@ std::optional<Rectangle> rectangle_around(const PreparedLight& light, glm::dvec3
   }
 }
 
-// Returns a point of a flat light's plane in its window.
+// Converts a point of a flat light's plane to coordinates of the square.
 glm::vec2 in_window(const PreparedLight& light, glm::dvec3 p) {
   const glm::dvec3 from_corner = p - (light.position - light.half_u - light.half_v);
   return {glm::dot(from_corner, light.half_u) / (2.0 * glm::dot(light.half_u, light.half_u)),

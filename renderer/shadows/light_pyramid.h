@@ -18,9 +18,9 @@ namespace asos {
 /// bounding rectangle (CGF'98 section 4.2), and the light's part of that square.
 class LightPyramid {
  public:
-  /// Returns the window with the apex at the receiver's position, moved off its surface. Returns
-  /// nothing for a light without an extent, a segment, a ball around the receiver, and a light
-  /// whose plane contains the receiver.
+  /// Returns the pyramid with the apex at the receiver's position, which must be clear of its
+  /// surface. Returns nothing for a light without an extent, a segment, a ball around the receiver,
+  /// and a light whose plane contains the receiver.
   [[nodiscard]] static std::optional<LightPyramid> of(const PreparedLight& light,
                                                       const Receiver& receiver);
 
@@ -73,9 +73,9 @@ class LightPyramid {
   int horizon_count_ = 0;
 };
 
-/// Returns the fraction of the way along `towards`, from a point to a light's window, at which a
-/// ray reaches the light. A flat light is at the window's plane. A ball begins where the ray enters
-/// it; its window is at its rim.
+/// Returns the fraction of the way along `towards`, from a point to a light's bounding rectangle,
+/// at which a ray reaches the light. A flat light lies in the rectangle's plane. A ball begins
+/// where the ray enters it; its rectangle is at its rim.
 [[nodiscard]] float way_to_light(const PreparedLight& light, glm::dvec3 from, glm::dvec3 towards);
 
 }  // namespace asos

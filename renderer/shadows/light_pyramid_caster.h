@@ -5,9 +5,9 @@
 
 namespace asos {
 
-/// Casts from a point of a surface to an extended light (CGF'98 section 4.2). A leaf's weight is
-/// its irradiance: its projected solid angle. By the published rule, it is its area times the
-/// cosine at the light over the squared distance, both at its sample.
+/// Casts from a point of a surface to an extended light (CGF'98 section 4.2). A leaf is weighted by
+/// irradiance: by its projected solid angle. By the published rule, its weight is its area times
+/// the cosine at the light over the squared distance, both at the centre of its square.
 class LightPyramidCaster final : public ShadowCaster {
  public:
   /// All arguments have to outlive the pyray. `gives_up`: gives up once a sample hits a surface

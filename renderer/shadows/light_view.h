@@ -27,7 +27,7 @@ class LightViews {
     if (view.penumbra > 0.0 || view.too_detailed) views_.push_back(view);
   }
   [[nodiscard]] bool empty() const { return views_.empty(); }
-  /// Returns the view of a light; by default it has no boundaries.
+  /// Returns the view of a light; if none was added, the default without boundaries.
   [[nodiscard]] LightView of(std::uint32_t light) const {
     const auto found = std::find_if(views_.begin(), views_.end(),
                                     [&](const LightView& view) { return view.light == light; });

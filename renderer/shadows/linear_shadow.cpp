@@ -41,7 +41,8 @@ Visibility linear_shadow(const ShadowContext& block, const ShadowQuery& query,
   const std::size_t most = std::size_t{1} << (levels_left(block.rules, query.leaf) + 3);
   const auto boundaries = block.work->tracer.boundaries(block.scene->features, pyray, 0.0f, most);
 
-  // Collect the places where they cross the light, and where it sinks below the horizons.
+  // Collect the places where boundaries cross the light, and where the light sinks below the
+  // horizons.
   std::vector<double>& ends = block.work->ends;
   ends.assign({-1.0, 1.0});
   if (boundaries) {
@@ -51,7 +52,7 @@ Visibility linear_shadow(const ShadowContext& block, const ShadowQuery& query,
       ends.push_back(2.0 * (s.u0 + t * (static_cast<double>(s.u1) - s.u0)) - 1.0);
     }
   } else {
-    // Too many: use as many equal parts.
+    // Too many boundaries: use `most` equal parts.
     for (std::size_t i = 1; i < most; ++i)
       ends.push_back(2.0 * static_cast<double>(i) / static_cast<double>(most) - 1.0);
   }
@@ -61,7 +62,7 @@ Visibility linear_shadow(const ShadowContext& block, const ShadowQuery& query,
   }
   std::sort(ends.begin(), ends.end());
 
-  // Send one ray to each part between them.
+  // Send one ray to each part between these places.
   Visibility lit_parts(0.0);
   double all = 0.0;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {

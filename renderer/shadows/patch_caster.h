@@ -17,7 +17,7 @@ struct ShadowPatch {
   std::array<glm::dvec3, 4> corners;
   HalfSpace plane;                     ///< above: the visible side
   std::span<const BorderEdge> border;  ///< in units of the square; empty: the whole square
-  double lift = 0.0;                   ///< height above the plane at which rays end
+  double lift = 0.0;                   ///< height above the plane at which rays start
 };
 
 /// Casts from a point light, or a distant light, over a patch (CGF'98 section 4.1). A leaf's weight
@@ -29,12 +29,12 @@ class PatchCaster final : public ShadowCaster {
   /// or if the corners do not surround a solid angle.
   [[nodiscard]] static std::optional<Frame> frame_from(glm::dvec3 light, const ShadowPatch& patch);
   /// Returns the frame of parallel light from the unit direction `towards`, over a parallelogram
-  /// around the patch. It starts `reach` away.
+  /// around the patch. The frame starts `reach` away from the patch.
   [[nodiscard]] static std::optional<Frame> frame_along(glm::dvec3 towards, double reach,
                                                         const ShadowPatch& patch);
 
-  /// All arguments have to outlive the pyray. `viewer` is the frame for the weights of leaves, if
-  /// it has other coordinates than this frame.
+  /// All arguments have to outlive the pyray. `viewer`: the frame in which leaves are weighted, if
+  /// its coordinates differ from those of `frame`; else null.
   void start(const ShadowScene& scene, bool see_through, const Frame& frame,
              const ShadowPatch& patch, const Frame* viewer, std::int32_t ignored_part);
 

@@ -23,14 +23,14 @@ struct ShadowQuery;
 /// broad, they have its material, since such a lobe weights the parts of a light unequally.
 class PatchPoints {
  public:
-  /// Must be called before the leaf or light changes.
+  /// Must be called for each new leaf or light.
   void start(const ShadowContext& block, const ShadowQuery& query);
 
   /// Returns those of the points `first` to `end` - 1, at most ShadingPoints::size of them, that
   /// lie on the patch.
   const ShadingPoints& look(const ShadowContext& block, const ShadowQuery& query,
                             std::uint32_t first, std::uint32_t end, RenderStatistics& counts);
-  /// Returns the weight of rays from the points.
+  /// Returns how rays from the points are weighted.
   [[nodiscard]] RayWeighting aimed_by() const { return by_; }
   /// Returns the points' places on a light.
   const LightPointBatch& on_light(std::uint32_t light);

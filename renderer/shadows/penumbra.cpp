@@ -14,8 +14,8 @@ glm::dvec3 middle_of(const Frame& window) {
   return window.base_corner() + 0.5 * (window.base_u() + window.base_v());
 }
 
-/// The size of a patch around a receiver in units of a window's edges, along the direction to the
-/// light's centre.
+/// The size of a patch around a receiver in units of the edges of a window (the frame around the
+/// light), along the direction to the light's centre.
 struct PatchInWindow {
   double u = 0.0, v = 0.0;  ///< full widths
 };
@@ -54,8 +54,8 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> near_window(glm::dvec2 p, glm::
   return std::pair(p + part.t0 * d, p + part.t1 * d);
 }
 
-/// The shadows on the patch of boundaries above it. Such boundaries are behind the patch's centre,
-/// seen towards the light, but in front of other points of the patch.
+/// The shadows that boundaries above the patch cast on it. Such boundaries are behind the patch's
+/// centre, seen towards the light, but in front of other points of the patch.
 class ShadowOnPatch {
  public:
   ShadowOnPatch(const Frame& window, const HalfSpace& plane, glm::dvec3 middle, const Patch& patch)
@@ -103,7 +103,7 @@ class ShadowOnPatch {
   glm::dvec2 spread_{0.0};
 };
 
-/// The error of the visibility at the patch's centre as its mean, summed over boundaries.
+/// The error of the centre's visibility as the patch's mean, summed over boundaries.
 class VisibilityCurvature {
  public:
   /// `line`: the light is the window's centre line, along u.
@@ -119,7 +119,7 @@ class VisibilityCurvature {
 
   // Adds a straight piece of a boundary, in the world.
   void add(glm::dvec3 p, glm::dvec3 q) {
-    // Nearness changes along it, so use a few steps.
+    // Nearness changes along the piece, so use a few steps.
     constexpr int steps = 4;
     const glm::dvec3 hp = frame_.homogeneous(p), hq = frame_.homogeneous(q);
     if (line_) return add_to_line(hp, hq);
@@ -178,8 +178,8 @@ class VisibilityCurvature {
     if (!(length > 0.0)) return;
     const glm::dvec2 across = glm::dvec2(std::abs(q.y - p.y), std::abs(q.x - p.x)) / length;
     const double e = eu * across.x + ev * across.y;
-    // A blocker attached to a surface in the light hides one side of that surface or the other, so
-    // its boundary has twice the effect.
+    // An occluder attached to a surface that passes through the light hides one side of that
+    // surface or the other, so its boundary has twice the effect.
     if (std::any_of(cuts_.begin(), cuts_.end(),
                     [&](const Cut& cut) { return distance(cut, middle) < e; }))
       sum_ += std::min(0.5, 0.5 * e) * std::min(1.0, length);
@@ -260,7 +260,7 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
 
 Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
                        RenderStatistics& counts) {
-  // Nothing is in between, or it does not matter.
+  // There is no penumbra if nothing is in between, or if it does not matter.
   const float tolerance = penumbra_tolerance(block.rules.error_budget);
   if (block.rules.area_shadows) return {};
   const glm::vec3 around = 0.5f * (glm::abs(query.patch.right) + glm::abs(query.patch.down));

@@ -15,8 +15,8 @@ struct PenumbraQuery {
   double weight = 1.0;     ///< weight of the patch in its root
 };
 
-/// Result of find_penumbra. A saturated view of a light has so many boundaries that rays from the
-/// whole patch cost less. Then the shadow is sampled, and no split is needed.
+/// Result of find_penumbra. A view of a light is too detailed if it has so many boundaries that
+/// rays from the whole patch cost less. Then the shadow is sampled, and no split is needed.
 struct Penumbra {
   float error = 0.0f;  ///< in display intensity
   bool too_detailed = false;

@@ -18,16 +18,16 @@ namespace {
 // Number of rays in the first round. Each further round doubles it, up to a maximum.
 constexpr double first_rays_a_root = 16.0;
 constexpr std::uint32_t least_rays = 8;
-// Rays of a part that needs only few: their least number, and the factor over the number needed.
+// Rays of a leaf that needs only few: their least number, and the factor over the number needed.
 // Setting up origins and targets costs more than such rays, so additional ones are almost free.
 constexpr std::uint32_t fewest_rays = 4;
 constexpr double rays_for_one = 4.0;
-// Largest number of points drawn per requested ray. Where parts and lights fill less of their
+// Largest number of points drawn per requested ray. Where leaves and lights fill less of their
 // bounding boxes, the result uses fewer rays.
 constexpr std::uint32_t most_points_a_ray = 16;
 constexpr std::uint32_t most_at_a_time = ShadingPoints::size;
 
-// Returns the light's constants, with its power scaled so that sums are safe.
+// Returns the light's constants, with its power scaled to a maximum of 1, so that sums are safe.
 LightConstants constants_of(const PreparedLight& light) {
   LightConstants constants(light);
   constants.power /= largest(constants.power);

@@ -13,7 +13,7 @@ namespace asos {
 namespace {
 
 // Leaves below this fraction of a finest cell are served by a single ray, as marginal leaves are,
-// since their samples represent less than any marginal leaf's.
+// since they represent less area than any marginal leaf.
 constexpr double small_leaf = 0.25;
 
 Box box_of(const ShadowPatch& patch) {

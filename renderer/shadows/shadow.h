@@ -8,7 +8,7 @@
 
 namespace asos {
 
-/// While it lives, all shadow rays and pyrays count for one light.
+/// Counts all shadow rays and pyrays during its lifetime for one light.
 class CountForLight {
  public:
   CountForLight(RenderStatistics& counts, std::uint32_t light);
@@ -16,7 +16,7 @@ class CountForLight {
   CountForLight(const CountForLight&) = delete;
   CountForLight& operator=(const CountForLight&) = delete;
 
-  /// So far.
+  /// Shadow rays so far.
   [[nodiscard]] std::uint64_t rays() const { return counts_.shadow_rays - rays_before_; }
 
  private:
@@ -34,8 +34,8 @@ struct LeafLight {
 };
 
 /// Computes the visibilities of lights from the patches of leaves, 0 to 1, by pyrays between light
-/// and patch (CGF'98 section 4); this is how ASOS finds shadows. If nothing lies between a group of
-/// coplanar points and a light, one ray decides for all of them.
+/// and patch (CGF'98 section 4); this is how ASOS finds shadows. If no boundary lies between a
+/// group of coplanar points and a light, one ray decides for all of them.
 ///
 /// The entries of a batch are processed one by one, in order.
 void light_visibilities(const ShadowContext& block, std::span<const LeafLight> batch,

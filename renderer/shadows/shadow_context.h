@@ -28,7 +28,7 @@ struct SampledRays {
   ShadowRayBatch rays;
   std::vector<glm::vec3> transmittances;  ///< fraction of each that arrives
 
-  /// Returns the unshadowed irradiance of a ray.
+  /// Returns a ray's weight: unshadowed irradiance, or radiance by RayWeighting.
   [[nodiscard]] float weight(std::size_t ray) const { return rays.carried[0][ray]; }
   /// Traces the batch. `own_part`: see RayScene.
   void trace(const RayScene& scene, std::int32_t own_part);
@@ -38,7 +38,7 @@ class AreaShadows;
 
 /// The rules for shadows on a viewer's leaves.
 struct ShadowRules {
-  /// Replaces the shadows of extended lights; null: as exact as the allowance.
+  /// Replaces the shadows of extended lights; null: as exact as `error_budget`.
   const AreaShadows* area_shadows = nullptr;
   ErrorBudget error_budget;  ///< for the viewer's pyrays; those of shadows get the remaining levels
   const SubdivisionVariant* variant = nullptr;  ///< for shadow pyrays; null: the engine's own way
@@ -86,8 +86,8 @@ struct ShadowQuery {
 /// Returns two numbers in [0, 1).
 [[nodiscard]] glm::dvec2 unit_pair_of(std::uint64_t bits);
 
-/// Returns the rules for a leaf's shadow pyrays: the levels that its parent left, and EPS of its
-/// contribution (ErrorBudget::nested).
+/// Returns the rules for a leaf's shadow pyrays: the levels that their parent left, and EPS
+/// relative to the leaf's contribution (ErrorBudget::nested).
 [[nodiscard]] SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query);
 
 /// Returns the levels that a leaf leaves to its shadow pyrays, at least 1.

@@ -65,7 +65,7 @@ void ShadowGroups::add(const Hit& hit, glm::vec3 position, glm::vec3 normal, con
     group.stood_upon.reset();
   }
   Group& group = groups_[i];
-  // Grow it by the patch, half as far again as its first-order extent.
+  // Grow the group's box by the patch, half as far again as the patch's first-order extent.
   const glm::vec3 around = 0.75f * (glm::abs(patch.right) + glm::abs(patch.down));
   if (!std::isfinite(around.x + around.y + around.z)) return;
   for (const glm::vec3 at : {position, position + lift}) {
@@ -207,7 +207,7 @@ KnownVisibility ShadowGroups::ask(const PreparedLight& light, std::uint32_t inde
   // A group has no data for the other side of its surface, which diffuse transmission needs.
   const bool other_side = glm::dot(glm::dvec3(point.geometric_normal), group->plane.normal) < 0.0;
   if (group->planar && other_side) return {};
-  // It has no data below its plane either, where a smooth surface may still see the light.
+  // It has no data below its plane either, where a smooth surface may still receive light.
   if (group->planar && point.lift != glm::vec3(0.0f) && !rises_above(light, *group)) return {};
   Answer& answer = group->answers[index];
   if (!answer.known) find(light, point, *group, answer, rays_cast);

@@ -16,7 +16,7 @@
 
 namespace asos {
 
-/// The known part of the passage of light between some points and a light.
+/// The known visibility between some points and a light.
 struct KnownVisibility {
   enum class Passage : std::uint8_t { open, lit, shaded };
 
@@ -25,8 +25,8 @@ struct KnownVisibility {
 };
 
 /// The surfaces visible in a block of pixels, one group for each smooth surface, with the feature
-/// cut between each and the lights. It is computed once and passed to all shadow pyrays that start
-/// there. Nodes are shared, but not edges: all points of the block together see many more
+/// cut between each and the lights. A cut is computed once and passed to all shadow pyrays that
+/// start there. Nodes are shared, but not edges: all points of the block together see many more
 /// silhouettes than any one of them (design section 12).
 class ShadowGroups {
  public:
@@ -38,8 +38,8 @@ class ShadowGroups {
   void add(const Hit& hit, glm::vec3 position, glm::vec3 normal, const Patch& patch,
            glm::vec3 lift = glm::vec3(0.0f));
 
-  /// Returns the known part of the passage from a patch around `point` to a light. Adds the rays
-  /// cast for it to `rays_cast`. The cut is valid until the next call of `reset`.
+  /// Returns the known visibility between a patch around `point` and a light. Adds the rays cast
+  /// for it to `rays_cast`. The cut is valid until the next call of `reset`.
   [[nodiscard]] KnownVisibility ask(const PreparedLight& light, std::uint32_t index,
                                     const SurfacePoint& point, const Box& patch,
                                     std::uint64_t& rays_cast);

@@ -25,14 +25,14 @@ Shaft::Shaft(const Box& from, const Box& to) {
   add_bevels(from, to, 1, 2);
 }
 
-// In the plane of axes i and j, the hull of two rectangles has their own sides and the lines
-// between like corners that have everything on one side.
+// In the plane of axes i and j, the hull of two rectangles has their own sides, and those lines
+// between corresponding corners that have everything on one side.
 void Shaft::add_bevels(const Box& from, const Box& to, int i, int j) {
   const auto corner = [&](const Box& box, int c) {
     return glm::dvec2((c & 1) ? box.hi[i] : box.lo[i], (c & 2) ? box.hi[j] : box.lo[j]);
   };
   for (int c = 0; c < 4; ++c) {
-    // Take the line between two like corners.
+    // Take the line between two corresponding corners.
     const glm::dvec2 start = corner(from, c);
     const glm::dvec2 along = corner(to, c) - start;
     const double length = glm::length(along);

@@ -23,9 +23,9 @@ class Shaft {
 
   /// Returns the children of a node whose boxes meet the shaft, as bits; conservative.
   [[nodiscard]] unsigned met_children(const FeatureNode& node) const;
-  /// Returns whether a box may meet it; conservative.
+  /// Returns whether a box may meet the shaft; conservative.
   [[nodiscard]] bool meets(const Box& box) const;
-  /// Returns whether a straight edge may meet it; conservative.
+  /// Returns whether a straight edge may meet the shaft; conservative.
   [[nodiscard]] bool meets(glm::vec3 a, glm::vec3 b) const;
 
  private:

@@ -110,7 +110,7 @@ void add_cones(std::vector<Case>& cases) {
     const double below_1 = 2.0 * std::sin(0.5 * outer) * std::sin(0.5 * outer);  // 1 - cos(outer)
     const double share = std::min(1.0, below_1 / 0.001);
     const double cosine_rounding = 2.0 * std::numeric_limits<double>::epsilon() / below_1;
-    // Off the axis, 2 above, the cosine is less by half the squared angle.
+    // At a point off the axis, 2 below the light, the cosine is less by half the squared angle.
     constexpr double half_side = 1e-3;
     const double beside = 16.0 * rounding * half_side / 2.0;
     cases.push_back(

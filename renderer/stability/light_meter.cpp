@@ -25,10 +25,10 @@ Result<Outcome> LightMeter::measure(const Measure& measure, double lux) const {
   const double h = floor_half;
   Scene scene = scene_of({}, parallel({0, 8, 0}, {0, 0, 0}, 1e-9));
   Material chalk = matte(albedo);
-  chalk.specular = 0.0f;  // it would reduce the diffuse reflection
+  chalk.specular = 0.0f;  // gloss would reduce the diffuse reflection
   place(scene, mesh_of({{-h, 0, h}, {h, 0, h}, {h, 0, -h}, {-h, 0, -h}}), chalk);
   RenderSettings settings = settings_of(1, 1, max_level);
-  // So that the light is the only source.
+  // A black sky leaves the light as the only source.
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   if (change) settings = change(settings);
   scene.lights = {sun()};

@@ -85,7 +85,7 @@ void add_overflow(std::vector<Case>& cases) {
                    }});
 }
 
-/// A material under the sky alone, against the fraction of light that it reflects.
+/// Compares a material under the sky alone with the fraction of light that it reflects.
 Case under_sky(const std::string& name, const Material& material, double share,
                const Measure& measure, double fov_deg = 50.0) {
   return {name, material_group, true, [=] {

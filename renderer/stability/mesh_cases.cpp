@@ -179,7 +179,7 @@ Result<Outcome> against_beam(const Mesh& expected, const Mesh& mesh, bool double
     settings.method = method;
     return render(scene, settings);
   };
-  // Up to three pixels' worth of corners: unresolved at MAX 5 they would be 1/1024 each.
+  // Up to three corners lie in a pixel. Each may leave a finest cell unresolved, 1/1024 at MAX 5.
   return worst_difference({"radiance of the pixel that differs most from exact visibility",
                            rounding_bound(view, {1.5, 2.5, 8, 0.65}) + 0.65 * 3.0 / 1024.0,
                            std::string(rounding_reason) +
@@ -264,7 +264,7 @@ Result<Outcome> ball_in_a_pixel(int n, int max_level) {
   builtin::add_sphere(ball, {0.03f, 0.02f, 0.0f}, 0.4f, n);
   place(scene, std::move(ball), unlit(1.0f));
   const double finest = std::ldexp(1.0, -max_level);
-  // Each chord is a quarter of 4 n segments, so the polygon's area is less by (2 pi / 4 n)^2 / 6.
+  // The outline has 4 n chords, so its area is less than the disk's by (2 pi / 4 n)^2 / 6 of it.
   const double chord = 2.0 * std::numbers::pi / (4.0 * n);
   const double disk = std::numbers::pi * 0.16;
   return one_value(

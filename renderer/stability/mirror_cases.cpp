@@ -52,11 +52,11 @@ Face dark_half(double height, double far = 1 << 20) {
   return {{{-far, height, far}, {0, height, far}, {0, height, -far}, {-far, height, -far}}, 0.0f};
 }
 
-/// A card in front of a mirror appears twice.
+/// Adds plane mirrors: a card's image, and grazing views.
 void add_plane(std::vector<Case>& cases) {
   cases.push_back(
       {"a card in a mirror", mirror_group, true, [] {
-         // The camera looks at the mirror and sees the card behind it there.
+         // The card is behind the camera, which sees its image in the mirror.
          Face card = tilted_card();
          for (glm::dvec3& p : card.corners) p.z += 6.0;
          Face image = card;
@@ -185,7 +185,7 @@ void add_bounces(std::vector<Case>& cases) {
                    }});
   cases.push_back(
       {"facing mirrors, 64 bounces, a tenth lost at each", mirror_group, true, [deepest] {
-         // 0.9^53 is the first below 1/256.
+         // 53 is the smallest n with 0.9^n < 1/256.
          const double left = std::pow(static_cast<double>(0.9f), 53.0);
          return worst_pixel({worst_of_small, unfollowed * left * 54.0 * 8.0 * rounding,
                              "what has less than 1/256 of a pixel's light is not followed, but is "

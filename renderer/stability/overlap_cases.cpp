@@ -85,8 +85,7 @@ void add_near(std::vector<Case>& cases) {
   for (const double gap : {1e-3, 1e-4, 1e-5}) {
     cases.push_back(
         {fmt::format("a white face {:g} before a black one", gap), overlap_group, true, [gap] {
-           // Drawn first and last, since the order must not matter. Perspective shrinks the
-           // farther face by the ratio of the gap to the distance.
+           // Perspective shrinks the farther face by the ratio of the gap to the distance.
            const Face white = lifted(tilted_card(), gap, 1.0f);
            return seen({tilted_card(0.0f), white}, {white}, 2, gap,
                        "; the gap is more than the 12 roundings of a distance of 4; "
@@ -114,8 +113,8 @@ void add_near(std::vector<Case>& cases) {
        }});
 }
 
-/// Two boxes on a floor, `deep` below its surface. Only their tops and fronts are visible besides
-/// the floor.
+/// A box on a floor, sunk `deep` below its surface. Only the box's top and front are visible
+/// besides the floor.
 Result<Outcome> sunk_box(double deep) {
   const PictureView view{parallel({0, 4, 4}, {0, 0, 0}, 3.0), picture_side, picture_side};
   Scene scene = scene_of({{{{-8, 0, 8}, {8, 0, 8}, {8, 0, -8}, {-8, 0, -8}}, 0.0f}}, view.camera);

@@ -37,7 +37,7 @@ struct InjectedError {
   double light = 1.0;
   glm::dvec2 pixels{0.0};  ///< x to the right, y down
 };
-/// Applies a disturbance to the first picture that this thread renders while the object lives.
+/// Injects an error into the first picture that this thread renders while the object lives.
 class ErrorInjection {
  public:
   explicit ErrorInjection(const InjectedError& disturbance);
@@ -59,11 +59,11 @@ struct Measure {
 /// Returns the pixel whose red differs most from `expected`.
 [[nodiscard]] Result<Outcome> worst_pixel(const Measure& measure, const Result<Picture>& picture,
                                           const std::function<double(int x, int y)>& expected);
-/// Returns the pixel with the largest difference between two pictures of the same size.
+/// Returns the outcome at the pixel where two pictures of the same size differ most.
 [[nodiscard]] Result<Outcome> worst_difference(const Measure& measure,
                                                const Result<Picture>& expected,
                                                const Result<Picture>& picture);
-/// Returns one number of a picture.
+/// Returns one number, measured in a picture.
 [[nodiscard]] Result<Outcome> one_value(const Measure& measure, double expected,
                                         const Result<Picture>& picture,
                                         const std::function<double(const Picture&)>& value);

@@ -82,7 +82,8 @@ void add_moves(std::vector<Case>& cases) {
   for (const int power : {3, 6, 9}) {
     cases.push_back({fmt::format("a card moved by 1e{}", power), scale_group, true, [power] {
                        const double distance = std::pow(10.0, power);
-                       // The author's coordinates are doubles; three of them are added up.
+                       // The scene's coordinates are doubles; the bound allows three roundings of
+                       // them.
                        const PictureView view{card_camera(), picture_side, picture_side};
                        const double more = 2.0 * std::sqrt(2.0) * 3.0 * distance * 1.2e-16 *
                                            view.pixels_per_unit() / 2.5;

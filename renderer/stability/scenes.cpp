@@ -21,7 +21,7 @@ Material matte(float grey) {
   material.metallic = 0.0f;
   material.roughness = 1.0f;
   material.ior = 1.0f;
-  material.specular = 0.0f;  // nor at grazing angles
+  material.specular = 0.0f;  // no gloss at grazing angles
   material.double_sided = true;
   return material;
 }

@@ -29,7 +29,7 @@ struct Face {
 
 /// White metal without roughness, which reflects everything.
 [[nodiscard]] Material mirror();
-/// The same with one curve of defocusing ratios for all colours.
+/// Returns a mirror with one curve of defocusing ratios for all colours.
 [[nodiscard]] Material mirror(const DfrCurve& curve);
 
 /// Stores a mesh and places it.
@@ -63,7 +63,8 @@ void add_dark_light(Scene& scene);
 /// box is 1/8 above the floor, so that nothing touches.
 [[nodiscard]] Scene still_life();
 
-/// Returns the scene placed by `similarity`, a uniform scale by `scale` and any rigid motion.
+/// Returns the scene placed by `similarity`, a uniform scale by `scale` and a move. Lights are not
+/// turned.
 [[nodiscard]] Scene transformed(Scene scene, const glm::dmat4& similarity, double scale);
 
 }  // namespace asos::stability

@@ -68,7 +68,7 @@ Result<Outcome> wall_beside(double x, double height, double seen_from) {
 }
 
 void add_edges(std::vector<Case>& cases) {
-  // Powers of two, or sums of few.
+  // Heights are powers of two, or sums of few.
   for (const double y : {1.9990234375, 1.0, 0.0078125, 0.0001220703125}) {
     cases.push_back({fmt::format("a light partly behind an edge {:.4g} above the point", y),
                      shadow_group, true, [y] { return edge_above(y); }});
@@ -121,7 +121,7 @@ void add_full(std::vector<Case>& cases) {
   cases.push_back(
       {"a light wholly hidden by what stands 1e-3 above", shadow_group, true, [] {
          LightMeter meter{{panel()}, {}};
-         // Next to the pixel, so that the camera sees it and the light does not.
+         // The blocker hides the pixel from the light, but not from the camera.
          meter.lights[0].position.x = 4.0;
          meter.blockers = {strip(0.0001220703125, 8.0, 0.0009765625)};
          return meter.measure(

@@ -85,7 +85,7 @@ void add_proportions(std::vector<Case>& cases) {
                      return area_case(cylinder_shape(2.0, 1e-3, 1e-3), glm::dmat4(1.0), 3.0,
                                       4.0 * 1e-3, outline_bound);
                    }});
-  // From a distance they would cover less than the error of an outline. They cross the whole
+  // From a distance, these shapes would cover less than an outline's error. They cross the whole
   // picture.
   cases.push_back({"a ball squeezed to a needle of 1e-6, from close by", shape_group, true, [] {
                      return area_case(ball_shape(1.0), stretched(1.0, 1e-6, 1e-6), 3e-6,

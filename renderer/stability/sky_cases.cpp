@@ -54,7 +54,7 @@ RenderSettings under_this(const SharedSky& sky) {
   return settings;
 }
 
-/// Compares a whole picture with one radiance, relative to `scale`.
+/// Compares a whole picture with one radiance, relative to that radiance.
 Case even_sky(const std::string& name, const Scene& scene, const MakeSky& make_sky, double expected,
               double roundings, const char* reason) {
   return {name, sky_group, true, [=] {
@@ -101,7 +101,7 @@ void add_brightness(std::vector<Case>& cases) {
     cases.push_back(even_sky(named("seen"), nothing(), sky, r, 8.0, "the sky's own float"));
     cases.push_back(even_sky(named("in a mirror"), wall_of(mirror()), sky, r, 64.0,
                              "white metal returns all of it, but for roundings"));
-    if (radiance < 1e-10f && radiance > 0.0f) continue;  // the light behind the wall is brighter
+    if (radiance < 1e-10f && radiance > 0.0f) continue;  // the scene's light outshines such a sky
     cases.push_back(even_sky(named("on a matte wall"), wall_of(matte(0.5f)), sky, 0.5 * share * r,
                              64.0, "0.6 of it times the albedo, 1/2"));
   }
@@ -121,8 +121,7 @@ void add_contrast(std::vector<Case>& cases) {
     cases.push_back(
         {fmt::format("one texel of {:g} in the dark, on a wall that faces it", radiance), sky_group,
          true, [radiance] {
-           // The wall at the origin faces +Z; the sky is turned so that the texel is in front of
-           // it.
+           // Solid angle of the texel, in row 32 of 64 and one of 128 columns.
            const double texel = 2.0 * std::numbers::pi / 128.0;
            const double height =
                std::cos(std::numbers::pi * 32.0 / 64.0) - std::cos(std::numbers::pi * 33.0 / 64.0);

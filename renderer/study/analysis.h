@@ -44,11 +44,11 @@ enum class Reading {
   cheapest,      ///< the rival's quickest setting is already better: its time is used
   extrapolated,  ///< beyond the rival's measurements: its last step is continued
   unreached,     ///< too far beyond: the rival's longest time is used as a lower bound
-  levelled,      ///< never: its last doublings hardly gained; its longest time is used
+  levelled,      ///< never: doubling its time hardly helps; its longest time is used
 };
 [[nodiscard]] const char* name_of(Reading reading);
 
-/// A setting of ASOS compared with a rival at the same error, or in the same time.
+/// A setting of ASOS compared with a rival at the same error (EqualTime: in the same time).
 struct EqualError {
   std::string setting;
   std::string method;  ///< the rival
@@ -82,14 +82,14 @@ struct Slope {
 struct ResidualBias {
   double at_most = 0.0;     ///< RMSE
   bool levels_off = false;  ///< more time hardly helped, so the bias is about as large
-  std::string setting;      ///< the best one
+  std::string setting;      ///< the best setting
 };
 
 /// The errors of a method's picture while it renders: RMSE over CPU time, without repetitions.
 struct RenderCurve {
   std::string method;
   std::string setting;
-  bool finished = false;  ///< else it was stopped early
+  bool finished = false;  ///< false: it was stopped early
   std::vector<CurvePoint> points;
 };
 
@@ -114,7 +114,7 @@ struct SceneStudy {
   std::vector<Slope> slopes;
   std::vector<RenderCurve> while_rendering;
   std::vector<AtMoment> at_moments;
-  std::optional<ResidualBias> bias;  ///< nothing if all better settings are under the floor
+  std::optional<ResidualBias> bias;  ///< nothing if the best setting is under the floor
 };
 
 /// Returns the time that `rival` takes to reach the error of a point, with the best of its settings
@@ -129,7 +129,7 @@ struct NoiseFloorCount {
   int settings = 0;
   int under_floor = 0;
 
-  /// Returns whether more than a quarter of them are under the floor.
+  /// Returns whether more than a quarter of the settings are under the floor.
   [[nodiscard]] bool too_many() const { return 4 * under_floor > settings; }
 };
 [[nodiscard]] NoiseFloorCount incomparable(const SceneStudy& study);

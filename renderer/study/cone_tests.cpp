@@ -110,7 +110,7 @@ bool axis_meets(const PyrayCone& cone, const ShapeFace& face) {
 }
 
 bool axis_meets_polygon(const PyrayCone& cone, std::span<const glm::dvec3> corners) {
-  // The axis has all sides on the same hand.
+  // All sides turn the same way around the axis.
   double sign = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3 a = corners[i] - cone.apex;
@@ -136,7 +136,7 @@ ConeMeeting meet_sphere(const PyrayCone& cone, glm::dvec3 centre, double radius)
   const double distance2 = glm::dot(d, d);
   const double tangent2 = distance2 - radius * radius;
   if (!(tangent2 > 0.0)) return ConeMeeting::marginal;
-  // All terms are multiplied by the distance.
+  // All cosines and sines are multiplied by the distance.
   const double along = glm::dot(d, cone.axis), cosine = std::sqrt(tangent2);
   if (along < cosine * cone.cosine - radius * cone.sine) return ConeMeeting::none;
   const bool wider = radius * cone.cosine > cosine * cone.sine;
@@ -175,7 +175,7 @@ ConeMeeting meet_cylinder(const PyrayCone& cone, const ShapeFace& side) {
     }
   }
   if (axis_meets(cone, side)) return ConeMeeting::covered;
-  // Through a lid.
+  // Or through a lid.
   const glm::dvec3 o = side.unit(cone.apex), d = side.unit_from_world * cone.axis;
   for (const double y : {0.0, 1.0}) {
     const double t = (y - o.y) / d.y, r = side.radius_at(y);
@@ -188,7 +188,7 @@ ConeMeeting meet_cylinder(const PyrayCone& cone, const ShapeFace& side) {
 ConeMeeting meet_box(const PyrayCone& cone, glm::dvec3 lo, glm::dvec3 hi) {
   if (meet_sphere(cone, 0.5 * (lo + hi), 0.5 * glm::length(hi - lo)) == ConeMeeting::none)
     return ConeMeeting::none;
-  // Whether the apex is in front of each face, by axis: the low one, the high one.
+  // [k]: whether the apex is in front of the low face and of the high face across axis k.
   bool faces[3][2];
   for (int k = 0; k < 3; ++k) {
     faces[k][0] = cone.apex[k] < lo[k];

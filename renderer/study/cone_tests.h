@@ -10,9 +10,9 @@ namespace asos {
 
 /// How the circular cone around a pyray meets an object (GI'93, "Detection Phase").
 enum class ConeMeeting {
-  none,      ///< nothing of it
-  marginal,  ///< its boundary, or the test cannot decide
-  covered    ///< only its inside: the object covers the whole cone
+  none,      ///< misses the object
+  marginal,  ///< meets its boundary, or the test cannot decide
+  covered    ///< meets only the object's inside: the object covers the whole cone
 };
 
 /// A right circular cone that is narrower than a right angle, by its half angle's sine and cosine.
@@ -32,10 +32,9 @@ struct PyrayCone {
 /// Exact, for a convex polygon in a plane.
 [[nodiscard]] ConeMeeting meet_polygon(const PyrayCone& cone, std::span<const glm::dvec3> corners);
 
-/// Tests a disk, or a side with circular rims (a uniform scale). A rim counts as a boundary even
-/// where the side hides it.
+/// Tests a disk with a circular rim (a uniform scale).
 [[nodiscard]] ConeMeeting meet_disk(const PyrayCone& cone, const ShapeFace& face);
-/// Tests `side`, and the disks that close it.
+/// Tests a side with circular rims, and its disks. A hidden rim counts as a boundary, too.
 [[nodiscard]] ConeMeeting meet_cylinder(const PyrayCone& cone, const ShapeFace& side);
 
 /// Tests an axis-parallel box; an edge counts if it is part of the outline from the apex.

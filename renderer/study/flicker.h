@@ -40,7 +40,7 @@ class FlickerMeter {
   [[nodiscard]] double mean_scatter() const;
   [[nodiscard]] double mean_steady() const;
 
-  struct Errors {  // against both halves
+  struct Errors {  // against reference halves
     std::array<glm::dvec3, 2> of{glm::dvec3(0.0), glm::dvec3(0.0)};
   };
   int frames_ = 0;

@@ -12,16 +12,16 @@ namespace asos {
 struct LadderStep {
   std::string method;   ///< as on the command line
   std::string setting;  ///< in words, such as "MAX 3 EPS 1/256" or "16 spp"
-  std::string curve;    ///< steps of one line: the method, and for some also a common setting
+  std::string curve;    ///< name of its curve: the method, for some with a common setting
   RenderSettings settings;
 };
 
-/// Returns the methods that have a ladder and that this program has: all, or those of a study
-/// without named methods.
+/// Return the methods of this program that have a ladder: all, or those of a study that names no
+/// methods.
 [[nodiscard]] std::vector<std::string> ladder_methods();
 [[nodiscard]] std::vector<std::string> default_methods();
 
-/// Returns the ladder of a method; `base` has the settings common to all. An error if it has none.
+/// Returns the ladder of a method; an error if it has none. All steps share the settings of `base`.
 [[nodiscard]] Result<std::vector<LadderStep>> ladder_of(const std::string& method,
                                                         const RenderSettings& base);
 
@@ -31,7 +31,7 @@ struct LadderStep {
 [[nodiscard]] Result<LadderStep> watched_rung(const std::string& method,
                                               const RenderSettings& base);
 
-/// Returns a step outside of the ladders, for a published comparison.
+/// Returns a step with these settings, also for published comparisons.
 [[nodiscard]] LadderStep asos_rung(const std::string& method, const RenderSettings& base,
                                    int max_level, double eps);
 [[nodiscard]] LadderStep sampling_rung(const std::string& method, const RenderSettings& base,

@@ -11,11 +11,11 @@ namespace asos {
 
 /// The difference between two pictures. Radiance is linear and clipped to 0..1, as on a display at
 /// exposure 0, except for `rmse_raw`. A pixel's own error is the root mean square over its three
-/// channels. NaN counts as an error of 1, and makes `rmse_raw` infinite, so that it is always
-/// noticed.
+/// channels. NaN counts as white or black, whichever is farther, and makes `rmse_raw` infinite, so
+/// that it is always noticed.
 struct Measures {
   double rmse = 0.0;          ///< root mean square, over pixels and channels
-  double rmse_raw = 0.0;      ///< the same without clipping
+  double rmse_raw = 0.0;      ///< root mean square without clipping
   double mae = 0.0;           ///< mean absolute, over pixels and channels
   double p99 = 0.0;           ///< of pixel errors: 99th percentile by nearest rank
   double p999 = 0.0;          ///< 99.9th percentile

@@ -133,8 +133,8 @@ inline constexpr std::array paper_cases{
               .bounces = 6},
 };
 
-/// Returns the scene and look for a case's reference. asos_rung() returns its setting of an ASOS
-/// method.
+/// Returns the scene and look for a case's reference. asos_rung() returns the case's setting of an
+/// ASOS method.
 [[nodiscard]] StudyScene scene_of(const PaperCase& row);
 [[nodiscard]] LadderStep asos_rung(const PaperCase& row, const std::string& method,
                                    const RenderSettings& base);

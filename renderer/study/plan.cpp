@@ -54,8 +54,8 @@ void add_rung(Ladders& ladders, LadderStep rung) {
   ladders.push_back({std::move(rung)});
 }
 
-// The scene of the papers' argument against methods that know only fractions of a pixel, and the
-// methods that it is shown with.
+// The scene of the papers' argument against methods that record only fractions of a pixel, and the
+// methods that are compared in it.
 const StudyScene& argument_scene() {
   static const StudyScene scene{"builtin:cards", {}};
   return scene;

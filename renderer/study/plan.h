@@ -24,7 +24,7 @@ struct StudyCamera {
 
 /// A moment of a scene's animation.
 struct StudyMoment {
-  std::optional<std::string> animation;  ///< its name or number; none: the first
+  std::optional<std::string> animation;  ///< animation's name or number; none: the first
   double seconds = 0.0;
 
   bool operator==(const StudyMoment&) const = default;
@@ -34,8 +34,8 @@ struct StudyMoment {
 struct StudyLook {
   StudyCamera camera;
   std::optional<StudyMoment> moment;  ///< none: everything is where the file's nodes place it
-  std::string sky = "neutral";        ///< its name: Sky::name
-  /// The same, opened for rendering; not compared. Null: neutral, or not opened, for example when
+  std::string sky = "neutral";        ///< Sky::name
+  /// That sky, opened for rendering; not compared. Null: neutral, or not opened, for example when
   /// jobs are only merged.
   std::shared_ptr<const Sky> opened_sky;
   int reflections = RenderSettings{}.mirror.bounces;
@@ -93,11 +93,11 @@ enum class JobKind {
   reference,  ///< one half of one pass of the reference
 };
 
-/// A piece of work that does not depend on the others.
+/// A piece of a study's work that does not depend on the other jobs.
 struct Job {
   std::size_t id = 0;  ///< place in the list
   JobKind kind = JobKind::point;
-  std::string scene;  ///< its subject's name
+  std::string scene;  ///< the subject's name
   StudyScene subject;
   LadderStep rung;     ///< the setting to render
   int repetition = 0;  ///< number of the repetition of a point, from 1

@@ -41,7 +41,7 @@ class Reference {
 /// Returns whether a reference's noise adds at most 3 % to the smallest error.
 [[nodiscard]] bool quiet_enough(double noise, double smallest_error);
 
-/// Returns the error below which a reference's noise would be more than 12 % of it.
+/// Returns the error below which a reference's noise would add more than 12 % to it.
 [[nodiscard]] double floor_of(double noise);
 
 }  // namespace asos

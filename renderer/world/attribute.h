@@ -12,9 +12,9 @@
 
 namespace asos {
 
-/// The values of all vertices, or triangles, of a world: its own in an array, then those of placed
-/// meshes, which are computed on access. It reads like one vector; changes are possible for its own
-/// values only.
+/// The values of all vertices, or triangles, of a world: the world's own in an array, then those of
+/// placed meshes, which are computed on access. It reads like one vector; only own values can be
+/// changed.
 template <typename T>
 class Attribute {
  public:
@@ -36,7 +36,7 @@ class Attribute {
     if (!placed_ || i < own_.size()) return own_[i];
     return placed_(*places_, static_cast<std::uint32_t>(i - own_.size()));
   }
-  /// Returns one of its own values, for changes; throws std::out_of_range beyond.
+  /// Returns an own value, for changes; throws std::out_of_range beyond the own values.
   [[nodiscard]] T& operator[](std::size_t i) { return own_.at(i); }
   [[nodiscard]] std::size_t size() const { return own_.size() + placed_count_; }
   [[nodiscard]] bool empty() const { return size() == 0; }

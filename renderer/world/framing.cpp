@@ -13,7 +13,7 @@ namespace asos {
 namespace {
 
 // With more triangles, the corners of objects' boxes are used, since visiting the corners of all
-// triangles would be noticeable.
+// triangles would be noticeably slow.
 constexpr std::size_t most_triangles_framed = 4'000'000;
 
 /// The largest and smallest value of a function of the points seen.
@@ -32,8 +32,9 @@ glm::dvec3 corner_of(const Box& box, int corner) {
           (corner & 4) ? box.hi.z : box.lo.z};
 }
 
-/// The extent of points in a camera's axes: right, up, and back to the eye. It also has the planes
-/// through them that are parallel to the sides of a picture with the half sides `tangent`.
+/// The extent of points in a camera's axes: right, up, and back to the eye. Also holds the
+/// outermost planes through the points, parallel to the sides of a view frustum with half sides
+/// `tangent` at distance 1.
 class Reach {
  public:
   Reach(const Camera& camera, glm::dvec3 middle, glm::dvec2 tangent)
@@ -124,7 +125,8 @@ class TurningReach {
   double distance_ = 0.0, half_width_ = 0.0, half_height_ = 0.0;
 };
 
-// Adds the visible points. The bounds are not used, since their corners are empty in most scenes.
+// Adds the visible points. Boxes are used only for shapes and very large scenes, since most boxes'
+// corners are empty.
 template <typename Points>
 void add_surfaces(const World& world, Points& reach) {
   // Lines and points come last, and the ground before them.
@@ -139,7 +141,7 @@ void add_surfaces(const World& world, Points& reach) {
     for (std::size_t v = world.positions.own().size(); v < world.positions.size(); ++v)
       reach.add(glm::dvec3(world.positions[v]));
   }
-  // Use the strokes themselves, since the triangles that draw them depend on the picture.
+  // Use the lines and points themselves, since the triangles that draw them depend on the picture.
   for (const auto* lines_and_points :
        {&world.lines_and_points.segments, &world.lines_and_points.points}) {
     for (const LineOrPoint& stroke : *lines_and_points)

@@ -10,7 +10,7 @@ inline constexpr double framed_share = 0.9;
 /// A camera that frames a whole scene.
 struct FramedView {
   Camera camera;
-  double subject_distance = 1.0;  ///< from its eye to the depth of the scene's centre; above 0
+  double subject_distance = 1.0;  ///< from the eye to the depth of the scene's centre; above 0
 };
 
 /// Moves `camera`, without turning it, so that `world` is centred in its picture and fills
@@ -20,8 +20,8 @@ struct FramedView {
 [[nodiscard]] FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio);
 
 /// Returns the distance from `pivot` of a perspective camera that looks at it, or the height of an
-/// orthographic one's picture. It keeps all of `world` within `framed_share` of the picture while
-/// the camera turns about the vertical axis (+Y) through `pivot`. Exact for all angles.
+/// orthographic one's picture, such that all of `world` stays within `framed_share` of the picture
+/// while the camera turns about the vertical axis (+Y) through `pivot`. Exact for all angles.
 [[nodiscard]] double room_to_turn(const World& world, const Camera& camera, glm::dvec3 pivot,
                                   double aspect_ratio);
 

@@ -24,11 +24,12 @@ inline constexpr double ground_radii = 10.0;
 
 // The scene without its ground, for descriptions.
 
-/// Also without lines and points, whose surfaces follow the camera.
+/// Returns the bounds without the ground, and without lines and points, whose surfaces follow the
+/// camera.
 [[nodiscard]] Box bounds_without_ground(const World& world);
 [[nodiscard]] std::size_t materials_without_ground(const World& world);
 [[nodiscard]] std::size_t triangles_without_ground(const World& world);
-/// Returns the materials' own ratios; see dfrs_of.
+/// Returns the materials' own defocusing ratios (dfrs_of), without the ground's.
 [[nodiscard]] MaterialDfrs dfrs_without_ground(const World& world);
 
 }  // namespace asos

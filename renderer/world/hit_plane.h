@@ -10,15 +10,15 @@
 namespace asos {
 
 /// The plane of a hit's surface in the hit's coordinates (b1, b2): the point is corner + b1 * edge1
-/// + b2 * edge2. For a triangle it is its own plane. For a face of an analytic shape it is the
-/// tangent plane at (b1, b2), where the point is on the face to double precision.
+/// + b2 * edge2. For a triangle it is the triangle's plane. For a face of an analytic shape it is
+/// the tangent plane at (b1, b2), where the point is on the face to double precision.
 struct HitPlane {
   glm::dvec3 corner{0.0};
   glm::dvec3 edge1{0.0};
   glm::dvec3 edge2{0.0};
 
-  /// Returns the normal, of any length, and 0 for a triangle without area. A triangle's corners run
-  /// counter-clockwise around it; a face's points outwards or inwards.
+  /// Returns the normal, of any length; 0 for a triangle without area. A triangle's corners run
+  /// counter-clockwise around its normal; a face's normal points outwards or inwards.
   [[nodiscard]] glm::dvec3 normal() const { return glm::cross(edge1, edge2); }
   [[nodiscard]] glm::dvec3 point(float b1, float b2) const {
     return corner + static_cast<double>(b1) * edge1 + static_cast<double>(b2) * edge2;

@@ -21,8 +21,8 @@ int corners_of(double width) {
   return width <= small_point ? small_corners : large_corners;
 }
 
-/// A camera's axes, in which a place's x and y over its depth are its place in the picture, one
-/// unit ahead.
+/// A camera's axes: a point's x and y over its depth are its position in the picture plane one unit
+/// ahead.
 class Eye {
  public:
   explicit Eye(const LinePicture& picture)
@@ -36,12 +36,12 @@ class Eye {
     width_ = picture.width * tall / picture.height;
   }
 
-  /// Returns a place in the camera's axes: right, up, and ahead.
+  /// Returns a point of the world in the camera's axes: right, up, and ahead.
   [[nodiscard]] glm::dvec3 seen(glm::dvec3 world) const {
     const glm::dvec3 d = world - eye_;
     return {glm::dot(d, right_), glm::dot(d, up_), -glm::dot(d, back_)};
   }
-  /// Returns the place in the world of one in the camera's axes, moved nearer by one width.
+  /// Returns the world position of a point in the camera's axes, moved nearer by one width.
   [[nodiscard]] glm::vec3 drawn(glm::dvec3 seen) const {
     if (perspective_)
       seen *= std::max(0.5, 1.0 - width_);
@@ -157,7 +157,7 @@ class Drawer {
       add_triangle({first, first + i - 1, first + i});
   }
 
-  /// `t`: its place along the stroke, 0 to 1.
+  /// `t` is the vertex's position along the stroke, 0 to 1.
   void add_vertex(glm::dvec3 seen, glm::vec4 color, float t) {
     const glm::vec3 position = eye_.drawn(seen);
     world_.positions.push_back(position);
@@ -186,7 +186,7 @@ class Drawer {
   Part* part_ = nullptr;
 };
 
-/// Removes the surfaces for another picture.
+/// Removes the surfaces drawn for the previous picture.
 void clear_lines(World& world) {
   LinesAndPoints& lines_and_points = world.lines_and_points;
   if (!lines_and_points.drawn()) return;
@@ -253,7 +253,7 @@ void draw_lines(World& world, const LinePicture& picture) {
     if (textured[set]) world.texcoords[set].resize(world.positions.size(), glm::vec2(0.0f));
   }
 
-  // Numbers of faces begin where those of triangles end.
+  // Face numbers follow triangle numbers, so the faces' entries move behind the drawn triangles.
   const std::vector<std::uint32_t> of_faces(
       world.triangle_part.begin() + lines_and_points.first_triangle, world.triangle_part.end());
   world.triangle_part.resize(lines_and_points.first_triangle);

@@ -12,7 +12,7 @@ namespace asos {
 
 struct World;
 
-/// A segment of a line, or a point, whose two ends are equal, relative to World::origin.
+/// A line segment, or a point (both ends equal), relative to World::origin.
 struct LineOrPoint {
   glm::vec3 a;
   glm::vec3 b;
@@ -21,7 +21,7 @@ struct LineOrPoint {
   std::uint32_t part = 0;  ///< index into World::parts
 };
 
-/// Normals and texture coordinates at the ends of a stroke. A point's ends are the same.
+/// Normals and texture coordinates at the ends of a segment; both ends of a point are the same.
 struct LineLook {
   glm::vec3 normals[2]{};       ///< unit, by end; 0: none, so the stroke faces the eye
   glm::vec2 texcoords[2][2]{};  ///< by set and end
@@ -36,15 +36,15 @@ struct LinesAndPoints {
   std::vector<LineLook> segment_looks, point_looks;
   Box bounds;  ///< of all segments and points
   std::uint32_t first_part = 0;
-  // The following describe the drawn strokes.
+  // The following describe the drawn lines and points.
   std::uint32_t first_triangle = 0;
   std::uint32_t triangle_count = 0;
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;
-  Box others;  ///< World::bounds without them
+  Box others;  ///< World::bounds without lines and points
 
   [[nodiscard]] bool empty() const { return segments.empty() && points.empty(); }
-  /// Returns whether a triangle of the world, or one of its vertices, belongs to a stroke.
+  /// Returns whether a triangle of the world, or one of its vertices, belongs to a line or point.
   [[nodiscard]] bool has_triangle(std::uint32_t triangle) const {
     return triangle - first_triangle < triangle_count;
   }
@@ -69,11 +69,12 @@ struct LineSize {
 [[nodiscard]] LineSize size_of_lines(const World& world, const LinePicture& picture);
 
 /// Draws a world's lines and points as surfaces that face the camera, in place of those for another
-/// picture. A segment becomes a ribbon whose picture is the rectangle of that width around the
-/// segment's picture, with butt ends. A point becomes a regular polygon with the area of its disk.
-/// The surfaces are nearer by one of their widths, so that lines on a surface are not buried in it.
-/// Strokes behind the camera, which mirrors may show, are as wide as in front of it. Needs 32 bits
-/// for triangles and vertices (size_of_lines). Omits strokes without extent in the picture.
+/// picture. A segment becomes a ribbon that projects to a rectangle of LinePicture::width around
+/// the segment, with butt ends. A point becomes a regular polygon with the area of its disk. The
+/// surfaces are moved nearer by one of their widths, so that lines on a surface are not buried in
+/// it. Those behind the camera, which mirrors may show, are as wide as in front of it. Needs 32
+/// bits for triangles and vertices (size_of_lines). Omits lines and points without extent in the
+/// picture.
 void draw_lines(World& world, const LinePicture& picture);
 
 }  // namespace asos

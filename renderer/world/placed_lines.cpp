@@ -20,7 +20,7 @@ const Mesh* strokes_of(const Scene& scene, const Instance& instance) {
   return mesh.has_lines() ? &mesh : nullptr;
 }
 
-/// Calls `visit` with the vertices that a mesh' lines and points use.
+/// Calls `visit` with the vertices that a mesh's lines and points use.
 template <typename Visit>
 void each_vertex(const Mesh& mesh, Visit visit) {
   for (const glm::uvec2 s : mesh.segments) visit(s.x), visit(s.y);
@@ -121,7 +121,7 @@ class Placer {
     return out;
   }
 
-  /// `stroke`: its number.
+  /// `stroke` is the index of the segment or point.
   void add_look(const Mesh& mesh, const glm::dmat3& to_world, glm::uvec2 ends, std::size_t stroke,
                 std::vector<LineLook>& looks) {
     const bool textured = !mesh.texcoords[0].empty() || !mesh.texcoords[1].empty();
@@ -137,7 +137,7 @@ class Placer {
     }
   }
 
-  /// Returns the number of the world's material, for strokes with or without normals.
+  /// Returns the index of the world's material for lines and points with or without normals.
   std::uint32_t material(int of_scene, bool has_normals) {
     const auto [known, is_new] = materials_.try_emplace(
         {of_scene, has_normals}, static_cast<std::uint32_t>(world_.materials.size()));
@@ -153,7 +153,7 @@ class Placer {
 
   const Scene& scene_;
   World& world_;
-  // The world's materials, by the scene's.
+  // Indices of the world's materials, by the scene's index and whether there are normals.
   std::map<std::pair<int, bool>, std::uint32_t> materials_;
 };
 

@@ -26,7 +26,7 @@ glm::vec3 position_of(const Placements& all, const PlacedVertex& v, std::uint32_
   return placed_point(all, v.place, v.mesh.positions.own()[vertex]);
 }
 
-// As for a mesh that is not shared: from rounded positions.
+// Returns the normal of rounded positions, as for a mesh that is not shared.
 glm::vec3 flat_normal(const Placements& all, const PlacedVertex& v) {
   const glm::uvec3 corners = v.mesh.triangles.own()[v.vertex / 3];
   const glm::dvec3 a(position_of(all, v, corners.x));
@@ -138,7 +138,7 @@ glm::vec4 placed_color(const Placements& all, std::uint32_t vertex) {
 glm::uvec3 placed_triangle(const Placements& all, std::uint32_t triangle) {
   const Placement& place = all.places[all.by_triangle.find(triangle)];
   glm::uvec3 t = all.mesh_of(place).triangles.own()[triangle - place.first_triangle];
-  // Mirroring turns triangles inside out; glTF keeps the front side in front.
+  // Mirroring turns triangles inside out; glTF keeps their front side, so the winding is reversed.
   if (place.mirrored) std::swap(t.y, t.z);
   return t + (all.own_vertices + place.first_vertex);
 }

@@ -31,13 +31,14 @@ struct Placement {
   double anisotropy = 1.0;
 };
 
-/// Returns a matrix scaled so that products of its entries neither overflow nor vanish.
+/// Returns the 3x3 part of a matrix, scaled so that products of its entries neither overflow nor
+/// vanish.
 [[nodiscard]] glm::dmat3 linear_part(const glm::dmat4& matrix);
 /// Returns the inverse transpose times the determinant, which transforms normals. It also exists
 /// for singular matrices, where a mesh is squeezed into a plane. Normals of mirrored meshes stay
 /// outside.
 [[nodiscard]] glm::dmat3 cofactors_of(const glm::dmat3& linear, bool mirrored);
-/// Returns a place with this matrix, without its numbers.
+/// Returns a placement with this matrix, without indices.
 [[nodiscard]] Placement placement_of(const glm::dmat4& world_from_mesh);
 
 /// The growth and the anisotropy of a matrix; the latter is infinite if the matrix has no inverse.
@@ -76,7 +77,7 @@ struct Placements {
   [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-/// Returns a mesh' point in the world, rounded as World::positions are.
+/// Returns a point of a mesh in the world, rounded as World::positions are.
 [[nodiscard]] inline glm::vec3 placed_point(const Placements& all, const Placement& place,
                                             glm::vec3 of_mesh) {
   return glm::vec3(glm::dvec3(place.world_from_mesh * glm::dvec4(of_mesh, 1.0)) - all.origin);

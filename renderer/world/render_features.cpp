@@ -79,7 +79,7 @@ bool emits(const Material& m) {
 }
 
 /// Returns whether a material may be a mirror. A texture may make it smooth anywhere. A material
-/// without reflection is none.
+/// without reflection is no mirror.
 bool may_mirror(const Material& m, const std::optional<Dfr>& dfr) {
   const bool reflects = m.metallic > 0.0f || m.specular > 0.0f || m.film.used();
   const bool smooth = static_cast<double>(m.roughness) <= usual_roughest_mirror ||
@@ -122,7 +122,7 @@ void add_material(RenderFeatures& render_features, const Material& m) {
   render_features.alpha_blend |= m.alpha_mode == AlphaMode::blend || m.transmission > 0.0f;
   render_features.alpha_mask |= m.alpha_mode == AlphaMode::mask;
   render_features.culling |= !shows_both_sides(m);
-  if (m.unlit) {  // it uses only its base colour, and strokes their emission
+  if (m.unlit) {  // uses only its base colour; lines and points also emission
     render_features.emission |= m.stroke && emits(m);
     render_features.textures |= m.stroke && emits(m) && m.emissive_texture.used();
     return;

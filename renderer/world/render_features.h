@@ -15,12 +15,12 @@ namespace asos {
 struct RenderFeatures {
   bool textures = false;
   bool mip_chains = false;
-  bool unused_images = false;  ///< also true if the file contains none
+  bool unused_images = false;  ///< false: there are some, which are released
   bool normal_maps = false;
   bool vertex_colors = false;
   bool alpha_mask = false;
   bool alpha_blend = false;  ///< includes transmission
-  /// Opacity that varies over a surface. It changes how shadows are found, and not only whether, so
+  /// Opacity that varies over a surface. It changes how shadows are computed, not only whether, so
   /// forcing it would change the picture.
   bool varying_opacity = false;
   bool culling = false;  ///< of the backs of single-sided materials
@@ -37,7 +37,7 @@ struct RenderFeatures {
   bool shadows = false;       ///< some light casts them
   bool soft_shadows = false;  ///< a light with an extent casts them
   bool intersections = false;
-  /// A picture as surroundings. No scene needs it; it comes with the settings.
+  /// An environment picture. No scene needs it; it comes with the settings.
   bool sky_picture = false;
 
   /// Returns all features that can be forced without changing the picture: all but varying_opacity
@@ -63,8 +63,8 @@ struct RenderFeatures {
   return choice == FeatureChoice::all ? RenderFeatures::all() : RenderFeatures{};
 }
 
-/// Descriptions of one of RenderFeatures' features. The last four name the savings without it; they
-/// are empty if there are none.
+/// Describes one of RenderFeatures' members. The last four strings name the savings without the
+/// feature; empty: none.
 struct RenderFeature {
   bool RenderFeatures::*needed;
   const char* name;

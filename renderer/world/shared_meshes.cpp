@@ -25,7 +25,7 @@ bool has_plain_material(const Scene& scene, const Mesh& mesh) {
   return surface_kind(m) == SurfaceKind::opaque && !shines;
 }
 
-/// Returns whether a mesh' size and distance from its own origin suit single precision.
+/// Returns whether a mesh's size and distance from its own origin suit single precision.
 bool has_moderate_size(const Mesh& mesh) {
   Box box;
   for (const glm::uvec3 t : mesh.triangles)

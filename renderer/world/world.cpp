@@ -52,7 +52,7 @@ class Flattener {
     reserve();
     for (const Instance& instance : scene_.instances) add(instance);
     if (!placements_.places.empty()) world_.set_placements(finished(std::move(placements_)));
-    // Numbers of faces begin where those of triangles end.
+    // Face numbers follow triangle numbers.
     for (const ShapeFace& face : world_.faces) world_.triangle_part.push_back(face.part);
     add_rest();
     if (std::string fault = add_strokes(scene_, world_); !fault.empty())
@@ -194,7 +194,8 @@ class Flattener {
     world_.bounds.grow(part.bounds);
     for (glm::uvec3 t : placed.triangles()) {
       t += part.first_vertex;
-      // Mirroring turns triangles inside out; glTF keeps the front side in front.
+      // Mirroring turns triangles inside out; glTF keeps their front side, so the winding is
+      // reversed.
       if (mirrored) std::swap(t.y, t.z);
       world_.triangles.push_back(t);
       world_.triangle_part.push_back(static_cast<std::uint32_t>(world_.parts.size()));
@@ -377,8 +378,8 @@ class Flattener {
   const std::uint64_t fewest_copied_;
   World world_;
   std::vector<std::uint8_t> shared_;         // by instance, 1: its mesh is stored once; or empty
-  std::vector<PlacedBox> shared_boxes_;      // of these instances
-  std::map<int, std::size_t> mesh_numbers_;  // of their meshes in placements_
+  std::vector<PlacedBox> shared_boxes_;      // bounding boxes of the shared instances
+  std::map<int, std::size_t> mesh_numbers_;  // index in placements_, by mesh
   Placements placements_;
   std::vector<std::vector<ShapeFace>> faces_;       // one per instance; empty: drawn as triangles
   std::vector<std::unique_ptr<Mesh>> own_meshes_;   // of shapes drawn as triangles

@@ -24,7 +24,7 @@ struct Part {
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;
   std::uint32_t material = 0;     ///< index into World::materials, always valid
-  bool shows_light = false;       ///< as Instance's
+  bool shows_light = false;       ///< see Instance::shows_light
   bool coloured = false;          ///< whether any vertex of it is not white
   Box bounds;                     ///< of the positions that its triangles use; empty: unknown
   std::uint32_t face_count = 0;   ///< faces of an analytic shape; such a part has no triangles
@@ -43,7 +43,7 @@ struct Part {
 struct World {
   glm::dvec3 origin{0.0};
   Attribute<glm::vec3> positions;                ///< capacity for one more avoids a copy for rays
-  Attribute<glm::vec3> normals;                  ///< unit, one a vertex
+  Attribute<glm::vec3> normals;                  ///< unit, one per vertex
   Attribute<glm::vec4> tangents;                 ///< or empty; 0 for meshes without tangents
   Attribute<glm::vec2> texcoords[2];             ///< or empty
   Attribute<glm::vec4> colors;                   ///< linear RGBA, or empty
@@ -53,13 +53,14 @@ struct World {
   std::shared_ptr<const Placements> placements;  ///< see set_placements; null: none
   bool flat = false;  ///< for a shared mesh: it has no normals, and three vertices per triangle
   std::vector<Part> parts;
-  /// The scene's materials, then glTF's default material, then those of lines and points.
+  /// The scene's materials, then glTF's default material, those of lines and points, and the
+  /// ground's.
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Image> images;
-  std::vector<Camera> cameras;      ///< relative to origin
-  Box bounds;                       ///< of the positions that triangles use; empty if none
-  LinesAndPoints lines_and_points;  ///< the lines and points
+  std::vector<Camera> cameras;  ///< relative to origin
+  Box bounds;                   ///< of the positions that triangles use; empty if none
+  LinesAndPoints lines_and_points;
 
   /// Every surface has one number: a triangle's index, or that of a face of an analytic shape,
   /// which come after all triangles.
@@ -78,7 +79,7 @@ struct World {
   [[nodiscard]] std::size_t solid_triangles() const {
     return triangles.size() - lines_and_points.triangle_count;
   }
-  /// Returns whether no picture can show anything of it.
+  /// Returns whether the world has no surface, line or point.
   [[nodiscard]] bool shows_nothing() const {
     return surface_count() == 0 && lines_and_points.empty();
   }

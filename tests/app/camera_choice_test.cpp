@@ -15,7 +15,7 @@
 namespace asos {
 namespace {
 
-// A unit cube's corner triangle around the author's point (100, 0, 0).
+// A triangle within one unit of the author's point (100, 0, 0) along each axis.
 World small_world() {
   World world;
   world.origin = {100, 0, 0};

@@ -92,7 +92,7 @@ TEST(ProgressOfAll, CountsThePicturesAndTheirTime) {
   const Progress all = progress_of_all(now, {4, 2, 1, 8.0});
   EXPECT_DOUBLE_EQ(all.fraction, 2.5 / 4);
   EXPECT_DOUBLE_EQ(all.seconds_left, 2.0 + 6.0);
-  // Without an estimate of its own, a picture takes as long as those before; for the first one
+  // A picture without an estimate is assumed to take as long as those before; for the first one
   // nothing is known.
   now.seconds_left = -1.0;
   EXPECT_DOUBLE_EQ(progress_of_all(now, {3, 1, 1, 8.0}).seconds_left, 6.0 + 8.0);
@@ -192,8 +192,8 @@ TEST_F(Clip, GoesOnWhereItStopped) {
   EXPECT_EQ(written("run-0001.png"), first_written);
   EXPECT_EQ(png("run-0002.png").rgb, third.rgb);
 
-  // Renders again if settings differ, the file is broken, it is older than the scene, or its render
-  // was stopped.
+  // Renders again if settings differ, the file is broken or older than the scene, or its render was
+  // stopped.
   ASSERT_EQ(render("run.png", words + std::vector<std::string>{"--eps", "0.5"}).exit_code, 0);
   EXPECT_EQ(read_description(path("run-0003.png"))->settings.asos.eps, 0.5);
   std::ofstream(path("run-0001.png")) << "no picture";

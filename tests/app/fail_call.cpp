@@ -24,8 +24,8 @@
 
 // Makes one system call of a program fail, whichever library makes it, like a full or broken disk.
 // Usage: fail_call N FAULT FOLDER COMMAND... Counts the calls that create, write, close and rename
-// files in FOLDER. The N-th one fails with FAULT: ENOSPC, EIO, or "short", a write of half of the
-// bytes (and of none from then on). N 0: no call fails. Writes a line per call to descriptor 9.
+// files in FOLDER. The N-th one fails with FAULT: ENOSPC, EIO, or "short", which writes half of the
+// bytes and fails all later writes. N 0: no call fails. Writes a line per call to descriptor 9.
 // Exit code: the command's; 77 if the system does not allow this; 128 and more if a signal ended
 // the command.
 
@@ -116,7 +116,7 @@ std::string path_at(pid_t process, std::uint64_t address) {
   iovec here{name, sizeof name - 1};
   iovec there{reinterpret_cast<void*>(address), sizeof name - 1};
   ssize_t got = ::process_vm_readv(process, &here, 1, &there, 1, 0);
-  if (got <= 0) {  // the process's readable memory may end before
+  if (got <= 0) {  // fewer than 4096 bytes may be readable
     here.iov_len = there.iov_len = 4096 - address % 4096;
     got = ::process_vm_readv(process, &here, 1, &there, 1, 0);
   }
@@ -181,7 +181,7 @@ void answer(int listener, const Plan& plan) {
   for (;;) {
     pollfd waiting{listener, POLLIN, 0};
     if (::poll(&waiting, 1, -1) < 0 && errno == EINTR) continue;
-    if ((waiting.revents & POLLIN) == 0) return;  // nobody is left to ask
+    if ((waiting.revents & POLLIN) == 0) return;  // all watched processes have ended
     seccomp_notif asked{};
     if (::ioctl(listener, SECCOMP_IOCTL_NOTIF_RECV, &asked) != 0) {
       if (errno == EINTR || errno == ENOENT) continue;

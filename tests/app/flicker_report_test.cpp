@@ -138,8 +138,8 @@ TEST(ReportOfAMoment, IsOfThatMoment) {
   }());
   ASSERT_EQ(jobs.exit_code, 0) << jobs.err;
   EXPECT_TRUE(contains(jobs.out, "builtin:walking-pole at 2.5 s regions")) << jobs.out;
-  // The same job at two times of the animation renders two different pictures, and the same one at
-  // one time.
+  // A job renders different pictures at two times of the animation, and equal ones at the same
+  // time.
   const auto hash_at = [&](const std::string& seconds, const std::string& name) {
     auto more = words;
     more[3] = seconds;

@@ -59,7 +59,7 @@ TEST_F(FromOption, GivesTheSamePictureBitForBit) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(again.err, "");
   expect_same("a.png", "b.png");
-  // An EXR gives its settings, too, with the exposure that it was rendered with.
+  // An EXR also restores its settings and the exposure it was rendered with.
   ASSERT_EQ(render({"--from", path("a.exr")}, "c.png").exit_code, 0);
   expect_same("a.png", "c.png");
   ASSERT_EQ(render({"--from", path("a.png")}, "b.exr").exit_code, 0);
@@ -70,7 +70,7 @@ TEST_F(FromOption, GivesTheSamePictureBitForBit) {
 TEST_F(FromOption, OptionsBesideItOverride) {
   ASSERT_EQ(render(odd_, "a.png").exit_code, 0);
   const std::vector<std::string> from{"--from", path("a.png")};
-  // Before and behind it.
+  // Options before and after --from.
   ASSERT_EQ(render(std::vector<std::string>{"--eps", "0.5"} + from +
                        std::vector<std::string>{"--max", "1", "--crop", "0,0,48,27"},
                    "b.png")
@@ -99,7 +99,7 @@ TEST_F(FromOption, FilesAreFoundFromAnywhere) {
   EXPECT_EQ(said("a.png").scene, path("s.glb"));
 }
 
-// The picture that the window shows and saves, with edited lights.
+// The command line reproduces the picture that the window saves, with edited lights.
 TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   RenderSettings settings;
   settings.asos.max_level = 2;

@@ -19,7 +19,7 @@ using test::GltfBuilder;
 using test::operator+;
 using test::run_asos;
 
-// Malicious or unusual files. Assertions of Debian's Embree would end the program, and so this
+// Malicious or unusual files. A failed assertion of Debian's Embree would end the program and this
 // test.
 class HostileInput : public testing::Test {
  protected:

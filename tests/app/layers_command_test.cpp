@@ -51,7 +51,7 @@ TEST(LayersOption, SavedPictureBringsItsLayers) {
   ASSERT_EQ(test::run_asos({"render", "--from", first, "-o", second, "--quiet"}).exit_code, 0);
   EXPECT_NE(test::content_of(second).find("depth.Z"), std::string::npos);
   EXPECT_EQ(test::content_of(second).find("normal.X"), std::string::npos);
-  // A PNG holds none, and asks for none.
+  // A PNG cannot hold layers, so it is saved without them.
   const test::AsosRun png =
       test::run_asos({"render", "--from", first, "-o", folder.file("a.png"), "--quiet"});
   EXPECT_EQ(png.exit_code, 0) << png.err;

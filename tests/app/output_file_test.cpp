@@ -115,7 +115,7 @@ TEST(OutputFile, WhatAKilledRunLeftGoesWithTheNextOfTheSameOutput) {
   if (child == 0) {
     const auto file = OutputFile::plan(path);
     const auto never = file->commit([](const std::string& to) -> Result<void> {
-      // Through the temporary file of the writers in the same folder, as pictures are written.
+      // Write as picture writers do: through a temporary file in the same folder.
       const auto part = PartFile::create(to);
       ::kill(::getpid(), SIGKILL);
       return part ? Result<void>{} : unexpected(part.error());

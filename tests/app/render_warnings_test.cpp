@@ -10,7 +10,7 @@
 namespace asos::test {
 namespace {
 
-// The crossings are known only after the search for edges.
+// The number of intersections is determined only by the edge search of a render.
 TEST(RenderWarnings, SayThatSurfacesPassThroughEachOtherTooOften) {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return (folder.path() / name).string(); };

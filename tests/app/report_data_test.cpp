@@ -29,8 +29,8 @@ StudyPoint point(const std::string& method, const std::string& setting, double s
   return p;
 }
 
-/// Measurements of the paper's suite for the office: 2 s and 3 s, against 6 s with 16 samples and
-/// 24 s with 64.
+/// Times of the paper's suite for the office. ASOS: 2 s and 3 s; stochastic sampling: 6 s with 16
+/// samples, 24 s with 64.
 StudyReport paper_report() {
   StudyReport report;
   report.plan.paper = true;
@@ -59,7 +59,7 @@ TEST(Anchor, HasTheProgramsDefaults) {
   EXPECT_EQ(anchor->rung.settings.asos.max_level, AsosSettings{}.max_level);
 }
 
-// The bias is a line across the plot of the error that it limits, and across no other.
+// The plot of RMSE shows ASOS's bias as a horizontal line, if it was measured.
 TEST(Plots, ShowAsosOwnBias) {
   const test::TemporaryFolder folder;
   SceneReport scene = paper_report().scenes.front();
@@ -97,14 +97,14 @@ TEST(PaperRows, StandBesideThePublishedRatios) {
 
 TEST(PaperRows, SayWhatTheSameErrorTakes) {
   const auto rows = paper_rows(paper_report());
-  // Stochastic sampling reaches an error of 0.02 in the 6 s of its 16 samples.
+  // Stochastic sampling reaches an error of 0.02 with 16 samples, in 6 s.
   ASSERT_TRUE(rows[0].equal_error);
   EXPECT_NEAR(rows[0].equal_error->speedup, 3.0, 1e-9);
   EXPECT_TRUE(paper_rows({}).empty());
 }
 
 TEST(PaperRows, AreTheCasesOfTable2WithTheirPublishedTimes) {
-  // CGF'98 table 2: figure, ASOS, stochastic (0: n/a); then section 7.4.
+  // CGF'98 table 2: figure, times of ASOS and stochastic sampling (0: n/a); last: section 7.4.
   struct Published {
     const char* figure;
     double asos, stochastic;
@@ -138,7 +138,7 @@ TEST(HtmlPaper, CountsWinsInWordsAndHasGi93sTables) {
     EXPECT_TRUE(contains(text, "<tr><td class=\"t\">" + std::string(primitive) + "</td>"));
 }
 
-// The papers' argument in numbers, by method: asos, sobol, cone, covers, mask.
+// The papers' criticism of other methods, measured: errors of asos, sobol, cone, covers and mask.
 TEST(MethodFaults, AreThoseThatThePapersDescribe) {
   const auto faults = method_faults();
   ASSERT_TRUE(faults) << faults.error().message();

@@ -15,7 +15,7 @@ using test::GltfBuilder;
 using test::run_asos;
 using test::operator+;
 
-/// --scene, for a file with a scene of one square, the default, and one of two.
+/// --scene, for a file with two scenes: one square (the default) and two squares.
 class SceneOption : public testing::Test {
  protected:
   SceneOption() {

@@ -102,7 +102,7 @@ TEST_F(SkyOption, AnEnvironmentBringsItsLights) {
   EXPECT_EQ(render("x.exr", {"--sky", "noon"}).exit_code, 2);
 }
 
-// With the default lighting restored, the rotated and brighter picture is reproduced from its file.
+// --from reproduces a picture with default lighting, also with a rotated and brighter sky.
 TEST_F(SkyOption, ADefaultPictureIsRenderedAgainAsItWas) {
   const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
   const auto shot = [&](const std::vector<std::string>& words, const std::string& to) {
@@ -136,7 +136,7 @@ TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
       contains(render("x.exr", {"--sky", bad}).err, "128 of its 128 pixels are not finite"));
 }
 
-// Scenes with lights, and command lines with another sky, do not get the studio.
+// Scenes that have lights, or for which --sky is given, do not get the studio.
 TEST_F(SkyOption, ScenesWithoutLightsStandInAStudioWithSoftBoxes) {
   const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
   const auto sky_of = [&](const std::string& scene, const std::vector<std::string>& words) {

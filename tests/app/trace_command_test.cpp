@@ -90,7 +90,7 @@ TEST(TraceCommand, ThePixelIsTheRenderedOne) {
   }
 }
 
-// The table of the pixel with the most cells, level by level, in a small picture of the boxes.
+// The table of the published method, level by level, for pixels in one row of the boxes.
 TEST(TraceCommand, TheTableIsThePapers) {
   std::size_t rows = 0;
   for (int x = 20; x < 76; x += 2) {
@@ -120,7 +120,7 @@ TEST(TraceCommand, TheTableIsThePapers) {
   EXPECT_GT(rows, 20u);
 }
 
-// The pyrays that leaves start agree with their own cells; includes mirrors in mirrors.
+// Each pyray that a leaf started names a leaf of its parent; includes mirrors in mirrors.
 TEST(TraceCommand, PyraysOfMirrorsAndLightsAreTold) {
   std::size_t mirrored_twice = 0, shadows = 0;
   for (const glm::ivec2 pixel : {glm::ivec2{54, 20}, glm::ivec2{54, 30}, glm::ivec2{72, 35}}) {

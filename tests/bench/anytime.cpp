@@ -60,7 +60,7 @@ struct Settings {
 
 constexpr std::array moments{1, 4, 16, 64};  // samples a pixel
 
-/// The pictures of a render, at intervals of 3 % of its time.
+/// The pictures of a render, each 3 % later than the one before.
 std::vector<TimedPicture> watched(const Snapshot& snapshot) {
   return watch_render(snapshot, 1.03).pictures;
 }
@@ -194,7 +194,7 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
   Row row{named.name, {}, curve.back().seconds / direct.seconds, 1.0, 0.0, judge_time_left(own)};
   double least = curve.front().error;
   for (const CurvePoint& point : curve) {
-    // Below that the changes are the reference's noise.
+    // Changes of smaller errors are the reference's noise.
     constexpr double told = 1e-3;
     if (least > told) row.rise = std::max(row.rise, point.error / least);
     least = std::min(least, point.error);

@@ -82,7 +82,7 @@ struct PictureError {
 };
 [[nodiscard]] PictureError picture_error(const Film& film, const Film& reference);
 
-/// Indices of the pixels, worst first, by squared error clipped to 0..1.
+/// Pixel indices, worst first, by squared error of radiance clipped to 0..1.
 [[nodiscard]] std::vector<std::size_t> worst_pixels(const Film& film, const Film& reference);
 
 /// How a pixel was finished.
@@ -92,8 +92,8 @@ inline constexpr int outcome_count = 5;
 [[nodiscard]] Outcome outcome_of(const PixelTrace& trace);
 [[nodiscard]] std::size_t samples_of(const PixelTrace& trace);
 
-/// Traces a pixel of a snapshot's picture quickly, in the smallest fat pyray. That one has no
-/// neighbours, so pixels of bumpy surfaces may be split less than in larger ones.
+/// Traces one pixel of a snapshot's picture quickly, in the smallest fat pyray. Without neighbours,
+/// a pixel of a bumpy surface may be split less than in a larger fat pyray.
 [[nodiscard]] PixelTrace trace_of(const Snapshot& snapshot, std::size_t pixel);
 
 /// Prints the error and returns the exit code.

@@ -45,8 +45,7 @@ constexpr std::array<Contender, 4> contenders{
      {"published", Method::asos_published, LeafKind::point},
      {"stochastic", Method::stochastic, LeafKind::exact}}};
 
-// The vertices whose triangles share one normal, so that a colour computed from the normal is
-// constant on each of them.
+// Marks the vertices of flat triangles, on which a colour computed from the normal is constant.
 std::vector<bool> flat_vertices(const Mesh& mesh) {
   std::vector<bool> flat(mesh.positions.size(), true);
   for (bool changed = true; changed;) {

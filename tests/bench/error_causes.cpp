@@ -15,7 +15,7 @@ constexpr int look_count = 4;
 constexpr std::array<const char*, look_count> look_names{"plain", "shiny", "textured",
                                                          "see-through"};
 
-// Their highlights are a few degrees wide or less.
+// roughness limit of highlights that are at most a few degrees wide
 constexpr float shiny_roughness = 0.35f;
 
 Look look_of(const Material& m) {

@@ -61,7 +61,7 @@ struct Settings {
   std::vector<std::string> scenes;
 };
 
-/// A scene's figures.
+/// Measurements of one scene.
 struct Row {
   std::string name;
   std::vector<std::vector<CurvePoint>> rivals;  ///< for each of rival_names; empty: not measured
@@ -165,7 +165,7 @@ std::optional<Ratio> ratio_of(const Row& row, std::size_t rival, std::size_t lev
   const std::vector<CurvePoint>& ladder = row.rivals[rival];
   auto seconds = seconds_at_error(ladder, asos.error);
   if (!seconds) return std::nullopt;
-  // The first step is the adaptive rival's smallest sample count.
+  // An adaptive rival cannot take fewer samples than in its first step.
   if (rival > 0 && asos.error > ladder.front().error)
     seconds = CurveValue{ladder.front().seconds, true};
   return Ratio{seconds->value / asos.seconds, seconds->beyond, !row.known[level]};

@@ -24,7 +24,7 @@ std::string half_path(const std::string& path, std::size_t half) {
 HalvedReference HalvedReference::rendered(Snapshot snapshot, int samples) {
   snapshot.settings.method = Method::sobol;
   snapshot.settings.sampling.spp = samples / 2;
-  // With point lookups only the pixel's own filter averages.
+  // With point lookups, only the pixel's samples filter the texture.
   snapshot.settings.texture.filter = TextureFilter::point;
   HalvedReference reference;
   for (std::size_t half = 0; half < reference.halves_.size(); ++half) {

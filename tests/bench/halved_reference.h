@@ -11,7 +11,7 @@ namespace asos::bench {
 /// RMSE over pixels and channels of radiance clipped to 0..1.
 struct KnownError {
   double rmse = 0.0;
-  bool known = true;  ///< its square exceeds twice the reference's noise
+  bool known = true;  ///< the squared error exceeds two standard deviations of its noise
 };
 
 /// Error of the picture's mean, over pixels and channels, of radiance clipped to 0..1.

@@ -101,7 +101,7 @@ int measure(const Settings& settings) {
 
   std::vector<double> coarse, coarse_cpu, cancel;
   for (int i = 0; i < settings.changes; ++i) {
-    // Lets the previous render run for this time.
+    // Lets the previous render run for 150 to 495 ms.
     const Clock::time_point resume = Clock::now() + std::chrono::milliseconds(150 + 5 * (i % 70));
     while (Clock::now() < resume) {
       bell.wait();

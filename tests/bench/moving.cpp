@@ -65,7 +65,7 @@ struct Cost {
   std::vector<double> processor, passed;
 };
 
-/// Returns the time spent since the last call.
+/// A stopwatch: appends the time since the previous call to a stage.
 class Laps {
  public:
   void add_to(Cost& stage) {

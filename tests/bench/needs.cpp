@@ -67,7 +67,7 @@ Result<void> measure(const Scene& scene, const RenderFeatures& forced, const Set
   return {};
 }
 
-/// Compares `what`, forced in, with the scene's own needs.
+/// Compares the scene with `what` forced in and with only its needed features.
 Result<void> compare(const std::string& source, const Scene& scene, const Forced& what,
                      const Settings& settings) {
   Cost needed, forced;

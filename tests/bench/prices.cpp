@@ -139,7 +139,7 @@ void measure_block(const Snapshot& snapshot, const View& view, const Shader& sha
   block.view = &samples;
   block.groups = &groups;
   block.work = &work;
-  // Ask.
+  // Measure the light at each pixel centre.
   for (SampleId i = 0; i < middles.size(); ++i) {
     if (!samples.hit(i).valid()) continue;
     LeafContext leaf;

@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Time that this thread spent in Embree. For one thread at a time.
+/// Time spent in Embree; counts a single thread.
 struct Calls {
   bool timed = false;
   Clock::duration time{};

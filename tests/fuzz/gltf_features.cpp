@@ -154,7 +154,7 @@ void morph(const Json& document, Json& mesh, Json& primitive, std::mt19937& rand
 }
 
 void extend_primitive(Json& document, Json& mesh, std::mt19937& random) {
-  // Must come first: adding a member moves the others.
+  // Must come first: adding a member invalidates pointers to the others.
   if (!mesh["weights"].is_array()) mesh["weights"] = Json::array();
   Json* primitive = any_object(mesh, "primitives", random);
   if (!primitive) return;
@@ -181,7 +181,7 @@ void copy_node(Json& document, Json& node, std::mt19937& random) {
   use(document, extension);
 }
 
-/// Adds the file's surroundings for its scenes.
+/// Adds an image-based light to the file and assigns it to a scene.
 void surround(Json& document, std::mt19937& random) {
   constexpr const char* extension = "EXT_lights_image_based";
   Json sides = Json::array(), coefficients = Json::array();
@@ -248,7 +248,7 @@ void move_node(Json& document, std::mt19937& random) {
 }  // namespace
 
 void add_feature(Json& document, std::mt19937& random) {
-  // Must come first: adding a member moves the others.
+  // Must come first: adding a member invalidates pointers to the others.
   object_in(document, "extensions");
   Json& used = document["extensionsUsed"];
   if (!used.is_array()) used = Json::array();

@@ -272,13 +272,13 @@ void change_numbers(std::string& bin, std::mt19937& random) {
       return set(at, std::bit_cast<float>(std::bit_cast<std::uint32_t>(number) + 1u));
     case 3:  // a point onto another
       return std::string(bin, any_word(point), point).copy(bin.data() + at, point), void();
-    case 4: {  // one coordinate of some
+    case 4: {  // one coordinate of several points
       const std::size_t stride = word * (2 + random() % 7), count = 2 + random() % 32;
       for (std::size_t i = 0; i < count && at + i * stride + word <= bin.size(); ++i)
         set(at + i * stride, number);
       return;
     }
-    case 5: {  // all of some
+    case 5: {  // a run of numbers
       const std::size_t length = word * (1 + random() % 64);
       for (std::size_t i = at; i < at + length && i + word <= bin.size(); i += word) set(i, number);
       return;

@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(description.error().subject == path && !description.error().reason.empty(),
             "the error names the file");
   }
-  // The parts that the window reads of pictures.
+  // The window also reads the pixels.
   if (size > 0 && data[0] == 0x89) {
     const auto picture = read_png(path);
     require(

@@ -7,7 +7,7 @@
 
 namespace asos::test {
 
-/// To the bit.
+/// Expects equality, bit by bit.
 inline void expect_same(const RenderStatistics& a, const RenderStatistics& b) {
   EXPECT_EQ(a.eye_rays, b.eye_rays);
   EXPECT_EQ(a.shadow_rays, b.shadow_rays);
@@ -24,7 +24,7 @@ inline void expect_same(const RenderStatistics& a, const RenderStatistics& b) {
   EXPECT_EQ(a.pixels_by_cause, b.pixels_by_cause);
 }
 
-/// To the bit.
+/// Expects equality, bit by bit.
 inline void expect_same(const Film& a, const Film& b) {
   EXPECT_EQ(a.width, b.width);
   EXPECT_EQ(a.height, b.height);

@@ -12,7 +12,7 @@
 
 namespace asos::test {
 
-/// In the surface's frame: z is its normal.
+/// Directions are in the surface's frame; z is the normal.
 struct Facets {
   glm::dvec2 alpha{0.1};  ///< squared roughness along x and y
   double f0 = 1.0;
@@ -52,8 +52,8 @@ struct Facets {
     return sum;
   }
 
-  /// Calls `of` with the normals of the facets visible to a viewer, and each one's visible
-  /// fraction.
+  /// Calls `of` with the normals of the facets visible to a viewer, and their fractions of the
+  /// visible area.
   template <typename Function>
   void each_visible(int n, glm::dvec3 v, const Function& of) const {
     each(n, [&](glm::dvec3 h, double share) {

@@ -84,7 +84,7 @@ inline Scene instanced_scene(int count, std::uint32_t rings, double spacing = 1.
   return scene;
 }
 
-/// The same with a mesh for each instance, so that nothing is shared.
+/// The same scene with a mesh for each instance, so that nothing is shared.
 inline Scene unrolled(Scene scene) {
   std::vector<Mesh> meshes;
   for (Instance& instance : scene.instances) {

@@ -123,7 +123,7 @@ struct Response {
   double width;
 };
 
-/// Seen from the side of x_axis x y_axis.
+/// Irradiance on the side that x_axis x y_axis faces; 0 on the other.
 [[nodiscard]] inline double flat_oracle(const FlatRegion& region, const Receiver& receiver,
                                         double tolerance = 1e-8,
                                         const Response* response = nullptr) {

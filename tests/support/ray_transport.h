@@ -6,7 +6,7 @@
 
 namespace asos::test {
 
-/// Sends one shadow ray to the centre of each light, at once.
+/// Adds each light immediately, with one shadow ray to its centre.
 class RayTransport final : public LightTransport {
  public:
   explicit RayTransport(const RayScene& rays) : rays_(rays) {}

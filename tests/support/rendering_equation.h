@@ -84,7 +84,7 @@ struct SeenPoint {
   return d / ((1.0 + lambda(nv) + lambda(nl)) * 4.0 * nv * nl);
 }
 
-/// Mean over the hemisphere of a function of the direction to the light, times the cosine: the
+/// Integral over the hemisphere of a function of the direction to the light, times the cosine: the
 /// radiance under a sky of radiance 1.
 template <typename Function>
 [[nodiscard]] auto over_hemisphere(const SeenPoint& at, int rings, const Function& of) {
@@ -121,7 +121,7 @@ struct LayersSeen {
   }
 };
 
-/// The BRDF of appendix B below its layers, for `to_light` above the horizon, in 1 / sr.
+/// The BRDF of appendix B with its layers on top, for `to_light` above the horizon, in 1 / sr.
 [[nodiscard]] inline glm::dvec3 gltf_brdf(const Reflector& r, const SeenPoint& at,
                                           const LayersSeen& layers, glm::dvec3 to_light) {
   const glm::dvec3 h = glm::normalize(at.to_viewer + to_light);
@@ -262,7 +262,7 @@ class PatchQuadrature {
   double fineness_;
 };
 
-/// The same for a line of one candela per metre, a thin Lambertian tube.
+/// Reflected radiance of a line of one candela per metre, a thin Lambertian tube.
 [[nodiscard]] inline glm::dvec3 line_quadrature(const Reflector& reflector, const SeenPoint& at,
                                                 glm::dvec3 begin, glm::dvec3 end) {
   constexpr int parts = 400;

@@ -11,7 +11,7 @@
 
 namespace asos::test {
 
-/// After all triangles.
+/// Adds a shape; all triangles must precede.
 inline void add_shape(World& world, const Shape& shape, const glm::dmat4& world_from_shape,
                       const Material& material) {
   Part part;

@@ -82,7 +82,7 @@ inline std::uint32_t add_polygon(PolygonScene& scene, const Polygon& corners, do
   return scene.add(points);
 }
 
-/// The same in the (u, v) of the orthographic pixel.
+/// Adds a polygon in the (u, v) of the orthographic pixel.
 inline std::uint32_t add_parallel_polygon(PolygonScene& scene, const Polygon& corners,
                                           double depth = 3.0) {
   std::vector<glm::vec3> points;

@@ -10,7 +10,7 @@
 
 namespace asos::test {
 
-/// A world with its hierarchies at a fixed address; `lights` are used for their rays.
+/// A world with its hierarchies at a fixed address; that of the rays knows the parts of `lights`.
 inline std::shared_ptr<Geometry> make_geometry(World world, const std::vector<Light>& lights = {}) {
   auto geometry = std::make_shared<Geometry>();
   geometry->world = std::move(world);

@@ -153,7 +153,8 @@ inline double node(int i, int n) {
   return (2.0 * (i / 2) + 1.0 + offset) / n;
 }
 
-/// By n x n points of each pixel that shows a single face of the subject; no value elsewhere.
+/// The reference from n x n points of each pixel that shows a single face of the subject; no value
+/// elsewhere.
 inline std::vector<std::optional<glm::dvec3>> truth(Subject subject, const Reflector& reflector,
                                                     const PreparedLight& light, int n) {
   const View view(camera_for(subject), width, height);

@@ -51,7 +51,7 @@ TEST_F(AssetRootTest, ABufferOutsideIsAllowedFromTheMessage) {
   ASSERT_NE(scene.get(), nullptr);
   EXPECT_EQ(scene->world().triangles.size(), 2u);
   EXPECT_EQ(scene.outer_root(), "");
-  // It stays allowed.
+  // The folder stays allowed.
   scene.reload();
   ASSERT_TRUE(rig.frames_until([&] { return !scene.loading(); }));
   EXPECT_FALSE(scene.error());

@@ -100,7 +100,6 @@ TEST_F(CameraPanelTest, PlanesOfTheFilesCameraCanBeSwitchedOff) {
   EXPECT_FALSE(rig.content().controls().all().contains("Clip at planes"));
 }
 
-// The planes keep their place in the scene.
 TEST_F(CameraPanelTest, ProjectionKeepsThePlanesPlaces) {
   Viewpoint& viewpoint = rig.previewer().viewpoint();
   Camera camera = viewpoint.camera().camera();

@@ -202,7 +202,7 @@ TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {
   expect_area([&](int, std::size_t i) {
     return heat_colour(difference_of(film, sized, i, usual_display) / scale);
   });
-  // Against the first picture, which differs only in antialiasing.
+  // The error against the first picture, which differs only in antialiasing.
   EXPECT_GT(frames().rmse, 0.0);
   EXPECT_LT(frames().rmse, 0.1);
   rig.key(Key::x);

@@ -25,7 +25,7 @@ class Source {
         window_(XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 1, 1, 0, 0, 0)),
         uri_(std::move(uri)) {}
 
-  /// Announces the data, moves over the window and drops; returns false if it was not taken.
+  /// Announces the data, moves over the window and drops; returns whether the file was taken.
   bool drop() {
     XSetSelectionOwner(display_, atom("XdndSelection"), window_, CurrentTime);
     send("XdndEnter", 5L << 24, static_cast<long>(atom("text/uri-list")), 0, 0);

@@ -46,7 +46,7 @@ TEST(EditedLight, AnotherKindIsSoundAndAsBright) {
       EXPECT_EQ(kind_of(light), to);
       EXPECT_EQ(gltf::validate_light(light), "")
           << static_cast<int>(from) << " to " << static_cast<int>(to);
-      if (from == LightKind::directional) continue;  // which has no place to keep
+      if (from == LightKind::directional) continue;  // a sun has no position
       // A line is not seen exactly at right angles.
       EXPECT_NEAR(irradiance_in_the_middle(light), 40.0 / 25.0, 40.0 / 25.0 * 0.01)
           << static_cast<int>(from) << " to " << static_cast<int>(to);

@@ -226,7 +226,7 @@ class EveryControlTest : public PanelsTest {
     ASSERT_TRUE(known != parts.end()) << name << " has no test";
     enter(state);
     if (!rig.content().controls().all().contains(name)) return;
-    // The option that is chosen changes nothing; in another state it is another option.
+    // The chosen option changes nothing; in another state, another option is chosen.
     if (changes(name, known->second)) {
       used_.insert(name);
       reached_.insert(known->first);
@@ -251,10 +251,10 @@ class EveryControlTest : public PanelsTest {
   }
 
   RenderSettings initial_;
-  std::map<std::string, std::vector<std::function<void()>>> states_;  // in which each was seen
+  std::map<std::string, std::vector<std::function<void()>>> states_;  // states that show it
   std::set<std::string> tried_;
   std::set<std::string> used_;
-  std::set<std::string> reached_;  // of the table
+  std::set<std::string> reached_;  // entries of the table
   test::TemporaryFolder files_;
   std::string clipboard_;
 };
@@ -295,7 +295,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   use_all("soft shadows, divided", [&] {
     select_kind(LightKind::sphere);
     settings().shadow.quality = ShadowQuality::extended_divided;
-    // The needs of the lights come from another thread.
+    // The features of the lights come from another thread.
     (void)rig.frames_until([&] { return rig.content().controls().all().contains("Divisions"); });
   });
   for (const auto colours : {SplitMapColours::level, SplitMapColours::cause})

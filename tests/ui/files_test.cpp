@@ -47,7 +47,7 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
   EXPECT_EQ(*loaded, settings);
 }
 
-// The split map belongs to one picture: a new window would show it over the next one.
+// The split map is not restored: a new window would show it over another picture.
 TEST(StoredSettings, TheSplitMapIsNotRemembered) {
   const test::TemporaryFolder folder;
   StoredSettings settings;
@@ -143,7 +143,7 @@ TEST(FileWatch, TellsOfAChangeOnceItRests) {
   EXPECT_FALSE(watch.changed({}, 22.0));
 }
 
-// A file whose text names its content.
+// A scene file whose text names its colour.
 class WatchedFileTest : public testing::Test {
  protected:
   WatchedFileTest() {

@@ -20,7 +20,7 @@ namespace {
 using test::GltfBuilder;
 using test::UiRig;
 
-/// Whether a terminal or a text field only displays the text, in this number of lines.
+/// Whether the text is escaped, valid UTF-8 with this number of lines.
 testing::AssertionResult harmless(const std::string& text, std::size_t lines) {
   if (!is_utf8(text)) return testing::AssertionFailure() << "no UTF-8: " << printable(text);
   const auto found = 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

@@ -189,7 +189,7 @@ TEST_F(LeavingTest, StoredFramesAreAskedAbout) {
   EXPECT_EQ(state().frames.stored.size(), 1u);
   rig.frame();
   EXPECT_EQ(state().message, "Kept 1: ASOS, EPS 1/256, MAX 2");
-  state().leaving.asked = true;  // the window's own button
+  state().leaving.asked = true;  // as by the window's close button
   rig.frame();
   rig.frame();
   EXPECT_TRUE(shown("Quit"));
@@ -226,7 +226,7 @@ TEST_F(LeavingTest, AFinishedSaveIsShownThoughNobodyMoves) {
 
 // The pixel panel is laid out completely without any input while its report is computed.
 TEST_F(LeavingTest, APixelsPanelIsCompleteThoughNobodyMoves) {
-  rig.set_blind(false);  // what the last frame showed is asked for
+  rig.set_blind(false);  // the drawn pixels are compared
   rig.set_pixel_size(1);
   EXPECT_TRUE(rig.settle());
   rig.move_to({170, 300});

@@ -75,7 +75,7 @@ TEST_F(LightControlsTest, ShadowControlsAreShownWhereTheyMeanSomething) {
   settings().shadow.cast = false;
   EXPECT_FALSE(shown("Quality"));
   settings().shadow.cast = true;
-  settings().method = Method::asos_published;  // which brings its own
+  settings().method = Method::asos_published;  // which has its own quality
   EXPECT_FALSE(shown("Quality"));
   EXPECT_FALSE(shown("Light rule/Physical"));
   settings().method = Method::sobol;

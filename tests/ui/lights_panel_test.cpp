@@ -77,7 +77,7 @@ TEST_F(LightsPanelTest, TheLightsOfASurfaceAreOneRow) {
   all.back().light.own_part = -1;
   all.back().light.name = "Window";
   rig.content().state().lights.selected = -1;
-  // Ends the display of the scene's own lights, and starts that of these.
+  // Shows these lights instead of the scene's own.
   rig.frame();
   ASSERT_TRUE(rig.settle());
   const auto shown = [&](const char* name) {
@@ -185,7 +185,7 @@ TEST_F(LightsPanelTest, ALargerLightKeepsItsPowerUnlessToldNotTo) {
       << "candela do not depend on the size";
 }
 
-// For any direction of the camera.
+// Also for lights behind the viewer.
 TEST_F(LightsPanelTest, ALightOutsideThePictureHasAnArrowAtItsBorder) {
   const auto& all = rig.content().controls().all();
   const auto picture = rig.content().layout().picture;

@@ -17,7 +17,7 @@
 #include <vector>
 
 #ifdef ASOS_SANITIZED
-// GCC installs no header for it.
+// GCC installs no header for this function.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #endif
 
@@ -163,7 +163,7 @@ TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
     return std::count_if(seen.begin(), seen.end(), [](const auto& s) { return !s.expired(); }) == 1;
   })) << "previous scenes are still in memory";
   EXPECT_EQ(seen.back().lock(), rig.previewer().scene().shared());
-  if (test::sanitized) return;  // they keep what was freed
+  if (test::sanitized) return;  // the sanitizers keep freed memory
   // Freed memory went back to the system by itself, so another request returns little.
   ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().gives_memory_back(); }));
   const double before = resident_mb();

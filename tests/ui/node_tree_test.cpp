@@ -81,7 +81,7 @@ TEST_F(NodeListTest, ANodeIsHiddenWithAllBelowItAndShownAgain) {
   rig.click("Node visible/2");
   ASSERT_TRUE(hides({0, 2}));
   EXPECT_EQ(rig.previewer().scene()->world().parts.size(), 1u);
-  // The other one is the last visible one.
+  // The other node is the last visible one, so it stays.
   rig.click("Node visible/3");
   rig.frame();
   EXPECT_EQ(rig.previewer().scene().hidden(), (std::vector<int>{0, 2}));

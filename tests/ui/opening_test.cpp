@@ -74,7 +74,7 @@ TEST_F(OpeningTest, ReplacingASceneWhoseBoundariesAreLookedForIsSafe) {
   for (const char* source : {"many", "green", "many"}) {
     previewer.scene().open(source);
     ASSERT_TRUE(opened(source));
-    // Its coarse picture is there; the rest is not awaited.
+    // Waits for the coarse picture only.
     ASSERT_TRUE(update_until([&] { return !previewer.render().first_picture_pending(); }));
     EXPECT_TRUE(before.expired()) << "the scene before " << source;
     before = previewer.scene()->geometry;

@@ -16,7 +16,7 @@ TEST(HiddenObjects, ArePlacesAmongThoseThatShowSomething) {
     Scene scene = two_triangles({1, 0, 0});
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
       scene.instances[i].name = std::string(1, static_cast<char>('a' + static_cast<char>(i)));
-    // A mesh between them without surfaces.
+    // A mesh without surfaces between the triangles.
     scene.meshes.emplace_back();
     Instance nothing;
     nothing.mesh = static_cast<int>(scene.meshes.size()) - 1;
@@ -121,7 +121,7 @@ TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
   rig.click("Isolate");
   ASSERT_TRUE(becomes(1));
   EXPECT_EQ(rig.previewer().scene().hidden(), std::vector<int>{0});
-  // After a reload it stays hidden; another scene has nothing hidden.
+  // After a reload the object stays hidden; another scene has nothing hidden.
   const std::uint64_t opened = rig.previewer().scene().times_opened();
   rig.previewer().scene().reload();
   ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));

@@ -74,7 +74,7 @@ TEST_F(PanelsTest, AListTakesTheWheelOnlyOnceItWasClicked) {
   EXPECT_LT(row_y(), light) << "a clicked list scrolls";
 }
 
-// Once it offered all controls until the scene was loaded, and then removed most of them.
+// The panel once offered all controls until the scene was loaded, and then removed most of them.
 TEST(Panel, OnlyGrowsWhenTheSceneComes) {
   std::atomic<bool> released = false;
   test::UiRig rig{[&](const SceneSource& source) -> Result<Scene> {

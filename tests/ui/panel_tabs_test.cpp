@@ -20,7 +20,7 @@ class PanelTabsTest : public test::PanelsTest {
   UiState& state() { return rig.content().state(); }
 };
 
-// Tests begin with the first start's state.
+// UiRig begins with the state of a first start.
 TEST(FirstWindow, ShowsTheBarAndTheFirstTab) {
   test::UiRig rig{[](const std::string& source) -> Result<Scene> {
                     return test::two_triangles({1, 0, 0}, source);

@@ -14,7 +14,7 @@ namespace asos::test {
 using namespace ui;
 
 /// A window with an open scene and room for the whole panel next to the picture; the panel shows
-/// all of its tabs. Draws blind, and with a picture of a ninth of the pixels, unless a test changes
+/// all of its tabs. Draws blind, and with a picture of 1/36 of the pixels, unless a test changes
 /// that.
 class PanelsTest : public testing::Test {
  protected:
@@ -37,7 +37,8 @@ class PanelsTest : public testing::Test {
     rig.rest();
     rig.drag({std::ceil(glm::mix(at.lo.x, at.hi.x, from)), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
   }
-  /// Waits until the render restarts: changes may wait for the picture of the previous render.
+  /// Settles, and returns whether the render has restarted since the last call: changes may wait
+  /// for the picture of the previous render.
   bool restarted() {
     EXPECT_TRUE(rig.settle());
     const bool yes = rig.previewer().render().restarts() > restarts_;

@@ -147,7 +147,7 @@ TEST_F(PanelsTest, TheLegendShowsTheScaleOfLevels) {
     const int x = static_cast<int>(at.centre().x), y = static_cast<int>(at.lo.y) + 5;
     return pixels[static_cast<std::size_t>(y * rig.size().x + x)];
   };
-  // The same for any MAX.
+  // The colours are the same for any MAX.
   EXPECT_EQ(colour_of("not split"), split_colour(0));
   EXPECT_EQ(colour_of("exact"), exact_colour);
   for (int level = 1; level <= split_colour_levels; ++level)

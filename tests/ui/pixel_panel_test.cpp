@@ -68,7 +68,7 @@ TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
       backgrounds += at(pixels, {x, y}) == background;
     }
   }
-  // The rest is drawn by edge lines and samples.
+  // Edge lines and samples cover the rest.
   const float area = (square.hi.x - square.lo.x) * (square.hi.y - square.lo.y);
   EXPECT_GT(static_cast<float>(reds + backgrounds), 0.85f * area);
   EXPECT_NEAR(static_cast<float>(reds) / static_cast<float>(reds + backgrounds), covered, 0.04f);

@@ -61,7 +61,7 @@ TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
   EXPECT_EQ(previewer.render().film().radiance.size(), 48u * 32u);
   EXPECT_GT(previewer.render().film().radiance[pixel].g, 0.5f) << "the line is white";
 
-  // As they were during the movement.
+  // Lines stay as they are during the movement.
   const auto before = positions();
   for (int i = 0; i < 20; ++i) {
     previewer.viewpoint().camera().orbit(0.01, 0.0);
@@ -76,7 +76,7 @@ TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
   EXPECT_TRUE(update_until([&] { return positions() != before; }));
   EXPECT_TRUE(finished());
 
-  // Another width, and none.
+  // Lines of another width, and no lines.
   const auto thin = positions();
   previewer.edits().settings().line_width = 3.0;
   previewer.update(now);

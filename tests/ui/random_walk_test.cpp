@@ -11,7 +11,7 @@
 
 // A simulated user who clicks, drags, types, flies, resizes, plays, saves, opens scenes and closes
 // the window without waiting, through the real window's loop; and invariants that must hold. The
-// actions follow from a seed. Under the sanitizers the walk is longer, and there are no reports.
+// actions follow from a seed. Under the sanitizers the walk is longer and must give no reports.
 
 namespace asos::test::random_walk_test {
 using namespace ui;
@@ -30,14 +30,14 @@ class RandomWalk : public testing::Test {
     unsetenv("XDG_CONFIG_HOME");
   }
 
-  // Requested twice, to skip the question about lost work.
+  // Requests closing twice, to skip the question about lost work.
   static void add_close(WalkedWindow& window) {
     const auto ask = [](WalkedWindow& w) { w.happened().asked_to_close = true; };
     window.steps.push_back({"close", ask});
     // A window that is minimised or loading reacts with delay.
     window.idle = ask;
   }
-  /// Reports, and keeps the maxima over all windows.
+  /// Checks a window, and keeps the maxima over all windows.
   void note(const WalkedWindow& window) {
     EXPECT_LE(window.most().frames, 1) << "frames were drawn without processing events in between";
     frames += window.frames();

@@ -28,8 +28,8 @@ RenderSettings of_size(int width, int height, double eps = 1.0 / 256.0) {
   return settings;
 }
 
-/// The final tile of two pixels: one that is unevenly shaded, with 8 times the default EPS, and one
-/// that is not.
+/// The final tile of two pixels: one that is unevenly shaded, with an error of 8 times the default
+/// EPS, and one that is not.
 FinishedTile shaded_and_clear() {
   FinishedTile both = tile({0, 0, 2, 1}, glm::vec3(0.5f), false);
   both.split_level = {2, 0};

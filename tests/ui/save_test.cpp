@@ -60,7 +60,7 @@ TEST_F(SaveTest, AnySizeIsRenderedAsItIsSaved) {
   EXPECT_FALSE(restarted()) << "the window's own render is unaffected";
 }
 
-// Equals the framebuffer pixel by pixel once the dialog is gone.
+// The saved picture equals the framebuffer pixel by pixel once the dialog is gone.
 TEST_F(SaveTest, TheWindowIsSavedAsSeen) {
   display().show_split_map = true;
   rig.frame();

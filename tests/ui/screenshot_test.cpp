@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own that is also $XDG_PICTURES_DIR.
+/// Each test has its own folder, which is also $XDG_PICTURES_DIR.
 class ScreenshotTest : public testing::Test {
  protected:
   ScreenshotTest() {

@@ -18,7 +18,7 @@ class SeenLines : public PanelsTest {
     EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().render().film().width > 900; }));
     EXPECT_TRUE(rig.settle());
   }
-  /// In the author's coordinates.
+  /// The parts of a line, in the author's coordinates.
   [[nodiscard]] std::vector<LinePart> parts(glm::dvec3 a, glm::dvec3 b) {
     const RenderScene& scene = *rig.previewer().scene();
     const glm::dvec3 origin = scene.world().origin;
@@ -49,7 +49,7 @@ TEST_F(SeenLines, InFrontOfASurfaceOrInItNothingIsHidden) {
     ASSERT_EQ(found.size(), 1u) << z;
     EXPECT_FALSE(found[0].hidden) << z;
   }
-  // From in front of the triangle to behind it; and past the viewer.
+  // Lines from in front of the triangle to behind it, and past the viewer.
   EXPECT_EQ(parts({0, 0, 1}, {0, 0, -1}).size(), 2u);
   EXPECT_FALSE(parts({0, 0, 1}, {0.1, 0, 9}).back().hidden);
 }
@@ -89,7 +89,7 @@ TEST_F(SeenLines, TheGridGoesBehindWhatStandsOnIt) {
     }
   }
   EXPECT_GT(hidden, 1000);
-  // The border, where lines end, and the axes.
+  // Only the border, where lines end, and the axes are drawn.
   EXPECT_LT(drawn_in_front, hidden / 20);
   EXPECT_GT(beside, 200);
 }

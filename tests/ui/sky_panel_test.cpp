@@ -312,7 +312,7 @@ TEST_F(ExposureTest, FollowsABrightSceneUntilAPersonSetsIt) {
   EXPECT_NE(rig.content().state().message.find("Auto exposure"), std::string::npos);
   EXPECT_FALSE(rig.content().stored_settings().display.auto_exposure);
   EXPECT_EQ(rig.content().stored_settings().display.exposure_ev, 0.0f) << "of this scene alone";
-  // Half of the light's power is metered again.
+  // A quarter of the light's power is metered again.
   const float before = display().exposure_ev;
   rig.previewer().edits().edit_lights()[0].light.intensity *= 0.25f;
   ASSERT_TRUE(rig.frames_until([&] { return display().exposure_ev > before + 1.5f; }));

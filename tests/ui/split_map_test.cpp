@@ -190,7 +190,7 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
     if (colours == SplitMapColours::time) {
       EXPECT_EQ(all.at("Scale").words, "0.1 1 \u00b5s 10 100 1 ms 10");
     }
-    // The pixel panel is next to it.
+    // The pixel panel does not overlap the legend.
     rig.click("Why is this pixel like this?");
     ASSERT_TRUE(rig.frames_until([&] { return all.contains("Verdict"); }));
     for (int i = 0; i < 3; ++i) rig.frame();
@@ -213,7 +213,7 @@ TEST_F(SplitMapTest, TheStatisticsListTheCausesThatOccurAndTheLights) {
     EXPECT_TRUE(controls.contains(name)) << name;
   for (const char* name : {"   saturation", "   cut out", "   2 directional", "   ..."})
     EXPECT_FALSE(controls.contains(name)) << name;
-  // The causes' fractions add up to that of split pixels.
+  // The causes' fractions add up to the fraction of split pixels.
   EXPECT_FALSE(controls.contains("Split, by cause"));
   const auto percent = [&](const char* name) { return std::stod(controls.at(name).words); };
   const RenderStatistics statistics = rig.previewer().render().statistics();
@@ -251,7 +251,7 @@ TEST_F(SplitMapTest, FollowsEpsAndMaxAtOnce) {
   EXPECT_EQ(film.cause, before.cause);
 }
 
-// Hatched until the pixels are final, and not afterwards.
+// The map is hatched until the pixels are final, and not afterwards.
 TEST_F(SplitMapTest, AnUnfinishedMapIsHatched) {
   show(SplitMapColours::level);
   const auto hatched = [&] {

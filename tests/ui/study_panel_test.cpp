@@ -54,7 +54,7 @@ class ViewStudyTest : public testing::Test {
   [[nodiscard]] Film render(const Job& job) const {
     return timed_render({subject.scene, subject.camera, job.rung.settings, false})->film;
   }
-  /// Both halves of the first passes.
+  /// The reference of both halves of the first passes.
   [[nodiscard]] Reference reference(const std::vector<Job>& jobs, int passes) const {
     Reference made;
     std::vector<Film> halves;

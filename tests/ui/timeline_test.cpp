@@ -13,14 +13,14 @@ namespace asos::test::timeline_test {
 using namespace ui;
 namespace {
 
-/// With a line next to the square, which moves with it.
+/// The sliding square, with a line next to it that moves along.
 GltfBuilder sliding_line() {
   GltfBuilder b = sliding();
   b.primitive({{"POSITION", b.vec3({{0, -0.2f, 0}, {1, -0.3f, 0}})}})["mode"] = 1;
   return b;
 }
 
-/// With another square above, which stands still.
+/// The sliding square, with another one above that stands still.
 GltfBuilder two_squares() {
   GltfBuilder b = sliding();
   b.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 2, 0}}});
@@ -149,7 +149,7 @@ TEST_F(Timeline, LinesAreDrawnAtEveryMomentThatPlays) {
   arrive();
   const std::vector<glm::vec3> sought = picture();
   EXPECT_NEAR(line_x(scene()->world()), 2.0, 0.05);
-  // When a camera that moved with the scene is back, everything is drawn for it again.
+  // After the camera's animation was chosen, the first one gives the same picture again.
   playback().choose(1);
   playback().seek(0.5);
   arrive();
@@ -182,7 +182,7 @@ TEST_F(Timeline, EndsOrBeginsAgain) {
   playback().set_playing(true);
   EXPECT_TRUE(rig.frames_until([&] { return !playback().playing(); }));
   EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0);
-  // At its end it starts again.
+  // At its end, the animation restarts.
   playback().set_playing(true);
   EXPECT_EQ(playback().time()->seconds, 0.0);
   playback().options().loop = true;
@@ -273,7 +273,7 @@ TEST_F(Timeline, BlursTheMotionOfTheCameraThatIsLookedThrough) {
   arrive();
   ASSERT_TRUE(playback().exposure() && playback().exposure()->moves());
   EXPECT_EQ(rig.previewer().render().settings().shutter.camera, 0);
-  // One that was moved by hand stands still.
+  // A camera moved by hand stands still.
   rig.previewer().viewpoint().frame_all();
   rig.frame();
   EXPECT_TRUE(rig.settle());

@@ -166,7 +166,7 @@ TEST(CardPlace, TouchesNothingWhereThereIsRoom) {
   const CardPlace narrow = card_place(room, {250, 160}, wide, em);
   EXPECT_LT(narrow.width, 250.0f) << "a narrower card fits";
   EXPECT_GE(narrow.lo.x, 455.0f);
-  // Without enough room it covers a part of a panel and not a whole pixel.
+  // Without enough room the card covers a part of a panel, but not the pixel.
   const WindowRect pixel{{20, 20}, {20, 20}}, panel{{5, 200}, {650, 305}};
   const std::vector<WindowRect> crowded{pixel, panel, {{250, 5}, {405, 180}}};
   const CardPlace cramped = card_place(room, {250, 160}, crowded, em);
@@ -177,7 +177,7 @@ Controls::Placed placed(UiRig& rig, const std::string& name) {
   return rig.content().controls().all().at(name);
 }
 
-// At common window sizes, for any pixel that the card explains.
+// The card covers no other panel at common window sizes, for any pixel.
 TEST(TourCard, CoversNoOtherPanel) {
   struct Case {
     glm::ivec2 size;

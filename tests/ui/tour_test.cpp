@@ -159,7 +159,7 @@ TEST(PixelPlace, LeavesThePixelVisible) {
   }
 }
 
-// In a narrow window it would otherwise cover the picture and the tour's card.
+// In a narrow window the pixel panel would otherwise cover the picture and the tour's card.
 TEST(PixelPlace, LeavesThePictureWhereThereIsRoomBelowIt) {
   constexpr float em = 13.0f;
   const glm::vec2 size(420, 760);

@@ -37,7 +37,7 @@ TEST(Turntable, GoesAsFarOnAsTimeHasGone) {
   turntable.update(camera, true, 2.0);
   turntable.update(camera, true, 3.0);
   EXPECT_NEAR(azimuth_rad(camera), pi / 4.0, 1e-12);
-  // A picture that was not displayed yet is not left, but the angle makes up for its time.
+  // The camera waits until its picture is displayed, but the angle makes up for that time.
   turntable.update(camera, false, 3.5);
   EXPECT_NEAR(azimuth_rad(camera), pi / 4.0, 1e-12);
   turntable.update(camera, true, 4.0);

@@ -100,7 +100,7 @@ bool UiRig::sleeps(double limit_seconds) {
   while (now_seconds_ < end) {
     if (woken_.exchange(false)) schedule_.note_woken(false);
     if (!content_->input().empty()) schedule_.note_input();
-    // Nothing that is running could end the sleep.
+    // No running work could end the sleep.
     const bool due = schedule_.due() != DrawSchedule::never;
     if (!due && !previewer_->render().progress().running) return true;
     if (due) {

@@ -42,8 +42,8 @@ class UiRig {
   void frame();
   /// Draws a frame at this time of the rig's clock, which never goes back.
   void frame_at(double now_seconds);
-  /// Draws frames until `done`; false after `limit_seconds` of real time, ten times that under the
-  /// sanitizers: long enough for a busy machine, so that only what hangs ends so.
+  /// Draws frames until `done`; returns false after `limit_seconds` of real time, ten times that
+  /// under the sanitizers: long enough for a busy machine, so that only hanging code fails.
   [[nodiscard]] bool frames_until(const std::function<bool()>& done, double limit_seconds = 600.0);
   /// Draws only the frames that are due, like the window; the rig's time jumps from one to the
   /// next. Returns true once none is due any more, false after `limit_seconds` of that time.

@@ -150,8 +150,8 @@ TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
   });
 }
 
-// Each curve gives its own bytes, and back again; the exposure applies before the curve. The method
-// takes the same samples for all curves.
+// Each curve changes the displayed bytes; the exposure applies before the curve. The method takes
+// the same samples for all curves.
 TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
   rig.previewer().edits().settings().method = Method::sobol;
   open("red");
@@ -173,8 +173,8 @@ TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
   EXPECT_EQ(rig.previewer().render().restarts(), restarts);
 }
 
-// EPS limits the displayed error, which depends on the curve but not on the exposure: another curve
-// renders again.
+// EPS limits the error after the tone curve and ignores the exposure, so only a new curve restarts
+// the render.
 TEST_F(WindowContentTest, AMethodThatJudgesWhatShowsRendersEachCurveAnew) {
   open("red");
   DisplaySettings& display = rig.content().state().display;

@@ -47,7 +47,7 @@ class Pages {
     wait(rig, page.source);
     if (page.use) page.use(rig);
     wait(rig, page.source);
-    // Where no tooltip appears.
+    // Move to where no tooltip appears.
     rig.move_to({-1e5f, -1e5f});
     for (int i = 0; i < 4; ++i) rig.frame();
     save(page, rig.pixels());
@@ -98,7 +98,7 @@ void card(UiRig& rig, int number) {
   // The first card has chosen its pixel, and maybe a better one; some pictures have none.
   (void)rig.frames_until([&] { return rig.content().state().tour.found.has_value(); }, 5.0);
   show_card(rig.content().state(), rig.previewer(), number, 0.0);
-  // The pixel's splitting is shown to its end.
+  // Waits until the pixel's splitting is shown completely.
   for (int i = 0; i < 300 && rig.content().state().shown_level; ++i) rig.frame();
 }
 

@@ -157,7 +157,7 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
   seed_control(controls, settings);
 }
 
-// In steps of 0.01 pixel, so that the saved value equals the typed one.
+// Rounds to 0.01 pixel, so that the saved value equals the typed one.
 void filter_control(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   auto width = static_cast<float>(settings.filter_width);

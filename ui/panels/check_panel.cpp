@@ -16,7 +16,7 @@ namespace asos::ui {
 
 namespace {
 
-// The picture under the marks is so dark that none of its pixels can have their colours.
+// The picture under the marks is so dark that none of its pixels can have the marks' colours.
 constexpr std::uint32_t missed_rgb = 0xff00ff;
 constexpr std::uint32_t wasted_rgb = 0x00ffff;
 constexpr float dimming = 0.65f;
@@ -33,7 +33,7 @@ std::string share_of(std::size_t part, std::size_t whole) {
                      100.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-// Always shown, so that nothing moves once the values are known.
+// The rows are always shown, so that nothing moves once the values are known.
 void finding_rows(Controls& controls, const SplitFindings* found, const Film& film) {
   std::string missed = "not known yet", wasted = missed, rmse = missed;
   if (found) {

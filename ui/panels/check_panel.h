@@ -19,7 +19,7 @@ struct CheckChoice {
   double alarm = 1.0 / 64.0;  ///< error that counts as missed, of display intensity, 0 to 1
 };
 
-/// Controls of the check of splits; only while ASOS renders.
+/// Section Check splits, only for methods in object space.
 void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
                  const SplitCheck& check, Frames& frames);
 

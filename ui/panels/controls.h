@@ -12,8 +12,8 @@
 
 namespace asos::ui {
 
-/// Writes four significant digits, with an exponent only for extreme values: "14050", "0.000123",
-/// "1.5e+09".
+/// Writes four significant digits, or whole numbers from 10,000 to 10 million, with an exponent
+/// only for extreme values: "14050", "0.000123", "1.5e+09".
 [[nodiscard]] std::string number_words(double value);
 
 /// The panels' widgets: a label on the left, the widget to its right, and a tooltip. Records the
@@ -84,7 +84,7 @@ class Controls {
     const char* name;
     const char* tooltip;
   };
-  /// Without a label, options take the whole width, and two rows if one is too short.
+  /// Without a label, options take the whole width. They take several rows if one is too short.
   struct OptionsStyle {
     bool labelled = true;
     std::optional<int> reset;

@@ -256,7 +256,7 @@ void preset_list(Controls& controls, Dfr& dfr) {
     if (alike(dfr) && dfr.rgb[0] == preset.curve) chosen = static_cast<int>(names.size());
     names.emplace_back(preset.name);
   }
-  // A custom curve has a name, too, but is not in the list.
+  // A curve that is no preset is listed as "custom" while it is in use.
   if (chosen < 0) {
     chosen = static_cast<int>(names.size());
     names.emplace_back("custom");

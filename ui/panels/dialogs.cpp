@@ -139,7 +139,7 @@ void snapshot_keys(UiState& state, const Film& film) {
   constexpr std::array keys{Key::one, Key::two,   Key::three, Key::four, Key::five,
                             Key::six, Key::seven, Key::eight, Key::nine};
   static_assert(keys.size() == Frames::most);
-  if (ImGui::GetIO().KeyShift) return;  // the camera's
+  if (ImGui::GetIO().KeyShift) return;  // Shift + digit: camera views
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (!shortcut_pressed(keys[i])) continue;
     if (i >= state.frames.stored.size()) {
@@ -195,7 +195,7 @@ void pause_or_go_on(Refinement& refinement) {
   }
 }
 
-// Keys of the keypad, or digits with Shift.
+// Returns whether a view's key was pressed: on the keypad, or a digit with Shift.
 bool view_key(Key pad, Key digit, bool opposite) {
   return shortcut_pressed(pad, opposite) ||
          (ImGui::GetIO().KeyShift && shortcut_pressed(digit, opposite));
@@ -245,7 +245,7 @@ void surface_shortcuts(UiState& state) {
   if (shortcut_pressed(Key::y)) state.surfaces.wireframe = !state.surfaces.wireframe;
 }
 
-// Layers of the film in place of the picture.
+// Shows the next or previous layer of the film in place of the picture.
 void layer_shortcuts(UiState& state) {
   const int by = shortcut_pressed(Key::right_bracket)  ? 1
                  : shortcut_pressed(Key::left_bracket) ? -1

@@ -7,7 +7,7 @@
 
 namespace asos::ui {
 
-/// A mark of a scale of colours, with its place on it, 0 to 1.
+/// A tick of a colour scale, at `share`, 0 to 1.
 struct HeatTick {
   float share;
   std::string text;

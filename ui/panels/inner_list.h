@@ -4,8 +4,8 @@
 
 namespace asos::ui {
 
-/// A list with its own height within a panel, during its lifetime. The wheel scrolls the panel
-/// until the list is clicked, so that passing over a list does not stop the scrolling.
+/// During its lifetime, draws a list with its own height within a panel. The wheel scrolls the
+/// panel until the list is clicked, so that passing over a list does not stop the scrolling.
 class InnerList {
  public:
   InnerList(const char* name, glm::vec2 size);

@@ -110,7 +110,7 @@ class LightEditor {
     }
   }
 
-  /// A length above 0.
+  /// Edits a length above 0. Returns whether it changed.
   bool length(const char* name, const char* tooltip, double& value, double reset) {
     const double least = 1e-5 * scene_.radius, most = 1e3 * scene_.radius;
     const bool edited = controls_.number(

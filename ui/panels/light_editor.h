@@ -13,7 +13,7 @@ namespace asos::ui {
 struct LightSurroundings {
   SceneSize scene;
   SceneSize looked_at;     ///< where a light keeps its brightness when its kind changes
-  glm::dvec3 origin{0.0};  ///< the world's
+  glm::dvec3 origin{0.0};  ///< World::origin
   bool keep_power = true;  ///< keep the power of a flat light when its size changes
 };
 

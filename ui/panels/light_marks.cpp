@@ -14,7 +14,7 @@ namespace asos::ui {
 
 namespace {
 
-// Marks have the same colours in both looks, because pictures do not depend on the look.
+// Marks have the same colours in both themes, because pictures do not depend on the theme.
 std::uint32_t over_picture(theme::Colour colour) {
   return theme::rgb(theme::Look::dark, colour);
 }
@@ -165,7 +165,7 @@ void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
   if (chosen < lights.size() && lights[chosen].light.type != Light::Type::directional)
     draw_outline(projection, lights[chosen].light, previewer.viewpoint().camera().camera());
   for (std::size_t i = 0; i < std::min(lights.size(), most_marks); ++i) {
-    // A sun is nowhere.
+    // A directional light has no position.
     if (lights[i].light.type != Light::Type::directional)
       mark(controls, previewer.edits(), choice, projection, i);
   }

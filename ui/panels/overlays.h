@@ -65,7 +65,7 @@ struct MapFacts {
 /// The legend of the error layer, in the picture's lower left corner.
 struct ErrorFacts {
   int samples = 0;        ///< samples per pixel of the reference; 0: there is none yet
-  bool finished = false;  ///< the picture is
+  bool finished = false;  ///< the picture is finished
 };
 void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect& area);
 
@@ -73,7 +73,7 @@ void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect&
 struct LayerFacts {
   Layer layer = Layer::depth;
   LayerScale scale;
-  bool rendered = true;  ///< by the method
+  bool rendered = true;  ///< the method renders the layer
 };
 void layer_legend(Controls& controls, const LayerFacts& facts, const WindowRect& area);
 
@@ -84,7 +84,7 @@ void help_overlay(Controls& controls, UiState& state, const WindowRect& area);
 /// The dialog that opens a file or a built-in scene.
 void open_dialog(Controls& controls, UiState& state, Previewer& previewer);
 
-/// What can be saved.
+/// Properties of what can be saved.
 struct SaveFacts {
   glm::ivec2 shown{0};        ///< size of the picture in the window
   double clip_seconds = 0.0;  ///< length of the animation; 0: there is none

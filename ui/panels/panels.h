@@ -81,7 +81,7 @@ struct StatusLine {
   double fraction = 0.0;  ///< see ShownProgress
   std::optional<TimeEstimate> estimate;
   std::string names;    ///< of the object and the material under the pointer; empty: none
-  std::string layer{};  ///< values of the layer that is shown under the pointer; empty: none
+  std::string layer{};  ///< values of the shown layer under the pointer; empty: none
 };
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status);
 

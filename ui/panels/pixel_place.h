@@ -21,8 +21,8 @@ struct PixelPlace {
   float most_height = 0.0f;
 };
 
-/// Chooses a place: below the picture over the panel if that is below, otherwise at the left or
-/// right of the picture, otherwise above or below the pixel. `em`: the height of text.
+/// Chooses a place: below the picture if there is room, even over the panel; otherwise at the left
+/// or right of the picture, otherwise above or below the pixel. `em`: the height of text.
 [[nodiscard]] PixelPlace place_beside_pixel(glm::vec2 pixel, const WindowRect& picture,
                                             glm::vec2 window, float em);
 

@@ -91,7 +91,7 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
     const float width = ImGui::GetWindowWidth();
     const float height = std::max(2.0f, ImGui::GetFontSize() * 0.15f);
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->PushClipRect(corner, {corner.x + width, corner.y + height});  // ours ends at the padding
+    draw->PushClipRect(corner, {corner.x + width, corner.y + height});  // window's is narrower
     draw->AddRectFilled(corner,
                         {corner.x + width * static_cast<float>(status.fraction), corner.y + height},
                         theme::packed(theme::accent_bright));

@@ -35,8 +35,8 @@ class Projection {
     const glm::vec2 at = area_.rect.lo + (view_.offset() + pixel * view_.scale()) / area_.scale;
     return {at.x, at.y};
   }
-  /// The world position of a point whose mark is moved by `by` in the window, parallel to the
-  /// picture plane.
+  /// The displacement in the world of a point whose mark is moved by `by` in the window, parallel
+  /// to the picture plane.
   [[nodiscard]] glm::dvec3 moved(glm::dvec3 p, glm::vec2 by) const {
     const FramePoint from = frame_.project(homogeneous(p));
     const glm::dvec2 share = glm::dvec2(by * area_.scale / view_.scale()) / size_;

@@ -19,7 +19,7 @@ struct ReflectionChoice {
   DfrChannel channel = DfrChannel::all;
 
   // The mirrors of the open scene, searched once.
-  std::uint64_t scene = 0;  ///< Previewer::scenes_opened
+  std::uint64_t scene = 0;  ///< OpenScene::times_opened
   std::vector<MirrorMaterial> mirrors;
   std::optional<glm::ivec2> followed;  ///< the picked pixel whose material was selected last
 };

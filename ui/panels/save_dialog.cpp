@@ -53,7 +53,7 @@ void choose_format(Controls& controls, SaveChoice& choice) {
   if (controls.options("Format", options, format)) choice.exr = format == 1;
 }
 
-// Of the EXR.
+// Chooses the layers of the EXR.
 void choose_layers(Controls& controls, SaveChoice& choice) {
   constexpr std::array options{
       Controls::Option{"None", "The picture alone."},

@@ -19,7 +19,7 @@ bool has_scene_ending(const std::string& path) {
   return ending == ".glb" || ending == ".gltf";
 }
 
-// Always takes a line, so that nothing moves.
+// Warns about the path. Always takes a line, so that nothing moves.
 void path_words(const std::string& path) {
   std::error_code ignored;
   const char* words = " ";

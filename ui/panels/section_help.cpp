@@ -44,7 +44,7 @@ void antialiasing(const Sketch& s) {
   }
 }
 
-// Passes, each finer.
+// Sketches three passes, each finer than the last.
 void refinement(const Sketch& s) {
   for (int pass = 0; pass < 3; ++pass) {
     const glm::vec2 lo(1.0f + 5.0f * static_cast<float>(pass), 1.0f);
@@ -174,7 +174,7 @@ void camera(const Sketch& s) {
   s.disc({11.0f, 3.0f}, 0.25f, Ink::warm);
 }
 
-// Sketches a lens and the rays of two points: one in focus, and one behind it.
+// Sketches a lens and the rays of two points: one focused on the sensor, and one behind it.
 void lens(const Sketch& s) {
   s.line({8.0f, 0.8f}, {8.0f, 5.2f}, Ink::accent);
   s.line({12.0f, 0.6f}, {12.0f, 5.4f}, Ink::dim);

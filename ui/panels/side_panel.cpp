@@ -121,7 +121,7 @@ void tab_choice(Controls& controls, UiState& state) {
   state.search.clear();
 }
 
-// Escape empties it.
+// Draws the search field. Escape empties it.
 void search_field(Controls& controls, UiState& state) {
   if (std::exchange(state.focus_search, false)) ImGui::SetKeyboardFocusHere();
   std::array<char, 64> text{};

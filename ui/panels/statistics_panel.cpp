@@ -44,8 +44,8 @@ void light_rows(Controls& controls, const RenderStatistics& statistics,
   }
 }
 
-// The rows depend on the scene, not on whether rays were counted yet, so that the panel does not
-// jump.
+// The rows of eye and shadow rays depend on the scene, not on whether rays were counted yet, so
+// that the panel does not jump.
 void ray_rows(Controls& controls, const RenderStatistics& statistics, const RenderScene& scene,
               const Finished& finished) {
   controls.row("Eye rays", finished.per_pixel(statistics.eye_rays),

@@ -12,7 +12,7 @@ namespace asos::ui {
 
 /// The settings of a study of the view.
 struct StudyChoice {
-  std::set<std::string> rivals{"sobol", "stochastic"};  ///< beside asos
+  std::set<std::string> rivals{"sobol", "stochastic"};  ///< compared with asos
   int budget_seconds = 30;                              ///< for the reference
   int repetitions = 3;
   int reduction = 2;      ///< divisor of the picture's width and height: 1, 2 or 4

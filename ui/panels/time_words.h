@@ -24,7 +24,7 @@ struct ProgressFacts {
   Progress progress;
   double fraction = 0.0;  ///< the displayed fraction: see ShownProgress
   PauseReason rest = PauseReason::none;
-  bool without_edges = false;  ///< they are searched
+  bool without_edges = false;  ///< edges are still being searched
   Reached reached;
   std::optional<TimeEstimate> estimate;
 };

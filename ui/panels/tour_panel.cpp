@@ -135,7 +135,7 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
   const float width = ImGui::GetContentRegionAvail().x;
   switch (*state.tour.card) {
     case Tour::Card::pyray:
-      // Low windows have room for only one of them.
+      // Low windows have room only for the drawing or the loupe.
       if (room_down > 28.0f * ImGui::GetFontSize() || !state.tour.pixel) draw_pyray(Sketch(width));
       if (state.tour.pixel) loupe(controls, film, *state.tour.pixel, state.display.transform());
       scene_button(controls, previewer, state);
@@ -202,8 +202,8 @@ std::optional<int> buttons(Controls& controls, int card) {
   return next;
 }
 
-// The first card's pixel is on a clear edge of the current picture. The second card's pixel is
-// final and split: at first one from the unfinished picture, then the result of the search.
+// The first card's pixel is on a clear edge of the current picture. The second card's is final and
+// split: from the unfinished picture until SplitPixelSearch has one.
 std::optional<glm::ivec2> pixel_for_card(const Previewer& previewer, const UiState& state) {
   const Tour& tour = state.tour;
   const Film& film = previewer.render().film();
@@ -217,8 +217,8 @@ void choose_pixel(const Previewer& previewer, UiState& state, double now_seconds
   const bool watched = *tour.card == Tour::Card::split;
   if (*tour.card > Tour::Card::split) return;
   const PreviewRender& render = previewer.render();
-  // Each card keeps its pixel until another quarter of the picture is rendered. The result of the
-  // search is final.
+  // The first card's pixel may change with each rendered quarter of the picture, the second's only
+  // when the search ends.
   const Progress progress = render.progress();
   const int quarters = progress.finished ? 5 : static_cast<int>(4.0 * progress.fraction);
   const Tour::Chosen now{render.restarts(), *tour.card, quarters, tour.found.has_value()};

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-// Private to this file, so that it does not conflict with other copies of the library.
+// stb_image_write is private to this file, so that it does not conflict with other copies of the
+// library.
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #include <stb/stb_image_write.h>

@@ -70,7 +70,7 @@ json punctual_json(const Light& light) {
     const double inner = std::min(light.inner_cone_rad, light.outer_cone_rad * (1.0 - 1e-12));
     out["spot"] = {{"innerConeAngle", inner}, {"outerConeAngle", light.outer_cone_rad}};
   }
-  // glTF has no properties for these; other programs preserve extras.
+  // glTF has no properties for shadows and sizes; other programs preserve extras.
   if (!light.casts_shadows) out["extras"]["casts_shadows"] = false;
   if (light.type == Light::Type::directional) {
     if (light.angular_diameter_rad > 0.0) {

@@ -59,7 +59,7 @@ void end_endless_scans(j_common_ptr info) {
   }
 }
 
-/// Converts a row of Adobe's inverted inks to colours, in place.
+/// Converts a row of CMYK inks to colours, in place. Adobe stores them inverted.
 void make_rgba(std::span<std::uint8_t> row, bool inverted) {
   for (std::size_t i = 0; i < row.size(); i += 4) {
     const auto ink = [&](std::size_t c) {
@@ -110,7 +110,7 @@ class Decoder {
     return blocks * DCTSIZE2 * sizeof(JCOEF);
   }
 
-  /// The decoder itself can reduce up to 8 x 8 pixels to one.
+  /// Starts decoding. The decoder itself can reduce up to 8 x 8 pixels to one.
   [[nodiscard]] bool start(int shrink) {
     if (setjmp(errors_.back) != 0) return false;
     const bool inks = info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK;

@@ -31,7 +31,7 @@ const char* other_format_of(PictureBytes bytes) {
   return nullptr;
 }
 
-/// Returns why a picture of this size is not read from so many bytes.
+/// Returns why a picture of this size is not read from this many bytes; empty: it is read.
 std::string fault_of_size(const PictureHead& head, std::size_t bytes) {
   // Deflate expands at most 1032 times, and a byte may be a whole pixel of a palette.
   constexpr std::uint64_t most_pixels_per_byte = 1100;

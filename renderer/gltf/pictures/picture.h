@@ -30,7 +30,7 @@ struct PictureHead {
 
 inline constexpr int largest_picture_side = 16384;
 
-/// A picture of 8-bit RGBA; 16-bit PNGs lose their lower half.
+/// A picture of 8-bit RGBA; 16-bit PNGs keep 16 bits unless they are reduced.
 struct Picture {
   Image image;
   std::string remark;  ///< a fault of a picture that is shown nevertheless; empty: none

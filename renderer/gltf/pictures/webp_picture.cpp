@@ -37,7 +37,7 @@ PictureResult<PictureHead> webp_head(PictureBytes bytes) {
   if (features.has_animation != 0)
     return tl::unexpected<std::string>("animated WebP pictures are not supported");
   PictureHead head{features.width, features.height, 0};
-  // In lossy pictures, only the alpha is complete at the end.
+  // In lossy pictures, only the alpha channel is held until the end.
   if (features.format == lossless) head.held_bytes = 4 * head.pixels();
   if (features.format != lossless && features.has_alpha != 0) head.held_bytes = 2 * head.pixels();
   return head;

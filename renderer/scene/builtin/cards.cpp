@@ -9,7 +9,7 @@ namespace asos::builtin {
 
 namespace {
 
-constexpr float eye_distance = 6.0f;  // from the plane z = 0
+constexpr float eye_distance = 6.0f;  // of the eye from the plane z = 0
 
 // Moves a point of the plane z = 0 along its eye ray to another depth.
 glm::vec3 at_depth(glm::vec2 seen, float z) {
@@ -17,7 +17,8 @@ glm::vec3 at_depth(glm::vec2 seen, float z) {
   return {scale * seen.x, scale * seen.y, z};
 }
 
-// A quad with these corners in the picture, counter-clockwise.
+// Returns a quad at depth `z` whose corners project to `seen` on the plane z = 0,
+// counter-clockwise.
 Mesh card(const std::array<glm::vec2, 4>& seen, float z) {
   Mesh mesh;
   add_quad(mesh, at_depth(seen[0], z), at_depth(seen[1], z), at_depth(seen[2], z),

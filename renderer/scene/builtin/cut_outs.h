@@ -20,8 +20,8 @@ namespace asos::builtin {
 /// A twig that grows upwards from the centre of the lower side, with leaves on both sides.
 [[nodiscard]] Image twig();
 
-/// Adds a double-sided material that shows an image where its alpha is at least 1/2. `wrap`: beyond
-/// the image's sides.
+/// Adds a double-sided material that shows an image where its alpha is at least 1/2. `wrap` applies
+/// beyond the image's sides.
 int paint_cut_out(SceneAssembler& stage, const std::string& name, Image image, Wrap wrap);
 
 /// Appends a parallelogram with texture coordinates from `uv_lo` at `corner` (the image's upper

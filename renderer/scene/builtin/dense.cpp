@@ -58,19 +58,19 @@ Scene make_dense() {
   add_quad(ground, {-2000, 0, 900}, {2000, 0, 900}, {2000, 0, -900}, {-2000, 0, -900});
   stage.add("ground", std::move(ground), stage.paint("ground", 0xd2cec5, 0.95f));
 
-  Mesh statue;  // 401,408
+  Mesh statue;  // 401,408 triangles
   add_blob(statue, {0.0f, 1.0f, -0.4f}, {0.7f, 0.98f, 0.62f}, figure(), 224);
   stage.add("statue", std::move(statue), stage.paint("marble", 0xe9e4da, 0.4f));
 
-  Mesh stone;  // 259,200
+  Mesh stone;  // 259,200 triangles
   add_blob(stone, {-1.75f, 0.58f, 0.15f}, {0.72f, 0.6f, 0.68f}, pebble(), 180);
   stage.add("stone", std::move(stone), stage.paint("slate", 0x6d7f8e, 0.6f));
 
-  Mesh spiny;  // 259,200
+  Mesh spiny;  // 259,200 triangles
   add_blob(spiny, {0.85f, 0.43f, 0.95f}, glm::vec3(0.36f), urchin(), 180);
   stage.add("urchin", std::move(spiny), stage.paint("plum", 0x8a4f7d, 0.5f));
 
-  Mesh knot;  // 1000 x 140 x 2 = 280,000
+  Mesh knot;  // 1000 x 140 x 2 = 280,000 triangles
   add_torus_knot(knot, {}, {3, 4, 0.55f, 0.22f, 0.1f}, 1000, 140);
   const int knot_mesh =
       stage.keep("torus knot", std::move(knot), stage.paint("copper", 0xc77b4a, 0.35f));

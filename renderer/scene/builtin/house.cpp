@@ -14,7 +14,8 @@ constexpr float half_length = 4.2f, half_width = 3.0f, wall_height = 4.4f, ridge
 
 void add_walls(SceneAssembler& stage) {
   Mesh walls, base;
-  // The outline lies in the yz plane and is extruded along x: the prism's x is -z, its z is x.
+  // The outline is in the yz plane and extruded along x: the prism's x axis is -z here, its z axis
+  // is x.
   const std::array<glm::vec2, 5> gable{{{-half_width, 0.3f},
                                         {half_width, 0.3f},
                                         {half_width, wall_height},
@@ -127,8 +128,8 @@ Scene make_house() {
   return stage.take();
 }
 
-// CGF'98 figures 14 and 15: wood on the porch and the gazebo, which a spherical light shades
-// softly, and a mesh with a map of normals for the sand around them.
+// CGF'98 figures 14 and 15: wood textures on walls, porch and gazebo, shaded softly by a spherical
+// light, and a normal-mapped mesh for the sand around them.
 Scene make_house_textured() {
   SceneAssembler stage("house-textured");
   constexpr float sand_metres = 4.0f;
@@ -145,7 +146,7 @@ Scene make_house_textured() {
   stage.cover("gazebo floor", planks, 2.0f);
 
   // The ball replaces the sun. It is far enough to light the garden evenly, and so large that a
-  // penumbra's width is a twentieth of the distance from the edge to its shadow.
+  // penumbra's width is a twentieth of the distance from an occluder's edge to the shadow.
   constexpr double distance = 150.0;
   stage.ball("ball", -distance * glm::normalize(sun_travel), 0.025 * distance, sun_srgb,
              sun_lux * static_cast<float>(distance * distance));

@@ -113,8 +113,8 @@ void add_porch(SceneAssembler& stage, float x0, float x1, float wall) {
     add_railing(wood, {x, deck, wall}, {x, deck, line - 0.05f}, 7);
   }
 
-  // The lean-to roof: courses that fall from the wall to beyond the posts. Its slope's "ridge" is
-  // the line where it meets the wall.
+  // The lean-to roof: courses that fall from the wall to beyond the posts. The slope's "ridge" is
+  // where the roof meets the wall.
   const glm::vec2 low(edge + 0.25f, eave + 0.1f), high(wall, eave + 0.62f);
   add_tiled_slope(courses, low, high, 0.5f * (x1 - x0) + 0.15f, 1.0f, 4);
   const int roof_mesh =
@@ -168,7 +168,7 @@ void add_gazebo(SceneAssembler& stage, glm::dvec3 place) {
   std::vector<glm::vec2> outline;
   for (int i = 0; i < 8; ++i) {
     const glm::vec2 p = corner(i, radius + 0.15f);
-    outline.emplace_back(p.x, -p.y);  // the prism's z is up, its y is -z
+    outline.emplace_back(p.x, -p.y);  // the prism's z axis points up, its y axis along -z
   }
   const glm::mat4 upwards({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
   add_prism(floor, outline, deck, upwards);

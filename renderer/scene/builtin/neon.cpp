@@ -11,10 +11,10 @@ namespace asos::builtin {
 
 namespace {
 
-// The house front lies in the plane z = 0 and looks towards +z, over the pavement.
+// The house front is in the plane z = 0 and faces +z, over the pavement.
 constexpr float front_half = 7.5f, front_height = 9.6f;
 
-/// The strokes of a letter in a box 1 wide and 1.6 high, from its lower left corner.
+/// A stroke of a letter, in a box 1 wide and 1.6 high, from the box's lower left corner.
 struct Stroke {
   glm::vec2 from, to;
 };
@@ -61,7 +61,7 @@ struct Word {
   std::string_view letters;
   glm::vec3 from;
   glm::vec3 along, up;
-  float advance = 1.45f;  ///< from letter to letter
+  float advance = 1.45f;  ///< from letter to letter, in lengths of `along`
   bool downwards = false;
 };
 
@@ -107,7 +107,7 @@ void add_signs(SceneAssembler& stage) {
            0xff8a20, 16.0f);
 }
 
-/// A lamp of a row of bulbs along the board and around the door.
+/// Adds bulbs in sockets along the awning's edge and around the door.
 void add_bulbs(SceneAssembler& stage) {
   Mesh bulbs, sockets;
   const auto add = [&](glm::vec3 at, glm::vec3 out) {
@@ -126,7 +126,7 @@ void add_bulbs(SceneAssembler& stage) {
   stage.add("sockets", std::move(sockets), stage.paint("socket", 0x8a7a50, 0.5f));
 }
 
-/// A window of the upper floors: frame, sill, and its lit or dark pane behind the mullions.
+/// The meshes of all windows of the upper floors: frames, sills, and dark or lit panes.
 struct WindowParts {
   Mesh frames, sills, dark;
   std::array<Mesh, 3> lit;
@@ -150,7 +150,7 @@ void add_flat_window(WindowParts& parts, glm::vec2 at, int light) {
 
 void add_windows_of_front(SceneAssembler& stage) {
   WindowParts parts;
-  // The kind of light in each window: none, warm, cold or a television's.
+  // The light in each window: -1 none, 0 warm, 1 cold, 2 a television.
   constexpr std::array<std::array<int, 6>, 2> lights{{{0, -1, 0, -1, 1, 0}, {-1, 1, -1, 2, -1, 0}}};
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 6; ++column) {
@@ -195,7 +195,7 @@ void add_front(SceneAssembler& stage) {
   stage.add("awning", std::move(awning), stage.paint("awning", 0x6e1f2c, 0.8f));
 }
 
-/// Adds the shop windows on both sides of the door, their light box and the goods in them.
+/// Adds the shop windows on both sides of the door: frames, glowing panes, and a row of bottles.
 void add_shop(SceneAssembler& stage) {
   Mesh frames, panes, bottles;
   for (const float x : {-4.0f, 4.0f}) {

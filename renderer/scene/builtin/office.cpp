@@ -179,7 +179,7 @@ void add_ceiling_light(SceneAssembler& stage) {
   stage.panel("ceiling panel", below, below - glm::dvec3(0, 1, 0), {1.24, 0.64}, 0xfff6e6, 11.6f);
 }
 
-/// All of the office but its cameras.
+/// Adds all of the office but its cameras.
 void furnish_office(SceneAssembler& stage) {
   add_room(stage);
   add_window(stage);
@@ -192,7 +192,7 @@ void furnish_office(SceneAssembler& stage) {
   add_waste_bin(stage, {1.2, 0.0, -0.35});
 
   stage.sun("sun", {0.78, -0.6, 0.3}, 0xffe9c4, 5.0f);
-  stage.sun("sky over the garden", {-0.6, -0.5, 0.1}, 0xe8f1ff, 2.4f);  // the room blocks it
+  stage.sun("sky over the garden", {-0.6, -0.5, 0.1}, 0xe8f1ff, 2.4f);  // lights only the garden
   stage.lamp("fill", {0.9, 1.75, 2.85}, 0xeaf0ff, 5.0f);
   stage.spot("bounce", {0.7, 1.45, 2.9}, {0.0, 2.7, 0.6}, 0xffefdc, 14.0f, 62.0);
 }

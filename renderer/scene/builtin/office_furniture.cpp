@@ -15,16 +15,16 @@ namespace {
 
 constexpr float desk_height = 0.74f;
 
-/// A jointed lamp standing at the origin: foot, two thin arms, a conical shade.
+/// Adds a jointed lamp standing at the origin of `placement`: foot, two thin arms, conical shade.
 void add_desk_lamp(SceneAssembler& stage, const glm::dmat4& placement) {
   const glm::vec3 foot(0.0f, 0.018f, 0.0f), elbow(-0.10f, 0.30f, 0.0f), head(0.16f, 0.44f, 0.0f);
   Mesh metal, shade;
   add_frustum(metal, {0.0f, 0.0f, 0.0f}, foot, 0.085f, 0.08f, 64);
-  // Both arms end inside the joint, short of its centre and of each other.
+  // Both arms end inside the joint, short of the joint's centre and of each other.
   add_frustum(metal, foot, elbow - 0.008f * glm::normalize(elbow - foot), 0.006f, 0.006f, 16);
   add_sphere(metal, elbow, 0.012f, 8);
   add_frustum(metal, elbow + 0.008f * glm::normalize(head - elbow), head, 0.006f, 0.006f, 16);
-  // The shade is a thin shell: up on the inside, down on the outside.
+  // The shade is a thin shell: its outline runs down the inside and up the outside.
   const glm::vec3 axis = glm::normalize(glm::vec3(-0.25f, 1.0f, 0.0f));
   const std::array<glm::vec2, 6> outline{{{0.0f, 0.117f},
                                           {0.026f, 0.117f},
@@ -60,7 +60,7 @@ void add_screen(SceneAssembler& stage, const glm::dmat4& placement) {
   stage.show_light();  // too dim compared with the panel to be a light
 }
 
-/// A mug at the origin, with a wall and a handle.
+/// Appends a mug that stands at `at`, with a wall and a handle.
 void add_mug(Mesh& mesh, glm::vec3 at) {
   const std::array<glm::vec2, 6> outline{{{0.0f, 0.0f},
                                           {0.037f, 0.0f},

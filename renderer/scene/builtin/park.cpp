@@ -41,7 +41,8 @@ class Tree {
     return std::cos(angle) * way + std::sin(angle) * (std::cos(turn) * u + std::sin(turn) * v);
   }
 
-  // Adds a stem in a few pieces. Each leans upwards a little and starts inside the previous one.
+  // Adds a stem in a few pieces and returns its end. Each piece bends up a little, or down at the
+  // thinnest branches, and starts inside the previous one.
   Branch stem(const Branch& branch, int depth) {
     const int pieces = depth < 5 ? 3 : 2;
     const int sides = std::max(4, 12 - 2 * depth);
@@ -115,7 +116,7 @@ void add_trees(SceneAssembler& stage) {
   }
 }
 
-/// A bench of slats on two cast frames, 1.7 m wide, facing +z from the origin.
+/// Adds benches of slats on two cast frames, 1.7 m wide.
 void add_benches(SceneAssembler& stage) {
   Mesh slats, frames;
   for (int i = 0; i < 5; ++i) {

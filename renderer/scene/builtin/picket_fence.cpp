@@ -16,7 +16,7 @@ void add_picket_fence(Mesh& mesh, const PicketFence& fence) {
     const glm::vec3 at(fence.spacing * static_cast<float>(i), 0.0f, 0.0f);
     add_prism(mesh, outline, 0.02f, glm::translate(glm::mat4(1.0f), at));
   }
-  // Rails end slightly inside the outer pickets, so that none of their edges lies on a picket's.
+  // Rails end slightly inside the outer pickets, so that no edge of a rail lies on a picket's edge.
   const float length = fence.spacing * static_cast<float>(fence.pickets - 1) + w;
   for (const float y : {0.22f * h, 0.68f * h}) {
     add_box(mesh, {0.1f * w, y, -0.03f}, {length - 0.1f * w, y + 0.07f * h, 0.0f});

@@ -61,7 +61,7 @@ void furnish(SceneAssembler& stage) {
   box.size = {1.2, 0.9, 0.8};
   stage.add("box", box, turned({-0.75, 0.45, 0.75}, 28.0), stage.paint("violet", 0x7d5ba6, 0.7f));
 
-  // Tilted above the plane, so that its shadow is an ellipse that touches nothing.
+  // The disk is tilted above the plane: its shadow is an ellipse that touches nothing.
   const int disk_paint = stage.paint("orange", 0xe07b39, 0.6f);
   stage.make_double_sided(disk_paint);
   stage.add("disk", round(Shape::Type::disk, 0.6), facing({0.85, 0.5, 1.2}, {-0.3, 1.0, 0.35}),
@@ -102,8 +102,8 @@ Scene make_primitives_linear() {
 
 Scene make_primitives_rectangle() {
   SceneAssembler stage("primitives-rectangle");
-  // It hangs level, so its outline as seen from the origin shrinks by a cosine; a higher luminance
-  // compensates for that.
+  // The rectangle hangs level, so its outline as seen from the origin shrinks by a cosine; a higher
+  // luminance compensates for that.
   constexpr double side = 2.0;
   const double cosine = lamp_place.y / glm::length(lamp_place);
   const double nits = static_cast<double>(lamp_candela) / (side * side * cosine);
@@ -130,8 +130,8 @@ Scene make_solids() {
   stage.add("cylinder", cone(2.2, 0.65, 0.65), moved({0.3, 1.1, -0.85}), mirror("green", 0xb9e6c0));
   stage.add("cone", cone(1.9, 0.8, 0.0), moved({0.95, 0.95, 0.6}), mirror("copper", 0xf0a583));
 
-  // The lamp has the apparent size of that in the other scenes, but is far enough that the plane
-  // reflected in the mirrors is lit evenly.
+  // The lamp has 0.8 of the apparent size of the ball of primitives-ball, and is far enough that
+  // the plane reflected in the mirrors is lit evenly.
   constexpr double farther = 5.0;
   stage.ball("ball", farther * lamp_place, farther * 0.8, lamp_srgb,
              static_cast<float>(farther * farther) * lamp_candela);

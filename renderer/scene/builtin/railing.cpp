@@ -17,13 +17,13 @@ Scene make_railing() {
 
   Mesh iron;
   constexpr float height = 1.0f, length = 2.0f;
-  // As many whole squares as fit into a panel, and a bar at its end.
+  // Each panel shows 4 x 2 whole squares of the image, and the bar at its end.
   const glm::vec2 uv_lo(-0.03f), uv_hi(4.03f, 2.03f);
   for (int i = 0; i < 3; ++i) {
     const float x = -3.2f + 2.1f * static_cast<float>(i);
     add_card(iron, {x, 0.1f + height, 0.0f}, {length, 0, 0}, {0, -height, 0}, uv_lo, uv_hi);
   }
-  // Round the corner, towards the viewer.
+  // Two panels round the corner, towards the viewer.
   for (int i = 0; i < 2; ++i) {
     const float z = 2.05f * static_cast<float>(i) + 0.06f;
     add_card(iron, {3.1f, 0.1f + height, z}, {0, 0, length}, {0, -height, 0}, uv_lo, uv_hi);

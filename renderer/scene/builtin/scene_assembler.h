@@ -11,12 +11,11 @@
 
 namespace asos::builtin {
 
-/// Collects a built-in scene. Colours are 0xRRGGBB in sRGB.
-///
-/// Brightness: a white diffuse surface under an illuminance of pi lux has radiance 1, which is
-/// display white at exposure 0. So suns have 2 to 3 lux; the candela of lamps and the nits of
-/// panels give about as much at the subject. There is no ambient light. Each scene has a weak fill
-/// light, from the sky or from near its camera, where the subject hides its shadows.
+/// Assembles a built-in scene. Colours are 0xRRGGBB in sRGB. Brightness: a white diffuse surface
+/// under an illuminance of pi lux has radiance 1, which is display white at exposure 0. So suns
+/// have 2 to 3 lux; the candela of lamps and the nits of panels give about as much at the subject.
+/// There is no ambient light. Each scene has a weak fill light, from the sky or from near the
+/// camera, where the subject hides the fill's shadows.
 class SceneAssembler {
  public:
   explicit SceneAssembler(const std::string& name);
@@ -29,7 +28,8 @@ class SceneAssembler {
   /// Returns the first material that was painted under this name, which must exist. For variants of
   /// scenes with other materials.
   [[nodiscard]] Material& material(std::string_view name);
-  /// Keeps an image as a texture, and returns its index for a material. `wrap`: beyond its sides.
+  /// Keeps an image as a texture, and returns its index for a material. `wrap` applies beyond the
+  /// image's sides.
   int keep_texture(Image image, Wrap wrap = Wrap::repeat);
   /// Makes a texture the colour of the material of this name, and gives the flat-shaded meshes of
   /// the material texture coordinates. The image covers squares of side `metres`.
@@ -56,7 +56,8 @@ class SceneAssembler {
   /// A spherical lamp; radius in metres.
   void ball(const std::string& name, glm::dvec3 position, double radius, std::uint32_t srgb,
             float candela);
-  /// A straight tube between two ends; `candela` of the whole, seen square on.
+  /// A straight tube between two ends; `candela` is the intensity of the whole tube seen from its
+  /// side.
   void tube(const std::string& name, glm::dvec3 from, glm::dvec3 to, std::uint32_t srgb,
             float candela);
   /// A rectangle around `centre`, with `size.x` along the horizontal and `size.y` along the

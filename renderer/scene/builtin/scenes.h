@@ -2,7 +2,7 @@
 
 #include "renderer/scene/scene.h"
 
-// The built-in scenes, a source file each; load.h lists them by name.
+// The built-in scenes, a source file each; scene/builtin.h lists them by name.
 
 namespace asos::builtin {
 

@@ -44,7 +44,8 @@ void add_beam(Mesh& mesh, glm::vec3 from, glm::vec3 to, float width, float heigh
 void add_texcoords(Mesh& mesh);
 
 /// An outline in the xy plane, counter-clockwise, extruded from z = 0 to `depth` and placed by a
-/// rigid `placement`; flat-shaded. `cap` triangulates the outline with its own points and winding.
+/// rigid `placement`; flat-shaded. `cap` triangulates the outline: indices of its points, with its
+/// winding.
 void add_extrusion(Mesh& mesh, std::span<const glm::vec2> outline, std::span<const glm::uvec3> cap,
                    float depth, const glm::mat4& placement = glm::mat4(1.0f));
 

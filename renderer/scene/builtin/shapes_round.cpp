@@ -76,8 +76,9 @@ std::uint32_t add_ring(Mesh& mesh, glm::dvec3 base, const Basis& basis, glm::dve
   return first;
 }
 
-/// Joins two rings of `sides` vertices, the second ahead of the first (the outside is on the left
-/// of the direction around). A ring that is a single point gets one triangle per side.
+/// Joins two rings of `sides` vertices, the second further along the outline, so that an outline
+/// that runs up gets triangles that face away from the axis. A ring that is a single point gets one
+/// triangle per side.
 void join_rings(Mesh& mesh, std::uint32_t first, std::uint32_t second, int sides,
                 bool first_is_point = false, bool second_is_point = false) {
   const auto n = static_cast<std::uint32_t>(sides);

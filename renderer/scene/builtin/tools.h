@@ -38,8 +38,8 @@ void add_vessel(Mesh& mesh, glm::vec3 foot, float size, bool tall);
 void add_gear(Mesh& mesh, glm::vec3 centre, float radius, int teeth);
 
 /// Gives the vertices from `first` on, which form a surface of revolution, texture coordinates in
-/// metres: u around the axis, measured at `radius`, and v along the outline. Flat ends get their
-/// coordinates along the axis. Vertices at the seam are doubled.
+/// metres: u around the axis, measured at `radius`, and v along the outline. Flat ends get planar
+/// coordinates, projected along the axis. Vertices at the seam are doubled.
 void add_round_texcoords(Mesh& mesh, std::uint32_t first, glm::vec3 base, glm::vec3 axis,
                          float radius);
 

@@ -41,7 +41,8 @@ void add_hoop(Mesh& mesh, glm::vec3 centre, float radius, float tube_radius, int
   add_lathe(mesh, centre, {0.0f, 0.0f, 1.0f}, outline, sides);
 }
 
-/// Adds two rims, each of two hoops with a lattice between them, and the spacers between the rims.
+/// Adds two rims, each of three hoops with a lattice between the outer two, and the spacers between
+/// the rims.
 void add_rims(SceneAssembler& stage) {
   Mesh hoops, lattice;
   for (const float z : {-half_gap, half_gap}) {
@@ -203,7 +204,7 @@ void add_platform(SceneAssembler& stage) {
   stage.add("booth roof", std::move(roof), stage.paint("awning", 0xc94f4a, 0.8f));
 }
 
-/// Adds light strings from the top of the legs to masts, and flags.
+/// Adds light strings from the top of the legs to masts.
 void add_masts(SceneAssembler& stage) {
   Mesh masts, wires;
   for (const glm::vec3 foot : {glm::vec3(-9.5f, 0.0f, 3.0f), glm::vec3(9.8f, 0.0f, 1.5f)}) {

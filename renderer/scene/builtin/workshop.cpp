@@ -15,7 +15,7 @@ namespace asos::builtin {
 
 namespace {
 
-// The bench stands along the wall z = 0; its top is one metre above the floor.
+// The bench stands along the wall z = 0; its top is 0.95 m above the floor.
 constexpr float bench_half = 2.1f, bench_depth = 0.85f, bench_top = 0.95f;
 
 /// Adds a metal that is rough enough to reflect only the lamps recognizably, not the room.
@@ -188,7 +188,8 @@ void add_tools(SceneAssembler& stage, int brushed) {
   stage.add("vice", std::move(tools.cast), stage.paint("blue paint", 0x2f5a86, 0.5f));
 }
 
-/// Adds a lamp of two tubes above the bench, and one beside it, as panels in their housings.
+/// Adds two lamps above the bench, as panels in housings on chains, a strip light, and a window's
+/// light.
 void add_panel_lamps(SceneAssembler& stage) {
   Mesh housing, panels, chains;
   for (const float x : {-1.15f, 1.15f}) {
@@ -216,7 +217,7 @@ void add_panel_lamps(SceneAssembler& stage) {
 
 }  // namespace
 
-// Sheets, pipes and tools under area lamps. A normal map breaks up their highlights.
+// Sheets, pipes and tools under area lamps. Normal maps break up their highlights.
 Scene make_workshop() {
   SceneAssembler stage("workshop");
   const int hammered = stage.keep_texture(hammered_normals(1.0));

@@ -29,7 +29,7 @@ std::vector<float> layer_of(const Picture& picture, const std::string& name) {
   return layer ? layer->values : std::vector<float>{};
 }
 
-// The square covers x from -1 to -1/4 and y from -1/2 to 1/4: half a pixel is 1/2.
+// The square covers x from -1 to -1/4 and y from -1/2 to 1/4; a pixel is 1 unit wide.
 TEST(ApiRender, GivesExactCoverage) {
   const Result<Scene> square = test::white_square(-0.625f, -0.125f, 0.75f);
   ASSERT_TRUE(square) << square.error().message();
@@ -217,7 +217,7 @@ TEST(ApiLights, AddLinearly) {
   EXPECT_GT(brightest, 1.0);
 }
 
-// As if the scene had been built with them.
+// The picture equals that of a scene built with the lights.
 TEST(ApiLights, ReplaceDefaultLighting) {
   const Result<Scene> lit = test::lit_ball(), unlit = test::lit_ball(false);
   ASSERT_TRUE(lit && unlit);

@@ -36,7 +36,7 @@ Light lamp_of(float candela) {
   return lamp;
 }
 
-/// Takes tiles until the render ends; false where nothing came in a minute.
+/// Takes tiles until the render ends; returns false if none arrives within a minute.
 bool follow(Session& session, std::vector<float>& rgb) {
   for (;;) {
     if (!session.wait(patience)) return false;
@@ -119,7 +119,7 @@ TEST(ApiSession, WaitEndsOnCancel) {
   session.resume();
 }
 
-// Each thread does everything that a session offers, in another order.
+// Calls all functions of a session, in an order that depends on `first`.
 void use(Session& session, const Scene& scene, const std::string& file, int first) {
   const Settings settings = test::small_settings(width, height);
   std::vector<float> rgb(3 * width * height);

@@ -18,7 +18,7 @@
 namespace asos::test::asos_test {
 namespace {
 
-constexpr int size = 16;  // pixels; (x, y) in pixels is at (x, -y) / size, depth 1
+constexpr int size = 16;  // pixels; pixel (x, y) is at (x / size - 0.5, 0.5 - y / size), depth 1
 
 Camera camera() {
   // Looks down -Z; the picture is the unit square at distance 1, with its top left at (0, 0).
@@ -57,7 +57,7 @@ class Picture {
     scene_.instances.push_back(instance);
   }
 
-  /// Renders the picture, for white(x, y) and the statistics.
+  /// Renders the picture; sets `film` and `statistics`.
   void render(const RenderSettings& wanted) {
     Scene placed = scene_;
     const auto prepared = prepare(placed);

@@ -123,7 +123,7 @@ std::shared_ptr<const RenderScene> patched_ball(bool behind_glass) {
   return prepare(scene).value();
 }
 
-// Surfaces behind a clear one are refined like those in front.
+// Surfaces behind clear glass are refined like unobstructed ones.
 TEST(BentMesh, LooksTheSameThroughClearGlass) {
   const auto bare = patched_ball(false), behind = patched_ball(true);
   const RenderSettings settings = settings_of(Method::asos);

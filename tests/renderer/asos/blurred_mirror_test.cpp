@@ -55,7 +55,7 @@ RenderSettings settings_of(Method method) {
   return settings;
 }
 
-/// Integral below x of two convolved boxes of widths a and b.
+/// Integral up to x of the convolution of two boxes of widths a and b.
 double below(double x, double a, double b) {
   const auto ramp2 = [](double y) { return y > 0.0 ? 0.5 * y * y : 0.0; };
   const double s = 0.5 * (a + b), d = 0.5 * (a - b);
@@ -96,7 +96,7 @@ World half_plane(const Material& material, double at) {
 
 class EveryBlur : public testing::TestWithParam<double> {};
 
-// The profile of an edge in a blurred mirror: a convolution of the pixel's width and the lobe's.
+// An edge in a blurred mirror has the profile of a convolution: the pixel's box with the lobe's.
 TEST_P(EveryBlur, HalfPlaneMatchesClosedForm) {
   Material material = mirror();
   blur(material, GetParam());
@@ -174,8 +174,7 @@ TEST(BlurredMirror, BlursColoursByTheirOwnCurves) {
   }
 }
 
-// The highlight is the light itself with the same blur as everything else: its fraction of the
-// lobe.
+// A light's highlight is its blurred reflection: the fraction of the lobe that the light covers.
 TEST(BlurredMirror, ShowsLightsWithoutGeometry) {
   Material material = mirror();
   blur(material, 0.1);

@@ -52,7 +52,7 @@ std::vector<Light> shining_walls() {
   return lights;
 }
 
-/// Mean brightness of a small picture of the point ahead.
+/// Mean brightness of a small picture towards (0, -1, 0.1).
 double brightness(const RenderScene& scene, Method method, int bounces, glm::dvec3 eye = {0, 0, 0},
                   float sky = 0.0f) {
   RenderSettings settings;
@@ -68,8 +68,8 @@ double brightness(const RenderScene& scene, Method method, int bounces, glm::dve
   return sum / static_cast<double>(film.radiance.size());
 }
 
-// White furnace: all surroundings have a radiance of 1, so a surface reflects its albedo, plus its
-// albedo times what the others reflect.
+// White furnace: all walls emit a radiance of 1, so a wall reflects its albedo, and with one bounce
+// also its albedo times what the other walls reflect.
 TEST(BouncedLight, WhiteFurnaceMatchesTheGeometricSeries) {
   for (const float albedo : {0.5f, 0.8f}) {
     World world;
@@ -98,8 +98,8 @@ TEST(BouncedLight, UnlitWallsShineOnWhatTheyEnclose) {
     EXPECT_NEAR(brightness(*scene, method, 1), 0.5 * 0.6, 1e-3);
 }
 
-// A floor next to an endless wall under a uniform sky. The wall sees half of the sky and the black
-// floor; the floor's point sees the wall with its form factor.
+// A small floor beside an endless wall in uniform surroundings. The wall sees only the
+// surroundings; the floor's point sees the wall with its form factor.
 TEST(BouncedLight, SkyLitWallLightsTheFloor) {
   constexpr double albedo = 0.5, height = 2.0;
   World world;

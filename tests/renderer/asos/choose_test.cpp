@@ -39,7 +39,7 @@ TEST(Choose, SamplesWithoutABound) {
 }
 
 TEST(Choose, ChoosesCheaperOfSplitAndSamples) {
-  // Twice the tolerance: a split costs four leaves.
+  // An error of twice the tolerance; a split costs four leaves.
   LeafChoice leaf = leaf_of(2.0 / 256.0);
   const double samples = allowance_of(4).samples(1.0, ErrorBudget::usual_contrast);
   leaf.price = 0.99 * samples / 4.0;

@@ -185,7 +185,7 @@ TEST(ClipPlanes, ClippedSurfacesCastShadows) {
     const double tolerance = method == Method::asos ? 1e-4 : 2e-3;
     const double open = mean_of(render_picture(*lit(false), camera, settings_of(method))).x;
     ASSERT_GT(open, 0.01);
-    // 2 x 2 of 4 x 4.
+    // The shadow covers 2 x 2 of 4 x 4.
     EXPECT_NEAR(mean_of(render_picture(*lit(true), camera, settings_of(method))).x / open, 0.75,
                 tolerance);
   }
@@ -197,13 +197,12 @@ TEST(ClipPlanes, BlendedSurfacesBeyondTheFarPlaneAreNotSeen) {
     add_quad(world, {-9, -9, -i}, {18, 0, 0}, {0, 18, 0}, card(glm::vec3(1.0f), 0.5f));
   const auto scene = make_render_scene(std::move(world));
   const Camera camera = with_planes(camera_of(Camera::Type::perspective), 1.5, 3.5);
-  // Two of the four remain.
+  // Two of the four cards remain.
   for (const Method method : {Method::asos, Method::sobol})
     expect_near(mean_of(render_picture(*scene, camera, settings_of(method))), glm::dvec3(0.75),
                 1e-5);
 }
 
-// Planes that clip nothing change no bit.
 TEST(ClipPlanes, ChangeNoBitIfTheyClipNothing) {
   World world = turned_box();
   add_sphere(world, {0.5f, 0.3f, -4}, 0.8f, 8, matte({0.4f, 0.5f, 0.6f}));

@@ -82,7 +82,7 @@ TEST_P(EveryCurvedMirror, ConvergesToTheReference) {
   settings.asos.eps = 0.0;
   settings.mirror.curved = GetParam();
   settings.mirror.widest_angle_deg = 4.0;
-  // The noise of the reference, estimated from the difference to one with another seed.
+  // The reference's noise, estimated from the difference to a reference with another seed.
   const double noise = rmse(picture(*scene, sobol(4096, 1)), reference);
   std::vector<double> errors;
   for (const int level : {1, 2, 4}) {
@@ -193,7 +193,7 @@ TEST(FacingMirrors, AreFollowedToTheLastBounce) {
     settings.method = method;
     settings.sampling.spp = 4;
     for (const glm::vec3& c : test::render_picture(*scene, camera, settings).film.radiance) {
-      // The sky next to the mirrors, or its mean after the last bounce.
+      // Rays end at the sky beside the mirrors, or with its mean after the last bounce.
       EXPECT_GT(c.x, 0.2f);
       EXPECT_LT(c.x, 0.36f);
     }

@@ -24,7 +24,7 @@ constexpr double radius = 20.7;
 
 using Alpha = double (*)(glm::dvec2 texel);
 
-/// From the distance to the rim, with a transition of one texel.
+/// Alpha of a disk, from the distance to its rim; the transition is one texel wide.
 double disk(glm::dvec2 p) {
   return 0.5 + radius - glm::distance(p, middle);
 }

@@ -52,8 +52,8 @@ double rms(const Picture& a, const Picture& b) {
   return std::sqrt(sum / static_cast<double>(a.film.radiance.size()));
 }
 
-// Each level halves the side of cells, which reduces the error by 2^1.5. EPS, the tolerance of
-// shadow rays at any MAX, is reduced with it.
+// Each level halves the side of cells, which divides the error by 2^1.5. EPS, the tolerance of
+// shadow rays at any MAX, is reduced with the level.
 void expect_error_falls(const Light& light, Method judge, int judge_spp) {
   const Picture truth = picture_of(light, judge, 3, judge_spp);
   double before = 0.0;
@@ -89,8 +89,8 @@ std::vector<Light> small_area_lights() {
 }
 
 // The error is within the reference's noise, except under a light from above for far pixels that
-// show hundreds of texels. At any MAX it is smaller than with samples only, and takes less than
-// half the rays.
+// show hundreds of texels. At any MAX, outlines give a smaller error than samples only, with less
+// than half the rays.
 TEST(CutOutPictures, AreExactUnderHardLightsForFewTexels) {
   for (const Light& light : hard_lights()) {
     const Picture truth = picture_of(light, Method::uniform, 3, 1024);
@@ -140,7 +140,7 @@ TEST(CutOutPictures, BuiltInScenesMatchManySamples) {
 }
 
 /// A card that stands on a mirror, seen directly and reflected; or, without the mirror, the card
-/// and its mirror image as two cards. Ten texels with their outline.
+/// and its mirror image as two cards. The alpha texture has 10 x 10 texels and an outline.
 Picture upon_mirror(bool mirrored) {
   World world;
   Material floor = matte({1, 1, 1});
@@ -160,7 +160,7 @@ Picture upon_mirror(bool mirrored) {
           }),
       Wrap::clamp_to_edge, Filter::linear);
   add_quad(world, {-1, 0.3f, 0}, {2, 0, 0}, {0, 2, 0}, card);
-  // The mirror image, dark like the wall's reflection.
+  // The card's mirror image.
   if (!mirrored) add_quad(world, {-1, -0.3f, 0}, {2, 0, 0}, {0, -2, 0}, card);
   RenderSettings settings;
   settings.width = settings.height = 48;

@@ -72,7 +72,7 @@ TEST(DiffuseTransmission, IsShadowedFromBehind) {
   for (const Method method : {Method::asos, Method::sobol}) {
     World world;
     add_quad(world, {-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, leaf(1.0f));
-    // Half of the view is in its shadow.
+    // This card shades half of the view.
     add_quad(world, {0, -5, -1}, {5, 0, 0}, {0, 10, 0}, matte(glm::vec3(1.0f)));
     const auto scene = make_render_scene(std::move(world), {sun_along({0.0, 0.0, 1.0})});
     const float irradiance = 2.0f * std::numbers::inv_pi_v<float>;
@@ -80,7 +80,7 @@ TEST(DiffuseTransmission, IsShadowedFromBehind) {
   }
 }
 
-// Both sides see the same sky, so the result is the sum of both fractions.
+// Both sides see the same sky, so the transmitted fraction does not matter.
 TEST(DiffuseTransmission, AddsNoLightUnderAnEvenSky) {
   for (const float share : {0.0f, 0.3f, 1.0f}) {
     World world;

@@ -29,7 +29,7 @@ Material metal(float roughness) {
   return m;
 }
 
-/// A wall of this material that fills the picture, seen along -Z, 16 units high.
+/// A wall of this material that fills the view along -Z, which is 16 units high.
 World wall(const Material& material) {
   World world;
   add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, material);

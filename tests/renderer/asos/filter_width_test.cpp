@@ -93,7 +93,7 @@ TEST(FilterWidth, ThreePixelsWideIsTheMeanOfNinePixels) {
 
 TEST(FilterWidth, RivalsSampleTheSameSquare) {
   const auto scene = white_left_of_the_line();
-  // In each column of samples, at most one sample is on the wrong side of the edge.
+  // At most one column of samples is on the wrong side of the edge.
   const std::pair<Method, int> cases[] = {
       {Method::uniform, 16}, {Method::stochastic, 16}, {Method::sobol, 256}};
   for (const auto& [method, columns] : cases) {

@@ -86,7 +86,7 @@ glm::dvec3 spread_of(const FootprintShape& shape) {
   return glm::dvec3(e.x * e.x + f.x * f.x, e.x * e.y + f.x * f.y, e.y * e.y + f.y * f.y) / 12.0;
 }
 
-// Together they have the area, the centre and the second moments of the whole.
+// The parts together have the area, the centre and the second moments of the whole.
 TEST(FootprintShape, PartsHaveTheMomentsOfTheWhole) {
   std::mt19937 rng(12);
   std::uniform_real_distribution<float> u(0.0f, 1.0f);

@@ -6,13 +6,11 @@
 
 #include <algorithm>
 
-// A light far brighter than white behind a tangle of twigs.
-
 namespace asos::test {
 namespace {
 
-// Twigs in front of a lamp thirty times as bright as white. Five thousandths of one pixel of each
-// pair show it, which few samples hit.
+// Twigs in front of a lamp thirty times as bright as white. It is visible in about 0.005 of each
+// pixel, which few samples hit.
 TEST(Glare, ShowsLampThroughNarrowGaps) {
   const auto scene = *prepare(*builtin_scene("park"));
   RenderSettings settings;

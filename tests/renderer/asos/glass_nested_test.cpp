@@ -16,7 +16,7 @@ namespace {
 
 constexpr float water_index = 1.33f;
 
-/// An axis-aligned block of water, a little less deep than high.
+/// An axis-aligned block from z = `back` to `front`, 2 `reach` wide and high.
 void add_block(World& world, double front, double back, const Material& material,
                double reach = 5.0) {
   add_bar(world, {{-reach, front}, {reach, front}, {reach, back}, {-reach, back}},
@@ -90,8 +90,8 @@ TEST(NestedGlass, IsInvisibleWithTheSameIndex) {
   }
 }
 
-// A medium entered through an open sheet ends with the sheet's part, and does not affect the next
-// one.
+// A medium entered through an open sheet ends with the sheet's part, and does not affect the plate
+// behind it.
 TEST(NestedGlass, OpenSheetsEndWithTheirBoxes) {
   constexpr double thickness = 0.4, i = 0.8, n = 1.5;
   World world;

@@ -29,7 +29,7 @@ Material green() {
   return m;
 }
 
-/// Transmittance of such a plate at this angle of incidence.
+/// Transmittance of a green plate at an angle of incidence.
 glm::dvec3 through(double cosine) {
   const double left = 0.96 * (1.0 - std::pow(1.0 - cosine, 5.0));
   const double way = thickness / cosine / distance;

@@ -132,7 +132,8 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
   }
 }
 
-/// Where a ray along -z, off the axis, hits a plane after it passed through a sphere of radius 1.
+/// The point of the plane at `z` that a ray along -z, off the axis, hits after passing a sphere of
+/// radius 1.
 std::optional<glm::dvec2> through_ball(glm::dvec2 at, double n, double z) {
   const double h2 = glm::dot(at, at);
   if (!(h2 < 1.0)) return std::nullopt;

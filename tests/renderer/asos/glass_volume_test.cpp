@@ -42,7 +42,7 @@ TEST(GlassVolume, AddsNoLight) {
   Material glass = clear(1.5f);
   glass.specular = 1.0f;
   const auto white = std::make_shared<const Sky>(glm::vec3(1.0f));
-  // Faint rays end at random, which gives noise within EPS. It has to be below the tolerance of the
+  // Faint rays end at random, with noise within EPS, which has to be below the tolerance of the
   // test.
   constexpr double eps = 1.0 / 2048.0;
   for (const float roughness : {0.0f, 0.3f, 0.8f}) {
@@ -93,7 +93,7 @@ Material green() {
   return m;
 }
 
-/// Expected attenuation of a white background that fills the picture.
+/// Expects that a white background is attenuated over a path of length `way`.
 void expect_attenuated(World world, const Camera& camera, double way) {
   const auto scene = make_render_scene(std::move(world));
   const auto white = std::make_shared<const Sky>(glm::vec3(1.0f));
@@ -172,7 +172,8 @@ struct Columns {
   }
 };
 
-/// The columns of a picture: within two EPS, or within the deviation of independent samples.
+/// Compares a picture's columns: within two EPS for ASOS, otherwise within three standard
+/// deviations of independent samples.
 void expect_columns(const std::vector<glm::vec3>& seen, const Columns& expected, Method method,
                     double roughness) {
   const double allowed =
@@ -229,7 +230,7 @@ TEST(GlassVolume, RoughThinWallsBlurAsMirrorsDo) {
   constexpr double behind = 4.0;
   for (const double angle : {0.0, 0.8}) {
     for (const double roughness : {0.05, 0.2, 0.4}) {
-      // Seen at right angles, and in its length at an angle: the wall's lower end leans towards the
+      // The wall is seen frontally, or tilted about the x axis: its lower end leans towards the
       // viewer.
       Columns expected{0.0123};
       const Facets facets = facets_of(roughness);

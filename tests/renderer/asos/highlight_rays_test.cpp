@@ -18,8 +18,7 @@ Material metal() {
   return m;
 }
 
-/// A metal wall opposite a panel, which is behind the camera, and a plate in front of the panel for
-/// coordinates above x.
+/// A metal wall opposite a panel behind the camera. A plate hides the panel at coordinates above x.
 EyeBlock wall_behind(float x) {
   World world;
   add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, metal());

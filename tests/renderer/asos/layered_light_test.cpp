@@ -17,7 +17,7 @@ Reflector sheeny(double roughness) {
   return {{0.4, 0.1, 0.05}, 0.0, 0.8, 0.0, 0.0, {0.9, 0.3, 0.6}, roughness};
 }
 
-/// RMSE, in display intensity, of ASOS and of Sobol sampling.
+/// Limits of the RMSE, in display intensity, for ASOS and for Sobol sampling.
 void expect_true(Subject subject, const Reflector& reflector, double asos, double sobol) {
   for (const char* kind : {"rectangle", "ball", "line", "sun"}) {
     const Light light = light_of(kind);

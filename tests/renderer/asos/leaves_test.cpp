@@ -25,7 +25,7 @@ Material glows(glm::vec3 color) {
   return material;
 }
 
-/// A wall of this material that fills the picture of 16 x 16 pixels, seen along -Z, 16 units high.
+/// A wall of this material that fills the picture of 16 x 16 pixels and units, seen along -Z.
 World wall(const Material& material) {
   World world;
   add_quad(world, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, material);
@@ -179,7 +179,7 @@ TEST(SelectedLights, AreTheDimLights) {
   EXPECT_TRUE(few.selected_lights().lights().empty());
 }
 
-// For callers that send a single ray.
+// Callers that send a single ray select from all lights.
 TEST(SelectedLights, IncludeAllLightsOnDemand) {
   std::vector<Light> lights{bulb({0, 0, 4}, 100.0f)};
   for (int i = 0; i < 20; ++i) lights.push_back(bulb({0.3 * i - 3.0, 1.0, 4.0}, 0.01f));

@@ -56,7 +56,7 @@ Material card(glm::vec3 colour) {
   return material;
 }
 
-/// A card of |x| <= 40, |y| <= 40 at a depth, for x >= `from`.
+/// A card from x = `from` to `to`, with |y| <= 40, at a depth.
 void add_wall(World& world, float depth, float from, float to, glm::vec3 colour) {
   add_quad(world, {from, -40, -depth}, {to - from, 0, 0}, {0, 80, 0}, card(colour));
 }
@@ -301,7 +301,7 @@ double mean_inside(const std::vector<double>& values) {
   return sum / ((side - 2) * (side - 2));
 }
 
-// They take few samples per pixel, so only means over many pictures can be compared.
+// These methods take few samples per pixel, so only means over many pictures can be compared.
 TEST(Lens, MethodsOfFewSamplesAgreeOnTheMean) {
   const auto scene = lit_scene();
   const Camera camera = camera_with(radius_for(1.5, 2.0), 6);

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Cost of shadows where there are none, and that the light of many lights adds up.
+// Cost of shadow tests where there is no shadow, and the sum over many lights.
 
 namespace asos::test::light_cost_test {
 namespace {
@@ -58,7 +58,7 @@ TEST(LightCost, InTheUmbraOneRayAPixelIsEnough) {
   EXPECT_GT(picture.statistics.shadow_rays, 0u);
 }
 
-// Pixels on a sphere, whose surface is not in a common plane.
+// The pixels of a sphere do not lie in a common plane.
 TEST(LightCost, OnARoundSurfaceOneRayAPixelIsEnough) {
   for (const Light& light : all_lights()) {
     World world;

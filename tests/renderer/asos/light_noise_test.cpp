@@ -33,8 +33,8 @@ Means brightness(const Picture& picture) {
   return means;
 }
 
-/// Tolerance for ASOS's systematic errors: a leaf is accepted while it is within this of the mean
-/// of its patch (RenderSettings::refine_shading), and so is each light's shadow.
+/// Tolerance for ASOS's systematic errors: a leaf, and each light's shadow, is accepted while its
+/// error against the mean of its patch is below this (RenderSettings::refine_shading).
 constexpr double let_pass = 2.0 / 2048.0;
 
 /// Uses sixteen seeds of sampling, because fewer do not estimate their own standard error well:

@@ -101,7 +101,7 @@ TEST(ManyLights, WithoutShadowsAddUp) {
     EXPECT_LT(off_from_sum(hundred_of(types, 21), settings), rounding);
 }
 
-// The few edges of these shadows cut leaves exactly. Nothing is sampled, which would depend on a
+// The few edges of these shadows cut leaves exactly. Nothing is sampled: samples would depend on a
 // light's index.
 TEST(ManyLights, WithShadowsAddUp) {
   for (const auto& types : {all_lights(), area_lights()})
@@ -184,7 +184,7 @@ TEST(ManyLights, SampledTogetherAreWithinEps) {
   EXPECT_LT(sampled.statistics.shadow_pyrays, exact.statistics.shadow_pyrays / 4);
 }
 
-// No two rays go to the same light. If one light has all the light, it gets all the rays.
+// Usually no two rays go to the same light, but a dominant light gets all the rays.
 TEST(ManyLights, ADominantLightGetsAllRays) {
   Light panel = rectangle_light();
   panel.position = {0.3, 2.0, 0.2};
@@ -242,8 +242,8 @@ TEST(ManyLights, PartlyBelowTheFloorAreWithinEps) {
   EXPECT_LT(error_of_sunk_lights(disk), 1.0 / 256.0) << "some of its samples are below the floor";
 }
 
-// The weights are computed on each surface, even if no pixel's centre shows it: here the centres
-// show only black surfaces.
+// Selection weights are computed on each surface, even if no pixel's centre shows it: here the
+// centres show only black surfaces.
 TEST(ManyLights, SampledTogetherAreWithinEpsOnSubpixelSurfaces) {
   constexpr float pixel = 0.1f;
   World world;
@@ -253,7 +253,7 @@ TEST(ManyLights, SampledTogetherAreWithinEpsOnSubpixelSurfaces) {
     const float x = (static_cast<float>(i) + 0.1f) * pixel;
     add_quad(world, {x, 0.01f, 1}, {0.3f * pixel, 0, 0}, {0, 0, -1.3f}, matte(glm::vec3(0.9f)));
   }
-  // Two rows; the wall hides more of one than of the other.
+  // Two rows of lights; the wall hides more of one row.
   std::vector<Light> lights;
   for (int i = 0; i < light_count; ++i) {
     Light light = rectangle_light();
@@ -284,7 +284,6 @@ TEST(ManyLights, SampledTogetherAreWithinEpsOnSubpixelSurfaces) {
   EXPECT_LT(off.rms, settings.asos.eps);
 }
 
-// In mirrors, too.
 TEST(ManyLights, SampledTogetherAreWithinEpsInMirrors) {
   World world = furnished();
   Material mirror = matte(glm::vec3(0.9f));
@@ -292,7 +291,7 @@ TEST(ManyLights, SampledTogetherAreWithinEpsInMirrors) {
   mirror.roughness = 0.0f;
   add_quad(world, {-2, 0, -1.5f}, {4, 0, 0}, {0, 2.5f, 0}, mirror);
   const auto scene = make_render_scene(world, hundred_dim_lights());
-  // The view has the floor, but no lights.
+  // The view shows the floor, but no lights.
   const Camera camera = look_at({0.4, 1.4, 0.8}, {0, 0.3, -1.5}, 0.25);
   RenderSettings settings = exact_settings();
   const Picture exact = render_picture(*scene, camera, settings);

@@ -39,7 +39,7 @@ TEST(MirroredLight, HasTheRightPlaceAfterTwoCurvedMirrors) {
   EXPECT_GE(shown, 4);
 }
 
-// The image is a hundredth of the pixel, but brighter than white over all of it; 16 or 64 samples
+// The light's image covers a hundredth of the pixel, but makes all of it white; 16 or 64 samples
 // miss it.
 TEST(MirroredLight, IsFoundWhereFewSamplesMissIt) {
   const auto scene = *prepare(*builtin_scene("solids"));

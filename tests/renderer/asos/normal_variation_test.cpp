@@ -68,7 +68,7 @@ TEST(NormalVariation, IsZeroBetweenSurfacesAndInTheBackground) {
     for (int x = 0; x < side; ++x) EXPECT_EQ(normals.error(x, y), 0.0f) << x << ' ' << y;
 }
 
-// On a cylinder the normal's linear extrapolation is correct, except for its curvature.
+// On a cylinder, linear extrapolation of the normal is exact up to second order.
 TEST(NormalVariation, MeasuresDeviationFromALinearTurn) {
   const double step = 0.02, bend = 1.01 * step * step;
   NormalVariation normals;

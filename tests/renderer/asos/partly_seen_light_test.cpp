@@ -69,7 +69,8 @@ TEST(PartlySeenLight, EndsAtTheFootOfASingleSidedWall) {
   }
 }
 
-// An object within a sphere light occludes nothing of it, wherever pyrays towards its rim go.
+// An object inside a sphere light occludes none of it, although pyrays towards the light's rim may
+// meet the object.
 TEST(PartlySeenLight, IsUnoccludedByObjectsInsideASphereLight) {
   Light ball;
   ball.type = Light::Type::point;

@@ -257,7 +257,7 @@ TEST(PixelTrace, TellsWhatSamplesFound) {
                 0);
       check_samples(trace);
       EXPECT_EQ(trace.cells.front().samples.size(), 1u) << "represents all samples of the pixel";
-      EXPECT_FALSE(trace.missed);  // nobody could have known
+      EXPECT_FALSE(trace.missed);  // there is no edge to miss
     }
   }
   EXPECT_GT(sampled, 0);
@@ -315,7 +315,8 @@ TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
   EXPECT_EQ(missed, statistics.missed_splits);
 }
 
-// Polished boxes under a sphere light: each leaf starts pyrays to the light and to its reflection.
+// Polished boxes under a sphere light: each leaf starts pyrays to the light and in the mirror
+// direction.
 TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
   std::shared_ptr<const RenderScene> scene;
   for (const BuiltinScene& builtin : builtin_scenes()) {

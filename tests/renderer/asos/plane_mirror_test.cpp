@@ -55,7 +55,7 @@ World things(bool mirrored) {
   return world;
 }
 
-// The borders of the picture are inside the mirror.
+// Objects in a mirror that fills the picture, or mirrored objects.
 std::vector<glm::vec3> picture(bool by_mirror, const Material& material) {
   World world = things(!by_mirror);
   const glm::vec3 n = glm::normalize(glm::vec3(1.0f, 0.0f, 0.3f));
@@ -108,7 +108,7 @@ std::vector<glm::vec3> low_wall(bool by_mirror, Method method) {
 
 TEST(PlaneMirror, ShowsObjectsDownToTheirFoot) {
   EXPECT_LT(worst_difference(low_wall(true, Method::asos), low_wall(false, Method::asos)), 2e-3);
-  // The same samples.
+  // Both pictures use the same samples.
   const auto seen = low_wall(true, Method::sobol), direct = low_wall(false, Method::sobol);
   int differ = 0;
   for (std::size_t i = 0; i < seen.size(); ++i)

@@ -84,8 +84,8 @@ TEST(LevelPrediction, AgreesWithTheMapOfALargeEps) {
   EXPECT_LT(split, split_fine);
 }
 
-// Against the actual map of other settings: most pixels are within one level, and about as many are
-// split.
+// The predicted map of other settings is close to their actual map: most pixels are within one
+// level, and about as many are split.
 TEST(LevelPrediction, IsCloseToTheMapOfOtherSettings) {
   for (const char* name : {"boxes", "office", "fence", "primitives"}) {
     const std::shared_ptr<const RenderScene> scene = *prepare(*builtin_scene(name));

@@ -236,7 +236,7 @@ TEST(RoughMeshes, WallsModelledTwiceLookAsOnce) {
   EXPECT_TRUE(a.same(b, 1e-5f));
 }
 
-// The winding matters neither to edges nor to shading, which is lit with shadows here.
+// The winding changes neither edges nor shading, here with light and shadows.
 TEST(RoughMeshes, FlippedFacesLookTheSame) {
   std::mt19937 random(22);
   RoughScene sound;

@@ -27,14 +27,14 @@ using test::unlit;
 constexpr int side = 24;
 constexpr int rows = 8;
 constexpr double height = 6.0;  // of the mirrored object
-constexpr double half = 9.0;    // of its width
+constexpr double half = 9.0;    // half its width
 constexpr double fov = 0.3;
 constexpr double eps = 1.0 / 1024.0;
 
 struct Case {
   double roughness = 0.2;
   double angle = 0.0;       // between the normal and the view direction
-  double f0 = 1.0;          // a dielectric's below 1
+  double f0 = 1.0;          // below 1: a dielectric
   double anisotropy = 0.0;  // across the edge
 
   friend std::ostream& operator<<(std::ostream& out, const Case& c) {
@@ -105,7 +105,7 @@ double seen_along(const Ray& ray, const Facets& facets) {
   });
 }
 
-/// The same of each column.
+/// Mean reflected radiance of each column.
 std::vector<double> expected(const Case& c) {
   constexpr int parts = 4;  // of a pixel's width
   const RenderSettings settings = settings_of(Method::asos);

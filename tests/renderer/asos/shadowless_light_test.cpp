@@ -12,7 +12,7 @@
 namespace asos::test::shadowless_light_test {
 namespace {
 
-/// A block on a floor and a masked or blended pane above, for all kinds of shadows.
+/// A sphere on a floor and a blended pane above, for all kinds of shadows.
 World furnished() {
   World world;
   add_quad(world, {-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, matte({0.6f, 0.5f, 0.4f}));

@@ -53,7 +53,7 @@ double area_inside(double x, double y, Value value) {
     }
     return inside;
   };
-  // Pixels that are completely inside or outside, borders included.
+  // Pixels completely inside or outside, with a margin of 1/4 pixel.
   bool all_in = true, all_out = true;
   for (int i = 0; i <= 12; ++i) {
     for (int k = 0; k <= 12; ++k) {
@@ -210,7 +210,7 @@ struct Compared {
   std::uint64_t missed_splits = 0;
 };
 
-/// The world rendered by asos at MAX 4 and by Sobol sampling.
+/// The world rendered by `method` at MAX 4 and by Sobol sampling.
 Compared against_samples(FlattenedScene flattened, const Camera& camera, int spp,
                          Method method = Method::asos) {
   const auto scene = make_render_scene(std::move(flattened));

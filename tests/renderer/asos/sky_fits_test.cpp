@@ -49,7 +49,7 @@ double ramp(glm::vec2 at) {
   return 0.6 + 0.3 * static_cast<double>(at.x);
 }
 
-/// Gives the cell's nodes their rays. Returns whether its leaves could be interpolated.
+/// Gives the cell's nodes their rays. Returns whether the cell's leaves could be interpolated.
 template <typename Value>
 bool interpolated(Leaves& leaves, Value&& value) {
   const SkyFits sky_fits(leaves.lits, leaves.expected, error);

@@ -98,8 +98,8 @@ TEST(SkyPicture, LightsAMatteFloorByItsClosedForm) {
   }
 }
 
-// Metal that is followed as a mirror and metal just too rough for that have the same brightness
-// under an open sky.
+// Metal just too rough to be followed as a mirror is nearly as bright under an open sky as metal at
+// the limit.
 TEST(SkyPicture, RoughMetalMatchesMirrorsAtTheLimit) {
   const Camera camera = look_at({0, 3, 0.5}, {0, 0, 0}, 0.3);
   for (const Method method : {Method::asos, Method::sobol}) {

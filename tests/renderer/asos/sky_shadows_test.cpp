@@ -132,7 +132,7 @@ std::vector<Place> places() {
   return all;
 }
 
-// All pixels of such a picture share results, so a picture has the noise of a single pixel.
+// All pixels of these pictures share results, so a picture has the noise of a single pixel.
 TEST(SkyShadows, MatchFormFactorsOfOccluders) {
   for (const Place& place : places()) {
     EXPECT_NEAR(seen_share(place.world, {.seeds = 64}), place.seen, 2e-3) << place.name;
@@ -148,7 +148,7 @@ TEST(SkyShadows, AreExactAtEpsZero) {
         << place.name;
 }
 
-/// A picture of a floor with a wall and the objects in `world`, lit only by the sky.
+/// A picture of a floor with the objects of `world`, lit only by the sky.
 Picture floor_picture(World world, Method method, int size, int max_level = 3) {
   add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, chalk());
   const auto scene = make_render_scene(std::move(world), {dark()});
@@ -179,8 +179,8 @@ double root_mean_square(const Film& found, const Film& exact) {
   return std::sqrt(square);
 }
 
-// Leaves of one surface share results: with fewer rays than independent leaves would need, there is
-// no noise.
+// Leaves of one surface share results: with fewer rays than independent leaves would need, the
+// noise is small.
 TEST(SkyShadows, AreSharedOverASurface) {
   World wall;
   add_wall(wall, 2.0, 1.0);
@@ -241,7 +241,7 @@ TEST(SkyShadows, SmallShadowsSurviveSharing) {
     EXPECT_NEAR(found.radiance[i].x, exact.radiance[i].x, 0.02f) << i % size << ' ' << i / size;
 }
 
-// On glossy surfaces each ray sees another part of a gradient. Its light is as accurate as EPS
+// On glossy surfaces each ray sees another part of a gradient. The reflection is as accurate as EPS
 // requires even if a few rays prove that nothing is hidden.
 TEST(SkyShadows, GlossyReflectionOfAGradientIsWithinEps) {
   for (const float metallic : {0.0f, 1.0f}) {

@@ -58,7 +58,7 @@ void expect_consistent(const Picture& picture) {
   EXPECT_EQ(picture.statistics.split_pixels, split);
 }
 
-/// Every split pixel has this cause, and there are some.
+/// Expects split pixels, all of them with this cause.
 void expect_only(const Picture& picture, SplitCause expected) {
   expect_consistent(picture);
   EXPECT_GT(pixels_with(picture, expected), 0u);

@@ -89,7 +89,7 @@ TEST(StartedBlock, TheFirstStageIsCloseAndTakesAPartOfTheRays) {
   EXPECT_LT(static_cast<double>(first_rays), 0.7 * static_cast<double>(rays));
 }
 
-// The half of the blocks with the largest gains has most of the remaining error per sample.
+// The half of the blocks with the largest gains has most of the remaining squared error.
 TEST(StartedBlock, GainsTellWhereMostIsMissing) {
   const Staged staged("dense");
   std::vector<std::pair<double, double>> blocks;  // gain, squared error

@@ -84,8 +84,9 @@ TEST(TrueLight, OnABox) {
   expect_true(Subject::box, 0.0, {0.0006, 0.0006, 0.0005, 0.0005, 0.0005, 0.0004});
 }
 
-// A glossy floor under an emissive panel made of triangles. Its lobe shows the panel, its
-// reflection does not, and the light is not lost. Textured emission is left to the reflection.
+// A glossy floor under an emissive panel made of triangles. The floor's lobe shows the panel and
+// its reflection leaves it out, so the light counts once. Textured emission is left to the
+// reflection.
 TEST(TrueLight, CountsAnEmissivePanelOnce) {
   const Reflector reflector{{0.9, 0.6, 0.3}, 1.0, 0.3};
   const Light panel = light_of("rectangle");
@@ -95,7 +96,7 @@ TEST(TrueLight, CountsAnEmissivePanelOnce) {
   shining.emissive = glm::vec3(1.0f);
   shining.emissive_strength = panel.intensity;
   const glm::vec3 u(panel.half_u), v(panel.half_v);
-  // It faces the direction of u x v.
+  // The panel faces the direction of u x v.
   ASSERT_GT(glm::dot(glm::cross(u, v), glm::vec3(panel.direction)), 0.0f);
   add_quad(world, glm::vec3(panel.position) - u - v, 2.0f * u, 2.0f * v, shining);
   std::vector<Light> lights = lights_of_meshes(world);

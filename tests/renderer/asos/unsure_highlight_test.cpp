@@ -19,7 +19,7 @@ double mean_of(const Film& film) {
   return sum / static_cast<double>(film.radiance.size());
 }
 
-/// Behind the floor's centre and above it, tilted towards it.
+/// A panel behind and above the floor's centre, tilted towards it.
 Light panel_of(float intensity) {
   Light panel;
   panel.type = Light::Type::rectangle;
@@ -53,8 +53,8 @@ TEST(UnsureHighlight, CountsSkyLightOnce) {
   EXPECT_NEAR(mean_of(asos.film), mean_of(truth.film), 5e-4);
 }
 
-// A bar hides a twenty-fifth of a panel, but all of it that a smooth floor reflects at its centre.
-// A highlight's visibility is that of its own part of the light, not the light's mean visibility.
+// A bar hides 1/25 of a panel, but all of the part that the glossy floor reflects in the picture's
+// centre. A highlight has the visibility of that part, not the light's mean visibility.
 TEST(UnsureHighlight, IsHiddenWithItsPartOfTheLight) {
   World world;
   Material floor = matte(glm::vec3(0.2f));
@@ -92,7 +92,7 @@ TEST(UnsureHighlight, IsHiddenWithItsPartOfTheLight) {
 }
 
 // Arrows whose heads occlude most of a panel for their shafts. The first few samples may all miss
-// its visible rest, and then agree on darkness.
+// the panel's visible rest, and then agree on darkness.
 TEST(UnsureHighlight, IsFoundEvenIfFirstSamplesMissIt) {
   const auto shared = shared_dir();
   if (!shared) GTEST_SKIP() << "no models: set ASOS_SHARED to a folder with scenes/";

@@ -63,7 +63,7 @@ TEST(AutoExposure, BringsABrightSurfaceNearWhite) {
 TEST(AutoExposure, LeavesPicturesWithLittleWhiteAsTheyAre) {
   const auto bright = prepare(sunlit_square(5000.0)).value();
   EXPECT_EQ(metered(*bright, 0.05).stops, 0.0f);
-  // Pixels at its edges are white, too: it is 10.7 pixels wide.
+  // Pixels at the square's edges are white, too: the square is 10.7 pixels wide.
   EXPECT_GE(metered(*bright, 0.05).whitened, 0.05);
   EXPECT_LE(metered(*bright, 0.05).whitened, 12.0 * 12.0 / (64.0 * 36.0));
   const auto dim = prepare(sunlit_square(2.0)).value();
@@ -102,7 +102,7 @@ TEST(AutoExposure, IsNotForDefaultLightingAndBuiltInScenes) {
   EXPECT_TRUE(exposure_may_follow(*prepare(sunlit_square(1.0)).value()));
 }
 
-// Their pixels do not depend on the exposure.
+// Pixels of unlit surfaces do not depend on the exposure.
 TEST(AutoExposure, UnlitSurfacesDoNotCount) {
   Scene scene = sunlit_square(5000.0);
   scene.materials[0].unlit = true;

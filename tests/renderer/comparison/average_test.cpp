@@ -17,7 +17,7 @@ World black_with_white(int x, int y) {
 }
 
 TEST(Average, SpreadsAPixelOverItsNeighbours) {
-  // In the block, at its border, in a corner, and outside the picture.
+  // The white pixel is in the block, at its border, in a corner, or outside the picture.
   for (const glm::ivec2 at : {glm::ivec2{3, 4}, {0, 5}, {7, 7}, {8, 8}, {-1, 2}}) {
     const auto scene = make_render_scene(black_with_white(at.x, at.y));
     const BlockResult r = render_small(*scene, settings_for(Method::average));

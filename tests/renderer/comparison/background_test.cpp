@@ -27,7 +27,7 @@ World half_plane(const Material& material) {
   return world;
 }
 
-/// The fraction of pixel (x, y) that it covers.
+/// The fraction of pixel (x, y) that the half-plane covers.
 double covered(int x, int y) {
   const test::Polygon below = test::clip({{x, y}, {x + 1.0, y}, {x + 1.0, y + 1.0}, {x, y + 1.0}},
                                          [](glm::dvec2 p) { return p.y - cross - tilt * p.x; });
@@ -64,7 +64,7 @@ TEST(Background, AsosCoverageOfAHalfPlaneIsExact) {
   EXPECT_LT(most_off(clear(Method::beam)), 2e-6);
 }
 
-// With n strata per side the error is less than the strata that the line crosses.
+// The error is less than the area of the strata that the line crosses: 2 / n for n strata per side.
 TEST(Background, SamplersEstimateCoverage) {
   for (const Method method : {Method::uniform, Method::stochastic, Method::sobol}) {
     const double off = most_off(clear(method, 256));

@@ -117,7 +117,7 @@ TEST(Layers, HalfPlaneIsCoveredExactly) {
   expect_shares_add_up(result);
 }
 
-// 0.013 pixels wide: thinner than a cell at MAX 3.
+// A sliver 0.013 pixels wide: thinner than a cell at MAX 3.
 TEST(Layers, SliverIsCoveredExactly) {
   World world;
   const double slope = 0.29, width = 0.013;
@@ -201,7 +201,7 @@ TEST(Layers, TwoLayersHideEachOtherExactly) {
   expect_shares_add_up(result);
 }
 
-// Samples count: their shares differ from the areas by their noise.
+// Samplers count samples, so their fractions differ from the areas by noise.
 TEST(Layers, SamplersCount) {
   World world;
   test::add_triangle(world, at(-90.0, 3.21 - 90.0 * 0.37), at(0.0, 300.0),
@@ -390,7 +390,7 @@ TEST(Layers, AlphaOfBlendedSurfacesIsTheirOpacity) {
   }
 }
 
-// The author's coordinates, whatever the world is recentred to.
+// Positions are in the author's coordinates, however the world is recentred.
 TEST(Layers, PositionAndDistanceArePlaces) {
   World world;
   test::add_card(world, {-9, -9}, {17, 17}, test::matte(glm::vec3(0.5f)), 1.5f);
@@ -407,8 +407,8 @@ TEST(Layers, PositionAndDistanceArePlaces) {
   }
 }
 
-// Sobol samples differ from a coverage by about 0.35 n^-3/4: 7e-4 of the 4096 here, and 5.5e-3 of
-// the 256 that ASOS takes of pixels with many edges.
+// Sobol samples differ from a coverage by about 0.35 n^-3/4: 7e-4 for the 4096 here, and 5.5e-3 for
+// the 256 that ASOS takes in pixels with many edges.
 TEST(Layers, AgreeWithManySamplesOnModels) {
   const auto shared = test::shared_dir();
   if (!shared) GTEST_SKIP() << "the shared folder is missing";
@@ -444,9 +444,9 @@ TEST(Layers, AgreeWithManySamplesOnModels) {
   }
 }
 
-// Over a picture with an edge, a shadow and smooth shading: few pixels are off by more than twice
-// the estimate, which is never below a twelfth of the tolerance; its mean is too large by less than
-// an eighth of a step of an 8-bit picture.
+// A picture with an edge, a shadow and smooth shading: at most 5 % of the pixels have an error
+// above twice the estimate, and the mean estimate exceeds the mean error by less than
+// ErrorBudget::invisible.
 TEST(Layers, ErrorEstimateIsOfTheErrorsSize) {
   const auto scene = test::make_render_scene(test::still_life());
   const Camera camera = test::look_at({1, 2, 5}, {0, 0.6, 0}, 0.7);

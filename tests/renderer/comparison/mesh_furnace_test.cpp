@@ -110,7 +110,7 @@ RenderSettings settings_of(Method method) {
   return settings;
 }
 
-/// Sums the radiance that all lobes return of a white sky.
+/// Sums the radiance that all lobes reflect from a white sky.
 class ReturnedByLobes final : public LightTransport {
  public:
   void add(const Illumination&, glm::vec3&, RenderStatistics&) override {}

@@ -114,7 +114,7 @@ TEST_P(MovingPole, IsTheBoxInTimeByAsos) {
   const ExposedScene scene = exposed_at(*rig, 1.0, still_camera(), settings);
   ASSERT_TRUE(scene.exposure().moves());
   const Picture picture = render_exposed(scene, settings);
-  // From 0.5 s to 1.5 s.
+  // The shutter is open from 0.5 s to 1.5 s.
   const double a = 4.2 + 0.5 * way;
   EXPECT_LT(worst_error(picture, blurred_pole(width, a, a + way)), 1e-3)
       << scene.exposure().steps() << " steps";
@@ -126,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, MovingPole,
 
 TEST(MotionBlur, SamplersAgreeWithTheBoxInTime) {
   const auto rig = moving_pole(0.7, 4.2, 5.0);
-  // Strata of time are paired with those of the pixel at random: a standard error of 0.011.
+  // For `grid`: strata of time and of the pixel are paired at random, with a standard error of
+  // 0.011.
   constexpr double sobol = 6e-3, grid = 0.04;
   for (const auto& [method, tolerance] :
        {std::pair{Method::sobol, sobol}, std::pair{Method::sobol_adaptive, sobol},
@@ -198,7 +199,7 @@ TEST(MotionBlur, FollowsAnAnimatedCamera) {
   ASSERT_TRUE(scene.exposure().moves());
   const Picture picture = render_exposed(scene, settings);
   EXPECT_LT(worst_error(picture, blurred_pole(0.6, 8.0 - 3.0 * 1.25, 8.0 - 3.0 * 0.75)), 1e-3);
-  // A camera of its own stands still.
+  // A camera that is not animated stands still.
   settings.shutter.camera = -1;
   const ExposedScene own = exposed_at(*rig, 1.0, camera, settings);
   const Picture sharp = render_exposed(own, settings);
@@ -427,7 +428,7 @@ TEST(MotionBlur, FollowsAMovingLightAndItsShadow) {
   ASSERT_TRUE(lit.exposure().moves());
   const Picture blurred = render_exposed(lit, settings);
   const Picture middle = render_still(lit, settings);
-  // Linear in time: as in the middle.
+  // The light is linear in time: its mean is that at the middle.
   EXPECT_GT(middle.film.radiance[0].x, 0.01f);
   EXPECT_LT(difference(blurred, middle).largest, 1e-4);
 }

@@ -41,7 +41,7 @@ TEST(RayBound, AFlatPictureCostsOneRayAPixel) {
 }
 
 TEST(RayBound, SamplesConvergeOnTheCoverageOfAnObliqueEdge) {
-  // The half-plane left of x = 4.2 + 0.2 y, in pixel (4, 2): 0.2 + 0.5 + 0.2 / 2 wide on average.
+  // The half-plane left of x = 4.2 + 0.2 y, in pixel (4, 2): 0.2 + 0.2 * 2.5 = 0.7 wide on average.
   World world;
   add_part(world,
            {{{0.2f - 8, 4, 0}, {0, 0, 1}, {}},
@@ -131,7 +131,7 @@ TEST(RayBound, MissesNoPixelWhereRaysDiffer) {
   EXPECT_EQ(found.unbounded, 0);
 }
 
-// For surfaces that are at least a few pixel widths behind their occluders.
+// Pixels whose rays differ have a boundary, if occluders are a few pixel widths in front.
 TEST(RayBound, BoundariesAreWhereRaysDiffer) {
   World world;
   for (int i = 0; i < 6; ++i) {

@@ -127,7 +127,7 @@ TEST(ReferenceRate, OfADielectricUnderAnAreaLight) {
   expect_unbiased_floor({{0.2, 0.3, 0.1}, 0.0, 0.3}, "dielectric");
 }
 
-// A black wall of practically infinite length hides half of a uniform sky.
+// A black wall of practically infinite length hides 28 % of a uniform sky's light.
 TEST(ReferenceRate, OfTheSkyBesideAWall) {
   constexpr double albedo = 0.5, radiance = 0.8, height = 2.0;
   World world;

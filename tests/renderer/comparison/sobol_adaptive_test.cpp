@@ -83,7 +83,7 @@ TEST(SobolAdaptive, EqualsSobolWithAsManySamples) {
   const auto scene = gradient();
   const BlockResult all = render_small(*scene, adaptive(0.0, 3));
   const BlockResult sobol = render_small(*scene, settings_for(Method::sobol, 256));
-  // Up to the order of summation of the samples.
+  // Equal up to the order of summation.
   for (int x = 0; x < 8; ++x) EXPECT_NEAR(red_at(all, x, 5), red_at(sobol, x, 5), 1e-6) << x;
 }
 

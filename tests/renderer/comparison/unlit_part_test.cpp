@@ -30,7 +30,7 @@ World unlit_before_glow(const Material& material) {
   return world;
 }
 
-/// The area of pixel (x, y) that it covers.
+/// The area of pixel (x, y) that the half-plane covers.
 double unlit_area(int x, int y) {
   const test::Polygon below = test::clip({{x, y}, {x + 1.0, y}, {x + 1.0, y + 1.0}, {x, y + 1.0}},
                                          [](glm::dvec2 p) { return p.y - crossing - slope * p.x; });
@@ -80,7 +80,7 @@ TEST(UnlitPart, SamplersCountItInTheSamplesOfThePicture) {
   }
 }
 
-// Each pass stops at its own EPS, so their sample counts differ.
+// The two passes stop separately, so their sample counts differ.
 TEST(UnlitPart, AdaptiveMethodsFindItWithinTheirError) {
   RenderSettings settings = test::settings_for(Method::sobol_adaptive);
   settings.asos.eps = 1.0 / 256.0;
@@ -101,7 +101,7 @@ TEST(UnlitPart, OfABlendedSurfaceIsItsOpacity) {
   }
 }
 
-// A block that the surface fills needs no second pass, and has its radiance.
+// A block that an unlit surface fills needs no second pass: its unlit part is its radiance.
 TEST(UnlitPart, OfASurfaceThatFillsTheBlockIsAll) {
   World world;
   test::add_card(world, {-9, -9}, {17, 17}, test::unlit(unlit_orange));
@@ -114,7 +114,7 @@ TEST(UnlitPart, OfASurfaceThatFillsTheBlockIsAll) {
   }
 }
 
-// A reflection is light, so it is not unlit.
+// Reflections of unlit surfaces count as lit.
 TEST(UnlitPart, IsNotSeenInMirrors) {
   Material mirror;
   mirror.base_color = glm::vec4(1.0f);

@@ -131,7 +131,7 @@ double all_red(const BlockResult& result) {
   return sum;
 }
 
-/// The fraction of the finest corners that it covers if the whole picture is split.
+/// The covered area in pixels by counting the finest corners, if the whole picture is split.
 double covered(const Needle& needle, int depth) {
   const int side = 8 << depth;
   int count = 0;
@@ -152,7 +152,7 @@ TEST(Whitted, SpheresFindADotInEveryPlace) {
     const BlockResult found = render_small(*scene, whitted(depth, true));
     EXPECT_NEAR(all_red(found), covered(dot, depth), 1e-5) << at.x << ' ' << at.y;
     EXPECT_GT(all_red(found), 0.0);
-    // Only a few pixels are searched for it.
+    // Only a few pixels are searched for the dot.
     EXPECT_LE(found.statistics.split_pixels, 16u);
 
     const glm::dvec2 in_pixel = at - glm::floor(at);

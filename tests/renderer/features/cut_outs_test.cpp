@@ -202,8 +202,7 @@ TEST(CutOuts, MarkCutOutsWithoutOutlineForSampling) {
   EXPECT_TRUE(FeatureSet(plain).opacity_unbounded());
 }
 
-// A side is hidden where its points are transparent; an edge is dropped if all of its faces are.
-/// A thousand leaves, each with several repetitions of the image.
+// A thousand leaves, each with several repetitions of the image.
 void add_thicket(World& world, const Material& material) {
   constexpr float times = 4.0f;
   std::vector<TinyVertex> vertices;
@@ -289,7 +288,7 @@ TEST(CutOuts, VisibleSidesAreNeverDropped) {
   }
 }
 
-// Without a texture, or with an opaque one, nothing is cut out.
+// With a cutoff of 0, or without a texture, nothing is cut out.
 TEST(CutOuts, NeedNoLinesWhereNothingIsCutOut) {
   World world = fan(Wrap::repeat, Filter::linear);
   world.materials[0].alpha_cutoff = 0.0f;

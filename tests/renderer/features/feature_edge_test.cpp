@@ -106,7 +106,7 @@ TEST(Features, FlippedFacesHaveTheSameEdges) {
   }
 }
 
-// From either side only one of them is visible.
+// From either side only one of the two faces is visible.
 TEST(Features, ASingleSidedFaceBesideOneThatIsTurnedOverBounds) {
   const auto diagonals = [](bool double_sided, const std::vector<glm::uvec3>& triangles) {
     World world = empty_world();
@@ -183,8 +183,8 @@ TEST(Features, AnEdgeOfThreeFacesKnowsTheFirstTwo) {
   EXPECT_EQ(shared, 1u);
 }
 
-// How far a surface may leave a face's plane before it can end: a whole neighbouring face of the
-// cube, but not beyond a crease.
+// Distance by which a surface may leave a face's plane before it ends: a neighbouring face of the
+// cube, but none beyond a crease.
 TEST(Features, ASmoothSurfaceDepartsFromItsTrianglesPlanes) {
   const World smooth = cube(true), creased = cube(false);
   const FeatureSet bent(smooth), flat(creased);

@@ -284,7 +284,7 @@ TEST(Intersections, ThePairsHaveABudgetToo) {
   EXPECT_FALSE(intersections_of(scene.world, {0, 4949}).complete);
 }
 
-// Against testing every pair, on random triangles; and twice with the same result.
+// Finds the same pairs as a test of every pair of random triangles, and twice the same lines.
 TEST(Intersections, FindEveryCrossingPair) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);

@@ -80,8 +80,8 @@ TEST(BoxTree, StopsWhereTheVisitorHasSeenEnough) {
   EXPECT_EQ(visits, 3);
 }
 
-/// The house has chains of edges. Only this scene under the thread sanitizer, which does not
-/// understand the synchronisation of TBB's tasks and is slow with their reads.
+/// The house has chains of edges. Under sanitizers only this scene, because the thread sanitizer
+/// does not understand the synchronisation of TBB's tasks and is slow with their reads.
 std::vector<std::string> scenes() {
   if (sanitized) return {"builtin:house"};
   return {"builtin:house", "builtin:mixed"};

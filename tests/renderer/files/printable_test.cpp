@@ -36,8 +36,8 @@ TEST(Printable, WhatIsNoUtf8IsEscapedByteByByte) {
   EXPECT_EQ(printable("a\xff"), "a\\xff");
   EXPECT_EQ(printable("\xc3"), "\\xc3");                    // cut off
   EXPECT_EQ(printable("\xc0\x8a"), "\\xc0\\x8a");           // a newline in an overlong encoding
-  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a pair
-  EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond the last
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a surrogate pair
+  EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond the last code point
   EXPECT_EQ(printable("\xc3\xa4\xa4"), "ä\\xa4");
   EXPECT_TRUE(is_utf8("ä日🚲"));
   EXPECT_FALSE(is_utf8("ä\xa4"));

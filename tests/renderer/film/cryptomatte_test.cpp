@@ -24,7 +24,7 @@ TEST(Cryptomatte, HashesAsMurmurHash3Does) {
   EXPECT_EQ(bits_of("bunny"), 0x13851a76u);
 }
 
-// Hashes whose exponent is 0 or 255 have its lowest bit flipped.
+// Hashes whose exponent is 0 or 255 have the exponent's lowest bit flipped.
 TEST(Cryptomatte, IdsAreFiniteNumbers) {
   int flipped = 0;
   for (int i = 0; i < 4000; ++i) {

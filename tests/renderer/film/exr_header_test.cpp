@@ -80,7 +80,7 @@ TEST_F(ExrClaims, OfPixelsThatNoCompressionCouldHoldAreRefusedBeforeMemoryIsTake
   std::string huge = whole_;
   const std::size_t at = huge.find("dataWindow") + sizeof "dataWindow" + sizeof "box2i" + 4;
   huge.replace(at + 8, 8, word(19999) + word(9999));
-  huge.append(20'000, '\0');  // as where its rows are
+  huge.append(20'000, '\0');  // enough for the table of row offsets
   const double before = peak_mb();
   const auto picture = read_exr(folder_.write("huge.exr", huge));
   ASSERT_FALSE(picture);

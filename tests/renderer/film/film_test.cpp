@@ -139,7 +139,7 @@ TEST(Display, BytesAreTheRoundedCurve) {
   for (int i = 0; i < 100000; ++i) {
     const float x = i < 5000 ? static_cast<float>(i) * 1e-6f : d(rng);
     const float exact = 255.0f * display_rgb(glm::vec3(x), 0.0f).r;
-    // Within float rounding of one half, the two may round differently.
+    // Near one half, float rounding may differ between the table and the curve.
     const float to_half = std::abs(exact - std::floor(exact) - 0.5f);
     if (to_half < 1e-3f) continue;
     EXPECT_EQ(display_bytes(glm::vec3(x), 0.0f).r, static_cast<int>(exact + 0.5f)) << x;

@@ -18,7 +18,7 @@
 namespace asos {
 namespace {
 
-/// 3 x 2 pixels with every layer, each value another one.
+/// A film of 3 x 2 pixels with all layers and distinct values.
 Film film_with_layers() {
   Film film(3, 2);
   float next = 0.25f;
@@ -113,7 +113,7 @@ TEST(LayerExr, HeaderTellsColoursCameraAndRate) {
   EXPECT_EQ(name->value(), "CryptoObject");
 }
 
-// DWAA would make others of ids and depths.
+// DWAA, which is lossy, would change ids and depths.
 TEST(LayerExr, DwaaLosesOnlyColours) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("lossy.exr");
@@ -134,7 +134,7 @@ TEST(LayerExr, DwaaLosesOnlyColours) {
   EXPECT_EQ(read->attributes, (ImageText{{"key", "value"}}));
 }
 
-// A manifest is no text of ours, however long it is.
+// A Cryptomatte manifest is not returned as a text, of any length.
 TEST(LayerExr, ReadsBackAsAnyPicture) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("layers.exr");

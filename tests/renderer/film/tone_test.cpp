@@ -61,10 +61,10 @@ TEST(Tone, WhatIsJudgedIsWhatIsShown) {
   }
 }
 
-// ASOS limits the error of radiance. The displayed error is at most that times the curve's slope
-// for equal changes of all channels (Neutral adds two hundredths to the smallest channel, where
-// bright hues fade). For changes of hue Neutral's toe subtracts the smallest channel from all: the
-// error is at most doubled.
+// ASOS limits the error of radiance. If no channel falls, the displayed error is at most that times
+// the curve's slope (Neutral adds two hundredths to the smallest channel, where bright hues fade).
+// If the hue changes, Neutral's toe subtracts the smallest channel from all: the error is at most
+// doubled.
 TEST(Tone, NoDifferenceShowsLargerThanTheCurvesSteepnessSays) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -79,7 +79,7 @@ TEST(Tone, NoDifferenceShowsLargerThanTheCurvesSteepnessSays) {
         rise[k] = unit(random);
       }
       rise /= largest(rise);
-      const float size = std::exp2(-7.0f + 7.0f * unit(random));  // 1/256 to 1
+      const float size = std::exp2(-7.0f + 7.0f * unit(random));  // 1/128 to 1
       const auto slope = [&](glm::vec3 b) {
         const DisplayTransform display{0.0f, tone.value};
         const glm::vec3 shown = tone_mapped(b, display) - tone_mapped(a, display);

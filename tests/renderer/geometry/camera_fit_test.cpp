@@ -25,7 +25,7 @@ TEST(CameraFit, FitShowsAllThatTheCameraSees) {
     const Camera fitted = fitted_camera(camera, picture, CameraFit::fit);
     EXPECT_NEAR(half_height(fitted) * picture, half_height(camera) * 8.0 / 3.0, 1e-12);
   }
-  // A wider picture keeps the vertical one, bit for bit.
+  // A wider picture keeps the vertical field of view, bit for bit.
   EXPECT_EQ(fitted_camera(camera, 3.0, CameraFit::fit).fov_y_rad, 0.7);
   EXPECT_EQ(fitted_camera(camera, 8.0 / 3.0, CameraFit::fit).fov_y_rad, 0.7);
 }

@@ -34,7 +34,7 @@ TEST(ClipSegment, KeepsParallelSegmentOnBorderButNoPoint) {
       clip_segment<double>({-1.0, 1.0}, {4.0, 0.0}, dvec2(0.0), dvec2(1.0));
   EXPECT_DOUBLE_EQ(along.t0, 0.25);
   EXPECT_DOUBLE_EQ(along.t1, 0.5);
-  // It touches the corner (0, 0) alone.
+  // The segment touches only the corner (0, 0).
   EXPECT_TRUE(clip_segment<double>({-1.0, 1.0}, {2.0, -2.0}, dvec2(0.0), dvec2(1.0)).empty());
 }
 

@@ -44,7 +44,7 @@ Camera camera_of(Camera::Type type) {
   camera.type = type;
   camera.fov_y_rad = 1.0;
   camera.height = 2.0;
-  // At (1, 2, 3), looking along -X.
+  // The camera is at (1, 2, 3) and looks along -X.
   camera.world_from_camera = glm::dmat4(glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 1, 0, 0),
                                         glm::dvec4(1, 0, 0, 0), glm::dvec4(1, 2, 3, 1));
   return camera;

@@ -208,7 +208,7 @@ TEST_F(AssetFiles, OuterRootHoldsTheRefusedFiles) {
   EXPECT_EQ(outer({"../../../../gone.bin"}), "") << "there is no such file";
   EXPECT_EQ(outer({"../../../../x.bin"}, at("a").string()), "") << "it is allowed";
   EXPECT_EQ(outer({"../x.bin"}, at("a/b/c/d/e").string()), at("a/b/c/d").string());
-  // Only the file system's root contains both.
+  // Only the file system's root contains both files.
   EXPECT_EQ(outer({"../../../../x.bin", "../../../../../../../../../../../proc/self/status"}), "");
   EXPECT_EQ(outer_asset_root("builtin:boxes"), "");
   EXPECT_EQ(outer_asset_root(at("gone.gltf").string()), "");

@@ -212,7 +212,7 @@ TEST(BuiltinWorkshop, IsOfRoughMetalWithMapsOfNormals) {
     SCOPED_TRACE(m.name);
     maps.push_back(m.normal_texture.texture);
     EXPECT_EQ(m.metallic, 1.0f);
-    // Rougher than the default limit of mirrors: it reflects only the lamps.
+    // Rougher than the default limit of mirrors: the metal reflects only the lamps.
     EXPECT_GT(m.roughness, 0.35f);
     EXPECT_EQ(mesh.texcoords[0].size(), mesh.positions.size());
   }

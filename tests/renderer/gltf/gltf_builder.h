@@ -88,7 +88,7 @@ struct GltfBuilder {
     return out;
   }
 
-  /// As .gltf, with its buffer in the file `bin_uri` or, by default, embedded.
+  /// The file as .gltf, with its buffer in `bin_uri` or, by default, embedded.
   [[nodiscard]] std::string gltf(const std::string& bin_uri = "") const {
     nlohmann::json whole = json;
     const std::string uri =

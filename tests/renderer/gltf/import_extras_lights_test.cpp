@@ -36,7 +36,8 @@ TEST(ImportLinearLight, ItsEndsGoWhereItsNodePutsThem) {
   EXPECT_EQ(plain.color, glm::vec3(1.0f));
   EXPECT_EQ(plain.half_u, glm::dvec3(1.5, 0, 0));
   EXPECT_EQ(plain.position, glm::dvec3(0.5, 0, 0.5));
-  // Each end is a point, so non-uniform scale acts along the light; its candela do not change.
+  // Each end is a point, so non-uniform scale acts along the light; its intensity in candela does
+  // not change.
   const Light placed = file.turned({10, 0, 0}, {2, 5, 7}).light();
   expect_close(placed.half_u, {0, 0, -3});
   expect_close(placed.position, {10 + 3.5, 0, -1});
@@ -55,7 +56,7 @@ TEST(ImportLinearLight, BadOnesAreLeftOutByName) {
   left_out("from", {2, 0}, "ends");
   left_out("to", {2, 0, "1"}, "ends");
   left_out("to", 3, "ends");
-  left_out("to", {1.7e308, 1.7e308, 0}, "no length");  // none that is finite
+  left_out("to", {1.7e308, 1.7e308, 0}, "no length");  // an infinite length
   left_out("intensity", -1, "intensity");
   left_out("intensity", "40", "intensity");
   left_out("color", {1, 1, -1}, "colour");
@@ -77,8 +78,8 @@ TEST(ImportPolygonLight, ShinesToWhereItsOutlineRunsCounterClockwise) {
   ASSERT_EQ(light.outlines.size(), 2u);
   expect_close(light.outlines[0][0], {-2, 1, 2});
   expect_close(light.outlines[0][1], {2, 1, 2});
-  // The hole was given clockwise, the stored winding; the result is the same with it reversed in
-  // the file.
+  // The hole was given clockwise, as it is stored; a counter-clockwise hole in the file gives the
+  // same.
   json turned = framed();
   turned["corners"] = {-2, 1, 2, 2, 1, 2,  2,  1, -2, -2, 1, -2,
                        1,  1, 1, 1, 1, -1, -1, 1, -1, -1, 1, 1};

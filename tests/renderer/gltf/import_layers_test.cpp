@@ -175,7 +175,7 @@ TEST(ImportLayers, VolumesOutOfRangeAreRemarkedOn) {
 }
 
 TEST(ImportLayers, ByDefaultThereAreNone) {
-  // Missing textures are tolerated.
+  // A factor of 0 and unlit materials need no textures.
   const Scene bare = coated({{"clearcoatTexture", {{"index", 0}}}});
   EXPECT_EQ(bare.materials.at(0).coat.factor, 0.0f);
   EXPECT_EQ(bare.materials.at(0).coat.roughness, 0.0f);

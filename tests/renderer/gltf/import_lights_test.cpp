@@ -81,7 +81,7 @@ TEST(ImportPunctualSize, BadSizesAreWarnedOfAndTheLightHasNone) {
 }
 
 TEST(ImportPunctualSize, ZerosAndOnesStandForNoAndYes) {
-  // Programs without booleans save them like this.
+  // Programs without booleans save them as 0 and 1.
   LightFile file;
   EXPECT_FALSE(file.with(punctual, sized("point", "casts_shadows", 0)).light().casts_shadows);
   LightFile other;

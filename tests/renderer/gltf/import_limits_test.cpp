@@ -44,7 +44,7 @@ TEST(ImportLimits, AGlbsHeaderIsJudgedBeforeTheFileIsRead) {
   EXPECT_NE(with_head("glTF", std::uintmax_t{9} << 30).find("the limit is"), std::string::npos);
 }
 
-// These were once reported as broken JSON.
+// Files of other kinds were once reported as broken JSON.
 TEST(ImportLimits, AFileOfAnotherKindIsNamedByItsFirstBytes) {
   using std::string_literals::operator""s;
   const test::TemporaryFolder folder;
@@ -81,7 +81,7 @@ TEST(ImportLimits, AccessorsWithoutDataAreCountedAgainstTheFile) {
   large.bin = std::string(1 << 20, '\0');
   large.json["asset"]["extras"] = {{"why", "the buffer counts"}};
   EXPECT_NE(reason(folder.write("large.glb", large.glb())).find("without data"), std::string::npos);
-  // None of them alone is too large.
+  // No single accessor is too large.
   const auto many = load_scene(folder.write("many.glb", zeros(100, 60'000).glb()));
   ASSERT_TRUE(many) << many.error().message();
   EXPECT_LE(many->instances.size(), 3u);
@@ -214,7 +214,7 @@ TEST(ImportLimits, MoreCopiesThanObjectsMayBeAreRefusedBeforeTheyAreRead) {
             "has more than 4000000 objects, which is the limit");
 }
 
-// A pose, and a name, is computed once for all that share it, not n times for each of n.
+// Shared poses and names are computed once, not n times for each of n users.
 TEST(ImportLimits, ManyThatShareMuchLoadInTime) {
   if (test::sanitized) GTEST_SKIP() << "times are not the program's";
   constexpr int count = 20'000;

@@ -90,7 +90,7 @@ TEST(ImportRobust, HugeCountsAreRefusedBeforeAllocation) {
   beyond.json["accessors"][0]["count"] = 4'000'000'000u;
   expect_refused(load_in_time(beyond), "reaches outside");
 
-  // The product of offset and count wraps around 64 bits.
+  // The product of stride and count, or an offset plus a length, wraps around 64 bits.
   GltfBuilder wrap = GltfBuilder::square();
   wrap.json["accessors"][0]["count"] = 0x1555555555555556u;
   expect_refused(load_in_time(wrap), "reaches outside");

@@ -137,7 +137,7 @@ TEST(ImportSurroundings, ThatAreBrokenAreLeftOutAndNamed) {
   EXPECT_TRUE(warns(other_size, "specularImageSize"));
 }
 
-// They are the same after export and import, with or without division by alpha.
+// The surroundings are the same after export and import, with or without division by alpha.
 TEST(ImportSurroundings, AreWrittenAsTheyWereRead) {
   const Scene scene = scene_of([](json&, json& light) { light["name"] = "dusk"; });
   const test::TemporaryFolder folder;

@@ -25,7 +25,7 @@ inline Result<Scene> load_in_time(const std::string& path, const LoadOptions& op
   return scene;
 }
 
-/// The same for a built file, which is written as test.glb.
+/// Loads a built file, written as test.glb, with the same expectation.
 inline Result<Scene> load_in_time(const GltfBuilder& builder) {
   const TemporaryFolder folder;
   return load_in_time(folder.write("test.glb", builder.glb()));

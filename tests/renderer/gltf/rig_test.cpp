@@ -174,7 +174,7 @@ TEST(PosableScene, AtRestTheFilesNodesPoseASkin) {
   const Scene scene = with_rig(b);
   EXPECT_FALSE(scene.time.has_value());
   expect_near(world_vertex(scene, 2), {1, -1, 0});
-  // The same pose again after another time.
+  // The pose at rest is the same after a pose at another time.
   (void)posed(scene, 1.0);
   expect_near(world_vertex(scene.rig->pose(std::nullopt).value(), 2), {1, -1, 0});
 }

@@ -107,7 +107,7 @@ TEST_F(ShapesTest, AreWrittenAsTheProposalSays) {
   const json root = json::parse(file);
   EXPECT_FALSE(root.contains("extensionsRequired"));
   const json& shapes = root["extensions"]["KHR_implicit_shapes"]["shapes"];
-  ASSERT_EQ(shapes.size(), 3u);  // it has no disk
+  ASSERT_EQ(shapes.size(), 3u);  // the extension has no disk
   EXPECT_EQ(shapes[0], json::parse(R"({"type": "sphere", "sphere": {"radius": 0.7}})"));
   EXPECT_EQ(shapes[1], json::parse(R"({"type": "box", "box": {"size": [1.0, 2.0, 0.3]}})"));
   EXPECT_EQ(shapes[2], json::parse(R"({"type": "cylinder", "cylinder":

@@ -122,7 +122,7 @@ SurfaceMaterial random_material(RandomSpace& space, std::size_t i) {
   material.f90 = i % 4 == 0 ? number() : 1.0f;
   material.dielectric_f0 = i % 7 == 0 ? 1.0f : 0.5f * number();
   material.dielectric_f90 = 0.5f + 0.5f * number();
-  material.roughness = i % 3 == 0 ? 0.15f * number() : number();  // below the floor, too
+  material.roughness = i % 3 == 0 ? 0.15f * number() : number();  // below the roughness floor, too
   if (i % 11 == 0) material.roughness = 0.0f;
   material.metallic = i % 2 == 0 ? number() : 0.0f;
   return material;

@@ -66,7 +66,7 @@ Carried carried_of(const LitSubjects& batch, const LightConstants& light, std::u
   return carried;
 }
 
-// Otherwise the mean would miss lights that are never selected.
+// A contributing light without a weight is never selected, and the mean misses it.
 TEST(WeighLights, GivesEveryContributingLightAWeight) {
   for (const auto& [scale, offset] : scales) {
     const LitSubjects batch(17, scale, offset);
@@ -81,7 +81,7 @@ TEST(WeighLights, GivesEveryContributingLightAWeight) {
         const float weight = table.weights(batch.points, i)[light];
         EXPECT_TRUE(std::isfinite(weight));
         EXPECT_GE(weight, 0.0f);
-        // At the horizon they may differ in the last bits.
+        // At the horizon, weight and contribution may differ by rounding.
         if (carried.most[i] > 1e-6 * bright) {
           EXPECT_GT(weight, 0.0f) << "point " << i << " carries " << carried.most[i];
         }
@@ -116,7 +116,8 @@ TEST(WeighLights, IsNearTheOptimalWeights) {
   EXPECT_NEAR(at(0.5), 1.0, 0.4);
 }
 
-// White, without highlight, and far from a light of any type: the weight is its irradiance.
+// On a white point without highlight, far from a light of any type, the weight is the reflected
+// radiance.
 TEST(WeighLights, IsTheIrradianceOfSmallLights) {
   LitSubject s;
   s.point->position = {0.0f, -40.0f, 0.0f};

@@ -58,7 +58,7 @@ TEST(EmissiveLights, ATubeShinesSidewaysAsItsSurfaceDoes) {
   const std::vector<Light> lights = emissive_lights(world, plain_emission);
   ASSERT_EQ(lights.size(), 1u);
   const Receiver beside{{1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}};
-  // Sums over triangles, with their centroids.
+  // Integrates along the triangles' strips.
   double expected = 0.0;
   const Soup soup = test::cylinder(0.02f, 2.0f, 64, false);
   constexpr int cuts = 200;
@@ -67,7 +67,7 @@ TEST(EmissiveLights, ATubeShinesSidewaysAsItsSurfaceDoes) {
         glm::cross(glm::dvec3(t[1]) - glm::dvec3(t[0]), glm::dvec3(t[2]) - glm::dvec3(t[0]));
     const glm::dvec3 normal = glm::normalize(across);
     for (int k = 0; k < cuts; ++k) {
-      // The triangle's pair is a strip of equal parts.
+      // A triangle is half of a strip, which is divided into equal parts.
       const double y = -1.0 + 2.0 * (k + 0.5) / cuts;
       const glm::dvec3 p(0.02 * normal.x, y, 0.02 * normal.z);
       const glm::dvec3 d = beside.position - p;

@@ -81,7 +81,7 @@ TEST(EmissiveLights, TheFrontShinesAndBothSidesIfDoubleSided) {
   EXPECT_NEAR(lights[0].direction.z, -1.0, 1e-12);
   EXPECT_FALSE(lights[0].two_sided);
   EXPECT_TRUE(lights[1].two_sided);
-  // On the other side, the back gets nothing.
+  // Behind the lights, only the two-sided one shines.
   const Receiver behind{{0.5, 0.5, 2}, {0, 0, -1}, {0, 0, -1}};
   EXPECT_EQ(unshadowed_irradiance(prepare_light(lights[0]), behind).r, 0.0f);
   EXPECT_GT(unshadowed_irradiance(prepare_light(lights[1]), behind).r, 0.1f);

@@ -115,8 +115,7 @@ TEST(DiskForm, IsTheLimitOfPolygons) {
     const glm::dvec3 centre = random.direction() * 1.5;
     const Receiver receiver =
         random.receiver(centre + facing * random.between(0.2, 2.0) + u, centre, i);
-    // With so many corners the area is the disk's; the relative error goes with the square of the
-    // angle.
+    // The polygon has the disk's area; the relative error goes with the square of the angle.
     constexpr int corners = 4000;
     const double angle = 2.0 * pi / corners;
     Corners rim;
@@ -165,7 +164,8 @@ TEST(LineForm, GivesNothingAlongATubeAndInverseSquareAlongPoints) {
   EXPECT_EQ(line_form({0, -1, 0}, {0, 2, 0}, false, receiver), 0.0) << "on the line itself";
 }
 
-/// Steps of a thousandth of the light's size, around the point where it crosses a horizon.
+/// Forms change little from step to step, a thousandth of the light's size, while it crosses the
+/// horizons.
 TEST(Forms, AreContinuousAcrossBothHorizons) {
   const glm::dvec3 geometric = glm::normalize(glm::dvec3(0.3, 1.0, 0.1));
   for (const Receiver& receiver :

@@ -40,7 +40,7 @@ TEST(Highlight, IsTheNearestEndWhereTheRayMisses) {
   expect_direction(highlight_of(prepare_light(test::rectangle_light()), origin, ray), {0.8, 2, 0});
   expect_direction(highlight_of(prepare_light(test::disk_light()), origin, ray), {0.7, 2, 0});
   expect_direction(highlight_of(prepare_light(test::linear_light()), origin, ray), {0.9, 2.2, 0});
-  // At right angles to the ray from the sphere's centre.
+  // The nearest point is at right angles to the ray from the sphere's centre.
   const glm::dvec3 nudge = 0.6 * glm::normalize(glm::dvec3(1, -3, 0));
   expect_direction(highlight_of(prepare_light(test::ball_light()), origin, ray),
                    glm::dvec3(0, 2, 0) + nudge);

@@ -19,7 +19,7 @@ using test::RandomSpace;
 
 const glm::dvec3 up(0, 1, 0);
 
-/// Irradiance of the red channel; the lights of tests/support have 5 in it.
+/// Irradiance of the red channel, in which the lights of tests/support have an intensity of 5.
 float irradiance(const Light& light, const Receiver& receiver,
                  LightRule rule = LightRule::physical) {
   return unshadowed_irradiance(prepare_light(light, rule), receiver).r;

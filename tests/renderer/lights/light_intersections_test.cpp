@@ -102,7 +102,7 @@ TEST(LightIntersections, AreNotOfTheLightsOwnPartNorOfLightsWithoutShadows) {
   EXPECT_TRUE(cuts_of(wall(0.25, 0.0, 8.0), light).empty());
 }
 
-// For a disk: the length of the chord.
+// Intersections with a disk are as long as its chord.
 TEST(LightIntersections, OfADiskAreChords) {
   Light disk = ceiling_light();
   disk.type = Light::Type::disk;

@@ -190,7 +190,7 @@ TEST(PictureDescription, MovesWithTheOrigin) {
 
 struct Damage {
   const char* pointer;
-  ordered_json value;  // discarded: taken away
+  ordered_json value;  // discarded: the value is removed
   const char* reason;
 };
 

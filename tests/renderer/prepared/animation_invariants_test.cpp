@@ -43,15 +43,15 @@ TEST(AnimationInvariants, LightsAndOriginStayWhereTheSceneIsAtRest) {
   EXPECT_EQ(places(*moved), places(*rest));
   EXPECT_TRUE(moved->lighting->default_lights_added);
   EXPECT_EQ(moved->world().origin.x + static_cast<double>(moved->world().positions[1].x), 8.0);
-  // Without a stage, the default lighting follows the scene.
+  // Without the invariants, the default lighting follows the scene.
   const auto alone = prepare(at(7.0)).value();
   EXPECT_NE(places(*alone), places(*rest));
-  // The new scene passes the stage on.
+  // The new scene passes the invariants on.
   const auto again = prepare(at(2.0), {}, &moved->geometry->stage).value();
   EXPECT_EQ(places(*again), places(*rest));
 }
 
-// Feet that leave the ground do not lift it.
+// Objects that leave the ground do not lift it.
 TEST(AnimationInvariants, TheGroundStaysWhereItIsAtRest) {
   const auto rest = prepare(at(0.0)).value();
   Scene jumps = at(0.0);

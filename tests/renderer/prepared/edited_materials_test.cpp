@@ -16,7 +16,7 @@ Dfr blurred() {
   return dfr;
 }
 
-/// The built-in boxes of polished metal, optionally with their own ratio.
+/// The built-in boxes of polished metal, optionally with a DFR of their own.
 std::shared_ptr<const RenderScene> polished_boxes(std::optional<Dfr> dfr, float roughness = 0.0f) {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     if (builtin.name != "boxes") continue;
@@ -72,7 +72,7 @@ TEST(WithDfrs, LightsAndRatiosAreEditedInEitherOrder) {
   EXPECT_EQ(film_of(*lit_first).radiance, film_of(*lit_last).radiance);
 }
 
-// Only its own ratio makes a rough material a mirror, whether it had one before or not.
+// A DFR makes a rough material a mirror; without it the material is rough again.
 TEST(WithDfrs, ARoughMaterialBecomesAMirror) {
   const auto rough = polished_boxes(std::nullopt, 0.6f);
   const auto mirrors = polished_boxes(blurred(), 0.6f);

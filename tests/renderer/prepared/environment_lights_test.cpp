@@ -99,8 +99,8 @@ TEST(EnvironmentLights, FollowTheTurnAndBrightnessOfTheirSky) {
   }
 }
 
-// Surfaces facing the key light are just below white. The backdrop contrasts with white and with
-// black in every direction except the ceiling.
+// Surfaces facing the key light are about white. The background contrasts with white and with black
+// in every direction except the ceiling.
 TEST(EnvironmentLights, AStudioIsNeitherTooBrightNorTooDark) {
   const auto dark = ready(unlit("builtin:boxes"));
   const Sky sky(Environment::studio);

@@ -148,8 +148,8 @@ TEST(PaintedShapes, EvenFacesStayOneLight) {
   }
 }
 
-// One face of a cube has a pattern; the other five are uniform and leave their share of the lights
-// to it.
+// One face of a cube has a pattern. The five uniform faces need one light each and leave it the
+// rest.
 TEST(PaintedShapes, FacesOfAPieceShareItsLights) {
   World world;
   const Image stripes = make_image(8, 1, [](int x, int) {

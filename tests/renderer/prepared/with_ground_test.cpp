@@ -85,7 +85,7 @@ TEST(WithGround, LiesAtTheLowestPointAndIsSizedByTheScene) {
   EXPECT_NEAR(plate.bounds.hi.x - plate.bounds.lo.x, 2.0 * ground_radii * radius, 1e-3);
 }
 
-// The original scene stays unchanged, in all that is reported about it.
+// The original scene, and all that is reported about it, stays unchanged.
 TEST(WithGround, DoesNotChangeTheOriginalScene) {
   const auto bare = ready(board(false));
   const auto before = bare->world().triangles.size();
@@ -128,7 +128,7 @@ TEST(WithGround, LinesAreDrawnOnIt) {
   settings.height = 36;
   const LinePicture picture = line_picture(camera, settings);
   const auto alone = with_lines(ready(author), picture).value();
-  // Whether the lines were drawn before or not.
+  // Lines may have been drawn before or not.
   for (const auto& under : {ready(author), alone}) {
     const auto scene = with_lines(with_ground(under, Ground::on).value(), picture).value();
     const World& world = scene->world();

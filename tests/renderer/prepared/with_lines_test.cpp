@@ -132,7 +132,7 @@ TEST(WithLines, ALineIsCutWhereItEntersASurface) {
 }
 
 TEST(WithLines, LinesAndPointsCastNoShadows) {
-  // Between the wall and sun and sky, but outside the picture.
+  // Lines and points between the wall and its light, but outside the picture.
   std::vector<glm::vec3> near;
   for (int i = 0; i < 40; ++i) {
     const float x = -0.9f + 0.045f * static_cast<float>(i);
@@ -180,7 +180,7 @@ TEST(WithLines, NoneAreDrawnWithoutWidth) {
   EXPECT_EQ(
       largest_difference(picture_of(with, camera, settings), picture_of(without, camera, settings)),
       0.0);
-  // The same after they were drawn.
+  // The same holds after the lines were drawn with a width.
   const auto drawn = with_lines(with, line_picture(camera, settings_of(1.0))).value();
   EXPECT_EQ(largest_difference(picture_of(drawn, camera, settings),
                                picture_of(without, camera, settings)),

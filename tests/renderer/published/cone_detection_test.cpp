@@ -115,7 +115,7 @@ TEST(ConeDetection, NeverMissesWhatMeetsTheSquare) {
     }
   }
   EXPECT_GT(found, 10000);
-  EXPECT_GT(only_cone, 1000);  // it is a wider test
+  EXPECT_GT(only_cone, 1000);  // the cone is a wider test
 }
 
 TEST(ConeDetection, CountsSegmentsWithinTheHalfAngle) {
@@ -127,7 +127,8 @@ TEST(ConeDetection, CountsSegmentsWithinTheHalfAngle) {
     const Square cell = draw.cell();
     const double half = half_angle(frame, cell);
     const Segment s = draw.segment(cell);
-    // Directions along the segment; between two of them it is at most half their angle closer.
+    // Directions along the segment; between two of them the segment is at most half their angle
+    // closer.
     constexpr int n = 2000;
     const glm::dvec2 a(s.u0, s.v0), d = glm::dvec2(s.u1, s.v1) - a;
     double least = 10.0, step = 0.0, last = 0.0;
@@ -175,9 +176,9 @@ TEST(ConeDetection, ReachIsTightAroundTheCone) {
   }
 }
 
-// CGF'98 section 6.1 passes hit lists down. Cylinders of prisms are nested. Cones of pyramids are,
-// except for the square of their half angle: the picture's plane foreshortens the outer half of the
-// parent.
+// CGF'98 section 6.1 passes hit lists down. Cylinders of prisms are nested. Cones of pyramids are
+// nested up to the square of their half angle: the picture's plane foreshortens the outer half of
+// the parent.
 TEST(ConeDetection, ChildrensConesLieWithinTheirParents) {
   for (unsigned seed = 0; seed < cases; ++seed) {
     Draw draw(seed);

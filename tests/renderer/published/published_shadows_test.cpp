@@ -83,7 +83,7 @@ double share_at(const Scene& scene, glm::dvec3 p) {
   return seen_form(light, {scene.screen}, receiver) / form_of(light, receiver);
 }
 
-/// Mean of that over the centres of n x n parts of the pixel.
+/// Mean of share_at over the centres of n x n parts of the pixel.
 double mean_share(const Scene& scene, int n) {
   double sum = 0.0;
   for (int i = 0; i < n * n; ++i) sum += share_at(scene, scene.pixel.part(n, i).at(0.5, 0.5));
@@ -160,7 +160,7 @@ double found_share(const Scene& scene, ShadowQuality quality, int divisions,
 template <typename Exact>
 void expect_definition(ShadowQuality quality, int divisions, const Exact& exact) {
   RandomSpace random(static_cast<std::uint64_t>(divisions) + 3);
-  // From much smaller than the light's projection to larger than it.
+  // Pixel sides from much smaller than the light's projection to larger.
   constexpr double sides[] = {0.03, 0.3, 0.55, 1.3};
   double worst = 0.0;
   int partly = 0;
@@ -230,8 +230,8 @@ TEST(ShadowQualities, SupersamplingIsUnbiased) {
   EXPECT_GT(spread, 1e-3);
 }
 
-/// The mean over the light's area, as pyrays from behind the surface measure it: they see the light
-/// from no single point.
+/// The mean visibility over the light's area, as measured by pyrays from behind the surface: they
+/// see the light from no single point.
 double mean_area_share(const Scene& scene, int n) {
   const Polygon3 light = corners_of(panel());
   double sum = 0.0;
@@ -241,7 +241,7 @@ double mean_area_share(const Scene& scene, int n) {
   return sum / (n * n);
 }
 
-/// Over the same random scenes for all qualities.
+/// RMS error over random scenes, the same for all qualities.
 double rms_error(ShadowQuality quality, int divisions, double side) {
   RandomSpace random(9);
   double sum2 = 0.0;

@@ -138,7 +138,7 @@ TEST(PublishedTables, OneEdge) {
   EXPECT_LE(std::abs(answer.coverage[0] - area(clip_to_unit_square(polygon))), 1.0 / 16.0);
 }
 
-// CGF'98 section 6.2, for a random edge.
+// Checks the bounds of CGF'98 section 6.2 for random edges.
 void check_random_edges(Detection detection) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -296,7 +296,7 @@ TEST(UnresolvedRule, KeepsItsPromiseWhereThePublishedOneDoesNot) {
   }
 }
 
-// If the rule ended the subdivision above MAX, a single object's area is exact to EPS.
+// If the rule ended the subdivision before MAX, a single object's area is exact to EPS.
 void keeps_eps(bool exact, StoppingRule rule) {
   Errors errors;
   for (unsigned seed = 0; seed < 2 * cases; ++seed) {
@@ -324,8 +324,8 @@ TEST(PublishedRule, ExactLeavesKeepWithinEpsForOneObject) {
 TEST(PublishedRule, PointLeavesKeepWithinEpsForOneObject) {
   keeps_eps(false, StoppingRule::published);
 }
-// With exact leaves this also holds for several objects. If MAX was reached first there is no
-// guarantee.
+// With exact leaves, EPS also limits the error for several objects. If MAX was reached first there
+// is no guarantee.
 TEST(UnresolvedRule, ExactLeavesKeepWithinEpsForSeveralObjects) {
   Errors errors;
   for (unsigned seed = 0; seed < cases; ++seed) {

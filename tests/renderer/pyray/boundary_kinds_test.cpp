@@ -16,7 +16,7 @@ constexpr std::array all_kinds{FeatureKind::open,    FeatureKind::crease,
                                FeatureKind::seam,    FeatureKind::intersection,
                                FeatureKind::cut_out, FeatureKind::silhouette};
 
-/// Exactly these.
+/// Expects exactly these kinds.
 void expect_kinds(const SubdivisionOutcome& outcome, const std::vector<FeatureKind>& expected) {
   for (const FeatureKind kind : all_kinds) {
     const bool wanted = std::find(expected.begin(), expected.end(), kind) != expected.end();
@@ -57,7 +57,7 @@ TEST(BoundaryKinds, CreaseWithOneSideHiddenIsASilhouette) {
 TEST(BoundaryKinds, ALineWhereSurfacesPassThroughEachOther) {
   PolygonScene scene;
   scene.add({at_depth(-3, -3, 3), at_depth(4, -3, 3), at_depth(4, 4, 3), at_depth(-3, 4, 3)});
-  // At depth 3 where x is 1.
+  // The second plane is at depth 3 where x is 1.
   scene.add({at_depth(-1.5, -3, 4), at_depth(4, -3, 2), at_depth(4, 4, 2), at_depth(-1.5, 4, 4)});
   expect_kinds(subdivide(scene.world, rules_of(3)).outcome, {FeatureKind::intersection});
 }
@@ -65,7 +65,7 @@ TEST(BoundaryKinds, ALineWhereSurfacesPassThroughEachOther) {
 TEST(BoundaryKinds, IgnoresHiddenEdges) {
   PolygonScene scene = ridge(4.0, 3.0);
   add_polygon(scene, half_plane({0.5, 0.5}, 1.0), 50.0);
-  // The sample at the centre reveals that it is hidden.
+  // The sample at the centre reveals that the far edge is hidden.
   expect_kinds(subdivide(scene.world, rules_of(3)).outcome, {FeatureKind::crease});
 }
 

@@ -5,12 +5,13 @@
 
 #include <cmath>
 
-// A subdivision that is cancelled asks only about samples that it has taken.
+// A cancelled subdivision queries only samples that it has taken.
 
 namespace asos::test {
 namespace {
 
-/// Is cancelled after a number of calls, and counts samples that it did not return.
+/// A caster that is cancelled after `patience` calls, and counts queries of samples that it did not
+/// return.
 class ImpatientCaster final : public BruteForceCaster {
  public:
   ImpatientCaster(const World& world, const FeatureSet& features, const Frame& frame, int patience)

@@ -7,7 +7,7 @@
 
 // The engine against the exact reference, for seeded random polygons in one pixel. A failure prints
 // its seed and polygons. Each class of cases has the bound that the engine guarantees for it; the
-// stopping rules' guarantees are in stopping_test.cpp.
+// stopping rules' guarantees are in stopping_rules_test.cpp.
 
 namespace asos::test {
 namespace {
@@ -74,9 +74,8 @@ TEST(EngineAgainstOracle, SmallTrianglesKeepTheirArea) {
   }
 }
 
-// 10,000 segments against the closed form: the exact reference would take minutes for their pairs
-// of triangles. It is a disk of radius 1 at depth 2, seen through pixels of random size and
-// position.
+// A disk of 10,000 segments, radius 1 and depth 2, seen through pixels of random size and position,
+// against the closed form: the exact reference would take minutes.
 TEST(EngineAgainstOracle, DisksOfManySegmentsStayBelowTheFinestCell) {
   Polygon disk;
   for (int i = 0; i < 10000; ++i) {

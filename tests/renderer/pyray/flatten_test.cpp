@@ -79,7 +79,7 @@ TEST(Flatten, NoPointIsFarFromTheArc) {
 TEST(Flatten, WhatLiesOutsideIsLeftOut) {
   Flattener flattener;
   EXPECT_TRUE(flattener.flatten(unit_square(), circle({3, 3}, 1.0), {}, 0.1, {}).empty());
-  // Around the square.
+  // A circle around the square.
   EXPECT_TRUE(flattener.flatten(unit_square(), circle({0.5, 0.5}, 3.0), {}, 0.1, {}).empty());
   const HalfSpace left{{-1, 0, 0}, -0.5};
   FlattenBounds bounds;

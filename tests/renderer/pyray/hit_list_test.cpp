@@ -180,7 +180,7 @@ TEST(HitLists, EdgesBehindTheApexDoNotCount) {
 }
 
 TEST(HitLists, AnEdgeThatPassesBesideTheApexIsCutThere) {
-  // From far ahead to far behind, through the square at (0.5, 0.5), passing the apex on one side.
+  // An edge from far ahead to far behind, which crosses the square and passes the apex on one side.
   PolygonScene scene;
   scene.add({{0.3f, -0.4f, -10.0f}, {0.3f, -0.4f, 10.0f}, {50.0f, 30.0f, 10.0f}});
   const FeatureSet features(scene.world);

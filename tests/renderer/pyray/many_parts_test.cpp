@@ -35,7 +35,7 @@ class PricedCaster final : public BruteForceCaster {
     return 0;
   }
 
-  std::vector<double> sampled;  ///< the weights of what was
+  std::vector<double> sampled;  ///< weights of what was sampled
  private:
   std::size_t price_;
   double largest_sampled_, largest_even_;
@@ -65,7 +65,7 @@ struct Wall {
   double total = 0.0;  // of all leaves
 };
 
-/// Vertical strips, each a fifth of its space.
+/// Vertical strips, each a fifth as wide as its period.
 struct Strips : Wall {
   explicit Strips(int count) {
     for (int i = 0; i < count; ++i) {
@@ -75,7 +75,7 @@ struct Strips : Wall {
   }
 };
 
-/// Many specks in a small area, which form a few groups that stay unresolved in one of four by four
+/// Many specks in a small area. They form a few groups, which stay unresolved in one of the 4 x 4
 /// cells.
 struct Specks : Wall {
   Specks() {

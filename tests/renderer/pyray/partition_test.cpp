@@ -26,7 +26,7 @@ double total_area(std::span<const CellPart> parts) {
   return sum;
 }
 
-// The area of the part whose sample is nearest to (u, v).
+// The part whose sample is nearest to (u, v).
 const CellPart& part_near(std::span<const CellPart> parts, float u, float v) {
   return *std::min_element(parts.begin(), parts.end(), [&](const CellPart& a, const CellPart& b) {
     return std::hypot(a.u - u, a.v - v) < std::hypot(b.u - u, b.v - v);

@@ -82,7 +82,7 @@ TEST(Subdivide, HiddenSurfacesDoNotCount) {
     PolygonScene scene;
     add_polygon(scene, far, 5.0);
     add_polygon(scene, near, 2.0);
-    // Visible part of the far one: its area minus the overlap, by clipping one with the other.
+    // Visible area of the far half-plane: its area minus the overlap, by clipping.
     std::vector<glm::dvec2> both = clip_to_unit_square(far);
     const double far_area = area(both);
     std::vector<glm::dvec2> kept;
@@ -127,8 +127,8 @@ TEST(Subdivide, ADiskOfManySegmentsHasItsArea) {
   }
   add_polygon(scene, disk, 2.0);
   const double truth = area(disk);
-  // The outline is one chain, simplified to within 1/64 of a finest cell at the finest level, and
-  // to less in larger cells. A chord cuts off two thirds of its arc's height times its length.
+  // The outline is one chain, simplified to within 1/64 of a cell at the finest level, and more
+  // closely in larger cells. A chord cuts off two thirds of its arc's height times its length.
   const double finest = 1.0 / 64.0;
   const Answer answer = subdivide(scene.world, rules_of(6));
   EXPECT_EQ(answer.outcome.unresolved_area, 0.0);

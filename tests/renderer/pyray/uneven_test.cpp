@@ -60,7 +60,7 @@ TEST(Uneven, CellsAreSplitUntilTheirLeavesAreSmallEnough) {
   EXPECT_TRUE(c.outcome.uneven_shading);
   EXPECT_FALSE(c.outcome.uneven_shadow);
   EXPECT_LE(c.largest, 1.0 / 16.0);
-  EXPECT_GE(c.largest, 1.0 / 64.0);  // and no further
+  EXPECT_GE(c.largest, 1.0 / 64.0);  // split no further
   EXPECT_NEAR(c.total, 1.0, 1e-9);
 }
 

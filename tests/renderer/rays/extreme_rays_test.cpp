@@ -11,7 +11,8 @@
 namespace asos::extreme_rays_test {
 namespace {
 
-// Assertions in Debian's Embree end the program, and so this test, for numbers out of its range.
+// Failed assertions in Debian's Embree, for numbers out of its range, end the program and this
+// test.
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 

@@ -51,7 +51,7 @@ TEST(Culling, ARayGoesThroughTheBackOfASingleSidedSurface) {
   for (const Hit& hit : all_forms(scene, down(0.1f, 0.3f), Culling::none)) {
     EXPECT_FLOAT_EQ(hit.t, 1.0f);
   }
-  // From below, the second one's back is passed and the front of the first is hit.
+  // From below, the ray passes the second square's back and hits the first one's front.
   Ray up = down(0.1f, 0.3f, -5.0f);
   up.direction = {0, 0, 1};
   for (const Hit& hit : all_forms(scene, up, Culling::as_material_says)) {
@@ -120,7 +120,7 @@ TEST(Culling, HolesAndBlendedSurfacesHaveBacksToo) {
   add_square(world, 0.5f, test::blended(0.5f), false);
   add_square(world, 0.4f, test::masked(0.5f), false);
   add_square(world, 0.3f, glass, false);
-  add_square(world, 0.2f, test::masked(2.0f), true);  // all hole
+  add_square(world, 0.2f, test::masked(2.0f), true);  // transparent everywhere
   add_square(world, 0.1f, test::blended(0.5f), true);
   add_square(world, 0.0f, grey, true);
   RayScene scene = build(world);

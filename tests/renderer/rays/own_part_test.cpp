@@ -20,7 +20,7 @@ using test::matte;
 
 const Material grey = matte(glm::vec3(0.5f));
 
-/// With lights that own these parts.
+/// A scene with lights that own these parts.
 RayScene build(const World& world, const std::vector<std::int32_t>& own_parts) {
   std::vector<Light> lamps;
   for (const std::int32_t part : own_parts) lamps.push_back(lamp_of(part));
@@ -70,7 +70,7 @@ TEST(OwnPart, DoesNotShadeItsLight) {
       EXPECT_EQ(met.transmittance.x, 1.0f);
       EXPECT_FALSE(met.see_through);
     }
-    // It occludes other lights, and is visible.
+    // The part occludes other lights and is visible.
     const float left = lamp.alpha_mode == AlphaMode::blend ? 0.5f : 0.0f;
     const Answers others = all_forms(scene, down(0.1f, 0.3f), -1);
     for (const float share : others.shares) EXPECT_EQ(share, left);

@@ -50,7 +50,7 @@ std::vector<Ray> random_rays(std::uint32_t seed, std::size_t count) {
   return rays;
 }
 
-/// Both queries for one ray by repeated calls of `closest`.
+/// Answers both queries for one ray by repeated calls of `closest`.
 Blocker stepped(const World& world, const RayScene& scene, Ray ray) {
   Blocker found;
   while (true) {
@@ -84,7 +84,7 @@ TEST(ShadowQueries, AgreeWithSteppingThroughTheSurfaces) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const Blocker expected = stepped(world, scene, rays[i]);
       ASSERT_EQ(met[i].hit.triangle, expected.hit.triangle) << "width " << width << " ray " << i;
-      // The order of the factors is that of the traversal.
+      // Factors are multiplied in the order of traversal, which changes rounding.
       EXPECT_NEAR(shares[i].x, expected.transmittance.x, 1e-6f) << width << " " << i;
       EXPECT_NEAR(met[i].transmittance.x, expected.transmittance.x, 1e-6f) << width << " " << i;
       EXPECT_NEAR(scene.transmittance(rays[i]).x, shares[i].x, 1e-6f) << width << " " << i;
@@ -164,7 +164,7 @@ TEST(ShadowQueries, HolesLetAllLightThroughAndAreTouched) {
   EXPECT_FALSE(through_hole.hit.valid());
   EXPECT_EQ(through_hole.transmittance.x, 1.0f);
   EXPECT_TRUE(through_hole.see_through);
-  EXPECT_FALSE(blocker_of(scene, down(3.0f, 0.3f)).see_through);  // beside it
+  EXPECT_FALSE(blocker_of(scene, down(3.0f, 0.3f)).see_through);  // beside the hole
   Ray above = down(0.1f, 0.3f);
   above.t_far = 0.9f;
   EXPECT_FALSE(blocker_of(scene, above).see_through);

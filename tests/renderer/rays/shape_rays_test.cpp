@@ -184,7 +184,7 @@ void compare(const Case& c, double scale) {
   EXPECT_GT(met, 2'500) << c.name;
   EXPECT_GT(missed, 500) << c.name;
   EXPECT_LT(worst_t, 1.2e-7) << c.name;  // a float's last digit
-  EXPECT_LT(worst_off, 2e-6) << c.name;  // of a coordinate around a face
+  EXPECT_LT(worst_off, 2e-6) << c.name;  // a float's last digit of a coordinate around a face
 }
 
 TEST(ShapeRays, MeetWhatTheTextbookSays) {

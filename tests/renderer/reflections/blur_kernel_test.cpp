@@ -110,7 +110,8 @@ TEST_P(EveryShare, MatchesTheMomentsOfItsUniformApproximation) {
     const double mean = first / mass, half = std::sqrt(3.0 * (second / mass - mean * mean));
     EXPECT_NEAR(found.lo.x, mean - half, 1e-3) << range.x;
     EXPECT_NEAR(found.hi.x, mean + half, 1e-3) << range.x;
-    // The other coordinate is complete: the root of the sum of the boxes' squares.
+    // The other coordinate is not cut: its width is the root of the sum of the boxes' squared
+    // widths.
     EXPECT_NEAR(found.hi.y - found.lo.y, std::hypot(0.1, 0.9), 1e-6);
   }
 }

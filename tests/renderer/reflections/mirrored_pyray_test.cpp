@@ -34,7 +34,7 @@ MirroredPyray blurred(const Meeting& m, double width) {
   return found.value_or(MirroredPyray{});
 }
 
-/// Where a corner's ray leaves the mirror plane.
+/// The point of the mirror plane where a corner's ray leaves it.
 glm::dvec2 on_mirror(const PyrayPicture& picture, double u, double v) {
   const glm::dvec3 along = picture.corner + u * picture.right + v * picture.down;
   const glm::dvec3 p = picture.apex - picture.apex.z / along.z * along;
@@ -82,13 +82,13 @@ TEST(MirroredPyray, BlurredStaysWithinANarrowStrip) {
   }
 }
 
-// Down to 1e-4 radian above the mirror, and with any lobe.
+// A reflected pyray exists down to 1e-4 radian above the mirror, for any lobe.
 TEST(MirroredPyray, IsFoundAtGrazingAngles) {
   for (const double above : {0.1, 1e-2, 2.4e-3, 1e-4}) {
     for (const double width : {1e-9, 1e-6, 1e-3, 0.1}) {
       for (const double aside : {0.0, 0.6}) {
         Meeting m = meeting(std::numbers::pi / 2.0 - above, 2e-2, 2e-2);
-        // As at the side of a wide picture, where pixels are seen at an angle.
+        // Skews the pyray as at the side of a wide picture, where pixels are seen at an angle.
         m.pyray.down = std::cos(aside) * m.pyray.down + std::sin(aside) * 2e-3 * m.pyray.axis;
         const MirrorLobe lobe = lobe_around(m.surface, mirrored_direction(m.surface, m.pyray.axis),
                                             m.pyray.right, width);

@@ -51,7 +51,7 @@ RayBundle from_eye(double beside, double width) {
   return bundle;
 }
 
-/// Through both sides of the sphere.
+/// The bundle after both sides of the sphere.
 RayBundle bundle_through(const RayBundle& eye, Line* middle = nullptr) {
   const Line first = through({eye.origin, eye.direction}, 1.0 / index, false);
   const RayBundle inside = mirrored(eye, surface_at(eye, first.origin, false, 1.0 / index));
@@ -74,7 +74,7 @@ TEST(RayBundle, ChangesAsItsRaysDo) {
           through(through({eye.origin, glm::normalize(turned)}, 1.0 / index, false), index, true);
       const glm::dvec3 moved = at.x * out.right_at + at.y * out.down_at;
       const glm::dvec3 direction = at.x * out.right + at.y * out.down;
-      // To first order: the rest is of second order.
+      // Equal to first order; the rest is of second order.
       EXPECT_NEAR(glm::distance(ray.origin - middle.origin, moved), 0.0, 1e-3 * glm::length(moved));
       EXPECT_NEAR(glm::distance(ray.direction - middle.direction, direction), 0.0,
                   1e-3 * glm::length(direction));
@@ -92,7 +92,7 @@ TEST(RayBundle, PartsAreBundlesOfTheirOwn) {
   EXPECT_NEAR(glm::distance(part.right, own.right), 0.0, 1e-2 * glm::length(own.right));
 }
 
-// In front of the sphere's focus, at it, and behind it, where the image is reversed.
+// At distances in front of the sphere's focus, at it, and behind it, where the image is reversed.
 TEST(RayBundle, PyramidsPassThroughItsCorners) {
   const RayBundle eye = from_eye(0.3, 1e-3);
   const RayBundle out = bundle_through(eye);
@@ -127,7 +127,7 @@ glm::dvec3 moments(const RayBundle& bundle, double t) {
          12.0;
 }
 
-// At the section it has the width and the spread of the rays.
+// At the section, the blurred part has the rays' width and spread.
 TEST(RayBundle, ABlurredOneKeepsItsMomentsAtASection) {
   for (const double lobe : {0.01, 0.1, 0.5}) {
     for (const double turn : {0.04, 0.0, -0.2}) {
@@ -188,7 +188,7 @@ TEST(RayBundle, LobesAddUpTheirMoments) {
     EXPECT_NEAR(bundle.right.x, 0.02, 1e-12) << "two boxes are represented exactly";
     EXPECT_NEAR(std::abs(bundle.lobe_right.x), first, 1e-12);
     EXPECT_NEAR(bundle.lobe_right_at.x, 0.0, 1e-12);
-    // From the surface to one half a unit away.
+    // Moves the bundle to a surface half a unit away.
     bundle.right_at = bundle.section(0.5).right, bundle.down_at = bundle.section(0.5).down;
     bundle.lobe_right_at = bundle.blur_of_section(0.5).right;
     bundle.lobe_down_at = bundle.blur_of_section(0.5).down;

@@ -62,7 +62,7 @@ TEST(PixelSamples, TellWhatMoved) {
   EXPECT_GT(some, 100);
 }
 
-// Visits each stratum once; in the first quarter of them no two are adjacent in a row.
+// Visits each stratum once; the first eighth of them lies in all quarters of the pixel.
 TEST(GridSampler, VisitEachStratumOnceAndSpreadTheFirst) {
   for (const int n : {1, 2, 3, 4, 8, 16}) {
     GridSampler places(n, false);

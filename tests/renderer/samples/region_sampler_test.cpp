@@ -198,8 +198,8 @@ TEST_F(TwoColours, SamplingStopsOnRequest) {
   EXPECT_EQ(counts_.eye_rays, 0u);
 }
 
-// Values above white have the same relative error as white; the value counts by its share of the
-// pixel.
+// Values above white have the same relative error as white; a value is weighted by its region's
+// fraction of the pixel.
 TEST_F(TwoColours, GoalIsRelativeAboveWhite) {
   show(glm::vec3(3), glm::vec3(2.5));
   const auto error_of = [&](double share) {
@@ -323,7 +323,7 @@ TEST(SharedShadows, PartsOfABumpyPixelTakeOneShadowRayTogether) {
   EXPECT_GT(static_cast<double>(bumpy.statistics.uneven_pixels), 0.25 * pixels);
   EXPECT_GT(static_cast<double>(bumpy.statistics.eye_rays), 2.0 * pixels);
   EXPECT_LE(static_cast<double>(bumpy.statistics.shadow_rays), pixels);
-  // They are correct: within the tolerance of a pixel at MAX 3 of the sampled picture.
+  // The picture is correct: within the tolerance of a pixel at MAX 3 of the sampled picture.
   const Picture sampled = picture_of(0.5f, Method::sobol);
   for (std::size_t i = 0; i < bumpy.film.radiance.size(); ++i)
     EXPECT_NEAR(bumpy.film.radiance[i].y, sampled.film.radiance[i].y, 1.0 / 256.0) << i;

@@ -13,8 +13,7 @@ namespace {
 
 constexpr float wall = 4.0f;
 
-/// A black mirror with this reflectance, seen at right angles, opposite a wall of constant
-/// radiance.
+/// A mirror with this reflectance, seen at right angles, opposite a wall of constant radiance.
 Picture mirror_of(float reflected, int seed) {
   World world;
   Material metal = matte(glm::vec3(reflected));
@@ -68,7 +67,7 @@ TEST(SampledReflections, ThatAreDimAreFollowedBySomeSamplesForAll) {
   EXPECT_NEAR(seen.rays, 0.25, 0.01);
   EXPECT_NEAR(seen.mean, static_cast<double>(wall) / 128.0,
               0.01 * static_cast<double>(wall) / 128.0);
-  // Independent selection would give sqrt(3 / 64) of it; a sequence gives less.
+  // Independent selection would have an error of sqrt(3 / 64) of the mean; a sequence has less.
   EXPECT_LT(seen.error, std::sqrt(3.0 / 64.0) * static_cast<double>(wall) / 128.0);
   EXPECT_GT(seen.error, 0.0);
 }

@@ -48,7 +48,7 @@ float off(glm::vec3 a, glm::vec3 b) {
   return std::max({d.x, d.y, d.z});
 }
 
-/// What was compared.
+/// Numbers of compared and of special points.
 struct Compared {
   int points = 0, mirrored = 0, textured = 0, alone = 0;
 };

@@ -84,7 +84,7 @@ TEST(SobolBits, AreJoeAndKuosFirstPoints) {
 // Also beyond the first byte of an index: each digit has a direction number by Sobol's recurrence,
 // and those of an index's digits are combined by exclusive or.
 TEST(SobolBits, AreSumsOfDirectionNumbersWhateverTheIndex) {
-  std::uint32_t m = 1;  // of the polynomial x + 1
+  std::uint32_t m = 1;  // direction numbers of the polynomial x + 1
   for (int k = 0; k < 32; ++k) {
     const std::uint32_t power = 1u << k;
     EXPECT_EQ(sobol_bits(0, power), 0x80000000u >> k);
@@ -180,8 +180,8 @@ TEST(SobolPixel, PixelAndLightTogetherAreNets) {
 }
 
 TEST(SobolPixel, IsNoNetOfBetterQuality) {
-  // The net test must detect that the light's pair is no net of quality zero, and that points are
-  // no net of the pixel's if they do not start at a multiple of their number.
+  // The net test must detect that the light's two dimensions are no net of quality zero, and that
+  // the pixel's are none if the points do not start at a multiple of their number.
   const SobolPixel pixel(1, 2, 3);
   EXPECT_FALSE(is_net(points(pixel, 0, 64), {2, 3}, 0));
   EXPECT_FALSE(is_net(points(pixel, 3, 64), {0, 1}, 0));

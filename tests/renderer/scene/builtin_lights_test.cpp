@@ -88,8 +88,8 @@ TEST(BuiltinLights, PanelsGiveTheSubjectTheLightOfASun) {
     const std::vector<Light> panels = lights_of(make(name), Light::Type::rectangle);
     ASSERT_EQ(panels.size(), 1u);
     const Light& panel = panels[0];
-    // Everywhere on the subject, within three metres of the centre: by the inverse square, that
-    // fraction of 120 metres changes the light by a twentieth.
+    // Everywhere on the subject, within three metres of the centre: three of 120 metres change the
+    // light by a twentieth (inverse square).
     for (const glm::dvec3 p : {glm::dvec3(0, 0.6, 0), glm::dvec3(2, 0, 0), glm::dvec3(-2, 2, 0)}) {
       EXPECT_NEAR(illuminance(panel, p, -panel.direction), 3.1, 3.1 / 20.0);
     }

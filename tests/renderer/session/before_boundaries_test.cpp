@@ -51,7 +51,7 @@ bool reaches(const RenderSession& session, Reached::Pass pass) {
   return session.reached().pass >= pass;
 }
 
-// Sampling continues: 8 and more samples per pixel, where known edges would end it earlier.
+// Sampling continues beyond the count at which known edges would end it.
 TEST(BeforeBoundaries, SamplesComeAndNothingElse) {
   Gate gate;
   RenderSession session;
@@ -144,7 +144,7 @@ TEST(BeforeBoundaries, TimeLimitEndsRenderWithSamples) {
   EXPECT_TRUE(std::any_of(result->film.radiance.begin(), result->film.radiance.end(),
                           [](glm::vec3 pixel) { return pixel.g > 0.0f; }));
 
-  // Without a time limit it renders until `go_on` returns false.
+  // Without a time limit, the render continues until `go_on` returns false.
   const auto go_on = [&] { return !std::exchange(told, true); };
   EXPECT_FALSE(FilmRender().render(snapshot_of(held_geometry(closed)), go_on, {}).has_value());
 }

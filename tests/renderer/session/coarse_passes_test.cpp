@@ -47,7 +47,7 @@ TEST(CoarsePasses, EachHasAQuarterOfThePixelsForASample) {
   snapshot.camera = first_camera(snapshot.scene->world(), double{width} / height);
   snapshot.settings.width = width;
   snapshot.settings.height = height;
-  snapshot.settings.shadow.cast = false;  // which would make sampling depend on the pixels
+  snapshot.settings.shadow.cast = false;  // shadows would make sampling depend on the pixels
   snapshot.settings.threads = 1;          // passes follow each other
   const auto [blocks, quarters, centres] = passes(snapshot);
   EXPECT_TRUE(flat_in_squares(blocks, 8));

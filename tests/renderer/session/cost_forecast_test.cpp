@@ -24,7 +24,7 @@ double sum_of(const std::vector<double>& costs) {
 }
 
 /// The worst factors, at least 1, of estimates from a tenth of the work on: of the total time, and
-/// of the remaining time. The last tenth counts as a tenth.
+/// of the remaining time. Remaining times below a tenth of the total count as a tenth.
 struct Worst {
   double of_all = 1.0;
   double of_rest = 1.0;
@@ -122,7 +122,7 @@ TEST(CostForecast, ForecastsAPassThatTakesItsDearestBlocksFirst) {
   for (const RecordedCosts& recorded : recorded_costs) {
     const std::vector<double> low = seconds_of(recorded.at_max_1);
     const std::vector<double> high = seconds_of(recorded.at_max_3);
-    std::vector<double> values;  // known to a third
+    std::vector<double> values;  // cost ratios, known to a third
     for (std::size_t i = 0; i < low.size(); ++i)
       values.push_back(high[i] / low[i] * (1.0 + 0.33 * std::sin(static_cast<double>(i))));
     const double with = share_within(recorded, values, true);
@@ -136,7 +136,8 @@ TEST(CostForecast, ForecastsAPassThatTakesItsDearestBlocksFirst) {
   EXPECT_GT(all_with, all_without + 0.1 * std::size(recorded_costs));
 }
 
-// Blocks that end in a pass cost nothing in the next one. They must not count for the others.
+// Blocks that end in a pass cost nothing in the next one, and must not lower the forecast of the
+// others.
 TEST(CostForecast, IgnoresBlocksThatEndedInThePassBefore) {
   CostForecast forecast(8, {1.0});
   for (std::size_t i = 0; i < 4; ++i) {

@@ -50,11 +50,11 @@ TEST(WorkerCount, UsesAllCoresAndLeavesOneToAWindowWhereThereAreMoreThanTwo) {
   EXPECT_EQ(worker_count_on(3, 0, true), 2);
   EXPECT_EQ(worker_count_on(16, 0, true), 15);
   EXPECT_EQ(worker_count_on(16, 5, true), 5);
-  // For machines that do not report it.
+  // Machines may not report their number of cores.
   EXPECT_EQ(worker_count_on(0, 0, false), 1);
 }
 
-// Otherwise a window's frames would wait for their turn on a busy processor.
+// At the same priority, a window's frames would wait on a busy processor.
 TEST(RenderSession, WorkersBesideAWindowHaveALowerPriority) {
   const int own = getpriority(PRIO_PROCESS, 0);
   constexpr int lowest = 19;

@@ -36,7 +36,7 @@ Snapshot fence(int threads, Method method = Method::asos) {
   snapshot.settings.width = width;
   snapshot.settings.height = height;
   snapshot.settings.threads = threads;
-  snapshot.settings.shadow.cast = false;  // a third of the time
+  snapshot.settings.shadow.cast = false;  // shadows take a third of the time
   return snapshot;
 }
 
@@ -254,7 +254,7 @@ TEST(SampleRounds, TellWhichBlocksMove) {
   EXPECT_GT(samples.seconds_up_to(1), samples.seconds_up_to(0));
   const std::vector<double> moved = samples.moved(render.plan);
   ASSERT_EQ(moved.size(), render.plan.blocks.size());
-  // Against the picture that they converge to.
+  // Errors against the picture that the passes converge to.
   const Film best = render_to_end(fence(1)).film;
   Film shown(width, height);
   for (const FinishedTile& tile : tiles.take_finished()) shown.put(tile);
@@ -306,7 +306,7 @@ TEST(FinalBlocks, ThoseOfTheLargestGainComeFirst) {
         });
     return found - render.plan.blocks.begin();
   };
-  // Without every fourth block, which is one of those spread over the picture.
+  // Every fourth block is one of those spread over the picture; the others are in order of gain.
   std::vector<std::ptrdiff_t> by_gain, spread;
   for (std::size_t i = 0; i < rest.size(); ++i)
     (i % 4 == 3 ? spread : by_gain).push_back(number(rest[i]));

@@ -68,7 +68,7 @@ std::vector<Choice> choices() {
     s.asos.jitter = true;
   });
   if (!sanitized) return all;
-  // A fifth of them: the data shared between threads does not depend on the settings.
+  // A fifth of the settings: the data shared between threads does not depend on them.
   std::vector<Choice> some;
   for (std::size_t i = 0; i < all.size(); i += 5) some.push_back(all[i]);
   return some;

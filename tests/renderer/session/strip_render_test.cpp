@@ -65,7 +65,7 @@ TEST(StripRender, GivesThePictureOfOnePieceBitForBit) {
   }
 }
 
-// The same in stages or passes as in one piece.
+// The unlit part is the same in strips, stages or passes as in one piece.
 TEST(StripRender, TellsTheUnlitPartOfPixels) {
   for (const Method method : {Method::asos, Method::sobol}) {
     Snapshot snapshot = still_life_of(method);

@@ -28,7 +28,7 @@ std::vector<Reflector> reflectors() {
           brushed(1.0, 0.6, 1.0, 2.5)};
 }
 
-/// The lobe alone.
+/// The reflector as a white metal: its lobe alone.
 Reflector white(Reflector r) {
   r.base = glm::dvec3(1.0);
   r.metallic = 1.0;
@@ -156,7 +156,8 @@ TEST(Anisotropy, IsTurnedByItsRotationAndItsTexture) {
   EXPECT_GT(seen_of(m, up, beside_z), 5.0 * seen_of(m, up, beside_x)) << "against v";
   m.anisotropy.rotation_rad = 0.7853982f;
   EXPECT_GT(seen_of(m, up, {0.4, 1, 0.4}), 5.0 * seen_of(m, up, {0.4, 1, -0.4})) << "between";
-  // Red and green encode 45 degrees, as before, and blue half of the strength.
+  // Red and green encode 45 degrees, added to the rotation of 45 degrees, and blue half of the
+  // strength.
   const SurfaceAnisotropy by_texel = anisotropy_of(m.anisotropy, {1.0f, 1.0f, 0.5f});
   EXPECT_NEAR(by_texel.direction.x, 0.0f, 1e-6f);
   EXPECT_NEAR(by_texel.direction.y, 1.0f, 1e-6f);

@@ -55,7 +55,7 @@ TEST(BetweenTexels, ColoursAreWeightedByAlpha) {
   const Textured blend(columns, Wrap::repeat, Filter::linear, AlphaMode::blend);
   const Textured mask(columns, Wrap::repeat, Filter::linear, AlphaMode::mask);
   const Textured opaque(columns);
-  // In a coarser level, and in the texels themselves.
+  // Heights that select a coarser level, and the texels themselves.
   for (const float height : {0.5f, 0.06f}) {
     expect(look(blend, TexelKind::cover, {}, height), seen(blend, {}, height), "blend");
     expect(look(mask, TexelKind::cover, 0.3f, height), seen(mask, 0.3f, height), "mask");

@@ -100,7 +100,7 @@ TEST(CubeSky, ColoursAreDividedByAlpha) {
   EXPECT_EQ(sky_of(cube).radiance({0, 0, 1}), glm::vec3(0.0f));
 }
 
-// A uniform grey: its irradiance and its radiance.
+// A uniform cube's irradiance and radiance are a uniform sky's.
 TEST(CubeSky, UniformCubeIsAUniformSky) {
   const float grey = srgb_byte_to_linear(128);
   const Sky sky = sky_of(grey_cube(128));

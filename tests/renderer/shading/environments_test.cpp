@@ -12,7 +12,7 @@
 namespace asos::test::sky_sums {
 namespace {
 
-/// The radiance that an environment adds in a direction of the compass.
+/// The radiance that an environment adds depending on the azimuth.
 double added(const AzimuthVariation::Amounts& sides, glm::dvec3 d) {
   const double azimuth = std::atan2(d.x, d.z), level = std::hypot(d.x, d.z);
   const auto rad = [](double deg) { return deg * std::numbers::pi / 180.0; };
@@ -20,7 +20,8 @@ double added(const AzimuthVariation::Amounts& sides, glm::dvec3 d) {
          sides.two * level * level * std::cos(2.0 * (azimuth - rad(sides.two_deg)));
 }
 
-// The formula of environments, summed over all directions: linear in the sine of the elevation.
+// Environments follow a formula linear in the sine of the elevation; irradiances and means
+// integrate it.
 TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
   for (const EnvironmentRow& row : environments) {
     SCOPED_TRACE(row.name);

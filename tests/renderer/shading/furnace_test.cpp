@@ -51,7 +51,7 @@ TEST(Furnace, OfFilmsIsTheLobeTimesTheirFresnelTerm) {
 }
 
 // KHR_materials_diffuse_transmission: a fraction of the diffuse part comes from the other side.
-// Under a uniform white sky it is as bright, in its own colour.
+// Under a uniform white sky that fraction is as bright, in its own colour.
 TEST(Furnace, OfDiffuseTransmissionIsThatOfAnOpaqueSurface) {
   for (const double share : {0.25, 1.0}) {
     const Reflector r{{0.8, 0.4, 0.2}, 0.0, 0.6};
@@ -72,8 +72,8 @@ TEST(Furnace, OfDiffuseTransmissionIsThatOfAnOpaqueSurface) {
   }
 }
 
-// Appendix B: mix(dielectric, metal, metallic); KHR_materials_transmission changes the first. A
-// uniform sky is reflected in closed form, without samples.
+// Appendix B: mix(dielectric, metal, metallic); KHR_materials_transmission changes the dielectric.
+// A uniform sky is reflected in closed form, without samples.
 TEST(Furnace, OfHalfMetalsIsTheMixOfBoth) {
   const Sky white(glm::vec3(1.0f));
   const auto seen = [&](double metallic, double roughness, float transmission, double angle) {

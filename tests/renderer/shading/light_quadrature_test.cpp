@@ -71,7 +71,7 @@ struct Errors {
   [[nodiscard]] double worst_share() const { return worst * count / values; }
 };
 
-/// f0 1 alone and a grey dielectric, for one roughness and angle.
+/// Adds the errors of a lobe with f0 = 1 and of a grey dielectric, for one roughness and angle.
 void add_errors(const std::string& kind, double roughness, double theta, Errors& metal,
                 Errors& dielectric, int& cells) {
   const glm::dvec3 up(0, 0, 1);
@@ -100,7 +100,7 @@ void add_errors(const std::string& kind, double roughness, double theta, Errors&
   }
 }
 
-// One light in all places: mean and worst errors, relative to the mean.
+// Mean and worst errors for one light in all places, relative to the mean value.
 TEST(LightQuadrature, AgreesWithAFinerOne) {
   for (const char* kind : kinds) {
     for (const double roughness : roughnesses) {

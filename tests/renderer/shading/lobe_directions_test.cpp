@@ -86,7 +86,7 @@ TEST(LobeDirections, AreDrawnOutAsTheLobeIs) {
   }
 }
 
-// Squared slopes add up.
+// The squared slopes of facets and bumps add up.
 TEST(LobeDirections, AreSpreadByBumpsAsWell) {
   Seen seen(0.7, 0.2f);
   const LobeDirections lobe = seen.lobe(0.01f);

@@ -72,7 +72,7 @@ TEST(PatchLobe, KeepsItsEnergy) {
       constexpr int turns = 200;
       double sum = 0.0;
       for (int i = 0; i < steps; ++i) {
-        // tan(theta) = x / (1 - x), finest where the lobe is narrow.
+        // tan(theta) = x^2 / (1 - x^2), finest where the lobe is narrow.
         const float x = (static_cast<float>(i) + 0.5f) / steps;
         const float x2 = x * x;
         const float theta = std::atan(x2 / (1.0f - x2));

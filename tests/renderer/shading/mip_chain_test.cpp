@@ -73,7 +73,7 @@ TEST(MipChain, ColoursAreAveragedAsLight) {
     return Texel{b, b, b, b};
   });
   const MipChain chain = make_mip_chain(image, TexelKind::color);
-  // Half the light, not 0.214 as of the mean byte.
+  // Half the light, not 0.214, the value of the mean byte.
   EXPECT_NEAR(chain[0].at(1, 1).r, 0.5f, rounding(1));
   EXPECT_NEAR(chain[0].at(1, 1).a, 0.5f, rounding(1));
 }
@@ -92,8 +92,8 @@ TEST(MipChain, ColoursOfCutOutsCountByTheirAlpha) {
 TEST(MipChain, NormalsKeepTheirMeanAndTheRestIsVariance) {
   // Texels of unit normals tilted by 30 degrees to either side. Between them the tangent of the
   // angle varies linearly from -t to t, so the mean vertical component is asinh(t) / t, and the
-  // variance is 1 minus its square. Bytes have an error of 1/255, positions 1/20 texel; borders are
-  // clamped.
+  // variance is 1 minus its square. Tolerances: 1/255 for bytes, 1/20 texel for positions; borders
+  // are clamped.
   const auto byte = [](float x) {
     return static_cast<std::uint8_t>(std::lround(127.5f * x + 127.5f));
   };

@@ -126,7 +126,7 @@ TEST(Passage, ThroughThinWallsIsTintedAndLacksWhatTheyReflect) {
     expect_share(rays_of(world).transmittance(up_from(0.0f, angle, 50.0f)),
                  left * glm::dvec3(0.5, 0.25, 1.0), 4e-3, angle);
   }
-  // A film, a coat and the metallic part reduce the transmission.
+  // A coat and the metallic part reduce the transmission.
   world.materials[0].coat.factor = 1.0f;
   world.materials[0].metallic = 0.5f;
   const glm::vec3 coated = rays_of(world).transmittance(up_from(0.0f, 0.0, 50.0f));

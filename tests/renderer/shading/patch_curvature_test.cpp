@@ -85,7 +85,7 @@ struct FlatPatch {
 };
 
 // A flat patch under a distant light is uniform. One with varying normals is not, the more so the
-// narrower its lobe; one wider than the highlight is left to the lobe.
+// narrower its lobe; a variation narrower than the highlight needs no parts.
 TEST(PatchCurvature, DependsOnTheLobe) {
   const FlatPatch flat;
   PreparedLight sun;

@@ -64,7 +64,7 @@ TEST(ReflectedLights, SendOnDiffuseLightAndTheSpecularIntegral) {
   Seen seen;
   seen.material.f90 = glm::vec3(0.7f);
   seen.material.falloff = 0.6f;
-  // Also for a light without one of the colours.
+  // The light lacks one of the colours.
   const PreparedLight light = rectangle({1.0f, 0.25f, 0.0f});
   const Receiver receiver = receiver_at(seen.point);
   const ReflectedIntegral all =
@@ -89,7 +89,7 @@ TEST(ReflectedLights, AreFainterWhereNormalsTurn) {
   const glm::vec3 turned = seen.radiance(light);
   EXPECT_LT(turned.x, 0.9f * flat.x);
   EXPECT_GT(turned.x, 0.2f * flat.x);
-  // Like a rougher flat surface.
+  // The same as from a rougher flat surface.
   const PatchLobe lobe(seen.point.spread, 0.3f, seen.point.shading_normal);
   ASSERT_TRUE(lobe.wider());
   seen.point.spread = {};

@@ -21,7 +21,7 @@ using test::add_quad;
 using test::matte;
 using test::unlit;
 
-/// A world with its needs and rays.
+/// A world with its lighting, features and rays.
 struct Lit {
   World world;
   Lighting lighting;
@@ -176,7 +176,7 @@ TEST(Shader, BlendedLayersAreCompositedInDepthOrder) {
   EXPECT_FLOAT_EQ(c.r, 0.25f);
   EXPECT_FLOAT_EQ(c.g, 0.75f * 0.5f);
   EXPECT_FLOAT_EQ(c.b, 0.75f * 0.5f);
-  EXPECT_EQ(lit.counts.eye_rays, 2u);  // those that went on
+  EXPECT_EQ(lit.counts.eye_rays, 2u);  // the rays that continued
 }
 
 /// White layers of this opacity, one behind another.
@@ -284,7 +284,7 @@ TEST(Shader, NormalMapsGreenPointsAgainstV) {
   EXPECT_NEAR(p.shading_normal.x, 0.0f, 0.01f);
   EXPECT_GT(p.shading_normal.y, 0.6f);
 
-  // The same if only other meshes have tangents.
+  // The result is the same if only other meshes have tangents.
   world.tangents.assign(world.positions.size(), glm::vec4(0.0f));
   EXPECT_EQ(surface_point(world, find_render_features(world), hit, {0, 1, 0}).shading_normal,
             p.shading_normal);

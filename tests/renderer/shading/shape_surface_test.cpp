@@ -61,7 +61,7 @@ TEST(ShapeSurface, TextureCoordinatesAreTheFaces) {
   World world;
   test::add_shape(world, test::sphere(1.0), glm::dmat4(1.0), test::matte(glm::vec3(0.5f)));
   EXPECT_EQ(texcoord_at(world, 0, 0, 0.25f, 0.75f), glm::vec2(0.25f, 0.75f));
-  // From the apex down, and back.
+  // v starts at the apex; coordinates and points are inverse.
   const FacePoint top = face_point(world.faces[0], 0.3, 0.0);
   EXPECT_LT(glm::distance(top.position, glm::dvec3(0, 1, 0)), 1e-12);
   test::RandomSpace space(6);

@@ -114,7 +114,7 @@ Sky sunny() {
 TEST(SampleSky, FindsTheSunOfAPicture) {
   const Sky sky = sunny();
   const Seen seen(material_of(0.0f, 1.0f), 0.5);
-  // The sum over the image, texel by texel, with the surface's BRDF.
+  // Many samples are the reference.
   const glm::dvec3 many = mean_of_samples(seen.under(&sky), 1 << 16);
   const glm::dvec3 few = mean_of_samples(seen.under(&sky), 1 << 11);
   const double matte = static_cast<double>(sky.ambient({0, 1, 0}).x / sky_visibility) *

@@ -56,7 +56,6 @@ TEST(SkyMap, TexelsOfARadiancePictureAreItsRadiance) {
   }
 }
 
-// Means of rows of large images are computed on demand.
 TEST(Sky, ARadiancePicturesExposureIsUndone) {
   const test::TemporaryFolder folder;
   // Two pixels of radiance 1, 0.5 and 0.25, with EXPOSURE 4, and COLORCORR 2 for red.

@@ -78,7 +78,7 @@ TEST(Specular, TexturesScaleTheFactors) {
   EXPECT_NEAR(seen.f0.g, 0.004f, 1e-6f);
   EXPECT_EQ(seen.f0.b, 0.0f);
   EXPECT_NEAR(seen.transmission, 0.16f, 1e-6f);
-  // Shadow rays use the same.
+  // Shadow rays use the same transmission.
   EXPECT_NEAR(alpha_at(world, 0, 0.25f, 0.25f), 0.84f, 1e-6f);
   EXPECT_EQ(opacity_at(world, 0, 0.25f, 0.25f), 1.0f);
 }

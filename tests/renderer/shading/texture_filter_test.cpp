@@ -253,7 +253,7 @@ TEST(TextureFilter, MeansCrossBordersAsTheSamplerWraps) {
   EXPECT_NEAR(at_border(Wrap::clamp_to_edge), 0.0f, 1e-4f);
 }
 
-// Columns of opaque red, green with alpha 0.4 and transparent blue, over a whole period.
+// Invalid or huge footprints give values from 0 to 1.
 TEST(TextureFilter, AnyFootprintIsSafe) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();

@@ -65,7 +65,7 @@ glm::dvec3 airy(const FilmCase& film, Sensitivities eye, double white_per_step) 
   const double mean = r2 + (1.0 - r2) * (1.0 - r2) * s2 / (1.0 - r2 * s2);
   glm::dvec3 xyz(0.0), all(0.0);
   for (double nm = 250.0; nm < 1100.0; nm += 1.0) {
-    // Per wave number, if the functions are defined that way.
+    // Integrates per wave number for the extension's functions.
     const double step = white_per_step > 0.0 ? 1e9 / (nm * nm) : 1.0;
     xyz += step * (reflectance(nm) - mean) * eye(nm);
     all += step * eye(nm);

@@ -89,7 +89,7 @@ TEST(MidpointError, IsNoMoreThanWhatTheMaterialReflects) {
 }
 
 // A highly glossy cylinder under a light behind the viewer: the highlight is where the normal
-// points at them. Elsewhere its tail is far below one display step.
+// points at both. Elsewhere its tail is far below one display step.
 TEST(MidpointError, KnowsWhereAHighlightMayLie) {
   World world = bent(0.1f);
   Material& material = world.materials.front();

@@ -153,8 +153,8 @@ struct Errors {
   int partly = 0;  ///< pixels that are neither fully lit nor fully shadowed
 };
 
-/// Over pixels in one cut-out's shadow. Without known outlines, each pixel's error is limited by
-/// the area of the finest cells that outlines cross, which have one sample each.
+/// Errors over pixels in one cut-out's shadow. Without known outlines, each pixel's error is
+/// limited by the area of the finest cells that outlines cross, which have one sample each.
 Errors errors_at(int max_level, const Light& light, const Pattern& pattern, bool outlined) {
   ShadowRules settings;
   settings.error_budget.max_level = max_level;

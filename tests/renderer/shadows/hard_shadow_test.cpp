@@ -24,7 +24,7 @@ constexpr double floor_half = 20.0;
 struct Pixel {
   Frame frame;
   Polygon3 patch;  ///< the leaf's region on the floor
-  Polygon region;  ///< and in the frame
+  Polygon region;  ///< the same region in the frame
   Square square;
 };
 
@@ -83,7 +83,7 @@ Polygon3 hidden_along(Polygon3 polygon, const Polygon3& occluder, glm::dvec3 tow
   return polygon;
 }
 
-/// Whether the screen rises from the floor within the patch: then the viewer does not see only
+/// Whether the screen rises from the floor within the patch: then the viewer sees more than the
 /// floor.
 bool stands_in(const Polygon3& screen, const Polygon3& patch) {
   const glm::dvec3 normal = glm::cross(screen[1] - screen[0], screen[2] - screen[0]);

@@ -80,8 +80,7 @@ World pole(double height, double length) {
   return world;
 }
 
-// The edges extend far beyond the window on both sides: neither an end nor the centre of an edge is
-// near it.
+// The pole's edges extend far beyond the patch on both sides, so their ends are not near it.
 TEST_F(PenumbraSearch, FindsALongPoleAcrossANarrowPatch) {
   for (const double length : {1.0, 8.0, 64.0}) {
     for (const float depth : {0.1f, 0.01f, 0.001f}) {

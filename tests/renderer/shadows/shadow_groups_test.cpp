@@ -120,8 +120,8 @@ TEST(ShadowGroups, MatchSinglePoints) {
   expect_same_shares("boxes", all_lights(), 1e-5);
 }
 
-// Outlines of fine meshes are cut along chains that depend on the list's contents: equal within a
-// finest cell.
+// Outlines of fine meshes are cut along chains that depend on the hit list's contents: equal within
+// a finest cell.
 TEST(ShadowGroups, MatchSinglePointsForFineMeshes) {
   expect_same_shares("primitives", all_lights(), std::ldexp(1.0, -10));
   expect_same_shares("primitives-rectangle", all_lights(), std::ldexp(1.0, -10));

@@ -16,7 +16,7 @@
 namespace asos::test::through_light_test {
 namespace {
 
-/// Horizontal, two units above the origin, with a radius of about one unit; two-sided.
+/// A light in the plane y = 2, with a radius of about one unit; two-sided.
 Light level_light(Light::Type type) {
   Light light;
   light.type = type;
@@ -78,7 +78,7 @@ TEST_P(ThroughLight, AWallHidesWhatLiesBehindIt) {
   for (int w = 0; w < 60; ++w) {
     World world;
     const glm::dvec3 edge = random.direction();
-    // From smaller than the light to larger than the view.
+    // Walls from smaller than the light to larger than the view.
     const double size = std::exp(random.between(-1.5, 3.0));
     const glm::dvec3 a = size * edge, b = size * random.perpendicular(edge);
     const glm::dvec3 corner =

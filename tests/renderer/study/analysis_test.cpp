@@ -19,8 +19,8 @@ StudyPoint point(const std::string& method, const std::string& setting, double s
   return p;
 }
 
-// Sobol: error 0.1 / sqrt(t). ASOS: 0.01 in 2 s, where Sobol takes 100 s; 0.001 in 20 s, where
-// Sobol would take 10^4 s but was measured only up to 400 s.
+// Sobol: error 0.1 / sqrt(t). ASOS: 0.01 in 2 s, where Sobol takes 100 s; 0.002 in 20 s, where
+// Sobol would take 2500 s but was measured only up to 400 s.
 SceneStudy power_laws() {
   SceneStudy study;
   study.scene = "made up";
@@ -111,8 +111,7 @@ TEST(Analyse, FindsAsosOwnBias) {
   EXPECT_FALSE(study.bias) << "the best is under the floor of 0.004";
 }
 
-// No method takes less than one sample: a rival that is better at its quickest setting has the time
-// of that setting.
+// Compares ASOS's picture at the times at which Sobol settings are finished.
 TEST(Analyse, ComparesUnfinishedAsosWithFinishedSobol) {
   SceneStudy study = power_laws();
   EXPECT_TRUE(study.at_moments.empty()) << "no render was watched";
@@ -121,7 +120,7 @@ TEST(Analyse, ComparesUnfinishedAsosWithFinishedSobol) {
   study.while_rendering = {{"sobol", "400 spp", true, {{0.5, 0.001}}},
                            {"asos", "MAX 2", true, {{2.0, 0.1}, {10.0, 0.04}, {50.0, 0.003}}}};
   analyse(study);
-  // After 1 s there is no picture, after 4 s that of 2 s, after 64 s that of 50 s.
+  // After 1 s there is no picture, after 4 s the one of 2 s, after 64 s the one of 50 s.
   ASSERT_EQ(study.at_moments.size(), 2u) << "only up to 64 samples";
   EXPECT_EQ(study.at_moments[0].setting, "4 spp");
   EXPECT_EQ(study.at_moments[0].seconds, 4.0);
@@ -169,7 +168,7 @@ TEST(Analyse, GivesALowerBoundForUnreachedErrors) {
   ASSERT_EQ(study.equal_error.size(), 1u);
   EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);
   EXPECT_NEAR(study.equal_error[0].speedup, 1.5, 1e-12);
-  study.points.pop_back();  // as has one with a single setting
+  study.points.pop_back();  // a single setting gives a lower bound, too
   analyse(study);
   ASSERT_EQ(study.equal_error.size(), 1u);
   EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);

@@ -122,7 +122,7 @@ TEST(Reference, ItsNoiseIsTheStandardErrorOfTheMean) {
   Reference reference;
   reference.add(first, second, 1);
   EXPECT_NEAR(reference.noise(), 0.05 / std::sqrt(2.0), 5e-4);
-  // This is the true error: the exact value is 0.5.
+  // The noise equals the true error; the exact value is 0.5.
   EXPECT_NEAR(root_mean_square(reference.film(), grey(200, 200, 0.5f), true), reference.noise(),
               5e-4);
 }

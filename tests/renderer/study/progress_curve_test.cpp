@@ -67,7 +67,7 @@ TEST_F(WatchedBoxes, OfARenderWithoutPassesAreTheFinishedOne) {
   EXPECT_GT(watched.pictures[0].seconds, 0.0);
 }
 
-// With a picture that takes so long that no test waits for it.
+// The picture takes so long that the test has to stop it.
 TEST_F(WatchedBoxes, AStopKeepsThePicturesUntilThen) {
   snapshot.settings.method = Method::sobol;
   snapshot.settings.sampling.spp = 65536;

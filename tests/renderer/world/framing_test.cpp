@@ -48,7 +48,7 @@ World world_of(const std::string& source) {
   return std::move(flat->world);
 }
 
-/// The filled fraction of the tighter direction.
+/// Expects a framed scene; returns the filled fraction of the tighter direction.
 double expect_framed(const World& world, const Camera& camera, glm::ivec2 size,
                      const std::string& name) {
   const double aspect = static_cast<double>(size.x) / size.y;

@@ -39,7 +39,7 @@ Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_ra
   return light;
 }
 
-/// The needs of a plain world: those that the world alone cannot exclude.
+/// The features of a plain world: those that the world alone cannot exclude.
 RenderFeatures least_needs() {
   RenderFeatures render_features;
   render_features.unused_images = true;
@@ -56,7 +56,7 @@ std::set<std::string> beyond_least(const RenderFeatures& render_features) {
   return names;
 }
 
-/// The needs that a change of a plain world adds.
+/// The features that a change of a plain world adds.
 std::set<std::string> added_by(const std::function<void(World&)>& change) {
   World world = plain();
   change(world);

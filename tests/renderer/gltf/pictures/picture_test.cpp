@@ -34,7 +34,7 @@ Image speckled(int width, int height) {
   });
 }
 
-/// The means by the book.
+/// Reference: means over shrink x shrink texels.
 Image reduced(const Image& image, int shrink) {
   return test::make_image(
       shrunk(image.width, shrink), shrunk(image.height, shrink), [&](int x, int y) {
@@ -58,7 +58,7 @@ void expect_same(const Image& a, const Image& b, int tolerance = 0) {
     ASSERT_LE(std::abs(int{a.rgba[i]} - int{b.rgba[i]}), tolerance) << i;
 }
 
-/// Without alpha, which JPEG and the PNGs of write_png lack.
+/// The image without alpha, which JPEG and the PNGs of write_png lack.
 Image opaque(Image image) {
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba.own()[i] = 255;
   return image;
@@ -112,7 +112,7 @@ File jpeg_of(const Image& image, bool progressive) {
   return file;
 }
 
-/// Smooth, so that JPEG reproduces it well.
+/// A smooth image, which JPEG reproduces well.
 Image slope(int width, int height) {
   return test::make_image(width, height, [](int x, int y) {
     return test::Texel{static_cast<std::uint8_t>(2 * x), static_cast<std::uint8_t>(2 * y),
@@ -224,7 +224,7 @@ TEST(Pictures, PngsOfSixteenBitsKeepThem) {
         EXPECT_NEAR(srgb[c], c == 3 ? right : decoded, 1e-7);
       }
     }
-    // Both averages and single texels.
+    // Averages keep the precision, too.
     const MipChain chain = make_mip_chain(picture->image, TexelKind::data);
     double sum = 0.0;
     for (std::size_t i = 0; i < values.size(); i += 4) sum += values[i] / 65535.0;
