@@ -19,7 +19,7 @@ class DrawSchedule {
   /// Call before drawing a frame, which will show all that was noted.
   void begin_frame(double now);
   /// `wish`: seconds after this frame at which the content wants the next one, even without input.
-  /// That frame is drawn even if its reason has ended by then, so that the end shows.
+  /// The frame is drawn even if its reason has ended by then, so that the end shows.
   void end_frame(std::optional<double> wish);
   /// When the next frame is due; it may lie in the past.
   [[nodiscard]] double due() const { return due_; }

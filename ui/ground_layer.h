@@ -31,7 +31,7 @@ class GroundLayer {
     Result<std::shared_ptr<const RenderScene>> scene;
   };
 
-  std::weak_ptr<const Geometry> tried_;  // geometry for which tried_ground_ was last tried
+  std::weak_ptr<const Geometry> tried_;  // the geometry of the last try of tried_ground_
   Ground tried_ground_ = Ground::off;
   LatestJob<Request, Built> job_;
 };

@@ -16,8 +16,8 @@
 
 namespace asos {
 
-/// Leaves that get one sample: cells still marginal at MAX, and leaves for which MAX allows no
-/// second sample. Their rays were cast when the cell was examined. They are shaded in batches, with
+/// Leaves that get one sample: cells still marginal at MAX, and leaves without a second sample at
+/// this MAX. Their rays were cast when the cell was examined. They are shaded in batches, with
 /// one shadow ray to each light.
 class SingleSamples {
  public:

@@ -64,7 +64,7 @@ struct LayerTargets {
   }
 };
 
-/// Returns the planes of `layers`. Those that follow from surfaces are filled; `error` stays 0.
+/// Returns the planes of `layers`. Planes of surfaces are filled; `error` stays 0.
 [[nodiscard]] std::vector<LayerPlane> planes_of(std::span<const LayerSum> pixels, LayerSet layers);
 
 }  // namespace asos

@@ -106,7 +106,7 @@ class EntryTidier {
  public:
   EntryTidier(json& root, Warnings& warnings) : root_(root), warnings_(warnings) {}
 
-  /// Replaces each entry of `list` for which `fault_of` reports a fault by `by`.
+  /// Replaces each entry of `list` by `by` if `fault_of` reports a fault.
   template <typename Fault>
   void replace(const char* list, const char* kind, const json& by, Fault fault_of) {
     each(root_, list, [&](json& entry, std::size_t i) {

@@ -13,7 +13,7 @@ namespace asos {
 /// a disk at infinity, or by nothing; or they follow its turn and brightness.
 [[nodiscard]] std::vector<Light> lights_under(const RenderScene& scene, const Sky* sky);
 
-/// Returns whether lights_under differ from the lights with which the scene was prepared.
+/// Returns whether lights_under differ from the prepared lights of the scene.
 [[nodiscard]] bool changes_lights(const RenderScene& scene, const Sky* sky);
 
 /// Returns the scene with the lights under the sky; the same scene if they do not differ.

@@ -25,7 +25,7 @@ constexpr std::size_t most_nodes_in_front = 64;
 constexpr std::size_t most_segments_in_front = 256;
 // Segments are cut this far outside the root square, so that they are straight across its border.
 constexpr double margin = 1.0 / 16.0;
-// An edge smaller than this in the square may be a point in float32. It is kept, whatever its
+// An edge smaller than this in the square may be a point in float32. It is kept, in any
 // direction, so that no sample is taken there.
 constexpr double point_size = 1e-6;
 

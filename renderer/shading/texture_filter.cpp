@@ -21,8 +21,8 @@ namespace {
 // texels.
 
 /// Visits a grid of points of a patch, half a texel apart and at least `fewest` along each edge. A
-/// point is given by its offset from the patch's centre, in the UV of a texture of `size` texels.
-/// Returns their number.
+/// point is its offset from the patch's centre, in the UV of a texture of `size` texels. Returns
+/// their number.
 template <typename Visit>
 int for_each_point(const TexelPatch& patch, int fewest, glm::vec2 size, const Visit& visit) {
   const auto count = [fewest](glm::vec2 edge) {

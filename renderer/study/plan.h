@@ -35,8 +35,8 @@ struct StudyLook {
   StudyCamera camera;
   std::optional<StudyMoment> moment;  ///< none: everything is where the file's nodes place it
   std::string sky = "neutral";        ///< Sky::name
-  /// That sky, opened for rendering; not compared. Null: neutral, or not opened, for example when
-  /// jobs are only merged.
+  /// The sky named so, opened for rendering; not compared. Null: neutral, or not opened, for
+  /// example when jobs are only merged.
   std::shared_ptr<const Sky> opened_sky;
   int reflections = RenderSettings{}.mirror.bounces;
   double roughest_mirror = RenderSettings{}.mirror.roughest;

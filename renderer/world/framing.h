@@ -19,9 +19,9 @@ struct FramedView {
 /// counts as 1.
 [[nodiscard]] FramedView frame_world(const World& world, const Camera& camera, double aspect_ratio);
 
-/// Returns the distance from `pivot` of a perspective camera that looks at it, or the height of an
-/// orthographic one's picture, such that all of `world` stays within `framed_share` of the picture
-/// while the camera turns about the vertical axis (+Y) through `pivot`. Exact for all angles.
+/// Returns a perspective camera's distance from `pivot`, or the height of an orthographic one's
+/// picture. All of `world` stays within `framed_share` of the picture while the camera looks at
+/// `pivot` and turns about the vertical axis (+Y) through it. Exact for all angles.
 [[nodiscard]] double room_to_turn(const World& world, const Camera& camera, glm::dvec3 pivot,
                                   double aspect_ratio);
 

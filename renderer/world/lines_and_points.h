@@ -72,7 +72,7 @@ struct LineSize {
 /// picture. A segment becomes a ribbon that projects to a rectangle of LinePicture::width around
 /// the segment, with butt ends. A point becomes a regular polygon with the area of its disk. The
 /// surfaces are moved nearer by one of their widths, so that lines on a surface are not buried in
-/// it. Those behind the camera, which mirrors may show, are as wide as in front of it. Needs 32
+/// it. Mirrors may show lines behind the camera: these are as wide as in front of it. Needs 32
 /// bits for triangles and vertices (size_of_lines). Omits lines and points without extent in the
 /// picture.
 void draw_lines(World& world, const LinePicture& picture);

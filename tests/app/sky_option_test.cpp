@@ -136,7 +136,7 @@ TEST_F(SkyOption, FilesThatAreNoneAreNamedWithExitCodeOne) {
       contains(render("x.exr", {"--sky", bad}).err, "128 of its 128 pixels are not finite"));
 }
 
-// Scenes that have lights, or for which --sky is given, do not get the studio.
+// Scenes with lights, and renders with --sky, do not get the studio.
 TEST_F(SkyOption, ScenesWithoutLightsStandInAStudioWithSoftBoxes) {
   const std::string bare = folder_.write("bare.glb", test::GltfBuilder::square().glb());
   const auto sky_of = [&](const std::string& scene, const std::vector<std::string>& words) {

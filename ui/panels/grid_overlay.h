@@ -26,7 +26,7 @@ class GridOverlay {
  private:
   void find(const Previewer& previewer);
 
-  // The scene, view and culling for which the lines were found.
+  // Scene, view and culling of the current lines.
   std::weak_ptr<const RenderScene> scene_;
   std::uint64_t camera_revision_ = 0;
   glm::ivec2 size_{0};

@@ -98,7 +98,7 @@ TEST(BouncedLight, UnlitWallsShineOnWhatTheyEnclose) {
     EXPECT_NEAR(brightness(*scene, method, 1), 0.5 * 0.6, 1e-3);
 }
 
-// A small floor beside an endless wall in uniform surroundings. The wall sees only the
+// A small floor at an endless wall, in uniform surroundings. The wall sees only the
 // surroundings; the floor's point sees the wall with its form factor.
 TEST(BouncedLight, SkyLitWallLightsTheFloor) {
   constexpr double albedo = 0.5, height = 2.0;

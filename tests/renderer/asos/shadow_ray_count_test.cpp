@@ -122,7 +122,7 @@ TEST(ShadowRayCount, IsNoneForLightsThatGiveNothing) {
     EXPECT_EQ(picture.statistics.shadow_pyrays, 0u) << light.name;
     EXPECT_EQ(picture.film.radiance, dark.film.radiance) << light.name;
   }
-  // The same beside a contributing light, with refined shading.
+  // The same with another light that contributes, and refined shading.
   const std::size_t useful = lights.size();
   lights.push_back(rectangle_light());
   RenderSettings refined = settings;

@@ -44,7 +44,7 @@ TEST(Mitchell, EdgesTakeTheHighDensityAndAreExact) {
   for (int y = 0; y < 8; ++y) EXPECT_NEAR(red_at(r, 4, y), 0.3125f, 1e-6);
 }
 
-// 0.6 beside 1.2 has a contrast of a third. Neutral shows them as 0.56 and 0.9, AgX as 0.46 and
+// The contrast of 0.6 and 1.2 is a third. Neutral shows them as 0.56 and 0.9, AgX as 0.46 and
 // 0.63: contrasts below the threshold of 0.3.
 TEST(Mitchell, ACurveLessensTheContrastThatCounts) {
   const auto scene = make_render_scene(two_colours(4.5f, glm::vec3(0.6f), glm::vec3(1.2f)));
