@@ -1,5 +1,7 @@
 #include "renderer/gltf/export/gltf_writer.h"
 
+#include <algorithm>
+
 namespace asos::exporting {
 
 using nlohmann::json;
@@ -68,8 +70,12 @@ json camera_json(const Camera& camera) {
   json out;
   if (!camera.name.empty()) out["name"] = camera.name;
   if (camera.type == Camera::Type::perspective) {
+    // glTF asks for a near plane.
+    double near = camera.near_depth.value_or(0.0);
+    if (near <= 0.0) near = std::min(0.01, 0.5 * camera.far_depth.value_or(1.0));
     out["type"] = "perspective";
-    out["perspective"] = {{"yfov", camera.fov_y_rad}, {"znear", 0.01}};
+    out["perspective"] = {{"yfov", camera.fov_y_rad}, {"znear", near}};
+    if (camera.far_depth) out["perspective"]["zfar"] = *camera.far_depth;
     if (camera.aspect_ratio) out["perspective"]["aspectRatio"] = *camera.aspect_ratio;
     if (camera.lens.blurs()) out["extras"]["asos_lens"] = lens_json(camera.lens);
   } else {
@@ -77,8 +83,8 @@ json camera_json(const Camera& camera) {
     out["type"] = "orthographic";
     out["orthographic"] = {{"xmag", half * camera.aspect_ratio.value_or(1.0)},
                            {"ymag", half},
-                           {"znear", 0.0},
-                           {"zfar", 1e6}};
+                           {"znear", camera.near_depth.value_or(0.0)},
+                           {"zfar", camera.far_depth.value_or(1e6)}};
   }
   return out;
 }

@@ -124,6 +124,26 @@ TEST(ExportRoundTrip, OfARichScene) {
   }
 }
 
+TEST(ExportRoundTrip, KeepsTheClippingPlanesOfCameras) {
+  const test::TemporaryFolder folder;
+  for (const double near : {0.002, 0.5}) {
+    Scene scene = test::rich_scene();
+    ASSERT_GE(scene.cameras.size(), 2u);
+    for (Camera& camera : scene.cameras) {
+      camera.near_depth = near;
+      camera.far_depth = 20.0 * near;
+    }
+    ASSERT_TRUE(export_gltf(scene, folder.file("planes.glb")));
+    const Result<Scene> again = import_gltf(folder.file("planes.glb"));
+    ASSERT_TRUE(again) << again.error().message();
+    ASSERT_EQ(again->cameras.size(), scene.cameras.size());
+    for (const Camera& camera : again->cameras) {
+      EXPECT_EQ(camera.near_depth, near);
+      EXPECT_EQ(camera.far_depth, 20.0 * near);
+    }
+  }
+}
+
 TEST(ExportRoundTrip, OfEveryBuiltinScene) {
   const test::TemporaryFolder folder;
   for (const BuiltinScene& builtin : builtin_scenes()) {
