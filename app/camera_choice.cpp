@@ -65,7 +65,7 @@ Result<Camera> choose_camera(const World& world, const CameraChoice& choice, dou
     camera = world.cameras[static_cast<std::size_t>(*choice.index)];
   } else if (choice.given) {
     camera = *choice.given;
-    // The picture may have another origin than the scene, so the moved camera is checked again.
+    // The camera of a saved picture was moved to this scene's origin, so it is checked again.
     if (const std::string fault = validate_camera(camera); !fault.empty())
       return tl::unexpected(Error{fmt::format("camera '{}'", camera.name), fault});
   } else {

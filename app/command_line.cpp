@@ -45,8 +45,8 @@ constexpr const char* program_footer =
     "\n"
     "Exit codes: 0 done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
-// The first word is a subcommand or an option of the program itself; anything else is for the
-// window.
+// Returns whether the first word is a subcommand or an option of the program itself. Any other word
+// is for the window (`asos view`).
 bool is_for_program(const CLI::App& program, const std::string& word) {
   constexpr std::array<const char*, 4> questions{"-h", "--help", "--help-all", "--version"};
   if (std::find(questions.begin(), questions.end(), word) != questions.end()) return true;

@@ -75,8 +75,8 @@ void add_look_options(CLI::App& app, PictureArguments& arguments);
 /// Returns the settings with the selected sky, which is read if it is a file; errors name it.
 [[nodiscard]] Result<RenderSettings> with_sky(const PictureArguments& arguments);
 
-/// Completes the settings from the scene's default look: sky, ground and background that were not
-/// chosen.
+/// Completes the settings. Unless a sky was chosen, takes sky and ground from the scene's default
+/// look; a chosen ground stays. Unless a background was chosen, takes the sky's default one.
 void take_default_look(PictureArguments& arguments, const RenderScene& scene, const Camera& camera);
 
 /// The largest width and height of a picture, in pixels.

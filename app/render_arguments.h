@@ -19,7 +19,7 @@ struct RenderArguments {
   std::optional<ClipFrames> clip_frames;  ///< frames of an animation, one file each
   std::string split_map;                  ///< empty: not asked for
   SplitMapColours split_map_by = SplitMapColours::level;
-  bool layers_chosen = false;  ///< false: those of the saved picture, for an EXR
+  bool layers_chosen = false;  ///< false: for an EXR, those of the picture given by --from
   ExrCompression compression = ExrCompression::zip;
   std::string stats_file;                    ///< empty: not asked for
   std::optional<double> time_limit_seconds;  ///< of rendering

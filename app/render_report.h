@@ -37,7 +37,7 @@ struct RenderReport {
   int threads = 0;                    ///< worker threads
   RenderStatistics statistics;
   double load_seconds = 0.0;   ///< reading the file or making the built-in scene
-  double build_seconds = 0.0;  ///< hierarchies; with a time limit without those of edges
+  double build_seconds = 0.0;  ///< preparing the scene; edges only if the render waits for them
   double render_seconds = 0.0;
   std::optional<double> time_limit_seconds;  ///< that was asked for
   std::optional<Reached> stopped_at;         ///< where the time limit ended the render

@@ -176,7 +176,8 @@ void give_shape(Light& light, LightKind kind, const Basis& basis, double half, d
   }
 }
 
-/// Unshadowed irradiance at `place` on a surface that faces the light's centre.
+/// Returns the unshadowed irradiance of the light, made white, at `place` on a surface that faces
+/// its centre. Returns 0 if it is not finite.
 double arriving(const Light& light, glm::dvec3 place) {
   const glm::dvec3 way =
       light.type == Light::Type::directional ? -light.direction : light.position - place;

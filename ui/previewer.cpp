@@ -89,7 +89,8 @@ PreviewRender::Subject Previewer::subject() const {
   return {scene_.shared(), camera.revision(), std::move(settings), camera.camera()};
 }
 
-// The scene's camera whose motion is blurred; that of a saved picture until its view is left.
+// Returns the index of the scene's camera whose motion blurs the picture: the chosen one, or else
+// that of an opened picture. Returns -1 once the user has moved the view.
 int Previewer::followed_camera() const {
   if (viewpoint_.left_chosen()) return -1;
   const int chosen = viewpoint_.chosen_camera();

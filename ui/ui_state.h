@@ -45,7 +45,7 @@ struct UiState {
   EqualTimeChoice equal_time;
   std::optional<glm::ivec2> picked;  ///< the pixel that was clicked
   int picked_pyray = -1;             ///< index of its pyray that is inspected; -1: the pixel itself
-  bool show_boundaries = false;      ///< draws the edges of the hit list over the picture
+  bool show_boundaries = false;      ///< draws all edges of the view over the picture
   std::optional<int> shown_level;    ///< of the picked pixel's splitting; none: all levels
   std::optional<glm::ivec2> hovered;  ///< the pixel under the pointer
   bool turns_surroundings = false;    ///< a drag begun with Shift rotates the surroundings

@@ -18,7 +18,7 @@ std::string title_of(const StudyScene& scene) {
   return titled.name();
 }
 
-/// Uses titles for the scenes, unless two are equal.
+/// Replaces the scenes' names by their titles, except titles that several scenes share.
 StudyReport with_titles(StudyReport report) {
   std::vector<std::string> titles;
   for (const StudyScene& scene : scenes_of(report.plan)) titles.push_back(title_of(scene));

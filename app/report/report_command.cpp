@@ -231,8 +231,8 @@ int run_report(ReportArguments arguments, const Streams& streams) {
   return exit_ok;
 }
 
-/// Chooses between frames and one time of an animation. `--animation SCENE` alone also names the
-/// scene.
+/// Chooses between frames and one time of an animation. For frames without SCENE, the value of
+/// `--animation` is the scene.
 void choose_frames(ReportArguments& arguments) {
   ClipChoice& clip = arguments.look.clip;
   StudyPlan& plan = arguments.plan;

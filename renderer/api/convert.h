@@ -55,7 +55,8 @@ template <typename Work>
 /// Returns whether all values are finite and the last row is that of an affine matrix.
 [[nodiscard]] bool is_affine(const Matrix4& m);
 
-/// The camera, relative to `origin`. Its values may be out of range (validate_camera).
+/// Convert between a camera in the author's coordinates and one relative to `origin`. Values are
+/// not checked: they may be out of range (validate_camera).
 [[nodiscard]] asos::Camera camera_of(const Camera& camera, glm::dvec3 origin);
 [[nodiscard]] Camera camera_of(const asos::Camera& camera, glm::dvec3 origin);
 

@@ -35,7 +35,7 @@ std::optional<double> number(const json& object, const char* name) {
   return found->get<double>();
 }
 
-// Wrong planes are ignored: they do not clip.
+// Warns about invalid near and far planes, which are ignored: they do not clip.
 void check_planes(const json& camera, const std::string& place, Warnings& warnings) {
   for (const char* type : {"perspective", "orthographic"}) {
     const auto found = camera.find(type);

@@ -49,7 +49,7 @@ bool holds(const PreparedLight& light, glm::dvec3 p) {
 
 std::vector<glm::dvec3> circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
   std::vector<glm::dvec3> points;
-  // Half way between arcs and chords, so that the area is the circle's.
+  // Enlarge the polygon so that its area is the circle's.
   const double step = 2.0 * std::numbers::pi / circle_points;
   const double wider = std::sqrt(step / std::sin(step));
   for (int i = 0; i < circle_points; ++i)

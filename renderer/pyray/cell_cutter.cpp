@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t pieces_a_finest_cell = 16;
 constexpr std::size_t least_pieces = 256;
 constexpr std::size_t most_pieces_resolved = 1024;
-// Largest distance of a simplified chain from its pieces, in finest cells, for a cell of that size.
-// The error of its area is then 1/64 across the cell. In a cell n times as large the limit is 1/n
-// of that, so that the error along a longer chain is the same.
+// Largest distance of a simplified chain from the original pieces in a finest cell, in sides of
+// that cell. Across the cell, this is an error of 1/64 of its area. In a cell n times as wide the
+// limit is 1/n of that, so that the area's error along the longer chain is the same.
 constexpr float chain_tolerance = 1.0f / 64.0f;
 
 float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {

@@ -31,7 +31,7 @@ struct Splitter {
     bool differ = false;
     for (std::uint32_t i = 1; i < 4; ++i)
       differ |= caster.surface(first + i) != caster.surface(first);
-    // Split the quarters if their samples' surfaces differ.
+    // Split the quarters if their samples' surfaces differ or the level is low, up to max_level.
     if ((differ || level < first_trusted_level) && level < max_level) {
       for (int i = 0; i < 4; ++i) split(square.quarter(i), level + 1);
       return;

@@ -23,7 +23,7 @@ struct LineOrPoint {
 
 /// Normals and texture coordinates at the ends of a segment; both ends of a point are the same.
 struct LineLook {
-  glm::vec3 normals[2]{};       ///< unit, by end; 0: none, so the stroke faces the eye
+  glm::vec3 normals[2]{};       ///< unit, by end; 0: none, replaced by the direction to the eye
   glm::vec2 texcoords[2][2]{};  ///< by set and end
 };
 

@@ -67,8 +67,8 @@ struct ExposureChoice {
                                                 CameraChoice camera,
                                                 const ExposureChoice& exposure);
 
-/// A whole picture from the scene's first camera, or from one that frames it, without coarse
-/// passes.
+/// Returns the inputs of a render of the whole picture, without coarse passes. The camera is the
+/// scene's first, or else one that frames the scene.
 [[nodiscard]] Snapshot snapshot_of(SharedScene scene, int width, int height);
 
 /// A camera at `eye` that looks at `target`, both in the author's coordinates.

@@ -47,7 +47,7 @@ TEST(EditedLight, AnotherKindIsSoundAndAsBright) {
       EXPECT_EQ(gltf::validate_light(light), "")
           << static_cast<int>(from) << " to " << static_cast<int>(to);
       if (from == LightKind::directional) continue;  // a sun has no position
-      // A line is not seen exactly at right angles.
+      // The irradiance at the scene's centre stays.
       EXPECT_NEAR(irradiance_in_the_middle(light), 40.0 / 25.0, 40.0 / 25.0 * 0.01)
           << static_cast<int>(from) << " to " << static_cast<int>(to);
     }

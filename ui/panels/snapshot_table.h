@@ -7,7 +7,7 @@
 namespace asos::ui {
 
 /// Lists the picture and the snapshots with RMSE and PSNR against the chosen snapshot. A click
-/// chooses another one. Only with snapshots.
+/// chooses another one. Requires a snapshot.
 void snapshot_table(Controls& controls, const Previewer& previewer, Frames& frames);
 
 /// RMSE over the pixels that both pictures cover, of linear values clipped to 0 to 1. `sized`: `b`

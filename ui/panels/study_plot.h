@@ -22,7 +22,7 @@ struct LogAxis {
 /// The axis over the decades of all positive `values`.
 [[nodiscard]] LogAxis axis_over(const std::vector<double>& values);
 
-/// The contents of a study's plot.
+/// A log-log plot of RMSE over CPU seconds, with one line per curve of a method.
 struct StudyPlot {
   struct Mark {
     double seconds = 0.0;

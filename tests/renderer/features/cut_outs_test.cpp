@@ -217,7 +217,7 @@ void add_thicket(World& world, const Material& material) {
   add_part(world, vertices, triangles, material);
 }
 
-// Trees with too many lines use up little of the budget for the others.
+// Parts with too many lines use up little of the other parts' budget.
 TEST(CutOuts, ComplexCutOutsLeaveBudgetForOthers) {
   World world = fan(Wrap::repeat, Filter::linear);
   const Material material = world.materials[0];

@@ -178,7 +178,8 @@ Means means_of(const PreparedLight& light, const LitSubject& s) {
   return means;
 }
 
-// Neither half of the samples alone has the mean of the rendering equation, but both together do.
+// The samples of the light and of the lobe together have the mean of the rendering equation. The
+// lobe is sampled only if it is narrow and the light is no line.
 TEST(LightKernel, SamplesOfLightAndLobeTogetherHaveTheMeanOfTheBrdf) {
   for (const float roughness : {0.1f, 0.25f, 0.5f, 0.8f}) {
     LitSubject s;

@@ -67,7 +67,7 @@ TEST(HitLists, FindEveryEdgeThatCrossesTheSquare) {
           if (lists.entry(i).is_segment()) {
             found.insert(lists.segment(i).edge);
           } else {
-            // Closed nodes are small, or contain too many edges to open for so few entries.
+            // Nodes that stay closed are at most a quarter of the cell wide.
             const HitEntry& e = lists.entry(i);
             EXPECT_LE(e.extent(), 0.25f * cell.side);
           }

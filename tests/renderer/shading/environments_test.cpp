@@ -50,7 +50,7 @@ TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
       const Patch3 p = random_patch(i, 0.4);
       EXPECT_NEAR(mean_of(sky, p), brute_force(radiance, p), 0.005);
     }
-    // Pixels, some at the horizon: differences are invisible.
+    // Patches of a pixel's size, half of them moved towards the horizon: errors are invisible.
     for (int i = 0; i < 200; ++i) {
       Patch3 p = random_patch(i, 0.004);
       if (i % 2) p.direction = glm::normalize(p.direction * glm::vec3(1.0f, 0.1f, 1.0f));

@@ -43,7 +43,8 @@ Polygon3 shape_of(const Light& light) {
   return circle;
 }
 
-/// A point of a light, not near its outline's corners.
+/// A random point of the lights' plane: inside the rectangle and the disk, not always inside the
+/// polygon.
 glm::dvec3 on_light(RandomSpace& random) {
   return {random.between(-0.6, 0.6), 2.0, random.between(-0.4, 0.4)};
 }
