@@ -62,8 +62,9 @@ TEST(CompareFlicker, ReadsRivalsInTheTimeOfAsos) {
 TEST(ShownPoints, AreTheOnesNearestInTime) {
   FlickerStudy study;
   study.points = {point("asos", "MAX 2 EPS 1/256", 1.0, 0.01f),
-                  point("asos", "MAX 3 EPS 1/256", 2.0, 0.01f), point("sobol", "4 spp", 0.5, 0.2f),
+                  point("asos", "MAX 4 EPS 1/256", 2.0, 0.01f), point("sobol", "4 spp", 0.5, 0.2f),
                   point("sobol", "16 spp", 3.0, 0.05f)};
+  study.points[0].rung.settings.asos.max_level = 2;  // the other one has the default MAX and EPS
   const auto shown = shown_points(study);
   ASSERT_EQ(shown.size(), 2u);
   EXPECT_EQ(shown[0], &study.points[1]);

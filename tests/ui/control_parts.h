@@ -165,6 +165,7 @@ inline const std::map<std::string, Part> parts{
     {"Picture bar", Part::window},
     {"Layer", Part::picture},
     {"Method in bar", Part::view},
+    {"Layers in bar", Part::view},
     {"EPS in bar", Part::settings},
     {"MAX in bar", Part::settings},
     {"Before", Part::picture},

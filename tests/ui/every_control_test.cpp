@@ -320,7 +320,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   for (const bool changed : {false, true})
     for (const bool before : {false, true})
       use_all("a bar of two rows", [&, changed, before] {
-        rig.resize({1100, 480});
+        rig.resize({1250, 480});
         s.frames.store(rig.previewer().render().film(), "one", "");
         s.display.show_split_map = before;
         (void)rig.settle();

@@ -64,7 +64,7 @@ TEST_F(LayerViewerTest, RendersOnlyTheLayerThatIsShown) {
   ASSERT_EQ(rig.previewer().render().film().layers.size(), 1u);
   EXPECT_EQ(rig.previewer().render().film().layers[0].layer, Layer::depth);
   EXPECT_TRUE(settings().layers.empty()) << "it is no setting of the person's";
-  settings().method = Method::whitted;
+  settings().method = Method::beam;
   show(Layer::depth);
   EXPECT_TRUE(rig.previewer().render().film().layers.empty());
   EXPECT_EQ(rig.content().controls().all().at("Layer scale").words,

@@ -191,7 +191,12 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
     for (const Light& light : rig.previewer().scene()->lights()) all += light.name + " ";
     return all;
   };
-  const auto choose = [this](const std::string& name) {
+  // Edits in quick succession are undone together.
+  const auto wait = [this] {
+    for (int i = 0; i < 40; ++i) rig.frame();
+  };
+  const auto choose = [&](const std::string& name) {
+    wait();
     rig.click("Environment/" + name);
     EXPECT_TRUE(restarted());
   };
@@ -205,7 +210,7 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
   EXPECT_EQ(names(), "sun ");
   choose("white");
   EXPECT_EQ(names(), "");
-  for (int i = 0; i < 40; ++i) rig.frame();
+  wait();
   rig.chord(Key::ctrl, Key::z);
   EXPECT_TRUE(restarted());
   EXPECT_EQ(sky()->choice().environment, Environment::daylight);

@@ -94,7 +94,9 @@ bool Controls::list(const char* name, const char* tooltip, std::span<const std::
   const bool valid = chosen >= 0 && chosen < static_cast<int>(items.size());
   const char* preview = valid ? items[static_cast<std::size_t>(chosen)].c_str() : "";
   reset(name, chosen, to);
-  if (!ImGui::BeginCombo(("##" + std::string(name)).c_str(), preview)) {
+  // As high as the window allows: ImGui's default shows eight entries.
+  if (!ImGui::BeginCombo(("##" + std::string(name)).c_str(), preview,
+                         ImGuiComboFlags_HeightLargest)) {
     placed(name, tooltip, Use::edits);
     placed_[name].words = preview;
     return chosen != before;
