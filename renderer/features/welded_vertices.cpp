@@ -46,7 +46,8 @@ class PlaceTable {
   /// Returns the first vertex at a vertex' place, after all were added.
   [[nodiscard]] std::uint32_t first_at_place_of(std::uint32_t vertex) const {
     std::size_t at = first_slot(vertex);
-    while (positions_[slots_[at]] != positions_[vertex]) at = (at + 1) & (slots_.size() - 1);
+    while (slots_[at] != vertex && positions_[slots_[at]] != positions_[vertex])
+      at = (at + 1) & (slots_.size() - 1);
     return slots_[at];
   }
 

@@ -148,6 +148,13 @@ void expect_same_built_in_parallel(const World& world) {
   }
 }
 
+TEST(WeldedVertices, AtNanAreNotAtTheSamePlace) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<glm::vec3> positions{
+      {0, 1, 2}, {nan, 1, 2}, {nan, 1, 2}, {-0.0f, 1, 2}, {nan, nan, nan}};
+  EXPECT_EQ(welded_vertices(positions), (std::vector<std::uint32_t>{0, 1, 2, 0, 4}));
+}
+
 TEST(FeatureHierarchy, IsTheSameBuiltInParallel) {
   for (const std::string& scene : scenes()) {
     SCOPED_TRACE(scene);
