@@ -34,6 +34,9 @@ class ViewStudy::Work {
 
   /// Runs the study, on its own thread.
   void run(const std::stop_token& stop) {
+    // The search for boundaries would share the processors with the first renders. If it fails, the
+    // renders of ASOS say so.
+    (void)subject_.scene->geometry->boundaries.wait(stop);
     const bool measured =
         fit_into_time(stop) && run_pass(0, stop) && run_points(stop) && watch_renders(stop);
     for (int pass = 1; measured && !quiet_ && pass < reference_passes; ++pass)

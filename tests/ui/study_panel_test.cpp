@@ -144,6 +144,16 @@ TEST_F(ViewStudyTest, EndsInTimeWithAVerdict) {
   EXPECT_LE(state.study.points[0].rung.settings.width, 512);
 }
 
+// Until they are known, their search shares the processors.
+TEST_F(ViewStudyTest, RendersOnceTheBoundariesAreKnown) {
+  ViewStudy::Subject fresh = endless();
+  fresh.scene = prepare(load_scene("builtin:mixed").value()).value();
+  fresh.camera = fresh.scene->world().cameras.front();
+  ASSERT_TRUE(study.start(fresh).has_value());
+  ASSERT_TRUE(eventually([&] { return !study.state().doing.empty(); }));
+  EXPECT_TRUE(fresh.scene->geometry->boundaries.known());
+}
+
 TEST_F(ViewStudyTest, StopsAndKeepsWhatItFound) {
   ASSERT_TRUE(study.start(endless()).has_value());
   ASSERT_TRUE(eventually([&] { return study.state().points_run > 0; }));
