@@ -268,17 +268,26 @@ class ViewStudy::Work {
 StudyPlan ViewStudy::plan_in_time(StudyPlan plan, double sample_seconds, double seconds) {
   // Number of samples assumed for each setting of ASOS and of methods without a sample count.
   constexpr int uncounted = 24;
-  double samples = 2.0 * reference_samples(0);
+  double samples = 0.0;
+  double finest = 0.0;
   for (const std::string& method : plan.methods) {
     const auto rungs = ladder_of(method, {});
     if (!rungs) continue;
     for (const LadderStep& rung : *rungs) {
       const bool counted = row_of(rung.settings.method).samples != SampleCount::none;
-      samples += counted ? rung.settings.sampling.spp : uncounted;
+      const double spp = counted ? rung.settings.sampling.spp : uncounted;
+      samples += spp;
+      finest = std::max(finest, spp);
     }
   }
-  constexpr double part = 0.5;  // the rest is for watched renders and the reference
-  constexpr int smallest = 32;  // pixels
+  // Noise falls with the square root of the number of samples. With 16 times the samples of the
+  // finest setting, the reference is four times less noisy: quiet_enough().
+  double reference = 2.0 * reference_samples(0);
+  for (int pass = 1; pass < reference_passes && reference < 16.0 * finest; ++pass)
+    reference += 2.0 * reference_samples(pass);
+  samples += reference;
+  constexpr double part = 0.75;  // the rest is for watched renders and a wrong estimate
+  constexpr int smallest = 32;   // pixels
   const double pixels = part * seconds / std::max(1e-12, sample_seconds * samples);
   const double fits =
       std::sqrt(pixels / (static_cast<double>(plan.width) * static_cast<double>(plan.height)));

@@ -45,8 +45,8 @@ class ViewStudy {
     SceneStudy study;    ///< the points so far; of the measures only RMSE
   };
 
-  /// Chooses size and repetitions so that the first reference and all settings take about half of
-  /// `seconds`; more reference passes take the rest. `sample_seconds`: time per sample.
+  /// Chooses size and repetitions so that all settings and a reference that is quiet enough for the
+  /// finest of them take about three quarters of `seconds`. `sample_seconds`: time per sample.
   [[nodiscard]] static StudyPlan plan_in_time(StudyPlan plan, double sample_seconds,
                                               double seconds);
 

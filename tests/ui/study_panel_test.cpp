@@ -126,9 +126,9 @@ TEST(StudyInTime, SizeFollowsFromTheScenesCost) {
   const StudyPlan dear = ViewStudy::plan_in_time(plan, 1e-6, 60.0);
   EXPECT_EQ(dear.repetitions, 1);
   EXPECT_NEAR(dear.width, 2 * dear.height, 2);
-  // 128 samples of the reference, 341 of Sobol, and nine settings of ASOS
-  const double samples = 128 + 341 + 9 * 24;
-  EXPECT_NEAR(1e-6 * dear.width * dear.height * samples, 30.0, 1.0);
+  // 16 times the 256 samples of the finest setting, 341 of Sobol, and nine settings of ASOS
+  const double samples = 16 * 256 + 341 + 9 * 24;
+  EXPECT_NEAR(1e-6 * dear.width * dear.height * samples, 45.0, 1.0);
   EXPECT_EQ(ViewStudy::plan_in_time(plan, 1.0, 60.0).width, 32) << "the minimum size";
 }
 
