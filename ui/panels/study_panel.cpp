@@ -108,6 +108,7 @@ std::string words(const ViewStudy::State& state, bool automatic) {
       return "";
     case ViewStudy::Phase::running:
       if (state.resting) return "Paused while other work uses the CPU";
+      if (state.doing.empty()) return "Finding edges";
       return state.points_run < state.points ? "Now: " + state.doing
                                              : "Refining the reference: " + state.doing;
     case ViewStudy::Phase::stopped:
