@@ -1,12 +1,12 @@
 #include "ui/split_forecast.h"
 
 #include "renderer/comparison/method.h"
+#include "renderer/session/thread_seconds.h"
 #include "ui/previewer.h"
 #include "ui/snapshot_view.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <utility>
 
 namespace asos::ui {
@@ -16,12 +16,6 @@ namespace {
 constexpr double forecast_seconds = 0.15;
 constexpr int least_blocks = 4;
 constexpr int most_blocks = 400;
-
-double own_processor_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 PixelRect block_at(const RenderSettings& settings, int index) {
   // Roberts' R2 sequence: powers of the inverse of the plastic number.
@@ -40,7 +34,7 @@ PixelRect block_at(const RenderSettings& settings, int index) {
 Forecast forecast(const Snapshot& snapshot, double budget_seconds) {
   const RenderSettings& settings = snapshot.settings;
   const View view = view_of(snapshot);
-  const double start = own_processor_seconds();
+  const double start = thread_seconds();
   double pixels = 0.0, split = 0.0, squares = 0.0, taken = 0.0;
   int blocks = 0;
   while (blocks < most_blocks && (blocks < least_blocks || taken < budget_seconds)) {
@@ -55,7 +49,7 @@ Forecast forecast(const Snapshot& snapshot, double budget_seconds) {
     pixels += area;
     split += cut;
     squares += cut * cut / area;
-    taken = own_processor_seconds() - start;
+    taken = thread_seconds() - start;
     ++blocks;
   }
   Forecast told;

@@ -3,6 +3,7 @@
 #include "renderer/asos/pixel_trace.h"
 #include "renderer/film/film.h"
 #include "renderer/sampling/random.h"
+#include "renderer/session/thread_seconds.h"
 #include "ui/previewer.h"
 #include "ui/snapshot_view.h"
 
@@ -49,22 +50,28 @@ int apart(glm::u8vec3 a, glm::u8vec3 b) {
   return std::max({d.x, d.y, d.z});
 }
 
+constexpr int edge_reach = 2;  // pixels to each side of an edge
+
 // Difference of the plain colours on both sides of a pixel, in visible steps; 0 if it is small, or
-// if a side is not of one colour.
-int clearness(const Film& film, const std::vector<glm::u8vec3>& shown, glm::ivec2 pixel) {
+// if a side is not of one colour. `shown(pixel)`: display bytes.
+template <typename Shown>
+int clearness(const Shown& shown, glm::ivec2 pixel) {
   constexpr int least = 64, most = 128, step = 32, plain = 12;  // bytes
   int clearest = 0;
   for (const glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1), {1, -1}}) {
-    const auto at = [&](int n) {
-      const glm::ivec2 p = pixel + n * way;
-      return shown[film.index(p.x, p.y)];
-    };
+    const auto at = [&](int n) { return shown(pixel + n * way); };
     if (apart(at(-2), at(-1)) > plain || apart(at(1), at(2)) > plain) continue;
     const int across = apart(at(-1), at(1));
     const bool between = apart(at(0), at(-1)) > plain && apart(at(0), at(1)) > plain;
     if (across >= least && between) clearest = std::max(clearest, std::min(across, most) / step);
   }
   return clearest;
+}
+
+// Returns whether a final pixel was split by an object's edge.
+bool split_by_edge(const Film& film, std::size_t i) {
+  const bool is_final = film.unfinished.empty() || film.unfinished[i] == 0;
+  return is_final && film.split_level[i] > 0 && bounded(film.cause[i]);
 }
 
 struct Candidate {
@@ -127,18 +134,21 @@ double interest(const PixelTrace& trace) {
 
 }  // namespace
 
-std::optional<glm::ivec2> clear_edge_pixel(const Film& film, const DisplayTransform& display) {
-  constexpr int reach = 2;
+std::optional<glm::ivec2> clear_edge_pixel(const Film& film, const DisplayTransform& display,
+                                           ClearEdge which) {
+  constexpr int reach = edge_reach;
   if (film.width <= 2 * reach || film.height <= 2 * reach) return std::nullopt;
-  std::vector<glm::u8vec3> shown(film.radiance.size());
-  for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = display_bytes(film, i, display);
+  std::vector<glm::u8vec3> bytes(film.radiance.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = display_bytes(film, i, display);
+  const auto shown = [&](glm::ivec2 p) { return bytes[film.index(p.x, p.y)]; };
   std::optional<glm::ivec2> best;
   int clearest = 0;
   double nearest = 0.0;
   const glm::dvec2 middle = 0.5 * glm::dvec2(film.width, film.height);
   for (int y = reach; y < film.height - reach; ++y) {
     for (int x = reach; x < film.width - reach; ++x) {
-      const int clear = clearness(film, shown, {x, y});
+      if (which == ClearEdge::split && !split_by_edge(film, film.index(x, y))) continue;
+      const int clear = clearness(shown, {x, y});
       const double away = glm::distance(glm::dvec2(x + 0.5, y + 0.5), middle);
       if (clear == 0 || clear < clearest || (clear == clearest && away >= nearest)) continue;
       best = glm::ivec2(x, y);
@@ -147,6 +157,16 @@ std::optional<glm::ivec2> clear_edge_pixel(const Film& film, const DisplayTransf
     }
   }
   return best;
+}
+
+bool on_clear_edge(const Film& film, glm::ivec2 pixel, const DisplayTransform& display) {
+  const glm::ivec2 lo(edge_reach), hi = glm::ivec2(film.width, film.height) - edge_reach;
+  if (glm::any(glm::lessThan(pixel, lo)) || glm::any(glm::greaterThanEqual(pixel, hi)))
+    return false;
+  const auto shown = [&](glm::ivec2 p) {
+    return display_bytes(film, film.index(p.x, p.y), display);
+  };
+  return clearness(shown, pixel) > 0;
 }
 
 std::optional<glm::ivec2> most_split_pixel(const Film& film) {
@@ -189,7 +209,8 @@ SplitPixelSearch::Found SplitPixelSearch::work(const Request& request) const {
   const View view = view_of(picture);
   Found found{std::nullopt, false, request.restarts};
   double most = 0.0;
-  const auto start = std::chrono::steady_clock::now();
+  const double start = thread_seconds(),
+               most_seconds = std::chrono::duration<double>(longest).count();
   for (const glm::ivec2 pixel : request.candidates) {
     constexpr double enough = 0.5;
     const PixelTrace trace = trace_pixel(*picture.scene, view, picture.settings, pixel.x, pixel.y);
@@ -199,8 +220,7 @@ SplitPixelSearch::Found SplitPixelSearch::work(const Request& request) const {
       found.pixel = pixel;
       found.split = splits(trace) > 0;
     }
-    if (most > enough || current_ != request.restarts ||
-        std::chrono::steady_clock::now() - start > longest)
+    if (most > enough || current_ != request.restarts || thread_seconds() - start > most_seconds)
       break;
   }
   return found;

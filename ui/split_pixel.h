@@ -21,10 +21,16 @@ class Previewer;
 /// split by an object's edge. None: no pixel was split.
 [[nodiscard]] std::optional<glm::ivec2> most_split_pixel(const Film& film);
 
+/// Which pixels clear_edge_pixel considers: all, or only final ones that an object's edge split.
+enum class ClearEdge { any, split };
 /// Returns the pixel nearest to the centre that is on an edge between two clearly different
 /// colours; each must fill the two pixels next to it. None: there is no such edge.
 [[nodiscard]] std::optional<glm::ivec2> clear_edge_pixel(const Film& film,
-                                                         const DisplayTransform& display);
+                                                         const DisplayTransform& display,
+                                                         ClearEdge which = ClearEdge::any);
+/// Returns whether a pixel is on such an edge.
+[[nodiscard]] bool on_clear_edge(const Film& film, glm::ivec2 pixel,
+                                 const DisplayTransform& display);
 
 /// Searches in the background for a pixel of the finished picture that shows well how splitting
 /// works. Most candidates are not split, because an edge cuts them cleanly. Traces many candidates,
@@ -32,7 +38,7 @@ class Previewer;
 /// one that edges cut. All members must be called from one thread.
 class SplitPixelSearch {
  public:
-  /// Time limit of a search; it ends with the best pixel so far.
+  /// CPU time limit of a search; it ends with the best pixel so far.
   static constexpr std::chrono::seconds longest{3};
 
   SplitPixelSearch();

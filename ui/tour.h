@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -33,13 +34,23 @@ struct Tour {
     std::uint64_t restarts = 0;  ///< of the picture
     Card card = Card::pyray;
     int quarters = 0;    ///< quarters of the picture that were rendered; 5: finished
+    int samples = 0;     ///< samples of every pixel so far
     bool found = false;  ///< `found` was known
+    bool clear = false;  ///< `pixel` was on a clear edge
     bool operator==(const Chosen&) const = default;
   };
   std::optional<Chosen> chosen;
   std::optional<glm::ivec2> found;  ///< in the finished picture: see SplitPixelSearch
   bool none_split = false;          ///< no pixel was split: see SplitPixelSearch
-  glm::vec2 card_size{0.0f};        ///< at the last frame, in window coordinates; 0: not drawn yet
+  /// Heights of a card by its widths (see card_place), for one card and size of text and picture.
+  struct Drawn {
+    Card card = Card::pyray;
+    float em = 0.0f;
+    float room = 0.0f;  ///< width of the picture
+    std::array<float, 4> heights{};
+    bool settled = false;  ///< the last frame drew the card with its own height
+  };
+  Drawn drawn;
 
   struct Before {
     RenderSettings settings;

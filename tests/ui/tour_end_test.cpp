@@ -140,6 +140,30 @@ TEST(ClearEdgePixel, IsBetweenTwoPlainColours) {
   EXPECT_FALSE(clear_edge_pixel(Film{}, 0.0f));
 }
 
+// The card says that the pixel contains an edge, so it must not stay where a coarse picture had
+// one.
+TEST(ClearEdgePixel, IsKnownToHaveLostItsEdge) {
+  Film film = with_edge();
+  EXPECT_TRUE(on_clear_edge(film, {10, 7}, 0.0f));
+  EXPECT_FALSE(on_clear_edge(film, {12, 7}, 0.0f)) << "bright, as its neighbours";
+  EXPECT_FALSE(on_clear_edge(film, {1, 7}, 0.0f)) << "at the border";
+  std::fill(film.radiance.begin(), film.radiance.end(), glm::vec3(0.5f));
+  EXPECT_FALSE(on_clear_edge(film, {10, 7}, 0.0f));
+}
+
+TEST(ClearEdgePixel, MayHaveToBeSplitAndFinal) {
+  Film film = with_edge();
+  EXPECT_FALSE(clear_edge_pixel(film, 0.0f, ClearEdge::split)) << "no pixel is split";
+  film.unfinished.assign(film.radiance.size(), 0);
+  for (const glm::ivec2 pixel : {glm::ivec2(10, 12), glm::ivec2(10, 9), glm::ivec2(14, 7)}) {
+    film.split_level[film.index(pixel.x, pixel.y)] = 2;
+    film.cause[film.index(pixel.x, pixel.y)] = SplitCause::outline;
+  }
+  EXPECT_EQ(clear_edge_pixel(film, 0.0f, ClearEdge::split), glm::ivec2(10, 9));
+  film.unfinished[film.index(10, 9)] = 1;
+  EXPECT_EQ(clear_edge_pixel(film, 0.0f, ClearEdge::split), glm::ivec2(10, 12));
+}
+
 TEST(MostSplitPixel, IsFinal) {
   Film film(9, 5);
   film.unfinished.assign(film.radiance.size(), 0);
@@ -159,25 +183,46 @@ TEST(CardPlace, TouchesNothingWhereThereIsRoom) {
   constexpr float em = 10.0f;
   const WindowRect room{{5, 5}, {650, 500}};
   const std::vector<WindowRect> taken{{{5, 5}, {320, 500}}, {{420, 60}, {20, 20}}};
-  const CardPlace place = card_place(room, {250, 160}, taken, em);
+  const CardPlace place = card_place(room, {160}, taken, em);
   for (const WindowRect& rect : taken)
     EXPECT_FALSE(touch({place.lo, {place.width, 160}}, rect)) << place.lo.x << ' ' << place.lo.y;
   const std::vector<WindowRect> wide{{{5, 5}, {450, 500}}};
-  const CardPlace narrow = card_place(room, {250, 160}, wide, em);
+  const CardPlace narrow = card_place(room, {160}, wide, em);
   EXPECT_LT(narrow.width, 250.0f) << "a narrower card fits";
   EXPECT_GE(narrow.lo.x, 455.0f);
   // Without enough room the card covers a part of a panel, but not the pixel.
   const WindowRect pixel{{20, 20}, {20, 20}}, panel{{5, 200}, {650, 305}};
   const std::vector<WindowRect> crowded{pixel, panel, {{250, 5}, {405, 180}}};
-  const CardPlace cramped = card_place(room, {250, 160}, crowded, em);
+  const CardPlace cramped = card_place(room, {160}, crowded, em);
   EXPECT_FALSE(touch({cramped.lo, {cramped.width, 160}}, pixel)) << cramped.lo.x;
+}
+
+// A card whose text takes more lines when it is narrower. Its place must not depend on the width of
+// the last frame, or it would jump forever.
+TEST(CardPlace, RestsOnceItsWidthsWereDrawn) {
+  constexpr float em = 28.0f;
+  const WindowRect room{{14, 14}, {1252, 716}};
+  for (float left = 300.0f; left < 1000.0f; left += 20.0f) {
+    const std::vector<WindowRect> taken{{{14, 14}, {610, 716}}, {{left, 350}, {60, 60}}};
+    CardHeights heights{};
+    CardPlace place;
+    bool rests = false;
+    for (std::size_t frame = 0; frame < 2 * card_widths; ++frame) {
+      const CardPlace next = card_place(room, heights, taken, em);
+      rests = frame > 0 && next.lo == place.lo && next.width == place.width;
+      place = next;
+      heights[place.index] = 150.0f + 110000.0f / place.width;
+    }
+    EXPECT_TRUE(rests) << left;
+    EXPECT_LE(place.lo.y + place.height, room.lo.y + room.size.y) << left;
+  }
 }
 
 Controls::Placed placed(UiRig& rig, const std::string& name) {
   return rig.content().controls().all().at(name);
 }
 
-// The card covers no other panel at common window sizes, for any pixel.
+// The card covers no other panel at common window sizes.
 TEST(TourCard, CoversNoOtherPanel) {
   struct Case {
     glm::ivec2 size;
@@ -209,6 +254,35 @@ TEST(TourCard, CoversNoOtherPanel) {
             << ' ' << at.hi.y << ", " << over.lo.x << ' ' << over.lo.y << ' ' << over.hi.x << ' '
             << over.hi.y;
       }
+    }
+  }
+}
+
+// The picked pixel may be anywhere in the picture.
+TEST(TourCard, RestsForAnyPixel) {
+  UiRig rig(LoadFunction{}, {1280, 800}, 2.0f);
+  rig.set_pixel_size(8);
+  rig.previewer().edits().settings().asos.max_level = 1;
+  rig.previewer().scene().open("builtin:boxes");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+  ASSERT_TRUE(rig.settle());
+  rig.content().state().tour_asked = true;
+  rig.frame();
+  show_card(rig.content().state(), rig.previewer(), 1, 0.0);
+  ASSERT_TRUE(rig.settle());
+  const Film& film = rig.previewer().render().film();
+  for (int y = 5; y < film.height; y += 20) {
+    for (int x = 5; x < film.width; x += 20) {
+      rig.content().state().picked = glm::ivec2(x, y);
+      rig.frame();
+      ASSERT_TRUE(rig.sleeps()) << "the pixel's report has come";
+      const Controls::Placed at = placed(rig, "Card");
+      for (int i = 0; i < 3; ++i) {
+        rig.frame();
+        EXPECT_EQ(placed(rig, "Card").lo, at.lo) << x << ' ' << y;
+      }
+      const WindowRect& picture = rig.content().layout().picture;
+      EXPECT_LE(placed(rig, "Card").hi.y, picture.lo.y + picture.size.y) << x << ' ' << y;
     }
   }
 }

@@ -8,7 +8,8 @@ namespace asos::ui {
 
 namespace {
 
-constexpr float widths_em[] = {25.0f, 21.0f, 17.0f, 14.5f};
+constexpr std::array<float, card_widths> widths_em{25.0f, 21.0f, 17.0f, 14.5f};
+constexpr float usual_height_em = 14.0f;
 
 // Returns the covered fraction of a rectangle: to cover a pixel is as bad as to cover a whole
 // panel.
@@ -31,18 +32,30 @@ std::vector<float> starts(const WindowRect& room, float size, std::span<const Wi
   return all;
 }
 
+// Returns the height of a card. Estimates it from the next wider card that was drawn, or else from
+// the next narrower one, which is higher.
+float height_of(const CardHeights& heights, std::size_t index, float em) {
+  if (heights[index] > 0.0f) return heights[index];
+  // A narrower card needs more lines. Overestimates: titles and buttons keep their height.
+  for (std::size_t wider = index; wider-- > 0;)
+    if (heights[wider] > 0.0f) return heights[wider] * widths_em[wider] / widths_em[index];
+  for (std::size_t narrower = index + 1; narrower < card_widths; ++narrower)
+    if (heights[narrower] > 0.0f) return heights[narrower];
+  return usual_height_em * em * widths_em[0] / widths_em[index];
+}
+
 }  // namespace
 
-CardPlace card_place(const WindowRect& room, glm::vec2 size, std::span<const WindowRect> taken,
-                     float em) {
+CardPlace card_place(const WindowRect& room, const CardHeights& heights,
+                     std::span<const WindowRect> taken, float em) {
   const float gap = 0.3f * em;
-  const glm::vec2 drawn = size.x > 0.0f ? size : em * glm::vec2(widths_em[0], 14.0f);
   CardPlace best;
   float least = std::numeric_limits<float>::infinity();
-  for (const float width_em : widths_em) {
-    const float width = std::min(width_em * em, room.size.x);
-    // A narrower card needs more lines. Overestimates: titles and buttons keep their height.
-    const float height = std::min(drawn.y * std::max(1.0f, drawn.x / width), room.size.y);
+  for (std::size_t index = 0; index < card_widths && least > 0.0f; ++index) {
+    const float width = std::min(widths_em[index] * em, room.size.x);
+    const float whole = height_of(heights, index, em);
+    const float height = std::min(whole, room.size.y);
+    const bool too_high = heights[index] > 0.0f && whole > room.size.y;
     for (const float y : starts(room, height, taken, 1, gap)) {
       for (const float x : starts(room, width, taken, 0, gap)) {
         float hidden = 0.0f;
@@ -50,10 +63,9 @@ CardPlace card_place(const WindowRect& room, glm::vec2 size, std::span<const Win
           hidden += covered_fraction(rect, {{x, y}, {width, height}});
         if (hidden >= least) continue;
         least = hidden;
-        best = {{x, y}, width};
+        best = {{x, y}, width, height, index, too_high};
       }
     }
-    if (least <= 0.0f) break;
   }
   return best;
 }

@@ -203,13 +203,23 @@ std::optional<int> buttons(Controls& controls, int card) {
 }
 
 // The first card's pixel is on a clear edge of the current picture. The second card's is final and
-// split: from the unfinished picture until SplitPixelSearch has one.
+// split, too: from the unfinished picture until SplitPixelSearch has one.
 std::optional<glm::ivec2> pixel_for_card(const Previewer& previewer, const UiState& state) {
   const Tour& tour = state.tour;
   const Film& film = previewer.render().film();
-  if (*tour.card == Tour::Card::split) return tour.found ? tour.found : most_split_pixel(film);
-  const auto edge = clear_edge_pixel(film, state.display.transform());
+  const bool watched = *tour.card == Tour::Card::split;
+  if (watched && tour.found) return tour.found;
+  const auto edge = clear_edge_pixel(film, state.display.transform(),
+                                     watched ? ClearEdge::split : ClearEdge::any);
   return edge ? edge : most_split_pixel(film);
+}
+
+// Whether the first card's pixel was on a clear edge when it was chosen, and is no more. Coarse
+// passes show edges where blocks meet.
+bool lost_its_edge(const Film& film, const UiState& state) {
+  const Tour& tour = state.tour;
+  return tour.pixel && tour.chosen && tour.chosen->clear &&
+         !on_clear_edge(film, *tour.pixel, state.display.transform());
 }
 
 void choose_pixel(const Previewer& previewer, UiState& state, double now_seconds) {
@@ -217,16 +227,20 @@ void choose_pixel(const Previewer& previewer, UiState& state, double now_seconds
   const bool watched = *tour.card == Tour::Card::split;
   if (*tour.card > Tour::Card::split) return;
   const PreviewRender& render = previewer.render();
-  // The first card's pixel may change with each rendered quarter of the picture, the second's only
-  // when the search ends.
+  // The first card's pixel may change with each round of samples and each rendered quarter of the
+  // picture, the second's only when the search ends.
   const Progress progress = render.progress();
   const int quarters = progress.finished ? 5 : static_cast<int>(4.0 * progress.fraction);
-  const Tour::Chosen now{render.restarts(), *tour.card, quarters, tour.found.has_value()};
-  const bool keeps = tour.chosen == now;
+  Tour::Chosen now{render.restarts(), *tour.card, quarters, render.reached().samples,
+                   tour.found.has_value()};
+  const Film& film = render.film();
+  if (tour.chosen) now.clear = tour.chosen->clear;
+  const bool keeps = tour.chosen == now && (watched || !lost_its_edge(film, state));
   const bool still = tour.pixel && watched && tour.chosen && tour.chosen->card == now.card &&
                      tour.chosen->restarts == now.restarts && !tour.found;
   if (keeps || still) return;
   const std::optional<glm::ivec2> pixel = pixel_for_card(previewer, state);
+  now.clear = pixel && on_clear_edge(film, *pixel, state.display.transform());
   tour.chosen = now;
   if (pixel == tour.pixel && (!watched || pixel == state.picked)) return;
   tour.pixel = pixel;
@@ -245,6 +259,27 @@ void next_level(UiState& state, int deepest, double now_seconds) {
 
 WindowRect room_for_card(const WindowRect& picture, float em) {
   return {picture.lo + 0.5f * em, picture.size - em};
+}
+
+// Forgets the heights of another card, size of text or window.
+void renew_heights(Tour& tour, float em, float room) {
+  Tour::Drawn& drawn = tour.drawn;
+  if (drawn.card != *tour.card || drawn.em != em || drawn.room != room)
+    drawn = {*tour.card, em, room, {}, false};
+}
+
+// Notes the height of the card that was just laid out in the current window. Other heights are of
+// the card's old contents if it has changed.
+void note_height(Tour::Drawn& drawn, const CardPlace& place) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float height =
+      std::ceil(ImGui::GetCursorPosY() - style.ItemSpacing.y + style.WindowPadding.y);
+  drawn.settled = true;
+  // The scroll bar of a card that is too high takes some of its width.
+  if (place.too_high || height == drawn.heights[place.index]) return;
+  if (drawn.heights[place.index] > 0.0f) drawn.heights.fill(0.0f);
+  drawn.heights[place.index] = height;
+  drawn.settled = false;
 }
 
 // The areas that a card must leave free: other panels, and the picked pixel.
@@ -270,21 +305,24 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   if (std::exchange(state.tour_asked, false)) start_tour(state, previewer, now_seconds);
   if (!state.tour.card) return;
   const float em = ImGui::GetFontSize();
+  state.tour.drawn.settled = true;
   if (area.rect.size.x < 13.0f * em || area.rect.size.y < 10.0f * em) return;
   choose_pixel(previewer, state, now_seconds);
   next_level(state, previewer.edits().settings().asos.max_level, now_seconds);
 
-  const CardPlace place = card_place(room_for_card(area.rect, em), state.tour.card_size,
+  renew_heights(state.tour, em, area.rect.size.x);
+  const CardPlace place = card_place(room_for_card(area.rect, em), state.tour.drawn.heights,
                                      taken_places(controls, state, area), em);
   ImGui::SetNextWindowPos({place.lo.x, place.lo.y});
-  ImGui::SetNextWindowSizeConstraints({place.width, 0.0f}, {place.width, area.rect.size.y - em});
+  ImGui::SetNextWindowSize({place.width, place.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::Begin("tour", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing |
+                   (place.too_high ? 0 : ImGuiWindowFlags_NoScrollbar));
   const int card = static_cast<int>(*state.tour.card);
   const CardWords& words = card_words[static_cast<std::size_t>(card)];
   theme::push_title();
@@ -295,15 +333,16 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   body(controls, previewer, state, equal_time, area.rect.size.y, now_seconds);
   const std::optional<int> next = buttons(controls, card);
   controls.placed_window("Card");
-  const ImVec2 size = ImGui::GetWindowSize();
-  state.tour.card_size = {size.x, size.y};
+  note_height(state.tour.drawn, place);
   ImGui::End();
   ImGui::PopStyleVar(2);
   if (next) show_card(state, previewer, *next, now_seconds);
 }
 
 std::optional<double> seconds_to_card(const UiState& state, double now_seconds) {
-  if (!state.tour.card || !state.shown_level) return std::nullopt;
+  if (!state.tour.card) return std::nullopt;
+  if (!state.tour.drawn.settled) return 0.0;
+  if (!state.shown_level) return std::nullopt;
   return std::max(0.0, state.tour.since_seconds + Tour::seconds_per_level - now_seconds);
 }
 
