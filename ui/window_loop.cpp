@@ -56,7 +56,7 @@ void WindowLoop::draw(double now) {
   schedule_.begin_frame(now);
   content_.draw({window_.size(), window_.framebuffer_size(), window_.content_scale(), now});
   window_.present();
-  schedule_.end_frame(content_.seconds_to_redraw());
+  schedule_.end_frame(hooks_.now_seconds(), content_.seconds_to_redraw());
   if (const RenderScene* scene = previewer_.scene().get();
       scene && scene->geometry->source != titled_) {
     titled_ = scene->geometry->source;

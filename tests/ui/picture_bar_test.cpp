@@ -208,7 +208,7 @@ TEST_F(PictureBarTest, TheMapFollowsEveryStepOfADragAtOnce) {
       const std::uint64_t before = render.map_revision();
       DrawSchedule schedule;
       schedule.begin_frame(1.0);
-      schedule.end_frame(rig.content().seconds_to_redraw());
+      schedule.end_frame(1.0, rig.content().seconds_to_redraw());
       schedule.note_input();
       EXPECT_LE(schedule.due(), 1.0 + 1.0 / 60.0 + 1e-9) << "the next frame";
       rig.content().input().add(MouseMoved{place(share)});

@@ -107,7 +107,7 @@ bool UiRig::sleeps(double limit_seconds) {
       now_seconds_ = std::max(now_seconds_, schedule_.due());
       schedule_.begin_frame(now_seconds_);
       draw();
-      schedule_.end_frame(content_->seconds_to_redraw());
+      schedule_.end_frame(now_seconds_, content_->seconds_to_redraw());
     }
     pause_for_other_threads();
   }
