@@ -21,7 +21,10 @@ using TimeWordsTest = test::PanelsTest;
 TEST(TimeWords, SayWhoseSecondsTheyAre) {
   EXPECT_EQ(wait_words(0.2), "1 s left");
   EXPECT_EQ(wait_words(12.0), "15 s left");
-  EXPECT_EQ(wait_words(61.0), "2 min left");
+  EXPECT_EQ(wait_words(57.0), "1 min left");
+  EXPECT_EQ(wait_words(61.0), "1 min 10 s left");
+  EXPECT_EQ(wait_words(299.0), "5 min left");
+  EXPECT_EQ(wait_words(301.0), "6 min left");
   EXPECT_EQ(wait_words(5400.0), "1.5 h left");
   EXPECT_EQ(processor_words(4.25), "4.25 s CPU");
   EXPECT_EQ(duration_words(4.25), "4.2 s");

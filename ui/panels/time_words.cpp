@@ -11,7 +11,14 @@ namespace {
 
 std::string rough_duration(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.0f} s", std::max(1.0, std::ceil(seconds)));
-  if (seconds < 60.0) return fmt::format("{:.0f} s", 5.0 * std::ceil(seconds / 5.0));
+  if (seconds <= 55.0) return fmt::format("{:.0f} s", 5.0 * std::ceil(seconds / 5.0));
+  // Whole minutes would say 2 min for 61 s.
+  constexpr double few_minutes = 300.0;
+  if (seconds <= few_minutes) {
+    const int whole = 10 * static_cast<int>(std::ceil(seconds / 10.0));
+    return whole % 60 == 0 ? fmt::format("{} min", whole / 60)
+                           : fmt::format("{} min {} s", whole / 60, whole % 60);
+  }
   if (seconds < 3600.0) return fmt::format("{:.0f} min", std::ceil(seconds / 60.0));
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
