@@ -35,12 +35,13 @@ void PreviewRender::update(const Subject& subject, double now_seconds) {
 // Holds the tiles until the first pass covers the picture: a mix of two poses would look torn.
 void PreviewRender::take_tiles(double now_seconds) {
   // Read before the tiles are taken, so that these include the whole pass.
-  const bool whole = session_.reached().pass != Reached::Pass::nothing;
+  const Reached reached = session_.reached();
+  const bool whole = reached.pass != Reached::Pass::nothing;
   std::vector<FinishedTile> tiles = session_.take_finished();
   held_.insert(held_.end(), std::make_move_iterator(tiles.begin()),
                std::make_move_iterator(tiles.end()));
   if (!whole && now_seconds - restarted_seconds_ < first_picture_seconds) return;
-  for (FinishedTile& tile : held_) film_.put(std::move(tile));
+  for (FinishedTile& tile : held_) film_.put(std::move(tile), reached.samples);
   held_.clear();
 }
 
@@ -85,14 +86,14 @@ void PreviewRender::restart(const Subject& subject, double now_seconds) {
   // The old scene must not be destroyed while a worker uses it; restart waits for the workers.
   held_.clear();
   session_.restart({subject.scene, subject.camera, subject.settings, true, true});
-  const bool keeps_map = differs_in_splitting_only(rendered_, subject);
-  if (!keeps_map) before_.reset();
+  const bool same_view = differs_in_splitting_only(rendered_, subject);
+  if (!same_view) before_.reset();
   rendered_ = subject;
   ++restarts_;
   restarted_seconds_ = now_seconds;
   refinement_.begin();
   if (refinement_.rest() == PauseReason::none) session_.resume();
-  film_.begin(subject.settings, keeps_map);
+  film_.begin(subject.settings, same_view);
 }
 
 void PreviewRender::rest_or_go_on() {

@@ -1,6 +1,7 @@
 #include "ui/refining_film.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -45,20 +46,44 @@ double squared_difference(const Film& film, const FinishedTile& tile) {
   return sum;
 }
 
+// Replaces the pixels of a tile by the film's where these are finer. `inside`: the tile's part in
+// the film.
+void keep_finer(const Film& film, const std::vector<std::uint8_t>& fineness, std::uint8_t of_tile,
+                const PixelRect& inside, FinishedTile& tile) {
+  const bool covers = !tile.coverage.empty() && !film.coverage.empty();
+  const bool unlit = !tile.unlit.empty() && !film.unlit.empty();
+  for (int y = inside.y; y < inside.y + inside.height; ++y) {
+    for (int x = inside.x; x < inside.x + inside.width; ++x) {
+      const std::size_t from = film.index(x, y);
+      if (fineness[from] <= of_tile) continue;
+      const auto to =
+          static_cast<std::size_t>(y - tile.rect.y) * static_cast<std::size_t>(tile.rect.width) +
+          static_cast<std::size_t>(x - tile.rect.x);
+      tile.radiance[to] = film.radiance[from];
+      if (covers) tile.coverage[to] = film.coverage[from];
+      if (unlit) tile.unlit[to] = film.unlit[from];
+    }
+  }
+}
+
 }  // namespace
 
-void RefiningFilm::begin(const RenderSettings& settings, bool keeps_map) {
+void RefiningFilm::begin(const RenderSettings& settings, bool same_view) {
   pixels_taken_ = 0;
   corrected_ = 0.0;
   pixels_finished_ = 0;
   if (film_.width != settings.width || film_.height != settings.height) {
     film_ = stretched(film_, settings.width, settings.height);
     changed_ = {{0, 0, film_.width, film_.height}};
-    keeps_map = false;
+    same_view = false;
   }
   std::erase_if(film_.layers,
                 [&](const LayerPlane& plane) { return !settings.layers.has(plane.layer); });
-  if (!keeps_map) map_.clear(film_.radiance.size());
+  if (!same_view) {
+    map_.clear(film_.radiance.size());
+    fineness_.assign(film_.radiance.size(), 0);
+  }
+  final_fineness_ = static_cast<std::uint8_t>(2 + 2 * std::max(0, settings.asos.max_level));
   predict(settings);
   map_.render_by(settings);
   film_.unfinished.assign(film_.radiance.size(), 1);
@@ -69,28 +94,49 @@ void RefiningFilm::predict(const RenderSettings& asked) {
   if (map_.predict(asked, film_)) ++map_revision_;
 }
 
-void RefiningFilm::put(FinishedTile tile) {
+void RefiningFilm::put(FinishedTile tile, int samples) {
   const std::int64_t pixels_of_tile = static_cast<std::int64_t>(tile.rect.width) * tile.rect.height;
-  if (tile.coarse) {
-    map_.complete(tile, film_);
-  } else {
-    corrected_ += squared_difference(film_, tile);
-    pixels_finished_ += pixels_of_tile;
-  }
+  pixels_taken_ += pixels_of_tile;
+  if (tile.coarse) return put_coarse(std::move(tile), samples);
+  corrected_ += squared_difference(film_, tile);
+  pixels_finished_ += pixels_of_tile;
   std::vector<SplitPredictionData> outlook = std::exchange(tile.outlook, {});  // the map keeps it
   film_.put(tile);
   tile.outlook = std::move(outlook);
-  if (!tile.coarse) finish(tile);
+  finish(tile);
   changed_.push_back(tile.rect);
-  pixels_taken_ += pixels_of_tile;
+}
+
+void RefiningFilm::put_coarse(FinishedTile tile, int samples) {
+  const auto of_tile = static_cast<std::uint8_t>(std::bit_width(static_cast<unsigned>(samples)));
+  const PixelRect inside = intersection(tile.rect, {0, 0, film_.width, film_.height});
+  bool all_finer = true;
+  for (int y = inside.y; y < inside.y + inside.height; ++y) {
+    const auto row = fineness_.begin() + static_cast<std::ptrdiff_t>(film_.index(inside.x, y));
+    all_finer = all_finer && std::all_of(row, row + inside.width,
+                                         [&](std::uint8_t held) { return held > of_tile; });
+  }
+  if (all_finer) return;
+  map_.complete(tile, film_);
+  keep_finer(film_, fineness_, of_tile, inside, tile);
+  tile.outlook.clear();
+  film_.put(tile);
+  for (int y = inside.y; y < inside.y + inside.height; ++y) {
+    const auto row = fineness_.begin() + static_cast<std::ptrdiff_t>(film_.index(inside.x, y));
+    std::transform(row, row + inside.width, row,
+                   [&](std::uint8_t held) { return std::max(held, of_tile); });
+  }
+  changed_.push_back(tile.rect);
 }
 
 void RefiningFilm::finish(const FinishedTile& tile) {
   map_.note_final(tile, film_);
   const PixelRect inside = intersection(tile.rect, {0, 0, film_.width, film_.height});
-  for (int y = inside.y; y < inside.y + inside.height; ++y)
-    std::fill_n(film_.unfinished.begin() + static_cast<std::ptrdiff_t>(film_.index(inside.x, y)),
-                inside.width, std::uint8_t{0});
+  for (int y = inside.y; y < inside.y + inside.height; ++y) {
+    const auto first = static_cast<std::ptrdiff_t>(film_.index(inside.x, y));
+    std::fill_n(film_.unfinished.begin() + first, inside.width, std::uint8_t{0});
+    std::fill_n(fineness_.begin() + first, inside.width, final_fineness_);
+  }
 }
 
 double RefiningFilm::split_share() const {

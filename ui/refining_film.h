@@ -17,11 +17,12 @@ namespace asos::ui {
 class RefiningFilm {
  public:
   /// Call when a render starts. The picture stays until tiles arrive, stretched if the size
-  /// differs. `keeps_map`: only EPS and MAX differ from the previous render, so the split map stays
-  /// and is predicted for pixels that are not final.
-  void begin(const RenderSettings& settings, bool keeps_map);
-  /// Adds a tile of the running render.
-  void put(FinishedTile tile);
+  /// differs. `same_view`: only EPS and MAX differ from the previous render. Then the split map
+  /// stays and is predicted for pixels that are not final, and pixels stay until finer ones arrive.
+  void begin(const RenderSettings& settings, bool same_view);
+  /// Adds a tile of the running render. `samples`: a coarse tile has at least so many in each
+  /// pixel.
+  void put(FinishedTile tile, int samples = 0);
   /// Shows the split map predicted for another EPS and MAX at once: see PredictedMap.
   void predict(const RenderSettings& asked);
 
@@ -40,10 +41,15 @@ class RefiningFilm {
   [[nodiscard]] std::optional<double> estimated_rmse() const;
 
  private:
+  void put_coarse(FinishedTile tile, int samples);
   void finish(const FinishedTile& tile);
   [[nodiscard]] std::int64_t pixels() const;
 
   Film film_;
+  /// Fineness of each pixel of this view, from 0: 1 + log2 of the samples of a coarse pixel, and
+  /// 2 + 2 MAX for a final one, which has up to 4^MAX cells.
+  std::vector<std::uint8_t> fineness_;
+  std::uint8_t final_fineness_ = 0;  // of the running render
   PredictedMap map_;
   std::uint64_t map_revision_ = 0;
   std::vector<PixelRect> changed_;

@@ -121,6 +121,44 @@ TEST(RefiningFilm, NeverShowsLessOfTheMapThanIsKnown) {
   EXPECT_EQ(film.split_share(), 0.0);
 }
 
+// Dragging EPS or MAX used to show blocks of 8 x 8 pixels in place of a finished picture.
+TEST(RefiningFilm, KeepsFinalPixelsOfTheViewUntilFinerOnesArrive) {
+  const glm::vec3 old(0.25f), coarse(0.5f), last(0.75f);
+  RefiningFilm film;
+  film.begin(of_size(2, 1), false);
+  film.put(tile({0, 0, 1, 1}, old, false));
+  film.begin(of_size(2, 1, 1.0 / 8.0), true);
+  (void)film.take_changed();
+  for (const int samples : {0, 1, 16}) film.put(tile({0, 0, 2, 1}, coarse, true), samples);
+  EXPECT_EQ(film.film().radiance, (std::vector<glm::vec3>{old, coarse})) << "MAX 4: 256 cells";
+  EXPECT_TRUE(film.covered());
+  film.put(tile({0, 0, 2, 1}, last, false));
+  EXPECT_EQ(film.film().radiance, (std::vector<glm::vec3>{last, last}));
+  // Another view does not keep them.
+  film.begin(of_size(2, 1, 1.0 / 8.0), false);
+  film.put(tile({0, 0, 2, 1}, coarse, true));
+  EXPECT_EQ(film.film().radiance, (std::vector<glm::vec3>{coarse, coarse}));
+}
+
+// Pixels of MAX 0 have one cell, so rounds of samples are finer. Blocks and quarters are not.
+TEST(RefiningFilm, ShowsSamplesThatAreFinerThanTheLastPicture) {
+  const glm::vec3 old(0.25f), coarse(0.5f);
+  RenderSettings whole = of_size(1, 1);
+  whole.asos.max_level = 0;
+  RefiningFilm film;
+  film.begin(whole, false);
+  film.put(tile({0, 0, 1, 1}, old, false));
+  film.begin(of_size(1, 1), true);
+  for (const int samples : {0, 1}) film.put(tile({0, 0, 1, 1}, coarse, true), samples);
+  EXPECT_EQ(film.film().radiance[0], old);
+  film.put(tile({0, 0, 1, 1}, coarse, true), 2);
+  EXPECT_EQ(film.film().radiance[0], coarse);
+  // The next step of the drag starts with blocks again.
+  film.begin(of_size(1, 1, 1.0 / 300.0), true);
+  film.put(tile({0, 0, 1, 1}, old, true), 0);
+  EXPECT_EQ(film.film().radiance[0], coarse);
+}
+
 // Each step of a long drag starts another render.
 TEST(RefiningFilm, ALongDragForgetsNothing) {
   RefiningFilm film;
