@@ -1,5 +1,6 @@
 #include "tests/ui/panels_fixture.h"
 #include "ui/error_map.h"
+#include "ui/theme.h"
 
 #include <gtest/gtest.h>
 
@@ -224,6 +225,24 @@ class SeenPictureBarTest : public PictureBarTest {
  protected:
   SeenPictureBarTest() : PictureBarTest({740, 420}, 1) {}
 };
+
+// A value that stands across the end of its bar is hard to read.
+TEST_F(SeenPictureBarTest, TheBarOfASliderLiesBelowItsValue) {
+  rig.move_to({5, 5});
+  for (int i = 0; i < 3; ++i) rig.frame();
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  for (const char* name : {"EPS in bar", "MAX in bar"}) {
+    const Controls::Placed at = rig.control(name);
+    const auto is_bar = [&](float y) {
+      const auto i =
+          static_cast<std::size_t>(static_cast<int>(y) * 740 + static_cast<int>(at.lo.x + 6.0f));
+      return (pixels[i].x << 16 | pixels[i].y << 8 | pixels[i].z) ==
+             static_cast<int>(theme::rgb(theme::accent));
+    };
+    EXPECT_TRUE(is_bar(at.hi.y - 2.0f)) << name;
+    for (float y = at.lo.y + 3.0f; y < at.hi.y - 5.0f; y += 1.0f) EXPECT_FALSE(is_bar(y)) << y;
+  }
+}
 
 TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   const UiState& state = rig.content().state();

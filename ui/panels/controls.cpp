@@ -23,7 +23,7 @@ std::string hidden_label(const char* name) {
   return std::string("##") + name;
 }
 
-// Paints a bar with text over the slider that was just drawn, whose grab would hide the number.
+// Paints a bar below text over the slider that was just drawn, whose grab would hide the number.
 // `from` and `to` are fractions of its width. Does nothing while a value is typed.
 void paint_slider(float from, float to, const std::string& text) {
   const bool active = ImGui::IsItemActive();
@@ -37,18 +37,19 @@ void paint_slider(float from, float to, const std::string& text) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const bool lit = active || ImGui::IsItemHovered();
   draw->AddRectFilled(lo, hi, theme::packed(lit ? theme::field_hovered : theme::field), rounding);
-  draw->AddRectFilled({x_at(low), lo.y}, {x_at(high), hi.y}, theme::packed(theme::accent),
-                      rounding);
+  // The bar lies below the text, which stays legible at any value.
+  const float em = ImGui::GetFontSize(), thick = std::max(3.0f, std::round(0.28f * em));
+  draw->AddRectFilled({x_at(low), hi.y - thick}, {x_at(high), hi.y}, theme::packed(theme::accent));
   // A mark at the value distinguishes an empty bar from a text field.
-  const float mark = std::round(0.3f * ImGui::GetFontSize());
+  const float mark = std::round(0.3f * em);
   const float left = std::clamp(x_at(to) - 0.5f * mark, lo.x, hi.x - mark);
-  const float thin = std::max(2.0f, std::round(0.13f * ImGui::GetFontSize()));
-  draw->AddRectFilled({left, hi.y - thin}, {left + mark, hi.y},
+  draw->AddRectFilled({left, hi.y - thick - std::round(0.1f * em)}, {left + mark, hi.y},
                       theme::packed(theme::accent_bright));
 
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   draw->PushClipRect(lo, hi, true);
-  draw->AddText({std::round(0.5f * (lo.x + hi.x - size.x)), lo.y + 0.5f * (hi.y - lo.y - size.y)},
+  draw->AddText({std::round(0.5f * (lo.x + hi.x - size.x)),
+                 std::round(lo.y + 0.5f * (hi.y - thick - lo.y - size.y))},
                 theme::packed(theme::text), text.c_str());
   draw->PopClipRect();
 }

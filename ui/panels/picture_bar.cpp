@@ -113,7 +113,8 @@ void ghost(const Controls& controls, const char* name, float share) {
   const float em = ImGui::GetFontSize();
   const float x = std::round(at.lo.x + std::clamp(share, 0.0f, 1.0f) * (at.hi.x - at.lo.x));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddLine({x, at.lo.y}, {x, at.hi.y}, theme::packed(theme::text, 0.7f), 0.12f * em);
+  draw.AddLine({x, at.hi.y - 0.4f * em}, {x, at.hi.y}, theme::packed(theme::text, 0.7f),
+               0.12f * em);
   draw.AddTriangleFilled({x - 0.3f * em, at.lo.y}, {x + 0.3f * em, at.lo.y},
                          {x, at.lo.y + 0.35f * em}, theme::packed(theme::text, 0.7f));
 }
