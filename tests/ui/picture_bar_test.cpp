@@ -1,7 +1,9 @@
+#include "renderer/study/ladders.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/error_map.h"
 #include "ui/theme.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -269,6 +271,9 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   const std::vector<glm::u8vec3> now = rig.pixels();
   rig.key(Key::v);
   EXPECT_TRUE(state.show_before);
+  EXPECT_EQ(state.message,
+            fmt::format("Before: EPS {}, MAX {}", eps_text(first.asos.eps), first.asos.max_level))
+      << "as the slider says it";
   rig.content().state().message.clear();
   rig.frame();
   EXPECT_NE(rig.pixels(), now);

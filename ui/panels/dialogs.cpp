@@ -1,3 +1,4 @@
+#include "renderer/study/ladders.h"
 #include "ui/input.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/surface_panel.h"
@@ -162,7 +163,7 @@ void show_before(UiState& state, const PreviewRender& render) {
   state.show_before = state.shows_layer() || !state.show_before;
   state.leave_layer();
   state.said = state.show_before
-                   ? fmt::format("Before: EPS {:.4g}, MAX {}", before->settings.asos.eps,
+                   ? fmt::format("Before: EPS {}, MAX {}", eps_text(before->settings.asos.eps),
                                  before->settings.asos.max_level)
                    : std::string("Current picture");
 }
