@@ -288,6 +288,22 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   EXPECT_FALSE(state.show_before);
 }
 
+// A method's name alone says little.
+TEST_F(PictureBarTest, ListsTheMethodsWithALineEach) {
+  rig.click("Method in bar");
+  rig.frame();
+  rig.frame();
+  ASSERT_TRUE(all().contains("Method in bar line/Sobol"));
+  EXPECT_EQ(all().at("Method in bar line/Sobol").words,
+            "Fixed number of Owen-scrambled Sobol samples per pixel.");
+  const Controls::Placed entry = rig.control("Method in bar/Sobol");
+  const Controls::Placed line = rig.control("Method in bar line/Sobol");
+  EXPECT_NEAR(line.centre().y, entry.centre().y, 2.0f) << "on the same line";
+  rig.click("Method in bar/Sobol");
+  rig.frame();
+  EXPECT_EQ(settings().method, Method::sobol);
+}
+
 TEST_F(PictureBarTest, LeavesRoomForThePicture) {
   for (const glm::ivec2 size :
        {glm::ivec2(420, 300), {420, 700}, {700, 500}, {1000, 640}, {1920, 1080}}) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asos::ui {
@@ -158,15 +159,31 @@ void before_button(Controls& controls, const Previewer& previewer, UiState& stat
     state.show_before = !state.show_before;
 }
 
+// The first sentence of a description.
+std::string first_sentence(std::string_view text) {
+  const std::size_t end = text.find(". ");
+  return std::string(end == std::string_view::npos ? text : text.substr(0, end + 1));
+}
+
+// The methods, each with a line about it.
 void method_list(Controls& controls, Previewer& previewer) {
   RenderSettings& settings = previewer.edits().settings();
-  const std::vector<Method> offered = methods_for(settings, previewer.scene().get());
-  std::vector<std::string> titles;
-  for (const Method method : offered) titles.emplace_back(row_of(method).title);
-  const auto at = std::find(offered.begin(), offered.end(), settings.method);
-  auto chosen = static_cast<int>(at - offered.begin());
-  if (controls.list("Method in bar", row_of(settings.method).about, titles, chosen))
-    settings.method = offered[static_cast<std::size_t>(chosen)];
+  constexpr const char* name = "Method in bar";
+  const MethodRow& chosen = row_of(settings.method);
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool open =
+      ImGui::BeginCombo("##Method in bar", chosen.title, ImGuiComboFlags_HeightLargest);
+  if (!open) return controls.placed(name, chosen.about, Controls::Use::edits);
+  for (const Method method : methods_for(settings, previewer.scene().get())) {
+    const MethodRow& row = row_of(method);
+    if (ImGui::Selectable(row.title, method == settings.method)) settings.method = method;
+    controls.placed(fmt::format("{}/{}", name, row.title), row.about);
+    ImGui::SameLine(9.0f * ImGui::GetFontSize());
+    const std::string line = first_sentence(row.about);
+    ImGui::TextDisabled("%s", line.c_str());
+    controls.placed_words(fmt::format("{} line/{}", name, row.title), line, nullptr);
+  }
+  ImGui::EndCombo();
 }
 
 void zoom_buttons(Controls& controls, PictureView& view) {
