@@ -242,6 +242,22 @@ TEST(WatchedGltf, SideFilesAreLoadedAgain) {
   EXPECT_FALSE(rig.previewer().scene().error().has_value());
 }
 
+// "builtin:box" listed nothing, and Enter said that there is no such file.
+TEST_F(WatchedFileTest, OffersBuiltInScenesWhoseNameIsHalfTyped) {
+  rig.click("Open...");
+  rig.frame();
+  rig.frame();
+  rig.type("builtin:boxe");
+  rig.frame();
+  rig.frame();
+  EXPECT_TRUE(rig.content().controls().all().contains("Built-in/boxes"));
+  EXPECT_FALSE(rig.content().controls().all().contains("Built-in/office"));
+  rig.key(Key::enter);
+  const auto error = [&] { return rig.previewer().scene().error(); };
+  ASSERT_TRUE(rig.frames_until([&] { return error().has_value(); })) << "the rig has no such scene";
+  EXPECT_EQ(error()->subject, "builtin:boxes");
+}
+
 TEST_F(WatchedFileTest, RecentFilesAreOffered) {
   rig.previewer().scene().open("missing");
   // The error's message has priority, whenever it comes.

@@ -10,6 +10,7 @@
 #include <cctype>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace asos::ui {
@@ -42,6 +43,12 @@ std::string recent_list(Controls& controls, const std::vector<std::string>& rece
   return chosen;
 }
 
+// The typed text without the prefix of built-in scenes.
+std::string builtin_name(const std::string& typed) {
+  constexpr std::string_view prefix = "builtin:";
+  return typed.starts_with(prefix) ? typed.substr(prefix.size()) : typed;
+}
+
 std::string builtin_list(Controls& controls, const std::string& filter) {
   std::string chosen;
   ImGui::TextDisabled("Built-in scenes");
@@ -65,7 +72,7 @@ std::string known_scenes(Controls& controls, const UiState& state, float height)
   ImGui::EndChild();
   ImGui::SameLine();
   ImGui::BeginChild("built-in", {width, height});
-  if (const std::string builtin = builtin_list(controls, filter); !builtin.empty())
+  if (const std::string builtin = builtin_list(controls, builtin_name(filter)); !builtin.empty())
     chosen = builtin;
   ImGui::EndChild();
   return chosen;
@@ -76,9 +83,16 @@ std::string known_scenes(Controls& controls, const UiState& state, float height)
 std::string known_like(const UiState& state, const std::string& typed) {
   for (const std::string& file : state.recent)
     if (named_like(printable(std::filesystem::path(file).filename().string()), typed)) return file;
-  for (const BuiltinScene& scene : builtin_scenes())
-    if (named_like(scene.name, typed)) return "builtin:" + scene.name;
-  return typed;
+  const std::string name = builtin_name(typed);
+  const std::vector<BuiltinScene>& scenes = builtin_scenes();
+  const auto exact = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const BuiltinScene& scene) { return scene.name == name; });
+  const auto like =
+      exact != scenes.end()
+          ? exact
+          : std::find_if(scenes.begin(), scenes.end(),
+                         [&](const BuiltinScene& scene) { return named_like(scene.name, name); });
+  return like == scenes.end() ? typed : "builtin:" + like->name;
 }
 
 }  // namespace
