@@ -73,11 +73,12 @@ class Recorder {
       : rig_(LoadFunction{}, window_size, 1.0f, UiRig::Skies::usual) {
     rig_.previewer().edits().settings() = {};
     rig_.content().state().show_panel = false;
-    rig_.content().state().display.show_split_map = true;
     rig_.content().state().display.show_legend = false;
     rig_.previewer().scene().open(source);
     wait(900.0, [&] { return finished(); });
     if (!finished()) throw std::runtime_error(source + " is not finished");
+    // Opening a scene turns the split map off.
+    rig_.content().state().display.show_split_map = true;
   }
 
   /// Drags a slider of the bar through these fractions of its width.
