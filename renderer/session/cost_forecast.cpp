@@ -24,6 +24,16 @@ void CostForecast::leave_out(std::size_t pass) {
   passes_[pass].left_out = true;
 }
 
+void CostForecast::guess(std::size_t pass) {
+  passes_[pass].guessed = true;
+}
+
+bool CostForecast::guesses() const {
+  return std::any_of(passes_.begin(), passes_.end(), [](const PassCosts& pass) {
+    return pass.guessed && !pass.left_out && pass.count == 0;
+  });
+}
+
 void CostForecast::set_likeness(std::span<const double> values) {
   alike_.resize(blocks_);
   std::iota(alike_.begin(), alike_.end(), 0u);

@@ -29,7 +29,12 @@ class CostForecast {
   /// Marks a pass before the last one as skipped.
   void leave_out(std::size_t pass);
 
+  /// Marks the growth of a pass as a guess, which may be wrong by a factor of ten.
+  void guess(std::size_t pass);
+
   [[nodiscard]] double seconds_done() const { return done_; }
+  /// Returns true while no block of a pass with a guessed growth was measured.
+  [[nodiscard]] bool guesses() const;
   /// Returns the forecast; none before the first block is done.
   [[nodiscard]] std::optional<double> seconds_left() const;
 
@@ -40,6 +45,7 @@ class CostForecast {
     std::size_t count = 0;
     double sum = 0.0;
     bool left_out = false;
+    bool guessed = false;
   };
   /// Costs of the blocks that are done in two passes.
   struct Shared {

@@ -58,6 +58,9 @@ RenderRun::RenderRun(Snapshot snapshot, std::function<void()> on_tiles)
     for (std::size_t round = 0; round + 1 < rounds; ++round) clock_.leave_out(round);
     return;
   }
+  // Both stages of the blocks; their growth depends on the scene, EPS and MAX.
+  clock_.guess(rounds);
+  clock_.guess(rounds + 1);
   const std::size_t first = render_.snapshot.progressive ? usual_rounds : 0;
   for (std::size_t round = first; round < rounds; ++round) clock_.leave_out(round);
 }

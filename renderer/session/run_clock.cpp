@@ -22,6 +22,11 @@ void RunClock::leave_out(std::size_t pass) {
   made_.reset();
 }
 
+void RunClock::guess(std::size_t pass) {
+  const std::lock_guard lock(mutex_);
+  forecast_.guess(pass);
+}
+
 void RunClock::set_likeness(std::span<const double> values) {
   const std::lock_guard lock(mutex_);
   forecast_.set_likeness(values);
@@ -103,10 +108,11 @@ std::optional<double> RunClock::work_left(Clock::time_point now) const {
   return *made_->left - (done - made_->done);
 }
 
-// The caller holds the mutex.
+// The caller holds the mutex. A guessed growth is good enough for the order of a percentage, but
+// not for a time.
 double RunClock::seconds_left(Clock::time_point now) const {
   if (complete_) return 0.0;
-  if (pace_.empty() || closed_) return -1.0;
+  if (pace_.empty() || closed_ || forecast_.guesses()) return -1.0;
   const std::optional<double> left = work_left(now);
   const double passed = seconds(now - pace_.front().time);
   const double done = forecast_.seconds_done() - pace_.front().seconds;

@@ -27,6 +27,7 @@ class RunClock {
 
   /// See CostForecast.
   void leave_out(std::size_t pass);
+  void guess(std::size_t pass);
   void set_likeness(std::span<const double> values);
   /// Starts the first pass that is forecast; only the first call counts.
   void begin_forecast();

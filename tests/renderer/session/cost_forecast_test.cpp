@@ -159,6 +159,22 @@ TEST(CostForecast, KnowsNothingBeforeABlockIsDone) {
   EXPECT_DOUBLE_EQ(*forecast.seconds_left(), 18.0);
 }
 
+// Once a block of each guessed pass was measured, the forecast no longer rests on the guess.
+TEST(CostForecast, KnowsWhetherItGuesses) {
+  CostForecast forecast(4, {5.0, 0.7});
+  forecast.guess(1);
+  forecast.guess(2);
+  forecast.add(0, 0, 1.0);
+  EXPECT_TRUE(forecast.guesses());
+  forecast.add(1, 0, 3.0);
+  EXPECT_TRUE(forecast.guesses());
+  forecast.add(2, 0, 0.0);
+  EXPECT_FALSE(forecast.guesses()) << "the block ended in the pass before";
+  CostForecast known(4, {5.0});
+  known.add(0, 0, 1.0);
+  EXPECT_FALSE(known.guesses());
+}
+
 TEST(CostForecast, TakesThePassBeforeForAGuide) {
   CostForecast forecast(4, {5.0});
   for (std::size_t i = 0; i < 4; ++i) forecast.add(0, i, 1.0 + static_cast<double>(i));
