@@ -15,6 +15,11 @@ bool same_splitting(const RenderSettings& a, const RenderSettings& b) {
   return a.asos.eps == b.asos.eps && a.asos.max_level == b.asos.max_level;
 }
 
+/// Whether settings split as deeply as others everywhere.
+bool is_finer(const RenderSettings& a, const RenderSettings& than) {
+  return a.asos.eps <= than.asos.eps && a.asos.max_level >= than.asos.max_level;
+}
+
 /// Calls `f` with the index of each pixel of a tile in the film and in the tile. Skips pixels
 /// outside the film.
 template <typename F>
@@ -79,7 +84,9 @@ void PredictedMap::show(const Pixels& pixels, Film& film) const {
     film.split_level[i] = pixel.level;
     film.cause[i] = pixel.cause;
     if (same_splitting(origins_[pixel.origin], asked_)) return;
-    const int level = predictions[pixel.origin].level_of(pixel.outlook, pixel.cause);
+    int level = predictions[pixel.origin].level_of(pixel.outlook, pixel.cause);
+    // A pixel is split by finer settings if it was by coarser ones.
+    if (is_finer(asked_, origins_[pixel.origin])) level = std::max<int>(level, pixel.level);
     film.split_level[i] = static_cast<std::uint8_t>(level);
     // Edges are found at any setting, so a pixel without any that is predicted to split does so for
     // its shading.
