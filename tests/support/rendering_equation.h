@@ -33,12 +33,17 @@ struct SeenPoint {
   glm::dvec3 position, normal, to_viewer;
 };
 
+/// The fifth power, in a fifth of std::pow's time.
+[[nodiscard]] inline double fifth_power(double x) {
+  return x * x * (x * x) * x;
+}
+
 /// GGX's D times Smith's V.
 [[nodiscard]] inline double ggx_reference(double roughness, const SeenPoint& at,
                                           glm::dvec3 to_light) {
   const glm::dvec3 n = at.normal, v = at.to_viewer;
   const glm::dvec3 h = glm::normalize(v + to_light);
-  const double a2 = std::pow(roughness, 4.0);
+  const double alpha = roughness * roughness, a2 = alpha * alpha;
   const double nl = glm::dot(n, to_light), nv = glm::dot(n, v), nh = glm::dot(n, h);
   const glm::dvec3 across = glm::cross(n, h);
   const double b = glm::dot(across, across) + a2 * nh * nh;
@@ -113,7 +118,7 @@ struct LayersSeen {
   double below_sheen = 1.0;
 
   LayersSeen(const Reflector& r, const SeenPoint& at) {
-    coat = r.coat * (0.04 + 0.96 * std::pow(1.0 - glm::dot(at.normal, at.to_viewer), 5.0));
+    coat = r.coat * (0.04 + 0.96 * fifth_power(1.0 - glm::dot(at.normal, at.to_viewer)));
     if (r.sheen == glm::dvec3(0.0)) return;
     const double albedo = over_hemisphere(
         at, 40, [&](glm::dvec3 l) { return sheen_reference(r.sheen_roughness, at, l); });
@@ -127,7 +132,7 @@ struct LayersSeen {
   const glm::dvec3 h = glm::normalize(at.to_viewer + to_light);
   const double specular = r.anisotropy > 0.0 ? anisotropic_reference(r, at, to_light)
                                              : ggx_reference(r.roughness, at, to_light);
-  const double schlick = std::pow(1.0 - glm::dot(at.to_viewer, h), 5.0);
+  const double schlick = fifth_power(1.0 - glm::dot(at.to_viewer, h));
   const double fresnel = 0.04 + 0.96 * schlick;
   const glm::dvec3 dielectric =
       (1.0 - fresnel) * std::numbers::inv_pi * r.base + glm::dvec3(fresnel * specular);

@@ -19,7 +19,7 @@ using test::usual_display;
 
 class ComparePanelTest : public PanelsTest {
  protected:
-  ComparePanelTest() : PanelsTest(1) {
+  ComparePanelTest() : PanelsTest(1, test::UiRig::with_bar({660, 480})) {
     rig.click("section/Compare");
     rig.frame();
   }

@@ -31,13 +31,11 @@ using test::parts;
 
 class EveryControlTest : public PanelsTest {
  protected:
-  EveryControlTest() : PanelsTest(8) {
+  EveryControlTest() : PanelsTest(8, small) {
     ImGui::GetIO().ClipboardUserData = &clipboard_;
     ImGui::GetIO().SetClipboardTextFn = [](void* to, const char* text) {
       *static_cast<std::string*>(to) = text;
     };
-    rig.resize(small);
-    EXPECT_TRUE(rig.settle());
     initial_ = settings();
     setenv("XDG_PICTURES_DIR", testing::TempDir().c_str(), 1);
     files_.write("model.glb", "no model");

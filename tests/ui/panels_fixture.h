@@ -18,7 +18,9 @@ using namespace ui;
 /// that.
 class PanelsTest : public testing::Test {
  protected:
-  explicit PanelsTest(int pixel_size = 6) {
+  /// Renders the picture once at this size of the window; a larger one takes seconds.
+  explicit PanelsTest(int pixel_size = 6, glm::ivec2 size = UiRig::with_bar({660, 1000}))
+      : rig(load, size) {
     rig.set_pixel_size(pixel_size);
     StoredSettings stored = rig.content().stored_settings();
     stored.tab = PanelTab::all;
@@ -48,15 +50,22 @@ class PanelsTest : public testing::Test {
   RenderSettings& settings() { return rig.previewer().edits().settings(); }
   DisplaySettings& display() { return rig.content().state().display; }
 
-  UiRig rig{[](const std::string& source) -> Result<Scene> {
-              if (source.starts_with("missing")) {
-                return unexpected(Error{source, "there is no such file"});
-              }
-              return scene_named(source);
-            },
-            UiRig::with_bar({660, 1000})};
+  /// Renders every pixel of the window, for tests that read them.
+  void show_all_pixels() {
+    rig.set_pixel_size(1);
+    rig.frame();
+    EXPECT_TRUE(restarted());
+  }
+
+  UiRig rig;
 
  private:
+  static Result<Scene> load(const std::string& source) {
+    if (source.starts_with("missing")) {
+      return unexpected(Error{source, "there is no such file"});
+    }
+    return scene_named(source);
+  }
   /// A grating, or two triangles with the properties that the name states.
   static Scene scene_named(const std::string& source) {
     if (source == "grating") return test::grating(source);

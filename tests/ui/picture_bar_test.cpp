@@ -17,8 +17,7 @@ namespace {
 class PictureBarTest : public test::PanelsTest {
  protected:
   explicit PictureBarTest(glm::ivec2 size = {1300, 700}, int pixel_size = 3)
-      : PanelsTest(pixel_size) {
-    rig.resize(size);
+      : PanelsTest(pixel_size, size) {
     rig.content().state().tab = PanelTab::antialias;
     EXPECT_TRUE(rig.settle());
     for (int i = 0; i < 3; ++i) rig.frame();

@@ -207,7 +207,6 @@ TEST_F(SceneExportTest, SaysWhatCannotBeWritten) {
 
 class SaveMoreTest : public PanelsTest {
  protected:
-  SaveMoreTest() : PanelsTest(1) {}
   UiState& state() { return rig.content().state(); }
   void install(const std::string& name, const std::string& script) {
     folder.write(name, "#!/bin/sh\n" + script);
@@ -278,6 +277,7 @@ TEST_F(SaveMoreTest, TheSplitMapIsOffForTheNextFile) {
 }
 
 TEST_F(SaveMoreTest, ASavedSplitMapHasItsLegend) {
+  show_all_pixels();
   rig.key(Key::m);
   rig.key(Key::p);
   const Result<RgbImage> saved = read_png(folder.file("scene-001.png"));

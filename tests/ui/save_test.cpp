@@ -13,10 +13,7 @@ namespace {
 
 class SaveTest : public test::PanelsTest {
  protected:
-  SaveTest() : PanelsTest(1) {
-    setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1);
-    rig.set_blind(false);
-  }
+  SaveTest() { setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1); }
   ~SaveTest() override { unsetenv("XDG_PICTURES_DIR"); }
 
   void open_dialog() {
@@ -62,6 +59,8 @@ TEST_F(SaveTest, AnySizeIsRenderedAsItIsSaved) {
 
 // The saved picture equals the framebuffer pixel by pixel once the dialog is gone.
 TEST_F(SaveTest, TheWindowIsSavedAsSeen) {
+  show_all_pixels();
+  rig.set_blind(false);
   display().show_split_map = true;
   rig.frame();
   open_dialog();

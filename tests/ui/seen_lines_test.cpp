@@ -13,11 +13,7 @@ namespace {
 // to 0.544 at y = 0, and hides 4/3 of that one unit behind it.
 class SeenLines : public PanelsTest {
  protected:
-  SeenLines() : PanelsTest(1) {
-    rig.resize({1300, 700});
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().render().film().width > 900; }));
-    EXPECT_TRUE(rig.settle());
-  }
+  SeenLines() : PanelsTest(1, {960, 520}) {}
   /// The parts of a line, in the author's coordinates.
   [[nodiscard]] std::vector<LinePart> parts(glm::dvec3 a, glm::dvec3 b) {
     const RenderScene& scene = *rig.previewer().scene();

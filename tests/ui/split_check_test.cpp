@@ -47,11 +47,7 @@ TEST(FindFaults, NeighboursAreOneRun) {
 
 class SplitCheckTest : public PanelsTest {
  protected:
-  SplitCheckTest() : PanelsTest(1) {
-    rig.resize({460, 240});
-    EXPECT_TRUE(rig.settle());
-    (void)restarted();
-  }
+  SplitCheckTest() : PanelsTest(1, {460, 240}) {}
   [[nodiscard]] UiState& state() { return rig.content().state(); }
   [[nodiscard]] Snapshot snapshot() {
     return {rig.previewer().scene().shared(), rig.previewer().viewpoint().camera().camera(),

@@ -84,7 +84,7 @@ class SplitMapTest : public testing::Test {
     return rig.pixels()[static_cast<std::size_t>(at.y * rig.size().x + at.x)];
   }
 
-  UiRig rig{kinked_wall, UiRig::with_bar({905, 899})};  // the picture has 577 x 871 pixels
+  UiRig rig{kinked_wall, UiRig::with_bar({905, 604})};  // the picture has 577 x 576 pixels
 };
 
 TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {

@@ -14,7 +14,7 @@ namespace {
 
 class SurfaceViewerTest : public PanelsTest {
  protected:
-  SurfaceViewerTest() : PanelsTest(1) {}
+  SurfaceViewerTest() : PanelsTest(1, UiRig::with_bar({660, 600})) {}
 
   SurfaceChoice& choice() { return rig.content().state().surfaces; }
   [[nodiscard]] bool shown() {

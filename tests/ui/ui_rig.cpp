@@ -33,10 +33,11 @@ RenderSettings small_settings() {
   return settings;
 }
 
-// A test waits for the render's thread, and laying out a frame takes about a millisecond. Without a
-// pause that is longer, waiting takes as much processor time as rendering.
-void pause_for_other_threads() {
-  std::this_thread::sleep_for(std::chrono::milliseconds(4));
+// A test waits for the render's thread, and laying out a frame takes about a millisecond. Pauses
+// keep waiting from taking as much processor time as rendering. A render takes many frames; other
+// jobs end within a few.
+void pause_for_other_threads(bool rendering) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(rendering ? 12 : 4));
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ bool UiRig::frames_until(const std::function<bool()>& done, double limit_seconds
       return false;
     }
     frame();
-    pause_for_other_threads();
+    pause_for_other_threads(previewer_->render().progress().running);
   }
   return true;
 }
@@ -109,7 +110,7 @@ bool UiRig::sleeps(double limit_seconds) {
       draw();
       schedule_.end_frame(now_seconds_, content_->seconds_to_redraw());
     }
-    pause_for_other_threads();
+    pause_for_other_threads(previewer_->render().progress().running);
   }
   return false;
 }

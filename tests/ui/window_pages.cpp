@@ -16,8 +16,9 @@
 // Pictures of the window to look at, rendered in memory: window_pages FOLDER [MODELS]. Writes
 // index.html with the window at its first start, in both themes, at 200 %, 420 pixels wide, at each
 // card of the tour, and with the explanations open; and with models of the folder MODELS (its
-// scenes/NAME/NAME.glb) as they open. window_pages --manual FOLDER writes window.png, which
-// README.md shows. Fails if a picture is empty.
+// scenes/NAME/NAME.glb) as they open. Without MODELS, as in the test, the scene is rendered
+// coarsely: this shows the window as well, in a third of the time. window_pages --manual FOLDER
+// writes window.png, which README.md shows. Fails if a picture is empty.
 
 namespace asos::test {
 using namespace ui;
@@ -27,7 +28,10 @@ namespace fs = std::filesystem;
 
 class Pages {
  public:
-  explicit Pages(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
+  /// `coarse`: renders the scenes coarsely.
+  Pages(fs::path folder, bool coarse) : folder_(std::move(folder)), coarse_(coarse) {
+    fs::create_directories(folder_);
+  }
 
   /// A window after opening and using a scene, and its picture.
   struct Page {
@@ -42,7 +46,8 @@ class Pages {
     RenderSettings& settings = rig.previewer().edits().settings();
     settings = {};
     settings.threads = 2;
-    settings.asos.max_level = page.max_level;
+    settings.asos.max_level = coarse_ ? 0 : page.max_level;
+    if (coarse_) settings.asos.leaf = LeafKind::point;
     rig.previewer().scene().open(page.source);
     wait(rig, page.source);
     if (page.use) page.use(rig);
@@ -89,6 +94,7 @@ class Pages {
   }
 
   fs::path folder_;
+  bool coarse_;
   std::string html_;
 };
 
@@ -173,7 +179,7 @@ void more_pages(Pages& pages, const std::string& source) {
 
 // The picture of README.md: the split map over the left half of a finished picture.
 void write_manual_picture(const std::string& folder) {
-  Pages pages(folder);
+  Pages pages(folder, false);
   Pages::Page page{"window", "The window", "builtin:office", {1280, 720}, 1.0f, [](UiRig& rig) {
                      rig.key(Key::s);
                      rig.frame();
@@ -188,7 +194,7 @@ void write_manual_picture(const std::string& folder) {
 }
 
 int write_pages(const std::string& folder, const std::string& models) {
-  Pages pages(folder);
+  Pages pages(folder, models.empty());
   own_pages(pages, "builtin:boxes");
   if (!models.empty()) {
     more_pages(pages, "builtin:office");
