@@ -79,6 +79,9 @@ void add_in_front(Light light, std::vector<Light>& lights) {
 
 void take_lights(const Previewer& previewer, SceneOrder& order) {
   const RenderScene& scene = *previewer.scene();
+  // Default lights are among the scene's own now, whether they are on or off.
+  order.added_lighting =
+      scene.geometry->stage.has_default_lighting ? AddedLighting::environment : AddedLighting::none;
   const SceneContents& contents = scene.geometry->contents;
   const std::vector<int>& hidden = order.source.hidden;
   const std::set<int> nodes = nodes_with_edited_lights(scene, previewer.edits(), hidden);
@@ -115,7 +118,7 @@ bool copies_file(const SceneOrder& order) {
 Result<std::string> copied(const SceneOrder& order) {
   const GltfEdits edits{order.source.asset_root, order.shown_scene,
                         order.source.variant,    order.lights,
-                        order.light_nodes,       order.dfrs};
+                        order.added_lighting,    order.light_nodes,       order.dfrs};
   return copy_gltf(order.source.path, order.path, edits).map([&] { return order.path; });
 }
 
@@ -141,7 +144,10 @@ Result<std::string> written(const SceneOrder& order) {
   if (!scene) return unexpected(scene.error());
   mark_light_objects(order.light_objects, *scene);
   leave_out(*scene, order.source.hidden);
-  if (order.lights) scene->lights = *order.lights;
+  if (order.lights) {
+    scene->lights = *order.lights;
+    scene->added_lighting = order.added_lighting;
+  }
   if (order.dfrs)
     for (std::size_t i = 0; i < std::min(order.dfrs->size(), scene->materials.size()); ++i)
       scene->materials[i].dfr = (*order.dfrs)[i];

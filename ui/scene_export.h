@@ -19,6 +19,7 @@ struct SceneOrder {
   std::string path;                          ///< .glb or .gltf
   int shown_scene = -1;                      ///< of the file; -1: it has none
   std::optional<std::vector<Light>> lights;  ///< author's coordinates; none: the file's
+  AddedLighting added_lighting = AddedLighting::automatic;  ///< if there are `lights`
   /// The objects whose emissive surfaces are among `lights`: indices among all objects, and into
   /// SceneContents::nodes.
   std::vector<int> light_objects, light_nodes;

@@ -16,6 +16,8 @@ struct GltfEdits {
   int scene = -1;                              ///< becomes the default one; -1: stays
   std::string variant{};                       ///< its materials become the default ones
   std::optional<std::vector<Light>> lights{};  ///< instead of the file's
+  /// What is added to `lights`. Ignored without `lights`.
+  AddedLighting added_lighting = AddedLighting::automatic;
   /// Indices into SceneContents::nodes; their emissive meshes emit no light.
   std::vector<int> light_nodes{};
   std::optional<std::vector<std::optional<Dfr>>> dfrs{};  ///< of the file's materials

@@ -2,6 +2,7 @@
 #include "renderer/gltf/document.h"
 #include "renderer/gltf/image_based_light.h"
 #include "renderer/gltf/importer.h"
+#include "renderer/gltf/lights_cameras.h"
 #include "renderer/gltf/load.h"
 #include "renderer/gltf/materials.h"
 #include "renderer/gltf/variants.h"
@@ -94,6 +95,7 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
     still_.moving_materials = moving_materials(clips_);
     base_.materials = import_materials(doc_, *textures_, still_.moving_materials);
     base_.surroundings = image_based_light(doc_, accessors_, shown_scene_);
+    base_.added_lighting = added_lighting(doc_, shown_scene_);
     return {};
   }
 

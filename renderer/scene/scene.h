@@ -313,6 +313,13 @@ struct SceneNotes {
   std::vector<std::string> not_shown;
 };
 
+/// The lighting that the program adds to a scene.
+enum class AddedLighting {
+  automatic,    ///< lights, environment and ground, if the scene itself has almost no light
+  environment,  ///< environment and ground; the user chose the lights
+  none
+};
+
 class PosableScene;
 struct EnvironmentCube;
 
@@ -328,6 +335,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   std::shared_ptr<const EnvironmentCube> surroundings;  ///< EXT_lights_image_based; null: none
+  AddedLighting added_lighting = AddedLighting::automatic;
   SceneNotes notes;
   SceneContents contents;
   std::optional<ClipTime> time;  ///< of the animation; none: the rest pose of the nodes

@@ -191,6 +191,39 @@ TEST_F(SceneExportTest, LightsThatAreOffStayOff) {
   EXPECT_NEAR(mean(picture()) / mean(dark), 1.0, 0.01);
 }
 
+// Lights of an intensity up to 1 could not be told from black ones: default lights came back.
+TEST_F(SceneExportTest, AWeakOrRemovedLightGetsNoDefaultLights) {
+  for (EditedLight& edited : previewer->edits().edit_lights()) edited.on = false;
+  relit();
+  const double dark = mean(picture());
+  for (const bool removed : {false, true}) {
+    std::vector<EditedLight>& lights = previewer->edits().edit_lights();
+    if (removed) lights.clear();
+    for (EditedLight& edited : lights) edited.light.intensity = 0.5f, edited.on = false;
+    relit();
+    const std::size_t count = lights.size();
+    const std::string path = folder.file(removed ? "removed.glb" : "weak.glb");
+    ASSERT_TRUE(export_edited(order_of(*previewer, path)));
+    open(path);
+    EXPECT_EQ(previewer->edits().lights().size(), count);
+    EXPECT_NEAR(mean(picture()) / dark, 1.0, 0.01);
+  }
+}
+
+// A default light that was edited is the scene's own; its environment stays.
+TEST_F(SceneExportTest, EditedDefaultLightsKeepTheirEnvironment) {
+  open(folder.write("square.glb", GltfBuilder::square().glb()));
+  ASSERT_TRUE(previewer->scene()->lighting->default_lights_added);
+  const std::size_t count = previewer->edits().lights().size();
+  previewer->edits().edit_lights()[0].on = false;
+  relit();
+  ASSERT_TRUE(export_edited(order_of(*previewer, folder.file("one.glb"))));
+  open(folder.file("one.glb"));
+  EXPECT_EQ(previewer->edits().lights().size(), count);
+  EXPECT_FALSE(previewer->edits().lights()[0].on);
+  EXPECT_TRUE(previewer->scene()->geometry->stage.has_default_lighting);
+}
+
 TEST_F(SceneExportTest, SaysWhatCannotBeWritten) {
   const auto error = [&](const std::string& path) {
     const Result<std::string> written = export_edited(order_of(*previewer, path));

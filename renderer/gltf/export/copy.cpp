@@ -135,6 +135,7 @@ void apply_edits(const GltfEdits& edits, GltfDocument& document) {
   Scene lights;
   lights.lights = *edits.lights;
   write_lights(lights, document);
+  write_added_lighting(edits.added_lighting, document);
 }
 
 gltf::Checked<GltfDocument> copied(const std::string& source, const GltfEdits& edits) {

@@ -41,6 +41,8 @@ class GltfDocument {
 
   /// Appends to one of the document's lists, such as "nodes".
   int add(const char* list, nlohmann::json value);
+  /// Returns the default scene; without scenes, the root.
+  [[nodiscard]] nlohmann::json& default_scene();
   /// Appends a node that is a root of the default scene. Without scenes, all nodes are shown.
   void add_root_node(nlohmann::json node);
   void use_extension(const std::string& name) { extensions_.insert(name); }
@@ -90,6 +92,8 @@ struct TextureTransform {
 void write_materials(const Scene& scene, GltfDocument& document);
 void write_meshes(const Scene& scene, GltfDocument& document);
 void write_lights(const Scene& scene, GltfDocument& document);
+/// Writes which lighting is added when the file is opened (LIGHTS.md).
+void write_added_lighting(AddedLighting lighting, GltfDocument& document);
 void write_cameras(const Scene& scene, GltfDocument& document);
 
 /// Writes `bytes` to a temporary file next to `path` and renames it to `path`, so that no

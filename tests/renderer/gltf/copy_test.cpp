@@ -170,6 +170,37 @@ TEST_F(CopyGltf, EmissiveNodesAreMarked) {
   EXPECT_TRUE(after.lights.empty());
 }
 
+TEST_F(CopyGltf, TheMarkOfEditedLightsIsRead) {
+  GltfEdits edits;
+  edits.lights = std::vector<Light>{};
+  for (const auto lighting :
+       {AddedLighting::none, AddedLighting::environment, AddedLighting::automatic}) {
+    edits.added_lighting = lighting;
+    EXPECT_EQ(copy(edits).added_lighting, lighting);
+  }
+  // Without scenes, the file itself has the mark.
+  GltfBuilder b = rich_file();
+  b.json.erase("scenes");
+  b.json.erase("scene");
+  source = folder.write("source/file.gltf", b.gltf("data.bin"));
+  const Scene before = *import_gltf(source, {});
+  edits.added_lighting = AddedLighting::none;
+  const Scene after = copy(edits);
+  EXPECT_EQ(after.added_lighting, AddedLighting::none);
+  EXPECT_EQ(after.notes.warnings, before.notes.warnings);
+}
+
+TEST_F(CopyGltf, AnUnknownMarkIsIgnored) {
+  GltfBuilder b = rich_file();
+  b.json["scenes"][0]["extras"]["asos_default_lighting"] = "bright";
+  source = folder.write("source/file.gltf", b.gltf("data.bin"));
+  const Scene scene = *import_gltf(source, {});
+  EXPECT_EQ(scene.added_lighting, AddedLighting::automatic);
+  ASSERT_EQ(scene.notes.warnings.size(), 1u);
+  EXPECT_EQ(scene.notes.warnings[0],
+            "the scene's asos_default_lighting is neither 'none' nor 'environment'; ignored");
+}
+
 // A view past the end of its buffer does not read the data that follows in the copy.
 TEST_F(CopyGltf, BrokenViewsStayBroken) {
   GltfBuilder b = rich_file();
