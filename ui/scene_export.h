@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/gltf/copy.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "ui/scene_loader.h"
@@ -23,6 +24,8 @@ struct SceneOrder {
   /// The objects whose emissive surfaces are among `lights`: indices among all objects, and into
   /// SceneContents::nodes.
   std::vector<int> light_objects, light_nodes;
+  /// The hidden parts of the file's nodes; none: they cannot be removed from the file.
+  std::optional<std::vector<NodePart>> removed;
   std::optional<MaterialDfrs> dfrs;  ///< none: the file's own
 };
 

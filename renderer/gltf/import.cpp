@@ -65,8 +65,11 @@ SceneContents contents_of(const Document& doc, const std::vector<Clip>& clips,
   for (std::size_t i = 0; i < doc.model.cameras.size(); ++i)
     if (!placed.contains(static_cast<int>(i))) ++contents.cameras_not_placed;
   contents.nodes = nodes_of(doc, graph, shown);
-  for (const Instance& instance : scene.instances)
-    if (scene.shows_surface(instance)) contents.object_nodes.push_back(instance.node);
+  for (const Instance& instance : scene.instances) {
+    if (!scene.shows_surface(instance)) continue;
+    contents.object_nodes.push_back(instance.node);
+    contents.object_primitives.push_back(instance.primitive);
+  }
   return contents;
 }
 

@@ -269,6 +269,7 @@ struct Instance {
   bool shows_light = false;  ///< the visible surface of a light of the scene; emits no light itself
   int shape = -1;            ///< index into Scene::shapes; -1: none
   int node = -1;             ///< index into SceneContents::nodes; -1: none
+  int primitive = -1;        ///< of the node's glTF mesh; -1: the node's shape, or none
 };
 
 /// A light, placed in the world. gltf/LIGHTS.md describes its encoding in files. It has no surface

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -95,6 +96,11 @@ void write_lights(const Scene& scene, GltfDocument& document);
 /// Writes which lighting is added when the file is opened (LIGHTS.md).
 void write_added_lighting(AddedLighting lighting, GltfDocument& document);
 void write_cameras(const Scene& scene, GltfDocument& document);
+
+/// Removes parts of the document's nodes: per node, the primitives of its mesh, or -1 for its
+/// shape. The nodes and their children stay.
+using NodeParts = std::map<std::size_t, std::set<int>>;
+void remove_parts(const NodeParts& parts, nlohmann::json& root);
 
 /// Writes `bytes` to a temporary file next to `path` and renames it to `path`, so that no
 /// incomplete file is visible.
