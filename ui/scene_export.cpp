@@ -157,12 +157,16 @@ void mark_light_objects(const std::vector<int>& places, Scene& scene) {
 }
 
 std::string words_of(const Scene& scene, const std::string& path) {
-  return scene.contents.animations.empty() ? path : path + " (without its animations)";
+  const bool complete = scene.contents.animations.empty() || writes_animations(scene);
+  return complete ? path : path + " (without its animations)";
 }
 
 Result<std::string> written(const SceneOrder& order) {
   if (copies_file(order)) return copied(order);
-  Result<Scene> scene = load_scene(order.source.path, {.variant = order.source.variant,
+  // Built-in scenes are quickly posed; the motion of a file's scene is seldom that of whole
+  // objects.
+  Result<Scene> scene = load_scene(order.source.path, {.keep_posable = is_builtin(order),
+                                                       .variant = order.source.variant,
                                                        .scene = order.source.scene,
                                                        .asset_root = order.source.asset_root});
   if (!scene) return unexpected(scene.error());

@@ -32,9 +32,10 @@ struct SceneOrder {
 /// The open scene with its edits. Requires a scene.
 [[nodiscard]] SceneOrder order_of(const Previewer& previewer, std::string path);
 
-/// Copies the scene's file with the edits. A built-in scene, and one with hidden objects, is
-/// written anew from its meshes at rest. Returns the path, with a note if animations were left
-/// out. Errors name the file and the reason.
+/// Copies the scene's file with the edits and without the hidden objects. A built-in scene is
+/// written with its animations. If only some copies of an instanced node are hidden, a file is
+/// written from its meshes at rest. Returns the path, with a note if animations were left out.
+/// Errors name the file and the reason.
 [[nodiscard]] Result<std::string> export_edited(const SceneOrder& order);
 
 using SceneExportJob = StoppableJob<Result<std::string>>;

@@ -273,6 +273,16 @@ TEST_F(SceneExportTest, CopiesOfOneNodeAreHiddenWithoutAnimations) {
   EXPECT_EQ(load_scene(path, {})->instances.size(), 1u);
 }
 
+TEST_F(SceneExportTest, ABuiltInScenesAnimationIsSaved) {
+  open("builtin:walking-pole");
+  const std::string path = folder.file("pole.glb");
+  ASSERT_EQ(*export_edited(order_of(*previewer, path)), path);
+  const Result<Scene> saved = load_scene(path, {});
+  ASSERT_TRUE(saved);
+  ASSERT_EQ(saved->contents.animations.size(), 1u);
+  EXPECT_EQ(saved->contents.animations[0].seconds, 10.0);
+}
+
 TEST_F(SceneExportTest, SaysWhatCannotBeWritten) {
   const auto error = [&](const std::string& path) {
     const Result<std::string> written = export_edited(order_of(*previewer, path));

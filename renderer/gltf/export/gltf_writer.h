@@ -95,6 +95,9 @@ void write_meshes(const Scene& scene, GltfDocument& document);
 void write_lights(const Scene& scene, GltfDocument& document);
 /// Writes which lighting is added when the file is opened (LIGHTS.md).
 void write_added_lighting(AddedLighting lighting, GltfDocument& document);
+/// Writes the animations of a scene if writes_animations is true. The document's first nodes must
+/// be those of write_meshes.
+void write_animations(const Scene& scene, GltfDocument& document);
 void write_cameras(const Scene& scene, GltfDocument& document);
 
 /// Removes parts of the document's nodes: per node, the primitives of its mesh, or -1 for its
