@@ -27,8 +27,6 @@ int run_export(const ExportArguments& arguments, const Streams& streams) {
   const Result<void> written =
       file->commit([&](const std::string& path) { return export_gltf(*scene, path); });
   if (!written) return fail(streams, written.error());
-  if (!scene->contents.animations.empty())
-    streams.err << "asos: note: the animation is not written; the file shows its first frame\n";
   streams.out << fmt::format("Wrote {} ({}).\n", printable(file->path()),
                              counted(scene->instanced_triangles(), "triangle"));
   return exit_ok;

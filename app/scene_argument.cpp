@@ -93,7 +93,7 @@ Result<Scene> make_builtin_scene(const std::string& text) {
   const std::string name =
       text.starts_with(builtin_prefix) ? text.substr(builtin_prefix.size()) : text;
   if (!is_builtin(name)) return unknown_builtin(text);
-  return load_scene(std::string(builtin_prefix) + name);
+  return load_scene(std::string(builtin_prefix) + name, {.keep_posable = true});
 }
 
 void add_asset_root_option(CLI::App& app, std::string& asset_root) {

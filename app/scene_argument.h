@@ -21,7 +21,7 @@ namespace asos {
 [[nodiscard]] Result<Scene> open_scene_argument(const std::string& text,
                                                 const LoadOptions& options = {});
 
-/// Makes the built-in scene called `name` ("office" or "builtin:office").
+/// Makes the built-in scene called `name` ("office" or "builtin:office"), with its rig.
 [[nodiscard]] Result<Scene> make_builtin_scene(const std::string& name);
 
 /// Options of commands that open one scene: the scene of the file, the material variant, and the

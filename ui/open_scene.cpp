@@ -1,6 +1,7 @@
 #include "ui/open_scene.h"
 
 #include "renderer/gltf/load.h"
+#include "renderer/world/ground.h"
 #include "ui/hidden_objects.h"
 
 #include <algorithm>
@@ -84,7 +85,8 @@ void OpenScene::widen_asset_root() {
 }
 
 void OpenScene::hide(int part) {
-  if (!scene_) return;
+  // The ground is no object of the file.
+  if (!scene_ || part >= static_cast<int>(objects_without_ground(scene_->world()))) return;
   std::vector<int> hidden = hidden_;
   hidden.push_back(place_among_all(part, hidden_));
   std::sort(hidden.begin(), hidden.end());
@@ -98,7 +100,7 @@ void OpenScene::show_without(std::vector<int> places) {
 void OpenScene::show_only(int part) {
   if (!scene_) return;
   std::vector<int> hidden = hidden_;
-  for (int i = 0; i < static_cast<int>(scene_->world().parts.size()); ++i)
+  for (int i = 0; i < static_cast<int>(objects_without_ground(scene_->world())); ++i)
     if (i != part) hidden.push_back(place_among_all(i, hidden_));
   std::sort(hidden.begin(), hidden.end());
   load_again(scene_->geometry->contents.variant, std::move(hidden));

@@ -79,6 +79,9 @@ void add_in_front(Light light, std::vector<Light>& lights) {
 
 void take_lights(const Previewer& previewer, SceneOrder& order) {
   const RenderScene& scene = *previewer.scene();
+  // Default lights are among the scene's own now, whether they are on or off.
+  order.added_lighting =
+      scene.geometry->stage.has_default_lighting ? AddedLighting::environment : AddedLighting::none;
   const SceneContents& contents = scene.geometry->contents;
   const std::vector<int>& hidden = order.source.hidden;
   const std::set<int> nodes = nodes_with_edited_lights(scene, previewer.edits(), hidden);
@@ -100,6 +103,26 @@ void take_lights(const Previewer& previewer, SceneOrder& order) {
     if (node >= 0) order.light_nodes.push_back(node);
 }
 
+/// Returns the parts of the file's nodes that are hidden; none if hidden objects are not whole
+/// parts: some copies of a node's mesh only.
+std::optional<std::vector<NodePart>> hidden_parts(const SceneContents& contents,
+                                                  const std::vector<int>& hidden) {
+  std::map<std::pair<int, int>, std::size_t> shown;
+  std::set<std::pair<int, int>> found;
+  for (std::size_t i = 0; i < contents.object_nodes.size(); ++i) {
+    const std::pair part(contents.object_nodes[i], contents.object_primitives[i]);
+    const bool is_hidden = std::binary_search(hidden.begin(), hidden.end(), static_cast<int>(i));
+    shown[part] += is_hidden ? 0 : 1;
+    if (is_hidden) found.insert(part);
+  }
+  std::vector<NodePart> parts;
+  for (const auto& part : found) {
+    if (part.first < 0 || shown[part] > 0) return std::nullopt;
+    parts.push_back({part.first, part.second});
+  }
+  return parts;
+}
+
 Result<void> check_path(const SceneOrder& order) {
   std::error_code ignored;
   if (std::filesystem::equivalent(order.path, order.source.path, ignored))
@@ -107,15 +130,19 @@ Result<void> check_path(const SceneOrder& order) {
   return {};
 }
 
+bool is_builtin(const SceneOrder& order) {
+  return order.source.path.starts_with("builtin:");
+}
+
 /// Whether the file can be copied, instead of writing the scene anew from its meshes at rest.
 bool copies_file(const SceneOrder& order) {
-  return !order.source.path.starts_with("builtin:") && order.source.hidden.empty();
+  return !is_builtin(order) && order.removed;
 }
 
 Result<std::string> copied(const SceneOrder& order) {
-  const GltfEdits edits{order.source.asset_root, order.shown_scene,
-                        order.source.variant,    order.lights,
-                        order.light_nodes,       order.dfrs};
+  const GltfEdits edits{
+      order.source.asset_root, order.shown_scene, order.source.variant, order.lights,
+      order.added_lighting,    order.light_nodes, *order.removed,       order.dfrs};
   return copy_gltf(order.source.path, order.path, edits).map([&] { return order.path; });
 }
 
@@ -130,18 +157,25 @@ void mark_light_objects(const std::vector<int>& places, Scene& scene) {
 }
 
 std::string words_of(const Scene& scene, const std::string& path) {
-  return scene.contents.animations.empty() ? path : path + " (without its animations)";
+  const bool complete = scene.contents.animations.empty() || writes_animations(scene);
+  return complete ? path : path + " (without its animations)";
 }
 
 Result<std::string> written(const SceneOrder& order) {
   if (copies_file(order)) return copied(order);
-  Result<Scene> scene = load_scene(order.source.path, {.variant = order.source.variant,
+  // Built-in scenes are quickly posed; the motion of a file's scene is seldom that of whole
+  // objects.
+  Result<Scene> scene = load_scene(order.source.path, {.keep_posable = is_builtin(order),
+                                                       .variant = order.source.variant,
                                                        .scene = order.source.scene,
                                                        .asset_root = order.source.asset_root});
   if (!scene) return unexpected(scene.error());
   mark_light_objects(order.light_objects, *scene);
   leave_out(*scene, order.source.hidden);
-  if (order.lights) scene->lights = *order.lights;
+  if (order.lights) {
+    scene->lights = *order.lights;
+    scene->added_lighting = order.added_lighting;
+  }
   if (order.dfrs)
     for (std::size_t i = 0; i < std::min(order.dfrs->size(), scene->materials.size()); ++i)
       scene->materials[i].dfr = (*order.dfrs)[i];
@@ -157,6 +191,7 @@ SceneOrder order_of(const Previewer& previewer, std::string path) {
   order.source = previewer.scene().shown_source();
   order.path = std::move(path);
   order.shown_scene = scene.geometry->contents.shown_scene;
+  order.removed = hidden_parts(scene.geometry->contents, order.source.hidden);
   if (scene.lighting != scene.own_lighting) take_lights(previewer, order);
   if (edits.dfrs() != dfrs_without_ground(scene.world())) order.dfrs = edits.dfrs();
   return order;

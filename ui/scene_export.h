@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/gltf/copy.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "ui/scene_loader.h"
@@ -19,18 +20,22 @@ struct SceneOrder {
   std::string path;                          ///< .glb or .gltf
   int shown_scene = -1;                      ///< of the file; -1: it has none
   std::optional<std::vector<Light>> lights;  ///< author's coordinates; none: the file's
+  AddedLighting added_lighting = AddedLighting::automatic;  ///< if there are `lights`
   /// The objects whose emissive surfaces are among `lights`: indices among all objects, and into
   /// SceneContents::nodes.
   std::vector<int> light_objects, light_nodes;
+  /// The hidden parts of the file's nodes; none: they cannot be removed from the file.
+  std::optional<std::vector<NodePart>> removed;
   std::optional<MaterialDfrs> dfrs;  ///< none: the file's own
 };
 
 /// The open scene with its edits. Requires a scene.
 [[nodiscard]] SceneOrder order_of(const Previewer& previewer, std::string path);
 
-/// Copies the scene's file with the edits. A built-in scene, and one with hidden objects, is
-/// written anew from its meshes at rest. Returns the path, with a note if animations were left
-/// out. Errors name the file and the reason.
+/// Copies the scene's file with the edits and without the hidden objects. A built-in scene is
+/// written with its animations. If only some copies of an instanced node are hidden, a file is
+/// written from its meshes at rest. Returns the path, with a note if animations were left out.
+/// Errors name the file and the reason.
 [[nodiscard]] Result<std::string> export_edited(const SceneOrder& order);
 
 using SceneExportJob = StoppableJob<Result<std::string>>;

@@ -7,6 +7,8 @@
 #include "renderer/study/timed_out_settings.h"
 #include "renderer/study/timed_render.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -17,10 +19,26 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace asos::ui {
+
+namespace {
+
+/// Returns the words for a job in the window, where methods have their buttons' names.
+std::string words_of(const Job& job) {
+  if (job.kind == JobKind::regions) return "regions";
+  if (job.kind == JobKind::reference)
+    return fmt::format("reference, {} spp", job.rung.settings.sampling.spp);
+  const std::string words =
+      fmt::format("{}, {}", row_of(job.rung.settings.method).title, job.rung.setting);
+  if (job.kind == JobKind::progress) return words + ", while rendering";
+  return job.repetition > 1 ? fmt::format("{}, repetition {}", words, job.repetition) : words;
+}
+
+}  // namespace
 
 /// One study: the work of its thread, and the state that other threads may read.
 class ViewStudy::Work {
@@ -105,7 +123,7 @@ class ViewStudy::Work {
   /// stop.
   std::optional<std::uint64_t> wait_for_calm(const Job& job, const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    state_.doing = job.title();
+    state_.doing = words_of(job);
     state_.resting = disturbed_;
     if (!calm_.wait(lock, stop, [this] { return !disturbed_; })) return std::nullopt;
     state_.resting = false;

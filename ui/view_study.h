@@ -36,7 +36,7 @@ class ViewStudy {
   enum class Phase { none, running, stopped, finished };
   struct State {
     Phase phase = Phase::none;
-    std::string doing;           ///< title of the running job; empty before the first one
+    std::string doing;           ///< the running job, in words; empty before the first one
     bool resting = false;        ///< paused until other work frees the processors
     std::size_t points_run = 0;  ///< each repetition and each watched render counts
     std::size_t points = 0;

@@ -2,6 +2,7 @@
 #include "renderer/gltf/document.h"
 #include "renderer/gltf/image_based_light.h"
 #include "renderer/gltf/importer.h"
+#include "renderer/gltf/lights_cameras.h"
 #include "renderer/gltf/load.h"
 #include "renderer/gltf/materials.h"
 #include "renderer/gltf/variants.h"
@@ -64,8 +65,11 @@ SceneContents contents_of(const Document& doc, const std::vector<Clip>& clips,
   for (std::size_t i = 0; i < doc.model.cameras.size(); ++i)
     if (!placed.contains(static_cast<int>(i))) ++contents.cameras_not_placed;
   contents.nodes = nodes_of(doc, graph, shown);
-  for (const Instance& instance : scene.instances)
-    if (scene.shows_surface(instance)) contents.object_nodes.push_back(instance.node);
+  for (const Instance& instance : scene.instances) {
+    if (!scene.shows_surface(instance)) continue;
+    contents.object_nodes.push_back(instance.node);
+    contents.object_primitives.push_back(instance.primitive);
+  }
   return contents;
 }
 
@@ -94,6 +98,7 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
     still_.moving_materials = moving_materials(clips_);
     base_.materials = import_materials(doc_, *textures_, still_.moving_materials);
     base_.surroundings = image_based_light(doc_, accessors_, shown_scene_);
+    base_.added_lighting = added_lighting(doc_, shown_scene_);
     return {};
   }
 

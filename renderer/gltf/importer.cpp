@@ -138,7 +138,8 @@ Checked<void> Importer::add_primitive(int index, int p, const SkinPose* skin,
     scene_.instances.reserve(scene_.instances.size() + copies.size());
   for (const glm::dmat4& copy : copies) {
     if (loaded < 0) continue;
-    scene_.instances.push_back({node.name, loaded, world_from_mesh * copy, shows_light, -1, node_});
+    scene_.instances.push_back(
+        {node.name, loaded, world_from_mesh * copy, shows_light, -1, node_, p});
   }
   return {};
 }

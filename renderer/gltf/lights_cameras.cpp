@@ -213,4 +213,18 @@ void add_light(Document& document, const tinygltf::Node& node, const glm::dmat4&
   add_area_light(document, node, world_from_node, scene);
 }
 
+AddedLighting added_lighting(Document& document, int scene) {
+  constexpr const char* name = "asos_default_lighting";
+  const tinygltf::Value& extras =
+      scene < 0 ? document.model.extras
+                : document.model.scenes[static_cast<std::size_t>(scene)].extras;
+  if (!extras.IsObject() || !extras.Has(name)) return AddedLighting::automatic;
+  const std::string value = text(extras, name);
+  if (value == "none") return AddedLighting::none;
+  if (value == "environment") return AddedLighting::environment;
+  document.warnings.add(
+      fmt::format("the scene's {} is neither 'none' nor 'environment'; ignored", name));
+  return AddedLighting::automatic;
+}
+
 }  // namespace asos::gltf

@@ -18,4 +18,8 @@ void add_camera(Document& document, const tinygltf::Node& node, const glm::dmat4
 void add_light(Document& document, const tinygltf::Node& node, const glm::dmat4& world_from_node,
                Scene& scene);
 
+/// Returns which lighting the program adds to a scene of the document, as its extras say
+/// (LIGHTS.md). An unknown value is ignored with a warning. `scene` -1: the file has no scenes.
+[[nodiscard]] AddedLighting added_lighting(Document& document, int scene);
+
 }  // namespace asos::gltf

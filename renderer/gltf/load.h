@@ -27,6 +27,10 @@ struct LoadOptions {
 /// Imports glTF 2.0 through tinygltf, with additional validation; see renderer/gltf/.
 [[nodiscard]] Result<Scene> import_gltf(const std::string& path, const LoadOptions& options = {});
 
+/// Returns whether export_gltf writes the scene's animations. They must move whole objects, and the
+/// scene must have its rig.
+[[nodiscard]] bool writes_animations(const Scene& scene);
+
 /// Writes `scene` as a self-contained .glb (or .gltf with embedded buffers, by the suffix).
 [[nodiscard]] Result<void> export_gltf(const Scene& scene, const std::string& path);
 

@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, 5> node_extras = {
     "asos_light", "asos_light_fallback", "asos_shape", "radius", "angular_diameter"};
 constexpr std::array<std::string_view, 1> material_extras = {"asos_dfr"};  // MATERIALS.md
 constexpr std::array<std::string_view, 1> camera_extras = {"asos_lens"};   // lens.md
+constexpr std::array<std::string_view, 1> scene_extras = {"asos_default_lighting"};
 constexpr std::array<std::string_view, 3> light_extensions = {"KHR_lights_punctual",
                                                               "EXT_lights_area", "KHR_lights_area"};
 
@@ -53,6 +54,8 @@ void tidy_extras(json& object, const std::string& place) {
   if (light) names = light_extras;
   if (is_entry(place, "/materials/")) names = material_extras;
   if (is_entry(place, "/cameras/")) names = camera_extras;
+  // A file without scenes has the scene's extras itself.
+  if (place.empty() || is_entry(place, "/scenes/")) names = scene_extras;
   json kept = json::object();
   for (auto it = extras->begin(); extras->is_object() && it != extras->end(); ++it) {
     if (!is_one_of(it.key(), names)) continue;

@@ -49,6 +49,13 @@ std::shared_ptr<const Sky> sky_of_file(const Scene& scene) {
   return std::make_shared<const Sky>(sky_map_of(*scene.surroundings), 0.0, scene.source);
 }
 
+bool gets_default_lighting(const Scene& scene, const World& world, std::span<const Light> of_file,
+                           std::span<const Light> emissive) {
+  if (scene.added_lighting != AddedLighting::automatic)
+    return scene.added_lighting == AddedLighting::environment;
+  return !scene.surroundings && needs_default_lighting(world, of_file, emissive);
+}
+
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                                              const RenderFeatures& forced,
                                                              const AnimationInvariants* stage) {
@@ -62,9 +69,9 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   std::vector<Light> emissive = lights_of_meshes(flattened->world);
   AnimationInvariants own;
   own.origin = flattened->world.origin;
-  own.has_default_lighting =
-      stage ? stage->has_default_lighting
-            : !scene.surroundings && needs_default_lighting(flattened->world, lights, emissive);
+  own.has_default_lighting = stage
+                                 ? stage->has_default_lighting
+                                 : gets_default_lighting(scene, flattened->world, lights, emissive);
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
 
   // Build this after the emitters, whose sampling depends on whether there are colours.
@@ -82,12 +89,13 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
     own.default_lighting_inside = stage->default_lighting_inside;
   } else if (own.has_default_lighting) {
     DefaultLighting rig = default_lighting(built.world, built.rays);
-    own.rig = std::move(rig.lights);
+    if (scene.added_lighting == AddedLighting::automatic) own.rig = std::move(rig.lights);
     own.default_lighting_inside = rig.inside;
   }
   lights.insert(lights.end(), own.rig.begin(), own.rig.end());
   Lighting lighting = prepare_lighting(built.world, std::move(lights));
-  lighting.default_lights_added = own.has_default_lighting;
+  lighting.default_lights_added =
+      own.has_default_lighting && scene.added_lighting == AddedLighting::automatic;
 
   built.name = scene.name;
   built.source = scene.source;

@@ -52,6 +52,8 @@ struct SceneContents {
   std::vector<Node> nodes;            ///< parents first; empty: the scene has no hierarchy
   /// Index into `nodes` for each instance that shows a surface, in the scene's order.
   std::vector<int> object_nodes;
+  /// Like `object_nodes`: Instance::primitive.
+  std::vector<int> object_primitives;
   std::size_t cameras_not_placed = 0;  ///< cameras of the file that no shown node refers to
 };
 

@@ -269,6 +269,7 @@ struct Instance {
   bool shows_light = false;  ///< the visible surface of a light of the scene; emits no light itself
   int shape = -1;            ///< index into Scene::shapes; -1: none
   int node = -1;             ///< index into SceneContents::nodes; -1: none
+  int primitive = -1;        ///< of the node's glTF mesh; -1: the node's shape, or none
 };
 
 /// A light, placed in the world. gltf/LIGHTS.md describes its encoding in files. It has no surface
@@ -313,6 +314,13 @@ struct SceneNotes {
   std::vector<std::string> not_shown;
 };
 
+/// The lighting that the program adds to a scene.
+enum class AddedLighting {
+  automatic,    ///< lights, environment and ground, if the scene itself has almost no light
+  environment,  ///< environment and ground; the user chose the lights
+  none
+};
+
 class PosableScene;
 struct EnvironmentCube;
 
@@ -328,6 +336,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   std::shared_ptr<const EnvironmentCube> surroundings;  ///< EXT_lights_image_based; null: none
+  AddedLighting added_lighting = AddedLighting::automatic;
   SceneNotes notes;
   SceneContents contents;
   std::optional<ClipTime> time;  ///< of the animation; none: the rest pose of the nodes

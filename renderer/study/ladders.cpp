@@ -54,7 +54,7 @@ Rungs sample_rungs(const std::string& method, const RenderSettings& base) {
 
 Rungs one_rung(const std::string& method, const RenderSettings& base) {
   LadderStep rung = make_rung(method, base);
-  rung.setting = "as it is";
+  rung.setting = "fixed";
   return {rung};
 }
 

@@ -121,6 +121,14 @@ Box bounds_without_ground(const World& world) {
   return bounds;
 }
 
+std::size_t objects_without_ground(const World& world) {
+  return world.solid_parts() - (plate_of(world) ? 1 : 0);
+}
+
+std::size_t parts_without_ground(const World& world) {
+  return world.parts.size() - (plate_of(world) ? 1 : 0);
+}
+
 std::size_t materials_without_ground(const World& world) {
   return world.materials.size() - (plate_of(world) ? 1 : 0);
 }

@@ -27,6 +27,9 @@ inline constexpr double ground_radii = 10.0;
 /// Returns the bounds without the ground, and without lines and points, whose surfaces follow the
 /// camera.
 [[nodiscard]] Box bounds_without_ground(const World& world);
+/// Returns the number of parts that have surfaces, without the ground. They come first.
+[[nodiscard]] std::size_t objects_without_ground(const World& world);
+[[nodiscard]] std::size_t parts_without_ground(const World& world);
 [[nodiscard]] std::size_t materials_without_ground(const World& world);
 [[nodiscard]] std::size_t triangles_without_ground(const World& world);
 /// Returns the materials' own defocusing ratios (dfrs_of), without the ground's.

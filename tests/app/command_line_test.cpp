@@ -199,6 +199,15 @@ TEST(CommandLine, AnExportedSceneHoldsWhatTheBuiltinOneDoes) {
   }
 }
 
+TEST(CommandLine, AnExportedSceneIsAnimated) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("pole.glb");
+  const AsosRun exported = run_asos({"export-scene", "walking-pole", "-o", path});
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_EQ(exported.err, "");
+  EXPECT_TRUE(contains(run_asos({"info", path}).out, "1 animation is not played: 'walk'"));
+}
+
 TEST(CommandLine, InfoAnswersInTextToo) {
   const AsosRun outcome = run_asos({"info", "builtin:boxes"});
   EXPECT_EQ(outcome.exit_code, 0);

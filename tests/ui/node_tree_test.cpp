@@ -1,5 +1,6 @@
 #include "ui/node_tree.h"
 
+#include "renderer/world/ground.h"
 #include "tests/ui/panels_fixture.h"
 
 #include <gtest/gtest.h>
@@ -89,6 +90,31 @@ TEST_F(NodeListTest, ANodeIsHiddenWithAllBelowItAndShownAgain) {
   rig.click("Node visible/2");
   ASSERT_TRUE(hides({}));
   EXPECT_EQ(rig.previewer().scene()->world().parts.size(), 3u);
+}
+
+// The default ground counted as an object, so that everything else could be hidden.
+TEST_F(NodeListTest, TheGroundIsNoObject) {
+  rig.previewer().edits().settings().ground = Ground::on;
+  const auto on_ground = [&] {
+    return rig.frames_until(
+        [&] { return ground_of(rig.previewer().scene()->world()) == Ground::on; });
+  };
+  ASSERT_TRUE(on_ground());
+  rig.frame();
+  EXPECT_EQ(rig.control("Objects").words, "3");
+  rig.click("Node/3");
+  rig.click("Isolate");
+  ASSERT_TRUE(hides({0, 2}));
+  ASSERT_TRUE(on_ground());
+  rig.frame();
+  EXPECT_EQ(rig.control("Objects").words, "1");
+  rig.click("Node visible/3");
+  rig.frame();
+  EXPECT_EQ(rig.previewer().scene().hidden(), (std::vector<int>{0, 2}));
+  rig.click("List by/Materials");
+  rig.frame();
+  EXPECT_TRUE(rig.content().controls().all().contains("Object/1"));
+  EXPECT_FALSE(rig.content().controls().all().contains("Object/2"));
 }
 
 TEST_F(NodeListTest, IsolateShowsOneNode) {

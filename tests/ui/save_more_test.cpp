@@ -73,6 +73,16 @@ class SceneExportTest : public testing::Test {
     return render_to_end({scene, scene->world().cameras.front(), settings, false}).film;
   }
 
+  /// Files without a camera are framed.
+  [[nodiscard]] Film picture_by_default() const {
+    RenderSettings settings;
+    settings.width = 64;
+    settings.height = 40;
+    settings.threads = 1;
+    const auto scene = previewer->scene().shared();
+    return render_to_end({scene, default_camera(scene->world(), 1.6), settings, false}).film;
+  }
+
   /// The largest difference of two pictures, in steps of 8 bits.
   [[nodiscard]] static int largest_step(const Film& a, const Film& b) {
     int largest = 0;
@@ -189,6 +199,88 @@ TEST_F(SceneExportTest, LightsThatAreOffStayOff) {
   }
   // Lights that were on, or default lights, would brighten it many times.
   EXPECT_NEAR(mean(picture()) / mean(dark), 1.0, 0.01);
+}
+
+// Lights of an intensity up to 1 could not be told from black ones: default lights came back.
+TEST_F(SceneExportTest, AWeakOrRemovedLightGetsNoDefaultLights) {
+  for (EditedLight& edited : previewer->edits().edit_lights()) edited.on = false;
+  relit();
+  const double dark = mean(picture());
+  for (const bool removed : {false, true}) {
+    std::vector<EditedLight>& lights = previewer->edits().edit_lights();
+    if (removed) lights.clear();
+    for (EditedLight& edited : lights) edited.light.intensity = 0.5f, edited.on = false;
+    relit();
+    const std::size_t count = lights.size();
+    const std::string path = folder.file(removed ? "removed.glb" : "weak.glb");
+    ASSERT_TRUE(export_edited(order_of(*previewer, path)));
+    open(path);
+    EXPECT_EQ(previewer->edits().lights().size(), count);
+    EXPECT_NEAR(mean(picture()) / dark, 1.0, 0.01);
+  }
+}
+
+// A default light that was edited is the scene's own; its environment stays.
+TEST_F(SceneExportTest, EditedDefaultLightsKeepTheirEnvironment) {
+  open(folder.write("square.glb", GltfBuilder::square().glb()));
+  ASSERT_TRUE(previewer->scene()->lighting->default_lights_added);
+  const std::size_t count = previewer->edits().lights().size();
+  previewer->edits().edit_lights()[0].on = false;
+  relit();
+  ASSERT_TRUE(export_edited(order_of(*previewer, folder.file("one.glb"))));
+  open(folder.file("one.glb"));
+  EXPECT_EQ(previewer->edits().lights().size(), count);
+  EXPECT_FALSE(previewer->edits().lights()[0].on);
+  EXPECT_TRUE(previewer->scene()->geometry->stage.has_default_lighting);
+}
+
+// They were left out together with the file's animations.
+TEST_F(SceneExportTest, HiddenObjectsAreRemovedFromTheFile) {
+  GltfBuilder b = GltfBuilder::square();
+  add_channel(b, 0, "translation", b.scalars({0.0f, 1.0f}), b.vec3({{0, 0, 0}, {2, 0, 0}}));
+  for (const double x : {2.0, 4.0})
+    b.json["nodes"].push_back({{"mesh", 0}, {"translation", {x, 0.0, 0.0}}});
+  b.json["scenes"][0]["nodes"] = {0, 1, 2};
+  open(folder.write("three.glb", b.glb()));
+  const std::uint64_t opened = previewer->scene().times_opened();
+  previewer->scene().hide(1);
+  for (int i = 0; i < 20000 && previewer->scene().times_opened() == opened; ++i) wait();
+  ASSERT_EQ(previewer->scene()->world().parts.size(), 2u);
+  const Film before = picture_by_default();
+  const std::string path = folder.file("two.glb");
+  ASSERT_EQ(*export_edited(order_of(*previewer, path)), path);
+  const Result<Scene> saved = load_scene(path, {});
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->contents.animations.size(), 1u);
+  EXPECT_EQ(saved->contents.nodes.size(), 3u);
+  EXPECT_EQ(saved->contents.object_nodes, (std::vector<int>{0, 2}));
+  open(path);
+  EXPECT_LE(largest_step(picture_by_default(), before), 1);
+}
+
+TEST_F(SceneExportTest, CopiesOfOneNodeAreHiddenWithoutAnimations) {
+  GltfBuilder b = GltfBuilder::square();
+  add_channel(b, 0, "translation", b.scalars({0.0f, 1.0f}), b.vec3({{0, 0, 0}, {2, 0, 0}}));
+  b.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  b.node()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+      {"TRANSLATION", b.vec3({{0, 0, 0}, {3, 0, 0}})}};
+  open(folder.write("copies.glb", b.glb()));
+  const std::uint64_t opened = previewer->scene().times_opened();
+  previewer->scene().hide(0);
+  for (int i = 0; i < 20000 && previewer->scene().times_opened() == opened; ++i) wait();
+  const std::string path = folder.file("one.glb");
+  EXPECT_EQ(*export_edited(order_of(*previewer, path)), path + " (without its animations)");
+  EXPECT_EQ(load_scene(path, {})->instances.size(), 1u);
+}
+
+TEST_F(SceneExportTest, ABuiltInScenesAnimationIsSaved) {
+  open("builtin:walking-pole");
+  const std::string path = folder.file("pole.glb");
+  ASSERT_EQ(*export_edited(order_of(*previewer, path)), path);
+  const Result<Scene> saved = load_scene(path, {});
+  ASSERT_TRUE(saved);
+  ASSERT_EQ(saved->contents.animations.size(), 1u);
+  EXPECT_EQ(saved->contents.animations[0].seconds, 10.0);
 }
 
 TEST_F(SceneExportTest, SaysWhatCannotBeWritten) {

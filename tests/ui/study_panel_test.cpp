@@ -321,6 +321,28 @@ TEST(StudyExport, DrawsThePlotAsSvg) {
     EXPECT_NE(svg.find(part), std::string::npos) << part;
 }
 
+// Two curves of a method had the same colour and mark.
+TEST(StudyPlot, ASecondCurveOfAMethodIsDashed) {
+  SceneStudy study = small_study();
+  StudyPoint point = study.points.front();
+  for (const char* curve : {"whitted", "whitted spheres"}) {
+    point.rung.method = "whitted";
+    point.rung.curve = curve;
+    for (const double seconds : {0.5, 1.0}) {
+      point.costs = {{seconds, seconds, 0.0}};
+      study.points.push_back(point);
+    }
+  }
+  const StudyPlot plot = plot_of(study);
+  ASSERT_EQ(plot.lines.size(), 3u);
+  EXPECT_FALSE(plot.lines[0].dashed);
+  EXPECT_FALSE(plot.lines[1].dashed);
+  EXPECT_TRUE(plot.lines[2].dashed);
+  EXPECT_EQ(legend_words(plot.lines[1]), "Whitted");
+  EXPECT_EQ(legend_words(plot.lines[2]), "Whitted spheres (dashed)");
+  EXPECT_NE(plot_svg(plot, "").find("stroke-width=\"2\" stroke-dasharray"), std::string::npos);
+}
+
 TEST(StudyExport, SaysWhatCannotBeWritten) {
   const auto saved = save_study_text("/no/such/folder", "fence", "csv", "text");
   ASSERT_FALSE(saved);
@@ -410,6 +432,14 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   EXPECT_GT(pixels_in_plot("average"), 2 * finished) << "a curve instead of a single point";
   rig.click("Curves/Finished");
   EXPECT_EQ(pixels_in_plot("average"), finished);
+
+  rig.click("Copy plot");
+  rig.frame();
+  EXPECT_EQ(rig.content().state().message, "Copied the plot as SVG");
+  rig.click("Enlarge plot");
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_GT(rig.control("Close plot").lo.y, 0.85f * static_cast<float>(rig.size().y))
+      << "the plot fills the window";
 }
 
 TEST_F(StudyPanelTest, SaysWhereNothingCanBeCompared) {

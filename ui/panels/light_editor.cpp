@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -128,8 +129,10 @@ class LightEditor {
   bool degrees(const char* name, const char* tooltip, double& angle_rad,
                Controls::Range<float> at) {
     float angle = static_cast<float>(glm::degrees(angle_rad));
-    if (!controls_.slider(name, tooltip, angle, at,
-                          [](float value) { return fmt::format("{:.1f}°", value); }))
+    if (!controls_.slider(name, tooltip, angle, at, [](float value) {
+          // Adding 0 makes a rounded -0 positive.
+          return fmt::format("{:.1f}°", std::round(10.0f * value) / 10.0f + 0.0f);
+        }))
       return false;
     angle_rad = glm::radians(static_cast<double>(angle));
     changed_ = true;

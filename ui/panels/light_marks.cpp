@@ -113,7 +113,8 @@ void border_arrow(Controls& controls, LightChoice& choice, const Projection& pro
   };
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddCircleFilled({place.x, place.y}, 1.4f * r, theme::packed(theme::plot_ground, 0.8f));
-  draw.AddTriangleFilled(corner(1.1f, 0.0f), corner(-0.7f, 0.8f), corner(-0.7f, -0.8f),
+  // Slender, since an equilateral triangle points in three directions.
+  draw.AddTriangleFilled(corner(1.3f, 0.0f), corner(-0.8f, 0.6f), corner(-0.8f, -0.6f),
                          theme::packed(over_picture(lit ? theme::warning : theme::dim_text)));
 }
 

@@ -61,9 +61,11 @@ std::vector<LightGroup> groups_of(const std::vector<EditedLight>& lights) {
   return groups;
 }
 
-void right_aligned(const std::string& text) {
+// Dimmed text cannot be read on the colour of a selected row.
+void right_aligned(const std::string& text, bool selected) {
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
-  ImGui::TextDisabled("%s", text.c_str());
+  const ImGuiCol colour = selected ? ImGuiCol_Text : ImGuiCol_TextDisabled;
+  ImGui::TextColored(ImGui::GetStyle().Colors[colour], "%s", text.c_str());
 }
 
 /// A row with a light's switch, name and kind.
@@ -94,7 +96,7 @@ void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::
                                        "to close. The surface keeps its look."
                                      : "Click to edit this light; click again to close.",
                   Controls::Use::edits);
-  right_aligned(kind);
+  right_aligned(kind, selected);
   ImGui::PopID();
 }
 
@@ -119,7 +121,7 @@ void group_row(Controls& controls, SceneEdits& edits, LightChoice& choice,
   const bool open = ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
   controls.placed("Surface/" + number, "Emissive surface with several lights. Click to list them.",
                   Controls::Use::edits);
-  right_aligned(counted(group.count, "light"));
+  right_aligned(counted(group.count, "light"), false);
   ImGui::PopID();
   if (!open) return;
   ImGui::Indent();

@@ -1,5 +1,6 @@
 #include "ui/panels/outline_panel.h"
 
+#include "renderer/world/ground.h"
 #include "ui/hidden_objects.h"
 #include "ui/panels/inner_list.h"
 #include "ui/panels/named_like.h"
@@ -65,7 +66,7 @@ bool lists_nodes(const OutlineChoice& choice) {
 }
 
 std::size_t object_count(const OpenScene& scene) {
-  return scene->world().solid_parts() + scene.hidden().size();
+  return objects_without_ground(scene->world()) + scene.hidden().size();
 }
 
 std::vector<int> without(const std::vector<int>& all, const std::vector<int>& some) {
@@ -106,7 +107,7 @@ std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& cho
   OpenScene& scene = previewer.scene();
   const float width =
       (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
-  const auto parts = static_cast<int>(scene->world().parts.size());
+  const auto parts = static_cast<int>(objects_without_ground(scene->world()));
   const bool nodes = lists_nodes(choice) && choice.node >= 0;
   const bool chosen = nodes || (choice.selected >= 0 && choice.selected < parts);
   std::string said;
@@ -236,8 +237,10 @@ void scroll_to_selected(const std::vector<std::size_t>& objects, OutlineChoice& 
 // Lists each material with its objects below it.
 void tree(Controls& controls, const World& world, OutlineChoice& choice) {
   std::vector<std::vector<std::size_t>> objects(world.materials.size());
+  const std::size_t ground = objects_without_ground(world);  // its index, if there is one
   for (std::size_t i = 0; i < world.parts.size(); ++i)
-    if (named_like(name_or(world.parts[i].name, "Object", i), choice.find))
+    if ((i != ground || ground == world.solid_parts()) &&
+        named_like(name_or(world.parts[i].name, "Object", i), choice.find))
       objects[world.parts[i].material].push_back(i);
   const InnerList list("outline", {0.0f, list_rows * ImGui::GetTextLineHeightWithSpacing()});
   for (std::size_t m = 0; m < objects.size(); ++m) {
@@ -301,7 +304,7 @@ std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoic
   follow_scene(previewer, choice);
   follow(previewer, choice, picked);
   if (!controls.section("Objects", false)) return {};
-  const World& world = previewer.scene()->world();
+  const std::size_t objects = parts_without_ground(previewer.scene()->world());
   if (!choice.tree.empty()) {
     constexpr std::array lists{
         Controls::Option{"Nodes", "The file's tree of nodes."},
@@ -312,10 +315,10 @@ std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoic
   }
   std::string said = buttons(controls, previewer, choice);
   const std::size_t hidden = previewer.scene().hidden().size();
-  controls.row("Objects",
-               hidden > 0 ? fmt::format("{}, and {} hidden", world.parts.size(), hidden)
-                          : fmt::format("{}", world.parts.size()),
-               "Visible objects, one material each.");
+  controls.row(
+      "Objects",
+      hidden > 0 ? fmt::format("{}, and {} hidden", objects, hidden) : fmt::format("{}", objects),
+      "Visible objects, one material each.");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputTextWithHint("##find object", "Find an object", &choice.find);
   controls.placed("Find object", "List only objects whose names contain these letters.",

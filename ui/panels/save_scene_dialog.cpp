@@ -47,7 +47,7 @@ void save_scene_dialog(Controls& controls, SaveSceneChoice& choice, bool hides_o
                                   ImGuiWindowFlags_AlwaysAutoResize))
     return;
   ImGui::TextWrapped("Writes a copy of the scene with your lights and DFRs.");
-  if (hides_objects) ImGui::TextWrapped("Hidden objects and animations are left out.");
+  if (hides_objects) ImGui::TextWrapped("Hidden objects are left out.");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##scene file", &choice.path);
   controls.placed("Scene file", "Path of the file, .glb or .gltf.", Controls::Use::edits);

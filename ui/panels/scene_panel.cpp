@@ -90,7 +90,7 @@ void scene_panel(Controls& controls, const RenderScene& scene, const RenderSetti
   const World& world = scene.world();
   controls.row("Triangles", grouped(triangles_without_ground(world)),
                "Triangles, including repeated objects.");
-  controls.row("Objects", grouped(world.parts.size()), "Surfaces of one material each.");
+  controls.row("Objects", grouped(parts_without_ground(world)), "Surfaces of one material each.");
   light_rows(controls, scene);
   const Geometry& geometry = *scene.geometry;
   const BoundaryFeatures& boundaries = geometry.boundaries;

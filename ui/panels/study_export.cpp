@@ -104,12 +104,14 @@ std::string plot_svg(const StudyPlot& plot, const std::string& title) {
   double legend = svg_lo.y + 10.0;
   for (const StudyPlot::Line& line : plot.lines) {
     for (std::size_t i = 1; i < line.marks.size(); ++i)
-      svg += svg_line(svg_place(plot, line.marks[i - 1]), svg_place(plot, line.marks[i]),
-                      method_colour(line.method), " stroke-width=\"2\"");
+      svg += svg_line(
+          svg_place(plot, line.marks[i - 1]), svg_place(plot, line.marks[i]),
+          method_colour(line.method),
+          line.dashed ? " stroke-width=\"2\" stroke-dasharray=\"7 5\"" : " stroke-width=\"2\"");
     for (const StudyPlot::Mark& mark : line.marks)
       svg += svg_polygon(line.method, svg_place(plot, mark), mark.under_floor);
     svg += svg_polygon(line.method, {svg_hi.x + 20.0, legend - 4.0}, false);
-    svg += svg_text({svg_hi.x + 34.0, legend}, curve_title(line.curve, line.method));
+    svg += svg_text({svg_hi.x + 34.0, legend}, legend_words(line));
     legend += 22.0;
   }
   return svg + "</svg>\n";

@@ -215,9 +215,10 @@ void enlarged_plot(Controls& controls, StudyChoice& choice, const StudyPlot& plo
           title, nullptr,
           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings))
     return;
-  // The legend has at most one line per curve.
-  const float others_em = 3.5f + 1.3f * static_cast<float>(plot.lines.size());
-  draw_plot(plot, std::max(10.0f, ImGui::GetContentRegionAvail().y / em - others_em));
+  const float legend =
+      static_cast<float>(legend_rows(plot)) * ImGui::GetTextLineHeightWithSpacing();
+  const float others = legend + ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().ItemSpacing.y;
+  draw_plot(plot, std::max(10.0f, (ImGui::GetContentRegionAvail().y - others) / em));
   const bool closed = controls.button("Close plot", "Back to the panel (Esc).") ||
                       ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
   if (closed) {
@@ -238,8 +239,12 @@ void plot_buttons(Controls& controls, StudyChoice& choice, const SceneStudy& stu
                   const StudyPlot& plot, const std::string& source) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
-  if (controls.button("Enlarge plot", "Show the plot over the whole window.", width))
+  if (controls.button("Enlarge plot", "Show the plot over the whole window.", -1.0f))
     choice.enlarged = true;
+  if (controls.button("Copy plot", "Copy the plot as SVG text to the clipboard.", width)) {
+    ImGui::SetClipboardText(plot_svg(plot, screenshot_stem(source)).c_str());
+    choice.said = "Copied the plot as SVG";
+  }
   ImGui::SameLine();
   if (controls.button("Copy table", "Copy all points as CSV to the clipboard.", width)) {
     ImGui::SetClipboardText(study_csv(study).c_str());

@@ -76,13 +76,22 @@ class Canvas {
       const StudyPlot::Mark& mark = line.marks[i];
       const ImVec2 at{x_of(mark.seconds), y_of(mark.rmse)};
       if (i > 0)
-        draw_->AddLine({x_of(line.marks[i - 1].seconds), y_of(line.marks[i - 1].rmse)}, at, colour,
-                       0.12f * em_);
+        stroke({x_of(line.marks[i - 1].seconds), y_of(line.marks[i - 1].rmse)}, {at.x, at.y},
+               colour, line.dashed);
       draw_mark(*draw_, line.method, at, radius, mark.under_floor);
     }
   }
 
  private:
+  void stroke(glm::vec2 from, glm::vec2 to, std::uint32_t colour, bool dashed) const {
+    const float length = glm::distance(from, to);
+    const float dash = dashed ? 0.5f * em_ : std::max(1.0f, length);
+    for (float at = 0.0f; at < length; at += 2.0f * dash) {
+      const glm::vec2 a = glm::mix(from, to, at / length);
+      const glm::vec2 b = glm::mix(from, to, std::min(1.0f, (at + dash) / length));
+      draw_->AddLine({a.x, a.y}, {b.x, b.y}, colour, 0.12f * em_);
+    }
+  }
   [[nodiscard]] float x_of(double seconds) const {
     return lo_.x + static_cast<float>(plot_.seconds.share(seconds)) * (hi_.x - lo_.x);
   }
@@ -113,21 +122,33 @@ class Canvas {
   ImDrawList* draw_;
 };
 
+constexpr float mark_em = 0.9f, gap_em = 0.8f;  // in the legend
+
+/// Returns whether each line begins a new row of the legend.
+std::vector<bool> row_starts(const StudyPlot& plot) {
+  const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
+  std::vector<bool> starts;
+  float used = room;
+  for (const StudyPlot::Line& line : plot.lines) {
+    const float width = mark_em * em + ImGui::CalcTextSize(legend_words(line).c_str()).x;
+    starts.push_back(!(used + gap_em * em + width < room));
+    used = starts.back() ? width : used + gap_em * em + width;
+  }
+  return starts;
+}
+
 void draw_legend(const StudyPlot& plot) {
   const float em = ImGui::GetFontSize();
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  bool first = true;
-  for (const StudyPlot::Line& line : plot.lines) {
-    const std::string title = curve_title(line.curve, line.method);
-    const float width = ImGui::CalcTextSize(title.c_str()).x + 1.2f * em;
-    if (!first && ImGui::GetItemRectMax().x + 0.8f * em + width < right)
-      ImGui::SameLine(0.0f, 0.8f * em);
-    first = false;
+  const std::vector<bool> starts = row_starts(plot);
+  for (std::size_t i = 0; i < plot.lines.size(); ++i) {
+    const StudyPlot::Line& line = plot.lines[i];
+    const std::string title = legend_words(line);
+    if (!starts[i]) ImGui::SameLine(0.0f, gap_em * em);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_mark(*ImGui::GetWindowDrawList(), line.method,
               {at.x + 0.4f * em, at.y + 0.5f * ImGui::GetTextLineHeight()}, 0.3f * em, false);
     ImGui::BeginGroup();
-    ImGui::Dummy({0.9f * em, ImGui::GetTextLineHeight()});
+    ImGui::Dummy({mark_em * em, ImGui::GetTextLineHeight()});
     ImGui::SameLine(0.0f, 0.0f);
     ImGui::TextUnformatted(title.c_str());
     ImGui::EndGroup();
@@ -135,6 +156,15 @@ void draw_legend(const StudyPlot& plot) {
 }
 
 }  // namespace
+
+std::string legend_words(const StudyPlot::Line& line) {
+  return curve_title(line.curve, line.method) + (line.dashed ? " (dashed)" : "");
+}
+
+int legend_rows(const StudyPlot& plot) {
+  const std::vector<bool> starts = row_starts(plot);
+  return static_cast<int>(std::count(starts.begin(), starts.end(), true));
+}
 
 double LogAxis::share(double value) const {
   return (std::log10(value) - first_decade) / decades;
@@ -163,7 +193,11 @@ StudyPlot plot_of(const SceneStudy& study, StudyCurves curves) {
     if (!(mark.seconds > 0.0 && mark.rmse > 0.0) || !std::isfinite(mark.rmse)) return;
     auto line = std::find_if(plot.lines.begin(), plot.lines.end(),
                              [&](const auto& l) { return l.curve == curve; });
-    if (line == plot.lines.end()) line = plot.lines.insert(line, {curve, method, {}});
+    if (line == plot.lines.end()) {
+      const bool again = std::any_of(plot.lines.begin(), plot.lines.end(),
+                                     [&](const auto& l) { return l.method == method; });
+      line = plot.lines.insert(line, {curve, method, again, {}});
+    }
     line->marks.push_back(mark);
     seconds.push_back(mark.seconds);
     errors.push_back(mark.rmse);

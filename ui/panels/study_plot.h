@@ -30,8 +30,9 @@ struct StudyPlot {
     bool under_floor = false;
   };
   struct Line {
-    std::string curve;   ///< its name in the legend
-    std::string method;  ///< its colour
+    std::string curve;    ///< its name in the legend
+    std::string method;   ///< its colour
+    bool dashed = false;  ///< an earlier line has the same colour
     std::vector<Mark> marks;
   };
   std::vector<Line> lines;
@@ -48,5 +49,9 @@ enum class StudyCurves { finished, while_rendering };
 /// Draws the plot over the width of the current Dear ImGui window, with the legend below.
 /// `height_em`: height of the axes with their labels, in heights of text.
 void draw_plot(const StudyPlot& plot, float height_em = 13.0f);
+/// Returns the number of rows of the legend in the current Dear ImGui window.
+[[nodiscard]] int legend_rows(const StudyPlot& plot);
+/// Returns the words of a line in a legend.
+[[nodiscard]] std::string legend_words(const StudyPlot::Line& line);
 
 }  // namespace asos::ui

@@ -125,6 +125,14 @@ void mark_light_nodes(const GltfEdits& edits, const std::vector<int>& shown, jso
   });
 }
 
+NodeParts removed_parts(const GltfEdits& edits, const std::vector<int>& shown) {
+  NodeParts parts;
+  for (const NodePart& part : edits.removed)
+    parts[static_cast<std::size_t>(shown.at(static_cast<std::size_t>(part.node)))].insert(
+        part.primitive);
+  return parts;
+}
+
 void apply_edits(const GltfEdits& edits, GltfDocument& document) {
   json& root = document.root;
   if (edits.scene >= 0) root["scene"] = edits.scene;
@@ -135,6 +143,7 @@ void apply_edits(const GltfEdits& edits, GltfDocument& document) {
   Scene lights;
   lights.lights = *edits.lights;
   write_lights(lights, document);
+  write_added_lighting(edits.added_lighting, document);
 }
 
 gltf::Checked<GltfDocument> copied(const std::string& source, const GltfEdits& edits) {
@@ -148,10 +157,11 @@ gltf::Checked<GltfDocument> copied(const std::string& source, const GltfEdits& e
   auto folders = gltf::asset_folders(std::filesystem::path(source).parent_path(), edits.asset_root);
   if (!folders) return gltf::fault(folders.error());
   gltf::ModelFiles files(std::move(*folders));
-  if (!edits.light_nodes.empty()) {
+  if (!edits.light_nodes.empty() || !edits.removed.empty()) {
     const auto shown = shown_nodes(source, edits);
     if (!shown) return gltf::fault(shown.error());
     mark_light_nodes(edits, *shown, *root);
+    remove_parts(removed_parts(edits, *shown), *root);
   }
   GltfDocument document(std::move(*root));
   embed_files(*container, files, document);

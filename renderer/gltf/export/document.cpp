@@ -54,11 +54,14 @@ int GltfDocument::add(const char* list, json value) {
   return static_cast<int>(root[list].size()) - 1;
 }
 
+json& GltfDocument::default_scene() {
+  if (!root.contains("scenes")) return root;
+  return root["scenes"].at(root.value("scene", std::size_t{0}));
+}
+
 void GltfDocument::add_root_node(json node) {
   const int index = add("nodes", std::move(node));
-  if (!root.contains("scenes")) return;
-  const auto scene = root.value("scene", std::size_t{0});
-  root["scenes"].at(scene)["nodes"].push_back(index);
+  if (root.contains("scenes")) default_scene()["nodes"].push_back(index);
 }
 
 void GltfDocument::finish() {

@@ -38,7 +38,9 @@ Result<void> export_gltf(const Scene& scene, const std::string& path) {
   }
   exporting::write_materials(scene, document);
   exporting::write_meshes(scene, document);
+  if (writes_animations(scene)) exporting::write_animations(scene, document);
   exporting::write_lights(scene, document);
+  exporting::write_added_lighting(scene.added_lighting, document);
   exporting::write_cameras(scene, document);
   return document.write(path);
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -41,6 +42,8 @@ class GltfDocument {
 
   /// Appends to one of the document's lists, such as "nodes".
   int add(const char* list, nlohmann::json value);
+  /// Returns the default scene; without scenes, the root.
+  [[nodiscard]] nlohmann::json& default_scene();
   /// Appends a node that is a root of the default scene. Without scenes, all nodes are shown.
   void add_root_node(nlohmann::json node);
   void use_extension(const std::string& name) { extensions_.insert(name); }
@@ -90,7 +93,17 @@ struct TextureTransform {
 void write_materials(const Scene& scene, GltfDocument& document);
 void write_meshes(const Scene& scene, GltfDocument& document);
 void write_lights(const Scene& scene, GltfDocument& document);
+/// Writes which lighting is added when the file is opened (LIGHTS.md).
+void write_added_lighting(AddedLighting lighting, GltfDocument& document);
+/// Writes the animations of a scene if writes_animations is true. The document's first nodes must
+/// be those of write_meshes.
+void write_animations(const Scene& scene, GltfDocument& document);
 void write_cameras(const Scene& scene, GltfDocument& document);
+
+/// Removes parts of the document's nodes: per node, the primitives of its mesh, or -1 for its
+/// shape. The nodes and their children stay.
+using NodeParts = std::map<std::size_t, std::set<int>>;
+void remove_parts(const NodeParts& parts, nlohmann::json& root);
 
 /// Writes `bytes` to a temporary file next to `path` and renames it to `path`, so that no
 /// incomplete file is visible.

@@ -149,6 +149,13 @@ void add_to_extension(const char* name, json light, json& node, GltfDocument& do
 
 }  // namespace
 
+void write_added_lighting(AddedLighting lighting, GltfDocument& document) {
+  if (lighting == AddedLighting::automatic) return;
+  json& extras = document.default_scene()["extras"];
+  if (!extras.is_object()) extras = json::object();
+  extras["asos_default_lighting"] = lighting == AddedLighting::none ? "none" : "environment";
+}
+
 void write_lights(const Scene& scene, GltfDocument& document) {
   for (const Light& light : scene.lights) {
     json node = named_node(light.name);

@@ -170,6 +170,88 @@ TEST_F(CopyGltf, EmissiveNodesAreMarked) {
   EXPECT_TRUE(after.lights.empty());
 }
 
+TEST_F(CopyGltf, TheMarkOfEditedLightsIsRead) {
+  GltfEdits edits;
+  edits.lights = std::vector<Light>{};
+  for (const auto lighting :
+       {AddedLighting::none, AddedLighting::environment, AddedLighting::automatic}) {
+    edits.added_lighting = lighting;
+    EXPECT_EQ(copy(edits).added_lighting, lighting);
+  }
+  // Without scenes, the file itself has the mark.
+  GltfBuilder b = rich_file();
+  b.json.erase("scenes");
+  b.json.erase("scene");
+  source = folder.write("source/file.gltf", b.gltf("data.bin"));
+  const Scene before = *import_gltf(source, {});
+  edits.added_lighting = AddedLighting::none;
+  const Scene after = copy(edits);
+  EXPECT_EQ(after.added_lighting, AddedLighting::none);
+  EXPECT_EQ(after.notes.warnings, before.notes.warnings);
+}
+
+TEST_F(CopyGltf, AnUnknownMarkIsIgnored) {
+  GltfBuilder b = rich_file();
+  b.json["scenes"][0]["extras"]["asos_default_lighting"] = "bright";
+  source = folder.write("source/file.gltf", b.gltf("data.bin"));
+  const Scene scene = *import_gltf(source, {});
+  EXPECT_EQ(scene.added_lighting, AddedLighting::automatic);
+  ASSERT_EQ(scene.notes.warnings.size(), 1u);
+  EXPECT_EQ(scene.notes.warnings[0],
+            "the scene's asos_default_lighting is neither 'none' nor 'environment'; ignored");
+}
+
+/// Three nodes with the same mesh of two primitives. The second is a child of the first, whose
+/// weights are animated.
+GltfBuilder shared_mesh() {
+  GltfBuilder b = rich_file();
+  json& mesh = b.json["meshes"][0];
+  const int way = b.vec3({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
+  mesh["primitives"][0]["targets"] = {{{"POSITION", way}}};
+  mesh["primitives"].push_back(mesh["primitives"][0]);
+  mesh["primitives"][1]["material"] = 1;
+  mesh["weights"] = {0.0};
+  b.node()["weights"] = {0.5};
+  b.json["nodes"][1] = {{"mesh", 0}};
+  b.json["nodes"].push_back({{"mesh", 0}});
+  b.json.erase("cameras");
+  b.json["scenes"][0]["nodes"] = {0, 2};
+  add_channel(b, 0, "weights", b.scalars({0.0f, 1.0f}), b.scalars({0.0f, 1.0f}));
+  return b;
+}
+
+TEST_F(CopyGltf, RemovesPartsOfNodes) {
+  const GltfBuilder b = shared_mesh();
+  folder.write("source/data.bin", b.bin);
+  source = folder.write("source/file.gltf", b.gltf("data.bin"));
+  const Scene before = *import_gltf(source, {});
+  ASSERT_EQ(before.contents.object_primitives, (std::vector<int>{0, 1, 0, 1, 0, 1}));
+  GltfEdits edits;
+  edits.removed = {{0, 0}, {0, 1}, {1, 1}};  // all of the first, half of its child
+  const Scene after = copy(edits);
+  EXPECT_TRUE(after.notes.warnings.empty()) << after.notes.warnings[0];
+  EXPECT_EQ(after.contents.nodes.size(), 3u);
+  EXPECT_EQ(after.contents.object_nodes, (std::vector<int>{1, 2, 2}));
+  EXPECT_EQ(after.meshes[static_cast<std::size_t>(after.instances[0].mesh)].material, 0);
+  ASSERT_EQ(after.contents.animations.size(), 1u);
+  EXPECT_EQ(after.contents.animations[0].channels, 1u) << "its weights move nothing";
+  EXPECT_EQ(posed(after, 0.5).instances[0].world_from_mesh[3], glm::dvec4(1, 0, 0, 1));
+}
+
+TEST_F(CopyGltf, RemovesShapesWithTheirMesh) {
+  GltfBuilder b = rich_file();
+  b.node()["extras"]["asos_shape"] = {{"type", "sphere"}, {"radius", 1.0}};
+  b.json["nodes"][1] = {{"mesh", 0}};
+  source = folder.write("source/file.gltf", b.gltf("data.bin"));
+  ASSERT_EQ(import_gltf(source, {})->contents.object_primitives, (std::vector<int>{-1, 0}));
+  GltfEdits edits;
+  edits.removed = {{0, -1}};
+  const Scene after = copy(edits);
+  ASSERT_EQ(after.instances.size(), 1u);
+  EXPECT_EQ(after.instances[0].shape, -1);
+  EXPECT_EQ(after.contents.object_nodes, std::vector<int>{1});
+}
+
 // A view past the end of its buffer does not read the data that follows in the copy.
 TEST_F(CopyGltf, BrokenViewsStayBroken) {
   GltfBuilder b = rich_file();

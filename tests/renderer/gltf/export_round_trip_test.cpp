@@ -1,12 +1,16 @@
 #include "renderer/gltf/load.h"
 #include "renderer/scene/builtin.h"
 #include "tests/renderer/gltf/light_checks.h"
+#include "tests/renderer/gltf/moving_file.h"
 #include "tests/renderer/gltf/rich_scene.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 // Exported scenes are read back unchanged.
 
@@ -154,7 +158,53 @@ TEST(ExportRoundTrip, OfEveryBuiltinScene) {
     ASSERT_TRUE(back) << back.error().message();
     expect_equal(scene, *back);
     EXPECT_TRUE(back->notes.warnings.empty());
+    EXPECT_EQ(back->contents.animations.size(), scene.contents.animations.size());
   }
+}
+
+TEST(ExportRoundTrip, KeepsTheMotionOfObjects) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"turning-fence", "walking-pole"}) {
+    SCOPED_TRACE(name);
+    const Scene scene = *builtin_scene(name);
+    ASSERT_TRUE(writes_animations(scene));
+    ASSERT_TRUE(export_gltf(scene, folder.file("moving.glb")));
+    const Scene back = *import_gltf(folder.file("moving.glb"), {.keep_posable = true});
+    ASSERT_EQ(back.contents.animations.size(), 1u);
+    const SceneContents::Animation& clip = scene.contents.animations[0];
+    EXPECT_EQ(back.contents.animations[0].name, clip.name);
+    EXPECT_EQ(back.contents.animations[0].seconds, clip.seconds);
+    for (const double fraction : {0.0, 0.13, 0.5, 0.81, 1.0}) {
+      const Scene a = test::posed(scene, fraction * clip.seconds);
+      const Scene b = test::posed(back, fraction * clip.seconds);
+      const glm::dmat4& expected = a.instances.back().world_from_mesh;
+      const glm::dmat4& found = b.instances.back().world_from_mesh;
+      for (int c = 0; c < 4; ++c)
+        EXPECT_LT(glm::distance(found[c], expected[c]), 1e-6) << fraction << " column " << c;
+    }
+  }
+}
+
+/// Bends a mesh instead of moving an object.
+class BendingRig final : public PosableScene {
+ public:
+  explicit BendingRig(Scene scene) : scene_(std::move(scene)) {}
+  Result<Scene> pose(const std::optional<ClipTime>& time) override {
+    Scene bent = scene_;
+    if (time) bent.meshes[0].positions[0].y += static_cast<float>(time->seconds);
+    return bent;
+  }
+
+ private:
+  Scene scene_;
+};
+
+TEST(ExportRoundTrip, AMotionWithinAMeshIsLeftOut) {
+  Scene scene = *builtin_scene("walking-pole");
+  scene.rig = nullptr;
+  EXPECT_FALSE(writes_animations(scene)) << "nothing poses it";
+  scene.rig = std::make_shared<BendingRig>(scene);
+  EXPECT_FALSE(writes_animations(scene));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "renderer/gltf/load.h"
 #include "renderer/lights/studio_lighting.h"
+#include "renderer/prepared/default_look.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/environment.h"
 #include "tests/support/render_picture.h"
@@ -99,6 +100,19 @@ TEST(Prepare, AFilesLightIsKeptAndNotDoubledByItsLamp) {
   file.instances[1].shows_light = true;
   file.lights[0].intensity = 0.0f;
   EXPECT_TRUE(prepared(file)->lighting->default_lights_added);
+}
+
+TEST(Prepare, TheUsersLightsGetNoDefaultLights) {
+  Scene file = lamp_over_table(0.0f);
+  file.added_lighting = AddedLighting::none;
+  const auto dark = prepared(file);
+  EXPECT_TRUE(dark->lights().empty());
+  EXPECT_EQ(default_look(*dark).sky, nullptr);
+  file.added_lighting = AddedLighting::environment;
+  const auto lit = prepared(file);
+  EXPECT_TRUE(lit->lights().empty());
+  EXPECT_FALSE(lit->lighting->default_lights_added);
+  EXPECT_NE(default_look(*lit).sky, nullptr);
 }
 
 TEST(Prepare, BlendedEmissionShinesByItsOpacity) {
