@@ -49,7 +49,7 @@ TEST(MirroredLight, IsFoundWhereFewSamplesMissIt) {
     settings.width = 320;
     settings.height = 180;
     settings.crop = {x, 64, 1, 1};
-    settings.sampling.spp = 4096;
+    settings.sampling.spp = 1024;
     const auto red = [&](Method method, int seed) {
       settings.method = method;
       settings.seed = seed;
