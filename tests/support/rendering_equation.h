@@ -198,7 +198,7 @@ inline void add_cone(std::vector<RadiantPatch>& patches, glm::dvec3 from, glm::d
 
 /// Radiance reflected at a point from patches of radiance 1. Patches are divided until each is
 /// small relative to its angle to the mirrored view, or to the lobe; `fineness` 1 has an error of
-/// 1e-5 of the total.
+/// about 1e-4 of the total.
 class PatchQuadrature {
  public:
   PatchQuadrature(const Reflector& reflector, const SeenPoint& at, double fineness = 2.0)
