@@ -16,7 +16,8 @@ shared=${ASOS_SHARED:-$3}
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 slowdown=${ASOS_SLOWDOWN:-1}
-longest_s=$((30 * slowdown)) # of anything; the machine may be busy with other tests
+longest_s=$((60 * slowdown)) # of processor time, of anything
+stuck_s=$((8 * longest_s)) # by the clock: the machine may be busy with other work
 refusal_ms=$((1000 * slowdown)) # of processor time
 most_kb=300000
 percent=${ASOS_MEMORY_PERCENT:-100}
@@ -32,8 +33,10 @@ fault() {
 run() {
   local name=$1 read_kb=$2 cpu_ms used_kb
   shift 2
-  "$measured" timeout --signal=KILL "$longest_s" "$asos" "$@" 9>"$work/measures" \
-    >"$work/out" 2>"$work/err" </dev/null
+  (
+    ulimit -t "$longest_s"
+    exec "$measured" timeout --signal=KILL "$stuck_s" "$asos" "$@"
+  ) 9>"$work/measures" >"$work/out" 2>"$work/err" </dev/null
   code=$?
   read -r cpu_ms used_kb <"$work/measures"
   ran=$((ran + 1))
