@@ -59,12 +59,14 @@ RecordedRender watch_render(const Snapshot& snapshot, double factor,
     const Reached reached = session.reached();
     for (const FinishedTile& tile : session.take_finished()) film.put(tile);
     watched.finished = progress.finished;
+    // Workers may have finished tiles since `now`: the time counts once they are taken.
+    const double taken = others_seconds() - start;
     // All pixels may be final shortly before the render reports that it is finished.
     const bool between =
         reached.pass != Reached::Pass::nothing && reached.pass != Reached::Pass::final_pixels;
     if (progress.finished || between) {
-      watched.pictures.push_back({now, radiance_of(film), reached, progress});
-      next = factor * now;
+      watched.pictures.push_back({taken, radiance_of(film), reached, progress});
+      next = factor * taken;
     } else {
       wait_until(now, now);
     }
