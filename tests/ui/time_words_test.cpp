@@ -26,7 +26,7 @@ TEST(TimeWords, SayWhoseSecondsTheyAre) {
   EXPECT_EQ(wait_words(299.0), "5 min left");
   EXPECT_EQ(wait_words(301.0), "6 min left");
   EXPECT_EQ(wait_words(5400.0), "1.5 h left");
-  EXPECT_EQ(processor_words(4.25), "4.25 s CPU");
+  EXPECT_EQ(processor_words(4.25), "4.25 s");
   EXPECT_EQ(duration_words(4.25), "4.2 s");
   EXPECT_EQ(duration_words(65.0), "1 min 05 s");
   EXPECT_EQ(duration_words(3725.0), "1 h 02 min");

@@ -54,7 +54,7 @@ std::string wait_words(double seconds) {
 }
 
 std::string processor_words(double seconds) {
-  return fmt::format("{:.3g} s CPU", seconds);
+  return fmt::format("{:.3g} s", seconds);
 }
 
 std::string pass_words(const Reached& reached) {

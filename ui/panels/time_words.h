@@ -16,7 +16,7 @@ namespace asos::ui {
 [[nodiscard]] std::string duration_words(double seconds);
 /// "5 s left": an estimate of wall-clock time, rounded.
 [[nodiscard]] std::string wait_words(double seconds);
-/// "4.2 s CPU".
+/// "4.25 s": CPU time, for a field with that name.
 [[nodiscard]] std::string processor_words(double seconds);
 
 /// The progress of a render, for its text.
