@@ -1,5 +1,6 @@
 #include "ui/panels/study_panel.h"
 
+#include "renderer/study/floor_bound.h"
 #include "ui/input.h"
 #include "ui/panels/study_export.h"
 #include "ui/panels/study_marks.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -157,6 +159,17 @@ std::string range_text(const MethodComparison& verdict) {
   return text;
 }
 
+// A bound below 1 does not tell which method is faster.
+bool says_faster(const std::optional<FloorBound>& bound) {
+  return bound && bound->factor > 1.0;
+}
+
+bool any_bound(const SceneStudy& study) {
+  return std::any_of(study.points.begin(), study.points.end(), [&](const StudyPoint& p) {
+    return p.rung.method != subject && says_faster(bound_at_floor(study, p.rung.method));
+  });
+}
+
 void speed_row(Controls& controls, const std::string& method, const std::string& median,
                const std::string& range) {
   ImGui::TableNextRow();
@@ -195,13 +208,16 @@ void speed_table(Controls& controls, const SceneStudy& study) {
     });
     if (row != rows.end())
       speed_row(controls, rival, median_text(*row), range_text(*row));
+    else if (const auto bound = bound_at_floor(study, rival); says_faster(bound))
+      speed_row(controls, rival, over_words(bound->factor), "ASOS below the noise floor");
     else
       speed_row(controls, rival, "", "below the noise floor");
   }
   ImGui::EndTable();
   controls.placed("Slower",
                   "Time ratios over ASOS's best settings above the noise floor: median, minimum "
-                  "and maximum. Not reached: the method did not reach that error.");
+                  "and maximum. Not reached: the method did not reach that error. Over: lower "
+                  "bound, from the time to reach the noise floor.");
 }
 
 void enlarged_plot(Controls& controls, StudyChoice& choice, const StudyPlot& plot) {
@@ -260,6 +276,11 @@ void plot_buttons(Controls& controls, StudyChoice& choice, const SceneStudy& stu
 
 }  // namespace
 
+std::string over_words(double factor) {
+  const double shown = factor < 10.0 ? std::floor(10.0 * factor) / 10.0 : std::floor(factor);
+  return fmt::format("over {:g}", shown);
+}
+
 StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
                   const RenderSettings& shown) {
   StudyPlan plan;
@@ -306,9 +327,10 @@ void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,
                   "RMSE vs. CPU time (log-log); lower left is better. Hollow points are below the "
                   "reference's noise and are not compared.");
   plot_buttons(controls, choice, state.study, plot, previewer.scene()->geometry->source);
-  if (!state.study.equal_error.empty()) {
+  const bool running = state.phase == ViewStudy::Phase::running;
+  if (!state.study.equal_error.empty() || (!running && any_bound(state.study))) {
     speed_table(controls, state.study);
-  } else if (state.phase != ViewStudy::Phase::running) {
+  } else if (!running) {
     ImGui::TextWrapped(
         "Nothing to compare above the noise floor. Increase the reference time or choose another "
         "method.");

@@ -29,6 +29,9 @@ struct StudyChoice {
 [[nodiscard]] StudyPlan plan_of(const StudyChoice& choice, const std::string& scene_name,
                                 const RenderSettings& shown);
 
+/// "over 12": a lower bound, rounded down to two digits or to a whole number.
+[[nodiscard]] std::string over_words(double factor);
+
 /// Call once a frame, whether the panel is shown or not. The study pauses while the window renders
 /// or other work uses the processors, and ends when another scene is opened.
 void update_study(ViewStudy& study, const Previewer& previewer, bool other_work);
