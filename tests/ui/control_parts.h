@@ -30,7 +30,7 @@ enum class Part {
 
 /// The part that each control changes, by the control's name or its beginning up to a slash.
 inline const std::map<std::string, Part> parts{
-    {"Method", Part::settings},
+    {"Method", Part::view},
     {"EPS", Part::settings},
     {"MAX", Part::settings},
     {"Cell shading", Part::settings},

@@ -17,7 +17,7 @@ using test::PanelsTest;
 class LightControlsTest : public PanelsTest {};
 
 TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
-  rig.click("Method/Sobol");
+  choose_method("Sobol");
   EXPECT_EQ(settings().method, Method::sobol);
   EXPECT_TRUE(restarted());
   slide("Samples", 0.3f, 0.0f);
@@ -28,7 +28,7 @@ TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
   slide("Seed", 0.01f, 0.5f);
   EXPECT_GT(settings().seed, 0);
   EXPECT_TRUE(restarted());
-  rig.click("Method/Beam");
+  choose_method("Beam");
   EXPECT_EQ(settings().method, Method::beam);
   rig.frame();
   for (const char* name : {"Samples", "Seed"})

@@ -39,6 +39,11 @@ class PanelsTest : public testing::Test {
     rig.rest();
     rig.drag({std::ceil(glm::mix(at.lo.x, at.hi.x, from)), y}, {glm::mix(at.lo.x, at.hi.x, to), y});
   }
+  void choose_method(const std::string& title) {
+    rig.click("Method");
+    rig.frame();
+    rig.click("Method/" + title);
+  }
   /// Settles, and returns whether the render has restarted since the last call: changes may wait
   /// for the picture of the previous render.
   bool restarted() {

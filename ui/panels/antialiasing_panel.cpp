@@ -200,17 +200,6 @@ void texture_controls(Controls& controls, RenderSettings& settings) {
                   [](int n) { return n == 1 ? std::string("1") : fmt::format("{0} x {0}", n); });
 }
 
-void method_choice(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
-  const std::vector<Method> offered = methods_for(settings, scene);
-  std::vector<Controls::Option> options;
-  for (const Method method : offered)
-    options.push_back({row_of(method).title, row_of(method).about});
-  const auto at = std::find(offered.begin(), offered.end(), settings.method);
-  auto chosen = static_cast<int>(at - offered.begin());
-  if (controls.options("Method", options, chosen, {false, std::nullopt}))
-    settings.method = offered[static_cast<std::size_t>(chosen)];
-}
-
 }  // namespace
 
 std::vector<Method> methods_for(const RenderSettings& settings, const RenderScene* scene) {
@@ -224,11 +213,23 @@ std::vector<Method> methods_for(const RenderSettings& settings, const RenderScen
   return offered;
 }
 
+void method_list(Controls& controls, const char* name, RenderSettings& settings,
+                 const RenderScene* scene) {
+  const std::vector<Method> offered = methods_for(settings, scene);
+  std::vector<Controls::Option> options;
+  for (const Method method : offered)
+    options.push_back({row_of(method).title, row_of(method).about});
+  const auto at = std::find(offered.begin(), offered.end(), settings.method);
+  auto chosen = static_cast<int>(at - offered.begin());
+  if (controls.described_list(name, options, chosen))
+    settings.method = offered[static_cast<std::size_t>(chosen)];
+}
+
 void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderScene* scene = previewer.scene().get();
   if (!controls.section("Antialiasing")) return;
-  method_choice(controls, settings, scene);
+  method_list(controls, "Method", settings, scene);
   if (in_object_space(settings.method)) asos_controls(controls, previewer, forecast);
   if (settings.method == Method::uniform || settings.method == Method::stochastic) {
     sample_controls(controls, settings);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 
 namespace asos::ui {
 
@@ -38,6 +39,11 @@ std::size_t longest_row(std::span<const Controls::Option> options) {
     if (fits) return longest;
   }
   return 1;
+}
+
+std::string first_sentence(std::string_view text) {
+  const std::size_t end = text.find(". ");
+  return std::string(end == std::string_view::npos ? text : text.substr(0, end + 1));
 }
 
 }  // namespace
@@ -106,6 +112,30 @@ bool Controls::list(const char* name, const char* tooltip, std::span<const std::
     if (ImGui::Selectable(items[static_cast<std::size_t>(i)].c_str(), i == chosen)) chosen = i;
     placed(std::string(name) + "/" + items[static_cast<std::size_t>(i)], tooltip);
     ImGui::PopID();
+  }
+  ImGui::EndCombo();
+  return chosen != before;
+}
+
+bool Controls::described_list(const char* name, std::span<const Option> options, int& chosen) {
+  const int before = chosen;
+  const bool valid = chosen >= 0 && chosen < static_cast<int>(options.size());
+  const Option shown = valid ? options[static_cast<std::size_t>(chosen)] : Option{"", ""};
+  label(name, shown.tooltip);
+  const std::string own(name);
+  if (!ImGui::BeginCombo(("##" + own).c_str(), shown.name, ImGuiComboFlags_HeightLargest)) {
+    placed(own, shown.tooltip, Use::edits);
+    placed_[own].words = shown.name;
+    return false;
+  }
+  for (int i = 0; i < static_cast<int>(options.size()); ++i) {
+    const Option& option = options[static_cast<std::size_t>(i)];
+    if (ImGui::Selectable(option.name, i == chosen)) chosen = i;
+    placed(own + "/" + option.name, option.tooltip);
+    ImGui::SameLine(9.0f * ImGui::GetFontSize());
+    const std::string line = first_sentence(option.tooltip);
+    ImGui::TextDisabled("%s", line.c_str());
+    placed_words(own + " line/" + option.name, line, nullptr);
   }
   ImGui::EndCombo();
   return chosen != before;

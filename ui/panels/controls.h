@@ -96,6 +96,8 @@ class Controls {
   /// A choice of many options as a drop-down list.
   bool list(const char* name, const char* tooltip, std::span<const std::string> items, int& chosen,
             std::optional<int> reset = std::nullopt);
+  /// The same with the first sentence of each option's tooltip next to its name.
+  bool described_list(const char* name, std::span<const Option> options, int& chosen);
 
   /// Position of a row's value: after a long label, or aligned with the widgets around. `lines`:
   /// minimum height, so that changing values do not move other controls.

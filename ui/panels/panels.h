@@ -23,6 +23,9 @@ namespace asos::ui {
 /// render any scene.
 [[nodiscard]] std::vector<Method> methods_for(const RenderSettings& settings,
                                               const RenderScene* scene);
+/// A list of these methods, each with a line about it.
+void method_list(Controls& controls, const char* name, RenderSettings& settings,
+                 const RenderScene* scene);
 void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast);
 /// Rarely changed settings of the method.
 void advanced_panel(Controls& controls, Previewer& previewer);

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace asos::ui {
@@ -159,33 +158,6 @@ void before_button(Controls& controls, const Previewer& previewer, UiState& stat
     state.show_before = !state.show_before;
 }
 
-// The first sentence of a description.
-std::string first_sentence(std::string_view text) {
-  const std::size_t end = text.find(". ");
-  return std::string(end == std::string_view::npos ? text : text.substr(0, end + 1));
-}
-
-// The methods, each with a line about it.
-void method_list(Controls& controls, Previewer& previewer) {
-  RenderSettings& settings = previewer.edits().settings();
-  constexpr const char* name = "Method in bar";
-  const MethodRow& chosen = row_of(settings.method);
-  ImGui::SetNextItemWidth(-1.0f);
-  const bool open =
-      ImGui::BeginCombo("##Method in bar", chosen.title, ImGuiComboFlags_HeightLargest);
-  if (!open) return controls.placed(name, chosen.about, Controls::Use::edits);
-  for (const Method method : methods_for(settings, previewer.scene().get())) {
-    const MethodRow& row = row_of(method);
-    if (ImGui::Selectable(row.title, method == settings.method)) settings.method = method;
-    controls.placed(fmt::format("{}/{}", name, row.title), row.about);
-    ImGui::SameLine(9.0f * ImGui::GetFontSize());
-    const std::string line = first_sentence(row.about);
-    ImGui::TextDisabled("%s", line.c_str());
-    controls.placed_words(fmt::format("{} line/{}", name, row.title), line, nullptr);
-  }
-  ImGui::EndCombo();
-}
-
 void zoom_buttons(Controls& controls, PictureView& view) {
   const float width = 1.7f * ImGui::GetFontSize();
   if (controls.button("-", "Zoom out (-).", width)) view.zoom_at(view.area_middle(), -1);
@@ -253,7 +225,9 @@ void upper_row(Controls& controls, Previewer& previewer, UiState& state, float w
   const float method = wide ? 10.0f * em : 0.0f, snapshot = wide ? 6.5f * em : 0.0f;
   content_cells(controls, cells, state, width - method - snapshot - (wide ? 2.0f * gap : 0.0f));
   if (!wide) return;
-  cells.add(method, [&] { method_list(controls, previewer); });
+  cells.add(method, [&] {
+    method_list(controls, "Method in bar", previewer.edits().settings(), previewer.scene().get());
+  });
   cells.add(snapshot, [&] {
     if (controls.button("Snapshot", "Keep the picture to compare with (S).", -1.0f))
       state.said = store_frame(state.frames, previewer)
