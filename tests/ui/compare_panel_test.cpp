@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace asos {
 using namespace ui;
@@ -55,6 +56,21 @@ class ComparePanelTest : public PanelsTest {
     return display_bytes(frames().stored[0].film, i, usual_display);
   }
 };
+
+TEST(SnapshotTable, IsCopiedAsCsv) {
+  Frames frames;
+  EXPECT_EQ(snapshot_csv(frames), "picture,reference,rmse,psnr_db\n");
+  for (const char* name : {"Sobol, 19 spp", "ASOS \"fine\"", "Beam"})
+    frames.stored.push_back({name, "", {}});
+  frames.chosen = 1;
+  frames.rmse = 0.01;
+  frames.stored_rmse = {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
+  EXPECT_EQ(snapshot_csv(frames),
+            "picture,reference,rmse,psnr_db\n"
+            "Current picture,\"ASOS \"\"fine\"\"\",0.01,40.00\n"
+            "\"Sobol, 19 spp\",\"ASOS \"\"fine\"\"\",,\n"
+            "Beam,\"ASOS \"\"fine\"\"\",0,inf\n");
+}
 
 TEST_F(ComparePanelTest, FlipShowsTheStoredFrame) {
   store_and_change();

@@ -215,6 +215,7 @@ inline const std::map<std::string, Part> parts{
     {"Scene file", Part::view},
     {"Save scene", Part::save},
     {"Copy picture", Part::message},
+    {"Copy errors", Part::message},
     {"Reload", Part::files},
     {"Watch file", Part::choice},
     {"Reset window", Part::display},

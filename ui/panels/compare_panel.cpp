@@ -112,6 +112,8 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
   if (frames.stored.empty()) return;
 
   snapshot_table(controls, previewer, frames);
+  if (controls.button("Copy errors", "Copy the table as CSV to the clipboard.", -1.0f))
+    ImGui::SetClipboardText(snapshot_csv(frames).c_str());
   const StoredFrame& chosen = frames.stored[static_cast<std::size_t>(frames.chosen)];
   controls.row("Settings", chosen.summary, "Settings of the chosen snapshot.");
   size_row(controls, previewer.render().film(), chosen.film);

@@ -1,6 +1,7 @@
 #include "ui/panels/snapshot_table.h"
 
 #include "renderer/study/measures.h"
+#include "ui/panels/study_export.h"
 #include "ui/resampled.h"
 
 #include <fmt/format.h>
@@ -50,6 +51,13 @@ void cells(double rmse, bool reference) {
   if (known) ImGui::TextUnformatted(psnr_words(rmse).c_str());
 }
 
+std::string csv_row(const std::string& name, const std::string& reference, double rmse) {
+  std::string text = csv_cell(name) + "," + csv_cell(reference) + ",";
+  if (std::isnan(rmse)) return text + ",\n";
+  text += fmt::format("{:.6g},", rmse);
+  return text + (rmse > 0.0 ? fmt::format("{:.2f}\n", -20.0 * std::log10(rmse)) : "inf\n");
+}
+
 bool snapshot_row(Controls& controls, const Frames& frames, std::size_t index) {
   const StoredFrame& frame = frames.stored[index];
   const bool chosen = static_cast<int>(index) == frames.chosen;
@@ -82,6 +90,17 @@ double common_rmse(const Film& a, const Film& b, const Film& sized) {
 
 std::string psnr_words(double rmse) {
   return rmse > 0.0 ? fmt::format("{:.1f} dB", -20.0 * std::log10(rmse)) : "identical";
+}
+
+std::string snapshot_csv(const Frames& frames) {
+  std::string text = "picture,reference,rmse,psnr_db\n";
+  if (frames.stored.empty()) return text;
+  const std::string& reference = frames.stored[static_cast<std::size_t>(frames.chosen)].name;
+  text += csv_row("Current picture", reference, frames.rmse);
+  for (std::size_t i = 0; i < frames.stored_rmse.size(); ++i)
+    if (static_cast<int>(i) != frames.chosen)
+      text += csv_row(frames.stored[i].name, reference, frames.stored_rmse[i]);
+  return text;
 }
 
 void snapshot_table(Controls& controls, const Previewer& previewer, Frames& frames) {

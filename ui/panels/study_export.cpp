@@ -33,13 +33,6 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string safe = "\"";
-  for (const char c : text) safe += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return safe + '"';
-}
-
 std::string svg_text(glm::dvec2 at, const std::string& text, const char* anchor = "start") {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", at.x, at.y,
                      anchor, escaped(text));
@@ -117,20 +110,28 @@ std::string plot_svg(const StudyPlot& plot, const std::string& title) {
   return svg + "</svg>\n";
 }
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string safe = "\"";
+  for (const char c : text) safe += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return safe + '"';
+}
+
 std::string study_csv(const SceneStudy& study) {
   std::string csv =
       "scene,picture,method,setting,cpu_seconds,rmse,below_noise_floor,noise_floor,rays\n";
-  const std::string scene = quoted(study.scene);
+  const std::string scene = csv_cell(study.scene);
   for (const StudyPoint& point : study.points)
     csv += fmt::format("{},finished,{},{},{},{},{},{},{}\n", scene,
-                       quoted(method_title(point.rung.method)), quoted(point.rung.setting),
+                       csv_cell(method_title(point.rung.method)), csv_cell(point.rung.setting),
                        point.seconds(), point.measures.rmse, point.under_floor ? 1 : 0, study.floor,
                        point.rays);
   for (const RenderCurve& curve : study.while_rendering)
     for (const CurvePoint& point : curve.points)
-      csv += fmt::format("{},while rendering,{},{},{},{},{},{},\n", scene,
-                         quoted(method_title(curve.method)), quoted(curve.setting), point.seconds,
-                         point.error, point.error < study.floor ? 1 : 0, study.floor);
+      csv +=
+          fmt::format("{},while rendering,{},{},{},{},{},{},\n", scene,
+                      csv_cell(method_title(curve.method)), csv_cell(curve.setting), point.seconds,
+                      point.error, point.error < study.floor ? 1 : 0, study.floor);
   return csv;
 }
 

@@ -11,6 +11,8 @@ namespace asos::ui {
 /// The plot as an SVG of 800 x 560 units with its legend.
 [[nodiscard]] std::string plot_svg(const StudyPlot& plot, const std::string& title);
 
+/// The text as a cell of CSV, in quotes if it needs them.
+[[nodiscard]] std::string csv_cell(const std::string& text);
 /// CSV with a line for each setting, and for each picture of a watched render.
 [[nodiscard]] std::string study_csv(const SceneStudy& study);
 
