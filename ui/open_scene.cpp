@@ -5,6 +5,7 @@
 #include "ui/hidden_objects.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace asos::ui {
 
@@ -67,7 +68,7 @@ SceneSource OpenScene::shown_source() const {
           asset_root_};
 }
 
-void OpenScene::load_again(const std::string& variant, std::vector<int> hidden) {
+void OpenScene::load_again(const std::string& variant, std::vector<ObjectId> hidden) {
   SceneSource source = shown_source();
   source.variant = variant;
   source.hidden = std::move(hidden);
@@ -84,26 +85,57 @@ void OpenScene::widen_asset_root() {
   reloading_ = same_file_ = same;
 }
 
+std::vector<ObjectId> OpenScene::objects() const {
+  if (!scene_) return {};
+  const SceneContents& contents = scene_->geometry->contents;
+  const std::size_t listed = contents.object_nodes.size();
+  return objects_of(contents,
+                    listed > 0 ? listed : objects_without_ground(scene_->world()) + hidden_.size());
+}
+
+void OpenScene::find_hidden_places() {
+  hidden_places_.clear();
+  if (hidden_.empty()) return;
+  const std::vector<ObjectId> all = objects();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (std::binary_search(hidden_.begin(), hidden_.end(), all[i]))
+      hidden_places_.push_back(static_cast<int>(i));
+}
+
+void OpenScene::relight(std::shared_ptr<const RenderScene> scene) {
+  const bool same = scene_ && scene && scene_->geometry == scene->geometry;
+  scene_ = std::move(scene);
+  if (!same) find_hidden_places();
+}
+
 void OpenScene::hide(int part) {
   // The ground is no object of the file.
   if (!scene_ || part >= static_cast<int>(objects_without_ground(scene_->world()))) return;
-  std::vector<int> hidden = hidden_;
-  hidden.push_back(place_among_all(part, hidden_));
-  std::sort(hidden.begin(), hidden.end());
-  load_again(scene_->geometry->contents.variant, std::move(hidden));
+  std::vector<int> places = hidden_places_;
+  places.push_back(place_among_all(part, hidden_places_));
+  show_without(std::move(places));
 }
 
+// Hidden objects that the present pose does not have stay hidden.
 void OpenScene::show_without(std::vector<int> places) {
-  if (scene_) load_again(scene_->geometry->contents.variant, std::move(places));
+  if (!scene_) return;
+  std::vector<ObjectId> all = objects(), hidden;
+  for (const int place : places)
+    if (place >= 0 && place < static_cast<int>(all.size()))
+      hidden.push_back(all[static_cast<std::size_t>(place)]);
+  std::sort(all.begin(), all.end());
+  std::set_difference(hidden_.begin(), hidden_.end(), all.begin(), all.end(),
+                      std::back_inserter(hidden));
+  std::sort(hidden.begin(), hidden.end());
+  load_again(scene_->geometry->contents.variant, std::move(hidden));
 }
 
 void OpenScene::show_only(int part) {
   if (!scene_) return;
-  std::vector<int> hidden = hidden_;
+  std::vector<int> places = hidden_places_;
   for (int i = 0; i < static_cast<int>(objects_without_ground(scene_->world())); ++i)
-    if (i != part) hidden.push_back(place_among_all(i, hidden_));
-  std::sort(hidden.begin(), hidden.end());
-  load_again(scene_->geometry->contents.variant, std::move(hidden));
+    if (i != part) places.push_back(place_among_all(i, hidden_places_));
+  show_without(std::move(places));
 }
 
 void OpenScene::show_all() {
@@ -139,6 +171,7 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   asset_root_ = asked_.asset_root;
   const glm::dvec3 before = scene_ ? scene_->world().origin : glm::dvec3(0.0);
   scene_ = std::move(*outcome->scene);
+  find_hidden_places();
   load_seconds_ = outcome->load_seconds;
   ++times_opened_;
   if (outcome->picture) opened_display_ = outcome->picture->display;

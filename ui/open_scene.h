@@ -41,8 +41,12 @@ class OpenScene {
   void show_without(std::vector<int> places);
   void show_only(int part);
   void show_all();
-  /// Indices of the hidden objects among all objects: see leave_out.
-  [[nodiscard]] const std::vector<int>& hidden() const { return hidden_; }
+  /// Ascending indices of the hidden objects among all objects of the present pose.
+  [[nodiscard]] const std::vector<int>& hidden() const { return hidden_places_; }
+  /// Whether objects are hidden, in this pose or in others.
+  [[nodiscard]] bool hides() const { return !hidden_.empty(); }
+  /// The objects of the present pose, hidden ones included.
+  [[nodiscard]] std::vector<ObjectId> objects() const;
 
   explicit operator bool() const { return scene_ != nullptr; }
   const RenderScene* operator->() const { return scene_.get(); }
@@ -90,12 +94,13 @@ class OpenScene {
   /// Makes a loaded scene the open one and returns its facts, once. Returns none if no load has
   /// finished, or if loading failed: then `error` has the reason.
   [[nodiscard]] std::optional<Opened> take_opened();
-  /// Replaces the open scene by the same with other lights or materials.
-  void relight(std::shared_ptr<const RenderScene> scene) { scene_ = std::move(scene); }
+  /// Replaces the open scene by the same with other lights or materials, or in another pose.
+  void relight(std::shared_ptr<const RenderScene> scene);
 
  private:
   void ask_for(SceneSource source);
-  void load_again(const std::string& variant, std::vector<int> hidden);
+  void load_again(const std::string& variant, std::vector<ObjectId> hidden);
+  void find_hidden_places();
 
   std::shared_ptr<const RenderScene> scene_;
   std::uint64_t times_opened_ = 0;
@@ -106,7 +111,8 @@ class OpenScene {
   bool reloading_ = false;  // the scene being loaded is a reload of the open one
   bool same_file_ = false;  // or another scene of its file
   bool reload_failed_ = false;
-  std::vector<int> hidden_;  // ascending
+  std::vector<ObjectId> hidden_;    // ascending; in any pose
+  std::vector<int> hidden_places_;  // of those in the present pose
   double load_seconds_ = 0.0;
   std::vector<FileStamp> files_;
   std::optional<Error> error_;

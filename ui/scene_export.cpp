@@ -83,7 +83,7 @@ void take_lights(const Previewer& previewer, SceneOrder& order) {
   order.added_lighting =
       scene.geometry->stage.has_default_lighting ? AddedLighting::environment : AddedLighting::none;
   const SceneContents& contents = scene.geometry->contents;
-  const std::vector<int>& hidden = order.source.hidden;
+  const std::vector<int>& hidden = previewer.scene().hidden();
   const std::set<int> nodes = nodes_with_edited_lights(scene, previewer.edits(), hidden);
   const auto replaced = [&](int part) {
     return nodes.contains(emitting_node(contents, part, hidden));
@@ -97,28 +97,25 @@ void take_lights(const Previewer& previewer, SceneOrder& order) {
     else if (replaced(light.own_part))
       add_in_front(std::move(light), lights);
   }
+  const std::vector<ObjectId> objects = previewer.scene().objects();
   for (int part = 0; part < static_cast<int>(scene.world().parts.size()); ++part)
-    if (replaced(part)) order.light_objects.push_back(place_among_all(part, hidden));
+    if (replaced(part))
+      order.light_objects.push_back(
+          objects.at(static_cast<std::size_t>(place_among_all(part, hidden))));
   for (const int node : nodes)
     if (node >= 0) order.light_nodes.push_back(node);
 }
 
 /// Returns the parts of the file's nodes that are hidden; none if hidden objects are not whole
 /// parts: some copies of a node's mesh only.
-std::optional<std::vector<NodePart>> hidden_parts(const SceneContents& contents,
-                                                  const std::vector<int>& hidden) {
-  std::map<std::pair<int, int>, std::size_t> shown;
-  std::set<std::pair<int, int>> found;
-  for (std::size_t i = 0; i < contents.object_nodes.size(); ++i) {
-    const std::pair part(contents.object_nodes[i], contents.object_primitives[i]);
-    const bool is_hidden = std::binary_search(hidden.begin(), hidden.end(), static_cast<int>(i));
-    shown[part] += is_hidden ? 0 : 1;
-    if (is_hidden) found.insert(part);
-  }
+std::optional<std::vector<NodePart>> hidden_parts(const std::vector<ObjectId>& hidden) {
+  std::map<std::pair<int, int>, int> counts;
+  for (const ObjectId& object : hidden) ++counts[{object.node, object.primitive}];
   std::vector<NodePart> parts;
-  for (const auto& part : found) {
-    if (part.first < 0 || shown[part] > 0) return std::nullopt;
-    parts.push_back({part.first, part.second});
+  for (const ObjectId& object : hidden) {
+    const int count = counts.at({object.node, object.primitive});
+    if (object.node < 0 || count < object.copies) return std::nullopt;
+    if (object.copy == 0) parts.push_back({object.node, object.primitive});
   }
   return parts;
 }
@@ -146,16 +143,6 @@ Result<std::string> copied(const SceneOrder& order) {
   return copy_gltf(order.source.path, order.path, edits).map([&] { return order.path; });
 }
 
-/// Marks the objects whose lights are in the list, which emit no light themselves.
-void mark_light_objects(const std::vector<int>& places, Scene& scene) {
-  int place = -1;
-  for (Instance& instance : scene.instances) {
-    if (!scene.shows_surface(instance)) continue;
-    ++place;
-    instance.shows_light |= std::find(places.begin(), places.end(), place) != places.end();
-  }
-}
-
 std::string words_of(const Scene& scene, const std::string& path) {
   const bool complete = scene.contents.animations.empty() || writes_animations(scene);
   return complete ? path : path + " (without its animations)";
@@ -170,7 +157,7 @@ Result<std::string> written(const SceneOrder& order) {
                                                        .scene = order.source.scene,
                                                        .asset_root = order.source.asset_root});
   if (!scene) return unexpected(scene.error());
-  mark_light_objects(order.light_objects, *scene);
+  mark_as_lights(*scene, order.light_objects);
   leave_out(*scene, order.source.hidden);
   if (order.lights) {
     scene->lights = *order.lights;
@@ -191,7 +178,7 @@ SceneOrder order_of(const Previewer& previewer, std::string path) {
   order.source = previewer.scene().shown_source();
   order.path = std::move(path);
   order.shown_scene = scene.geometry->contents.shown_scene;
-  order.removed = hidden_parts(scene.geometry->contents, order.source.hidden);
+  order.removed = hidden_parts(order.source.hidden);
   if (scene.lighting != scene.own_lighting) take_lights(previewer, order);
   if (edits.dfrs() != dfrs_without_ground(scene.world())) order.dfrs = edits.dfrs();
   return order;

@@ -21,9 +21,10 @@ struct SceneOrder {
   int shown_scene = -1;                      ///< of the file; -1: it has none
   std::optional<std::vector<Light>> lights;  ///< author's coordinates; none: the file's
   AddedLighting added_lighting = AddedLighting::automatic;  ///< if there are `lights`
-  /// The objects whose emissive surfaces are among `lights`: indices among all objects, and into
+  /// The objects whose emissive surfaces are among `lights`, and their nodes: indices into
   /// SceneContents::nodes.
-  std::vector<int> light_objects, light_nodes;
+  std::vector<ObjectId> light_objects;
+  std::vector<int> light_nodes;
   /// The hidden parts of the file's nodes; none: they cannot be removed from the file.
   std::optional<std::vector<NodePart>> removed;
   std::optional<MaterialDfrs> dfrs;  ///< none: the file's own

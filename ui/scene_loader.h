@@ -5,6 +5,7 @@
 #include "renderer/result.h"
 #include "renderer/scene/clip_choice.h"
 #include "ui/file_watch.h"
+#include "ui/hidden_objects.h"
 #include "ui/latest_job.h"
 
 #include <chrono>
@@ -19,11 +20,11 @@ namespace asos::ui {
 /// The scene to open, "builtin:NAME" or a path, and which part of it. Converts to its path.
 struct SceneSource {
   std::string path;
-  std::string variant{};      ///< material variant; empty: none
-  std::string scene{};        ///< scene of the file: see LoadOptions
-  ClipChoice clip{};          ///< the animation and time to show first
-  std::vector<int> hidden{};  ///< objects to remove: see leave_out
-  std::string asset_root{};   ///< see LoadOptions
+  std::string variant{};           ///< material variant; empty: none
+  std::string scene{};             ///< scene of the file: see LoadOptions
+  ClipChoice clip{};               ///< the animation and time to show first
+  std::vector<ObjectId> hidden{};  ///< objects to remove: see leave_out
+  std::string asset_root{};        ///< see LoadOptions
 
   operator const std::string&() const { return path; }
 };

@@ -290,7 +290,7 @@ void WindowContent::dialogs(const WindowRect& picture) {
   if (state_.save_scene.show && state_.save_scene.path.empty() && previewer_.scene())
     state_.save_scene.path =
         free_scene_path(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source));
-  save_scene_dialog(controls_, state_.save_scene, !previewer_.scene().hidden().empty());
+  save_scene_dialog(controls_, state_.save_scene, previewer_.scene().hides());
   if (saving_notice(controls_, saver_.job(), picture)) say(saver_.stop());
   const bool saving = saver_.job().pending();
   if (!state_.said.empty()) say(std::exchange(state_.said, {}));

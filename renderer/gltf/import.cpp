@@ -25,15 +25,15 @@ namespace gltf {
 namespace {
 
 std::vector<SceneContents::Node> nodes_of(const Document& doc, const NodeGraph& graph,
-                                          const std::vector<int>& shown) {
-  // The position of each node of the file among the visible ones; -1: hidden.
+                                          const std::vector<NodeGraph::Listed>& listed) {
+  // The position of each node of the file in the list; -1: it is not listed.
   std::vector<int> place(graph.size(), -1);
   std::vector<SceneContents::Node> nodes;
-  nodes.reserve(shown.size());
-  for (const int index : shown) {
-    const int parent = graph.parent(index);
-    place[static_cast<std::size_t>(index)] = static_cast<int>(nodes.size());
-    nodes.push_back({doc.model.nodes[static_cast<std::size_t>(index)].name,
+  nodes.reserve(listed.size());
+  for (const NodeGraph::Listed& one : listed) {
+    const int parent = graph.parent(one.node);
+    place[static_cast<std::size_t>(one.node)] = static_cast<int>(nodes.size());
+    nodes.push_back({doc.model.nodes[static_cast<std::size_t>(one.node)].name,
                      parent < 0 ? -1 : place[static_cast<std::size_t>(parent)]});
   }
   return nodes;
@@ -43,7 +43,7 @@ std::vector<SceneContents::Node> nodes_of(const Document& doc, const NodeGraph& 
 // imported. `graph` and `shown_scene` are those of that import.
 SceneContents contents_of(const Document& doc, const std::vector<Clip>& clips,
                           const NodeGraph& graph, int shown_scene, const Scene& scene) {
-  const std::vector<int> shown = graph.shown(shown_scene);
+  const std::vector<NodeGraph::Listed> listed = graph.listed(shown_scene);
   SceneContents contents;
   for (const Clip& clip : clips)
     contents.animations.push_back(
@@ -60,11 +60,11 @@ SceneContents contents_of(const Document& doc, const std::vector<Clip>& clips,
   contents.shown_scene = shown_scene;
   contents.variants = doc.variants;
   std::set<int> placed;
-  for (const int node : shown)
-    placed.insert(doc.model.nodes[static_cast<std::size_t>(node)].camera);
+  for (const auto& [node, shown] : listed)
+    if (shown) placed.insert(doc.model.nodes[static_cast<std::size_t>(node)].camera);
   for (std::size_t i = 0; i < doc.model.cameras.size(); ++i)
     if (!placed.contains(static_cast<int>(i))) ++contents.cameras_not_placed;
-  contents.nodes = nodes_of(doc, graph, shown);
+  contents.nodes = nodes_of(doc, graph, listed);
   for (const Instance& instance : scene.instances) {
     if (!scene.shows_surface(instance)) continue;
     contents.object_nodes.push_back(instance.node);

@@ -23,8 +23,9 @@ constexpr std::size_t most_instances = 4'000'000;
 
 Checked<Scene> Importer::run(int scene, Scene base) {
   scene_ = std::move(base);
-  for (const int index : graph_.shown(scene)) {
+  for (const auto& [index, shown] : graph_.listed(scene)) {
     node_ = nodes_++;
+    if (!shown) continue;
     const tinygltf::Node& node = doc_.model.nodes[static_cast<std::size_t>(index)];
     add_camera(doc_, node, graph_.world_from_node(index), scene_);
     add_light(doc_, node, graph_.world_from_node(index), scene_);

@@ -86,7 +86,7 @@ void NodeGraph::place() {
   }
 }
 
-std::vector<int> NodeGraph::shown(int scene) const {
+std::vector<NodeGraph::Listed> NodeGraph::listed(int scene) const {
   const std::vector<tinygltf::Node>& nodes = doc_.model.nodes;
   const auto count = static_cast<int>(nodes.size());
   std::vector<bool> done(nodes.size(), false);
@@ -100,7 +100,7 @@ std::vector<int> NodeGraph::shown(int scene) const {
     }
   }
 
-  std::vector<int> todo, order;
+  std::vector<int> todo;
   if (scene >= 0) {
     todo = doc_.model.scenes[static_cast<std::size_t>(scene)].nodes;
   } else {
@@ -116,18 +116,20 @@ std::vector<int> NodeGraph::shown(int scene) const {
     }
   }
   std::reverse(todo.begin(), todo.end());
+  std::vector<Listed> order;
+  std::vector<bool> visible(nodes.size(), true);  // with all above
   while (!todo.empty()) {
     const int node = todo.back();
     todo.pop_back();
     if (node < 0 || node >= count || done[static_cast<std::size_t>(node)]) continue;
     const auto n = static_cast<std::size_t>(node);
     done[n] = true;
-    if (!poses_[n].visible) continue;
-    if (finite(world_[n])) {
-      order.push_back(node);
-    } else {
+    const int parent = parent_[n];
+    visible[n] = poses_[n].visible && (parent < 0 || visible[static_cast<std::size_t>(parent)]);
+    const bool placed = finite(world_[n]);
+    if (visible[n] && !placed)
       doc_.warnings.add_loss(fmt::format("node {} is placed at infinity; not drawn", node));
-    }
+    order.push_back({node, visible[n] && placed});
     todo.insert(todo.end(), children_[n].rbegin(), children_[n].rend());
   }
   return order;

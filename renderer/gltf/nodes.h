@@ -44,10 +44,15 @@ class NodeGraph {
   /// Returns -1 for roots.
   [[nodiscard]] int parent(int node) const { return parent_[static_cast<std::size_t>(node)]; }
 
-  /// Returns the visible nodes of a scene, parents first, each once. Leaves out invisible subtrees
-  /// (KHR_node_visibility), coarser levels of detail (MSFT_lod) and nodes whose place is not
-  /// finite. `scene` -1: all.
-  [[nodiscard]] std::vector<int> shown(int scene) const;
+  /// A node of a scene. Invisible subtrees (KHR_node_visibility) and nodes whose place is not
+  /// finite are not shown.
+  struct Listed {
+    int node = -1;
+    bool shown = true;
+  };
+  /// Returns the nodes of a scene, parents first, each once. Leaves out coarser levels of detail
+  /// (MSFT_lod). The order is the same in all poses. `scene` -1: all.
+  [[nodiscard]] std::vector<Listed> listed(int scene) const;
 
  private:
   void link();

@@ -35,7 +35,7 @@ struct SceneContents {
     std::size_t targets = 0;
   };
 
-  /// A node of the shown scene.
+  /// A node of the shown scene, visible or not: the same nodes in all poses.
   struct Node {
     std::string name;
     int parent = -1;  ///< index into `nodes`; -1: none

@@ -12,7 +12,9 @@ using namespace ui;
 namespace {
 
 TEST(HiddenObjects, ArePlacesAmongThoseThatShowSomething) {
-  const auto left = [](const std::vector<int>& hidden) {
+  const auto left = [](const std::vector<int>& places) {
+    std::vector<ObjectId> hidden;
+    for (const int place : places) hidden.push_back({-1, -1, place});
     Scene scene = two_triangles({1, 0, 0});
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
       scene.instances[i].name = std::string(1, static_cast<char>('a' + static_cast<char>(i)));

@@ -1,6 +1,8 @@
 #include "renderer/gltf/load.h"
 #include "renderer/picture/picture_description.h"
+#include "renderer/scene/posable_scene.h"
 #include "renderer/session/render_session.h"
+#include "renderer/world/ground.h"
 #include "tests/renderer/gltf/moving_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/panels_fixture.h"
@@ -256,6 +258,82 @@ TEST_F(SceneExportTest, HiddenObjectsAreRemovedFromTheFile) {
   EXPECT_EQ(saved->contents.object_nodes, (std::vector<int>{0, 2}));
   open(path);
   EXPECT_LE(largest_step(picture_by_default(), before), 1);
+}
+
+// An animation changes KHR_node_visibility of three squares in a row: the first is visible before
+// 1 s, the second from then on.
+class BlinkingTest : public SceneExportTest {
+ protected:
+  BlinkingTest() {
+    GltfBuilder b = GltfBuilder::square();
+    for (const double x : {2.0, 4.0})
+      b.json["nodes"].push_back({{"mesh", 0}, {"translation", {x, 0.0, 0.0}}});
+    b.json["scenes"][0]["nodes"] = {0, 1, 2};
+    b.json["extensionsUsed"] = {"KHR_node_visibility", "KHR_animation_pointer"};
+    b.json["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = false;
+    for (const int node : {0, 1}) {
+      const std::vector<std::uint8_t> visible{node == 0, node == 1};
+      add_channel(b, 0, "pointer", b.scalars({0.0f, 1.0f}),
+                  b.accessor(b.view(visible), 5121, "SCALAR", 2), "STEP");
+      nlohmann::json& target = b.json["animations"][0]["channels"].back()["target"];
+      target.erase("node");
+      target["extensions"]["KHR_animation_pointer"]["pointer"] =
+          "/nodes/" + std::to_string(node) + "/extensions/KHR_node_visibility/visible";
+    }
+    open(folder.write("blinking.glb", b.glb()));
+  }
+  void seek(double seconds) {
+    previewer->playback().seek(seconds);
+    const auto shown = [&] { return previewer->scene()->geometry->time == ClipTime{0, seconds}; };
+    for (int i = 0; i < 20000 && !shown(); ++i) wait();
+    ASSERT_TRUE(shown());
+  }
+  void hide(int part) {
+    const std::uint64_t opened = previewer->scene().times_opened();
+    previewer->scene().hide(part);
+    for (int i = 0; i < 20000 && previewer->scene().times_opened() == opened; ++i) wait();
+    ASSERT_GT(previewer->scene().times_opened(), opened);
+  }
+  /// The x of the first corner of each visible object.
+  [[nodiscard]] std::vector<int> places() const {
+    std::vector<int> found;
+    const World& world = previewer->scene()->world();
+    for (std::size_t i = 0; i < objects_without_ground(world); ++i) {
+      const glm::uvec3 corners = world.triangles[world.parts[i].first_triangle];
+      found.push_back(static_cast<int>(std::lround(world.positions[corners.x].x + world.origin.x)));
+    }
+    return found;
+  }
+};
+
+TEST_F(BlinkingTest, ObjectsStayHiddenInAllPoses) {
+  EXPECT_EQ(places(), (std::vector<int>{0, 4}));
+  seek(1.0);
+  EXPECT_EQ(places(), (std::vector<int>{2, 4}));
+  hide(0);
+  seek(1.0);
+  EXPECT_EQ(places(), std::vector<int>{4});
+  EXPECT_EQ(previewer->scene().hidden(), std::vector<int>{0});
+  seek(0.0);
+  EXPECT_EQ(places(), (std::vector<int>{0, 4}));
+  EXPECT_TRUE(previewer->scene().hidden().empty()) << "it is invisible in this pose";
+  EXPECT_TRUE(previewer->scene().hides());
+  hide(0);
+  seek(1.0);
+  EXPECT_EQ(places(), std::vector<int>{4}) << "the other one stays hidden";
+}
+
+// The second of two visible objects was taken for the second of the file.
+TEST_F(BlinkingTest, TheHiddenObjectIsRemovedFromTheFile) {
+  seek(1.0);
+  hide(0);
+  seek(0.0);
+  const std::string path = folder.file("two.glb");
+  ASSERT_EQ(*export_edited(order_of(*previewer, path)), path);
+  const Result<Scene> saved = load_scene(path, {.keep_posable = true});
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->contents.object_nodes, (std::vector<int>{0, 2}));
+  EXPECT_EQ(saved->rig->pose(ClipTime{0, 1.0})->contents.object_nodes, std::vector<int>{2});
 }
 
 TEST_F(SceneExportTest, CopiesOfOneNodeAreHiddenWithoutAnimations) {

@@ -137,8 +137,8 @@ std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& cho
   }
   ImGui::SameLine();
   if (controls.button("Show all", "Show all hidden objects.", width)) {
-    said = scene.hidden().empty() ? "Nothing hidden" : "All objects shown";
-    if (!scene.hidden().empty()) scene.show_all();
+    said = scene.hides() ? "All objects shown" : "Nothing hidden";
+    if (scene.hides()) scene.show_all();
   }
   return said;
 }

@@ -110,25 +110,28 @@ void apply_variant(const std::string& name, json& root) {
 }
 
 // The file's nodes in the order of SceneContents::nodes.
-gltf::Checked<std::vector<int>> shown_nodes(const std::string& source, const GltfEdits& edits) {
+gltf::Checked<std::vector<int>> listed_nodes(const std::string& source, const GltfEdits& edits) {
   gltf::Checked<gltf::Document> document = gltf::read_document(source, edits.asset_root);
   if (!document) return gltf::fault(document.error());
   const gltf::NodeGraph graph(*document, gltf::poses_at_rest(*document));
-  return graph.shown(edits.scene);
+  std::vector<int> nodes;
+  for (const gltf::NodeGraph::Listed& listed : graph.listed(edits.scene))
+    nodes.push_back(listed.node);
+  return nodes;
 }
 
-void mark_light_nodes(const GltfEdits& edits, const std::vector<int>& shown, json& root) {
+void mark_light_nodes(const GltfEdits& edits, const std::vector<int>& listed, json& root) {
   for_each_entry(root, "nodes", [&](std::size_t i, json& node) {
     for (const int lit : edits.light_nodes)
-      if (shown.at(static_cast<std::size_t>(lit)) == static_cast<int>(i))
+      if (listed.at(static_cast<std::size_t>(lit)) == static_cast<int>(i))
         object_in(node, "extras")["asos_light_fallback"] = true;
   });
 }
 
-NodeParts removed_parts(const GltfEdits& edits, const std::vector<int>& shown) {
+NodeParts removed_parts(const GltfEdits& edits, const std::vector<int>& listed) {
   NodeParts parts;
   for (const NodePart& part : edits.removed)
-    parts[static_cast<std::size_t>(shown.at(static_cast<std::size_t>(part.node)))].insert(
+    parts[static_cast<std::size_t>(listed.at(static_cast<std::size_t>(part.node)))].insert(
         part.primitive);
   return parts;
 }
@@ -158,10 +161,10 @@ gltf::Checked<GltfDocument> copied(const std::string& source, const GltfEdits& e
   if (!folders) return gltf::fault(folders.error());
   gltf::ModelFiles files(std::move(*folders));
   if (!edits.light_nodes.empty() || !edits.removed.empty()) {
-    const auto shown = shown_nodes(source, edits);
-    if (!shown) return gltf::fault(shown.error());
-    mark_light_nodes(edits, *shown, *root);
-    remove_parts(removed_parts(edits, *shown), *root);
+    const auto listed = listed_nodes(source, edits);
+    if (!listed) return gltf::fault(listed.error());
+    mark_light_nodes(edits, *listed, *root);
+    remove_parts(removed_parts(edits, *listed), *root);
   }
   GltfDocument document(std::move(*root));
   embed_files(*container, files, document);

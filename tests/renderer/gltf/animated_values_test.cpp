@@ -145,6 +145,9 @@ TEST(MovedValues, NodesAppearAndVanishWithAllBelowThem) {
   EXPECT_EQ(posed(rest, 0.9).instances.size(), 1u);
   EXPECT_TRUE(posed(rest, 1.0).instances.empty());
   EXPECT_EQ(posed(rest, 0.0).instances.size(), 1u);
+  // Nodes keep their indices in all poses.
+  EXPECT_EQ(rest.contents.nodes.size(), 5u);
+  EXPECT_EQ(posed(rest, 1.0).contents.nodes.size(), 5u);
 }
 
 TEST(MovedValues, OneOfSeveralWeightsMovesAlone) {
