@@ -24,12 +24,12 @@ struct RecordedRender {
 /// Ratio between the times of successive pictures of a study.
 inline constexpr double study_factor = 1.5;
 
-/// Renders a snapshot and keeps intermediate pictures: the first that covers the whole picture,
-/// further ones each time the CPU time has grown by `factor`, and the final one. Without the passes
-/// of a progressive render it keeps the final one only. The render ends once `stop` returns true;
-/// its pictures so far are kept. Times are those of all threads of the process except the calling
-/// one, so nothing else in the process should work at the same time. Apart from the selection of
-/// moments, the result does not depend on the machine.
+/// Renders a snapshot and keeps intermediate pictures: the first that covers the whole picture
+/// after 0.1 ms of CPU time, further ones each time this has grown by `factor`, and the final one.
+/// Without the passes of a progressive render it keeps the final one only. The render ends once
+/// `stop` returns true; its pictures so far are kept. Times are those of all threads of the process
+/// except the calling one, so nothing else in the process should work at the same time. Apart from
+/// the selection of moments, the result does not depend on the machine.
 [[nodiscard]] RecordedRender watch_render(const Snapshot& snapshot, double factor,
                                           const std::function<bool()>& stop = {});
 

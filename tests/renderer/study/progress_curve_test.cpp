@@ -48,8 +48,7 @@ TEST_F(WatchedBoxes, EndWithTheFinishedPicture) {
 TEST_F(WatchedBoxes, BeginWithAWholePictureAndKeepTheirDistance) {
   const RecordedRender watched = watch_render(snapshot, study_factor);
   ASSERT_GE(watched.pictures.size(), 2u);
-  // A ray per block of 8x8 pixels is the least: 40 rays, each of more than 25 ns.
-  EXPECT_GE(watched.pictures[0].seconds, 1e-6);
+  EXPECT_GE(watched.pictures[0].seconds, 1e-4) << "an earlier time is wrong";
   for (const TimedPicture& picture : watched.pictures) {
     EXPECT_EQ(picture.film.radiance.size(), 64u * 36u);
     EXPECT_NE(picture.reached.pass, Reached::Pass::nothing);
