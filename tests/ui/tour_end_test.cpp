@@ -95,6 +95,30 @@ TEST_F(TourEndTest, UndoWithinTheTourKeepsTheCardsMap) {
   EXPECT_TRUE(state().display.show_split_map) << "the card shows it";
 }
 
+TEST_F(TourEndTest, ReplaysOnlyOnceThereIsAPixel) {
+  rig.previewer().refinement().set_paused(true);
+  rig.previewer().viewpoint().camera().look_around(0.01, 0.0);
+  rig.frame();
+  rig.click("Tour");
+  rig.frame();
+  show_card(state(), rig.previewer(), static_cast<int>(Tour::Card::split), 0.0);
+  for (int i = 0; i < 3; ++i) rig.frame();
+  const auto shows = [&](const char* name) {
+    return rig.content().controls().all().contains(name);
+  };
+  ASSERT_TRUE(shows("Next"));
+  EXPECT_FALSE(state().tour.pixel) << "no pixel is final";
+  EXPECT_FALSE(shows("Replay"));
+  rig.previewer().refinement().set_paused(false);
+  ASSERT_TRUE(rig.frames_until([&] { return shows("Replay"); }));
+  ASSERT_TRUE(rig.settle());
+  rig.click("Close inspector");
+  EXPECT_FALSE(state().picked);
+  rig.click("Replay");
+  EXPECT_EQ(state().picked, state().tour.pixel);
+  EXPECT_EQ(state().shown_level, 0);
+}
+
 TEST_F(TourEndTest, ReopensTheScene) {
   const auto opened = [&](const std::string& source) {
     return rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; });

@@ -141,11 +141,14 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
       scene_button(controls, previewer, state);
       break;
     case Tour::Card::split:
-      if (!state.tour.pixel)
+      if (!state.tour.pixel) {
         ImGui::TextDisabled("%s", previewer.render().progress().finished
                                       ? "No pixel is split."
                                       : "Waiting for a pixel that is split.");
+        break;
+      }
       if (controls.button("Replay", "Show the splitting from the whole pixel again.")) {
+        state.picked = state.tour.pixel;  // the inspector may have been closed
         state.shown_level = 0;
         state.tour.since_seconds = now_seconds;
       }
