@@ -260,10 +260,6 @@ void next_level(UiState& state, int deepest, double now_seconds) {
   if (++*state.shown_level > deepest) state.shown_level.reset();
 }
 
-WindowRect room_for_card(const WindowRect& picture, float em) {
-  return {picture.lo + 0.5f * em, picture.size - em};
-}
-
 // Forgets the heights of another card, size of text or window.
 void renew_heights(Tour& tour, float em, float room) {
   Tour::Drawn& drawn = tour.drawn;
