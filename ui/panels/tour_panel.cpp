@@ -37,8 +37,8 @@ constexpr std::array<CardWords, Tour::cards> card_words{{
     {"Drag EPS",
      "EPS is the error you accept per pixel. Drag left for more splitting, right for less."},
     {"See the map",
-     "Black: one sample was enough. Brighter: split deeper. Press M to toggle the map; click a "
-     "pixel to see why."},
+     "Dark: one sample was enough. Purple: exact, cut along edges. Blue to yellow: split deeper. "
+     "Press M to toggle the map; click a pixel to see why."},
     {"Which method is better?",
      "Give another method the same CPU time and compare with a draggable divider. \"Error vs. "
      "time\" in the panel measures both."},
