@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace asos::ui {
@@ -34,19 +35,24 @@ bool overlap(glm::vec2 lo, glm::vec2 hi, const WindowRect& rect) {
   return lo.x < end.x && rect.lo.x < hi.x && lo.y < end.y && rect.lo.y < hi.y;
 }
 
-// Returns the largest rectangle of `room` that overlaps nothing in `taken`. What exceeds a usual
-// panel does not count.
+// Ranks sizes of a panel. Its drawing is a square: the shorter side counts, then the longer one.
+std::pair<float, float> rank_of(glm::vec2 size) {
+  return {std::min(size.x, size.y), std::max(size.x, size.y)};
+}
+
+// Returns the largest rectangle of `room` that overlaps nothing in `taken`. `usual`: size limit, as
+// a larger panel is of no use.
 WindowRect largest_free(const WindowRect& room, std::span<const WindowRect> taken, float gap,
                         glm::vec2 usual) {
   WindowRect best{room.lo, glm::vec2(0.0f)};
-  float most = 0.0f;
+  std::pair<float, float> most{0.0f, 0.0f};
   const std::vector<float> xs = bounds(room, taken, 0, gap), ys = bounds(room, taken, 1, gap);
   const auto consider = [&](glm::vec2 lo, glm::vec2 hi) {
     const glm::vec2 counted = glm::min(hi - lo, usual);
-    if (counted.x <= 0.0f || counted.y <= 0.0f || counted.x * counted.y <= most) return;
+    if (rank_of(counted) <= most) return;
     for (const WindowRect& rect : taken)
       if (overlap(lo, hi, rect)) return;
-    most = counted.x * counted.y;
+    most = rank_of(counted);
     best = {lo, glm::vec2(counted.x, hi.y - lo.y)};
   };
   for (const float left : xs)
@@ -67,13 +73,13 @@ PixelPlace place_beside_card(const PixelPlace& usual, const WindowRect& pixel,
   if (card_place(room, heights, both, em).free) return usual;
   const glm::vec2 whole(pixel_width_em * em, picture.size.y);
   PixelPlace best = usual;
-  float most = 0.0f;
+  std::pair<float, float> most{0.0f, 0.0f};
   for (const CardPlace& card :
        free_card_places(room, heights, std::span<const WindowRect>(&around, 1), em)) {
     const std::array taken{around, WindowRect{card.lo, {card.width, card.height}}};
     const WindowRect at = largest_free(room, taken, 0.3f * em, whole);
-    if (at.size.x * at.size.y <= most) continue;
-    most = at.size.x * at.size.y;
+    if (rank_of(at.size) <= most) continue;
+    most = rank_of(at.size);
     best = {PixelPlace::Side::left, at.lo, at.size.x, at.size.y};
   }
   return best;
