@@ -318,7 +318,7 @@ TEST_F(PreviewerTest, ASlowFirstPictureHoldsChangesUpForAMomentOnly) {
   ASSERT_TRUE(opened("red"));
   const std::uint64_t before = previewer.render().restarts();
   previewer.viewpoint().camera().orbit(0.01, 0.0);
-  previewer.update(now += 0.3);
+  previewer.update(now += 1.1);
   EXPECT_EQ(previewer.render().restarts(), before + 1);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <numbers>
 #include <thread>
@@ -62,6 +63,36 @@ TEST(WholePicture, IsOfOnePoseWhileTheCameraTurns) {
   }
   EXPECT_EQ(torn, 0);
   EXPECT_GT(turns, 5) << "otherwise nothing was displayed";
+}
+
+// The first pass may take longer than a frame of the clock: its tiles wait for each other.
+TEST(WholePicture, IsHeldWhileTheFirstPassRuns) {
+  RenderSettings settings;
+  settings.threads = 1;
+  Previewer previewer{{two_walls, {}}, settings};
+  double now = 0.0;
+  previewer.viewpoint().set_picture_size(1600, 1000, now);
+  previewer.scene().open("walls");
+  const PreviewRender& render = previewer.render();
+  for (int i = 0; i < 20000 && (render.restarts() == 0 || render.first_picture_pending()); ++i) {
+    previewer.update(now);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_FALSE(render.first_picture_pending());
+  int torn = 0;
+  for (int turn = 0; turn < 10; ++turn) {
+    previewer.viewpoint().camera().look_around(std::numbers::pi, 0.0);
+    previewer.update(now += 10.0);
+    now += 0.5;
+    while (render.first_picture_pending()) {
+      previewer.update(now);
+      const auto& pixels = render.film().radiance;
+      const bool first = red(pixels.front());
+      torn += std::any_of(pixels.begin(), pixels.end(),
+                          [&](glm::vec3 pixel) { return red(pixel) != first; });
+    }
+  }
+  EXPECT_EQ(torn, 0);
 }
 
 }  // namespace

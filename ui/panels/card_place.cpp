@@ -44,30 +44,60 @@ float height_of(const CardHeights& heights, std::size_t index, float em) {
   return usual_height_em * em * widths_em[0] / widths_em[index];
 }
 
+// Lists the places to try for a card of one width.
+std::vector<CardPlace> places(const WindowRect& room, const CardHeights& heights, std::size_t index,
+                              std::span<const WindowRect> taken, float em) {
+  const float gap = 0.3f * em;
+  const float width = std::min(widths_em[index] * em, room.size.x);
+  const float whole = height_of(heights, index, em);
+  const float height = std::min(whole, room.size.y);
+  const bool too_high = heights[index] > 0.0f && whole > room.size.y;
+  std::vector<CardPlace> all;
+  for (const float y : starts(room, height, taken, 1, gap))
+    for (const float x : starts(room, width, taken, 0, gap))
+      all.push_back({{x, y}, width, height, index, too_high, false});
+  return all;
+}
+
+float hidden_by(const CardPlace& place, std::span<const WindowRect> taken) {
+  float hidden = 0.0f;
+  for (const WindowRect& rect : taken)
+    hidden += covered_fraction(rect, {place.lo, {place.width, place.height}});
+  return hidden;
+}
+
 }  // namespace
+
+WindowRect room_for_card(const WindowRect& picture, float em) {
+  return {picture.lo + 0.5f * em, picture.size - em};
+}
 
 CardPlace card_place(const WindowRect& room, const CardHeights& heights,
                      std::span<const WindowRect> taken, float em) {
-  const float gap = 0.3f * em;
   CardPlace best;
   float least = std::numeric_limits<float>::infinity();
   for (std::size_t index = 0; index < card_widths && least > 0.0f; ++index) {
-    const float width = std::min(widths_em[index] * em, room.size.x);
-    const float whole = height_of(heights, index, em);
-    const float height = std::min(whole, room.size.y);
-    const bool too_high = heights[index] > 0.0f && whole > room.size.y;
-    for (const float y : starts(room, height, taken, 1, gap)) {
-      for (const float x : starts(room, width, taken, 0, gap)) {
-        float hidden = 0.0f;
-        for (const WindowRect& rect : taken)
-          hidden += covered_fraction(rect, {{x, y}, {width, height}});
-        if (hidden >= least) continue;
-        least = hidden;
-        best = {{x, y}, width, height, index, too_high};
-      }
+    for (const CardPlace& place : places(room, heights, index, taken, em)) {
+      const float hidden = hidden_by(place, taken);
+      if (hidden >= least) continue;
+      least = hidden;
+      best = place;
+      best.free = hidden == 0.0f;
     }
   }
   return best;
+}
+
+std::vector<CardPlace> free_card_places(const WindowRect& room, const CardHeights& heights,
+                                        std::span<const WindowRect> taken, float em) {
+  std::vector<CardPlace> all;
+  for (std::size_t index = 0; index < card_widths; ++index) {
+    for (CardPlace& place : places(room, heights, index, taken, em)) {
+      place.free = hidden_by(place, taken) == 0.0f;
+      if (place.free) all.push_back(place);
+    }
+  }
+  return all;
 }
 
 }  // namespace asos::ui

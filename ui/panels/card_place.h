@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace asos::ui {
 
@@ -22,7 +23,11 @@ struct CardPlace {
   float height = 0.0f;    ///< estimated if the card was not drawn with this width yet
   std::size_t index = 0;  ///< of the width
   bool too_high = false;  ///< the drawn card is higher than the room
+  bool free = false;      ///< covers nothing that is taken
 };
+
+/// The part of the picture in which cards are placed. `em`: the height of text.
+[[nodiscard]] WindowRect room_for_card(const WindowRect& picture, float em);
 
 /// Finds a place in `room` that overlaps nothing in `taken`: corners first, lower ones before upper
 /// ones, then places next to taken rectangles. Tries narrower cards if a wide one has no place. If
@@ -32,5 +37,9 @@ struct CardPlace {
 /// question was drawn. A height that is only estimated may turn out wrong.
 [[nodiscard]] CardPlace card_place(const WindowRect& room, const CardHeights& heights,
                                    std::span<const WindowRect> taken, float em);
+/// Lists the places that card_place tries and that overlap nothing in `taken`.
+[[nodiscard]] std::vector<CardPlace> free_card_places(const WindowRect& room,
+                                                      const CardHeights& heights,
+                                                      std::span<const WindowRect> taken, float em);
 
 }  // namespace asos::ui

@@ -203,7 +203,8 @@ void draw_origins(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport
   }
 }
 
-void tree(Controls& controls, const PixelReport& report, const UiState& state) {
+// `most_height`: of the panel. The drawing fits into it, below the title.
+void tree(Controls& controls, const PixelReport& report, const UiState& state, float most_height) {
   const int shown_pyray = state.picked_pyray;
   const DisplayTransform display = state.display.transform();
   const bool own = shown_pyray < 0;
@@ -215,7 +216,9 @@ void tree(Controls& controls, const PixelReport& report, const UiState& state) {
       own ? report.trace.cells : pyray->cells,
       own ? report.seen : report.pyray_seen[static_cast<std::size_t>(shown_pyray)],
       shadow ? DisplayTransform{} : display, state.shown_level.value_or(1000)};
-  const float side = ImGui::GetContentRegionAvail().x;
+  const float fits =
+      most_height - ImGui::GetFrameHeightWithSpacing() - 2.0f * ImGui::GetStyle().WindowPadding.y;
+  const float side = std::max(1.0f, std::min(ImGui::GetContentRegionAvail().x, fits));
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const PixelCanvas canvas{corner, side};
   ImGui::InvisibleButton("tree", {side, side});
@@ -315,16 +318,20 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(close).x -
                   2.0f * ImGui::GetStyle().FramePadding.x);
   const bool closed = controls.button(close, "Close (Esc).");
+  const bool traced = report && !report->trace.cells.empty();
+  if (traced && state.picked_pyray >= static_cast<int>(report->trace.pyrays.size()))
+    state.picked_pyray = -1;
+  // The tour's card is about the drawing, so that it comes first.
+  const bool drawing_first = state.tour.card == Tour::Card::split;
+  if (traced && drawing_first) tree(controls, *report, state, place->most_height);
   if (!facts.names.empty())
     controls.row("Surface", facts.names, "Object and material at the pixel's centre.");
-  if (report && !report->trace.cells.empty()) why(controls, *report, film, pixel);
+  if (traced) why(controls, *report, film, pixel);
   values(controls, film, state.frames, state.display, pixel);
   cost_rows(controls, film, facts.findings, pixel);
-  if (report && !report->trace.cells.empty()) {
-    int& shown = state.picked_pyray;
-    if (shown >= static_cast<int>(report->trace.pyrays.size())) shown = -1;
-    tree(controls, *report, state);
-    pyray_list(controls, *report, shown);
+  if (traced) {
+    if (!drawing_first) tree(controls, *report, state, place->most_height);
+    pyray_list(controls, *report, state.picked_pyray);
     level_table(controls, *report);
     if (!in_object_space(report->settings.method))
       ImGui::TextDisabled("Splitting by ASOS; another method rendered the picture.");

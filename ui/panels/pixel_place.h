@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/panels/card_place.h"
 #include "ui/panels/overlays.h"
 #include "ui/ui_state.h"
 #include "ui/window_layout.h"
@@ -27,6 +28,11 @@ struct PixelPlace {
                                             glm::vec2 window, float em);
 
 /// The square that displays a pixel of the picture.
+/// Returns `usual` if the tour's card has room next to it. Otherwise returns the largest rectangle
+/// that leaves room for the card and does not cover the pixel.
+[[nodiscard]] PixelPlace place_beside_card(const PixelPlace& usual, const WindowRect& pixel,
+                                           const WindowRect& picture, const CardHeights& heights,
+                                           float em);
 [[nodiscard]] WindowRect shown_pixel(glm::ivec2 pixel, const PictureView& view,
                                      const PictureArea& area);
 /// The place for the picked pixel's panel; none: no pixel is picked, or the picture is not visible.

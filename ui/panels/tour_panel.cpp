@@ -37,8 +37,8 @@ constexpr std::array<CardWords, Tour::cards> card_words{{
     {"Drag EPS",
      "EPS is the error you accept per pixel. Drag left for more splitting, right for less."},
     {"See the map",
-     "Black: one sample was enough. Brighter: split deeper. Press M to toggle the map; click a "
-     "pixel to see why."},
+     "Dark: one sample was enough. Purple: exact, cut along edges. Blue to yellow: split deeper. "
+     "Press M to toggle the map; click a pixel to see why."},
     {"Which method is better?",
      "Give another method the same CPU time and compare with a draggable divider. \"Error vs. "
      "time\" in the panel measures both."},
@@ -141,11 +141,14 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
       scene_button(controls, previewer, state);
       break;
     case Tour::Card::split:
-      if (!state.tour.pixel)
+      if (!state.tour.pixel) {
         ImGui::TextDisabled("%s", previewer.render().progress().finished
                                       ? "No pixel is split."
                                       : "Waiting for a pixel that is split.");
+        break;
+      }
       if (controls.button("Replay", "Show the splitting from the whole pixel again.")) {
+        state.picked = state.tour.pixel;  // the inspector may have been closed
         state.shown_level = 0;
         state.tour.since_seconds = now_seconds;
       }
@@ -255,10 +258,6 @@ void next_level(UiState& state, int deepest, double now_seconds) {
   if (now_seconds - state.tour.since_seconds < Tour::seconds_per_level) return;
   state.tour.since_seconds = now_seconds;
   if (++*state.shown_level > deepest) state.shown_level.reset();
-}
-
-WindowRect room_for_card(const WindowRect& picture, float em) {
-  return {picture.lo + 0.5f * em, picture.size - em};
 }
 
 // Forgets the heights of another card, size of text or window.
