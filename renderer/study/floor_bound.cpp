@@ -29,12 +29,10 @@ std::vector<CurvePoint> whole_front(const SceneStudy& study, const std::string& 
 std::optional<FloorBound> bound_at_floor(const SceneStudy& study, const std::string& rival) {
   const StudyPoint* own = quickest_under_floor(study);
   const std::vector<CurvePoint> front = whole_front(study, rival);
-  if (!own || front.empty()) return std::nullopt;
+  // If the quickest setting is below the floor, the time to reach the floor is unknown.
+  if (!own || front.empty() || front.front().error <= study.floor) return std::nullopt;
   FloorBound bound{own->rung.setting, own->seconds()};
-  if (front.front().error <= study.floor) {
-    bound.rival_seconds = front.front().seconds;
-    bound.reading = Reading::cheapest;
-  } else if (const auto at = seconds_at_error(front, study.floor); at && !at->beyond) {
+  if (const auto at = seconds_at_error(front, study.floor); at && !at->beyond) {
     bound.rival_seconds = at->value;
   } else {
     bound.rival_seconds = front.back().seconds;

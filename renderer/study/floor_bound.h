@@ -15,13 +15,12 @@ struct FloorBound {
   double asos_seconds = 0.0;   ///< its time
   double rival_seconds = 0.0;  ///< the rival's time to reach the floor
   double factor = 0.0;         ///< the rival's time over that of ASOS
-  /// measured; cheapest: the rival's quickest setting is below the floor; unreached: the rival does
-  /// not reach the floor, and its longest time is used.
+  /// measured; unreached: the rival does not reach the floor, and its longest time is used.
   Reading reading = Reading::measured;
 };
 
 /// Returns the bound for a rival in an analysed study. Returns nothing if no setting of ASOS is
-/// below the floor, or the rival was not measured.
+/// below the floor, the rival was not measured, or its quickest setting is below the floor, too.
 [[nodiscard]] std::optional<FloorBound> bound_at_floor(const SceneStudy& study,
                                                        const std::string& rival);
 
