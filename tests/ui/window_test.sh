@@ -36,7 +36,7 @@ wait_until 'the render does not end' at_rest window_start.png "$whole"
 echo "window $WIDTH x $HEIGHT"
 
 # Drags EPS along its slider; its number follows.
-eps_y=284
+eps_y=220
 eps="220x20+$((right - 240))+$((Y + eps_y - 10))"
 xdotool mousemove $((right - 60)) $((Y + eps_y)) mousedown 1
 for x in 90 120 150 180; do
