@@ -53,14 +53,10 @@ class UnfinishedPyrays final : public UnfinishedBlock {
     for (std::size_t i = 0; i < parts_.size(); ++i) finish_fat_pyray(jobs[i], parts_[i]);
     return together(job, parts_);
   }
-  [[nodiscard]] double gain() const override {
-    StartedPyray::Expected all;
-    for (const StartedPyray& part : parts_) {
-      const StartedPyray::Expected expected = part.expected();
-      all.squared_error += expected.squared_error;
-      all.samples += expected.samples;
-    }
-    return all.samples > 0.0 ? all.squared_error / all.samples : 0.0;
+  [[nodiscard]] double squared_error() const override {
+    double sum = 0.0;
+    for (const StartedPyray& part : parts_) sum += part.squared_error();
+    return sum;
   }
   [[nodiscard]] std::size_t bytes() const override {
     std::size_t bytes = sizeof(*this);

@@ -138,14 +138,13 @@ BlockResult StartedPyray::result(int max_level) const {
   return result;
 }
 
-StartedPyray::Expected StartedPyray::expected() const {
-  Expected all;
+double StartedPyray::squared_error() const {
+  double sum = 0.0;
   for (const OpenRegions::Part& part : open.parts) {
     const double off = part.weight * part.so_far.error;
-    all.squared_error += off * off;
-    all.samples += part.so_far.cost;
+    sum += off * off;
   }
-  return all;
+  return sum;
 }
 
 std::size_t StartedPyray::bytes() const {

@@ -31,13 +31,9 @@ struct StartedPyray {
 
   /// Returns the current estimate of the pixels, from the open regions' samples so far.
   [[nodiscard]] BlockResult result(int max_level) const;
-  /// Expected squared errors of the open regions in display intensity, summed over pixels, and
-  /// their number of samples.
-  struct Expected {
-    double squared_error = 0.0;
-    double samples = 0.0;
-  };
-  [[nodiscard]] Expected expected() const;
+  /// Returns the expected squared errors of the open regions in display intensity, summed over
+  /// pixels.
+  [[nodiscard]] double squared_error() const;
   [[nodiscard]] std::size_t bytes() const;
 };
 

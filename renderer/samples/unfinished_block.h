@@ -19,9 +19,8 @@ class UnfinishedBlock {
   /// Returns the final pixels. May be called once; `job` is the original one, except for its stop
   /// token.
   [[nodiscard]] virtual BlockResult finish(const BlockJob& job) = 0;
-  /// Returns the expected reduction, by one more sample, of the squared error of display intensity,
-  /// summed over the pixels.
-  [[nodiscard]] virtual double gain() const = 0;
+  /// Returns the expected squared error of display intensity, summed over the pixels.
+  [[nodiscard]] virtual double squared_error() const = 0;
   /// Returns the memory in use.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };

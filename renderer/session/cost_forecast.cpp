@@ -1,7 +1,6 @@
 #include "renderer/session/cost_forecast.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace asos {
 
@@ -34,13 +33,6 @@ bool CostForecast::guesses() const {
   });
 }
 
-void CostForecast::set_likeness(std::span<const double> values) {
-  alike_.resize(blocks_);
-  std::iota(alike_.begin(), alike_.end(), 0u);
-  std::stable_sort(alike_.begin(), alike_.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
-}
-
 // A block that was completed in the pass before costs nothing here. Blocks done before but not here
 // are therefore forecast from the blocks with a cost above 0 here; the others from both kinds.
 double CostForecast::left_of(const PassCosts& pass, const Guide& guide) const {
@@ -60,37 +52,6 @@ double CostForecast::left_of(const PassCosts& pass, const Guide& guide) const {
   return ratio * (waiting + share * std::max(0.0, guide.all_before - done_before));
 }
 
-double CostForecast::left_by_likeness(const PassCosts& pass, const Guide& guide) const {
-  // Number of neighbours in the order of likeness, on both sides together.
-  constexpr std::size_t nearest = 8;
-  // Prefix sums over the done blocks in the order of likeness. Blocks that cost nothing here are
-  // left out: they were completed in the pass before, unlike the remaining ones.
-  std::vector<Shared> sums{{}};
-  for (const std::uint32_t block : alike_) {
-    if (!(pass.by_block[block] > 0.0f)) continue;
-    Shared sum = sums.back();
-    sum.here += static_cast<double>(pass.by_block[block]);
-    sum.there += static_cast<double>(guide.before.by_block[block]);
-    sums.push_back(sum);
-  }
-  const std::size_t done = sums.size() - 1, taken = std::min(done, nearest);
-  const double known = guide.known * static_cast<double>(nearest - taken) / nearest;
-  // Forecast the blocks that are not done.
-  double left = 0.0;
-  std::size_t below = 0;  // done blocks before this one
-  for (const std::uint32_t block : alike_) {
-    if (pass.by_block[block] >= 0.0f) {
-      below += pass.by_block[block] > 0.0f;
-      continue;
-    }
-    const std::size_t first = std::min(below - std::min(below, taken / 2), done - taken);
-    const Shared near{sums[first + taken].here - sums[first].here,
-                      sums[first + taken].there - sums[first].there};
-    left += near.ratio(known, guide.growth) * static_cast<double>(guide.before.by_block[block]);
-  }
-  return left;
-}
-
 std::optional<double> CostForecast::seconds_left() const {
   // The prior ratio weighs as much as this many blocks.
   constexpr double blocks_of_growth = 4.0;
@@ -106,9 +67,7 @@ std::optional<double> CostForecast::seconds_left() const {
       if (before) {
         const Guide guide{*before, all_before, growth,
                           blocks_of_growth * all_before / static_cast<double>(blocks_)};
-        // Likeness is valid for the first pass ordered by it, once the pass before is complete.
-        const bool by_likeness = !alike_.empty() && before->count == blocks_;
-        rest = by_likeness ? left_by_likeness(pass, guide) : left_of(pass, guide);
+        rest = left_of(pass, guide);
       } else {
         if (pass.count == 0) return std::nullopt;
         rest =

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace asos {
@@ -22,10 +20,8 @@ class CostForecast {
   /// Adds the cost of a block in a pass, in seconds of one processor. Repeated work on a block
   /// counts, too.
   void add(std::size_t pass, std::size_t block, double seconds);
-  /// Sets one value per block; blocks with similar values have similar cost ratios. A pass ordered
-  /// by these values does its most expensive blocks first, and each remaining block is forecast
-  /// from the nearest done blocks in this order. This requires a few blocks done out of order.
-  void set_likeness(std::span<const double> values);
+  /// Adds costs that belong to no pass.
+  void add(double seconds) { done_ += seconds; }
   /// Marks a pass before the last one as skipped.
   void leave_out(std::size_t pass);
 
@@ -65,10 +61,8 @@ class CostForecast {
     double known = 0.0;
   };
   [[nodiscard]] double left_of(const PassCosts& pass, const Guide& guide) const;
-  [[nodiscard]] double left_by_likeness(const PassCosts& pass, const Guide& guide) const;
 
   std::size_t blocks_;
-  std::vector<std::uint32_t> alike_;  // blocks sorted by likeness; empty: no likeness
   std::vector<PassCosts> passes_;
   double done_ = 0.0;
 };

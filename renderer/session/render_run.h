@@ -1,16 +1,15 @@
 #pragma once
 
 #include "renderer/session/coarse_passes.h"
-#include "renderer/session/final_blocks.h"
 #include "renderer/session/planned_render.h"
 #include "renderer/session/render_session.h"
+#include "renderer/session/render_steps.h"
 #include "renderer/session/run_clock.h"
 #include "renderer/session/sample_rounds.h"
 #include "renderer/session/tile_collector.h"
 
 #include <cstddef>
 #include <functional>
-#include <mutex>
 #include <stop_token>
 #include <vector>
 
@@ -38,27 +37,15 @@ class RenderRun {
   void close() { clock_.close(); }
 
  private:
-  void work_samples(const std::stop_token& stop);
-  void work_blocks(const std::stop_token& stop);
-  void sample_first(const std::stop_token& stop);
-  [[nodiscard]] bool takes_round(std::size_t round, const std::stop_token& stop);
-  /// State of the scene's boundaries; `known` if the method does not use them.
-  enum class Boundaries { sought, known, failed };
-  [[nodiscard]] Boundaries look_for_boundaries() const;
-  /// Returns false if the final pass cannot continue: there are no boundaries, or `stop` is
-  /// requested.
-  [[nodiscard]] bool wait_for_boundaries(const std::stop_token& stop);
+  void work_rounds(std::size_t first, const std::stop_token& stop);
   void count(bool finished_picture);
 
   const PlannedRender render_;
   TileCollector tiles_;
   CoarsePasses coarse_;
   SampleRounds samples_;
-  FinalBlocks blocks_;
+  RenderSteps steps_;
   RunClock clock_;
-  mutable std::mutex mutex_;
-  bool sampled_ = false;     // blocks have their gains
-  std::vector<bool> taken_;  // whether each round of samples takes place, as far as decided
 };
 
 }  // namespace asos

@@ -45,7 +45,7 @@ struct Reached {
   /// The round of samples that runs now, from 1; 0: none, before the first picture and once final
   /// blocks are rendered.
   int round = 0;
-  int rounds = 0;  ///< in all; 0: not decided yet
+  int rounds = 0;  ///< in all; 0: before the first one
 };
 
 /// Returns the number of workers for RenderSettings::threads; 0: one per core. With a window one
@@ -57,9 +57,9 @@ struct Reached {
 /// Renders a snapshot with worker threads and publishes finished tiles (design section 9).
 ///
 /// Order: a sample for each 8x8 block, for each 4x4 one, then 1, 2, 4 and so on for each pixel
-/// (SampleRounds). Methods with the same number of samples in every pixel end with these. Other
-/// methods render blocks of their own pixels (FinalBlocks) as soon as the scene's boundaries are
-/// known and more samples would not pay off; blocks with the largest changes come first.
+/// (SampleRounds). Methods with the same number of samples in every pixel end with these. For other
+/// methods, steps with the largest expected gain follow (StepQueue): more samples for single
+/// pixels, and blocks of the method's own pixels as soon as the scene's boundaries are known.
 ///
 /// The result does not depend on the number of workers or on the order of tiles. All members may be
 /// called from one controlling thread; the callback comes from workers and must not call back in.

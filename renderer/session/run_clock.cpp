@@ -27,12 +27,6 @@ void RunClock::guess(std::size_t pass) {
   forecast_.guess(pass);
 }
 
-void RunClock::set_likeness(std::span<const double> values) {
-  const std::lock_guard lock(mutex_);
-  forecast_.set_likeness(values);
-  made_.reset();
-}
-
 void RunClock::begin_forecast() {
   const std::lock_guard lock(mutex_);
   if (pace_.empty()) pace_.push_back({Clock::now(), 0.0});
@@ -41,7 +35,19 @@ void RunClock::begin_forecast() {
 void RunClock::count_block(std::size_t pass, std::size_t block, double seconds) {
   const std::lock_guard lock(mutex_);
   forecast_.add(pass, block, seconds);
-  // Records the pace of the last seconds, which reflects the processors that are available.
+  record_pace();
+}
+
+void RunClock::count_step(double seconds, std::optional<double> left) {
+  const std::lock_guard lock(mutex_);
+  forecast_.add(seconds);
+  left_ = left;
+  record_pace();
+}
+
+// The caller holds the mutex. Records the pace of the last seconds, which reflects the processors
+// that are available.
+void RunClock::record_pace() {
   const Clock::time_point now = Clock::now();
   if (now - pace_.back().time < pace_step) return;
   pace_.push_back({now, forecast_.seconds_done()});
@@ -100,6 +106,7 @@ bool RunClock::wait_while_paused(const std::stop_token& stop) {
 // after forecast_step, or once a quarter of the forecast work is done.
 std::optional<double> RunClock::work_left(Clock::time_point now) const {
   constexpr double most_of_it = 0.25;
+  if (left_) return left_;
   const double done = forecast_.seconds_done();
   const bool holds = made_ && made_->left && now - made_->time < forecast_step &&
                      done - made_->done <= most_of_it * *made_->left;
@@ -112,7 +119,7 @@ std::optional<double> RunClock::work_left(Clock::time_point now) const {
 // not for a time.
 double RunClock::seconds_left(Clock::time_point now) const {
   if (complete_) return 0.0;
-  if (pace_.empty() || closed_ || forecast_.guesses()) return -1.0;
+  if (pace_.empty() || closed_ || (!left_ && forecast_.guesses())) return -1.0;
   const std::optional<double> left = work_left(now);
   const double passed = seconds(now - pace_.front().time);
   const double done = forecast_.seconds_done() - pace_.front().seconds;

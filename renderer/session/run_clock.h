@@ -10,7 +10,6 @@
 #include <deque>
 #include <mutex>
 #include <optional>
-#include <span>
 #include <stop_token>
 #include <utility>
 #include <vector>
@@ -28,11 +27,13 @@ class RunClock {
   /// See CostForecast.
   void leave_out(std::size_t pass);
   void guess(std::size_t pass);
-  void set_likeness(std::span<const double> values);
   /// Starts the first pass that is forecast; only the first call counts.
   void begin_forecast();
   /// Records a finished block of a pass, and the worker's processor time for it.
   void count_block(std::size_t pass, std::size_t block, double seconds);
+  /// Records a finished step that belongs to no pass, and the expected processor time of all
+  /// further ones; none: unknown.
+  void count_step(double seconds, std::optional<double> left);
   /// Call when all pixels are final. Stops the clock, as `close` does.
   void complete();
   /// Call when no more pixels will become final. Stops the clock, too.
@@ -62,6 +63,7 @@ class RunClock {
     Clock::time_point time;
   };
 
+  void record_pace();
   [[nodiscard]] std::optional<double> work_left(Clock::time_point now) const;
   [[nodiscard]] double seconds_left(Clock::time_point now) const;
 
@@ -74,6 +76,7 @@ class RunClock {
   Clock::duration rested_{0};  // duration of earlier pauses
   CostForecast forecast_;
   mutable std::optional<Forecast> made_;  // none: something other than work has changed since
+  std::optional<double> left_;            // after the last step that belongs to no pass
   mutable double fraction_ = 0.0;         // last reported; never decreases
   std::deque<Pace> pace_;                 // of the last seconds
   bool complete_ = false;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
+#include <span>
 #include <utility>
 
 namespace asos {
@@ -21,8 +21,13 @@ RenderSettings by_sobol(RenderSettings settings, int samples) {
   return settings;
 }
 
-std::vector<int> rounds_of(const RenderSettings& settings) {
-  const int most = samples_a_pixel(settings);
+// Samples of a pixel in the rounds before the blocks of a method, or only 1 if blocks take no more
+// themselves.
+int first_samples(const RenderSettings& settings) {
+  return in_object_space(settings.method) && settings.asos.max_level == 0 ? 1 : 4;
+}
+
+std::vector<int> rounds_of(int most) {
   std::vector<int> rounds;
   for (int samples = 0; samples < most; rounds.push_back(samples))
     samples = PixelSamples::after_round(samples, most);
@@ -34,12 +39,12 @@ std::vector<int> rounds_of(const RenderSettings& settings) {
 SampleRounds::SampleRounds(const PlannedRender& render)
     : settings_(ends_with_samples(render.snapshot.settings)
                     ? render.snapshot.settings
-                    : by_sobol(render.snapshot.settings, 1 << (most_rounds - 1))),
+                    : by_sobol(render.snapshot.settings, most_samples)),
       own_(ends_with_samples(render.snapshot.settings)),
-      rounds_(rounds_of(settings_)),
+      rounds_(
+          rounds_of(own_ ? samples_a_pixel(settings_) : first_samples(render.snapshot.settings))),
       groups_(render.plan.groups.size()),
       next_(rounds_.size()),
-      done_(rounds_.size()),
       order_(render.group_order) {
   if (shows_coverage(settings_)) settings_ = with_coverage(settings_);
 }
@@ -94,13 +99,6 @@ void SampleRounds::drop_samples(Group& group) {
   group.unlit_colour.reset();
 }
 
-void SampleRounds::release() {
-  for (Group& group : groups_) {
-    const std::lock_guard lock(group.mutex);
-    drop_samples(group);
-  }
-}
-
 std::size_t SampleRounds::bytes() const {
   std::size_t sum = 0;
   for (const Group& group : groups_) {
@@ -134,53 +132,140 @@ bool SampleRounds::work(const PlannedRender& render, std::size_t round, std::siz
     }
     {
       const std::lock_guard lock(mutex_);
-      done_[round].seconds += seconds;
-      if (++done_[round].groups < plan.groups.size()) continue;
+      if (++done_ % plan.groups.size() != 0) continue;
     }
     finished_.notify_all();
   }
   return finished_picture;
 }
 
-void SampleRounds::put_what_moves_first(std::size_t next_round) {
+bool SampleRounds::wait_for_rounds(std::size_t before, const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  return finished_.wait(lock, stop, [&] { return done_ >= before * groups_.size(); });
+}
+
+bool SampleRounds::put_what_moves_first(std::size_t round, const std::stop_token& stop) {
+  if (!wait_for_rounds(round, stop)) return false;
   const std::lock_guard lock(mutex_);
-  if (ordered_round_ == next_round) return;
-  ordered_round_ = next_round;
+  if (round <= ordered_round_) return true;
+  ordered_round_ = round;
   std::vector<double> moved;
-  for (const Group& group : groups_) {
-    const std::vector<float>& pixels = group.pixels->moved();
-    moved.push_back(std::accumulate(pixels.begin(), pixels.end(), 0.0));
-  }
+  for (const Group& group : groups_) moved.push_back(group.pixels->moved());
   std::stable_sort(order_.begin(), order_.end(),
                    [&](std::size_t a, std::size_t b) { return moved[a] > moved[b]; });
+  return true;
 }
 
-bool SampleRounds::wait_for(std::size_t round, const std::stop_token& stop) {
-  std::unique_lock lock(mutex_);
-  return finished_.wait(lock, stop, [&] { return done_[round].groups == groups_.size(); });
-}
-
-double SampleRounds::seconds_up_to(std::size_t round) const {
-  const std::lock_guard lock(mutex_);
-  double seconds = 0.0;
-  for (std::size_t i = 0; i <= round; ++i) seconds += done_[i].seconds;
-  return seconds;
-}
-
-std::vector<double> SampleRounds::moved(const WorkPlan& plan) const {
-  std::vector<double> sums(plan.blocks.size(), 0.0);
-  for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
-    const std::size_t group = plan.blocks[i].group;
-    if (!groups_[group].pixels) continue;
-    const std::vector<float>& moved = groups_[group].pixels->moved();
-    const PixelRect& all = plan.groups[group].rect;
-    const PixelRect part = intersection(plan.blocks[i].rect, all);
-    for (int y = part.y; y < part.y + part.height; ++y)
-      for (int x = part.x; x < part.x + part.width; ++x)
-        sums[i] += static_cast<double>(
-            moved[static_cast<std::size_t>((y - all.y) * all.width + (x - all.x))]);
+// Continues the samples of one pass. Pixels with the same number of samples go together.
+SampleRounds::Continued SampleRounds::continued(const PlannedRender& render,
+                                                std::span<const PlannedPixel> pixels,
+                                                PassOfGroup pass, const RenderSettings& settings,
+                                                const std::stop_token& stop) const {
+  Continued all;
+  all.places.assign(pixels.begin(), pixels.end());
+  const auto group_of = [&](const PlannedPixel& p) -> const Group& {
+    return groups_[render.plan.blocks[p.block].group];
+  };
+  const auto taken = [&](const PlannedPixel& p) {
+    const PixelSamples& samples = *group_of(p).pixels;
+    return samples.taken(samples.index(p.x, p.y));
+  };
+  std::stable_sort(
+      all.places.begin(), all.places.end(),
+      [&](const PlannedPixel& a, const PlannedPixel& b) { return taken(a) < taken(b); });
+  const bool layers = settings.layers.of_surfaces();
+  if (layers) all.layers.resize(pixels.size());
+  for (const PlannedPixel& p : all.places) {
+    ContinuedPixel next{p.x, p.y, 0, {}, nullptr};
+    const std::lock_guard lock(group_of(p).mutex);
+    if (const std::optional<PixelSamples>& samples = group_of(p).*pass) {
+      const std::size_t i = samples->index(p.x, p.y);
+      next.taken = samples->taken(i);
+      next.sum = samples->sum(i);
+      if (layers) all.layers[all.pixels.size()] = *samples->layers(i);
+    }
+    if (layers) next.layers = &all.layers[all.pixels.size()];
+    all.ends.push_back(4 * taken(p));
+    all.pixels.push_back(next);
   }
-  return sums;
+  const BlockJob job = render.job(settings, {}, stop);
+  const std::unique_ptr<PixelSampler> places = row_of(settings_.method).places(settings_);
+  for (std::size_t first = 0, end = 0; first < all.pixels.size(); first = end) {
+    while (end < all.pixels.size() && all.ends[end] == all.ends[first]) ++end;
+    (void)asos::continue_pixels(job, *places, std::span(all.pixels).subspan(first, end - first),
+                                all.ends[first], all.ends[first]);
+  }
+  return all;
+}
+
+void SampleRounds::put(const PlannedRender& render, const Continued& done, PassOfGroup pass) {
+  for (std::size_t i = 0; i < done.places.size(); ++i) {
+    const PlannedPixel& p = done.places[i];
+    const std::size_t number = render.plan.blocks[p.block].group;
+    Group& group = groups_[number];
+    const std::lock_guard lock(group.mutex);
+    std::optional<PixelSamples>& samples = group.*pass;
+    if (!samples) samples.emplace(render.plan.groups[number].rect);
+    samples->put(samples->index(p.x, p.y), done.ends[i], done.pixels[i].sum,
+                 done.layers.empty() ? nullptr : &done.layers[i]);
+  }
+}
+
+// The caller holds the group's mutex.
+FinishedTile SampleRounds::tile(const PlannedRender& render, const Group& group,
+                                const PixelRect& part) const {
+  BlockResult result{group.pixels->tile(part), {}};
+  if (shows_coverage(settings_)) take_coverage(render.snapshot.settings.layers, result);
+  if (group.unlit_share) {
+    add_unlit_share({group.unlit_share->tile(part), {}}, result);
+    if (group.unlit_colour && needs_unlit_colour(result.tile))
+      add_unlit_colour({group.unlit_colour->tile(part), {}}, result);
+  }
+  fill_in(result);
+  const auto pixels = static_cast<double>(group.pixels->pixel_count());
+  result.tile.seconds.assign(result.tile.radiance.size(),
+                             static_cast<float>(group.seconds / pixels));
+  return std::move(result.tile);
+}
+
+std::vector<StepQueue::Sampled> SampleRounds::continue_pixels(const PlannedRender& render,
+                                                              std::span<const PlannedPixel> pixels,
+                                                              TileCollector& tiles,
+                                                              const std::stop_token& stop) {
+  if (render.unlit) {
+    const UnlitPasses passes(settings_);
+    const Continued share = continued(render, pixels, &Group::unlit_share, passes.share, stop);
+    std::vector<PlannedPixel> partly;
+    for (std::size_t i = 0; i < share.places.size(); ++i) {
+      const double mean = share.pixels[i].sum.mean().x;
+      if (mean > 0.0 && mean < 1.0) partly.push_back(share.places[i]);
+    }
+    const Continued colour = continued(render, partly, &Group::unlit_colour, passes.colour, stop);
+    if (stop.stop_requested()) return {};
+    put(render, share, &Group::unlit_share);
+    put(render, colour, &Group::unlit_colour);
+  }
+  const Continued done = continued(render, pixels, &Group::pixels, settings_, stop);
+  if (stop.stop_requested()) return {};
+  put(render, done, &Group::pixels);
+  std::vector<StepQueue::Sampled> sampled;
+  std::vector<std::uint32_t> blocks;
+  for (const PlannedPixel& p : pixels) {
+    const PixelSamples& of = *groups_[render.plan.blocks[p.block].group].pixels;
+    const std::size_t i = of.index(p.x, p.y);
+    sampled.push_back({of.taken(i), of.moved(i)});
+    blocks.push_back(p.block);
+  }
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  for (const std::uint32_t block : blocks) {
+    const WorkPlan::Block& of = render.plan.blocks[block];
+    Group& group = groups_[of.group];
+    // Published under the mutex, so that an older tile cannot follow a newer one.
+    const std::lock_guard lock(group.mutex);
+    tiles.publish_sampled(block, tile(render, group, of.rect));
+  }
+  return sampled;
 }
 
 }  // namespace asos

@@ -3,28 +3,28 @@
 #include "renderer/samples/pixel_samples.h"
 #include "renderer/session/planned_render.h"
 #include "renderer/session/run_clock.h"
+#include "renderer/session/step_queue.h"
 #include "renderer/session/tile_collector.h"
 
-#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
 namespace asos {
 
-/// The rounds of point samples that a picture begins with, group by group: 1, 2, 4 and so on per
+/// The point samples that a picture begins with, in rounds over all groups: 1, 2, 4 and so on per
 /// pixel. A method with the same number of samples in every pixel uses its own samples
-/// (MethodRow::places), and its picture is complete after the rounds. For other methods the rounds
-/// use Sobol points. Any number of threads.
+/// (MethodRow::places), and its picture is complete after the rounds. For other methods there are
+/// few rounds, of Sobol points; then single pixels continue. Any number of threads.
 class SampleRounds {
  public:
-  /// Maximal number of rounds before the blocks of a method: up to 2^10 samples per pixel, while
-  /// nothing better is available.
-  static constexpr int most_rounds = 11;
+  /// Maximal number of samples of a pixel of the other methods.
+  static constexpr int most_samples = 1 << 10;
 
   explicit SampleRounds(const PlannedRender& render);
 
@@ -33,26 +33,35 @@ class SampleRounds {
   /// Returns the samples per pixel after each round.
   [[nodiscard]] const std::vector<int>& rounds() const { return rounds_; }
 
-  /// Orders the groups of later rounds by the changes of their pixels in the latest round, largest
-  /// first. To be called between two rounds; only the first call for a round counts.
-  void put_what_moves_first(std::size_t next_round);
+  /// Orders the groups of a round by the changes of their pixels in the rounds before, largest
+  /// first. Waits until those are complete; false once `stop` is requested. Only the first call for
+  /// a round counts, and only before a later round was ordered: a thread that comes late must not
+  /// change what the others use.
+  [[nodiscard]] bool put_what_moves_first(std::size_t round, const std::stop_token& stop);
   /// Renders groups of a round, given by its index in `rounds`, until none is left or `stop` is
   /// requested. Times count for pass `pass`. Returns true if this finished the picture.
   bool work(const PlannedRender& render, std::size_t round, std::size_t pass, TileCollector& tiles,
             RunClock& clock, const std::stop_token& stop);
-  /// Waits until all groups of a round are done; false once `stop` is requested.
-  [[nodiscard]] bool wait_for(std::size_t round, const std::stop_token& stop);
+  /// Waits until all groups have finished the rounds before this one; false once `stop` is
+  /// requested.
+  [[nodiscard]] bool wait_for_rounds(std::size_t before, const std::stop_token& stop);
 
-  /// Returns the processor time, in seconds, of all rounds up to this one, which must be complete.
-  [[nodiscard]] double seconds_up_to(std::size_t round) const;
-  /// Frees the sums of all groups. Only when no thread works on a round or calls `moved`.
-  void release();
+  /// Takes each of these pixels to four times its number of samples, after the last round, and
+  /// publishes the blocks that hold them. Threads may call this for different pixels at a time.
+  /// Returns the pixels' samples; the result is to be dropped once `stop` is requested.
+  [[nodiscard]] std::vector<StepQueue::Sampled> continue_pixels(
+      const PlannedRender& render, std::span<const PlannedPixel> pixels, TileCollector& tiles,
+      const std::stop_token& stop);
+  /// Returns the samples of a group. Only after its last round, and while none of its pixels
+  /// continues.
+  [[nodiscard]] const PixelSamples& pixels(std::size_t group) const {
+    return *groups_[group].pixels;
+  }
+  /// Returns the processor time of a group's rounds, in seconds.
+  [[nodiscard]] double seconds(std::size_t group) const { return groups_[group].seconds; }
+
   /// Returns the memory of the kept sums.
   [[nodiscard]] std::size_t bytes() const;
-
-  /// Returns, for each block of the plan, how much its pixels changed in their latest round: the
-  /// sum of PixelSamples::moved. Blocks with large changes are far from converged.
-  [[nodiscard]] std::vector<double> moved(const WorkPlan& plan) const;
 
  private:
   struct Group {
@@ -62,10 +71,21 @@ class SampleRounds {
     std::optional<PixelSamples> unlit_share, unlit_colour;
     double seconds = 0.0;
   };
-  struct Done {
-    std::size_t groups = 0;
-    double seconds = 0.0;
+  using PassOfGroup = std::optional<PixelSamples> Group::*;
+  /// Pixels that continue their samples of one pass.
+  struct Continued {
+    std::vector<PlannedPixel> places;
+    std::vector<ContinuedPixel> pixels;
+    std::vector<LayerSum> layers;
+    std::vector<int> ends;
   };
+  [[nodiscard]] Continued continued(const PlannedRender& render,
+                                    std::span<const PlannedPixel> pixels, PassOfGroup pass,
+                                    const RenderSettings& settings,
+                                    const std::stop_token& stop) const;
+  void put(const PlannedRender& render, const Continued& done, PassOfGroup pass);
+  [[nodiscard]] FinishedTile tile(const PlannedRender& render, const Group& group,
+                                  const PixelRect& part) const;
   /// Returns none if the group is done: another thread has rendered a later round.
   [[nodiscard]] std::optional<BlockResult> advance(const PlannedRender& render, std::size_t group,
                                                    int samples, double& seconds,
@@ -79,8 +99,8 @@ class SampleRounds {
   std::vector<std::atomic<std::size_t>> next_;  // of each round
   mutable std::mutex mutex_;
   std::condition_variable_any finished_;
-  std::vector<Done> done_;          // of each round
-  std::size_t ordered_round_ = 0;   // round of the last change of order_
+  std::size_t done_ = 0;            // groups of all rounds
+  std::size_t ordered_round_ = 0;   // the latest round that changed order_
   std::vector<std::size_t> order_;  // of groups
 };
 

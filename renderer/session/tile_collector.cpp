@@ -88,13 +88,24 @@ void TileCollector::publish_coarse(std::size_t group, Pass pass, FinishedTile&& 
   if (first) notify();
 }
 
+void TileCollector::publish_sampled(std::size_t block, FinishedTile&& tile) {
+  publish_block(block, false, std::move(tile));
+}
+
 void TileCollector::publish_started(std::size_t block, FinishedTile&& tile) {
+  publish_block(block, true, std::move(tile));
+}
+
+void TileCollector::publish_block(std::size_t block, bool starts, FinishedTile&& tile) {
   FinishedTile seen = visible_part(std::move(tile));
   seen.coarse = true;
   bool first = false;
   {
     const std::lock_guard lock(mutex_);
-    start(block);
+    if (starts)
+      start(block);
+    else if (started_[block])
+      return;
     first = finished_.empty();
     put(std::move(seen));
   }

@@ -39,6 +39,8 @@ class TileCollector {
   /// Publishes a group's tile of a pass before the final one, without blocks that are already
   /// started or final. Drops it if a better pass was faster.
   void publish_coarse(std::size_t group, Pass pass, FinishedTile&& tile);
+  /// Publishes a block whose pixels have more samples; drops it if the block is started or final.
+  void publish_sampled(std::size_t block, FinishedTile&& tile);
   /// Publishes a block after the first stage of its method.
   void publish_started(std::size_t block, FinishedTile&& tile);
   /// Publishes a final block. Returns true if that was the picture's last one.
@@ -65,6 +67,7 @@ class TileCollector {
 
   [[nodiscard]] FinishedTile visible_part(FinishedTile&& tile) const;
   void start(std::size_t block);
+  void publish_block(std::size_t block, bool starts, FinishedTile&& tile);
   void put(FinishedTile&& tile);
 
   const WorkPlan* plan_;

@@ -44,6 +44,12 @@ struct WorkPlan {
   [[nodiscard]] std::vector<std::size_t> blocks_of(const std::vector<std::size_t>& order) const;
 };
 
+/// A pixel of the picture, in a block of a plan.
+struct PlannedPixel {
+  std::uint32_t block = 0;
+  int x = 0, y = 0;
+};
+
 /// Returns the numbers below `count` in an order whose beginnings are evenly spread: by the
 /// multiples of the golden section.
 [[nodiscard]] std::vector<std::size_t> spread_order(std::size_t count);

@@ -31,7 +31,7 @@ struct Staged {
         const BlockJob job{*scene, view, settings, {x, y, 8, 8}};
         StartedBlock started = start_block_asos(job);
         first.push_back(started.result);
-        gains.push_back(started.rest ? started.rest->gain() : 0.0);
+        gains.push_back(started.rest ? started.rest->squared_error() : 0.0);
         bytes.push_back(started.rest ? started.rest->bytes() : 0);
         finished.push_back(started.rest ? started.rest->finish(job) : std::move(started.result));
         direct.push_back(render_block_asos(job));

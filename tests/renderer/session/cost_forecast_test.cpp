@@ -86,56 +86,6 @@ TEST(CostForecast, TellsARenderInPassesFromATenthOn) {
   }
 }
 
-/// Fraction of the time, from a tenth of the work on, at which the forecast of the remaining time
-/// is within a factor of 1.5. Blocks come in descending order of `values`, except for every fourth.
-double share_within(const RecordedCosts& recorded, const std::vector<double>& values, bool alike) {
-  const std::vector<double> low = seconds_of(recorded.at_max_1);
-  const std::vector<double> high = seconds_of(recorded.at_max_3);
-  const double all = sum_of(low) + sum_of(high);
-  const std::vector<std::size_t> spread = plan_of_recorded().spread_blocks();
-  std::vector<std::size_t> dearest = spread;
-  std::stable_sort(dearest.begin(), dearest.end(),
-                   [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
-  CostForecast forecast(low.size(), {sum_of(high) / sum_of(low)});
-  for (const std::size_t block : spread) forecast.add(0, block, low[block]);
-  if (alike) forecast.set_likeness(values);
-  int moments = 0, within = 0;
-  std::vector<bool> done(low.size());
-  auto next = dearest.cbegin(), next_spread = spread.cbegin();
-  for (std::size_t i = 0; i < low.size(); ++i) {
-    auto& from = i % 4 == 3 ? next_spread : next;
-    while (done[*from]) ++from;
-    done[*from] = true;
-    forecast.add(1, *from, high[*from]);
-    Worst now;
-    now.look(forecast, all);
-    if (forecast.seconds_done() < 0.1 * all) continue;
-    ++moments;
-    within += now.of_rest < 1.5;
-  }
-  return static_cast<double>(within) / moments;
-}
-
-// The blocks with the highest cost in the second pass come first in it.
-TEST(CostForecast, ForecastsAPassThatTakesItsDearestBlocksFirst) {
-  double all_with = 0.0, all_without = 0.0;
-  for (const RecordedCosts& recorded : recorded_costs) {
-    const std::vector<double> low = seconds_of(recorded.at_max_1);
-    const std::vector<double> high = seconds_of(recorded.at_max_3);
-    std::vector<double> values;  // cost ratios, known to a third
-    for (std::size_t i = 0; i < low.size(); ++i)
-      values.push_back(high[i] / low[i] * (1.0 + 0.33 * std::sin(static_cast<double>(i))));
-    const double with = share_within(recorded, values, true);
-    const double without = share_within(recorded, values, false);
-    EXPECT_GE(with, without) << recorded.scene;
-    EXPECT_GT(with, 0.75) << recorded.scene;
-    all_with += with;
-    all_without += without;
-    RecordProperty(recorded.scene, std::to_string(without) + " to " + std::to_string(with));
-  }
-  EXPECT_GT(all_with, all_without + 0.1 * std::size(recorded_costs));
-}
-
 // Blocks that end in a pass cost nothing in the next one, and must not lower the forecast of the
 // others.
 TEST(CostForecast, IgnoresBlocksThatEndedInThePassBefore) {
