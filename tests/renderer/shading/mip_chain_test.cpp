@@ -32,7 +32,7 @@ float rounding(std::size_t levels) {
 TEST(MipChain, EveryLevelKeepsTheMeanWhateverTheSize) {
   for (const auto& [w, h] : {std::pair{16, 16}, {13, 7}, {1, 9}, {5, 1}, {31, 2}}) {
     const Image image = make_image(w, h, noise);
-    const MipChain chain = make_mip_chain(image, TexelKind::data);
+    const MipChain chain = make_mip_levels(image, TexelKind::data);
     glm::dvec4 mean(0.0);
     for (std::size_t i = 0; i < image.rgba.size(); ++i)
       mean[static_cast<int>(i % 4)] += image.rgba[i] / 255.0 / (w * h);
@@ -61,7 +61,7 @@ TEST(MipChain, OddSizesWeighTexelsByTheirShare) {
     const std::uint8_t b = row[static_cast<std::size_t>(x)];
     return Texel{b, b, b, 255};
   });
-  const MipChain chain = make_mip_chain(image, TexelKind::data);
+  const MipChain chain = make_mip_levels(image, TexelKind::data);
   ASSERT_EQ(chain.size(), 2u);
   EXPECT_NEAR(chain[0].at(0, 0).r, (0 + 50 + 0.5f * 100) / 2.5f / 255.0f, rounding(1));
   EXPECT_NEAR(chain[0].at(1, 0).r, (0.5f * 100 + 200 + 250) / 2.5f / 255.0f, rounding(1));
@@ -72,7 +72,7 @@ TEST(MipChain, ColoursAreAveragedAsLight) {
     const std::uint8_t b = (x + y) % 2 == 0 ? 255 : 0;
     return Texel{b, b, b, b};
   });
-  const MipChain chain = make_mip_chain(image, TexelKind::color);
+  const MipChain chain = make_mip_levels(image, TexelKind::color);
   // Half the light, not 0.214, the value of the mean byte.
   EXPECT_NEAR(chain[0].at(1, 1).r, 0.5f, rounding(1));
   EXPECT_NEAR(chain[0].at(1, 1).a, 0.5f, rounding(1));
@@ -83,7 +83,7 @@ TEST(MipChain, ColoursOfCutOutsCountByTheirAlpha) {
   const Image image = make_image(4, 4, [](int x, int) {
     return x % 2 == 0 ? Texel{255, 0, 0, 255} : Texel{0, 255, 0, 0};
   });
-  const glm::vec4 texel = make_mip_chain(image, TexelKind::cover).back().at(0, 0);
+  const glm::vec4 texel = make_mip_levels(image, TexelKind::cover).back().at(0, 0);
   EXPECT_NEAR(texel.r, 1.0f, rounding(2));
   EXPECT_NEAR(texel.g, 0.0f, rounding(2));
   EXPECT_NEAR(texel.a, 0.5f, rounding(2));
@@ -102,14 +102,14 @@ TEST(MipChain, NormalsKeepTheirMeanAndTheRestIsVariance) {
   });
   const float t = std::tan(std::numbers::pi_v<float> / 6.0f);
   const float upright = std::asinh(t) / t;
-  for (const MipLevel& level : make_mip_chain(image, TexelKind::normal)) {
+  for (const MipLevel& level : make_mip_levels(image, TexelKind::normal)) {
     const glm::vec4 texel = level.at(level.width / 2, 0);
     EXPECT_NEAR(2.0f * texel.x - 1.0f, 0.0f, 0.008f);
     EXPECT_NEAR(2.0f * texel.z - 1.0f, upright, 0.004f);
     EXPECT_NEAR(texel.a, 1.0f - upright * upright, 0.008f);
   }
   const Image flat = make_image(8, 8, [&](int, int) { return Texel{128, 128, 255, 255}; });
-  for (const MipLevel& level : make_mip_chain(flat, TexelKind::normal))
+  for (const MipLevel& level : make_mip_levels(flat, TexelKind::normal))
     EXPECT_EQ(level.at(0, 0).a, 0.0f);
 }
 
@@ -134,7 +134,7 @@ TEST(MipChain, IsMadeForWhatIsUsedOnly) {
   World plain;
   test::add_triangle(plain, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, test::matte(glm::vec3(1)));
   EXPECT_EQ(MipChains(plain, find_render_features(plain)).memory_bytes(), 0u);
-  EXPECT_TRUE(make_mip_chain(Image{}, TexelKind::color).empty());
+  EXPECT_TRUE(make_mip_levels(Image{}, TexelKind::color).empty());
 }
 
 }  // namespace

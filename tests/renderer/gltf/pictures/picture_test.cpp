@@ -225,7 +225,7 @@ TEST(Pictures, PngsOfSixteenBitsKeepThem) {
       }
     }
     // Averages keep the precision, too.
-    const MipChain chain = make_mip_chain(picture->image, TexelKind::data);
+    const MipChain chain = make_mip_levels(picture->image, TexelKind::data);
     double sum = 0.0;
     for (std::size_t i = 0; i < values.size(); i += 4) sum += values[i] / 65535.0;
     EXPECT_NEAR(chain.back().at(0, 0).r, sum / 45.0, 2e-4);
