@@ -4,7 +4,6 @@
 #include "renderer/shading/texture.h"
 
 #include <cstddef>
-#include <future>
 #include <utility>
 
 namespace asos {
@@ -47,13 +46,9 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
   fill_forced_attributes(world, forced);
   geometry->world = std::move(world);
 
-  // Mip chains are built along with the rays' hierarchy.
-  auto mips = std::async(std::launch::async, [&] {
-    return MipChains(geometry->world, geometry->render_features.with(forced), known);
-  });
+  geometry->mips = MipChains(geometry->world, geometry->render_features.with(forced), known);
   geometry->object_spheres = object_spheres(geometry->world);
   auto rays = RayScene::build(geometry->world, alpha_at, lights, forced, passage_at, use);
-  geometry->mips = mips.get();
   if (!rays) return unexpected(rays.error());
   geometry->rays = std::move(*rays);
 

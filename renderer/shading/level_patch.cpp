@@ -26,6 +26,12 @@ glm::vec2 less_of_texels(glm::vec2 edge, float texels) {
   return edge * std::sqrt(std::max(left2, thinnest * thinnest) / length2);
 }
 
+/// Returns the size of a level of an image, relative to the image.
+glm::vec2 scale_of(std::size_t level, int width, int height) {
+  return {static_cast<float>(side_of_level(width, level)) / static_cast<float>(width),
+          static_cast<float>(side_of_level(height, level)) / static_cast<float>(height)};
+}
+
 /// Returns about how many texels the patch covers.
 float held(const TexelPatch& patch) {
   return (glm::length(patch.right) + 2.0f) * (glm::length(patch.down) + 2.0f);
@@ -50,7 +56,7 @@ TexelPatch bounded(TexelPatch patch, float least, float most) {
 
 }  // namespace
 
-LevelPatch patch_in(const MipChain& chain, const Image& image, Filter filter, TexelPatch patch,
+LevelPatch patch_in(std::size_t levels, const Image& image, Filter filter, TexelPatch patch,
                     TexelBudget budget) {
   const bool nearest = filter == Filter::nearest;
   const float longest = patch.longest();
@@ -64,10 +70,8 @@ LevelPatch patch_in(const MipChain& chain, const Image& image, Filter filter, Te
   if (patch.area() < 0.5f * glm::length(patch.right) * glm::length(patch.down))
     patch = principal_axes(patch);
   LevelPatch found{0, patch};
-  for (std::size_t level = 1; level <= chain.size(); ++level) {
-    const MipLevel& texels = chain[level - 1];
-    const glm::vec2 scale(static_cast<float>(texels.width) / static_cast<float>(image.width),
-                          static_cast<float>(texels.height) / static_cast<float>(image.height));
+  for (std::size_t level = 1; level <= levels; ++level) {
+    const glm::vec2 scale = scale_of(level, image.width, image.height);
     const TexelPatch coarser{scale * patch.right, scale * patch.down};
     const float width = std::min(glm::length(coarser.right), glm::length(coarser.down));
     if (width < budget.across && held(found.patch) <= budget.most) break;
@@ -83,10 +87,8 @@ LevelPatch patch_in(const MipChain& chain, const Image& image, Filter filter, Te
   return found;
 }
 
-LevelPatch coarser(const LevelPatch& patch, const MipChain& chain, const Texels& finest) {
-  const MipLevel& texels = chain.front();
-  const glm::vec2 scale(static_cast<float>(texels.width) / static_cast<float>(finest.width),
-                        static_cast<float>(texels.height) / static_cast<float>(finest.height));
+LevelPatch coarser(const LevelPatch& patch, const Texels& finest) {
+  const glm::vec2 scale = scale_of(1, finest.width, finest.height);
   return {1, bounded({less_of_texels(scale * patch.patch.right, 2.0f),
                       less_of_texels(scale * patch.patch.down, 2.0f)},
                      thinnest, TexelBudget().most)};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/scene/scene.h"
-#include "renderer/shading/mip_chain.h"
+#include "renderer/shading/mip_levels.h"
 #include "renderer/shading/texel_window.h"
 #include "renderer/shading/texture.h"
 
@@ -36,14 +36,14 @@ struct LevelPatch {
   [[nodiscard]] bool point() const { return patch.right == glm::vec2(0.0f); }
 };
 
-/// Selects the level for `patch`, given in the finest level's texels. Bilinear patches no longer
+/// Selects the level for `patch`, given in the finest level's texels. `levels` is the number of
+/// coarser ones. Bilinear patches no longer
 /// than least_footprint become points. Coarser levels are used while the patch stays wide enough,
 /// or contains too many texels.
-[[nodiscard]] LevelPatch patch_in(const MipChain& chain, const Image& image, Filter filter,
+[[nodiscard]] LevelPatch patch_in(std::size_t levels, const Image& image, Filter filter,
                                   TexelPatch patch, TexelBudget budget);
 
 /// Converts a patch of the finest level to level 1.
-[[nodiscard]] LevelPatch coarser(const LevelPatch& patch, const MipChain& chain,
-                                 const Texels& finest);
+[[nodiscard]] LevelPatch coarser(const LevelPatch& patch, const Texels& finest);
 
 }  // namespace asos

@@ -1,7 +1,7 @@
 #include "renderer/shading/mip_chain.h"
 
-#include <cstdint>
 #include <set>
+#include <tbb/task_arena.h>
 #include <utility>
 
 namespace asos {
@@ -53,6 +53,24 @@ TexelKind emissive_kind(const Material& material) {
   return covers ? base_color_kind(material) : TexelKind::color;
 }
 
+MipChain::MipChain(Image image, TexelKind kind)
+    : image_(std::move(image)), kind_(kind), size_(mip_levels_of(image_)) {}
+
+void MipChain::make() const {
+  const std::scoped_lock lock(making_);
+  if (made_.load(std::memory_order_relaxed)) return;
+  // In isolation, this thread takes no other task while it waits: such a task could need the lock.
+  tbb::this_task_arena::isolate([&] { levels_ = make_mip_levels(image_, kind_); });
+  made_.store(true, std::memory_order_release);
+}
+
+std::size_t MipChain::memory_bytes() const {
+  if (!made_.load(std::memory_order_acquire)) return 0;
+  std::size_t bytes = 0;
+  for (const MipLevel& level : levels_) bytes += level.rgba.capacity() * sizeof(std::uint16_t);
+  return bytes;
+}
+
 MipChains::MipChains(const World& world, const RenderFeatures& render_features,
                      const MipChains* known) {
   if (!render_features.mip_chains) return;
@@ -65,8 +83,7 @@ MipChains::MipChains(const World& world, const RenderFeatures& render_features,
   for (const auto& [image, kind] : uses) {
     const auto i = static_cast<std::size_t>(image), k = static_cast<std::size_t>(kind);
     if (known && i < known->chains_.size()) chains_[i][k] = known->chains_[i][k];
-    if (!chains_[i][k])
-      chains_[i][k] = std::make_shared<const MipChain>(make_mip_levels(world.images[i], kind));
+    if (!chains_[i][k]) chains_[i][k] = std::make_shared<const MipChain>(world.images[i], kind);
   }
 }
 
@@ -82,8 +99,7 @@ std::size_t MipChains::memory_bytes() const {
   std::size_t bytes = chains_.capacity() * sizeof(chains_[0]);
   for (const auto& kinds : chains_) {
     for (const Shared& chain : kinds) {
-      if (!chain) continue;
-      for (const MipLevel& level : *chain) bytes += level.rgba.capacity() * sizeof(std::uint16_t);
+      if (chain) bytes += chain->memory_bytes();
     }
   }
   return bytes;

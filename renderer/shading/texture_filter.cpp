@@ -177,7 +177,8 @@ LevelPatch patch_for(const World& world, const MipChain& chain, const TextureUse
   const glm::mat2 turn(use.uv_transform);
   const glm::vec2 size(image->width, image->height);
   const Filter filter = world.textures[static_cast<std::size_t>(use.texture)].filter;
-  return patch_in(chain, *image, filter, {size * (turn * steps.right), size * (turn * steps.down)},
+  return patch_in(chain.size(), *image, filter,
+                  {size * (turn * steps.right), size * (turn * steps.down)},
                   TexelBudget::of(place.footprint.side));
 }
 
@@ -284,7 +285,7 @@ MeanNormal filtered_normal(const World& world, const MipChains& mips, const Text
     if (found.patch.longest() <= longest_normals_by_points)
       return mean_of_normals(finest, uv, found.patch, texture);
     // The next level includes interpolated normals between these texels.
-    found = coarser(found, chain, finest);
+    found = coarser(found, finest);
   }
   const TexelShape shape = shape_of(texture, found.level);
   const glm::vec4 moments =

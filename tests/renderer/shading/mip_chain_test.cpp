@@ -1,6 +1,8 @@
 #include "renderer/shading/mip_chain.h"
 
 #include "renderer/shading/texture.h"
+#include "renderer/tasks.h"
+#include "tests/renderer/shading/textured_triangle.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_world.h"
 
@@ -32,7 +34,7 @@ float rounding(std::size_t levels) {
 TEST(MipChain, EveryLevelKeepsTheMeanWhateverTheSize) {
   for (const auto& [w, h] : {std::pair{16, 16}, {13, 7}, {1, 9}, {5, 1}, {31, 2}}) {
     const Image image = make_image(w, h, noise);
-    const MipChain chain = make_mip_levels(image, TexelKind::data);
+    const std::vector<MipLevel> chain = make_mip_levels(image, TexelKind::data);
     glm::dvec4 mean(0.0);
     for (std::size_t i = 0; i < image.rgba.size(); ++i)
       mean[static_cast<int>(i % 4)] += image.rgba[i] / 255.0 / (w * h);
@@ -61,7 +63,7 @@ TEST(MipChain, OddSizesWeighTexelsByTheirShare) {
     const std::uint8_t b = row[static_cast<std::size_t>(x)];
     return Texel{b, b, b, 255};
   });
-  const MipChain chain = make_mip_levels(image, TexelKind::data);
+  const std::vector<MipLevel> chain = make_mip_levels(image, TexelKind::data);
   ASSERT_EQ(chain.size(), 2u);
   EXPECT_NEAR(chain[0].at(0, 0).r, (0 + 50 + 0.5f * 100) / 2.5f / 255.0f, rounding(1));
   EXPECT_NEAR(chain[0].at(1, 0).r, (0.5f * 100 + 200 + 250) / 2.5f / 255.0f, rounding(1));
@@ -72,7 +74,7 @@ TEST(MipChain, ColoursAreAveragedAsLight) {
     const std::uint8_t b = (x + y) % 2 == 0 ? 255 : 0;
     return Texel{b, b, b, b};
   });
-  const MipChain chain = make_mip_levels(image, TexelKind::color);
+  const std::vector<MipLevel> chain = make_mip_levels(image, TexelKind::color);
   // Half the light, not 0.214, the value of the mean byte.
   EXPECT_NEAR(chain[0].at(1, 1).r, 0.5f, rounding(1));
   EXPECT_NEAR(chain[0].at(1, 1).a, 0.5f, rounding(1));
@@ -125,6 +127,7 @@ TEST(MipChain, IsMadeForWhatIsUsedOnly) {
   m.base_color_texture.texture = unused;
   world.materials.push_back(m);  // on no triangle
   const MipChains chains(world, find_render_features(world));
+  EXPECT_EQ(chains.chain(colour, TexelKind::color)[2].width, 1);
   EXPECT_EQ(chains.chain(colour, TexelKind::color).size(), 3u);
   EXPECT_TRUE(chains.chain(colour, TexelKind::data).empty());
   EXPECT_TRUE(chains.chain(unused, TexelKind::color).empty());
@@ -134,7 +137,40 @@ TEST(MipChain, IsMadeForWhatIsUsedOnly) {
   World plain;
   test::add_triangle(plain, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, test::matte(glm::vec3(1)));
   EXPECT_EQ(MipChains(plain, find_render_features(plain)).memory_bytes(), 0u);
-  EXPECT_TRUE(make_mip_levels(Image{}, TexelKind::color).empty());
+}
+
+TEST(MipChain, IsMadeOnceWhenATexelIsFirstRead) {
+  const Image image = make_image(64, 32, noise);
+  const std::vector<MipLevel> levels = make_mip_levels(image, TexelKind::color);
+  for (int round = 0; round < 20; ++round) {
+    const MipChain chain(image, TexelKind::color);
+    EXPECT_EQ(chain.size(), 6u);
+    EXPECT_FALSE(chain.empty());
+    EXPECT_EQ(chain.memory_bytes(), std::size_t{0}) << "its size needs no level";
+    // All threads read it at once, and get the same levels.
+    std::vector<const MipLevel*> first(64);
+    in_tasks(first.size(), [&](std::size_t i) { first[i] = &chain[i % chain.size()]; });
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      EXPECT_EQ(first[i], first[0] + i % chain.size());
+      EXPECT_EQ(first[i]->rgba, levels[i % chain.size()].rgba);
+    }
+    EXPECT_GE(chain.memory_bytes(), 8u * (32 * 16 + 16 * 8 + 8 * 4 + 4 * 2 + 2 + 1));
+  }
+}
+
+TEST(MipChain, OfATextureThatIsReadInPointsOrEnlargedIsNotMade) {
+  const test::Textured textured(make_image(64, 64, noise));
+  const MipChain& chain = textured.mips.chain(0, TexelKind::color);
+  const auto look = [&](float texels) {
+    const float width = texels / 64.0f;
+    (void)textured.look(TexelKind::color, {0.3f, 0.4f}, {width, 0.0f}, {0.0f, width});
+  };
+  look(0.0f);
+  look(0.7f);
+  EXPECT_EQ(chain.memory_bytes(), 0u);
+  look(20.0f);
+  EXPECT_GT(chain.memory_bytes(), 0u);
+  EXPECT_EQ(textured.mips.chain(0, TexelKind::normal).memory_bytes(), 0u);
 }
 
 }  // namespace
