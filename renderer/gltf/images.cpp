@@ -3,6 +3,7 @@
 #include "renderer/gltf/pictures/picture.h"
 #include "renderer/gltf/texture_budget.h"
 #include "renderer/gltf/values.h"
+#include "renderer/tasks.h"
 
 #include <fmt/format.h>
 
@@ -52,6 +53,7 @@ Textures::Textures(Document& document, Accessors& accessors, Scene& scene)
 
 int Textures::use(int texture) {
   if (texture < 0) return none;
+  if (noting_) return note(texture);
   if (static_cast<std::size_t>(texture) >= texture_of_.size()) {
     doc_.warnings.add(fmt::format("texture {} does not exist; left out", texture));
     return none;
@@ -156,6 +158,64 @@ void Textures::plan() {
   shrinks_ = shrinks_of(claims);
 }
 
+int Textures::note(int texture) {
+  if (static_cast<std::size_t>(texture) >= texture_of_.size()) return none;
+  const tinygltf::Texture& source = doc_.model.textures[static_cast<std::size_t>(texture)];
+  int image = source.source;
+  if (const auto* e = extension(source.extensions, "EXT_texture_webp"))
+    image = whole(*e, "source").value_or(image);
+  if (image >= 0 && static_cast<std::size_t>(image) < image_of_.size()) noted_.insert(image);
+  return texture;
+}
+
+/// Decodes the noted images, except those that would have to be read again or that together take
+/// too much memory while they are decoded. These follow when they are used.
+void Textures::decode_noted() {
+  constexpr std::uint64_t most_held = std::uint64_t{1} << 28;
+  if (noted_.empty()) return;
+  plan();
+  struct Task {
+    int index;
+    ImageBytes bytes;
+    PictureResult<Picture> picture;
+  };
+  std::vector<Task> tasks;
+  std::set<ImagePlace> seen;
+  std::uint64_t held = 0;
+  for (const int index : noted_) {
+    const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
+    const ImagePlace place = place_of(source);
+    if (place != ImagePlace{} && !seen.insert(place).second) continue;
+    if (source.buffer_view < 0 && !read_.contains(index)) continue;
+    Checked<ImageBytes> bytes = take_bytes(index);
+    if (!bytes) continue;  // the warning comes when the image is used
+    const PictureResult<PictureHead> head = picture_head(bytes->bytes);
+    held += head ? head->held_bytes : 0;
+    if (held > most_held) {
+      if (source.buffer_view < 0) read_.emplace(index, *std::move(bytes));
+      break;
+    }
+    tasks.push_back({index, *std::move(bytes), {}});
+  }
+  in_tasks(tasks.size(), [&](std::size_t i) {
+    Task& task = tasks[i];
+    task.picture = read_picture(task.bytes.bytes, shrinks_[static_cast<std::size_t>(task.index)]);
+    task.bytes.read = {};
+  });
+  for (Task& task : tasks)
+    decoded_.emplace(task.index,
+                     DecodedImage{std::move(task.bytes.remark), std::move(task.picture)});
+}
+
+Checked<Textures::DecodedImage> Textures::take_decoded(int index) {
+  auto known = decoded_.extract(index);
+  if (!known.empty()) return std::move(known.mapped());
+  Checked<ImageBytes> bytes = take_bytes(index);
+  if (!bytes) return fault(bytes.error());
+  return DecodedImage{std::move(bytes->remark),
+                      read_picture(bytes->bytes, shrinks_[static_cast<std::size_t>(index)])};
+}
+
 Checked<ImageBytes> Textures::take_bytes(int index) {
   auto known = read_.extract(index);
   if (!known.empty()) return std::move(known.mapped());
@@ -170,11 +230,11 @@ Checked<int> Textures::add_image(int index) {
   if (const auto known = image_at_.find(place); shareable && known != image_at_.end())
     return known->second;
   const int shrink = shrinks_[static_cast<std::size_t>(index)];
-  const Checked<ImageBytes> bytes = take_bytes(index);
-  if (!bytes) return fault(bytes.error());
-  if (!bytes->remark.empty())
-    doc_.warnings.add(fmt::format("{}: {}", name_of(index), bytes->remark));
-  PictureResult<Picture> picture = read_picture(bytes->bytes, shrink);
+  Checked<DecodedImage> decoded = take_decoded(index);
+  if (!decoded) return fault(decoded.error());
+  if (!decoded->remark.empty())
+    doc_.warnings.add(fmt::format("{}: {}", name_of(index), decoded->remark));
+  PictureResult<Picture>& picture = decoded->picture;
   if (!picture) return fault(picture.error());
   Image& image = picture->image;
   if (!picture->remark.empty())
@@ -193,6 +253,7 @@ Checked<int> Textures::add_image(int index) {
 
 int Textures::roughness_of(int texture, float factor) {
   constexpr std::size_t most_factors = 4;
+  if (noting_) return texture;
   Texture rough = scene_.textures[static_cast<std::size_t>(texture)];
   auto& made = roughness_of_[rough.image];
   auto found = std::find_if(made.begin(), made.end(),

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "renderer/gltf/accessors.h"
+#include "renderer/gltf/pictures/picture.h"
 #include "renderer/scene/scene.h"
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -28,6 +30,17 @@ class Textures {
  public:
   Textures(Document& document, Accessors& accessors, Scene& scene);
 
+  /// Decodes images on all processors, before the first use of one. `read` uses the textures that
+  /// will be used later; meanwhile, this object only notes which ones. Gives no warnings.
+  template <typename Read>
+  void decode_ahead(const Read& read) {
+    if (std::exchange(decoded_ahead_, true)) return;
+    noting_ = true;
+    read();
+    noting_ = false;
+    decode_noted();
+  }
+
   /// Returns the scene's texture for one of the document's. Returns -1, with a warning, if it has
   /// no usable image: the material is then drawn without it.
   [[nodiscard]] int use(int texture);
@@ -41,12 +54,19 @@ class Textures {
  private:
   /// Bytes of a buffer, or a file: images with the same place are one.
   using ImagePlace = std::tuple<const std::uint8_t*, std::size_t, std::string>;
+  struct DecodedImage {
+    std::string remark;  ///< see UriBytes
+    PictureResult<Picture> picture;
+  };
 
   [[nodiscard]] int load(int texture);
   [[nodiscard]] int image_of(const tinygltf::Texture& texture, int index);
   [[nodiscard]] int use_image(int image);
   [[nodiscard]] Checked<int> add_image(int image);
+  [[nodiscard]] Checked<DecodedImage> take_decoded(int image);
   [[nodiscard]] Checked<ImageBytes> take_bytes(int image);
+  [[nodiscard]] int note(int texture);
+  void decode_noted();
   [[nodiscard]] ImagePlace place_of(const ImageSource& source);
   void plan();
   [[nodiscard]] std::string name_of(int image) const;
@@ -59,8 +79,11 @@ class Textures {
   std::map<ImagePlace, int> image_at_;  // the scene's image, by the place of its bytes
   std::vector<int> shrinks_;            // by document image; empty before plan()
   std::map<int, ImageBytes> read_;      // by document image: files read for the plan
-  std::uint64_t all_bytes_ = 0;         // of encoded images
-  std::uint64_t copied_texels_ = 0;     // by `roughness_of`
+  std::set<int> noted_;                 // document images
+  bool noting_ = false, decoded_ahead_ = false;
+  std::map<int, DecodedImage> decoded_;  // by document image: those decoded ahead
+  std::uint64_t all_bytes_ = 0;          // of encoded images
+  std::uint64_t copied_texels_ = 0;      // by `roughness_of`
   std::map<int, std::vector<std::pair<float, int>>> roughness_of_;  // by image: factor, image
 };
 

@@ -341,19 +341,28 @@ class MaterialReader : MaterialValues {
   bool moves_;
 };
 
+std::vector<Material> read_materials(const tinygltf::Model& model, Textures& textures,
+                                     const std::set<std::size_t>& moving, Warnings& warnings) {
+  std::vector<Material> materials;
+  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+    const tinygltf::Material& source = model.materials[i];
+    const std::string place = source.name.empty() ? fmt::format("material {}", i)
+                                                  : fmt::format("material '{}'", source.name);
+    MaterialReader reader(source, place, textures, warnings, moving.contains(i));
+    materials.push_back(reader.read());
+  }
+  return materials;
+}
+
 }  // namespace
 
 std::vector<Material> import_materials(Document& document, Textures& textures,
                                        const std::set<std::size_t>& moving) {
-  std::vector<Material> materials;
-  for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
-    const tinygltf::Material& source = document.model.materials[i];
-    const std::string place = source.name.empty() ? fmt::format("material {}", i)
-                                                  : fmt::format("material '{}'", source.name);
-    MaterialReader reader(source, place, textures, document.warnings, moving.contains(i));
-    materials.push_back(reader.read());
-  }
-  return materials;
+  textures.decode_ahead([&] {
+    Warnings come_later;
+    (void)read_materials(document.model, textures, moving, come_later);
+  });
+  return read_materials(document.model, textures, moving, document.warnings);
 }
 
 }  // namespace asos::gltf

@@ -165,11 +165,11 @@ PictureResult<Picture> read_jpeg_picture(PictureBytes bytes, const PictureHead& 
   };
   if (!decoder->read_head(bytes) || !decoder->start(shrink)) return broken();
   RowMeans rows(decoder->output_width(), decoder->output_height(), std::max(1, shrink / 8));
-  std::vector<std::uint8_t> row(4 * static_cast<std::size_t>(decoder->output_width()));
   while (decoder->rows_left()) {
+    const std::span<std::uint8_t> row = rows.next();
     if (!decoder->read_row(row.data())) return broken();
     if (decoder->has_inks()) jpeg::make_rgba(row, decoder->inks_inverted());
-    rows.add(row);
+    rows.add();
   }
   Picture picture{rows.take(), {}};
   if (decoder->damage()[0] != '\0')

@@ -45,17 +45,15 @@ Image split_bytes(Image wide) {
   image.width = wide.width / 2;
   image.height = wide.height;
   const SharedBytes::Bytes& both = wide.rgba.get();
-  SharedBytes::Bytes high, low;
-  high.reserve(both.size() / 2);
-  low.reserve(both.size() / 2);
-  bool same = true;
-  for (std::size_t i = 0; i + 1 < both.size(); i += 2) {
-    high.push_back(both[i]);
-    low.push_back(both[i + 1]);
-    same = same && both[i] == both[i + 1];  // 257 times an 8-bit value
+  SharedBytes::Bytes high(both.size() / 2), low(both.size() / 2);
+  unsigned differences = 0;
+  for (std::size_t i = 0; i < high.size(); ++i) {
+    high[i] = both[2 * i];
+    low[i] = both[2 * i + 1];
+    differences |= high[i] ^ low[i];  // none: 257 times an 8-bit value
   }
   image.rgba = SharedBytes(std::move(high));
-  if (!same) image.low = SharedBytes(std::move(low));
+  if (differences != 0) image.low = SharedBytes(std::move(low));
   return image;
 }
 
@@ -96,9 +94,9 @@ PictureResult<Picture> read_png_picture(PictureBytes bytes, const PictureHead& h
   if (width != static_cast<png_uint_32>(head.width) || made != row)
     return tl::unexpected<std::string>("its pixels are of no known kind");
   // All rows of an interlaced picture stay in memory until the last one is read.
-  const std::size_t rows_held = head.held_bytes > 0 ? static_cast<std::size_t>(head.height) : 1;
-  std::vector<std::uint8_t> pixels(row * rows_held);
-  if (rows_held > 1) {
+  const bool interlaced = head.held_bytes > 0;
+  std::vector<std::uint8_t> pixels(interlaced ? row * static_cast<std::size_t>(head.height) : 0);
+  if (interlaced) {
     std::vector<png_bytep> rows;
     for (std::size_t at = 0; at < pixels.size(); at += row) rows.push_back(&pixels[at]);
     const bool read =
@@ -107,12 +105,13 @@ PictureResult<Picture> read_png_picture(PictureBytes bytes, const PictureHead& h
   }
   RowMeans means(wide ? 2 * head.width : head.width, head.height, shrink);
   for (std::size_t y = 0; y < static_cast<std::size_t>(head.height); ++y) {
-    const std::span<std::uint8_t> at(pixels.data() + (rows_held > 1 ? y * row : 0), row);
-    const bool read = rows_held > 1 || input.guarded([&](png_structp png, png_infop) {
+    const std::span<std::uint8_t> at = means.next();
+    if (interlaced) std::copy_n(&pixels[y * row], row, at.begin());
+    const bool read = interlaced || input.guarded([&](png_structp png, png_infop) {
       png_read_row(png, at.data(), nullptr);
     });
     if (!read) return broken(input);
-    means.add(at);
+    means.add();
   }
   return Picture{wide ? split_bytes(means.take()) : means.take(), {}};
 }

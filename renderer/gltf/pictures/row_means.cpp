@@ -13,16 +13,24 @@ RowMeans::RowMeans(int width, int height, int shrink) : width_(width), shrink_(s
   image_.height = shrunk(height, shrink);
   const auto row = 4 * static_cast<std::size_t>(image_.width);
   image_.rgba = SharedBytes(SharedBytes::Bytes(row * static_cast<std::size_t>(image_.height)));
-  if (shrink > 1) sums_.resize(row);
+  if (shrink == 1) return;
+  sums_.resize(row);
+  pixels_.resize(4 * static_cast<std::size_t>(width));
 }
 
-void RowMeans::add(std::span<const std::uint8_t> rgba) {
+std::span<std::uint8_t> RowMeans::next() {
+  if (shrink_ > 1 || row_ >= image_.height) return pixels_;
+  const auto row = 4 * static_cast<std::size_t>(width_);
+  return std::span(image_.rgba.own()).subspan(static_cast<std::size_t>(row_) * row, row);
+}
+
+void RowMeans::add() {
   if (row_ >= image_.height) return;
   if (shrink_ == 1) {
-    const auto at = static_cast<std::ptrdiff_t>(row_++) * static_cast<std::ptrdiff_t>(rgba.size());
-    std::copy(rgba.begin(), rgba.end(), image_.rgba.own().begin() + at);
+    ++row_;
     return;
   }
+  const std::vector<std::uint8_t>& rgba = pixels_;
   for (int x = 0; x < image_.width; ++x) {
     const auto begin = 4 * static_cast<std::size_t>(x) * static_cast<std::size_t>(shrink_);
     const std::size_t end = std::min(begin + 4 * static_cast<std::size_t>(shrink_), rgba.size());

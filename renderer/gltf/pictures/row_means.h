@@ -16,8 +16,10 @@ class RowMeans {
   /// `shrink`: 1 to 4096, so that sums stay below 2^32.
   RowMeans(int width, int height, int shrink);
 
-  /// Adds the next row: 4 * width bytes.
-  void add(std::span<const std::uint8_t> rgba);
+  /// Returns 4 * width bytes, into which the next row is to be written before `add`.
+  [[nodiscard]] std::span<std::uint8_t> next();
+  /// Adds the row that was written.
+  void add();
   /// Returns the image; missing rows are black without alpha.
   [[nodiscard]] Image take();
 
@@ -27,7 +29,8 @@ class RowMeans {
   int width_, shrink_, row_ = 0;
   int rows_summed_ = 0;
   Image image_;
-  std::vector<std::uint32_t> sums_;  // of the texels of one row
+  std::vector<std::uint8_t> pixels_;  // of the next row; empty if they are the image's texels
+  std::vector<std::uint32_t> sums_;   // of the texels of one row
 };
 
 }  // namespace asos

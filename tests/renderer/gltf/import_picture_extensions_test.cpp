@@ -226,5 +226,50 @@ TEST(SpecularGlossiness, HasABoundOfImagesAndNamesWhatIsOutOfRange) {
   EXPECT_EQ(bad->notes.warnings.size(), 2u);
 }
 
+TEST(Textures, AreTheSameWhetherDecodedTogetherOrOneByOne) {
+  constexpr int count = 12, broken = 4, unused = 7;
+  const auto texels_of = [](int image) {
+    Texels rgba;
+    for (int i = 0; i < 4 * 2 * (image + 1); ++i)
+      rgba.push_back(static_cast<std::uint8_t>(i % 4 == 3 ? 255 : 17 * i + image));
+    return rgba;
+  };
+  GltfBuilder b = GltfBuilder::square();
+  b.json["extensionsUsed"] = {"EXT_texture_webp"};
+  for (int i = 0; i < count; ++i) {
+    const std::string webp = webp_of(texels_of(i), i + 1, 2);
+    const bool whole = i != broken && i != unused;
+    b.json["images"].push_back(
+        data_uri(whole ? webp : webp.substr(0, webp.size() - 6), "image/webp"));
+    b.json["textures"].push_back({{"extensions", webp_source(i)}});
+  }
+  // Materials use them from the last to the first, and the first of them again.
+  std::vector<int> expected;
+  for (int i = count - 1; i >= -1; --i) {
+    const int texture = std::max(0, i);
+    if (texture == unused) continue;
+    b.json["materials"].push_back(
+        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+    if (i >= 0 && i != broken) expected.push_back(i);
+  }
+  const test::TemporaryFolder folder;
+  const auto scene = import_gltf(folder.write("test.glb", b.glb()));
+  ASSERT_TRUE(scene) << scene.error().message();
+  ASSERT_EQ(scene->images.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_EQ(scene->images[k].width, expected[k] + 1);
+    EXPECT_EQ(scene->images[k].rgba, texels_of(expected[k])) << expected[k];
+  }
+  EXPECT_EQ(std::count_if(scene->notes.warnings.begin(), scene->notes.warnings.end(),
+                          [](const std::string& w) { return w.find("image ") == 0; }),
+            1);
+  EXPECT_TRUE(warns(*scene, "image 4 "));
+  EXPECT_FALSE(warns(*scene, "image 7")) << "no material uses it, so it is not decoded";
+  const auto& materials = scene->materials;
+  ASSERT_EQ(materials.size(), 12u);
+  EXPECT_EQ(materials[10].base_color_texture.texture, materials[11].base_color_texture.texture);
+  EXPECT_FALSE(materials[count - 2 - broken].base_color_texture.used());
+}
+
 }  // namespace
 }  // namespace asos

@@ -2,7 +2,7 @@
 
 #include "renderer/film/image_io.h"
 #include "renderer/gltf/pictures/row_means.h"
-#include "renderer/shading/mip_chain.h"
+#include "renderer/shading/mip_levels.h"
 #include "renderer/shading/texture.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_image.h"
@@ -131,9 +131,13 @@ TEST(RowMeans, AreTheMeansOfTheirPixels) {
     const Image image = speckled(width, height);
     for (const int shrink : {1, 2, 4, 64}) {
       RowMeans means(width, height, shrink);
-      for (int y = 0; y < height; ++y)
-        means.add({image.rgba.data() + std::ptrdiff_t{4} * width * y,
-                   4 * static_cast<std::size_t>(width)});
+      for (int y = 0; y < height; ++y) {
+        const std::span<std::uint8_t> row = means.next();
+        ASSERT_EQ(row.size(), 4 * static_cast<std::size_t>(width));
+        std::copy_n(image.rgba.data() + row.size() * static_cast<std::size_t>(y), row.size(),
+                    row.begin());
+        means.add();
+      }
       expect_same(means.take(), reduced(image, shrink));
     }
   }
@@ -225,7 +229,7 @@ TEST(Pictures, PngsOfSixteenBitsKeepThem) {
       }
     }
     // Averages keep the precision, too.
-    const MipChain chain = make_mip_levels(picture->image, TexelKind::data);
+    const std::vector<MipLevel> chain = make_mip_levels(picture->image, TexelKind::data);
     double sum = 0.0;
     for (std::size_t i = 0; i < values.size(); i += 4) sum += values[i] / 65535.0;
     EXPECT_NEAR(chain.back().at(0, 0).r, sum / 45.0, 2e-4);
