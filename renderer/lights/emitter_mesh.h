@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/lights/emitters.h"
+#include "renderer/lights/lit_texels.h"
 #include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
@@ -34,10 +35,11 @@ using Piece = std::vector<std::uint32_t>;
 /// Returns the emitting triangles of a part. A place where the texture leaves less than 1/250 of
 /// the material's emission counts as black, and so does a triangle whose mean is below 1/1000. The
 /// dimmest textured triangles, up to half a percent of the power, are dropped, and their power goes
-/// to the others.
+/// to the others. `lit` is of the part's emissive texture.
 [[nodiscard]] std::vector<EmitterTriangle> emitting_triangles(const World& world,
                                                               std::uint32_t part,
-                                                              EmissionAt emission);
+                                                              EmissionAt emission,
+                                                              const LitTexels& lit);
 
 /// The triangles that share each triangle's edges.
 class EmitterNeighbours {

@@ -1,6 +1,7 @@
 #include "renderer/geometry/finite.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/emitter_mesh.h"
+#include "renderer/lights/lit_texels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +19,10 @@ constexpr double steps_a_texel = 4.0;
 constexpr double steps_of_few_texels = 16.0;
 constexpr int most_steps = 64;
 constexpr double most_samples_a_part = 4e6;
-// Emission that counts as black: an sRGB byte of 13, which lossy compression may make of black next
-// to white.
+// Emission that counts as black: less than an sRGB byte of 13. Lossy compression may make it of
+// black next to white.
 constexpr double dark_share = 4e-3;
+static_assert(LitTexels::black < 13);
 // Mean emission below which a triangle counts as black: texels beyond seams, or noise above the
 // limit.
 constexpr double dark_triangle_share = 1e-3;
@@ -65,6 +67,22 @@ int steps_of(const World& world, std::uint32_t triangle) {
 double full_emission(const Material& material) {
   if (!material.emissive_texture.used()) return 0.0;
   return largest(material.emissive) * material.emissive_strength;
+}
+
+/// Returns false if a triangle's emissive texture is black all over it, without a sample.
+bool may_emit(const World& world, std::uint32_t triangle, const LitTexels& lit) {
+  const TextureUse& use = world.material_of(triangle).emissive_texture;
+  if (!use.used() || use.texcoord < 0 || use.texcoord > 1 || world.is_face(triangle)) return true;
+  const auto& uv = world.texcoords[use.texcoord];
+  if (uv.empty()) return true;
+  const glm::uvec3 t = world.triangles[triangle];
+  glm::vec2 low(std::numeric_limits<float>::infinity()), high(-low);
+  for (int k = 0; k < 3; ++k) {
+    const glm::vec2 corner(use.uv_transform * glm::vec3(uv[t[k]], 1.0f));
+    if (!std::isfinite(corner.x + corner.y)) return true;
+    low = glm::min(low, corner), high = glm::max(high, corner);
+  }
+  return lit.any(low, high);
 }
 
 /// Returns the mean over the centroids of the steps^2 equal triangles that divide a triangle.
@@ -165,7 +183,7 @@ void weld(std::vector<EmitterTriangle>& triangles) {
 }  // namespace
 
 std::vector<EmitterTriangle> emitting_triangles(const World& world, std::uint32_t part,
-                                                EmissionAt emission) {
+                                                EmissionAt emission, const LitTexels& lit) {
   const Part& of = world.parts[part];
   std::vector<int> steps(of.triangle_count);
   double samples = 0.0;
@@ -187,6 +205,7 @@ std::vector<EmitterTriangle> emitting_triangles(const World& world, std::uint32_
     t.triangle = of.first_triangle + i;
     t.area = 0.5 * length;
     t.normal = across / length;
+    if (!may_emit(world, t.triangle, lit)) continue;
     const int n = std::max(1, static_cast<int>(fewer * steps[i]));
     t.radiance = mean_emission(world, of.first_triangle + i, n, emission);
     if (finite(t.radiance) && largest(t.radiance) > least) triangles.push_back(t);

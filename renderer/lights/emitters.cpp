@@ -5,11 +5,13 @@
 #include "renderer/lights/emitter_mesh.h"
 #include "renderer/lights/emitter_moments.h"
 #include "renderer/lights/emitter_shapes.h"
+#include "renderer/lights/lit_texels.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/lights/textured_emitter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -261,15 +263,18 @@ std::vector<Light> emissive_lights(const World& world, EmissionAt emission) {
                                              : 0.5 * glm::distance(glm::dvec3(world.bounds.lo),
                                                                    glm::dvec3(world.bounds.hi));
   std::vector<Light> lights;
+  std::map<int, LitTexels> lit;  // by texture
   for (std::uint32_t part = 0; part < world.parts.size(); ++part) {
     const Part& of = world.parts[part];
     const Material& material = world.materials[of.material];
     if (of.shows_light || of.triangle_count == 0 || !emits(material)) continue;
     const bool masked = material.alpha_mode != AlphaMode::opaque &&
                         (material.base_color_texture.used() || !world.colors.empty());
+    const int texture = material.emissive_texture.texture;
+    const LitTexels& texels = lit.try_emplace(texture, world, texture).first->second;
     EmissiveSurface surface{world,
                             emission,
-                            emitting_triangles(world, part, emission),
+                            emitting_triangles(world, part, emission, texels),
                             material.double_sided,
                             material.emissive_texture.used() || masked,
                             radius};
