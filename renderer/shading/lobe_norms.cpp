@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -19,11 +20,27 @@ double fifth(double x) {
   return x * x * x * x * x;
 }
 
+/// The cosines and sines of the middles of equal parts of an angle. They are computed once, since
+/// every entry of a table needs them.
+template <std::size_t count>
+struct Turns {
+  explicit Turns(double whole) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle = whole * (static_cast<double>(i) + 0.5) / count;
+      cosine[i] = std::cos(angle);
+      sine[i] = std::sin(angle);
+    }
+  }
+  std::array<double, count> cosine{}, sine{};
+};
+
 /// Integrates over visible normals by spherical caps (Dupuy and Benyoub 2023). Only the masking of
 /// the light's side and Fresnel's term remain, which are smooth.
 Norms integrate(double n_dot_v, double alpha) {
   constexpr int caps = 40;
-  constexpr int turns = 10;  // of a half turn: both sides of the plane of view are equal
+  constexpr std::size_t turns = 10;  // of a half turn: both sides of the plane of view are equal
+  constexpr double samples = caps * turns;
+  static const Turns<turns> half_turn(std::numbers::pi);
   if (alpha == 0.0) return {1.0, fifth(1.0 - n_dot_v)};
   const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
   const double a2 = alpha * alpha;
@@ -38,11 +55,10 @@ Norms integrate(double n_dot_v, double alpha) {
     const double weight = 2.0 * t;
     const double z = t * t * (1.0 + view_z) - view_z;
     const double radius = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
-    for (int k = 0; k < turns; ++k) {
-      const double angle = std::numbers::pi * (k + 0.5) / turns;
+    for (std::size_t k = 0; k < turns; ++k) {
       // Compute the normal, the reflected direction and its masking.
-      const double hx = alpha * (radius * std::cos(angle) + view_x);
-      const double hy = alpha * radius * std::sin(angle);
+      const double hx = alpha * (radius * half_turn.cosine[k] + view_x);
+      const double hy = alpha * radius * half_turn.sine[k];
       const double hz = z + view_z;
       const double length = std::sqrt(hx * hx + hy * hy + hz * hz);
       const double v_dot_h = std::clamp((sine * hx + n_dot_v * hz) / length, 0.0, 1.0);
@@ -54,13 +70,16 @@ Norms integrate(double n_dot_v, double alpha) {
       sum.fresnel += weight * left * fifth(1.0 - v_dot_h);
     }
   }
-  return {sum.lobe / (caps * turns), sum.fresnel / (caps * turns)};
+  return {sum.lobe / samples, sum.fresnel / samples};
 }
 
 /// Integrates an anisotropic lobe with the squared roughness `along` in the direction x and
 /// `across` in y. The viewer's azimuth is `turn` from x.
 Norms integrate(double n_dot_v, double along, double across, double turn) {
-  constexpr int caps = 24, turns = 16;
+  constexpr int caps = 24;
+  constexpr std::size_t turns = 16;
+  constexpr double samples = caps * turns;
+  static const Turns<turns> whole_turn(2.0 * std::numbers::pi);
   const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
   const glm::dvec3 alpha(along, across, 1.0);
   const glm::dvec3 v(sine * std::cos(turn), sine * std::sin(turn), n_dot_v);
@@ -72,9 +91,8 @@ Norms integrate(double n_dot_v, double along, double across, double turn) {
     const double weight = 2.0 * t;
     const double z = t * t * (1.0 + view.z) - view.z;
     const double radius = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
-    for (int k = 0; k < turns; ++k) {
-      const double angle = 2.0 * std::numbers::pi * (k + 0.5) / turns;
-      const glm::dvec3 cap(radius * std::cos(angle), radius * std::sin(angle), z);
+    for (std::size_t k = 0; k < turns; ++k) {
+      const glm::dvec3 cap(radius * whole_turn.cosine[k], radius * whole_turn.sine[k], z);
       const glm::dvec3 h = glm::normalize(alpha * (cap + view));
       const double v_dot_h = std::clamp(glm::dot(v, h), 0.0, 1.0);
       const glm::dvec3 l = 2.0 * v_dot_h * h - v;
@@ -85,7 +103,7 @@ Norms integrate(double n_dot_v, double along, double across, double turn) {
       sum.fresnel += weight * left * fifth(1.0 - v_dot_h);
     }
   }
-  return {sum.lobe / (caps * turns), sum.fresnel / (caps * turns)};
+  return {sum.lobe / samples, sum.fresnel / samples};
 }
 
 /// The place of a value from 0 to 1 in a table's row: the index below, and the fraction to the
