@@ -1,11 +1,9 @@
 #include "renderer/rays/coplanar.h"
 
-#include "renderer/tasks.h"
+#include "renderer/rays/coplanar_pairs.h"
 #include "renderer/world/surface_kind.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -14,83 +12,8 @@
 namespace asos::tracing {
 namespace {
 
-// Distances below this fraction of the coordinates are rounding errors, as for intersection lines
-// (intersections.cpp).
-constexpr double rounding_share = 4e-7;
-
-// Limits for one triangle: the number of triangles of its size or larger to compare, and of any
-// size that it meets. Beyond them it counts as coplanar to some of them.
-constexpr std::size_t most_compared = 1024;
-constexpr std::size_t most_met = std::size_t{1} << 20;
 // Number of part pairs per part to compare, beyond which all parts count as neighbours.
 constexpr std::size_t pairs_of_part = 1024;
-
-using Corners = std::array<glm::dvec3, 3>;
-
-Corners corners_of(const World& world, std::uint32_t triangle) {
-  const glm::uvec3 t = world.triangles[triangle];
-  return {glm::dvec3(world.positions[t.x]), glm::dvec3(world.positions[t.y]),
-          glm::dvec3(world.positions[t.z])};
-}
-
-glm::dvec3 normal_of(const Corners& t) {
-  return glm::cross(t[1] - t[0], t[2] - t[0]);
-}
-
-/// Returns the largest side of a triangle's box.
-float size_of(const World& world, std::uint32_t triangle) {
-  const glm::uvec3 t = world.triangles[triangle];
-  const glm::vec3 a = world.positions[t.x], b = world.positions[t.y], c = world.positions[t.z];
-  const glm::vec3 d = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
-  return std::max({d.x, d.y, d.z});
-}
-
-/// Returns the largest rounding error of two triangles' corners, by axis.
-glm::dvec3 rounding_of(const Corners& s, const Corners& t, glm::dvec3 origin, double size) {
-  glm::dvec3 largest(0.0);
-  for (std::size_t i = 0; i < 3; ++i)
-    largest = glm::max(largest, glm::max(glm::abs(s[i]), glm::abs(t[i])));
-  return rounding_share * (largest + glm::abs(origin) + size);
-}
-
-/// Returns whether two coplanar triangles, projected along an axis, overlap by more than `least`.
-bool overlap(const Corners& s, const Corners& t, int axis, double least) {
-  const int x = (axis + 1) % 3, y = (axis + 2) % 3;
-  const auto separates = [&](const Corners& of, const Corners& other) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const glm::dvec3 side = of[(i + 1) % 3] - of[i];
-      const double length = std::hypot(side[x], side[y]);
-      if (!(length > 0.0)) continue;
-      const auto height = [&](const glm::dvec3& p) {
-        const glm::dvec3 d = p - of[i];
-        return (side[x] * d[y] - side[y] * d[x]) / length;
-      };
-      const double inner = height(of[(i + 2) % 3]) < 0.0 ? -1.0 : 1.0;
-      double highest = -std::numeric_limits<double>::infinity();
-      for (const glm::dvec3& p : other) highest = std::max(highest, inner * height(p));
-      if (highest <= least) return true;
-    }
-    return false;
-  };
-  return !separates(s, t) && !separates(t, s);
-}
-
-/// Returns whether a triangle lies in the plane of one of its size or larger, and overlaps it.
-bool coplanar(const Corners& small, const Corners& large, glm::dvec3 origin, double size) {
-  const glm::dvec3 normal = normal_of(large);
-  const glm::dvec3 axes = glm::abs(normal);
-  const glm::dvec3 rounding = rounding_of(small, large, origin, size);
-  const double nothing = glm::dot(axes, rounding);
-  if (!(glm::dot(axes, axes) > 0.0) || normal_of(small) == glm::dvec3(0.0)) return false;
-  for (const glm::dvec3& p : small)
-    if (std::abs(glm::dot(normal, p - large[0])) > nothing) return false;
-  const int axis = axes.x >= axes.y && axes.x >= axes.z ? 0 : axes.y >= axes.z ? 1 : 2;
-  return overlap(small, large, axis, 2.0 * std::max({rounding.x, rounding.y, rounding.z}));
-}
-
-bool meet(const Box& a, const Box& b) {
-  return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
-}
 
 /// The boxes of other parts that meet a part's box; `full`: there are more.
 struct Neighbours {
@@ -118,13 +41,8 @@ struct Neighbours {
 std::vector<Neighbours> neighbours_of(const World& world) {
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < world.solid_parts(); ++i) {
-    Box box = world.parts[i].bounds;
-    if (!box.empty()) {
-      const glm::vec3 size = glm::max(glm::abs(box.lo), glm::abs(box.hi)) + (box.hi - box.lo);
-      const glm::vec3 room = 2e-6f * (size + glm::vec3(glm::abs(world.origin)));
-      box.lo -= room, box.hi += room;
-    }
-    boxes.push_back(box);
+    const Box& box = world.parts[i].bounds;
+    boxes.push_back(box.empty() ? box : enlarged(box, world.origin));
   }
   std::vector<std::uint32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -155,128 +73,41 @@ std::vector<Neighbours> neighbours_of(const World& world) {
   return found;
 }
 
-/// Compares triangles with those around them.
-class CoplanarSearch {
- public:
-  CoplanarSearch(const World& world, RTCScene scene, const Group* groups, float scale)
-      : world_(world), scene_(scene), groups_(groups), scale_(scale) {}
-
-  Coplanar run() {
-    const std::vector<Neighbours> neighbours = neighbours_of(world_);
-    const auto none = [](const Neighbours& n) { return n.boxes.empty(); };
-    if (std::all_of(neighbours.begin(), neighbours.end(), none)) return {};
-    const std::size_t own = world_.triangles.own().size();
-    found_.assign(own, 0);
-    constexpr std::size_t at_a_time = 256;
-    sizes_.resize(own);
-    in_task_ranges(own, at_a_time, [&](auto begin, auto end) {
-      for (std::size_t i = begin; i < end; ++i)
-        sizes_[i] = size_of(world_, static_cast<std::uint32_t>(i));
-    });
-    in_task_ranges(own - world_.lines_and_points.triangle_count, at_a_time,
-                   [&](auto begin, auto end) {
-                     for (std::size_t i = begin; i < end; ++i) {
-                       const auto triangle = static_cast<std::uint32_t>(i);
-                       const Neighbours& around = neighbours[world_.triangle_part[triangle]];
-                       if (!around.placed.empty() && meets_any(triangle, around.placed))
-                         mark(triangle);
-                       else if (around.full || meets_any(triangle, around.boxes))
-                         look(triangle);
-                     }
-                   });
-    Coplanar all{std::move(found_), {}};
-    if (world_.placements) {
-      for (const Placement& place : world_.placements->places)
-        all.by_place.push_back(!neighbours[place.part].boxes.empty());
-    }
-    const auto set = [](std::uint8_t flag) { return flag != 0; };
-    if (std::none_of(all.by_triangle.begin(), all.by_triangle.end(), set) &&
-        std::none_of(all.by_place.begin(), all.by_place.end(), set))
-      return {};
-    return all;
-  }
-
- private:
-  struct Query {
-    CoplanarSearch* search;
-    std::uint32_t triangle;
-    std::uint32_t part;
-    float size;
-    Corners corners;
-    std::size_t met = 0;
-    std::size_t compared = 0;
-  };
-
-  [[nodiscard]] bool meets_any(std::uint32_t triangle, const std::vector<Box>& boxes) const {
-    Box box;
-    const glm::uvec3 t = world_.triangles[triangle];
-    for (int k = 0; k < 3; ++k) box.grow(world_.positions[t[k]]);
-    return std::any_of(boxes.begin(), boxes.end(),
-                       [&](const Box& other) { return meet(box, other); });
-  }
-
-  // Compares a triangle with those around it that are of its size or larger. In a pair, the smaller
-  // one finds the other.
-  void look(std::uint32_t triangle) {
-    Query query{this, triangle, world_.triangle_part[triangle], sizes_[triangle],
-                corners_of(world_, triangle)};
-    if (normal_of(query.corners) == glm::dvec3(0.0)) return;
-    const glm::dvec3 middle = (query.corners[0] + query.corners[1] + query.corners[2]) / 3.0;
-    double radius = 0.0;
-    for (const glm::dvec3& p : query.corners) radius = std::max(radius, glm::distance(p, middle));
-    const glm::dvec3 centre = middle * static_cast<double>(scale_);
-    constexpr double room = 1.0 + 1e-5;
-    RTCPointQuery around{};
-    around.x = static_cast<float>(centre.x);
-    around.y = static_cast<float>(centre.y);
-    around.z = static_cast<float>(centre.z);
-    around.radius = static_cast<float>(room * radius * static_cast<double>(scale_));
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    (void)rtcPointQuery(scene_, &around, &context, compare, &query);
-  }
-
-  static bool compare(RTCPointQueryFunctionArguments* args) {
-    Query& query = *static_cast<Query*>(args->userPtr);
-    CoplanarSearch& search = *query.search;
-    const World& world = search.world_;
-    const auto give_up = [&] {
-      search.mark(query.triangle);
-      args->query->radius = 0.0f;
-      return true;
-    };
-    if (++query.met > most_met) return give_up();
-    // Triangles near a placed mesh are marked without a search.
-    if (args->context->instStackSize > 0) return false;
-    const std::uint32_t other = search.groups_[args->geomID].triangle(args->primID);
-    if (world.is_face(other) || world.triangle_part[other] == query.part ||
-        other >= world.solid_triangles() || search.sizes_[other] < query.size)
-      return false;
-    if (++query.compared > most_compared) return give_up();
-    if (coplanar(query.corners, corners_of(world, other), world.origin,
-                 static_cast<double>(query.size))) {
-      search.mark(query.triangle);
-      search.mark(other);
-    }
-    return false;
-  }
-
-  void mark(std::uint32_t triangle) {
-    std::atomic_ref<std::uint8_t>(found_[triangle]).store(1, std::memory_order_relaxed);
-  }
-
-  const World& world_;
-  RTCScene scene_;
-  const Group* groups_;
-  float scale_;
-  std::vector<std::uint8_t> found_;
-  std::vector<float> sizes_;  // of the world's own triangles
-};
+bool meets_any(const Box& box, const std::vector<Box>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const Box& b) { return meet(box, b); });
+}
 
 }  // namespace
 
-Coplanar find_coplanar(const World& world, RTCScene scene, const Group* groups, float scale) {
-  return CoplanarSearch(world, scene, groups, scale).run();
+Coplanar find_coplanar(const World& world) {
+  const std::vector<Neighbours> neighbours = neighbours_of(world);
+  const auto none = [](const Neighbours& n) { return n.boxes.empty(); };
+  if (std::all_of(neighbours.begin(), neighbours.end(), none)) return {};
+  Coplanar found;
+  found.by_triangle.resize(world.triangles.own().size());
+  std::vector<BoxedTriangle> near;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < neighbours.size(); ++i)
+    if (!none(neighbours[i])) most += world.parts[i].triangle_count;
+  near.reserve(std::min(most, found.by_triangle.size()));
+  const std::size_t solid = found.by_triangle.size() - world.lines_and_points.triangle_count;
+  for (std::uint32_t i = 0; i < solid; ++i) {
+    const Neighbours& around = neighbours[world.triangle_part[i]];
+    if (none(around) || normal_of(corners_of(world, i)) == glm::dvec3(0.0)) continue;
+    const BoxedTriangle triangle = boxed(world, i);
+    if (meets_any(triangle.box, around.placed)) found.by_triangle[i] = 1;
+    if (around.full || meets_any(triangle.box, around.boxes)) near.push_back(triangle);
+  }
+  found.compared = mark_coplanar(world, std::move(near), found.by_triangle);
+  if (world.placements) {
+    for (const Placement& place : world.placements->places)
+      found.by_place.push_back(!neighbours[place.part].boxes.empty());
+  }
+  const auto set = [](std::uint8_t flag) { return flag != 0; };
+  if (std::none_of(found.by_triangle.begin(), found.by_triangle.end(), set) &&
+      std::none_of(found.by_place.begin(), found.by_place.end(), set))
+    found.by_triangle.clear(), found.by_place.clear();
+  return found;
 }
 
 float reach_of_hit(const World& world, const Ray& ray, const Hit& hit) {

@@ -5,8 +5,8 @@
 
 #include <embree3/rtcore.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 // Triangles of different parts that are coplanar and overlap, such as decals. A ray hits them at
@@ -16,12 +16,12 @@ namespace asos::tracing {
 
 /// Marks for coplanar surfaces. 1: a triangle of another part is coplanar with this one and
 /// overlaps it. There is one array for the world's own triangles and one for places of shared
-/// meshes; both are empty if there are none. Triangles that meet too many others to compare are
-/// marked, too, which costs time and does not change the picture. Places whose boxes meet other
-/// parts' boxes are marked, and so are triangles in such boxes.
+/// meshes; both are empty if there are none. Places whose boxes meet other parts' boxes are marked,
+/// and so are triangles in such boxes, which costs time and does not change the picture.
 struct Coplanar {
   std::vector<std::uint8_t> by_triangle;
   std::vector<std::uint8_t> by_place;
+  std::size_t compared = 0;  ///< pairs of triangles that the search compared
 
   [[nodiscard]] bool empty() const { return by_triangle.empty() && by_place.empty(); }
   [[nodiscard]] bool marks(const World& world, std::uint32_t triangle) const {
@@ -31,9 +31,8 @@ struct Coplanar {
   }
 };
 
-/// Finds the coplanar triangles. `scene` must be committed.
-[[nodiscard]] Coplanar find_coplanar(const World& world, RTCScene scene, const Group* groups,
-                                     float scale);
+/// Finds the coplanar triangles.
+[[nodiscard]] Coplanar find_coplanar(const World& world);
 
 /// Returns the distance along a ray within which other hits count as at the same place as a hit on
 /// a triangle.

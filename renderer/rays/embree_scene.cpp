@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <utility>
 
 namespace asos::tracing {
@@ -85,14 +86,16 @@ Result<void> EmbreeScene::build(const World& world, const Transparency& open,
                                       ? RTC_BUILD_QUALITY_LOW
                                       : RTC_BUILD_QUALITY_MEDIUM;
   rtcSetSceneBuildQuality(scene_, quality);
+  // Takes about as long as the hierarchy where many parts touch.
+  auto coplanar = std::async(std::launch::async, [&world] { return find_coplanar(world); });
   for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced, quality);
   if (world.placements) add_places(world, forced, quality);
   {
     const TaskOrder::Sending sending;
     rtcCommitScene(scene_);
   }
+  coplanar_ = coplanar.get();
   if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
-  coplanar_ = find_coplanar(world, scene_, groups_.data(), scale_);
   return {};
 }
 
