@@ -14,7 +14,7 @@ Result<std::shared_ptr<const RenderScene>> exposed_scene(
     const std::shared_ptr<const RenderScene>& scene, const Camera& camera,
     const RenderSettings& settings, const PictureDescription& picture, const OpenedScene& opened) {
   if (!row_of(settings.method).takes_motion) return scene;
-  return exposed(scene, camera, settings, [&](const ClipTime& time) {
+  const auto at = [&](const ClipTime& time) {
     auto moment = opened.posed(time, picture);
     if (moment && !picture.lights) moment = lit_under(*moment, settings.sky.get());
     if (moment) moment = with_ground(*std::move(moment), settings.ground, &scene->world());
@@ -22,7 +22,8 @@ Result<std::shared_ptr<const RenderScene>> exposed_scene(
     const Camera then =
         camera_at(camera, settings.shutter.camera, scene->world(), (*moment)->world());
     return with_lines(*moment, line_picture(then, settings));
-  });
+  };
+  return exposed(scene, camera, settings, at, needs_boundaries(settings.method));
 }
 
 }  // namespace asos

@@ -76,7 +76,7 @@ Result<Told> prepared_for_info(const InfoArguments& arguments) {
     if (!scene) return tl::unexpected(scene.error());
     ready = prepare(*scene, forced, &(*ready)->geometry->stage);
   }
-  ready = std::move(ready).and_then(with_boundaries);
+  if (forced.boundaries) ready = std::move(ready).and_then(with_boundaries);
   if (!ready) return tl::unexpected(ready.error());
   return Told{*std::move(scene), *std::move(ready)};
 }

@@ -225,7 +225,8 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
     return tl::unexpected(nothing_drawn(report));
   report.kept = bar.pictures() > 1 && is_rendered(arguments, report.description, work.sources);
   if (report.kept) return report;
-  const bool at_once = arguments.time_limit_seconds || !needs_boundaries(wanted.settings.method);
+  const bool at_once =
+      arguments.time_limit_seconds || !needs_of_picture(ready, wanted.settings).boundaries;
   if (const auto found = at_once ? prepared : with_boundaries(*prepared); !found)
     return tl::unexpected(found.error());
   prepared = exposed_scene(still, *camera, wanted.settings, picture, work.scene);
@@ -242,7 +243,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   if (!rendered) return tl::unexpected(with_boundaries(*prepared).error());
   if (ready.geometry->boundaries.known()) report.feature_edges = ready.features().counts();
   tell_warnings(report, ready, wanted.sky);
-  report.render_features = needs_of(ready, wanted.settings);
+  report.render_features = needs_of_picture(ready, wanted.settings);
   report.threads = worker_count(wanted.settings.threads);
   report.statistics = rendered->statistics;
   warn_of_cut_stacks(report);

@@ -239,6 +239,8 @@ Json left_out_json(const RenderFeatures& render_features) {
 
 Json scene_info_json(const Scene& scene, const RenderScene& ready) {
   const SceneNotes& notes = scene.notes;
+  RenderFeatures needs = needs_of(ready, {});
+  needs.boundaries = ready.geometry->boundaries.known();
   Json info{{"scene", scene.source},
             {"name", scene.name},
             {"meshes", scene.meshes.size()},
@@ -258,7 +260,7 @@ Json scene_info_json(const Scene& scene, const RenderScene& ready) {
             {"not_shown", notes.not_shown},
             {"warnings", notes.warnings},
             {"memory_mb", ready.geometry->memory_mb()},
-            {"left_out", left_out_json(needs_of(ready, {}))}};
+            {"left_out", left_out_json(needs)}};
   if (scene.surroundings)
     info["surroundings"] = {{"name", scene.surroundings->name},
                             {"pixels", scene.surroundings->sides[0].image.width}};

@@ -161,7 +161,7 @@ void PixelInspector::update(const Previewer& previewer, std::optional<glm::ivec2
   const Asked wanted{previewer.scene().get(), previewer.viewpoint().camera().revision(), settings,
                      picked, boundaries};
   if (report_ && report_->pixel != *picked) report_.reset();
-  if (wanted == asked_ || !previewer.scene()->geometry->boundaries.known()) return;
+  if (wanted == asked_ || !previewer.scene()->geometry->boundaries.known_or_started()) return;
   asked_ = wanted;
   job_.ask({{previewer.scene().shared(), previewer.viewpoint().camera().camera(), settings},
             *picked,

@@ -1,5 +1,6 @@
 #include "ui/playback.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/scene/posable_scene.h"
 #include "renderer/world/ground.h"
@@ -172,13 +173,14 @@ Result<std::shared_ptr<const RenderScene>> Playback::exposed_scene(
     const std::shared_ptr<const RenderScene>& scene, const WantedExposure& wanted,
     const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs) {
   const RenderSettings& settings = wanted.settings;
-  return exposed(scene, wanted.camera, settings, [&](const ClipTime& time) {
+  const auto at = [&](const ClipTime& time) {
     auto moment = scene_at(*scene, time, lights, dfrs, settings.ground, &scene->world());
     if (!moment || (*moment)->world().lines_and_points.empty()) return moment;
     const Camera then =
         camera_at(wanted.camera, settings.shutter.camera, scene->world(), (*moment)->world());
     return with_lines(*moment, line_picture(then, settings));
-  });
+  };
+  return exposed(scene, wanted.camera, settings, at, needs_boundaries(settings.method));
 }
 
 Playback::Pose Playback::posed(const Request& request) {

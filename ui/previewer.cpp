@@ -45,7 +45,8 @@ void Previewer::update(double now_seconds) {
   free_memory_.update();
   // The previous scene and the memory used for loading are free by then.
   if (holds_free_memory_ && !scene_.loading() && !render_.first_picture_pending() &&
-      !render_.out_of_date(subject()) && scene_->geometry->boundaries.known()) {
+      !render_.out_of_date(subject()) &&
+      (scene_->geometry->boundaries.known() || !needs_boundaries(render_.settings().method))) {
     holds_free_memory_ = false;
     free_memory_.give_back_soon();
   }

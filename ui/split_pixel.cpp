@@ -198,7 +198,8 @@ SplitPixelSearch::Answer SplitPixelSearch::update(const Previewer& previewer, bo
   current_ = now;
   if (!previewer.scene() || !render.progress().finished) return {};
   if (found_.restarts == now) return {found_.pixel, !found_.split};
-  if (!wanted || asked_ == now || !previewer.scene()->geometry->boundaries.known()) return {};
+  if (!wanted || asked_ == now || !previewer.scene()->geometry->boundaries.known_or_started())
+    return {};
   asked_ = now;
   job_.ask({render.snapshot(), candidates(render.film()), now});
   return {};

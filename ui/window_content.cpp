@@ -398,7 +398,7 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
     also(0.1);
   if (const std::optional<double> save = saver_.seconds_to_due(time_seconds_)) also(*save);
   if (previewer_.render().progress().running) also(0.25);
-  if (previewer_.scene() && !previewer_.scene()->geometry->boundaries.known()) also(0.25);
+  if (previewer_.scene() && previewer_.scene()->geometry->boundaries.running()) also(0.25);
   if (study_.busy()) also(study_redraw_seconds);
   return due;
 }

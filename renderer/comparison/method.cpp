@@ -341,6 +341,12 @@ std::optional<MovingPicture> moving_picture(const RenderScene& scene, const Came
   return std::make_optional<MovingPicture>(scene, camera, settings);
 }
 
+RenderFeatures needs_of_picture(const RenderScene& scene, const RenderSettings& settings) {
+  RenderFeatures needs = needs_of(scene, settings);
+  needs.boundaries = scene.forced.boundaries || needs_boundaries(settings.method);
+  return needs;
+}
+
 int samples_a_pixel(const RenderSettings& settings) {
   const int spp = settings.sampling.spp;
   if (row_of(settings.method).samples != SampleCount::squares) return spp;

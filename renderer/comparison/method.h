@@ -80,6 +80,10 @@ struct MethodRow {
   return row_of(method).needs_boundaries;
 }
 
+/// Returns the features that a picture by the settings' method needs (needs_of).
+[[nodiscard]] RenderFeatures needs_of_picture(const RenderScene& scene,
+                                              const RenderSettings& settings);
+
 /// Returns the number of samples per pixel of a method that has `places`.
 [[nodiscard]] int samples_a_pixel(const RenderSettings& settings);
 

@@ -10,16 +10,27 @@ namespace asos {
 
 void BoundaryFeatures::find(Search search) {
   known_ = nullptr;
-  thread_ = std::jthread([this, search = std::move(search)](const std::stop_token& stop) {
+  search_ = std::move(search);
+}
+
+void BoundaryFeatures::start() const {
+  const std::lock_guard lock(mutex_);
+  if (!search_ || thread_.joinable()) return;
+  thread_ = std::jthread([this](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "asos boundaries");
-    work(search, stop);
+    work(stop);
   });
 }
 
-void BoundaryFeatures::work(const Search& search, const std::stop_token& stop) {
+bool BoundaryFeatures::running() const {
+  const std::lock_guard lock(mutex_);
+  return thread_.joinable() && !known() && !failure_;
+}
+
+void BoundaryFeatures::work(const std::stop_token& stop) const {
   const auto start = std::chrono::steady_clock::now();
   try {
-    features_ = search(stop);
+    features_ = search_(stop);
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     // Under the mutex; otherwise a thread about to wait would miss it.
     const std::lock_guard lock(mutex_);
@@ -40,7 +51,7 @@ bool BoundaryFeatures::failed() const {
 }
 
 bool BoundaryFeatures::wait(const std::stop_token& stop) const {
-  if (known()) return true;
+  if (known_or_started()) return true;
   std::unique_lock lock(mutex_);
   ended_.wait(lock, stop, [this] { return known() || failure_ != nullptr; });
   return known();

@@ -22,8 +22,12 @@ constexpr int least_steps = 16;
 class ExposureBuilder {
  public:
   ExposureBuilder(Shared scene, const Camera& camera, const RenderSettings& settings,
-                  const MomentMaker& at)
-      : scene_(std::move(scene)), camera_(camera), settings_(settings), at_(at) {
+                  const MomentMaker& at, bool with_edges)
+      : scene_(std::move(scene)),
+        camera_(camera),
+        settings_(settings),
+        at_(at),
+        with_edges_(with_edges) {
     exposure_.shutter = settings.shutter;
     const Geometry& geometry = *scene_->geometry;
     time_ = *geometry.time;
@@ -48,8 +52,10 @@ class ExposureBuilder {
       }
       steps *= 2;
     }
-    for (const Shared& moment : exposure_.moments)
+    for (const Shared& moment : exposure_.moments) {
+      if (!with_edges_) break;
       if (const auto known = with_boundaries(moment); !known) return unexpected(known.error());
+    }
     RenderScene with = *scene_;
     with.exposure = std::make_shared<const Exposure>(std::move(exposure_));
     return std::make_shared<const RenderScene>(std::move(with));
@@ -72,7 +78,7 @@ class ExposureBuilder {
         continue;
       }
       // Limits the memory of concurrent searches for boundaries.
-      if (known_) (void)known_->geometry->boundaries.wait();
+      if (known_ && with_edges_) (void)known_->geometry->boundaries.wait();
       Result<Shared> made = at_(time);
       if (!made) return unexpected(made.error());
       moment = known_ = *std::move(made);
@@ -129,6 +135,7 @@ class ExposureBuilder {
   const Camera& camera_;
   const RenderSettings& settings_;
   const MomentMaker& at_;
+  const bool with_edges_;
   ClipTime time_;
   double end_ = 0.0;
   Exposure exposure_;
@@ -139,14 +146,14 @@ class ExposureBuilder {
 }  // namespace
 
 Result<Shared> exposed(const Shared& scene, const Camera& camera, const RenderSettings& settings,
-                       const MomentMaker& at) {
+                       const MomentMaker& at, bool with_edges) {
   if (!settings.shutter.blurs() || !scene->geometry->time) return scene;
-  if (!scene->exposure) return ExposureBuilder(scene, camera, settings, at).run();
+  if (!scene->exposure) return ExposureBuilder(scene, camera, settings, at, with_edges).run();
   // The middle moment would keep the previous exposure.
   RenderScene one_moment = *scene;
   one_moment.exposure.reset();
   return ExposureBuilder(std::make_shared<const RenderScene>(std::move(one_moment)), camera,
-                         settings, at)
+                         settings, at, with_edges)
       .run();
 }
 

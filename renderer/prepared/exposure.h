@@ -41,11 +41,11 @@ using MomentMaker = std::function<Result<std::shared_ptr<const RenderScene>>(con
 /// the same scene if it has no time or the shutter blurs nothing. Times beyond the clip show its
 /// first or last pose. The fastest visible vertex sets the number of steps: at least 4 for each
 /// pixel of its motion, and at least 16 times the root of that motion. The mean of a pixel that an
-/// edge enters or leaves then has an error of at most 1/2048 of the contrast. Waits for the
-/// boundaries of all moments. Errors: the maker's, and lack of memory for boundaries.
+/// edge enters or leaves then has an error of at most 1/2048 of the contrast. `with_edges`: finds
+/// the boundaries of all moments. Errors: the maker's, and lack of memory for boundaries.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> exposed(
     const std::shared_ptr<const RenderScene>& scene, const Camera& camera,
-    const RenderSettings& settings, const MomentMaker& at);
+    const RenderSettings& settings, const MomentMaker& at, bool with_edges = true);
 
 /// Returns the picture's camera at another moment. It follows the scene's camera number `followed`
 /// on its way from `now` to `then`; -1: it stands still.

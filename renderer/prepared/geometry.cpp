@@ -52,7 +52,6 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
   if (!rays) return unexpected(rays.error());
   geometry->rays = std::move(*rays);
 
-  // Start only now, so that the rays' hierarchy is ready soon.
   geometry->boundaries.find([&world = geometry->world](const std::stop_token& stop) {
     return FeatureSet(world, stored_texture, stop);
   });

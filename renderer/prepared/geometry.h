@@ -64,9 +64,9 @@ struct Geometry {
   [[nodiscard]] double memory_mb() const;
 };
 
-/// Builds everything from a world, except the boundaries, whose search continues. The caller sets
-/// notes, names and the time. `lights`, `forced` and errors: as in RayScene::build; `known`: as in
-/// MipChains; `use`: as in RayScene::build.
+/// Builds everything from a world, except the boundaries, whose search begins on demand. The caller
+/// sets notes, names and the time. `lights`, `forced` and errors: as in RayScene::build; `known`:
+/// as in MipChains; `use`: as in RayScene::build.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(
     World world, std::span<const Light> lights, const RenderFeatures& forced,
     const MipChains* known = nullptr, BvhPurpose use = BvhPurpose::lasting);

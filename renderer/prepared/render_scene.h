@@ -62,7 +62,8 @@ struct RenderScene {
 }
 
 /// Returns the features that a picture of the scene needs with these settings. The settings may
-/// need more than the scene. Known boundaries may show that less is needed.
+/// need more than the scene. Known boundaries may show that less is needed. Whether boundaries are
+/// needed depends on the method: see needs_of_picture.
 [[nodiscard]] RenderFeatures needs_of(const RenderScene& scene, const RenderSettings& settings);
 
 /// Returns the shader for a picture of the scene with these settings; `bend` is that of
@@ -86,7 +87,7 @@ struct RenderScene {
 [[nodiscard]] SceneNotes notes_of(const RenderScene& scene);
 
 /// Flattens and indexes `scene`, and lights it by its own lights, its emissive meshes, and default
-/// lights if both are negligible. The search for its boundaries continues afterwards.
+/// lights if both are negligible. The search for its boundaries begins on demand.
 /// - `forced`: features that are kept although the scene does not need them, for tests and
 ///   measurements. They do not change the picture.
 /// - `stage`: that of the same scene at rest, if `scene` is at another time; null: its own.

@@ -15,7 +15,7 @@ namespace asos {
 
 /// Returns the scene with its lines and points drawn for a picture (draw_lines), replacing those
 /// for an earlier one. Returns the same scene if it has none, or if none were or are drawn. Shares
-/// materials and lighting with `scene`; the search for its boundaries restarts. Errors: more
+/// materials and lighting with `scene`; its boundaries are unknown again. Errors: more
 /// triangles than a scene may have, lack of memory.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> with_lines(
     std::shared_ptr<const RenderScene> scene, const LinePicture& picture);

@@ -46,6 +46,7 @@ RenderRun::RenderRun(Snapshot snapshot, std::function<void()> on_tiles)
 
 void RenderRun::work(const std::stop_token& stop) {
   if (render_.snapshot.progressive) coarse_.work(render_, tiles_, stop);
+  (void)steps_.blocks_can_start(render_);  // begins the search after the first picture
   clock_.begin_forecast();
   const bool own = samples_.make_the_picture();
   if (render_.snapshot.progressive) {

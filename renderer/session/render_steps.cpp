@@ -1,6 +1,7 @@
 #include "renderer/session/render_steps.h"
 
 #include "renderer/comparison/method.h"
+#include "renderer/prepared/exposure.h"
 #include "renderer/session/thread_seconds.h"
 
 #include <algorithm>
@@ -19,11 +20,15 @@ void set_seconds(double seconds, FinishedTile& tile) {
   tile.seconds.assign(pixels, static_cast<float>(each));
 }
 
-/// The boundaries of a scene; null if the method does not use them.
-const BoundaryFeatures* boundaries_for(const PlannedRender& render) {
-  const Snapshot& snapshot = render.snapshot;
-  return needs_boundaries(snapshot.settings.method) ? &snapshot.scene->geometry->boundaries
-                                                    : nullptr;
+/// Returns the boundaries that the method uses: of the scene, and of its moments while the shutter is
+/// open.
+std::vector<const BoundaryFeatures*> boundaries_of(const PlannedRender& render) {
+  const RenderScene& scene = *render.snapshot.scene;
+  if (!needs_boundaries(render.snapshot.settings.method)) return {};
+  std::vector<const BoundaryFeatures*> all{&scene.geometry->boundaries};
+  if (scene.exposure)
+    for (const auto& moment : scene.exposure->moments) all.push_back(&moment->geometry->boundaries);
+  return all;
 }
 
 }  // namespace
@@ -57,13 +62,18 @@ bool RenderSteps::work(const PlannedRender& render, TileCollector& tiles, RunClo
   return finished_picture;
 }
 
-// Waits for the next step; none: no step is left, or `stop` is requested.
+bool RenderSteps::blocks_can_start(const PlannedRender& render) {
+  for (const BoundaryFeatures* boundaries : boundaries_of(render))
+    if (!boundaries->known_or_started()) return false;
+  return true;
+}
+
+// Waits for the next step; none: no step is left, boundaries failed, or `stop` is requested.
 std::optional<Step> RenderSteps::next(const PlannedRender& render, RunClock& clock,
                                       const std::stop_token& stop) {
-  const BoundaryFeatures* boundaries = boundaries_for(render);
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested() && !queue_.finished()) {
-    const bool blocks = !boundaries || boundaries->known();
+    const bool blocks = blocks_can_start(render);
     if (blocks || queue_.begun()) {
       if (std::optional<Step> step = queue_.take(blocks)) {
         ++running_;
@@ -77,8 +87,9 @@ std::optional<Step> RenderSteps::next(const PlannedRender& render, RunClock& clo
     }
     // Pixels take no more samples, so only the boundaries can help.
     lock.unlock();
-    if (!boundaries || !boundaries->wait(stop)) {
-      if (boundaries && boundaries->failed()) clock.fail();
+    for (const BoundaryFeatures* boundaries : boundaries_of(render)) {
+      if (boundaries->wait(stop)) continue;
+      if (boundaries->failed()) clock.fail();
       return std::nullopt;
     }
     lock.lock();

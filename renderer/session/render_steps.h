@@ -33,6 +33,9 @@ class RenderSteps {
   /// last round of samples, or not at all.
   void begin();
   [[nodiscard]] bool begun() const;
+  /// Returns whether the boundaries that the method uses are known, and begins to search the first
+  /// unknown ones.
+  [[nodiscard]] static bool blocks_can_start(const PlannedRender& render);
   /// Does steps until none is left, `stop` is requested, or the boundaries that the method needs
   /// are missing. Returns true if that finished the picture.
   bool work(const PlannedRender& render, TileCollector& tiles, RunClock& clock,

@@ -67,6 +67,8 @@ constexpr std::array features{
                   "", "Shadows", "Shadow rays"},
     RenderFeature{&Needs::soft_shadows, "soft shadows", "no light of some size casts shadows",
                   "pyrays to lights, refinement of penumbrae", "", "Quality, Divisions", ""},
+    RenderFeature{&Needs::boundaries, "edges", "only methods that cut pixels along edges need them",
+                  "search for edges", "edges and their hierarchy", "", ""},
     RenderFeature{&Needs::intersections, "intersections", "no surfaces pass through each other", "",
                   "lines of intersection", "", "crossing"},
     RenderFeature{&Needs::sky_picture, "sky picture", "no picture surrounds the scene (--sky)",
@@ -256,6 +258,7 @@ RenderFeatures find_render_features(const World& world) {
   render_features.varying_opacity =
       std::any_of(world.parts.begin(), world.parts.end(),
                   [&](const Part& part) { return opacity_varies(world, part); });
+  render_features.boundaries = true;
   render_features.intersections = true;
   return render_features;
 }

@@ -36,6 +36,7 @@ struct RenderFeatures {
   bool suns = false;
   bool shadows = false;       ///< some light casts them
   bool soft_shadows = false;  ///< a light with an extent casts them
+  bool boundaries = false;    ///< depends on the method
   bool intersections = false;
   /// An environment picture. No scene needs it; it comes with the settings.
   bool sky_picture = false;
@@ -81,8 +82,9 @@ struct RenderFeature {
 /// Returns the unneeded features.
 [[nodiscard]] std::vector<RenderFeature> features_left_out(const RenderFeatures& render_features);
 
-/// Returns the features that the surfaces of `world` and their materials need. `intersections` is
-/// true, since only FeatureSet finds out whether surfaces pass through each other.
+/// Returns the features that the surfaces of `world` and their materials need. `boundaries` and
+/// `intersections` are true: the former depends on the method, and only FeatureSet finds out
+/// whether surfaces pass through each other.
 [[nodiscard]] RenderFeatures find_render_features(const World& world);
 
 /// Returns whether the opacity of a non-opaque part may vary.

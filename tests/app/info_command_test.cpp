@@ -92,6 +92,22 @@ TEST(InfoCommand, SaysWhatIsLeftOutAndWhy) {
                        "rows: disk\n"));
 }
 
+TEST(InfoCommand, StartsNoSearchForEdges) {
+  Scene scene = load_scene("builtin:boxes").value();
+  const auto names = [](const ordered_json& info) {
+    std::vector<std::string> features;
+    for (const auto& left_out : info["left_out"]) features.push_back(left_out["feature"]);
+    return features;
+  };
+  const auto ready = prepare(scene).value();
+  const std::vector<std::string> unsearched = names(scene_info_json(scene, *ready));
+  EXPECT_FALSE(ready->geometry->boundaries.running());
+  EXPECT_EQ(std::count(unsearched.begin(), unsearched.end(), "edges"), 1);
+  const std::vector<std::string> searched = names(info_of(scene));
+  EXPECT_EQ(std::count(searched.begin(), searched.end(), "edges"), 0);
+  EXPECT_TRUE(contains(run_asos({"info", "builtin:boxes"}).out, "  edges: only methods that cut"));
+}
+
 TEST(InfoCommand, ForcesEverythingOnWhenAsked) {
   const auto info = [](const std::vector<std::string>& more) {
     std::vector<std::string> words{"info", "builtin:boxes", "--json"};

@@ -166,7 +166,7 @@ void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec
     choice.error = "Click a surface in the picture first.";
     return;
   }
-  if (!previewer.scene()->geometry->boundaries.known()) {
+  if (!previewer.scene()->geometry->boundaries.known_or_started()) {
     choice.error = "Edges are still being searched.";
     return;
   }

@@ -1,3 +1,4 @@
+#include "renderer/comparison/method.h"
 #include "renderer/settings/names.h"
 #include "renderer/world/ground.h"
 #include "ui/panels/panels.h"
@@ -96,8 +97,10 @@ void scene_panel(Controls& controls, const RenderScene& scene, const RenderSetti
   const BoundaryFeatures& boundaries = geometry.boundaries;
   if (boundaries.known()) {
     edge_rows(controls, boundaries.get().counts());
-  } else {
+  } else if (boundaries.running()) {
     controls.row("Edges", "(searching)", "Edges are being searched.");
+  } else {
+    controls.row("Edges", "(not searched)", "The search begins when a method needs edges.");
   }
   controls.row("Loaded in", fmt::format("{:.2f} s", load_seconds + geometry.build_seconds),
                fmt::format("{:.2f} s to read the file, {:.2f} s for the ray hierarchy. {:.2f} s "
@@ -106,7 +109,7 @@ void scene_panel(Controls& controls, const RenderScene& scene, const RenderSetti
                    .c_str());
   controls.row("Memory", fmt::format("{:.1f} MB", geometry.memory_mb()),
                "Geometry, textures and hierarchies, in megabytes.");
-  left_out_rows(controls, needs_of(scene, settings));
+  left_out_rows(controls, needs_of_picture(scene, settings));
 }
 
 }  // namespace asos::ui

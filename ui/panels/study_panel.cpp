@@ -303,7 +303,7 @@ void update_study(ViewStudy& study, const Previewer& previewer, bool other_work)
   if (study.scene() && study.scene() != previewer.scene().get()) study.clear();
   const OpenScene& scene = previewer.scene();
   study.update(other_work || previewer.render().progress().running || scene.loading().has_value() ||
-               (scene && !scene->geometry->boundaries.known()));
+               (scene && scene->geometry->boundaries.running()));
 }
 
 void study_panel(Controls& controls, StudyChoice& choice, ViewStudy& study,

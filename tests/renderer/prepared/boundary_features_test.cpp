@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <new>
 #include <optional>
@@ -47,6 +48,42 @@ TEST(BoundaryFeatures, BlocksUntilTheSearchEnds) {
   EXPECT_EQ(edges[1], edges[0]);
 }
 
+TEST(BoundaryFeatures, BeginsTheSearchOnDemandAndOnce) {
+  Gate gate;
+  std::atomic<int> searches = 0;
+  BoundaryFeatures boundaries;
+  boundaries.find([&](const std::stop_token& stop) {
+    ++searches;
+    if (!gate.wait(stop)) throw SearchStopped();
+    return FeatureSet();
+  });
+  EXPECT_FALSE(boundaries.running());
+  EXPECT_FALSE(boundaries.known_or_started());
+  EXPECT_TRUE(boundaries.running());
+  boundaries.start();
+  gate.open();
+  EXPECT_TRUE(boundaries.wait());
+  EXPECT_FALSE(boundaries.running());
+  boundaries.start();
+  EXPECT_TRUE(boundaries.known_or_started());
+  EXPECT_EQ(searches, 1);
+}
+
+TEST(BoundaryFeatures, AreNotSoughtWithoutDemand) {
+  bool sought = false;
+  {
+    BoundaryFeatures boundaries;
+    boundaries.find([&](const std::stop_token&) {
+      sought = true;
+      return FeatureSet();
+    });
+    EXPECT_FALSE(boundaries.known());
+    EXPECT_FALSE(boundaries.failed());
+    EXPECT_EQ(boundaries.seconds(), 0.0);
+  }
+  EXPECT_FALSE(sought);
+}
+
 TEST(BoundaryFeatures, WaitingEndsWithAStop) {
   Gate gate;
   BoundaryFeatures boundaries;
@@ -69,6 +106,7 @@ TEST(BoundaryFeatures, DestructionStopsTheSearch) {
       stopped = !never.wait(stop);
       throw SearchStopped();
     });
+    boundaries.start();
   }
   EXPECT_TRUE(stopped);
 }
@@ -109,10 +147,11 @@ TEST(FeatureSet, EndsSoonOnceAStopIsRequested) {
   }
 }
 
-TEST(Prepare, LeavesTheBoundariesToFindThemselves) {
+TEST(Prepare, LeavesTheBoundariesToTheMethodsThatNeedThem) {
   const auto scene = prepare(load_scene("builtin:boxes").value()).value();
   const RenderFeatures before = scene->render_features;
-  EXPECT_TRUE(before.intersections) << "the search has not ended";
+  EXPECT_FALSE(scene->geometry->boundaries.running()) << "no method needs them yet";
+  EXPECT_TRUE(before.intersections) << "they are unknown";
   const auto same = with_boundaries(scene).value();
   EXPECT_EQ(same, scene);
   EXPECT_TRUE(scene->geometry->boundaries.known());

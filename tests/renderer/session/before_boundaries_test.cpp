@@ -109,14 +109,20 @@ TEST(BeforeBoundaries, ThePictureIsTheSameInTheEnd) {
   }
 }
 
-TEST(BeforeBoundaries, MethodsThatNeedNoneDoNotWait) {
+TEST(BeforeBoundaries, MethodsThatNeedNoneStartNoSearch) {
   Gate closed;
   const auto geometry = held_geometry(closed);
   for (const Method method : {Method::uniform, Method::sobol, Method::whitted}) {
     Snapshot snapshot = snapshot_of(geometry, method);
     snapshot.settings.sampling.spp = 4;
     EXPECT_EQ(render_to_end(snapshot).film.width, 96);
+    RenderSession session;
+    snapshot.progressive = true;
+    session.restart(snapshot);
+    session.wait();
+    EXPECT_TRUE(session.progress().finished);
   }
+  EXPECT_FALSE(geometry->boundaries.running());
   EXPECT_FALSE(geometry->boundaries.known());
 }
 

@@ -43,6 +43,7 @@ Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_ra
 RenderFeatures least_needs() {
   RenderFeatures render_features;
   render_features.unused_images = true;
+  render_features.boundaries = true;
   render_features.intersections = true;
   return render_features;
 }
