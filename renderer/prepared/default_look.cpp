@@ -33,7 +33,7 @@ DefaultLook default_look(const RenderScene& scene) {
 
 Background default_background(const Sky* sky) {
   Background background;
-  if (!sky || !sky->choice().environment || !environment_picture(*sky->choice().environment))
+  if (!sky || !sky->choice().environment || !has_picture(*sky->choice().environment))
     return background;
   const auto scaled = [&](float radiance) {
     const auto most = static_cast<double>(Background::brightest);

@@ -278,15 +278,17 @@ bool SampleSums::shade_plain() {
       mirrors =
           simd_.reflect(i, seen_by(index, sample.side), gathered.points, transport, statistics_);
     }
+    simd_.set_mirrors(i, mirrors);
+    if (sky_rays) simd_.add_sky(i, gathered.points, transport, statistics_);
+  }
+  if (!sky_rays) simd_.reflect_skies(gathered.points);
+  for (std::size_t i = 0; i < simd_.count(); ++i) {
+    const std::size_t target = samples_[simd_.index(i)].target;
     const glm::dvec3 emission(simd_.emission(i));
-    if (sky_rays) {
-      sums().add({sample.target}, emission, emission, glm::dvec3(0.0));
-      simd_.add_sky(i, gathered.points, mirrors, transport, statistics_);
-    } else {
-      const glm::dvec3 radiance(simd_.unlit_radiance(i, gathered.points, mirrors));
-      sums().add({sample.target}, radiance, emission, glm::dvec3(0.0));
-    }
-    count(sample.target);
+    const glm::dvec3 radiance =
+        sky_rays ? emission : glm::dvec3(simd_.unlit_radiance(i, gathered.points));
+    sums().add({target}, radiance, emission, glm::dvec3(0.0));
+    count(target);
   }
   return true;
 }

@@ -23,6 +23,7 @@ SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
               !viewer.passage.in_medium() && viewer.shader.settings().backdrop.shows_light()),
       reflections_(viewer.bounces < viewer.shader.reflections()),
       roughest_mirror_(viewer.shader.settings().roughest_mirror),
+      picture_(sky_ ? sky_->picture_lobes() : Sky::PictureLobes{}),
       same_sky_(!sky_ || sky_->constant()) {
   if (!viewer.sees_bare_lights()) {
     const BackgroundRadiance environment;
@@ -111,20 +112,36 @@ bool SimdSamples::reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& p
   return true;
 }
 
-glm::vec3 SimdSamples::unlit_radiance(std::size_t i, const ShadingPoints& points,
-                                      bool mirrors) const {
-  const glm::vec3 specular = mirrors ? glm::vec3(0.0f) : arrays_->materials.specular.at(i);
+bool SimdSamples::lobe_reflects_sky(std::size_t i) const {
+  return !arrays_->mirrors[i] && arrays_->materials.specular.at(i) != glm::vec3(0.0f);
+}
+
+void SimdSamples::reflect_skies(const ShadingPoints& points) {
+  if (!picture_.lobes) return;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const bool broad = arrays_->materials.roughness[i] >= SkyLobes::least_roughness;
+    arrays_->sky.lobe_reflects[i] = broad && lobe_reflects_sky(i) ? 1.0f : 0.0f;
+  }
+  reflect_sky(picture_, arrays_->materials, points, arrays_->sky);
+}
+
+glm::vec3 SimdSamples::unlit_radiance(std::size_t i, const ShadingPoints& points) const {
+  const glm::vec3 emission = arrays_->emission[i];
+  const bool known =
+      picture_.lobes && (arrays_->sky.lobe_reflects[i] > 0.0f || !lobe_reflects_sky(i));
+  if (known) return emission + (arrays_->sky.diffuse.at(i) + arrays_->sky.by_lobe.at(i));
+  const glm::vec3 specular =
+      arrays_->mirrors[i] ? glm::vec3(0.0f) : arrays_->materials.specular.at(i);
   const glm::vec3 ambient = arrays_->materials.ambient.at(i);
   const float roughness = arrays_->materials.roughness[i];
   if (same_sky_)
-    return arrays_->emission[i] +
+    return emission +
            sky_radiance_ * (sky_visibility * ambient + mirrored_visibility(roughness) * specular);
   ViewedMaterial seen{};
   seen.ambient = ambient;
   seen.specular = specular;
   seen.roughness = roughness;
-  return arrays_->emission[i] +
-         reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
+  return emission + reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
 }
 
 ViewedMaterial SimdSamples::viewed_material(std::size_t i, const ShadingPoints& points) const {
@@ -139,14 +156,14 @@ ViewedMaterial SimdSamples::viewed_material(std::size_t i, const ShadingPoints& 
   return seen;
 }
 
-void SimdSamples::add_sky(std::size_t i, const ShadingPoints& points, bool mirrors,
-                          LightTransport& transport, RenderStatistics& counts) const {
+void SimdSamples::add_sky(std::size_t i, const ShadingPoints& points, LightTransport& transport,
+                          RenderStatistics& counts) const {
   const ViewedMaterial seen = viewed_material(i, points);
   const SurfacePoint point =
       surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
   const ViewedPoint view{point, points.to_viewer.at(i), points.n_dot_v[i]};
   glm::vec3 later(0.0f);
-  (void)transport.add_sky({sky_, view, seen, mirrors}, later, counts);
+  (void)transport.add_sky({sky_, view, seen, arrays_->mirrors[i]}, later, counts);
 }
 
 }  // namespace asos

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/kernels/sky_kernel.h"
 #include "renderer/kernels/surface_batch.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/prepared/view_context.h"
@@ -50,14 +51,16 @@ class SimdSamples {
   /// Follows its reflection, as Shader::reflect does, and records that in `points`.
   [[nodiscard]] bool reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& points,
                              LightTransport& transport, RenderStatistics& counts) const;
-  /// Returns its radiance without lights and reflections. If it `mirrors`, the sky contributes only
-  /// diffusely.
-  [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const ShadingPoints& points,
-                                         bool mirrors) const;
+  /// Notes whether its reflection is followed, so that the sky contributes only diffusely.
+  void set_mirrors(std::size_t i, bool mirrors) { arrays_->mirrors[i] = mirrors; }
+  /// Computes what all points reflect of the sky, once that is noted for each.
+  void reflect_skies(const ShadingPoints& points);
+  /// Returns its radiance without lights and reflections.
+  [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const ShadingPoints& points) const;
   /// Returns its own emission.
   [[nodiscard]] glm::vec3 emission(std::size_t i) const { return arrays_->emission[i]; }
   /// Adds a ray to the sky or its occluder through `transport`.
-  void add_sky(std::size_t i, const ShadingPoints& points, bool mirrors, LightTransport& transport,
+  void add_sky(std::size_t i, const ShadingPoints& points, LightTransport& transport,
                RenderStatistics& counts) const;
 
  private:
@@ -67,6 +70,8 @@ class SimdSamples {
     TriangleBatch hits;
     SurfaceRest rest;
     MaterialBatch materials;
+    SkyBatch sky;
+    std::array<bool, ShadingPoints::size> mirrors;
     std::array<glm::vec3, ShadingPoints::size> emission;
     std::array<const SimdMaterial*, ShadingPoints::size> material;
     std::array<Hit, ShadingPoints::size> hit;
@@ -75,6 +80,7 @@ class SimdSamples {
     std::size_t looked_up_count = 0;
   };
   [[nodiscard]] ViewedMaterial viewed_material(std::size_t i, const ShadingPoints& points) const;
+  [[nodiscard]] bool lobe_reflects_sky(std::size_t i) const;
   void look_up_material(std::size_t i, ShadingPoints& points);
 
   const World& world_;
@@ -87,6 +93,7 @@ class SimdSamples {
   bool usable_;
   bool reflections_;
   float roughest_mirror_;
+  Sky::PictureLobes picture_;
   bool same_sky_;                 // the same in all directions
   glm::vec3 sky_radiance_{0.0f};  // of such a sky
   std::optional<glm::vec3> background_;

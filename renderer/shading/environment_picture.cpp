@@ -1,6 +1,7 @@
 #include "renderer/shading/environment_picture.h"
 
 #include "renderer/shading/sky.h"
+#include "renderer/tasks.h"
 
 #include <glm/glm.hpp>
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <tbb/task_arena.h>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,10 @@ namespace asos {
 namespace {
 
 constexpr int picture_width = 1024;
+/// Width of the picture for the lobes, whose panels have edges as soft as its texels.
+constexpr int lobes_width = 256;
+/// Width of a panel's edge, some two texels.
+constexpr double panel_edge = 0.012;
 
 /// A rectangle around the scene that faces its centre. Azimuths are about +Y from +Z.
 struct Panel {
@@ -51,56 +57,60 @@ constexpr Room soft_box_room{glm::dvec3(0.24), glm::dvec3(0.33), glm::dvec3(0.46
 constexpr Room window_room{
     {0.10, 0.075, 0.05}, {0.26, 0.20, 0.145}, {0.46, 0.44, 0.40}, {0.62, 0.62, 0.62}, room_windows};
 
-/// Returns 1 within `half` and 0 beyond, with an edge about two texels wide.
-double within(double distance, double half) {
-  constexpr double edge = 0.012;
+/// Returns 1 within `half` and 0 beyond.
+double within(double distance, double half, double edge) {
   return std::clamp(0.5 + (half - distance) / edge, 0.0, 1.0);
 }
 
 /// A panel with its own axes.
 struct PlacedPanel {
   const Panel* panel;
+  double edge;
   glm::dvec3 forward, right, up;
+  double least_ahead;  ///< of the directions to its corners
 
-  explicit PlacedPanel(const Panel& of) : panel(&of) {
+  PlacedPanel(const Panel& of, double with_edge) : panel(&of), edge(with_edge) {
     constexpr double degree = std::numbers::pi / 180.0;
     const double a = of.azimuth_deg * degree, e = of.elevation_deg * degree;
     forward = {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
     right = {std::cos(a), 0.0, -std::sin(a)};
     up = glm::cross(forward, right);
+    const double width = of.half_width + edge, height = of.half_height + edge;
+    least_ahead = std::max(0.05, 1.0 / std::sqrt(1.0 + width * width + height * height));
   }
 
   /// Returns the panel's coverage of a direction, 0 to 1.
   [[nodiscard]] double cover(glm::dvec3 d) const {
     const double ahead = glm::dot(forward, d);
-    if (ahead < 0.05) return 0.0;
+    if (ahead < least_ahead) return 0.0;
     const double x = glm::dot(right, d) / ahead, y = glm::dot(up, d) / ahead;
-    const double covered =
-        within(std::abs(x), panel->half_width) * within(std::abs(y), panel->half_height);
+    const double covered = within(std::abs(x), panel->half_width, edge) *
+                           within(std::abs(y), panel->half_height, edge);
     if (covered == 0.0) return 0.0;
     return covered * beside_bars(x, panel->half_width, panel->columns) *
            beside_bars(y, panel->half_height, panel->rows);
   }
 
  private:
-  static double beside_bars(double at, double half, int panes) {
+  [[nodiscard]] double beside_bars(double at, double half, int panes) const {
     constexpr double bar = 0.012;
     double free = 1.0;
     for (int i = 1; i < panes; ++i)
-      free *= 1.0 - within(std::abs(at - half * (2.0 * i / panes - 1.0)), bar);
+      free *= 1.0 - within(std::abs(at - half * (2.0 * i / panes - 1.0)), bar, edge);
     return free;
   }
 };
 
 class PlacedRoom {
  public:
-  explicit PlacedRoom(const Room& room)
-      : room_(room), panels_(room.panels.begin(), room.panels.end()) {}
+  explicit PlacedRoom(const Room& room, double edge = panel_edge) : room_(room), edge_(edge) {
+    for (const Panel& panel : room.panels) panels_.emplace_back(panel, edge);
+  }
 
   [[nodiscard]] glm::dvec3 radiance(glm::dvec3 d) const {
     const glm::dvec3 above = glm::mix(room_.wall, room_.zenith, std::max(0.0, d.y));
     const glm::dvec3 below = glm::mix(room_.floor, room_.nadir, std::max(0.0, -d.y));
-    glm::dvec3 radiance = glm::mix(below, above, within(-d.y, 0.0));
+    glm::dvec3 radiance = glm::mix(below, above, within(-d.y, 0.0, edge_));
     for (const PlacedPanel& placed : panels_)
       radiance = glm::mix(radiance, placed.panel->radiance, placed.cover(d));
     return radiance;
@@ -108,25 +118,29 @@ class PlacedRoom {
 
  private:
   Room room_;
+  double edge_;
   std::vector<PlacedPanel> panels_;
 };
 
-std::shared_ptr<const SkyMap> painted(const Room& of) {
-  const PlacedRoom room(of);
-  constexpr int height = picture_width / 2;
-  std::vector<glm::vec3> texels;
-  texels.reserve(static_cast<std::size_t>(picture_width) * height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < picture_width; ++x) {
-      // As in SkyRows, column 0 is at +Z and columns continue through -X.
-      const double turn = 2.0 * std::numbers::pi * (x + 0.5) / picture_width;
-      const double fall = std::numbers::pi * (y + 0.5) / height;
-      const glm::dvec3 d(-std::sin(turn) * std::sin(fall), std::cos(fall),
-                         std::cos(turn) * std::sin(fall));
-      texels.emplace_back(room.radiance(d));
-    }
+SkyMap painted(const PlacedRoom& room, int width) {
+  const int height = width / 2;
+  std::vector<glm::dvec2> turns;  // sine and cosine
+  for (int x = 0; x < width; ++x) {
+    // As in SkyRows, column 0 is at +Z and columns continue through -X.
+    const double turn = 2.0 * std::numbers::pi * (x + 0.5) / width;
+    turns.emplace_back(std::sin(turn), std::cos(turn));
   }
-  return std::make_shared<const SkyMap>(picture_width, height, std::move(texels));
+  std::vector<glm::vec3> texels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const auto paint_row = [&](std::size_t y) {
+    const double fall = std::numbers::pi * (static_cast<double>(y) + 0.5) / height;
+    const double sine = std::sin(fall), cosine = std::cos(fall);
+    glm::vec3* row = &texels[y * static_cast<std::size_t>(width)];
+    for (const glm::dvec2 turn : turns)
+      *row++ = room.radiance({-turn.x * sine, cosine, turn.y * sine});
+  };
+  // A thread that waits here must not begin another task: that may wait for this picture.
+  tbb::this_task_arena::isolate([&] { in_tasks(static_cast<std::size_t>(height), paint_row); });
+  return {width, height, std::move(texels)};
 }
 
 const Room* room_of(Environment environment) {
@@ -135,16 +149,34 @@ const Room* room_of(Environment environment) {
   return nullptr;
 }
 
+std::shared_ptr<const SkyLobes> lobes_of(const Room& room) {
+  const PlacedRoom soft(room, 2.0 * std::numbers::pi / lobes_width);
+  return std::make_shared<const SkyLobes>(painted(soft, lobes_width));
+}
+
 }  // namespace
 
-std::shared_ptr<const SkyMap> environment_picture(Environment environment) {
+bool has_picture(Environment environment) {
+  return room_of(environment) != nullptr;
+}
+
+const SkyMap& environment_picture(Environment environment) {
   if (environment == Environment::softboxes) {
-    static const std::shared_ptr<const SkyMap> picture = painted(soft_box_room);
+    static const SkyMap picture = painted(PlacedRoom(soft_box_room), picture_width);
     return picture;
   }
+  static const SkyMap picture = painted(PlacedRoom(window_room), picture_width);
+  return picture;
+}
+
+std::shared_ptr<const SkyLobes> environment_lobes(Environment environment) {
+  if (environment == Environment::softboxes) {
+    static const std::shared_ptr<const SkyLobes> lobes = lobes_of(soft_box_room);
+    return lobes;
+  }
   if (environment == Environment::windows) {
-    static const std::shared_ptr<const SkyMap> picture = painted(window_room);
-    return picture;
+    static const std::shared_ptr<const SkyLobes> lobes = lobes_of(window_room);
+    return lobes;
   }
   return nullptr;
 }

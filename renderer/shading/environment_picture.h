@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/shading/sky_choice.h"
+#include "renderer/shading/sky_lobes.h"
 #include "renderer/shading/sky_map.h"
 
 #include <glm/glm.hpp>
@@ -9,9 +10,16 @@
 
 namespace asos {
 
-/// Returns the equirectangular picture of an environment with panels, windows or walls; null for
-/// one that a gradient describes. It is painted at the first call and then shared. Any thread.
-[[nodiscard]] std::shared_ptr<const SkyMap> environment_picture(Environment environment);
+/// Returns whether an environment has panels, windows or walls; a gradient describes the others.
+[[nodiscard]] bool has_picture(Environment environment);
+
+/// Returns the equirectangular picture of an environment that has one. It is painted at the first
+/// call and then shared. Any thread.
+[[nodiscard]] const SkyMap& environment_picture(Environment environment);
+
+/// Returns what surfaces reflect of that picture, without painting it; null for an environment
+/// without one. Likewise shared.
+[[nodiscard]] std::shared_ptr<const SkyLobes> environment_lobes(Environment environment);
 
 /// Radiance of an environment from a unit direction, without its picture: for thumbnails.
 [[nodiscard]] glm::vec3 environment_radiance(Environment environment, glm::dvec3 direction);

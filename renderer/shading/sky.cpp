@@ -62,7 +62,6 @@ glm::vec3 around_ridge(const Sky& sky, const ViewedMaterial& seen, glm::vec3 nor
   constexpr int facets = 9;
   const float alpha = alpha_along(seen.stretch, seen.roughness);
   const glm::vec3 along = glm::normalize(seen.stretch.along);
-  const auto width = static_cast<float>(lobe_width(static_cast<double>(seen.roughness)));
   glm::vec3 sum(0.0f);
   int met = 0;
   for (int k = 0; k < facets; ++k) {
@@ -70,10 +69,10 @@ glm::vec3 around_ridge(const Sky& sky, const ViewedMaterial& seen, glm::vec3 nor
     const glm::vec3 facet = glm::normalize(normal + (alpha * c / std::sqrt(1.0f - c * c)) * along);
     const glm::vec3 direction = glm::reflect(-to_viewer, facet);
     if (!(glm::dot(facet, to_viewer) > 0.0f) || !(glm::dot(direction, normal) > 0.0f)) continue;
-    sum += sky.around(direction, width);
+    sum += sky.around(direction, seen.roughness);
     ++met;
   }
-  return met > 0 ? sum / static_cast<float>(met) : sky.around(normal, width);
+  return met > 0 ? sum / static_cast<float>(met) : sky.around(normal, seen.roughness);
 }
 
 }  // namespace
@@ -82,19 +81,21 @@ Sky::Sky(glm::vec3 zenith, glm::vec3 horizon) : gradient_({zenith, horizon, hori
   choice_.colours = {zenith, horizon};
 }
 
-Sky::Sky(Environment environment) : map_(environment_picture(environment)) {
+Sky::Sky(Environment environment) : lobes_(environment_lobes(environment)) {
   choice_.environment = environment;
   follow_environment();
 }
 
 Sky::Sky(SkyMap map, double turn_deg, std::string file)
-    : map_(std::make_shared<const SkyMap>(std::move(map))), choice_{{}, std::move(file)} {
+    : map_(std::make_shared<const SkyMap>(std::move(map))),
+      lobes_(std::make_shared<const SkyLobes>(*map_)),
+      choice_{{}, std::move(file)} {
   *this = turned(turn_deg);
 }
 
 Sky Sky::turned(double turn_deg) const {
   Sky sky = *this;
-  if (!map_ && !choice_.environment) return sky;
+  if (!is_picture() && !choice_.environment) return sky;
   sky.choice_.turn_deg = turn_deg;
   sky.turn_cos_ = std::cos(turn_deg * std::numbers::pi / 180.0);
   sky.turn_sin_ = std::sin(turn_deg * std::numbers::pi / 180.0);
@@ -104,7 +105,7 @@ Sky Sky::turned(double turn_deg) const {
 
 Sky Sky::brightened(double times) const {
   Sky sky = *this;
-  if (!map_ && !choice_.environment) return sky;
+  if (!is_picture() && !choice_.environment) return sky;
   sky.choice_.brightness = sky.brightness_ = times;
   sky.follow_environment();
   return sky;
@@ -112,7 +113,7 @@ Sky Sky::brightened(double times) const {
 
 /// Applies turn and brightness to the gradient of an environment without a picture.
 void Sky::follow_environment() {
-  if (map_ || !choice_.environment) return;
+  if (is_picture() || !choice_.environment) return;
   const EnvironmentRow& row = row_of(*choice_.environment);
   Gradient::Colours scaled = row.colours;
   for (glm::vec3* colour : {&scaled.zenith, &scaled.above, &scaled.below, &scaled.nadir})
@@ -135,6 +136,10 @@ std::string Sky::name() const {
   return name;
 }
 
+const SkyMap& Sky::map() const {
+  return map_ ? *map_ : environment_picture(*choice_.environment);
+}
+
 glm::dvec3 Sky::in_map(glm::dvec3 d) const {
   return {turn_cos_ * d.x - turn_sin_ * d.z, d.y, turn_sin_ * d.x + turn_cos_ * d.z};
 }
@@ -144,7 +149,7 @@ glm::vec3 Sky::radiance(glm::vec3 direction, glm::vec3 right, glm::vec3 down) co
   const glm::dvec3 middle(direction), r(right), s(down);
   const double width = glm::length(across(middle, r)), height = glm::length(across(middle, s));
   // Fast path: a small patch on one side of a gradient's horizon, as in nearly all pixels.
-  if (!map_ && std::max(width, height) <= widest_part &&
+  if (!is_picture() && std::max(width, height) <= widest_part &&
       gradient_.linear_near(middle.y, width + height)) {
     const glm::dvec3 mean = gradient_.mean(middle.y, 0.0);
     return sides_.none() ? mean : mean + sides_.mean(middle, r, s);
@@ -153,11 +158,14 @@ glm::vec3 Sky::radiance(glm::vec3 direction, glm::vec3 right, glm::vec3 down) co
   return mean_of_parts({middle, r, s}, n.right, n.down);
 }
 
-glm::vec3 Sky::around(glm::vec3 direction, float width) const {
+glm::vec3 Sky::around(glm::vec3 direction, float roughness) const {
   if (constant()) return gradient_.zenith();
+  const PictureLobes picture = picture_lobes();
+  if (picture.lobes && roughness >= SkyLobes::least_roughness)
+    return picture.brightness * picture.lobes->around(picture.turned(direction), roughness);
   const glm::dvec3 middle(direction);
-  const double w = static_cast<double>(width);
-  if (!map_) {
+  const double w = lobe_width(static_cast<double>(roughness));
+  if (!is_picture()) {
     const glm::dvec3 mean = gradient_.around(middle.y, w);
     return sides_.none() ? mean : mean + sides_.around(middle, w);
   }
@@ -185,28 +193,28 @@ glm::dvec3 Sky::mean_of_parts(const Directions& all, int across_right, int acros
 glm::dvec3 Sky::part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const {
   const glm::dvec3 r = across(direction, right), s = across(direction, down);
   // Use a square, or a range of heights, with the variance of the part.
-  if (map_)
-    return brightness_ * glm::dvec3(map_->mean(in_map(direction),
+  if (is_picture())
+    return brightness_ * glm::dvec3(map().mean(in_map(direction),
                                                std::hypot(glm::length(r), glm::length(s)) / sqrt2));
   const glm::dvec3 mean = gradient_.mean(direction.y, 0.5 * std::sqrt(r.y * r.y + s.y * s.y));
   return sides_.none() ? mean : mean + sides_.mean(direction, r, s);
 }
 
 SkyDirection Sky::bright_direction(glm::dvec2 place) const {
-  SkyDirection found = map_->distribution().at(place);
+  SkyDirection found = map().distribution().at(place);
   const glm::dvec3 d = found.direction;
   found.direction = {turn_cos_ * d.x + turn_sin_ * d.z, d.y, -turn_sin_ * d.x + turn_cos_ * d.z};
   return found;
 }
 
 double Sky::bright_density(glm::vec3 direction) const {
-  return map_->distribution().density(in_map(direction));
+  return map().distribution().density(in_map(direction));
 }
 
 glm::vec3 Sky::ambient(glm::vec3 normal) const {
-  if (map_)
-    return sky_visibility * static_cast<float>(brightness_) *
-           map_->irradiance_over_pi(in_map(normal));
+  if (const PictureLobes picture = picture_lobes(); picture.lobes)
+    return sky_visibility * picture.brightness *
+           picture.lobes->irradiance_over_pi(picture.turned(normal));
   if (constant()) return sky_visibility * gradient_.zenith();
   glm::dvec3 irradiance = gradient_.irradiance_over_pi(normal);
   if (!sides_.none()) irradiance += sides_.irradiance_over_pi(normal);
@@ -244,10 +252,9 @@ glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 no
   const glm::vec3 diffuse = sky->ambient(normal) * seen.ambient;
   if (seen.specular == glm::vec3(0.0f)) return diffuse;
   const glm::vec3 mirrored = glm::reflect(-to_viewer, normal);
-  const auto width = static_cast<float>(lobe_width(static_cast<double>(seen.roughness)));
   if (!seen.stretch.none())
     return diffuse + share * around_ridge(*sky, seen, normal, to_viewer) * seen.specular;
-  return diffuse + share * sky->around(mirrored, width) * seen.specular;
+  return diffuse + share * sky->around(mirrored, seen.roughness) * seen.specular;
 }
 
 }  // namespace asos

@@ -6,6 +6,7 @@
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/gradient.h"
 #include "renderer/shading/sky_choice.h"
+#include "renderer/shading/sky_lobes.h"
 #include "renderer/shading/sky_map.h"
 
 #include <glm/glm.hpp>
@@ -36,9 +37,10 @@ class Sky {
   [[nodiscard]] glm::vec3 radiance(glm::vec3 direction, glm::vec3 right = glm::vec3(0.0f),
                                    glm::vec3 down = glm::vec3(0.0f)) const;
 
-  /// Returns the mean over the square of this width around a unit direction, within a few
-  /// hundredths. Used for the lobes of surfaces.
-  [[nodiscard]] glm::vec3 around(glm::vec3 direction, float width) const;
+  /// Returns the mean over the square of lobe_width(roughness) around a unit direction, one unit
+  /// ahead. Its edges are any_perpendicular to the direction. Within a few hundredths: one look-up
+  /// from SkyLobes::least_roughness on.
+  [[nodiscard]] glm::vec3 around(glm::vec3 direction, float roughness) const;
 
   /// Returns the irradiance over pi of a surface with this unit normal, times sky_visibility.
   [[nodiscard]] glm::vec3 ambient(glm::vec3 normal) const;
@@ -56,8 +58,25 @@ class Sky {
   /// `times`. Constant colours stay the same.
   [[nodiscard]] Sky brightened(double times) const;
 
-  [[nodiscard]] bool constant() const { return !map_ && gradient_.constant() && sides_.none(); }
-  [[nodiscard]] bool is_picture() const { return map_ != nullptr; }
+  [[nodiscard]] bool constant() const { return !lobes_ && gradient_.constant() && sides_.none(); }
+  [[nodiscard]] bool is_picture() const { return lobes_ != nullptr; }
+
+  /// The lobes of a picture, for kernels: `around` and `ambient` are its values in the turned
+  /// direction, times `brightness`. Null for other skies.
+  struct PictureLobes {
+    const SkyLobes* lobes = nullptr;
+    float brightness = 1.0f;
+    float turn_cos = 1.0f;
+    float turn_sin = 0.0f;
+
+    [[nodiscard]] glm::vec3 turned(glm::vec3 d) const {
+      return {turn_cos * d.x - turn_sin * d.z, d.y, turn_sin * d.x + turn_cos * d.z};
+    }
+  };
+  [[nodiscard]] PictureLobes picture_lobes() const {
+    return {lobes_.get(), static_cast<float>(brightness_), static_cast<float>(turn_cos_),
+            static_cast<float>(turn_sin_)};
+  }
 
   /// Returns the sky's name on the command line, with turn and brightness: the environment,
   /// "R,G,B:R,G,B" or the file.
@@ -72,12 +91,14 @@ class Sky {
   void follow_environment();
   [[nodiscard]] glm::dvec3 mean_of_parts(const Directions& all, int across_right,
                                          int across_down) const;
+  [[nodiscard]] const SkyMap& map() const;
   [[nodiscard]] glm::dvec3 in_map(glm::dvec3 direction) const;
   [[nodiscard]] glm::dvec3 part_mean(glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const;
 
   Gradient gradient_;
   AzimuthVariation sides_;
-  std::shared_ptr<const SkyMap> map_;
+  std::shared_ptr<const SkyMap> map_;  // of a file
+  std::shared_ptr<const SkyLobes> lobes_;
   double brightness_ = 1.0;  // of the picture
   double turn_cos_ = 1.0;
   double turn_sin_ = 0.0;

@@ -1,11 +1,13 @@
 #include "renderer/shading/sky_map.h"
 
 #include "renderer/shading/texture_filter.h"
+#include "renderer/tasks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tbb/task_arena.h>
 #include <utility>
 
 namespace asos {
@@ -13,9 +15,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The irradiance is computed from texels of some 3 degrees and stored for normals 6 degrees apart.
-constexpr int irradiance_source_rows = 64;
-constexpr int irradiance_rows = 32;
 /// For a picture with more texels than this, the second level is computed on access. Storing it
 /// would take another two thirds of the picture's memory.
 constexpr std::size_t large_picture = std::size_t{1} << 23;
@@ -90,94 +89,41 @@ SkyRows polar_rows(const SkyRows& picture, const SkyRows& shape) {
   return kept;
 }
 
-/// Fills `coarse` with means of `fine` by solid angle. `texel(row, column)` returns the texels of
-/// `fine`.
+/// Fills `coarse` with means of `fine` by solid angle, on all processors. `texel(row, column)`
+/// returns the texels of `fine`.
 template <typename Texel>
 void fill_with_means(const SkyRows& fine, SkyRows& coarse, const Texel& texel) {
   const int rows = coarse.rows();
-  coarse.texels.reserve(coarse.start.back());
+  std::vector<glm::vec3> means(coarse.start.back());
   const double ratio = static_cast<double>(fine.rows()) / rows;
   const auto height_at = [&](double fine_row) { return std::cos(pi * fine_row / fine.rows()); };
-  for (int r = 0; r < rows; ++r) {
+  const auto fill_row = [&](std::size_t row) {
+    const int r = static_cast<int>(row);
     const double from = r * ratio, to = (r + 1) * ratio;
+    const int first = static_cast<int>(from);
     const int last = std::min(fine.rows(), static_cast<int>(std::ceil(to)));
+    std::vector<double> shares;
+    for (int k = first; k < last; ++k)
+      shares.push_back(height_at(std::max(from, static_cast<double>(k))) -
+                       height_at(std::min(to, k + 1.0)));
     const int n = coarse.columns(r);
     for (int i = 0; i < n; ++i) {
       const double lo = static_cast<double>(i) / n, hi = static_cast<double>(i + 1) / n;
       glm::dvec3 sum(0.0);
       double weight = 0.0;
-      for (int k = static_cast<int>(from); k < last; ++k) {
-        const double share =
-            height_at(std::max(from, static_cast<double>(k))) - height_at(std::min(to, k + 1.0));
+      for (int k = first; k < last; ++k) {
+        const double share = shares[static_cast<std::size_t>(k - first)];
         sum += share *
                row_integral(fine.columns(k), lo, hi, [&](int column) { return texel(k, column); });
         weight += share * (hi - lo);
       }
-      coarse.texels.add(sum / weight);
+      means[coarse.start[row] + static_cast<std::size_t>(i)] = sum / weight;
     }
-  }
+  };
+  // A thread that waits here must not begin another task: that may wait for this picture.
+  tbb::this_task_arena::isolate([&] { in_tasks(static_cast<std::size_t>(rows), fill_row); });
+  coarse.texels = std::move(means);
   find_poles(coarse);
-}
-
-/// A texel's radiance, its solid angle, and the mean of its directions, which is no unit vector.
-/// With this mean, the cosine to a normal is exact for a texel above the horizon.
-struct SkyPatch {
-  glm::dvec3 radiance;
-  glm::dvec3 direction;
-  double solid_angle;
-};
-
-std::vector<SkyPatch> patches_of(const SkyRows& level) {
-  std::vector<SkyPatch> patches;
-  for (int r = 0; r < level.rows(); ++r) {
-    const double t0 = pi * r / level.rows(), t1 = pi * (r + 1) / level.rows();
-    const double height = std::cos(t0) - std::cos(t1);
-    const double s0 = std::sin(t0), s1 = std::sin(t1);
-    const double mean_cosine = 0.5 * (s1 * s1 - s0 * s0) / height;
-    const double mean_sine =
-        (0.5 * (t1 - t0) - 0.25 * (std::sin(2.0 * t1) - std::sin(2.0 * t0))) / height;
-    const int n = level.columns(r);
-    const double across = n > 1 ? mean_sine * std::sin(pi / n) / (pi / n) : 0.0;
-    for (int i = 0; i < n; ++i) {
-      const double angle = 2.0 * pi * ((i + 0.5) / n - 0.5);
-      patches.push_back({level.texel(r, i),
-                         {across * std::sin(angle), mean_cosine, -across * std::cos(angle)},
-                         2.0 * pi * height / n});
-    }
-  }
-  return patches;
-}
-
-glm::dvec3 irradiance_over_pi_of(const std::vector<SkyPatch>& patches, glm::dvec3 normal) {
-  glm::dvec3 sum(0.0);
-  double weight = 0.0;
-  for (const SkyPatch& patch : patches) {
-    const double w = patch.solid_angle * std::max(0.0, glm::dot(normal, patch.direction));
-    sum += w * patch.radiance;
-    weight += w;
-  }
-  // The weights add up to pi, except for texels at the horizon. Dividing by their sum keeps
-  // constant skies exact. A sky of a single texel has nothing above the horizon.
-  return weight > 0.0 ? sum / weight : patches.front().radiance;
-}
-
-SkyRows find_irradiance(const SkyRows& level) {
-  const std::vector<SkyPatch> patches = patches_of(level);
-  SkyRows found = empty_rows(irradiance_rows, [](int) { return 2 * irradiance_rows; });
-  for (int r = 0; r < irradiance_rows; ++r) {
-    const double theta = pi * (r + 0.5) / irradiance_rows;
-    for (int i = 0; i < 2 * irradiance_rows; ++i) {
-      const double angle = 2.0 * pi * ((i + 0.5) / (2 * irradiance_rows) - 0.5);
-      found.texels.add(
-          irradiance_over_pi_of(patches, {std::sin(theta) * std::sin(angle), std::cos(theta),
-                                          -std::sin(theta) * std::cos(angle)}));
-    }
-  }
-  // Compute the poles instead of averaging their neighbours, since floors and ceilings are the most
-  // frequent normals.
-  found.zenith = irradiance_over_pi_of(patches, {0, 1, 0});
-  found.nadir = irradiance_over_pi_of(patches, {0, -1, 0});
-  return found;
 }
 
 }  // namespace
@@ -215,7 +161,8 @@ glm::vec3 SkyRows::at(double u, double v) const {
   return look_up(*this, u, v, [this](int row, int column) { return texel(row, column); });
 }
 
-SkyMap::SkyMap(int width, int height, SkyTexels texels) {
+SkyMap::SkyMap(int width, int height, SkyTexels texels)
+    : distribution_(std::make_unique<Distribution>()) {
   const bool large = texels.size() >= large_picture;
   levels_.push_back(empty_rows(height, [&](int) { return width; }));
   levels_.front().texels = std::move(texels);
@@ -234,12 +181,17 @@ SkyMap::SkyMap(int width, int height, SkyTexels texels) {
     }
     levels_.push_back(std::move(level));
   }
-  const auto first_below = [this](int rows) -> const SkyRows& {
-    return *std::find_if(levels_.begin() + 1, levels_.end(),
-                         [rows](const SkyRows& level) { return level.rows() <= rows; });
-  };
-  irradiance_ = find_irradiance(first_below(irradiance_source_rows));
-  distribution_.emplace(first_below(distribution_rows));
+}
+
+const SkyRows& SkyMap::rows_below(int rows) const {
+  return *std::find_if(levels_.begin() + 1, levels_.end(),
+                       [rows](const SkyRows& level) { return level.rows() <= rows; });
+}
+
+const SkyDistribution& SkyMap::distribution() const {
+  std::call_once(distribution_->once,
+                 [this] { distribution_->made.emplace(rows_below(distribution_rows)); });
+  return *distribution_->made;
 }
 
 glm::vec3 SkyMap::second_texel(int row, int column) const {
@@ -271,16 +223,11 @@ glm::vec3 SkyMap::mean(glm::dvec3 direction, double side) const {
                   level - static_cast<double>(finer));
 }
 
-glm::vec3 SkyMap::irradiance_over_pi(glm::dvec3 normal) const {
-  const auto [u, v] = sky_place(normal);
-  return irradiance_.at(u, v);
-}
-
 std::size_t SkyMap::memory_bytes() const {
   const auto bytes_of = [](const SkyRows& level) {
     return level.texels.memory_bytes() + level.start.capacity() * sizeof(std::uint32_t);
   };
-  std::size_t bytes = bytes_of(polar_) + bytes_of(irradiance_);
+  std::size_t bytes = bytes_of(polar_);
   for (const SkyRows& level : levels_) bytes += bytes_of(level);
   return bytes;
 }

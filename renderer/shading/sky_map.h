@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -86,11 +88,12 @@ class SkyMap {
   /// point.
   [[nodiscard]] glm::vec3 mean(glm::dvec3 direction, double side) const;
 
-  /// Returns the irradiance over pi of a surface with this unit normal, from its half of the sky.
-  [[nodiscard]] glm::vec3 irradiance_over_pi(glm::dvec3 normal) const;
+  /// Returns the means in the largest number of rows that is at most `rows`.
+  [[nodiscard]] const SkyRows& rows_below(int rows) const;
 
-  /// Returns the sampler of directions in proportion to radiance, with texels of half a degree.
-  [[nodiscard]] const SkyDistribution& distribution() const { return *distribution_; }
+  /// Returns the sampler of directions in proportion to radiance, with texels of half a degree. It
+  /// is made at the first call; any thread.
+  [[nodiscard]] const SkyDistribution& distribution() const;
 
   [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -103,8 +106,11 @@ class SkyMap {
   // picture and are computed on access.
   std::vector<SkyRows> levels_;
   SkyRows polar_;
-  SkyRows irradiance_;  // over pi, by normal
-  std::optional<SkyDistribution> distribution_;
+  struct Distribution {
+    std::once_flag once;
+    std::optional<SkyDistribution> made;
+  };
+  std::unique_ptr<Distribution> distribution_;
 };
 
 }  // namespace asos

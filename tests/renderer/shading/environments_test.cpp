@@ -62,8 +62,8 @@ TEST(Sky, EnvironmentsAreGradientsUpAndDown) {
       const float width = 0.02f * static_cast<float>(i);
       p.right = width * glm::normalize(p.right);
       p.down = width * glm::normalize(p.down);
-      EXPECT_NEAR(static_cast<double>(sky.around(p.direction, width).g), brute_force(radiance, p),
-                  0.02)
+      EXPECT_NEAR(static_cast<double>(sky.around(p.direction, roughness_of(width)).g),
+                  brute_force(radiance, p), 0.02)
           << i;
     }
   }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "renderer/lights/light_math.h"
 #include "renderer/sampling/random.h"
+#include "renderer/shading/dfr.h"
 #include "renderer/shading/sky.h"
 
 #include <algorithm>
@@ -62,6 +64,11 @@ inline double brute_force(const Radiance& radiance, const Patch3& patch) {
                                      ((i + 0.5) / n - 0.5) * glm::dvec3(patch.right) +
                                      ((j + 0.5) / n - 0.5) * glm::dvec3(patch.down)));
   return sum / (n * n);
+}
+
+/// Returns the roughness of a lobe of this width.
+inline float roughness_of(float width) {
+  return std::sqrt(width / static_cast<float>(lobe_width(1.0)));
 }
 
 inline double mean_of(const Sky& sky, const Patch3& patch) {

@@ -1,0 +1,209 @@
+#include "renderer/kernels/sky_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "renderer/kernels/sky_kernel.cpp"
+#include <hwy/foreach_target.h>  // this file again, once for each instruction set
+// Include after foreach_target.h, whose definitions these use.
+#include "renderer/kernels/lanes.h"
+#include "renderer/shading/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace asos::HWY_NAMESPACE {
+namespace {
+
+constexpr std::size_t most_lanes = hn::MaxLanes(FloatTag());
+/// The four components of a node, all at once where there are lanes.
+using NodeTag = hn::CappedTag<float, 4>;
+using NodeLanes = hn::Vec<NodeTag>;
+
+struct PlaceLanes {
+  Lanes x, y;
+};
+
+/// As OctahedralMap::place.
+HWY_INLINE PlaceLanes octahedral_place(const Vectors& d) {
+  const auto one = all_lanes(1.0f);
+  const auto sum = hn::Add(hn::Add(hn::Abs(d.x), hn::Abs(d.y)), hn::Abs(d.z));
+  const auto scale = hn::Div(one, sum);
+  const PlaceLanes p{hn::Mul(d.x, scale), hn::Mul(d.z, scale)};
+  const auto down = hn::Lt(d.y, hn::Zero(FloatTag()));
+  return {hn::IfThenElse(down, hn::CopySign(hn::Sub(one, hn::Abs(p.y)), p.x), p.x),
+          hn::IfThenElse(down, hn::CopySign(hn::Sub(one, hn::Abs(p.x)), p.y), p.y)};
+}
+
+/// The number below each coordinate and the rest; 0 for NaN, which must not become an index.
+struct Split {
+  Lanes below, rest;
+};
+HWY_INLINE Split split(Lanes x, Lanes most) {
+  const auto below =
+      hn::IfThenElseZero(hn::Ge(x, hn::Zero(FloatTag())), hn::Min(hn::Floor(x), most));
+  return {below, hn::Sub(x, below)};
+}
+
+/// One point per element.
+struct Places {
+  HWY_ALIGN float x[most_lanes];
+  HWY_ALIGN float y[most_lanes];
+  HWY_INLINE explicit Places(const PlaceLanes& lanes) {
+    hn::Store(lanes.x, FloatTag(), x);
+    hn::Store(lanes.y, FloatTag(), y);
+  }
+};
+
+HWY_INLINE NodeLanes between(NodeLanes a, NodeLanes b, float rest) {
+  return hn::Add(a, hn::Mul(hn::Set(NodeTag(), rest), hn::Sub(b, a)));
+}
+
+/// The cell of a map around a place.
+struct Cell {
+  const float* above;
+  const float* below;
+  float right, down;
+
+  /// As OctahedralMap::at.
+  HWY_INLINE Cell(const OctahedralMap& map, float x, float y) {
+    const float cells = static_cast<float>(map.cells);
+    const float half = 0.5f * cells;
+    const auto lower = [cells](float at)
+                           HWY_ATTR { return at >= 0.0f ? std::min(std::floor(at), cells) : 0.0f; };
+    const float across = (x + 1.0f) * half, along = (y + 1.0f) * half;
+    const float column = lower(across), row = lower(along);
+    above = &map.nodes[static_cast<std::size_t>(static_cast<std::int32_t>(row) * map.stride() +
+                                                static_cast<std::int32_t>(column))]
+                 .x;
+    below = above + 4 * map.stride();
+    right = across - column;
+    down = along - row;
+  }
+  /// Returns components from c on.
+  [[nodiscard]] HWY_INLINE NodeLanes value(std::size_t c) const {
+    const NodeTag d;
+    const auto a = between(hn::LoadU(d, above + c), hn::LoadU(d, above + 4 + c), right);
+    const auto b = between(hn::LoadU(d, below + c), hn::LoadU(d, below + 4 + c), right);
+    return between(a, b, down);
+  }
+};
+
+/// Values of one vector per point, stored component by component.
+struct Values {
+  HWY_ALIGN float x[most_lanes];
+  HWY_ALIGN float y[most_lanes];
+  HWY_ALIGN float z[most_lanes];
+
+  /// Calls value(c) for the components from c on.
+  template <class Value>
+  HWY_INLINE void set(std::size_t i, const Value& value) {
+    HWY_ALIGN float node[4];
+    for (std::size_t c = 0; c < 4; c += hn::Lanes(NodeTag()))
+      hn::Store(value(c), NodeTag(), node + c);
+    x[i] = node[0], y[i] = node[1], z[i] = node[2];
+  }
+  HWY_INLINE void clear(std::size_t i) { x[i] = y[i] = z[i] = 0.0f; }
+  [[nodiscard]] HWY_INLINE Vectors lanes() const {
+    const FloatTag d;
+    return {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)};
+  }
+};
+
+/// As Sky::PictureLobes::turned.
+HWY_INLINE Vectors turned(const Sky::PictureLobes& sky, const Vectors& d) {
+  const auto c = all_lanes(sky.turn_cos), s = all_lanes(sky.turn_sin);
+  return {hn::Sub(hn::Mul(c, d.x), hn::Mul(s, d.z)), d.y,
+          hn::Add(hn::Mul(s, d.x), hn::Mul(c, d.z))};
+}
+
+/// Returns the part of reflected_sky by the lobe, for points from i on.
+HWY_INLINE Vectors by_lobe(const Sky::PictureLobes& sky, const Vectors& normal, Lanes reflects,
+                           Lanes roughness, const Vectors& to_viewer, const Vectors& specular,
+                           std::size_t count) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d), one = all_lanes(1.0f), two = all_lanes(2.0f);
+  const Vectors ray{hn::Neg(to_viewer.x), hn::Neg(to_viewer.y), hn::Neg(to_viewer.z)};
+  const auto cosine = dot(normal, ray);
+  const Vectors mirrored = ray - scaled(two, scaled(cosine, normal));
+  const Places places(octahedral_place(turned(sky, mirrored)));
+  const auto step = hn::Sub(hn::Mul(roughness, all_lanes(static_cast<float>(SkyLobes::steps))),
+                            all_lanes(static_cast<float>(SkyLobes::first_step)));
+  const auto at = clamped(step, zero, all_lanes(static_cast<float>(SkyLobes::maps - 1)));
+  const Split maps = split(at, all_lanes(static_cast<float>(SkyLobes::maps - 2)));
+  HWY_ALIGN float map[most_lanes];
+  HWY_ALIGN float rest[most_lanes];
+  HWY_ALIGN float wanted[most_lanes];
+  hn::Store(maps.below, d, map);
+  hn::Store(maps.rest, d, rest);
+  hn::Store(reflects, d, wanted);
+  Values around;
+  for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+    if (k < count && wanted[k] > 0.0f) {
+      const auto finer = static_cast<std::size_t>(map[k]);
+      const Cell a(sky.lobes->lobe(finer), places.x[k], places.y[k]);
+      const Cell b(sky.lobes->lobe(finer + 1), places.x[k], places.y[k]);
+      around.set(k,
+                 [&](std::size_t c) HWY_ATTR { return between(a.value(c), b.value(c), rest[k]); });
+    } else {
+      around.clear(k);
+    }
+  }
+  const auto loss = hn::Mul(hn::Mul(all_lanes(1.0f - sky_visibility), roughness), roughness);
+  const auto visible = hn::Sub(one, loss);
+  const Vectors lit = scaled(visible, scaled(all_lanes(sky.brightness), around.lanes()));
+  const auto some = hn::Gt(reflects, zero);
+  return {hn::IfThenElseZero(some, hn::Mul(lit.x, specular.x)),
+          hn::IfThenElseZero(some, hn::Mul(lit.y, specular.y)),
+          hn::IfThenElseZero(some, hn::Mul(lit.z, specular.z))};
+}
+
+void reflect(const Sky::PictureLobes& sky, const MaterialBatch& materials,
+             const ShadingPoints& points, SkyBatch& reflected) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d);
+  const auto brightness = all_lanes(sky_visibility * sky.brightness);
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const std::size_t count = std::min(points.count - i, hn::Lanes(d));
+    const Vectors normal = loaded(points.normal, i);
+    const Places places(octahedral_place(turned(sky, normal)));
+    Values irradiance;
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+      if (k < count) {
+        const Cell cell(sky.lobes->irradiance(), places.x[k], places.y[k]);
+        irradiance.set(k, [&](std::size_t c) HWY_ATTR { return cell.value(c); });
+      } else {
+        irradiance.clear(k);
+      }
+    }
+    const Vectors ambient = loaded(materials.ambient, i);
+    const Vectors lit = scaled(brightness, irradiance.lanes());
+    store({hn::Mul(lit.x, ambient.x), hn::Mul(lit.y, ambient.y), hn::Mul(lit.z, ambient.z)},
+          reflected.diffuse, i);
+    const auto reflects = loaded(reflected.lobe_reflects, i);
+    const auto wanted = hn::And(hn::Gt(reflects, zero), hn::FirstN(d, count));
+    Vectors specular{zero, zero, zero};
+    if (!hn::AllFalse(d, wanted))
+      specular = by_lobe(sky, normal, reflects, loaded(materials.roughness, i),
+                         loaded(points.to_viewer, i), loaded(materials.specular, i), count);
+    store(specular, reflected.by_lobe, i);
+  }
+}
+
+}  // namespace
+}  // namespace asos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace asos {
+
+HWY_EXPORT(reflect);
+
+void reflect_sky(const Sky::PictureLobes& sky, const MaterialBatch& materials,
+                 const ShadingPoints& points, SkyBatch& reflected) {
+  HWY_DYNAMIC_DISPATCH(reflect)(sky, materials, points, reflected);
+}
+
+}  // namespace asos
+#endif
