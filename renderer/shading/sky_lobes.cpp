@@ -62,7 +62,7 @@ OctahedralMap octahedral_map(std::int32_t cells, const Value& value) {
   return map;
 }
 
-std::int32_t even(double cells) {
+std::int32_t even_number(double cells) {
   return 2 * static_cast<std::int32_t>(std::ceil(0.5 * cells));
 }
 
@@ -191,7 +191,7 @@ SkyLobes::SkyLobes(const SkyMap& picture) {
   // A bilinear look-up widens a node's own mean, so that is narrower than its part of the sphere.
   constexpr double own_width = 0.6;
   for (int i = 0; i < sources; ++i) {
-    const std::int32_t cells = even(source_cells / std::pow(2.0, 0.5 * i));
+    const std::int32_t cells = even_number(source_cells / std::pow(2.0, 0.5 * i));
     const double side = own_width * node_spacing / cells;
     sources_.push_back(octahedral_map(cells, [&](glm::vec3 d) { return picture.mean(d, side); }));
   }
@@ -219,7 +219,7 @@ const OctahedralMap& SkyLobes::make(std::size_t i) const {
         static_cast<std::size_t>(std::clamp(std::lround(coarser), 0L, sources - 1L));
     parts[static_cast<std::size_t>(k)] = {at, &sources_[source]};
   }
-  const std::int32_t cells = std::max(least_cells, even(cells_of_unit_lobe / width));
+  const std::int32_t cells = std::max(least_cells, even_number(cells_of_unit_lobe / width));
   lobes_[i] = std::make_unique<const OctahedralMap>(octahedral_map(cells, [&parts](glm::vec3 d) {
     const glm::vec3 right(any_perpendicular(glm::dvec3(d))), down = glm::cross(d, right);
     glm::vec4 sum(0.0f);

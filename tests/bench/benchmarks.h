@@ -14,7 +14,7 @@ namespace costs { int run(int argc, char** argv); }
 namespace equal_error { int run(int argc, char** argv); }
 namespace every_scene { int run(int argc, char** argv); }
 namespace latency { int run(int argc, char** argv); }
-namespace loading { int run(int argc, char** argv); }
+namespace opening { int run(int argc, char** argv); }
 namespace many_lights { int run(int argc, char** argv); }
 namespace moving { int run(int argc, char** argv); }
 namespace needs { int run(int argc, char** argv); }

@@ -28,7 +28,7 @@ constexpr std::array benchmarks{
     Benchmark{"anytime", anytime::run, "the error of a picture while it renders, scene by scene"},
     Benchmark{"every-scene", every_scene::run, "the same, a line for every scene"},
     Benchmark{"latency", latency::run, "how soon the window follows a change"},
-    Benchmark{"loading", loading::run, "time and memory to open a scene"},
+    Benchmark{"opening", opening::run, "time and memory to open scenes, stage by stage"},
     Benchmark{"many-lights", many_lights::run, "many lights beside the brightest few"},
     Benchmark{"moving", moving::run, "from one moment of an animation to the next"},
     Benchmark{"needs", needs::run, "what is saved by leaving out what a scene does not need"},

@@ -1,0 +1,179 @@
+// What a user waits for when a scene opens: processor and wall-clock seconds of each stage, every
+// scene in a process of its own.
+//
+//   bench opening [SCENE...] [--size WxH] [--threads N]
+//
+//   read      reading and decoding the file
+//   rays      flattening, rays' hierarchy, coplanar triangles, lights
+//   look      default sky and ground
+//   picture   one Sobol sample per pixel
+//   edges     the search for boundaries, which only methods with edges need
+//   block     the first exact block
+//
+// Seconds are processor time of all threads; "wall" is the time until the picture. The last columns
+// are the peak memory and its bytes per triangle. At the end: the scenes whose picture takes more
+// than five times as long as reading their file.
+
+#include "app/large_blocks.h"
+#include "renderer/prepared/default_look.h"
+#include "renderer/prepared/environment_lights.h"
+#include "renderer/prepared/with_ground.h"
+#include "renderer/render_block.h"
+#include "renderer/session/film_render.h"
+#include "tests/bench/bench_support.h"
+#include "tests/bench/benchmarks.h"
+#include "tests/bench/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace asos::bench::opening {
+namespace {
+
+struct Settings {
+  std::vector<std::string> scenes;
+  PictureSize size{320, 180};
+  int threads = 1;
+};
+
+/// The stages of one scene. Plain data: it passes through a pipe.
+struct Opened {
+  enum Stage { read, rays, look, picture, edges, block, stages };
+  std::array<double, stages> cpu{};
+  double wall = 0.0;
+  double peak_bytes = 0.0;
+  double triangles = 0.0;
+
+  [[nodiscard]] double to_picture() const { return cpu[rays] + cpu[look] + cpu[picture]; }
+};
+
+rusage usage() {
+  rusage now{};
+  getrusage(RUSAGE_SELF, &now);
+  return now;
+}
+
+double cpu_seconds() {
+  const rusage now = usage();
+  const auto seconds = [](timeval t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(now.ru_utime) + seconds(now.ru_stime);
+}
+
+/// Puts the scene on its default ground, under its default sky.
+Result<SharedScene> with_look(SharedScene scene, RenderSettings& settings) {
+  const DefaultLook look = default_look(*scene);
+  settings.sky = look.sky;
+  settings.background = default_background(look.sky.get());
+  auto lit = lit_under(std::move(scene), look.sky.get());
+  if (!lit) return lit;
+  return with_ground(*std::move(lit), look.ground);
+}
+
+Result<Opened> measure(const std::string& source, const Settings& settings) {
+  Opened opened;
+  double before = cpu_seconds();
+  const auto start = std::chrono::steady_clock::now();
+  const auto end = [&](Opened::Stage stage) {
+    const double now = cpu_seconds();
+    opened.cpu[stage] = now - before;
+    before = now;
+  };
+  auto scene = load_scene(source);
+  if (!scene) return unexpected(scene.error());
+  end(Opened::read);
+  auto ready = prepare(*scene);
+  if (!ready) return unexpected(ready.error());
+  *scene = Scene{};  // as the program does
+  end(Opened::rays);
+  RenderSettings look;
+  ready = with_look(*std::move(ready), look);
+  if (!ready) return unexpected(ready.error());
+  end(Opened::look);
+
+  Snapshot snapshot = snapshot_of(*ready, settings.size.width, settings.size.height);
+  snapshot.settings.sky = look.sky;
+  snapshot.settings.background = look.background;
+  snapshot.settings.threads = settings.threads;
+  snapshot.settings.method = Method::sobol;
+  snapshot.settings.sampling.spp = 1;
+  (void)render_to_end(snapshot);
+  end(Opened::picture);
+  opened.wall = seconds_since(start);
+  if (const auto whole = with_boundaries(*ready); !whole) return unexpected(whole.error());
+  end(Opened::edges);
+  snapshot.settings.method = Method::asos;
+  const View view(snapshot.camera, settings.size.width, settings.size.height,
+                  radius_around_origin((*ready)->world().bounds));
+  const PixelRect middle{settings.size.width / 16 * 8, settings.size.height / 16 * 8, 8, 8};
+  (void)render_block(**ready, view, snapshot.settings, middle);
+  end(Opened::block);
+  opened.peak_bytes = 1024.0 * static_cast<double>(usage().ru_maxrss);
+  opened.triangles = static_cast<double>((*ready)->world().triangles.size());
+  return opened;
+}
+
+/// Measures a scene in a process of its own, so that nothing is warm and the peak memory is its
+/// own.
+std::optional<Opened> measure_apart(const std::string& source, const Settings& settings) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return std::nullopt;
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    give_back_large_blocks();  // as the program does
+    const Result<Opened> opened = measure(source, settings);
+    if (!opened) (void)fail(opened.error());
+    const bool told = opened && write(ends[1], &*opened, sizeof(Opened)) == sizeof(Opened);
+    _exit(told ? 0 : 1);
+  }
+  close(ends[1]);
+  Opened opened;
+  const bool known = child > 0 && ::read(ends[0], &opened, sizeof opened) == sizeof opened;
+  close(ends[0]);
+  if (child > 0) waitpid(child, nullptr, 0);
+  return known ? std::optional(opened) : std::nullopt;
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  Settings settings;
+  Options options("How long scenes take to open, stage by stage, and how much memory.");
+  options.texts("SCENE", settings.scenes, "all built-in and shared scenes if there is none");
+  options.size(settings.size);
+  options.number("--threads", settings.threads, 1, 1024);
+  if (const auto code = options.end(argc, argv)) return *code;
+  fmt::print("{:<30} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8} {:>9}\n", "processor seconds",
+             "read", "rays", "look", "picture", "wall", "edges", "block", "peak MB", "B/triangle");
+  std::string slow;
+  bool all = true;
+  for (const NamedScene& scene : chosen_scenes(settings.scenes)) {
+    const std::optional<Opened> opened = measure_apart(scene.source, settings);
+    all = all && opened.has_value();
+    if (!opened) continue;
+    const auto& cpu = opened->cpu;
+    fmt::print("{:<30} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:8.0f} {:9.0f}\n",
+               scene.name, cpu[Opened::read], cpu[Opened::rays], cpu[Opened::look],
+               cpu[Opened::picture], opened->wall, cpu[Opened::edges], cpu[Opened::block],
+               1e-6 * opened->peak_bytes, opened->peak_bytes / std::max(1.0, opened->triangles));
+    if (opened->to_picture() > 5.0 * cpu[Opened::read])
+      slow += fmt::format("{} {:.1f}, ", scene.name, opened->to_picture() / cpu[Opened::read]);
+  }
+  if (!slow.empty()) slow.resize(slow.size() - 2);
+  fmt::print("picture over reading, above 5: {}\n", slow.empty() ? "none" : slow);
+  return all ? 0 : 1;
+}
+
+}  // namespace asos::bench::opening
