@@ -100,7 +100,7 @@ struct ErrorBudget {
   /// are within the tolerance. Each level leaves a quarter of the error.
   [[nodiscard]] double leaves(double error) const {
     const auto allowed = static_cast<double>(tolerance);
-    return std::min(std::max(4.0, 2.0 * error / allowed), usual_contrast / allowed);
+    return std::max(4.0, std::min(2.0 * error / allowed, usual_contrast / allowed));
   }
 
   /// Returns the largest variation of reflectance across a patch that is not integrated. The bound
@@ -108,9 +108,10 @@ struct ErrorBudget {
   [[nodiscard]] float negligible_bend() const { return std::min(1.0f, tolerance / 64.0f); }
 
   /// Returns the number of levels that a part of this weight has used: one for each division by
-  /// four.
+  /// four. More than any MAX for a weight of 0.
   [[nodiscard]] static int levels_of(double part) {
-    return std::max(0, static_cast<int>(std::floor(0.5 * std::log2(1.0 / part))));
+    constexpr double most = 1024.0;  // beyond that of any positive weight
+    return static_cast<int>(std::floor(std::clamp(0.5 * std::log2(1.0 / part), 0.0, most)));
   }
 
   /// Returns the allowance of a root that represents one part of this weight.

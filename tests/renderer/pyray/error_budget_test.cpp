@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace asos::test::allowance_test {
 namespace {
@@ -58,6 +59,18 @@ TEST(ErrorBudget, EpsEndsSamplesSooner) {
   EXPECT_EQ(allowance_of(5, 1.0).samples(1.0, 1.0), 1.0);
   EXPECT_EQ(allowance_of(2, 0.0).samples(1.0, 1.0), 64.0) << "only MAX limits the samples";
   EXPECT_GT(allowance_of(8, 0.0).tolerance, 0.0f) << "smaller errors are invisible";
+}
+
+TEST(ErrorBudget, ASplitCostsAtLeastItsFourQuarters) {
+  for (const double eps : {1.0 / 256.0, 1.0 / 16.0, 0.1, 0.25, 1.0})
+    EXPECT_GE(allowance_of(4, eps).leaves(1.01 * eps), 4.0) << eps;
+}
+
+TEST(ErrorBudget, PartsWithoutAreaUseAllLevels) {
+  EXPECT_EQ(ErrorBudget::levels_of(1.0), 0);
+  EXPECT_EQ(ErrorBudget::levels_of(1.0 / 64.0), 3);
+  EXPECT_GT(ErrorBudget::levels_of(std::numeric_limits<double>::denorm_min()), max_level_limit);
+  EXPECT_GT(ErrorBudget::levels_of(0.0), max_level_limit);
 }
 
 // Errors of a pixel's parts are independent, so that their sum stays within EPS.
