@@ -17,21 +17,24 @@ SampleId EyeSamples::probe(std::span<const glm::vec2> points) {
   points_.insert(points_.end(), points.begin(), points.end());
   for (const glm::vec2& p : points) rays_.push_back(ray_through(p));
   hits_.resize(rays_.size());
-  const RenderScene& scene = *eye_->scene;
   // Each run takes well under a millisecond, so that cancelling is quick.
   constexpr std::size_t run = 1024;
   for (std::size_t i = first; i < rays_.size() && !eye_->stop.stop_requested(); i += run) {
     const std::size_t count = std::min(run, rays_.size() - i);
-    const std::span rays = std::span(rays_).subspan(i, count);
-    const std::span hits = std::span(hits_).subspan(i, count);
-    scene.rays().closest(rays, hits, faces_);
-    if (eye_->viewer.mirror)
-      pass_mirror(*eye_->viewer.mirror, scene.world(), scene.rays(), faces_, rays, hits);
-    pass_own_side(eye_->viewer.passage, scene.world(), scene.rays(), faces_, rays, hits);
+    cast(std::span(rays_).subspan(i, count), std::span(hits_).subspan(i, count));
   }
-  if (scene.features().cut_outs_unbounded()) find_cut_outs(first);
+  if (eye_->scene->features().cut_outs_unbounded()) find_cut_outs(first);
   eye_->counts->eye_rays += points.size();
   return static_cast<SampleId>(first);
+}
+
+// Finds the first hits of rays, behind the viewer's own mirror and on the viewer's side of glass.
+void EyeSamples::cast(std::span<Ray> rays, std::span<Hit> hits) const {
+  const RenderScene& scene = *eye_->scene;
+  scene.rays().closest(rays, hits, faces_);
+  if (eye_->viewer.mirror)
+    pass_mirror(*eye_->viewer.mirror, scene.world(), scene.rays(), faces_, rays, hits);
+  pass_own_side(eye_->viewer.passage, scene.world(), scene.rays(), faces_, rays, hits);
 }
 
 void EyeSamples::find_cut_outs(std::size_t first) {
@@ -113,7 +116,7 @@ void EyeSamples::look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& 
   looked_rays_.clear();
   for (const glm::vec2& p : at) looked_rays_.push_back(ray_through(p));
   looked_hits_.resize(at.size());
-  eye_->scene->rays().closest(looked_rays_, looked_hits_, faces_);
+  cast(looked_rays_, looked_hits_);
   counts.eye_rays += at.size();
   seen.assign(at.size(), {});
   for (std::size_t i = 0; i < at.size(); ++i) {

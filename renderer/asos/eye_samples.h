@@ -50,6 +50,7 @@ class EyeSamples final : public PatchView {
             RenderStatistics& counts) override;
 
  private:
+  void cast(std::span<Ray> rays, std::span<Hit> hits) const;
   void find_cut_outs(std::size_t first);
 
   const EyeContext* eye_;

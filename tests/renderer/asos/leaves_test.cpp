@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -140,6 +141,33 @@ TEST(LeafShader, LeavesRegionsOpen) {
   EXPECT_GT(open.parts[0].so_far.error, 0.0);
   EXPECT_EQ(sums[leaf.root].weight, 0.0);
   EXPECT_TRUE(shader.take_open().parts.empty()) << "open regions are returned once";
+}
+
+// A mirror's viewer does not see the mirror; a viewer outside of glass does not see its inner side.
+TEST(EyeSamples, LookWhereTheyProbe) {
+  World world;
+  add_quad(world, {-20, 20, 0}, {40, 0, 0}, {0, -40, 0}, matte(glm::vec3(0.5f)));
+  add_quad(world, {-20, -20, -5}, {40, 0, 0}, {0, 40, 0}, matte(glm::vec3(0.5f)));
+  for (const bool glass : {false, true}) {
+    EyeBlock block = block_of(world, {});
+    EyeContext eye = block.eye();
+    if (glass) {
+      eye.viewer.passage.part = 0;
+    } else {
+      eye.viewer.mirror = MirrorPlane{HalfSpace::through({0, 0, 0}, {0, 0, 1}), 1e-3};
+    }
+    EyeSamples samples(eye);
+    const std::array places{glm::vec2(0.3f, 0.4f), glm::vec2(0.8f, 0.1f)};
+    const SampleId first = samples.probe(places);
+    std::vector<SurfacePoint> seen;
+    samples.look(places, seen, block.counts());
+    ASSERT_EQ(seen.size(), places.size());
+    for (SampleId i = 0; i < places.size(); ++i) {
+      EXPECT_NEAR(samples.point(first + i).position.z, -5.0f, 1e-4f);
+      EXPECT_EQ(seen[i].position, samples.point(first + i).position)
+          << (glass ? "glass" : "mirror");
+    }
+  }
 }
 
 TEST(SingleSamples, ShadeByOneSampleEach) {
