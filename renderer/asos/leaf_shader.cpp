@@ -129,7 +129,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) 
     return radiance;
   }
   const bool by_lobe = transport.lobes() != glm::vec3(0.0f);
-  if (by_lobe && eye_->mirrored()) radiance += lobes_.at_once(leaf, transport.lobes());
+  if (by_lobe && eye_->mirrored()) radiance += lobes_.at_once(leaf, context.at, transport.lobes());
   if (eye_->mask && eye_->mask->blur) {
     const auto light = viewer.sees_bare_lights() ? viewer.shader.nearest_light_without_geometry(ray)
                                                  : std::nullopt;
@@ -151,7 +151,7 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) 
   if (adds_planes_) layers_->add(leaf);
   sum.add(glm::dvec3(radiance), leaf.weight);
   if (adds_light_) layers_->add_light(leaf.root, transport.light(radiance), leaf.weight);
-  if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, transport.lobes());
+  if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, context.at, transport.lobes());
   return radiance;
 }
 
@@ -291,7 +291,9 @@ void LeafShader::defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal, b
   const double samples = adds ? std::max(1.0, samples_of_planes * std::min(1.0, leaf.weight)) : 0.0;
   sampler().add(leaf.region, goal, static_cast<std::uint32_t>(samples));
   deferred_.push_back({leaf, adds});
-  deferred_.back().leaf.region.border = {};
+  PyrayLeaf& deferred = deferred_.back().leaf;
+  deferred.region.border = {};
+  deferred.decision.estimator = Estimator::samples;  // never deferred again
 }
 
 bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
@@ -372,7 +374,7 @@ void LeafShader::start_regions() {
   double samples = 0.0;
   for (const RegionSampler::Estimate& one : found) samples += one.cost;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const PyrayLeaf& leaf = leaves[i].leaf;
+    PyrayLeaf leaf = leaves[i].leaf;
     if (samples > 0.0)
       sums_[leaf.root].rays +=
           static_cast<std::uint64_t>(std::llround(rays * found[i].cost / samples));
@@ -383,9 +385,10 @@ void LeafShader::start_regions() {
     }
     if (layers_) layers_->add(leaf.root, sampler_->layers(i), leaf.weight);
     adds_planes_ = leaves[i].planes && !(sampler_->layers(i).weight > 0.0);
+    if (add_estimate(leaf, found[i]) || !samples_->hit(leaf.sample).valid()) continue;
     // If a region is so thin that no sample hits it, shade the leaf's own sample.
-    if (!add_estimate(leaf, found[i]) && samples_->hit(leaf.sample).valid())
-      note_result(leaf.root, leaf.sample, add_leaf(leaf, nullptr));
+    leaf.region = sampler_->region(i);
+    note_result(leaf.root, leaf.sample, add_leaf(leaf, nullptr));
   }
   open_.samples = sampler_->take_open();
 }

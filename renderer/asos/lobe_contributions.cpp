@@ -30,14 +30,19 @@ RegionSampler::Goal LobeContributions::goal_of(double weight, glm::vec3 reflecte
   return goal;
 }
 
-void LobeContributions::add(const PyrayLeaf& leaf, glm::vec3 reflected) {
-  sampler().add(leaf.region, goal_of(leaf.weight, reflected));
+void LobeContributions::wait(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected) {
+  const std::size_t number = sampler().add(leaf.region, goal_of(leaf.weight, reflected));
+  sampler().set_inside(number, at);
+}
+
+void LobeContributions::add(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected) {
+  wait(leaf, at, reflected);
   queue_.add(leaf.root, leaf.sample, leaf.weight);
 }
 
-glm::vec3 LobeContributions::at_once(const PyrayLeaf& leaf, glm::vec3 reflected) {
-  const RegionSampler::Goal goal = goal_of(leaf.weight, reflected);
-  return glm::vec3(sampler().sample(leaf.region, goal, *eye_->counts).value);
+glm::vec3 LobeContributions::at_once(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected) {
+  wait(leaf, at, reflected);
+  return glm::vec3(sampler().run(*eye_->counts).front().value);
 }
 
 std::span<const Contribution> LobeContributions::run() {

@@ -43,6 +43,12 @@ std::uint32_t times_larger_around(const LeafRegion& region) {
                       : static_cast<std::uint32_t>(most);
 }
 
+/// Returns whether a region fills most of its pixel.
+bool fills_pixel(const RegionSampler::Goal& goal) {
+  constexpr double most_of_a_pixel = 0.5;
+  return goal.share > most_of_a_pixel;
+}
+
 }  // namespace
 
 RegionSampler::RegionSampler(const RenderScene& scene, const ViewContext& viewer,
@@ -106,6 +112,14 @@ RegionSampler::Open RegionSampler::take_open() {
     for (std::uint32_t k = 0; k < waiting.taken / waiting.per_sum; ++k)
       open.sums_.push_back(sums_.sum(waiting.first_sum + k));
   }
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const Waiting& waiting = waiting_[i];
+    if (waiting.done && fills_pixel(waiting.goal) && found_[i].cost > 0.0 &&
+        std::any_of(open.waiting_.begin(), open.waiting_.end(), [&](const Waiting& other) {
+          return fills_pixel(other.goal) && near(waiting.square, other.square);
+        }))
+      open.finished_.push_back({waiting.square, waiting.taken, found_[i].error});
+  }
   forget();
   return open;
 }
@@ -113,6 +127,7 @@ RegionSampler::Open RegionSampler::take_open() {
 std::span<const RegionSampler::Estimate> RegionSampler::resume(Open&& open,
                                                                RenderStatistics& counts) {
   waiting_ = std::move(open.waiting_);
+  finished_ = std::move(open.finished_);
   borders_ = std::move(open.borders_);
   make_room();
   if (with_layers_) layers_ = std::move(open.layers_);
@@ -174,6 +189,7 @@ void RegionSampler::add_samples_for_layers(RenderStatistics& counts) {
 
 void RegionSampler::forget() {
   waiting_.clear();
+  finished_.clear();
   borders_.clear();
 }
 
@@ -198,6 +214,7 @@ void RegionSampler::sample_stage(double times, RenderStatistics& counts, const B
     for (std::size_t i = 0; i < waiting_.size(); ++i)
       waiting_[i].rests = waiting_[i].rests || suffices_[i];
   }
+  sample_inside();
   suffices_.clear();
   for (std::size_t i = 0; i < waiting_.size(); ++i) suffices_.push_back(suffices(i, 1.0));
   for (std::size_t i = 0; i < waiting_.size(); ++i) waiting_[i].done = suffices_[i];
@@ -212,28 +229,34 @@ bool RegionSampler::suffices(std::size_t number, double times) const {
          waiting.goal.met(waiting.taken, expected_error(number) / times);
 }
 
+// Returns whether two regions that fill their pixels are in neighbouring pixels.
+bool RegionSampler::near(const Square& a, const Square& b) const {
+  const double reach = 1.5 / static_cast<double>(block_.width);
+  return std::abs(a.centre_u() - b.centre_u()) <= reach &&
+         std::abs(a.centre_v() - b.centre_v()) <= reach;
+}
+
 // Returns a region's error, increased by a part of the variance of its neighbours. Neighbours are
 // regions that fill most of one of the eight surrounding pixels; their variance is scaled to the
 // same number of samples. With few samples, all may miss a small bright spot, so that their
 // variance is wrongly zero. If neighbours have hit one, it is likely to be there.
 double RegionSampler::expected_error(std::size_t number) const {
-  constexpr double most_of_a_pixel = 0.5, near = 1.5, part = 0.25;
+  constexpr double part = 0.25;
   const Waiting& own = waiting_[number];
   const double error = found_[number].error;
-  if (!(own.goal.share > most_of_a_pixel)) return error;
-  const double reach = near / static_cast<double>(block_.width);
+  if (!fills_pixel(own.goal)) return error;
   double squares = 0.0;
   int count = 0;
-  for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    const Waiting& other = waiting_[i];
-    if (i == number || !(other.goal.share > most_of_a_pixel) || found_[i].cost == 0.0 ||
-        std::abs(own.square.centre_u() - other.square.centre_u()) > reach ||
-        std::abs(own.square.centre_v() - other.square.centre_v()) > reach)
-      continue;
-    const double off = found_[i].error;
-    squares += off * off * other.taken / own.taken;
+  const auto add = [&](const Square& square, double off, std::uint32_t taken) {
+    if (!near(own.square, square)) return;
+    squares += off * off * taken / own.taken;
     ++count;
+  };
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    if (i != number && fills_pixel(waiting_[i].goal) && found_[i].cost > 0.0)
+      add(waiting_[i].square, found_[i].error, waiting_[i].taken);
   }
+  for (const Finished& other : finished_) add(other.square, other.error, other.taken);
   return count > 0 ? std::sqrt(error * error + part * squares / count) : error;
 }
 
@@ -278,6 +301,29 @@ void RegionSampler::add_samples(SampleSums& sums, Waiting& waiting, std::uint32_
       places_.start_pixel(x, y);
   }
   waiting.taken = end;
+}
+
+// Samples the place inside each region that no sample met. Its samples are the only ones.
+void RegionSampler::sample_inside() {
+  if (stop_.stop_requested()) return;
+  const auto alone = [&](std::size_t i) { return waiting_[i].inside && found_[i].cost == 0.0; };
+  const double width = static_cast<double>(block_.width);
+  const glm::dvec2 origin(block_.x, block_.y);
+  bool any = false;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    if (!alone(i)) continue;
+    const Waiting& waiting = waiting_[i];
+    const glm::dvec2 at = origin + width * glm::dvec2(*waiting.inside);
+    const auto side = footprint_share * static_cast<float>(std::sqrt(waiting.goal.share));
+    const std::uint32_t index = first_sample(at, waiting.goal.most) + waiting.taken;
+    sums_.add({at, side, static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)),
+               static_cast<int>(index), waiting.first_sum});
+    any = true;
+  }
+  if (!any) return;
+  sums_.trace();
+  for (std::size_t i = 0; i < waiting_.size(); ++i)
+    if (alone(i)) found_[i] = estimate(waiting_[i]);
 }
 
 RegionSampler::Estimate RegionSampler::estimate(const Waiting& waiting) const {

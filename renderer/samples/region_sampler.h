@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -58,6 +59,9 @@ class RegionSampler {
   /// samples and as many more eye rays as make `layer_samples` are summed up to them; 0: its layers
   /// are only the parts of its radiance.
   std::size_t add(const LeafRegion& region, const Goal& goal, std::uint32_t layer_samples = 0);
+  /// Sets a place in waiting region `number` that `run` samples if no other sample meets the
+  /// region.
+  void set_inside(std::size_t number, glm::vec2 at) { waiting_[number].inside = at; }
   /// Samples all waiting regions and empties the queue. Returns their estimates by number, valid
   /// until the next call. Each round doubles the number of samples, until the means of eighths of a
   /// region's samples show that its goal is met, and neighbouring pixels' samples agree. The rays
@@ -70,6 +74,8 @@ class RegionSampler {
   /// goals, and `resume` continues with them. The bits are the same for any sampler with the same
   /// arguments.
   std::span<const Estimate> start(RenderStatistics& counts, double times);
+  /// Returns a waiting region. Its border is valid until the next `add`, `take_open` or `run`.
+  [[nodiscard]] LeafRegion region(std::size_t number) const { return region(waiting_[number]); }
   /// Returns whether `start` left region `number` open.
   [[nodiscard]] bool open(std::size_t number) const { return !waiting_[number].done; }
   /// The layers of a region after `run`, `start` or `resume`, as sums over its samples.
@@ -98,8 +104,15 @@ class RegionSampler {
     std::uint32_t in_region = 0;
     std::uint32_t masked = 0;  // number of samples outside the mask
     std::uint32_t layer_samples = 0;
-    bool rests = false;  // until the stage ends
+    std::optional<glm::vec2> inside;  // a place in the region
+    bool rests = false;               // until the stage ends
     bool done = false;
+  };
+  /// A pixel's region that the first stage finished.
+  struct Finished {
+    Square square;
+    std::uint32_t taken = 0;
+    double error = 0.0;
   };
   [[nodiscard]] LeafRegion region(const Waiting& waiting) const {
     return {waiting.square, std::span(borders_).subspan(waiting.first_edge, waiting.edges)};
@@ -110,8 +123,10 @@ class RegionSampler {
   void note_layers_of_waiting();
   void add_samples_for_layers(RenderStatistics& counts);
   void add_round(Waiting& waiting, const BlurKernel* kernel);
+  void sample_inside();
   void add_samples(SampleSums& sums, Waiting& waiting, std::uint32_t end, const BlurKernel* kernel);
   [[nodiscard]] bool suffices(std::size_t number, double times) const;
+  [[nodiscard]] bool near(const Square& a, const Square& b) const;
   [[nodiscard]] double expected_error(std::size_t number) const;
   [[nodiscard]] Estimate estimate(const Waiting& waiting) const;
   [[nodiscard]] double standard_error(const Waiting& waiting, glm::dvec3 mean) const;
@@ -129,6 +144,7 @@ class RegionSampler {
   std::vector<LayerSum> layers_;  // of each region that waits; none without layers
   LayerTargets targets_;          // these
   std::vector<Waiting> waiting_;
+  std::vector<Finished> finished_;  // in the first stage, if this is the second
   std::vector<BorderEdge> borders_;
   std::vector<Estimate> found_;
   std::vector<bool> suffices_;
@@ -140,13 +156,15 @@ class RegionSampler::Open {
   /// The layers of region `number` so far.
   [[nodiscard]] const LayerSum& layers(std::size_t number) const { return layers_[number]; }
   [[nodiscard]] std::size_t bytes() const {
-    return waiting_.size() * sizeof(Waiting) + borders_.size() * sizeof(BorderEdge) +
-           sums_.size() * sizeof(SampleSums::Sum) + layers_.size() * sizeof(LayerSum);
+    return waiting_.size() * sizeof(Waiting) + finished_.size() * sizeof(Finished) +
+           borders_.size() * sizeof(BorderEdge) + sums_.size() * sizeof(SampleSums::Sum) +
+           layers_.size() * sizeof(LayerSum);
   }
 
  private:
   friend class RegionSampler;
   std::vector<Waiting> waiting_;
+  std::vector<Finished> finished_;  // near those that wait
   std::vector<BorderEdge> borders_;
   std::vector<SampleSums::Sum> sums_;  // the sums that each region uses
   std::vector<LayerSum> layers_;       // one a region, or none

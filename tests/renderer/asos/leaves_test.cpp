@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -141,6 +142,89 @@ TEST(LeafShader, LeavesRegionsOpen) {
   EXPECT_GT(open.parts[0].so_far.error, 0.0);
   EXPECT_EQ(sums[leaf.root].weight, 0.0);
   EXPECT_TRUE(shader.take_open().parts.empty()) << "open regions are returned once";
+}
+
+/// The border of a strip along a pixel's diagonal that is so thin that no sample meets it. The
+/// pixel's centre lies in it.
+std::array<BorderEdge, 4> hair_of(const Square& pixel) {
+  const auto at = [&](float u, float v) {
+    return glm::vec2(pixel.u, pixel.v) + pixel.side * glm::vec2(u, v);
+  };
+  constexpr float half = 1e-6f;
+  const std::array corners{at(0.0f, half), at(0.0f, -half), at(1.0f, 1.0f - half),
+                           at(1.0f, 1.0f + half)};
+  std::array<BorderEdge, 4> border;
+  for (std::size_t i = 0; i < 4; ++i) border[i] = {corners[i], corners[(i + 1) % 4]};
+  return border;
+}
+
+Material metal(glm::vec3 color, float roughness) {
+  Material m;
+  m.base_color = glm::vec4(color, 1.0f);
+  m.metallic = 1.0f;
+  m.roughness = roughness;
+  return m;
+}
+
+// A hair of shiny metal below a panel of which half is hidden. Its highlight is unsure, so that it
+// is sampled; where no sample meets it, its own sample counts, once.
+TEST(LeafShader, ShadesAnUnsureHighlightThatNoSampleMeets) {
+  Light panel;
+  panel.type = Light::Type::rectangle;
+  panel.position = {0, 0, 20};
+  panel.half_u = {4, 0, 0};
+  panel.half_v = {0, 4, 0};
+  panel.direction = {0, 0, -1};
+  panel.intensity = 400.0f;
+  World world = wall(metal(glm::vec3(0.9f), 0.25f));
+  // The camera is between the plate and the wall.
+  add_quad(world, {0.1f, -30, 10}, {30, 0, 0}, {0, 60, 0}, matte(glm::vec3(0.5f)));
+  RenderSettings settings = at_max(6);
+  settings.asos.eps = 1.0 / 2048.0;
+  EyeBlock block(make_render_scene(std::move(world), {panel}), look_at({0, 0, 5}, {0, 0, 0}, 0.4),
+                 settings);
+  LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
+  std::vector<RootSum> sums(EyeBlock::side * EyeBlock::side);
+  BlurredSum blurred;
+  LeafShader shader(block.eye(), block.samples(), chooser, block.selected_lights(), block.shadows(),
+                    sums, blurred, nullptr);
+  PyrayLeaf leaf = pixel_leaf(block, 1, 1, 1.0 / 64.0);
+  const auto border = hair_of(leaf.region.square);
+  leaf.region.border = border;
+  shader.shade(std::span(&leaf, 1));
+  ASSERT_EQ(sums[leaf.root].weight, 0.0) << "its highlight is unsure, so that it waits";
+  shader.finish();
+  EXPECT_EQ(sums[leaf.root].weight, leaf.weight);
+  EXPECT_GT(sums[leaf.root].mean().r, 0.0f);
+  OpenRegions open = shader.take_open();
+  EXPECT_TRUE(open.parts.empty());
+  EXPECT_TRUE(open.samples.empty()) << "every open region belongs to a part";
+}
+
+// Rough metal below a white sky, black below the pixel's diagonal. A hair of the white half shows
+// the reflection in its own surface, although no sample meets it.
+TEST(LeafShader, LobesOfAHairAreThoseOfItsOwnSurface) {
+  World world = wall(metal(glm::vec3(0.0f), 0.5f));
+  add_triangle(world, {-20, 20, 0.01f}, {20.01f, -20, 0.01f}, {20, 20, 0.01f},
+               metal(glm::vec3(0.9f), 0.5f));
+  RenderSettings settings = at_max(3);
+  settings.sky = std::make_shared<const Sky>(glm::vec3(1.0f));
+  for (const Estimator estimator : {Estimator::centre, Estimator::samples}) {
+    EyeBlock block = block_of(world, {}, settings);
+    LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
+    std::vector<RootSum> sums(EyeBlock::side * EyeBlock::side);
+    BlurredSum blurred;
+    LeafShader shader(block.eye(), block.samples(), chooser, block.selected_lights(),
+                      block.shadows(), sums, blurred, nullptr);
+    PyrayLeaf leaf = pixel_leaf(block, 1, 1, 1.0 / 16.0);
+    const auto border = hair_of(leaf.region.square);
+    leaf.region.border = border;
+    leaf.decision.estimator = estimator;
+    shader.shade(std::span(&leaf, 1));
+    shader.finish();
+    EXPECT_EQ(sums[leaf.root].weight, leaf.weight);
+    EXPECT_NEAR(sums[leaf.root].mean().r, 0.88f, 0.05f) << static_cast<int>(estimator);
+  }
 }
 
 // A mirror's viewer does not see the mirror; a viewer outside of glass does not see its inner side.

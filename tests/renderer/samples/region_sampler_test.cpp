@@ -361,5 +361,44 @@ TEST_F(TwoColours, TwoStagesMatchAcrossSamplers) {
   EXPECT_NEAR(kept.value.g, 0.7, 0.01);
 }
 
+// A strip along the pixel's diagonal, of a millionth of its area.
+TEST_F(TwoColours, PlaceInsideCountsWhereNoSampleMeetsTheRegion) {
+  const Square pixel{1.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
+  const auto at = [&](float u, float v) {
+    return glm::vec2(pixel.u, pixel.v) + pixel.side * glm::vec2(u, v);
+  };
+  const std::array<BorderEdge, 4> sides = {BorderEdge{at(0, 0), at(1e-6f, 0)},
+                                           {at(1e-6f, 0), at(1, 1)},
+                                           {at(1, 1), at(1.0f - 1e-6f, 1)},
+                                           {at(1.0f - 1e-6f, 1), at(0, 0)}};
+  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
+  sampler.add({pixel, sides}, goal_of(-1.0, 64));
+  EXPECT_EQ(sampler.run(counts_)[0].cost, 0.0);
+  sampler.set_inside(sampler.add({pixel, sides}, goal_of(-1.0, 64)), at(0.5f, 0.5f));
+  sampler.set_inside(sampler.add({crossed, {}}, goal_of(-1.0, 64)), at(0.5f, 0.5f));
+  const auto found = sampler.run(counts_);
+  EXPECT_EQ(found[0].cost, 1.0);
+  EXPECT_EQ(found[0].value, glm::dvec3(1, 0, 0));
+  EXPECT_EQ(found[1].cost, 64.0) << "the place is one more sample only where there is no other";
+}
+
+// An even pixel beside a noisy one that may take no more samples. Its samples agree, and it needs
+// more all the same: what its neighbour shows may be in it, too.
+TEST_F(TwoColours, SecondStageCountsFinishedNeighbours) {
+  constexpr Square even{5.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
+  const double noise = sample({crossed, {}}, goal_of(-1.0, 16, 16, 1.0)).error;
+  ASSERT_GT(noise, 0.0);
+  RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
+  sampler.add({crossed, {}}, goal_of(-1.0, 16, 16, 1.0));
+  sampler.add({even, {}}, goal_of(noise / 6.0, 4096, 16, 1.0));
+  (void)sampler.start(counts_, 4.0);
+  ASSERT_FALSE(sampler.open(0));
+  ASSERT_TRUE(sampler.open(1));
+  const auto found = sampler.resume(sampler.take_open(), counts_);
+  // The neighbour's part of the error, noise / 2, falls with the root of the number of samples; the
+  // allowed error grows with it.
+  EXPECT_EQ(found[0].cost, 64.0);
+}
+
 }  // namespace
 }  // namespace asos::test::region_sampler_test
