@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace asos {
 namespace {
@@ -68,17 +69,45 @@ void ErrorTerms::learn_normals(int side) {
   border_ = (eye_->block.width - side) / 2;
 }
 
+// The centre's normal does not represent the leaf's. With soft shadows, leaves with normal maps are
+// sampled, and so are those on curved meshes, except inside one triangle with a bright highlight.
+// `gloss_of` returns the leaf's gloss term.
+ErrorBound ErrorTerms::bumps_with(const Leaf& leaf, const auto& gloss_of) const {
+  const RenderScene& scene = *eye_->scene;
+  if (!leaf.is_lit()) return ErrorBound::none();
+  if (glints(leaf)) return ErrorBound::unknown();
+  if (eye_->mirrored() || scene.world().is_face(leaf.hit.triangle)) return ErrorBound::none();
+  // The mean of a texture of directions is not the mean of the highlights in these directions.
+  if (scene.render_features.textures && leaf.material->anisotropy.texture.used())
+    return ErrorBound::unknown();
+  if (!soft_shadows_) return ErrorBound::none();
+  if (scene.render_features.normal_maps && has_normal_map(*leaf.material))
+    return ErrorBound::unknown();
+  constexpr double bright = 0.25;
+  return ErrorBound::unknown(scene.features().deviation(leaf.hit.triangle) > 0.0f &&
+                             (reaches_beyond_triangle(scene.world(), leaf.hit, leaf.square) ||
+                              gloss_of().contrast <= bright));
+}
+
 ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
-  using Term = ErrorBound (ErrorTerms::*)(const Leaf&) const;
-  constexpr Term terms[] = {&ErrorTerms::bumps,   &ErrorTerms::textures, &ErrorTerms::bend,
-                            &ErrorTerms::normals, &ErrorTerms::falloff,  &ErrorTerms::gloss,
-                            &ErrorTerms::mirror};
+  // Two terms use the highlights, whose rays are cast once.
+  std::optional<ErrorBound> highlights;
+  const auto gloss_once = [&]() -> const ErrorBound& {
+    if (!highlights) highlights = gloss(leaf);
+    return *highlights;
+  };
   ErrorBound sum;
-  for (const Term term : terms) {
-    sum += (this->*term)(leaf);
-    if (sum.unbounded) break;
-  }
+  const auto add = [&](const ErrorBound& term) {
+    sum += term;
+    return !sum.unbounded;
+  };
+  (void)(add(bumps_with(leaf, gloss_once)) && add(textures(leaf)) && add(bend(leaf)) &&
+         add(normals(leaf)) && add(falloff(leaf)) && add(gloss_once()) && add(mirror(leaf)));
   return sum;
+}
+
+ErrorBound ErrorTerms::bumps(const Leaf& leaf) const {
+  return bumps_with(leaf, [&] { return gloss(leaf); });
 }
 
 // The mean transmittance of several textured layers is not the product of their means, and alpha
@@ -126,25 +155,6 @@ ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
                              recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
                              uneven_products(*eye_, leaf.hit, leaf.square,
                                              footprint_shape(leaf.region, leaf.at), leaf.weight));
-}
-
-// The centre's normal does not represent the leaf's. With soft shadows, leaves with normal maps are
-// sampled, and so are those on curved meshes, except inside one triangle with a bright highlight.
-ErrorBound ErrorTerms::bumps(const Leaf& leaf) const {
-  const RenderScene& scene = *eye_->scene;
-  if (!leaf.is_lit()) return ErrorBound::none();
-  if (glints(leaf)) return ErrorBound::unknown();
-  if (eye_->mirrored() || scene.world().is_face(leaf.hit.triangle)) return ErrorBound::none();
-  // The mean of a texture of directions is not the mean of the highlights in these directions.
-  if (scene.render_features.textures && leaf.material->anisotropy.texture.used())
-    return ErrorBound::unknown();
-  if (!soft_shadows_) return ErrorBound::none();
-  if (scene.render_features.normal_maps && has_normal_map(*leaf.material))
-    return ErrorBound::unknown();
-  constexpr double bright = 0.25;
-  return ErrorBound::unknown(scene.features().deviation(leaf.hit.triangle) > 0.0f &&
-                             (reaches_beyond_triangle(scene.world(), leaf.hit, leaf.square) ||
-                              gloss(leaf).contrast <= bright));
 }
 
 // A normal map scatters the lights' highlights all over a leaf, however small.

@@ -85,6 +85,7 @@ class ErrorTerms {
   [[nodiscard]] bool may_misplace_light(const Leaf& leaf) const;
 
  private:
+  [[nodiscard]] ErrorBound bumps_with(const Leaf& leaf, const auto& gloss_of) const;
   [[nodiscard]] bool glints(const Leaf& leaf) const;
   [[nodiscard]] bool varies_behind(const Leaf& leaf, const ViewedRay& seen, const Hit& hit) const;
   [[nodiscard]] HighlightError highlights_error(const GlossyPatch& glossy) const;

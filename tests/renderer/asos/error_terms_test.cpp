@@ -226,6 +226,24 @@ TEST(ErrorTerms, BumpsAreUnboundedUnderAPanelOnly) {
   EXPECT_FALSE(flat.terms().bumps(flat.leaf(1, 1)).unbounded);
 }
 
+// A bright highlight inside one triangle is looked for by a ray, once for all terms.
+TEST(ErrorTerms, CastTheRaysToHighlightsOnce) {
+  World world;
+  add_sphere(world, {0, 0, -60}, 59.0f, 8, metal(0.1f));
+  EyeBlock ball = block_of(std::move(world), {panel({0, 0, 60}, 1.0)});
+  std::uint64_t once = 0;
+  for (int i = 0; i < EyeBlock::side * EyeBlock::side; ++i) {
+    const Leaf leaf = ball.leaf(i % EyeBlock::side, i / EyeBlock::side, 0.25f);
+    const std::uint64_t before = ball.counts().shadow_rays;
+    (void)ball.terms().gloss(leaf);
+    const std::uint64_t of_gloss = ball.counts().shadow_rays - before;
+    (void)ball.terms().shading(leaf);
+    EXPECT_LE(ball.counts().shadow_rays - before, 2 * of_gloss) << i;
+    once += of_gloss;
+  }
+  EXPECT_GT(once, 0u);
+}
+
 // Normals that vary irregularly between adjacent pixels, as on a sphere of small triangles.
 TEST(ErrorTerms, NormalsVaryBetweenPixels) {
   World small;
