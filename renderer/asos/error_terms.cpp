@@ -80,7 +80,7 @@ ErrorBound ErrorTerms::bumps_with(const Leaf& leaf, const auto& gloss_of) const 
   // The mean of a texture of directions is not the mean of the highlights in these directions.
   if (scene.render_features.textures && leaf.material->anisotropy.texture.used())
     return ErrorBound::unknown();
-  if (!soft_shadows_) return ErrorBound::none();
+  if (!soft_shadows_) return ErrorBound::unknown(sparkles(leaf));
   if (scene.render_features.normal_maps && has_normal_map(*leaf.material))
     return ErrorBound::unknown();
   constexpr double bright = 0.25;
@@ -175,6 +175,36 @@ bool ErrorTerms::glints(const Leaf& leaf) const {
                                                 point.footprint, &scene.mips());
   return glint_error(scene.lights(), material, seen.roughness, point, leaf.to_viewer()) >
          eye_->error_budget.tolerance;
+}
+
+// Where triangles are smaller than the leaf, highlights lie wherever their normals turn. The leaf's
+// own triangle does not represent these; how far its neighbours' normals stray from it does.
+bool ErrorTerms::sparkles(const Leaf& leaf) const {
+  const RenderScene& scene = *eye_->scene;
+  const Hit& hit = leaf.hit;
+  if (scene.lights().empty() || !may_be_glossy(*leaf.material) ||
+      !(scene.features().deviation(hit.triangle) > 0.0f) ||
+      !reaches_beyond_triangle(scene.world(), hit, leaf.square))
+    return false;
+  SurfacePoint point = leaf.point;
+  const NormalSpread own = normal_turn(scene.world(), hit, leaf.square, point.shading_normal);
+  const auto across = static_cast<float>(std::sqrt(leaf.weight));
+  const glm::ivec2 pixel = pixel_of(leaf.region);
+  const float strays =
+      across * normals_.strays(pixel.x, pixel.y, own.right / across, own.down / across);
+  if (!(strays > 0.0f)) return false;
+  // A uniform turn along an edge has a variance of 1/12 of its square.
+  point.spread = {};
+  point.spread.variance =
+      (2.0f * strays * strays + glm::dot(own.right, own.right) + glm::dot(own.down, own.down)) /
+      12.0f;
+  const SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, hit);
+  float error =
+      glint_error(scene.lights(), Gloss{largest(seen.f0), seen.roughness}, point, leaf.to_viewer());
+  if (seen.coat.factor > 0.0f)
+    error += glint_error(scene.lights(), Gloss{coat_f0 * seen.coat.factor, seen.coat.roughness},
+                         point, leaf.to_viewer());
+  return error > eye_->error_budget.tolerance;
 }
 
 ErrorBound ErrorTerms::bend(const Leaf& leaf) const {

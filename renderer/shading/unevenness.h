@@ -3,6 +3,7 @@
 #include "renderer/geometry/ray.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shading/gloss.h"
 #include "renderer/shading/surface.h"
 #include "renderer/world/world.h"
 
@@ -32,6 +33,10 @@ namespace asos {
 /// `to_viewer` is unit.
 [[nodiscard]] float glint_error(std::span<const Light> lights, const Material& material,
                                 float roughness, const SurfacePoint& point, glm::vec3 to_viewer);
+
+/// Returns the same for a lobe of this gloss.
+[[nodiscard]] float glint_error(std::span<const Light> lights, const Gloss& gloss,
+                                const SurfacePoint& point, glm::vec3 to_viewer);
 
 /// Returns the error for the unshadowed irradiance of a light with an extent, which falls off
 /// steeply near it, on a white surface. Returns 0 for lights that are distant compared with the
