@@ -140,7 +140,7 @@ bool ErrorTerms::varies_behind(const Leaf& leaf, const ViewedRay& seen, const Hi
   const Patch square = patch_on_plane(eye_->viewer.spacing, seen.ray.direction, hit.t,
                                       glm::vec3(normal), eye_->side_of(leaf.weight));
   if (textured_by_several(*eye_, hit, square) ||
-      uneven_products(*eye_, hit, square, seen.shape, leaf.weight))
+      uneven_products(*eye_, seen.ray, hit, square, seen.shape, leaf.weight))
     return true;
   if (material.unlit || !soft_shadows_) return false;
   return (scene.render_features.normal_maps && has_normal_map(material)) ||
@@ -153,7 +153,7 @@ ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
   return ErrorBound::unknown(textured_by_several(*eye_, leaf.hit, leaf.square) ||
                              strays_beyond_edges(*eye_, *samples_, leaf) ||
                              recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
-                             uneven_products(*eye_, leaf.hit, leaf.square,
+                             uneven_products(*eye_, leaf.ray, leaf.hit, leaf.square,
                                              footprint_shape(leaf.region, leaf.at), leaf.weight));
 }
 

@@ -2,6 +2,7 @@
 
 #include "renderer/asos/footprint_shape.h"
 #include "renderer/asos/texture_samples.h"
+#include "renderer/samples/light_selection.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_products.h"
@@ -218,7 +219,7 @@ bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch&
   return depth > much * eye.viewer.spacing.distance(hit.t);
 }
 
-bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
+bool uneven_products(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch& square,
                      const FootprintShape& part, double share) {
   const RenderScene& scene = *eye.scene;
   if (eye.settings->texture.filter == TextureFilter::point ||
@@ -226,9 +227,15 @@ bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
     return false;
   Footprint seen = shaped(footprint_on(scene.world(), hit, square), part);
   seen.side = eye.side_of(share);
-  const float roughest = eye.viewer.shader.settings().roughest_mirror;
-  return product_error(scene.world(), scene.render_features, hit, seen, roughest) >
-         eye.error_budget.tolerance;
+  const Shader& shader = eye.viewer.shader;
+  ViewedFrom from;
+  from.to_viewer = -ray.direction;
+  from.roughest_mirror = shader.settings().roughest_mirror;
+  if (eye.viewer.bounces < shader.reflections()) from.reflections = &scene.mips();
+  // Many lights are sampled.
+  if (shader.lights().size() <= LightSelection::few_lights) from.lights = shader.lights();
+  from.enough = eye.error_budget.tolerance;
+  return product_error(scene.world(), scene.render_features, hit, seen, from).sum() > from.enough;
 }
 
 }  // namespace asos

@@ -31,7 +31,7 @@ namespace asos {
 /// Returns whether the mean shading of a patch with several textures differs from the shading of
 /// their means, such as rough metal next to rust. `square` is the patch of a square with the area
 /// of a leaf of weight `share`, and `part` is the leaf's shape in it.
-[[nodiscard]] bool uneven_products(const EyeContext& eye, const Hit& hit, const Patch& square,
-                                   const FootprintShape& part, double share);
+[[nodiscard]] bool uneven_products(const EyeContext& eye, const Ray& ray, const Hit& hit,
+                                   const Patch& square, const FootprintShape& part, double share);
 
 }  // namespace asos

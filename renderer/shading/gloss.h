@@ -14,6 +14,9 @@ struct Gloss {
   float roughness = 1.0f;
 };
 
+/// Smoother lobes are so narrow that a square of directions represents them.
+inline constexpr float least_lobe_roughness = 1.0f / 64.0f;
+
 /// Returns whether a lobe of this roughness has highlights that are shaded, not traced as
 /// reflections, and vary faster than diffuse reflection.
 [[nodiscard]] inline bool has_highlights(float roughness) {

@@ -1,5 +1,6 @@
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/dfr.h"
+#include "renderer/shading/gloss.h"
 #include "renderer/shading/shade.h"
 
 #include <algorithm>
@@ -9,12 +10,6 @@
 // Reflection and transmission: their blur, and whether they are followed.
 
 namespace asos {
-namespace {
-
-// Smoother lobes are so narrow that a square of directions represents them.
-constexpr float least_lobe_roughness = 1.0f / 64.0f;
-
-}  // namespace
 
 bool Shader::follows(const ViewedRay& seen, glm::vec3 share) const {
   // A reflection that is invisible in any 8-bit picture is not worth a ray, whatever the light.

@@ -1,10 +1,12 @@
 #include "renderer/shading/anisotropy.h"
+#include "renderer/shading/material_mean.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_filter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 // The material at a point of a surface. The point's geometry is in surface.cpp.
@@ -156,6 +158,50 @@ SurfaceMaterial surface_material(const World& world, const RenderFeatures& rende
   if (tinted) base *= tint;
 
   return material_with(material, render_features, base, sample);
+}
+
+MaterialMean::MaterialMean(const World& world, const RenderFeatures& render_features,
+                           std::uint32_t triangle)
+    : world_(&world),
+      render_features_(&render_features),
+      triangle_(triangle),
+      material_(&world.material_of(triangle)) {}
+
+// With alpha blending, colours are weighted by opacity.
+SurfaceMaterial MaterialMean::add(float b1, float b2) {
+  glm::vec4 base = material_->base_color;
+  if (render_features_->textures && material_->base_color_texture.used())
+    base *=
+        sample_texture(*world_, material_->base_color_texture, triangle_, b1, b2, Encoding::srgb);
+  if (render_features_->vertex_colors && !world_->colors.empty())
+    base *= vertex_color(*world_, triangle_, b1, b2);
+  const bool blends = material_->alpha_mode == AlphaMode::blend;
+  const float there = blends ? std::clamp(base.a, 0.0f, 1.0f) : 1.0f;
+  const auto add_to = [](Sum& sum, glm::vec4 value, float weight) {
+    sum.value += glm::vec4(weight * glm::vec3(value), value.a);
+    sum.weight += weight;
+  };
+  add_to(base_, base, there);
+  std::size_t used = 0;
+  const auto sample = [&](const TextureUse& use, TexelKind kind) {
+    const glm::vec4 texel =
+        sample_texture(*world_, use, triangle_, b1, b2,
+                       kind == TexelKind::data ? Encoding::linear : Encoding::srgb);
+    add_to(textures_[used++], texel, kind == TexelKind::cover ? there : 1.0f);
+    return texel;
+  };
+  count_ += 1.0f;
+  return material_with(*material_, *render_features_, base, sample);
+}
+
+SurfaceMaterial MaterialMean::mean() const {
+  const auto mean_of = [this](const Sum& sum) {
+    const float weight = std::max(sum.weight, std::numeric_limits<float>::min());
+    return glm::vec4(glm::vec3(sum.value) / weight, sum.value.a / count_);
+  };
+  std::size_t used = 0;
+  return material_with(*material_, *render_features_, mean_of(base_),
+                       [&](const TextureUse&, TexelKind) { return mean_of(textures_[used++]); });
 }
 
 void average_colours(const World& world, const RenderFeatures& render_features, const Hit& hit,

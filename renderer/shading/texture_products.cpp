@@ -1,105 +1,120 @@
 #include "renderer/shading/texture_products.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/shading/brdf.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/gloss.h"
+#include "renderer/shading/light_transport.h"
+#include "renderer/shading/material_mean.h"
+#include "renderer/shading/viewed_point.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace asos {
 namespace {
 
-/// Values of a surface's textures at a place that affect its look.
-struct Look {
-  glm::vec3 color{0.0f}, emission{0.0f};
-  float opacity = 0.0f, metallic = 0.0f, roughness = 0.0f, occlusion = 0.0f;
+constexpr std::size_t few_places = 8, all_places = 16;  // places in a footprint
+/// Brightness of the surroundings, as a fraction of white.
+constexpr float surroundings = 0.5f;
 
-  Look() = default;
-  explicit Look(const SurfaceMaterial& m)
-      : color(m.base_color),
-        emission(m.emission),
-        opacity(m.opacity),
-        metallic(m.metallic),
-        roughness(m.roughness),
-        occlusion(m.occlusion) {}
-};
+/// Returns the radiance of the layers that a material's coat and sheen leave, and of these, in
+/// uniform light as bright as white.
+glm::vec3 shown(const SurfaceMaterial& m, float n_dot_v, float roughest_mirror) {
+  const auto mirrored = [&](float roughness) {
+    return roughness <= roughest_mirror ? 1.0f : mirrored_visibility(roughness);
+  };
+  const float open = 0.5f + 0.5f * m.occlusion;
+  const glm::vec3 scattered =
+      glm::mix(m.base_color, m.diffuse_transmission_color, m.diffuse_transmission);
+  const glm::vec3 matte = (1.0f - m.metallic) * ((1.0f - m.transmission) * open * scattered +
+                                                 m.transmission * m.base_color);
+  const glm::vec3 f0 = m.film.factor > 0.0f ? viewed(m, n_dot_v).specular : m.f0;
+  glm::vec3 sum = matte + mirrored(m.roughness) * f0 + m.emission;
+  if (m.sheen.color != glm::vec3(0.0f)) {
+    const glm::vec3 sheen = viewed(m.sheen, n_dot_v).ambient;
+    sum = sheen + (1.0f - largest(sheen)) * sum;
+  }
+  if (m.coat.factor > 0.0f) {
+    const glm::vec3 coat = viewed(m.coat, n_dot_v).f0;
+    sum = mirrored(m.coat.roughness) * coat + (1.0f - coat.x) * sum;
+  }
+  return m.opacity * sum;
+}
 
-/// Returns the radiance in uniform light as bright as white.
-glm::vec3 shown(const Look& at, const SurfaceMaterial& material, float roughest_mirror) {
-  const float open = 0.5f + 0.5f * at.occlusion;
-  const float mirrored = at.roughness <= roughest_mirror ? 1.0f : mirrored_visibility(at.roughness);
-  const float matte = (1.0f - at.metallic) * (1.0f - material.transmission);
-  const glm::vec3 f0 = glm::mix(glm::vec3(material.dielectric_f0), at.color, at.metallic);
-  return at.opacity * (open * matte * at.color + mirrored * f0 + at.emission);
+/// How reflections of a lobe are computed: as a mirror, by directions of its lobe, or from a
+/// constant sky.
+int reflection_kind(float roughness, float roughest_mirror) {
+  if (roughness > roughest_mirror) return 2;
+  return roughness >= least_lobe_roughness ? 1 : 0;
 }
 
 /// Values at the sampled places.
 class Looks {
  public:
-  explicit Looks(const Material& material)
-      : shines_as_it_covers_(emissive_kind(material) == TexelKind::cover) {}
-
-  void add(const Look& look) {
-    const Values values{look.color.x,    look.color.y,    look.color.z,  look.emission.x,
-                        look.emission.y, look.emission.z, look.metallic, look.occlusion,
-                        look.opacity,    look.roughness};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      lo_[i] = std::min(lo_[i], values[i]);
-      hi_[i] = std::max(hi_[i], values[i]);
+  void add(const SurfaceMaterial& m) {
+    const std::array<glm::vec3, groups> values{
+        m.base_color,
+        m.emission,
+        glm::vec3(m.metallic),
+        glm::vec3(m.occlusion),
+        glm::vec3(m.opacity),
+        {m.dielectric_f0, m.f90, 0.0f},
+        glm::vec3(m.coat.factor),
+        m.sheen.color,
+        glm::vec3(m.transmission),
+        glm::vec3(m.diffuse_transmission),
+        m.diffuse_transmission_color,
+        glm::vec3(m.film.factor),
+        {m.roughness, m.coat.roughness, m.sheen.roughness},
+        glm::vec3(m.film.thickness_nm / most_thickness_nm),
+    };
+    for (std::size_t i = 0; i < groups; ++i) {
+      lo_[i] = glm::min(lo_[i], values[i]);
+      hi_[i] = glm::max(hi_[i], values[i]);
     }
-    most_metal_ = std::max(most_metal_, look.metallic * largest(look.color));
-    ++count_;
-    sum_.color += look.opacity * look.color;
-    sum_.emission += (shines_as_it_covers_ ? look.opacity : 1.0f) * look.emission;
-    sum_.opacity += look.opacity;
-    sum_.metallic += look.metallic;
-    sum_.roughness += look.roughness;
-    sum_.occlusion += look.occlusion;
+    most_metal_ = std::max(most_metal_, m.metallic * largest(m.base_color));
+    most_coat_ = std::max(most_coat_, m.coat.factor);
+    most_sheen_ = std::max(most_sheen_, largest(m.sheen.color));
+    most_film_ = std::max(most_film_, m.film.factor);
   }
 
-  /// Returns whether two factors vary that are multiplied, or the roughness of a strongly
-  /// reflecting surface.
+  /// Returns whether two factors vary that are multiplied, or the roughness or colour of a strongly
+  /// reflecting layer.
   [[nodiscard]] bool differ() const {
     constexpr float much = 0.1f;
-    const bool colour = differs(0) || differs(1) || differs(2);
-    const bool emission = differs(3) || differs(4) || differs(5);
-    const int differing =
-        int(colour) + int(emission) + int(differs(6)) + int(differs(7)) + int(differs(8));
-    return differing >= 2 || (differs(9) && most_metal_ > much);
+    int differing = 0;
+    for (std::size_t i = 0; i < factors; ++i) differing += differs(i) ? 1 : 0;
+    const glm::vec3 apart = hi_[factors] - lo_[factors];
+    return differing >= 2 || (apart.x > even && most_metal_ > much) ||
+           (apart.y > even && most_coat_ > much) || (apart.z > even && most_sheen_ > much) ||
+           (differs(factors + 1) && most_film_ > much);
   }
-
-  /// Returns the means; colours are weighted by coverage, as in footprints.
-  [[nodiscard]] Look mean() const {
-    Look mean;
-    const float there = std::max(sum_.opacity, std::numeric_limits<float>::min());
-    mean.color = sum_.color / there;
-    mean.emission = sum_.emission / (shines_as_it_covers_ ? there : count_);
-    mean.opacity = sum_.opacity / count_;
-    mean.metallic = sum_.metallic / count_;
-    mean.roughness = sum_.roughness / count_;
-    mean.occlusion = sum_.occlusion / count_;
-    return mean;
+  /// Returns whether the roughness of a lobe with a highlight varies.
+  [[nodiscard]] bool differ_in_gloss() const {
+    const glm::vec3 apart = hi_[factors] - lo_[factors], lo = lo_[factors];
+    return (apart.x > even && lo.x < least_broad_roughness) ||
+           (apart.y > even && lo.y < least_broad_roughness && most_coat_ > 0.0f);
   }
 
  private:
-  using Values = std::array<float, 10>;
+  static constexpr std::size_t factors = 12, groups = factors + 2;
+  static constexpr float even = 1.0f / 64.0f;
+  static constexpr float most_thickness_nm = 1000.0f;
+  using Values = std::array<glm::vec3, groups>;
   static constexpr Values filled(float value) {
     Values values{};
-    values.fill(value);
+    values.fill(glm::vec3(value));
     return values;
   }
-  [[nodiscard]] bool differs(std::size_t i) const {
-    constexpr float even = 1.0f / 64.0f;
-    return hi_[i] - lo_[i] > even;
-  }
+  [[nodiscard]] bool differs(std::size_t i) const { return largest(hi_[i] - lo_[i]) > even; }
 
   static constexpr float infinity = std::numeric_limits<float>::infinity();
   Values lo_ = filled(infinity), hi_ = filled(-infinity);
-  bool shines_as_it_covers_;
-  float most_metal_ = 0.0f, count_ = 0.0f;
-  Look sum_;
+  float most_metal_ = 0.0f, most_coat_ = 0.0f, most_sheen_ = 0.0f, most_film_ = 0.0f;
 };
 
 /// Returns the k-th of 16 places in a footprint: one in each sixteenth of both edges, jittered so
@@ -112,40 +127,116 @@ glm::vec2 place(std::size_t k) {
   return (stratum + glm::fract(static_cast<float>(k) * step)) / 16.0f - 0.5f;
 }
 
+/// Returns the fraction of white that places reflect in another way than their mean does. The mean
+/// loses these reflections or their surroundings.
+float reflected_otherwise(std::span<const SurfaceMaterial> materials, const SurfaceMaterial& mean,
+                          float roughest_mirror) {
+  const auto kind = [&](float roughness) { return reflection_kind(roughness, roughest_mirror); };
+  float sum = 0.0f;
+  for (const SurfaceMaterial& m : materials) {
+    if (kind(m.roughness) != kind(mean.roughness)) sum += m.opacity * largest(m.f0);
+    if (m.coat.factor > 0.0f && kind(m.coat.roughness) != kind(mean.coat.roughness))
+      sum += m.opacity * coat_f0 * m.coat.factor;
+  }
+  return sum / static_cast<float>(materials.size());
+}
+
+/// Returns the radiance of a light's highlights at a point, without shadows.
+float highlight(const SurfaceMaterial& m, const BrdfAngles& angles, float half_angle,
+                float irradiance) {
+  const float grazing = std::pow(1.0f - angles.v_dot_h, 5.0f);
+  const auto lobe = [&](float f0, float roughness) {
+    const float alpha = std::max(roughness, roughness_floor) * std::max(roughness, roughness_floor);
+    const float wider = std::sqrt(std::hypot(alpha, 0.5f * half_angle));
+    return (f0 + (1.0f - f0) * grazing) * ggx_lobe(std::min(wider, 1.0f), angles);
+  };
+  float sum = lobe(largest(m.f0), m.roughness);
+  if (m.coat.factor > 0.0f) sum += m.coat.factor * lobe(coat_f0, m.coat.roughness);
+  return m.opacity * irradiance * sum;
+}
+
+/// Returns the error of the highlights of a light.
+float highlight_error(const PreparedLight& light, const SurfacePoint& point, glm::vec3 to_viewer,
+                      std::span<const SurfaceMaterial> materials, const SurfaceMaterial& mean) {
+  const glm::vec3 n = point.shading_normal;
+  const float irradiance = largest(unshadowed_irradiance(light, receiver_at(point)));
+  if (!(irradiance > 0.0f)) return 0.0f;
+  const Highlight nearest =
+      highlight_of(light, glm::dvec3(point.position), glm::dvec3(glm::reflect(-to_viewer, n)));
+  const glm::vec3 half = nearest.direction + to_viewer;
+  const float length = glm::length(half);
+  if (!(length > 0.0f)) return 0.0f;
+  const auto cosine = [](glm::vec3 a, glm::vec3 b) { return std::max(glm::dot(a, b), 0.0f); };
+  const BrdfAngles angles{cosine(n, nearest.direction),
+                          std::max(cosine(n, to_viewer), grazing_cosine), cosine(n, half / length),
+                          cosine(to_viewer, half / length)};
+  const auto shines = [&](const SurfaceMaterial& m) {
+    return highlight(m, angles, nearest.half_angle_tangent, irradiance);
+  };
+  float sum = 0.0f;
+  for (const SurfaceMaterial& m : materials) sum += shines(m);
+  sum /= static_cast<float>(materials.size());
+  return std::abs(std::min(1.0f, sum) - std::min(1.0f, shines(mean)));
+}
+
 }  // namespace
 
 bool multiplies_textures(const Material& material, const RenderFeatures& render_features) {
   if (!render_features.textures || material.unlit) return false;
-  if (material.metallic_roughness_texture.used()) return true;
+  // A mean roughness or thickness is not that of the mean reflection.
+  if (material.metallic_roughness_texture.used() || material.coat.roughness_texture.used() ||
+      material.sheen.roughness_texture.used() || material.film.thickness_texture.used())
+    return true;
+  int factors = 0;
+  for (const TextureUse* use :
+       {&material.base_color_texture, &material.occlusion_texture, &material.specular_texture,
+        &material.specular_color_texture, &material.coat.texture, &material.sheen.color_texture,
+        &material.transmission_texture, &material.film.texture,
+        &material.diffuse_transmission.texture, &material.diffuse_transmission.color_texture})
+    factors += use->used() ? 1 : 0;
   const bool blends = material.alpha_mode == AlphaMode::blend;
-  return material.base_color_texture.used() &&
-         (material.occlusion_texture.used() ||
-          (blends && render_features.emission && material.emissive_texture.used() &&
-           !material.emissive_texture.same_place(material.base_color_texture)));
+  return factors >= 2 || (blends && material.base_color_texture.used() &&
+                          render_features.emission && material.emissive_texture.used() &&
+                          !material.emissive_texture.same_place(material.base_color_texture));
 }
 
-float product_error(const World& world, const RenderFeatures& render_features, const Hit& hit,
-                    const Footprint& footprint, float roughest_mirror) {
-  constexpr std::size_t few = 8, all = 16;
-  constexpr float brightness = 0.5f;
-  if (footprint.point()) return 0.0f;
-  Looks looks(world.material_of(hit.triangle));
-  SurfaceMaterial material;
-  glm::vec3 sum(0.0f);
-  for (std::size_t k = 0; k < all; ++k) {
+ProductError product_error(const World& world, const RenderFeatures& render_features,
+                           const Hit& hit, const Footprint& footprint, const ViewedFrom& from) {
+  if (footprint.point()) return {};
+  const auto of_reflections = [&](std::span<const SurfaceMaterial> materials) {
+    if (!from.reflections) return 0.0f;
+    const SurfaceMaterial filtered =
+        surface_material(world, render_features, hit, footprint, from.reflections);
+    return surroundings * reflected_otherwise(materials, filtered, from.roughest_mirror);
+  };
+  Looks looks;
+  MaterialMean textures(world, render_features, hit.triangle);
+  std::array<SurfaceMaterial, all_places> materials;
+  for (std::size_t k = 0; k < all_places; ++k) {
     const glm::vec2 at = place(k);
     const glm::vec2 by = footprint.offset + at.x * footprint.right + at.y * footprint.down;
-    Hit there = hit;
-    there.b1 += by.x;
-    there.b2 += by.y;
-    material = surface_material(world, render_features, there);
-    const Look look(material);
-    looks.add(look);
-    sum += shown(look, material, roughest_mirror);
-    if (k + 1 == few && !looks.differ()) return 0.0f;
+    materials[k] = textures.add(hit.b1 + by.x, hit.b2 + by.y);
+    looks.add(materials[k]);
+    if (k + 1 == few_places && !looks.differ() && !looks.differ_in_gloss())
+      return {0.0f, of_reflections(std::span(materials).first(few_places)), 0.0f};
   }
-  const glm::vec3 of_means = shown(looks.mean(), material, roughest_mirror);
-  return brightness * largest(glm::abs(sum / static_cast<float>(all) - of_means));
+  const SurfaceMaterial mean = textures.mean();
+  const SurfacePoint point = surface_point(world, render_features, hit, from.to_viewer);
+  const float n_dot_v = viewed_point(point, from.to_viewer).n_dot_v;
+  ProductError error{0.0f, of_reflections(materials), 0.0f};
+  if (looks.differ()) {
+    glm::vec3 sum(0.0f);
+    for (const SurfaceMaterial& m : materials) sum += shown(m, n_dot_v, from.roughest_mirror);
+    const glm::vec3 of_means = shown(mean, n_dot_v, from.roughest_mirror);
+    error.shading =
+        surroundings * largest(glm::abs(sum / static_cast<float>(all_places) - of_means));
+  }
+  if (!looks.differ_in_gloss()) return error;
+  for (const PreparedLight& light : from.lights) {
+    if (error.sum() > from.enough) break;
+    error.highlights += highlight_error(light, point, from.to_viewer, materials, mean);
+  }
+  return error;
 }
 
 }  // namespace asos

@@ -65,6 +65,28 @@ TEST(TexturedSight, AveragesProductsOfTextures) {
   EXPECT_LT(d.rms, 0.004);
 }
 
+// Mirrors with spots of slightly rough, darker metal. A mirror's reflection is traced, and that of
+// a lobe is sampled. Pixels with both were up to 0.4 too dark, whatever MAX and EPS.
+TEST(TexturedSight, ReflectsByMirrorsBetweenLobes) {
+  World world;
+  const auto spot = [](int x, int y) { return x / 5 % 4 == 0 && y / 7 % 3 == 0; };
+  Material m = matte(glm::vec3(1.0f));
+  m.metallic = m.roughness = 1.0f;
+  const Image colours = make_image(120, 120, [&](int x, int y) {
+    const std::uint8_t c = spot(x, y) ? 60 : 230;
+    return Texel{c, c, c, 255};
+  });
+  const Image gloss = make_image(120, 120, [&](int x, int y) {
+    return spot(x, y) ? Texel{0, 20, 40, 255} : Texel{0, 0, 190, 255};
+  });
+  m.base_color_texture.texture = add_texture(world, colours, Wrap::repeat, Filter::linear);
+  m.metallic_roughness_texture.texture = add_texture(world, gloss, Wrap::repeat, Filter::linear);
+  add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
+  const Difference d = difference_from_samples(std::move(world), orthographic(2.0));
+  EXPECT_LT(std::abs(d.mean), 0.002);
+  EXPECT_LT(d.rms, 0.004);
+}
+
 // A lid seen nearly from the side, within two rows of pixels, half black and half white: its far
 // half is foreshortened. The error was 0.008 without refinement.
 TEST(TexturedSight, WeightsForeshortenedTextures) {

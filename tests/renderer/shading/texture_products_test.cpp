@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace asos::test::texture_products_test {
 namespace {
@@ -40,7 +41,9 @@ class Surface {
                         : Texel{0, between, byte(metal_between), 255};
     }));
   }
-  [[nodiscard]] float error() {
+  [[nodiscard]] float error() { return errors().shading; }
+  [[nodiscard]] MipChains mips() const { return {world_, find_render_features(world_)}; }
+  [[nodiscard]] ProductError errors(const ViewedFrom& from = {}) {
     add_quad(world_, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, material);
     const RenderFeatures render_features = find_render_features(world_);
     Hit hit;
@@ -49,7 +52,7 @@ class Surface {
     Footprint footprint;
     footprint.right = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).right;
     footprint.down = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).down;
-    return product_error(world_, render_features, hit, footprint, 0.35f);
+    return product_error(world_, render_features, hit, footprint, from);
   }
 
  private:
@@ -83,6 +86,75 @@ TEST(TextureProducts, ErrorForMirrorsBetweenRoughStripes) {
     const float of_mean = rough_byte == 120 ? 1.0f : mirrored_visibility(mean);
     EXPECT_NEAR(s.error(), 0.5f * std::abs(seen - of_mean), 1e-3f) << rough_byte;
   }
+}
+
+// Half of the metal is a perfect mirror, which is traced; the mean is a lobe, whose directions are
+// sampled. Half of the reflection would be lost.
+TEST(TextureProducts, ErrorForMirrorsBetweenLobes) {
+  Surface s;
+  s.material.metallic = s.material.roughness = 1.0f;
+  s.material.metallic_roughness_texture.texture = s.gloss(20, 0, true, true);
+  ViewedFrom from;
+  EXPECT_EQ(s.errors(from).reflections, 0.0f) << "none is followed";
+  const MipChains mips = s.mips();
+  from.reflections = &mips;
+  EXPECT_NEAR(s.errors(from).reflections, 0.5f * 0.5f, 1e-3f);
+}
+
+// White below a coat, black between: the coat takes its light from white only.
+TEST(TextureProducts, ErrorForACoatOnColouredStripes) {
+  Surface s;
+  s.material.specular = 0.0f;
+  s.material.base_color_texture.texture = s.colours();
+  s.material.coat.factor = 1.0f;
+  s.material.coat.texture.texture = s.colours();
+  EXPECT_TRUE(multiplies_textures(s.material, {}));
+  const float seen = 0.5f * (0.04f + 0.96f), of_means = 0.02f + 0.98f * 0.5f;
+  EXPECT_NEAR(s.error(), 0.5f * std::abs(seen - of_means), 1e-4f);
+}
+
+// Sheen or transmission between stripes of another colour: half of the surface is what the means
+// take for a mixture.
+TEST(TextureProducts, ErrorForOtherFactorsOfColouredStripes) {
+  Surface transmits;
+  transmits.material.specular = 0.0f;
+  transmits.material.base_color_texture.texture = transmits.colours();
+  transmits.material.diffuse_transmission.factor = 1.0f;
+  transmits.material.diffuse_transmission.color = glm::vec3(0.0f);
+  transmits.material.diffuse_transmission.texture.texture =
+      transmits.add(make_image(64, 64, [](int x, int) {
+        return Texel{255, 255, 255, byte(!striped(x))};
+      }));
+  EXPECT_TRUE(multiplies_textures(transmits.material, {}));
+  EXPECT_NEAR(transmits.error(), 0.5f * (0.5f - 0.25f), 1e-3f);
+
+  Surface velvet;
+  velvet.material.specular = 0.0f;
+  velvet.material.base_color_texture.texture = velvet.colours();
+  velvet.material.sheen.color = glm::vec3(1.0f);
+  velvet.material.sheen.roughness = 0.5f;
+  velvet.material.sheen.color_texture.texture = velvet.colours();
+  EXPECT_TRUE(multiplies_textures(velvet.material, {}));
+  EXPECT_GT(velvet.error(), 1.0f / 256.0f);
+}
+
+// A lamp in the mirrored direction: smooth stripes show its highlight, rough ones nearly none of
+// it. A dielectric is enough.
+TEST(TextureProducts, ErrorForHighlightsOfRoughStripes) {
+  Light lamp;
+  lamp.type = Light::Type::point;
+  lamp.position = {0.25, 0.25, 4.0};
+  lamp.intensity = 16.0f;
+  const std::vector<PreparedLight> lights{prepare_light(lamp)};
+  Surface s;
+  s.material.roughness = 1.0f;
+  s.material.metallic = 0.0f;
+  s.material.metallic_roughness_texture.texture = s.gloss(51, 204, false, false);
+  ViewedFrom from;
+  EXPECT_EQ(s.errors(from).highlights, 0.0f);
+  from.lights = lights;
+  // D V F of alpha 0.04 at its peak is 0.04 / (4 pi 0.0016); the mean roughness of 0.5 has 0.05.
+  EXPECT_NEAR(s.errors(from).highlights, 0.2f, 0.05f);
 }
 
 // For a single texture the mean is correct, as for two textures that are independent.
