@@ -40,19 +40,13 @@ glm::dmat4 camera_to_ndc(const Camera& camera, const RenderSettings& settings) {
   return ndc;
 }
 
-// The asset of an object is the top-level node that it belongs to, or else the object itself.
-std::vector<std::string> assets_of(const RenderScene& scene, std::vector<std::string> objects) {
-  const SceneContents& contents = scene.geometry->contents;
-  if (contents.object_nodes.size() != objects.size()) return objects;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    int node = contents.object_nodes[i];
-    if (node < 0) continue;
-    const auto parent = [&] { return contents.nodes[static_cast<std::size_t>(node)].parent; };
-    while (parent() >= 0) node = parent();
-    objects[i] = contents.nodes[static_cast<std::size_t>(node)].name;
-    if (objects[i].empty()) objects[i] = fmt::format("node {}", node + 1);
-  }
-  return objects;
+// Returns the asset of an object: the top-level node that it belongs to, or else the object itself.
+// The ground belongs to no node.
+std::string asset_of(const Part& part, const std::vector<SceneContents::Node>& nodes) {
+  auto node = static_cast<std::size_t>(part.node);
+  if (part.node < 0 || node >= nodes.size()) return part.name;
+  while (nodes[node].parent >= 0) node = static_cast<std::size_t>(nodes[node].parent);
+  return nodes[node].name.empty() ? fmt::format("node {}", node + 1) : nodes[node].name;
 }
 
 }  // namespace
@@ -64,8 +58,10 @@ ExrOptions exr_options(const RenderScene& scene, const Camera& camera,
   options.world_to_camera = world_to_camera(camera, scene.world().origin);
   options.world_to_ndc = camera_to_ndc(camera, settings) * *options.world_to_camera;
   if (!settings.layers.has_ids()) return options;
-  for (const Part& part : scene.world().parts) options.object_names.push_back(part.name);
-  options.asset_names = assets_of(scene, options.object_names);
+  for (const Part& part : scene.world().parts) {
+    options.object_names.push_back(part.name);
+    options.asset_names.push_back(asset_of(part, scene.geometry->contents.nodes));
+  }
   for (const Material& material : scene.world().materials)
     options.material_names.push_back(material.name);
   return options;

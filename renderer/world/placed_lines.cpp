@@ -92,6 +92,7 @@ class Placer {
     Part part;
     part.name = instance.name.empty() ? mesh.name : instance.name;
     part.lines_and_points = true;
+    part.node = instance.node;
     part.material = material(mesh.material, !mesh.normals.empty());
     const auto index = static_cast<std::uint32_t>(world_.parts.size());
     const glm::dmat3 to_world = glm::transpose(glm::inverse(glm::dmat3(instance.world_from_mesh)));

@@ -222,6 +222,7 @@ class Flattener {
     part.first_vertex = static_cast<std::uint32_t>(world_.positions.own().size());
     part.material = world_material(mesh.material);
     part.shows_light = instance.shows_light;
+    part.node = instance.node;
     return part;
   }
 

@@ -29,6 +29,7 @@ struct Part {
   Box bounds;                     ///< of the positions that its triangles use; empty: unknown
   std::uint32_t face_count = 0;   ///< faces of an analytic shape; such a part has no triangles
   bool lines_and_points = false;  ///< of lines or points, which are drawn for each picture
+  int node = -1;                  ///< index into SceneContents::nodes; -1: it has none
 
   [[nodiscard]] bool shows_nothing() const {
     return triangle_count == 0 && face_count == 0 && !lines_and_points;

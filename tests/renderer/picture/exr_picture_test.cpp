@@ -1,6 +1,7 @@
 #include "renderer/picture/exr_picture.h"
 
 #include "renderer/gltf/load.h"
+#include "renderer/prepared/with_ground.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -50,16 +51,26 @@ TEST(ExrPicture, NamesComeWithIds) {
   EXPECT_EQ(options.layers, settings.layers);
 }
 
-// An object's asset is the node at the top of its tree.
+// An object's asset is the node at the top of its tree. Lines belong to nodes, too; the ground and
+// objects without nodes do not.
 TEST(ExrPicture, AssetsAreTopLevelNodes) {
   Scene file = load_scene("builtin:boxes").value();
   file.contents.nodes = {{"house", -1}, {"door", 0}, {"handle", 1}, {"", -1}};
-  file.contents.object_nodes.assign(prepare(file).value()->world().parts.size(), -1);
-  ASSERT_GE(file.contents.object_nodes.size(), 4u);
-  file.contents.object_nodes[0] = 2;
-  file.contents.object_nodes[1] = 0;
-  file.contents.object_nodes[2] = 3;
-  const auto scene = prepare(file).value();
+  ASSERT_GE(file.instances.size(), 4u);
+  file.instances[0].node = 2;
+  file.instances[1].node = 0;
+  file.instances[2].node = 3;
+  Instance fence = file.instances[0];
+  fence.shape = -1;
+  fence.mesh = static_cast<int>(file.meshes.size());
+  fence.name = "fence";
+  fence.node = 1;
+  Mesh lines;
+  lines.positions = {{0, 0, 0}, {0, 1, 0}};
+  lines.segments = {{0, 1}};
+  file.meshes.push_back(lines);
+  file.instances.insert(file.instances.begin(), fence);
+  const auto scene = with_ground(prepare(file).value(), Ground::on).value();
   RenderSettings settings;
   settings.layers = {Layer::object};
   const ExrOptions options = exr_options(*scene, {}, settings);
@@ -68,6 +79,9 @@ TEST(ExrPicture, AssetsAreTopLevelNodes) {
   EXPECT_EQ(options.asset_names[1], "house");
   EXPECT_EQ(options.asset_names[2], "node 4");
   EXPECT_EQ(options.asset_names[3], options.object_names[3]) << "in no node";
+  ASSERT_EQ(options.object_names.back(), "fence");
+  EXPECT_EQ(options.asset_names.back(), "house");
+  EXPECT_EQ(options.asset_names[scene->world().solid_parts() - 1], "ground");
 }
 
 }  // namespace
