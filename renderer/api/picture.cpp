@@ -118,8 +118,11 @@ Result<void> Picture::save(const std::string& path, const SaveOptions& options) 
       text = picture_text(describe(*of.scene, of.camera, of.settings,
                                    {options.exposure_ev, false, {}, 0.0f, tone}));
     const Film& film = impl_->result.film;
+    const PixelRect part = of.settings.visible();
+    ExrOptions exr;
+    exr.window = {of.settings.width, of.settings.height, part.x, part.y};
     const asos::Result<void> written =
-        extension == ".exr" ? write_exr(path, film, text)
+        extension == ".exr" ? write_exr(path, film, text, exr)
                             : write_png(path, film, {options.exposure_ev, tone}, text);
     if (!written) return failure(ErrorCode::cannot_write, written.error());
     return {};

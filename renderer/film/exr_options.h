@@ -20,8 +20,17 @@ inline constexpr std::array exr_compression_names{
     NamedExrCompression{ExrCompression::zip, "zip"},
     NamedExrCompression{ExrCompression::dwaa, "dwaa"}};
 
+/// The place of a film in a whole picture, in pixels: OpenEXR's data window in its display window.
+struct ExrWindow {
+  int width = 0;  ///< of the whole picture
+  int height = 0;
+  int x = 0;  ///< of the film's upper left pixel
+  int y = 0;
+};
+
 /// The contents of an EXR in addition to radiance and text.
 struct ExrOptions {
+  std::optional<ExrWindow> window;  ///< none: the film is the whole picture
   ExrCompression compression = ExrCompression::zip;
   LayerSet layers;                            ///< to write, if the film has them
   std::vector<std::string> object_names;      ///< by id; "": none

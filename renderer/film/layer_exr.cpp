@@ -117,8 +117,20 @@ Imath::M44f exr_matrix(const glm::dmat4& matrix) {
   return made;
 }
 
+Imath::V2i first_pixel(const ExrOptions& options) {
+  return options.window ? Imath::V2i(options.window->x, options.window->y) : Imath::V2i(0, 0);
+}
+
+Imf::Header header_in_window(const Film& film, const ExrOptions& options) {
+  if (!options.window) return {film.width, film.height};
+  const ExrWindow& whole = *options.window;
+  const Imath::V2i first = first_pixel(options);
+  const Imath::V2i last = first + Imath::V2i(film.width - 1, film.height - 1);
+  return {Imath::Box2i({0, 0}, {whole.width - 1, whole.height - 1}), Imath::Box2i(first, last)};
+}
+
 Imf::Header common_header(const Film& film, const ExrOptions& options) {
-  Imf::Header header(film.width, film.height);
+  Imf::Header header = header_in_window(film, options);
   header.compression() = Imf::ZIP_COMPRESSION;
   set_chromaticities(header);
   if (options.world_to_camera) Imf::addWorldToCamera(header, exr_matrix(*options.world_to_camera));
@@ -134,13 +146,12 @@ struct ExrPart {
   Imf::FrameBuffer buffer;
 };
 
-void add_channel(const Film& film, const Channel& channel, ExrPart& part) {
+void add_channel(const Film& film, const Channel& channel, Imath::V2i first, ExrPart& part) {
   part.header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
-  part.buffer.insert(
-      channel.name,
-      Imf::Slice::Make(Imf::FLOAT, channel.first, Imath::V2i(0, 0), film.width, film.height,
-                       channel.step * sizeof(float),
-                       channel.step * sizeof(float) * static_cast<std::size_t>(film.width)));
+  part.buffer.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.first, first, film.width,
+                                                    film.height, channel.step * sizeof(float),
+                                                    channel.step * sizeof(float) *
+                                                        static_cast<std::size_t>(film.width)));
 }
 
 // Only colours are compressed with loss, which would corrupt ids and depths.
@@ -158,7 +169,7 @@ std::vector<ExrPart> parts_of(const Film& film, const Channels& channels, const 
     for (ExrPart& part : parts) part.header.setType(Imf::SCANLINEIMAGE);
   }
   for (const Channel& channel : channels.all())
-    add_channel(film, channel, channel.colour ? parts.front() : parts.back());
+    add_channel(film, channel, first_pixel(options), channel.colour ? parts.front() : parts.back());
   for (const auto& [key, value] : text)
     parts.front().header.insert(key, Imf::StringAttribute(value));
   for (const auto& [key, value] : channels.attributes())

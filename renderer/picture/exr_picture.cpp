@@ -19,23 +19,17 @@ glm::dmat4 world_to_camera(const Camera& camera, glm::dvec3 origin) {
   return ahead * glm::inverse(placed);
 }
 
-// From camera space to 0..1 over the visible part, y down.
+// From camera space to 0..1 over the whole picture, y down.
 glm::dmat4 camera_to_ndc(const Camera& camera, const RenderSettings& settings) {
   const bool perspective = camera.type == Camera::Type::perspective;
   const double height = perspective ? 2.0 * std::tan(0.5 * camera.fov_y_rad) : camera.height;
   const double width = height * settings.width / settings.height;
-  const PixelRect part = settings.visible();
-  const double across = static_cast<double>(settings.width) / part.width;
-  const double along = static_cast<double>(settings.height) / part.height;
-  const double left = static_cast<double>(part.x) / part.width;
-  const double top = static_cast<double>(part.y) / part.height;
   const int shift = perspective ? 2 : 3;  // the column that is multiplied by z, or by 1
   glm::dmat4 ndc(0.0);
-  ndc[0][0] = across / width;
-  ndc[1][1] = -along / height;
+  ndc[0][0] = 1.0 / width;
+  ndc[1][1] = -1.0 / height;
   ndc[2][2] = 1.0;
-  ndc[shift][0] = 0.5 * across - left;
-  ndc[shift][1] = 0.5 * along - top;
+  ndc[shift][0] = ndc[shift][1] = 0.5;
   ndc[shift][3] = 1.0;
   return ndc;
 }
@@ -55,6 +49,8 @@ ExrOptions exr_options(const RenderScene& scene, const Camera& camera,
                        const RenderSettings& settings) {
   ExrOptions options;
   options.layers = settings.layers;
+  const PixelRect visible = settings.visible();
+  options.window = {settings.width, settings.height, visible.x, visible.y};
   options.world_to_camera = world_to_camera(camera, scene.world().origin);
   options.world_to_ndc = camera_to_ndc(camera, settings) * *options.world_to_camera;
   if (!settings.layers.has_ids()) return options;

@@ -113,6 +113,32 @@ TEST(LayerExr, HeaderTellsColoursCameraAndRate) {
   EXPECT_EQ(name->value(), "CryptoObject");
 }
 
+// A part of a picture keeps its place: the data window lies within the display window.
+TEST(LayerExr, PartKeepsItsPlaceInThePicture) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("part.exr");
+  const Film film = film_with_layers();
+  for (const ExrCompression compression : {ExrCompression::zip, ExrCompression::dwaa}) {
+    ExrOptions options = all_layers(compression);
+    options.window = {40, 30, 21, 12};
+    ASSERT_TRUE(write_exr(path, film, {}, options));
+    {
+      const Imf::MultiPartInputFile file(path.c_str());
+      for (int part = 0; part < file.parts(); ++part) {
+        EXPECT_EQ(file.header(part).displayWindow(), Imath::Box2i({0, 0}, {39, 29}));
+        EXPECT_EQ(file.header(part).dataWindow(), Imath::Box2i({21, 12}, {23, 13}));
+      }
+    }
+    const auto read = read_exr(path);
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(read->film.width, 3);
+    EXPECT_EQ(read->film.height, 2);
+    if (compression == ExrCompression::zip) {
+      EXPECT_EQ(read->film.radiance, film.radiance);
+    }
+  }
+}
+
 // DWAA, which is lossy, would change ids and depths.
 TEST(LayerExr, DwaaLosesOnlyColours) {
   const test::TemporaryFolder folder;

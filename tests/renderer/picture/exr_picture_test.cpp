@@ -35,9 +35,12 @@ TEST(ExrPicture, MatricesProjectPointsToTheirPixels) {
       const glm::dvec4 seen = *options.world_to_camera * glm::dvec4(point, 1.0);
       EXPECT_NEAR(seen.z, view.depth(ray, t), 1e-5) << "+z is ahead";
       const glm::dvec4 ndc = *options.world_to_ndc * glm::dvec4(point, 1.0);
-      const PixelRect part = settings.visible();
-      EXPECT_NEAR(ndc.x / ndc.w, (40.25 - part.x) / part.width, 1e-5);
-      EXPECT_NEAR(ndc.y / ndc.w, (12.5 - part.y) / part.height, 1e-5);
+      EXPECT_NEAR(ndc.x / ndc.w, 40.25 / 64.0, 1e-5);
+      EXPECT_NEAR(ndc.y / ndc.w, 12.5 / 40.0, 1e-5);
+      ASSERT_TRUE(options.window);
+      EXPECT_EQ(options.window->width, 64);
+      EXPECT_EQ(options.window->x, crop.x);
+      EXPECT_EQ(options.window->y, crop.y);
     }
 }
 
