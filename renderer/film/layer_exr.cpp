@@ -79,10 +79,8 @@ class Channels {
   void add_plane(Layer layer, const float* values) {
     const LayerRow& row = row_of(layer);
     const std::size_t count = row.channel_count();
-    std::string name = row.name;
-    std::replace(name.begin(), name.end(), '-', '_');
     for (std::size_t c = 0; c < count; ++c)
-      channels_.push_back({fmt::format("{}.{}", name, row.channels[c]), values + c, count,
+      channels_.push_back({fmt::format("{}.{}", row.name, row.channels[c]), values + c, count,
                            row.channels[c] == "RGB"[c]});
   }
 

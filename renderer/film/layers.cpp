@@ -35,7 +35,7 @@ constexpr std::array<LayerRow, layer_count> layer_rows{{
      "Distance from the camera; infinite: background"},
     {Layer::normal, "normal", "Shading normal", "XYZ", LayerFilter::mean, "1",
      "Shading normal, unit, in scene axes"},
-    {Layer::geometric_normal, "geometric-normal", "Geometric normal", "XYZ", LayerFilter::mean, "1",
+    {Layer::geometric_normal, "geometric_normal", "Geometric normal", "XYZ", LayerFilter::mean, "1",
      "Normal of the triangle or shape, unit"},
     {Layer::uv, "uv", "Texture coordinates", "UV", LayerFilter::nearest, "1",
      "Texture coordinates of the base colour"},
@@ -58,6 +58,13 @@ static_assert([] {
     if (layer_rows[i].value != static_cast<Layer>(i)) return false;
   return true;
 }());
+
+// Earlier pictures and commands spell names of two words with a hyphen.
+bool is_name_of(const LayerRow& layer, std::string_view name) {
+  std::string spelled(name);
+  std::replace(spelled.begin(), spelled.end(), '-', '_');
+  return spelled == layer.name;
+}
 
 template <typename T>
 void copy_rows(const std::vector<T>& from, const PixelRect& from_rect, std::vector<T>& to,
@@ -116,20 +123,23 @@ bool LayerSet::of_surfaces() const {
 }
 
 Result<LayerSet> parse_layers(std::string_view text) {
-  if (text == "all") return LayerSet::all();
   LayerSet set;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t end = std::min(text.find(',', from), text.size());
     const std::string_view name = text.substr(from, end - from);
+    from = end + 1;
+    if (name == "all") {
+      for (const LayerRow& layer : layer_rows) set.insert(layer.value);
+      continue;
+    }
     const auto row = std::find_if(layer_rows.begin(), layer_rows.end(),
-                                  [&](const LayerRow& layer) { return name == layer.name; });
+                                  [&](const LayerRow& layer) { return is_name_of(layer, name); });
     if (row == layer_rows.end()) {
       std::string names;
       for (const LayerRow& layer : layer_rows) names += fmt::format(", {}", layer.name);
       return unexpected(Error{fmt::format("\"{}\"", name), "is no layer; there are all" + names});
     }
     set.insert(row->value);
-    from = end + 1;
   }
   return set;
 }

@@ -75,7 +75,7 @@ TEST(LayersOption, SaysWhatItCannotDo) {
   const test::AsosRun unknown = render({"-o", exr, "--layers", "deep"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_TRUE(test::contains(unknown.err, "\"deep\""));
-  EXPECT_TRUE(test::contains(unknown.err, "geometric-normal"));
+  EXPECT_TRUE(test::contains(unknown.err, "geometric_normal"));
   const test::AsosRun png = render({"-o", folder.file("a.png"), "--layers", "depth"});
   EXPECT_EQ(png.exit_code, 2);
   EXPECT_TRUE(test::contains(png.err, ".exr"));

@@ -24,10 +24,14 @@ TEST(Layers, ListIsRead) {
   EXPECT_EQ(*parse_layers("depth,normal"), (LayerSet{Layer::depth, Layer::normal}));
   EXPECT_EQ(*parse_layers("all"), LayerSet::all());
   EXPECT_EQ(*parse_layers(text_of(LayerSet::all())), LayerSet::all());
-  for (const char* bad : {"", "depth,", "deep", "all,depth", "Depth"}) {
+  EXPECT_EQ(*parse_layers("all,depth"), LayerSet::all());
+  EXPECT_EQ(*parse_layers("depth,all"), LayerSet::all());
+  EXPECT_EQ(*parse_layers("geometric-normal"), LayerSet{Layer::geometric_normal});
+  EXPECT_EQ(*parse_layers("geometric_normal"), LayerSet{Layer::geometric_normal});
+  for (const char* bad : {"", "depth,", "deep", "all,deep", ",all", "Depth"}) {
     const auto read = parse_layers(bad);
     ASSERT_FALSE(read) << bad;
-    EXPECT_NE(read.error().reason.find("geometric-normal"), std::string::npos);
+    EXPECT_NE(read.error().reason.find("geometric_normal"), std::string::npos);
   }
 }
 
