@@ -100,7 +100,7 @@ struct MeshData {
   std::span<const float> positions = {};  ///< x, y, z of each vertex
   std::span<const float> normals = {};    ///< likewise, of any length above 0; empty: flat faces
   std::span<const float> texcoords = {};  ///< u, v of each vertex
-  std::span<const float> colors = {};     ///< linear R, G, B, A of each vertex
+  std::span<const float> colors = {};     ///< linear R, G, B, A of each vertex, 0 to 1
   std::span<const std::uint32_t> triangles =
       {};  ///< three vertices each, counter-clockwise in front
 };

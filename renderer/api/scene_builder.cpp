@@ -87,6 +87,15 @@ std::string read_normals(const MeshData& data, gltf::VertexData& vertices) {
   return fault;
 }
 
+std::string read_colors(const MeshData& data, gltf::VertexData& vertices) {
+  std::string fault =
+      read_attribute<4>("colors", data.colors, vertices.positions.size(), vertices.colors);
+  for (const float value : data.colors)
+    if (fault.empty() && !(value >= 0.0f && value <= 1.0f))
+      fault = fmt::format("colors have a value {}, which is not from 0 to 1", value);
+  return fault;
+}
+
 /// Reads the vertices and triangles of a mesh. Returns their fault; empty: none.
 std::string read_mesh(const MeshData& data, gltf::VertexData& vertices,
                       std::vector<glm::uvec3>& triangles) {
@@ -103,9 +112,7 @@ std::string read_mesh(const MeshData& data, gltf::VertexData& vertices,
           read_attribute<2>("texcoords", data.texcoords, count, vertices.texcoords[0]);
       !fault.empty())
     return fault;
-  if (std::string fault = read_attribute<4>("colors", data.colors, count, vertices.colors);
-      !fault.empty())
-    return fault;
+  if (std::string fault = read_colors(data, vertices); !fault.empty()) return fault;
   if (data.triangles.empty() || data.triangles.size() % 3 != 0)
     return "triangles are not three vertices each";
   for (std::size_t i = 0; i < data.triangles.size(); i += 3) {

@@ -72,6 +72,12 @@ TEST_F(ApiSceneBuilder, RefusesBrokenArrays) {
   const std::vector<float> colors(8, 1.0f);
   mesh.colors = colors;
   refused("colors");
+  for (const float value : {-1.0f, 1.5f, 1e30f}) {
+    std::vector<float> odd(12, 1.0f);
+    odd[7] = value;
+    mesh.colors = odd;
+    refused("not from 0 to 1");
+  }
   mesh.colors = {};
   mesh.texcoords = colors;
   refused("texcoords");
