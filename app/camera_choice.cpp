@@ -5,6 +5,7 @@
 #include "renderer/files/printable.h"
 #include "renderer/geometry/validate_camera.h"
 #include "renderer/geometry/view.h"
+#include "renderer/shading/layers.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -134,7 +135,8 @@ std::string planes_remark(const RenderScene& scene, const Camera& camera,
   for (int i = 0; i < columns * rows; ++i) {
     const Ray ray = view.ray(settings.width * (i % columns + 0.5) / columns,
                              settings.height * (i / columns + 0.5) / rows);
-    const Hit hit = scene.rays().closest(ray, culling_of(settings));
+    const Hit hit = closest_visible(scene.world(), scene.render_features, scene.rays(), ray,
+                                    culling_of(settings));
     if (!hit.valid()) continue;
     const double depth = glm::dot(glm::dvec3(ray.at(hit.t)) - eye, forward);
     nearer |= camera.near_depth && depth < *camera.near_depth;

@@ -1,6 +1,7 @@
 #include "ui/viewpoint.h"
 
 #include "renderer/geometry/camera_fit.h"
+#include "renderer/shading/layers.h"
 #include "renderer/world/framing.h"
 #include "renderer/world/ground.h"
 
@@ -32,7 +33,8 @@ double subject_distance(const RenderScene& scene, const Camera& camera) {
   for (int y = margin; y < grid - margin; ++y) {
     for (int x = margin; x < grid - margin; ++x) {
       const Ray ray = view.ray(x + 0.5, y + 0.5);
-      const Hit hit = scene.rays().closest(ray);
+      const Hit hit =
+          closest_visible(scene.world(), scene.render_features, scene.rays(), ray, Culling::none);
       if (hit.valid()) depths.push_back(glm::dot(glm::dvec3(ray.at(hit.t)) - eye, forward));
     }
   }
@@ -189,7 +191,8 @@ View Viewpoint::view() const {
 
 Hit Viewpoint::seen_at(double x, double y) const {
   if (!scene_ || !sized_) return {};
-  return scene_->rays().closest(view().ray(x, y), culling_of(settings_));
+  return closest_visible(scene_->world(), scene_->render_features, scene_->rays(), view().ray(x, y),
+                         culling_of(settings_));
 }
 
 void Viewpoint::focus_at(double x, double y) {

@@ -60,7 +60,8 @@ class Viewpoint {
 
   /// The view of the camera in a picture of the current size. Requires a scene.
   [[nodiscard]] View view() const;
-  /// The hit at (x, y), in pixels; invalid on the background.
+  /// The nearest hit at (x, y), in pixels, of a surface that is not blended away; invalid on the
+  /// background.
   [[nodiscard]] Hit seen_at(double x, double y) const;
   /// Focuses the camera's lens on the surface at (x, y), in pixels; no effect on the background.
   void focus_at(double x, double y);

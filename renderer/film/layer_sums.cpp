@@ -60,16 +60,36 @@ IdShares shares_of(const IdWeights& ids, double weight) {
   return shares;
 }
 
+void LayerSum::add_ids(const LayerSample& sample, double sample_weight) {
+  if (sample.covers.empty()) {
+    add_id(objects, sample.object, sample_weight);
+    add_id(materials, sample.material, sample_weight);
+    return;
+  }
+  double left = sample_weight;
+  for (const ObjectCover& cover : sample.covers) {
+    const double covered = sample_weight * static_cast<double>(cover.share);
+    add_id(objects, cover.object, covered);
+    add_id(materials, cover.material, covered);
+    left -= covered;
+  }
+  constexpr double rounding = 1e-6;  // of the shares
+  if (!(left > rounding * sample_weight)) return;
+  add_id(objects, no_id, left);
+  add_id(materials, no_id, left);
+}
+
 void LayerSum::add(const LayerSample& sample, double sample_weight) {
   weight += sample_weight;
-  add_id(objects, sample.object, sample_weight);
-  add_id(materials, sample.material, sample_weight);
+  add_ids(sample, sample_weight);
   if (sample.object == no_id) return;
   alpha += sample_weight * static_cast<double>(sample.alpha);
   albedo += sample_weight * glm::dvec3(sample.albedo);
   normal += sample_weight * glm::dvec3(sample.normal);
   geometric_normal += sample_weight * glm::dvec3(sample.geometric_normal);
-  if (sample.distance < nearest.distance) nearest = sample;
+  if (!(sample.distance < nearest.distance)) return;
+  nearest = sample;
+  nearest.covers.clear();
 }
 
 void LayerSum::add(const LayerSum& part, double part_weight) {

@@ -14,6 +14,13 @@
 
 namespace asos {
 
+/// The part of a sample that an object with one material covers.
+struct ObjectCover {
+  std::uint32_t object = no_id;
+  std::uint32_t material = no_id;
+  float share = 1.0f;
+};
+
 /// The values of all surface layers at one sample. A default one shows the background.
 struct LayerSample {
   float alpha = 0.0f;
@@ -26,6 +33,9 @@ struct LayerSample {
   float distance = std::numeric_limits<float>::infinity();
   std::uint32_t object = no_id;
   std::uint32_t material = no_id;
+  /// The surfaces along the ray, where the first one is transparent; the background covers the
+  /// rest. Empty: the first one covers all.
+  std::vector<ObjectCover> covers;
 };
 
 /// Weights of ids, in order of arrival.
@@ -49,6 +59,9 @@ struct LayerSum {
   void add(const LayerSample& sample, double sample_weight);
   /// Adds a part that was sampled separately, scaled to this weight.
   void add(const LayerSum& part, double part_weight);
+
+ private:
+  void add_ids(const LayerSample& sample, double sample_weight);
 };
 
 /// The sums to which samples add their layers: those of target i are number i / `targets_each`.

@@ -1,6 +1,7 @@
 #include "renderer/prepared/focus.h"
 
 #include "renderer/geometry/view.h"
+#include "renderer/shading/layers.h"
 
 #include <algorithm>
 
@@ -24,7 +25,8 @@ double automatic_focus(const RenderScene& scene, const Camera& camera,
     if (!(distance < nearest)) continue;
     const glm::dvec2 p = 0.5 * size * (1.0 + 0.999 * at);
     const Ray ray = view.ray(p.x, p.y);
-    const Hit hit = scene.rays().closest(ray, culling_of(settings));
+    const Hit hit = closest_visible(scene.world(), scene.render_features, scene.rays(), ray,
+                                    culling_of(settings));
     const double depth = hit.valid() ? view.depth(ray, hit.t) : 0.0;
     if (!(depth > 0.0)) continue;
     focus = depth;

@@ -8,11 +8,6 @@
 namespace asos {
 namespace {
 
-class NoLight final : public LightTransport {
- public:
-  void add(const Illumination&, glm::vec3&, RenderStatistics&) override {}
-};
-
 Shader coverage_shader(const RenderScene& scene, const View& view, RenderSettings settings) {
   settings.background.content = PixelContent::coverage;
   settings.sky = nullptr;
@@ -31,15 +26,28 @@ LayerProbe::LayerProbe(const RenderScene& scene, const ViewContext& viewer,
       points_(layers_.has(Layer::normal) || layers_.has(Layer::geometric_normal)),
       materials_(layers_.has(Layer::albedo)),
       mips_(settings.texture.filter == TextureFilter::footprint ? &scene.mips() : nullptr) {
-  if (layers_.has(Layer::alpha) && scene.render_features.alpha_blend)
+  if (scene.render_features.alpha_blend)
     coverage_.emplace(coverage_shader(scene, viewer.view, settings));
 }
 
-LayerSample LayerProbe::at(const ViewedRay& seen, RenderStatistics& counts) const {
+LayerSample LayerProbe::at(const ViewedRay& ray, RenderStatistics& counts) const {
   LayerSample sample;
-  const Hit& hit = seen.hit;
-  if (!hit.valid()) return sample;
+  ViewedRay seen = ray;
+  if (!seen.hit.valid()) return sample;
   const World& world = scene_->world();
+  sample.alpha = 1.0f;
+  // The first surface that is there stands for a transparent ray.
+  if (coverage_ && surface_kind(world.material_of(seen.hit.triangle)) == SurfaceKind::blended) {
+    const CoveredRay covered = coverage_->covered(seen, counts);
+    if (covered.surfaces.empty()) return {};
+    sample.alpha = covered.coverage;
+    for (const SurfaceCover& surface : covered.surfaces) {
+      const std::uint32_t object = world.triangle_part[surface.hit.triangle];
+      sample.covers.push_back({object, world.parts[object].material, surface.share});
+    }
+    seen.hit = covered.surfaces.front().hit;
+  }
+  const Hit& hit = seen.hit;
   sample.object = world.triangle_part[hit.triangle];
   sample.material = world.parts[sample.object].material;
   sample.distance = viewer_->spacing.start + hit.t;
@@ -47,7 +55,6 @@ LayerSample LayerProbe::at(const ViewedRay& seen, RenderStatistics& counts) cons
   if (layers_.has(Layer::position))
     sample.position = glm::vec3(world.origin + glm::dvec3(seen.ray.origin) +
                                 static_cast<double>(hit.t) * glm::dvec3(seen.ray.direction));
-  if (layers_.has(Layer::alpha)) sample.alpha = alpha(seen, counts);
   if (layers_.has(Layer::uv)) {
     const TextureUse& use = world.material_of(hit.triangle).base_color_texture;
     const glm::vec2 uv =
@@ -70,14 +77,6 @@ void LayerProbe::add_surface(const ViewedRay& seen, LayerSample& sample) const {
   const SurfaceMaterial material = surface_material(
       world, scene_->render_features, hit, point.footprint, extent.point() ? nullptr : mips_);
   sample.albedo = material.base_color;
-}
-
-float LayerProbe::alpha(const ViewedRay& seen, RenderStatistics& counts) const {
-  const Material& material = scene_->world().material_of(seen.hit.triangle);
-  if (!coverage_ || surface_kind(material) != SurfaceKind::blended) return 1.0f;
-  NoLight none;
-  const glm::vec3 hidden = coverage_->radiance(seen, none, counts);
-  return (hidden.x + hidden.y + hidden.z) / 3.0f;
 }
 
 }  // namespace asos

@@ -11,7 +11,9 @@
 namespace asos {
 
 /// Evaluates the surface layers that the settings ask for where an eye ray meets its nearest
-/// surface. Blended surfaces count as opaque, except in the alpha layer. Thread-compatible.
+/// surface. Blended surfaces of opacity 0 do not count. In the alpha layer and in the coverage of
+/// ids, surfaces count by their opacity, from front to back; in all other layers the first one
+/// counts as opaque. Thread-compatible.
 class LayerProbe {
  public:
   /// `scene` and `viewer` have to outlive this.
@@ -22,7 +24,6 @@ class LayerProbe {
 
  private:
   void add_surface(const ViewedRay& seen, LayerSample& sample) const;
-  [[nodiscard]] float alpha(const ViewedRay& seen, RenderStatistics& counts) const;
 
   const RenderScene* scene_;
   const ViewContext* viewer_;
@@ -30,7 +31,7 @@ class LayerProbe {
   bool points_;     // some layer needs the point of the surface
   bool materials_;  // or its material
   const MipChains* mips_;
-  std::optional<Shader> coverage_;  // where surfaces may be blended, and alpha is asked for
+  std::optional<Shader> coverage_;  // where surfaces may be blended
 };
 
 }  // namespace asos

@@ -24,6 +24,18 @@ struct SurfaceLayer {
   bool varies = false;
 };
 
+/// A surface along a ray, with the part of the ray that it covers.
+struct SurfaceCover {
+  Hit hit;
+  float share = 1.0f;
+};
+
+/// The surfaces along a ray, in depth order, as far as they are visible.
+struct CoveredRay {
+  std::vector<SurfaceCover> surfaces;
+  float coverage = 0.0f;  ///< of all together
+};
+
 /// Returns a bound on the error of the transmittance of several layers, 0 to 1, if it is taken as
 /// the product of their means. It is the sum over the layers of the standard deviation of the
 /// transmittance before a layer times the layer's own; their covariance is at most that. 0: no two
@@ -93,5 +105,9 @@ class SurfaceWalk {
   std::vector<Hit> place_;  ///< surfaces coplanar with the hit; empty: only the hit
   std::size_t next_ = 0;    ///< index of the next one in `place_`
 };
+
+/// Returns the nearest hit of a surface that is there: blended surfaces of opacity 0 are passed.
+[[nodiscard]] Hit closest_visible(const World& world, const RenderFeatures& render_features,
+                                  const RayScene& rays, const Ray& ray, Culling faces);
 
 }  // namespace asos

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace asos {
 namespace {
@@ -31,6 +32,10 @@ Footprint square_footprint(const World& world, const SampleExtent& extent, const
       patch_on_plane(*extent.spacing, ray.direction, hit.t, point.geometric_normal, extent.side));
   square.side = extent.side;
   return square;
+}
+
+float mean_of(glm::vec3 colour) {
+  return (colour.x + colour.y + colour.z) / 3.0f;
 }
 
 bool shows_only_unlit(PixelContent content) {
@@ -217,13 +222,33 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   return met.radiance + met.behind * beyond;
 }
 
+CoveredRay Shader::covered(const ViewedRay& seen, RenderStatistics& counts) const {
+  const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,
+                            seen.side, seen.shape, seen.colours};
+  NoTransport none;
+  CoveredRay ray;
+  const Layers met = look_along(seen, extent, none, counts, &ray.surfaces);
+  ray.coverage = mean_of(glm::vec3(1.0f) - met.behind);
+  // So far `share` is the weight that is left behind a surface; behind the last one it is the
+  // background's, since invisible surfaces are left out.
+  if (!ray.surfaces.empty()) ray.surfaces.back().share = 1.0f - ray.coverage;
+  float before = 1.0f;
+  for (SurfaceCover& surface : ray.surfaces) {
+    const float left = std::min(before, surface.share);
+    surface.share = before - left;
+    before = left;
+  }
+  return ray;
+}
+
 glm::vec3 Shader::unlit_colour(const SurfaceMaterial& material) const {
   const bool share = settings_.backdrop.content() == PixelContent::unlit_share;
   return (share ? glm::vec3(1.0f) : material.base_color) * (1.0f - material.transmission);
 }
 
 Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& extent,
-                                  LightTransport& transport, RenderStatistics& counts) const {
+                                  LightTransport& transport, RenderStatistics& counts,
+                                  std::vector<SurfaceCover>* covers) const {
   const MipChains* mips = extent.point() ? nullptr : settings_.mips;
   const bool only_unlit = shows_only_unlit(settings_.backdrop.content());
   glm::vec3 sum{0.0f};
@@ -234,6 +259,9 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
   VolumePath passage = seen.passage;
   float passed = seen.ray.t_near;  // share has the attenuation up to here
   const glm::vec3 to_viewer = -seen.ray.direction;
+  const auto cover = [&](const Hit& hit, glm::vec3 left) {
+    if (covers) covers->push_back({hit, mean_of(left)});
+  };
   const auto light = seen.reflected() && !seen.hides_lights
                          ? nearest_light_without_geometry(seen.ray)
                          : std::nullopt;
@@ -287,12 +315,17 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
                               only_unlit ? left_out : sum, counts);
         }
       }
-      if (!blended) return {sum};
+      if (!blended) {
+        cover(hit, glm::vec3(0.0f));
+        return {sum};
+      }
       // Where pixels contain no light, refracting or blurring glass covers fully.
       const bool frosted =
           !boundary && material.transmission > 0.0f && material.roughness > 0.0f && !material.unlit;
-      if ((boundary || frosted) && !settings_.backdrop.shows_light() && settings_.reflections > 0)
+      if ((boundary || frosted) && !settings_.backdrop.shows_light() && settings_.reflections > 0) {
+        cover(hit, glm::vec3(0.0f));
         return {sum};
+      }
       // The base colour tints the transmitted light.
       if (!material.unlit) left *= 1.0f - material.metallic;
       glm::vec3 through =
@@ -303,6 +336,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
             add_refracted(seen, point, material.roughness, here, through, transport, sum, counts);
       }
       share = share * (1.0f - material.opacity) + through;
+      if (material.opacity > 0.0f) cover(hit, share);
       if (boundary) {
         passage = boundary->refracted(passage);
         passage.straight = passage.in_medium();

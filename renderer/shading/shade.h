@@ -90,6 +90,11 @@ class Shader {
   [[nodiscard]] std::vector<SurfaceLayer> layers(const ViewedRay& seen,
                                                  RenderStatistics& counts) const;
 
+  /// Returns the surfaces along a ray with the part of it that each of them covers: their sum is
+  /// the coverage, the mean of its colours. Surfaces of opacity 0 are left out. Only for a
+  /// background that requests coverage.
+  [[nodiscard]] CoveredRay covered(const ViewedRay& seen, RenderStatistics& counts) const;
+
   /// Returns the eye ray with the nearest hit `hit`, for a square of `side` pixels.
   [[nodiscard]] ViewedRay eye_ray(const Ray& ray, const Hit& hit, float side) const;
 
@@ -142,8 +147,10 @@ class Shader {
   /// Returns the colour of an unlit layer where it is opaque; 1 where pixels contain the fraction
   /// of unlit surfaces.
   [[nodiscard]] glm::vec3 unlit_colour(const SurfaceMaterial& material) const;
+  /// Adds the surfaces to `covers`, unless that is null.
   [[nodiscard]] Layers look_along(const ViewedRay& seen, const SampleExtent& extent,
-                                  LightTransport& transport, RenderStatistics& counts) const;
+                                  LightTransport& transport, RenderStatistics& counts,
+                                  std::vector<SurfaceCover>* covers = nullptr) const;
   /// A surface along a ray, with its weight in the ray's radiance and the number of surfaces in
   /// front of it.
   struct Layer {

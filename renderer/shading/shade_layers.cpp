@@ -46,6 +46,19 @@ void SurfaceWalk::go_on(const SurfacePoint& point) {
   hit_ = rays_->closest(ray_, faces_);
 }
 
+Hit closest_visible(const World& world, const RenderFeatures& render_features, const RayScene& rays,
+                    const Ray& ray, Culling faces) {
+  SurfaceWalk walk(rays, ray, rays.closest(ray, faces), faces);
+  for (LayerCount count; walk.hit().valid() && !count.full(); count.pass_clear()) {
+    const Hit& hit = walk.hit();
+    if (world.material_of(hit.triangle).alpha_mode != AlphaMode::blend ||
+        opacity_at(world, hit.triangle, hit.b1, hit.b2) > 0.0f)
+      return hit;
+    walk.go_on(surface_point(world, render_features, hit, -ray.direction));
+  }
+  return walk.hit();
+}
+
 std::vector<SurfaceLayer> Shader::layers(const ViewedRay& seen, RenderStatistics& counts) const {
   std::vector<SurfaceLayer> found;
   const SampleExtent extent{seen.spacing ? seen.spacing : &settings_.spacing, settings_.mips,

@@ -1,12 +1,15 @@
 #include "renderer/film/layers.h"
 
 #include "renderer/gltf/load.h"
+#include "renderer/prepared/focus.h"
 #include "renderer/pyray/error_budget.h"
 #include "renderer/shading/sky.h"
 #include "tests/renderer/comparison/rival_scenes.h"
 #include "tests/support/polygon.h"
 #include "tests/support/shape_world.h"
 #include "tests/support/shared_dir.h"
+#include "tests/support/textured_scene.h"
+#include "tests/support/tiny_image.h"
 
 #include <gtest/gtest.h>
 
@@ -377,7 +380,7 @@ TEST(Layers, EveryMethodOfSamplesWeighsThemAsItsPicture) {
   }
 }
 
-// A blended card hides by its opacity; its id is that of the nearest surface.
+// A blended card hides by its opacity, in alpha as in the coverage of its id.
 TEST(Layers, AlphaOfBlendedSurfacesIsTheirOpacity) {
   World world;
   test::add_card(world, {-9, -9}, {4, 17}, test::unlit(glm::vec3(0.5f), 0.25f), 1.0f);
@@ -385,9 +388,80 @@ TEST(Layers, AlphaOfBlendedSurfacesIsTheirOpacity) {
   for (const Method method : {Method::asos, Method::sobol}) {
     const BlockResult result = test::render_small(*scene, with_layers(method));
     EXPECT_NEAR(plane(result, Layer::alpha).at(8 * 3 + 2)[0], 0.25f, 1e-6f);
-    EXPECT_EQ(share_of(plane(result, Layer::object).ids[8 * 3 + 2], 0), 1.0);
+    EXPECT_NEAR(share_of(plane(result, Layer::object).ids[8 * 3 + 2], 0), 0.25, 1e-6);
+    EXPECT_NEAR(share_of(plane(result, Layer::object).ids[8 * 3 + 2], no_id), 0.75, 1e-6);
     EXPECT_EQ(plane(result, Layer::alpha).at(8 * 3 + 6)[0], 0.0f);
+    expect_shares_add_up(result);
   }
+}
+
+// Cards of opacity 1/4 and 1/2, and a wall behind the left half: 0.25, 0.75 * 0.5 and the rest.
+TEST(Layers, CoveragesOfBlendedSurfacesAreWeightedFromFrontToBack) {
+  World world;
+  test::add_card(world, {-9, -9}, {17, 17}, test::unlit(glm::vec3(0.5f), 0.25f), 2.0f);
+  test::add_card(world, {-9, -9}, {17, 17}, test::unlit(glm::vec3(0.5f), 0.5f), 1.0f);
+  test::add_card(world, {-9, -9}, {4, 17}, test::unlit(glm::vec3(0.5f)));
+  const auto scene = test::make_render_scene(std::move(world));
+  for (const Method method : {Method::asos, Method::sobol, Method::whitted}) {
+    const BlockResult result = test::render_small(*scene, with_layers(method));
+    for (const Layer layer : {Layer::object, Layer::material}) {
+      const IdShares& left = plane(result, layer).ids[8 * 3 + 2];
+      EXPECT_NEAR(share_of(left, 0), 0.25, 1e-6);
+      EXPECT_NEAR(share_of(left, 1), 0.375, 1e-6);
+      EXPECT_NEAR(share_of(left, 2), 0.375, 1e-6);
+      const IdShares& right = plane(result, layer).ids[8 * 3 + 6];
+      EXPECT_NEAR(share_of(right, 0) + share_of(right, 1), 0.625, 1e-6);
+    }
+    EXPECT_NEAR(plane(result, Layer::alpha).at(8 * 3 + 2)[0], 1.0f, 1e-6f);
+    EXPECT_NEAR(plane(result, Layer::alpha).at(8 * 3 + 6)[0], 0.625f, 1e-6f);
+    EXPECT_NEAR(plane(result, Layer::depth).at(8 * 3 + 2)[0], 8.0f, 1e-5f) << "the first counts";
+    expect_shares_add_up(result);
+  }
+}
+
+// A card of opacity 0 before the left half of a wall: the wall owns all layers there, too.
+TEST(Layers, SurfacesOfOpacityZeroAreNotThere) {
+  for (const bool by_texture : {false, true}) {
+    World world;
+    Material card = test::unlit(glm::vec3(0.02f, 0.35f, 0.05f), by_texture ? 1.0f : 0.0f);
+    card.alpha_mode = AlphaMode::blend;
+    if (by_texture)
+      card.base_color_texture.texture =
+          test::add_texture(world,
+                            test::make_image(2, 2,
+                                             [](int, int) {
+                                               return test::Texel{255, 255, 255, 0};
+                                             }),
+                            Wrap::repeat, Filter::nearest);
+    test::add_card(world, {-9, -9}, {4, 17}, card, 1.0f);
+    test::add_card(world, {-9, -9}, {17, 17}, test::unlit({0.9f, 0.3f, 0.3f}));
+    const auto scene = test::make_textured_scene(std::move(world));
+    for (const Method method : {Method::asos, Method::sobol}) {
+      const BlockResult result = test::render_small(*scene, with_layers(method));
+      for (const int x : {2, 6}) {
+        const auto i = static_cast<std::size_t>(8 * 3 + x);
+        EXPECT_EQ(share_of(plane(result, Layer::object).ids[i], 1), 1.0) << x;
+        EXPECT_EQ(share_of(plane(result, Layer::material).ids[i], 1), 1.0) << x;
+        EXPECT_NEAR(plane(result, Layer::depth).at(i)[0], 10.0f, 1e-5f) << x;
+        EXPECT_NEAR(plane(result, Layer::position).at(i)[2], 0.0f, 1e-5f) << x;
+        EXPECT_NEAR(plane(result, Layer::albedo).at(i)[0], 0.9f, 1e-5f) << x;
+        EXPECT_NEAR(plane(result, Layer::alpha).at(i)[0], 1.0f, 1e-6f) << x;
+      }
+    }
+  }
+}
+
+// The lens focuses on what is seen, not on a card of opacity 0 before it.
+TEST(Focus, PassesSurfacesOfOpacityZero) {
+  World world;
+  Material card = test::unlit(glm::vec3(0.5f), 0.0f);
+  test::add_quad(world, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, card);
+  test::add_quad(world, {-9, -9, -5}, {18, 0, 0}, {0, 18, 0}, test::matte(glm::vec3(0.5f)));
+  const auto scene = test::make_render_scene(std::move(world));
+  Camera camera = test::look_at({0, 0, 0}, {0, 0, -1}, 0.8);
+  camera.lens.radius = 0.1;
+  EXPECT_NEAR(focused(*scene, camera, test::settings_for(Method::asos)).lens.focus.value(), 5.0,
+              1e-5);
 }
 
 // Positions are in the author's coordinates, however the world is recentred.
