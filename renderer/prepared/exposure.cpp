@@ -1,6 +1,7 @@
 #include "renderer/prepared/exposure.h"
 
 #include "renderer/prepared/screen_motion.h"
+#include "renderer/world/placements.h"
 
 #include <fmt/format.h>
 
@@ -120,7 +121,7 @@ class ExposureBuilder {
   }
 
   [[nodiscard]] int allowed_steps() const {
-    const std::size_t triangles = std::max<std::size_t>(scene_->world().triangles.size(), 1);
+    const std::size_t triangles = std::max<std::size_t>(stored_triangles(scene_->world()), 1);
     return static_cast<int>(
         std::min<std::size_t>(Exposure::most_steps, Exposure::most_triangles / triangles));
   }
@@ -144,6 +145,14 @@ class ExposureBuilder {
 };
 
 }  // namespace
+
+std::size_t stored_triangles(const World& world) {
+  constexpr std::size_t of_place = 4;  // an instance of a shared mesh takes as much memory
+  std::size_t triangles = world.triangles.own().size();
+  if (!world.placements) return triangles;
+  for (const auto& mesh : world.placements->meshes) triangles += mesh->triangles.size();
+  return triangles + of_place * world.placements->places.size();
+}
 
 Result<Shared> exposed(const Shared& scene, const Camera& camera, const RenderSettings& settings,
                        const MomentMaker& at, bool with_edges) {

@@ -17,7 +17,7 @@ namespace asos {
 struct Exposure {
   /// The largest number of steps from one moment to the next; a power of two.
   static constexpr int most_steps = 128;
-  /// The triangles of all moments together, about 4 GB of memory.
+  /// The stored triangles of all moments together, about 4 GB of memory.
   static constexpr std::size_t most_triangles = 4'000'000;
   /// No visible vertex moves farther in a step, in pixels, if these bounds allow it.
   static constexpr double finest_step = 0.25;
@@ -33,6 +33,10 @@ struct Exposure {
   [[nodiscard]] bool moves() const { return !moments.empty(); }
   [[nodiscard]] int steps() const { return static_cast<int>(moments.size()) - 1; }
 };
+
+/// Returns the number of triangles that a world stores. A mesh with many instances counts once, and
+/// an instance as a few triangles.
+[[nodiscard]] std::size_t stored_triangles(const World& world);
 
 /// Makes the scene of a picture at another time of its animation ready to render.
 using MomentMaker = std::function<Result<std::shared_ptr<const RenderScene>>(const ClipTime& time)>;

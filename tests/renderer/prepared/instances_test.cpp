@@ -1,3 +1,4 @@
+#include "renderer/prepared/exposure.h"
 #include "renderer/prepared/render_scene.h"
 #include "tests/support/instanced_scene.h"
 #include "tests/support/picture_difference.h"
@@ -177,6 +178,14 @@ TEST_F(Instances, TakeMemoryByTheirMeshes) {
   (void)shared_->features();
   (void)copied_->features();
   EXPECT_LT(8.0 * shared_->geometry->memory_mb(), copied_->geometry->memory_mb());
+}
+
+// The steps of motion blur are limited by what their moments store.
+TEST_F(Instances, CountOnceInAnExposure) {
+  EXPECT_EQ(stored_triangles(copied_->world()), copied_->world().triangles.size());
+  EXPECT_EQ(shared_->world().triangles.size(), copied_->world().triangles.size());
+  EXPECT_LT(stored_triangles(shared_->world()), copied_->world().triangles.size() / 50);
+  EXPECT_GE(stored_triangles(shared_->world()), 2u * 1512u);
 }
 
 TEST_F(Instances, ShowTheSameWhateverTheThreads) {
