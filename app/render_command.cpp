@@ -54,6 +54,8 @@ constexpr const char* render_footer =
     "done, 1 bad input (scene or file), 2 bad command line, 130 interrupted.";
 
 constexpr const char* nothing_written = "asos: interrupted, nothing was written\n";
+constexpr const char* best_written =
+    "asos: interrupted; the picture that was written is unfinished\n";
 constexpr const char* frames_kept =
     "asos: interrupted; the same command continues with the first missing frame\n";
 constexpr double most_time_limit_seconds = 1e6;
@@ -221,8 +223,9 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
         lens_remark(focused(ready, *camera, wanted.settings), choice.lens, wanted.settings.method),
         planes_remark(ready, *camera, wanted.settings)})
     if (!note.empty()) report.camera_notes.push_back(note);
-  if (ready.world().shows_nothing() && !arguments.allow_empty)
-    return tl::unexpected(nothing_drawn(report));
+  // Objects of an animation may be hidden at times.
+  const bool empty = ready.world().shows_nothing();
+  if (empty && !frame.time && !arguments.allow_empty) return tl::unexpected(nothing_drawn(report));
   report.kept = bar.pictures() > 1 && is_rendered(arguments, report.description, work.sources);
   if (report.kept) return report;
   const bool at_once =
@@ -231,7 +234,9 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
     return tl::unexpected(found.error());
   prepared = exposed_scene(still, *camera, wanted.settings, picture, work.scene);
   if (!prepared) return tl::unexpected(prepared.error());
-  for (std::string& note : shutter_remarks(wanted.settings, (*prepared)->exposure.get()))
+  const Exposure* exposure = (*prepared)->exposure.get();
+  report.shows_nothing = empty && frame.time && !(exposure && exposure->moves());
+  for (std::string& note : shutter_remarks(wanted.settings, exposure))
     report.camera_notes.push_back(std::move(note));
   report.load_seconds = work.load_seconds;
   report.build_seconds = seconds_since(started);
@@ -239,7 +244,9 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
 
   const std::optional<RenderResult> rendered = run_render_job(
       {*prepared, *camera, wanted.settings, false}, bar, interrupt, arguments.time_limit_seconds);
-  if (interrupt.interrupted()) return interrupted_error();
+  // With a time limit there is a picture to write even then.
+  const bool in_passes = arguments.time_limit_seconds.has_value();
+  if (interrupt.interrupted() && !(rendered && in_passes)) return interrupted_error();
   if (!rendered) return tl::unexpected(with_boundaries(*prepared).error());
   if (ready.geometry->boundaries.known()) report.feature_edges = ready.features().counts();
   tell_warnings(report, ready, wanted.sky);
@@ -249,6 +256,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   warn_of_cut_stacks(report);
   report.render_seconds = rendered->seconds;
   report.stopped_at = rendered->stopped_at;
+  report.interrupted = interrupt.interrupted() && report.stopped_at;
   report.memory_mb = peak_memory_mb();
 
   ExrOptions exr = exr_options(ready, *camera, wanted.settings);
@@ -264,12 +272,21 @@ void say_written(const RenderArguments& arguments, const RenderReport& report, s
     out << fmt::format("Kept {}, which has these settings.\n", printable(arguments.output));
     return;
   }
-  out << fmt::format("Wrote {}: {}, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
-                     printable(arguments.output), counted(report.triangles, "triangle"),
-                     report.load_seconds, report.build_seconds, report.render_seconds,
-                     report.stopped_at ? fmt::format(", stopped by --time-limit: {}",
-                                                     reached_text(*report.stopped_at))
-                                       : "");
+  out << fmt::format(
+      "Wrote {}: {}, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
+      printable(arguments.output), counted(report.triangles, "triangle"), report.load_seconds,
+      report.build_seconds, report.render_seconds,
+      report.stopped_at
+          ? fmt::format(", {}: {}", report.interrupted ? "interrupted" : "stopped by --time-limit",
+                        reached_text(*report.stopped_at))
+          : "");
+}
+
+void say_nothing_visible(const RenderArguments& arguments, const RenderReport& report,
+                         const FrameRequest& frame, std::ostream& err) {
+  if (!report.shows_nothing) return;
+  err << fmt::format("asos: note: nothing is visible at {:.4g} s; {} shows the background\n",
+                     frame.time->seconds, printable(arguments.output));
 }
 
 void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>& frames,
@@ -299,8 +316,9 @@ Result<void> check_inputs(const RenderArguments& arguments) {
 }
 
 // Renders each picture as if alone, so that frames can be rendered in any order and on any machine.
+// Sets `unfinished` if an interrupt ended a picture that was written all the same.
 Result<void> render_all(RenderArguments arguments, const Streams& streams, ProgressBar& bar,
-                        const InterruptGuard& interrupt) {
+                        const InterruptGuard& interrupt, bool& unfinished) {
   if (arguments.picture.from_error) return tl::unexpected(*arguments.picture.from_error);
   if (auto fits = check_picture_fits(arguments.picture.settings); !fits) return fits;
   // Checked before the scene is loaded, which may take long.
@@ -340,8 +358,11 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
       if (done.finished == 0)
         for (const std::string& note : report->camera_notes)
           streams.err << "asos: note: " << note << "\n";
+      say_nothing_visible(one, *report, frame, streams.err);
       say_written(one, *report, streams.out);
     }
+    unfinished = report->interrupted;
+    if (unfinished) return interrupted_error();
     ++done.finished;
     if (!report->kept) ++done.rendered, done.seconds += report->render_seconds;
   }
@@ -351,11 +372,12 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
 int run_render(const RenderArguments& arguments, const Streams& streams) {
   const InterruptGuard interrupt;
   ProgressBar bar(streams.err, streams.err_is_terminal && !arguments.quiet);
-  const Result<void> done = render_all(arguments, streams, bar, interrupt);
+  bool unfinished = false;
+  const Result<void> done = render_all(arguments, streams, bar, interrupt, unfinished);
   bar.wipe();
   if (done) return exit_ok;
   if (!interrupt.interrupted()) return fail(streams, done.error());
-  streams.err << last_words(arguments);
+  streams.err << (unfinished && arguments.frames.empty() ? best_written : last_words(arguments));
   return exit_interrupted;
 }
 

@@ -55,6 +55,7 @@ nlohmann::ordered_json measured_json(const RenderReport& report) {
     measured["time_limit"] = {{"seconds", *report.time_limit_seconds},
                               {"finished", !report.stopped_at}};
     if (report.stopped_at) measured["time_limit"]["reached"] = reached_text(*report.stopped_at);
+    if (report.interrupted) measured["time_limit"]["interrupted"] = true;
   }
   measured.update(counts_json(report.statistics));
   return measured;

@@ -41,6 +41,8 @@ struct RenderReport {
   double render_seconds = 0.0;
   std::optional<double> time_limit_seconds;  ///< that was asked for
   std::optional<Reached> stopped_at;         ///< where the time limit ended the render
+  bool interrupted = false;                  ///< an interrupt ended it before the limit
+  bool shows_nothing = false;                ///< no object is visible at the picture's time
   double memory_mb = 0.0;                    ///< peak memory of the process, in 10^6 bytes
   RenderFeatures render_features;            ///< features of the scene, and forced ones
 };

@@ -34,7 +34,7 @@ void FilmRender::collect(Film& film) {
 std::optional<RenderResult> FilmRender::render(
     Snapshot snapshot, const std::function<bool()>& go_on,
     const std::function<void(const Progress&)>& on_progress,
-    std::optional<double> time_limit_seconds) {
+    std::optional<double> time_limit_seconds, const std::function<bool()>& ends_early) {
   using Clock = std::chrono::steady_clock;
   snapshot.progressive = time_limit_seconds.has_value();
   session_.restart(std::move(snapshot));
@@ -42,7 +42,8 @@ std::optional<RenderResult> FilmRender::render(
   const PixelRect visible = session_.visible();
   result.film = Film(visible.width, visible.height);
   const auto past_limit = [&](const Progress& progress) {
-    return time_limit_seconds && progress.seconds >= *time_limit_seconds &&
+    return time_limit_seconds &&
+           (progress.seconds >= *time_limit_seconds || (ends_early && ends_early())) &&
            session_.reached().pass != Reached::Pass::nothing;
   };
   auto next_report = Clock::now() + report_step;

@@ -20,11 +20,12 @@ class FilmRender {
   /// could not be found. `go_on` is called some dozens of times a second, `on_progress` about ten
   /// times a second and at the end. Either may be empty; both are called from this thread.
   /// With a limit, in seconds of rendering, the picture comes in passes and is the best of that
-  /// time: at least a sample for each block, which takes a fraction of a second.
+  /// time: at least a sample for each block, which takes a fraction of a second. `ends_early`, if
+  /// any, ends it before the limit once it returns true; it is called as often as `go_on`.
   [[nodiscard]] std::optional<RenderResult> render(
       Snapshot snapshot, const std::function<bool()>& go_on,
       const std::function<void(const Progress&)>& on_progress,
-      std::optional<double> time_limit_seconds = {});
+      std::optional<double> time_limit_seconds = {}, const std::function<bool()>& ends_early = {});
 
  private:
   void wait_for_tiles();

@@ -254,6 +254,58 @@ TEST_F(Clip, SaysWhatIsNotShownUnlessItIsQuiet) {
   EXPECT_TRUE(contains(stats.at("warnings").dump(), "1 animation is not played"));
 }
 
+/// A square that an animation hides from 0.9 s on.
+class Vanishing : public testing::Test {
+ protected:
+  Vanishing() {
+    GltfBuilder b = GltfBuilder::square();
+    b.json["extensionsUsed"] = {"KHR_node_visibility", "KHR_animation_pointer"};
+    b.json["nodes"][0]["extensions"]["KHR_node_visibility"]["visible"] = true;
+    add_channel(b, 0, "pointer", b.scalars({0.0f, 0.9f}),
+                b.accessor(b.view(std::vector<std::uint8_t>{1, 0}), 5121, "SCALAR", 2), "STEP");
+    nlohmann::json& target = b.json["animations"][0]["channels"].back()["target"];
+    target.erase("node");
+    target["extensions"]["KHR_animation_pointer"]["pointer"] =
+        "/nodes/0/extensions/KHR_node_visibility/visible";
+    scene_ = folder_.write("vanishing.glb", b.glb());
+  }
+  [[nodiscard]] AsosRun render(const std::vector<std::string>& words) const {
+    return run_asos(std::vector<std::string>{"render", scene_, "-o", folder_.file("v.png"),
+                                             "--size", "16x16", "--max", "1", "--sky", "0,0,0",
+                                             "--background", "0,0,1"} +
+                    words);
+  }
+  /// The number of pixels that are not of the background's colour.
+  [[nodiscard]] int shown(const std::string& name) const {
+    const RgbImage picture = read_png(folder_.file(name)).value();
+    int count = 0;
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+      count += !(picture.rgb[i] == picture.rgb[0] && picture.rgb[i + 2] == picture.rgb[2]);
+    return count;
+  }
+
+  TemporaryFolder folder_;
+  std::string scene_;
+};
+
+TEST_F(Vanishing, FramesGoOnWhereNothingIsVisible) {
+  const AsosRun run = render({"--animation", "0", "--frames", "20-23/24"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_GT(shown("v-0021.png"), 0);
+  EXPECT_EQ(shown("v-0022.png"), 0);
+  EXPECT_EQ(shown("v-0023.png"), 0);
+  EXPECT_TRUE(contains(run.err, "nothing is visible at 0.9167 s"));
+  EXPECT_TRUE(contains(run.err, "nothing is visible at 0.9583 s"));
+  EXPECT_FALSE(contains(run.err, "0.875 s"));
+}
+
+TEST_F(Vanishing, ExposureMayHaveAnEmptyMiddle) {
+  const AsosRun run = render({"--time", "1", "--shutter", "0.5"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_GT(shown("v.png"), 0) << "the square is visible for 0.15 of 0.5 s";
+  EXPECT_FALSE(contains(run.err, "nothing is visible"));
+}
+
 TEST_F(Clip, APixelIsTracedAtItsTime) {
   const auto traced = [&](const char* time) {
     return run_asos({"trace", scene_, "--size", "24x16", "--pixel", "12,8", "--json", "--look-at",

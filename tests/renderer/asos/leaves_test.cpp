@@ -204,9 +204,9 @@ TEST(LeafShader, ShadesAnUnsureHighlightThatNoSampleMeets) {
 // Rough metal below a white sky, black below the pixel's diagonal. A hair of the white half shows
 // the reflection in its own surface, although no sample meets it.
 TEST(LeafShader, LobesOfAHairAreThoseOfItsOwnSurface) {
-  World world = wall(metal(glm::vec3(0.0f), 0.5f));
-  add_triangle(world, {-20, 20, 0.01f}, {20.01f, -20, 0.01f}, {20, 20, 0.01f},
-               metal(glm::vec3(0.9f), 0.5f));
+  World world = wall(metal(glm::vec3(0.0f), 0.3f));
+  add_triangle(world, {-20, 20, 0.01f}, {19.99f, -20, 0.01f}, {20, 20, 0.01f},
+               metal(glm::vec3(0.9f), 0.3f));
   RenderSettings settings = at_max(3);
   settings.sky = std::make_shared<const Sky>(glm::vec3(1.0f));
   for (const Estimator estimator : {Estimator::centre, Estimator::samples}) {
