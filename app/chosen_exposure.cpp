@@ -29,7 +29,7 @@ Result<std::string> choose_exposure(PictureArguments& wanted, OpenedScene& scene
   CameraChoice choice = wanted.camera;
   if (wanted.from) choice.given = picture.camera_from((*ready)->world().origin);
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
-  const Result<Camera> camera = scene.camera(**ready, choice, aspect);
+  const Result<Camera> camera = scene.camera((*ready)->world(), choice, aspect);
   if (!camera) return tl::unexpected(camera.error());
   PictureArguments shown = wanted;
   take_default_look(shown, **ready, *camera);

@@ -15,7 +15,9 @@ Result<std::shared_ptr<const RenderScene>> exposed_scene(
     const RenderSettings& settings, const PictureDescription& picture, const OpenedScene& opened) {
   if (!row_of(settings.method).takes_motion) return scene;
   const auto at = [&](const ClipTime& time) {
-    auto moment = opened.posed(time, picture);
+    auto moment = opened.posed(time, picture, [&](const World&, bool) {
+      return GroundChoice{settings.ground, &scene->world()};
+    });
     if (moment && !picture.lights) moment = lit_under(*moment, settings.sky.get());
     if (moment) moment = with_ground(*std::move(moment), settings.ground, &scene->world());
     if (!moment) return moment;

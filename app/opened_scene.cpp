@@ -2,6 +2,7 @@
 
 #include "app/scene_argument.h"
 #include "app/shutter_option.h"
+#include "renderer/prepared/default_look.h"
 #include "renderer/scene/posable_scene.h"
 #include "renderer/world/framing.h"
 
@@ -27,6 +28,7 @@ Result<OpenedScene> OpenedScene::open(const PictureArguments& wanted) {
   Result<Scene> scene = open_scene_argument(wanted.scene, options);
   if (!scene) return tl::unexpected(scene.error());
   OpenedScene opened;
+  opened.wanted_ = wanted;
   opened.at_rest_ = *std::move(scene);
   opened.contents_ = opened.at_rest_.contents;
   opened.cameras_ = opened.at_rest_.cameras.size();
@@ -82,23 +84,39 @@ Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<C
                                                            const PictureDescription& picture) {
   if (newest_ && newest_->geometry->time == time) return newest_;
   newest_.reset();
+  const ChooseGround choose = [this](const World& world, bool dark) {
+    return GroundChoice{ground_of_picture(world, dark)};
+  };
   if (stage_) {
-    auto prepared = posed(time, picture);
+    auto prepared = posed(time, picture, choose);
     if (!prepared) return prepared;
     return newest_ = *std::move(prepared);
   }
-  auto prepared = prepare_posed(at_rest_, picture, nullptr);
+  auto prepared = prepare_posed(at_rest_, picture, nullptr, choose);
   if (!prepared) return prepared;
   // The unprepared scene is no longer needed.
   at_rest_ = Scene{};
   return newest_ = *std::move(prepared);
 }
 
-Result<std::shared_ptr<const RenderScene>> OpenedScene::posed(
-    const std::optional<ClipTime>& time, const PictureDescription& picture) const {
+Result<std::shared_ptr<const RenderScene>> OpenedScene::posed(const std::optional<ClipTime>& time,
+                                                              const PictureDescription& picture,
+                                                              const ChooseGround& choose) const {
   const Result<Scene> posed = stage_->geometry->rig->pose(time);
   if (!posed) return tl::unexpected(posed.error());
-  return prepare_posed(*posed, picture, &stage_->geometry->stage);
+  return prepare_posed(*posed, picture, &stage_->geometry->stage, choose);
+}
+
+// The automatic exposure of a picture is metered without a ground.
+Ground OpenedScene::ground_of_picture(const World& world, bool dark) const {
+  if (!expects_ground_ || wanted_.exposure_metered || (!wanted_.exposure_chosen && !dark))
+    return Ground::off;
+  if (wanted_.sky_chosen || wanted_.ground_chosen) return wanted_.settings.ground;
+  CameraChoice choice = wanted_.camera;
+  if (wanted_.from) choice.given = wanted_.from->camera_from(world.origin);
+  const double aspect = static_cast<double>(wanted_.settings.width) / wanted_.settings.height;
+  const Result<Camera> chosen = camera(world, choice, aspect);
+  return chosen ? likely_ground(world, dark, *chosen) : Ground::off;
 }
 
 Result<std::shared_ptr<const RenderScene>> OpenedScene::at_rest(const PictureDescription& picture) {
@@ -106,9 +124,8 @@ Result<std::shared_ptr<const RenderScene>> OpenedScene::at_rest(const PictureDes
   return at(std::nullopt, picture);
 }
 
-Result<Camera> OpenedScene::camera(const RenderScene& scene, const CameraChoice& choice,
+Result<Camera> OpenedScene::camera(const World& world, const CameraChoice& choice,
                                    double aspect_ratio) const {
-  const World& world = scene.world();
   const bool framed = !choice.index && !choice.look_at && !choice.given && world.cameras.empty();
   return choose_camera(framed_ && framed ? *framed_ : world, choice, aspect_ratio);
 }

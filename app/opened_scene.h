@@ -26,28 +26,35 @@ class OpenedScene {
   /// Number of cameras that the file places.
   [[nodiscard]] std::size_t cameras() const { return cameras_; }
 
-  /// Returns the scene prepared for that time, lit as `picture` says, and keeps the last one. Its
-  /// edges may still be being searched.
+  /// Makes `at` build scenes on the ground that their pictures will probably have (default_look),
+  /// so that with_ground need not build them again.
+  void expect_ground() { expects_ground_ = true; }
+  /// Returns the scene prepared for that time, lit as `picture` says, and keeps the last one.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
                                                               const PictureDescription& picture);
-  /// The same at a time of a scene that moves; the result is not kept.
+  /// The same at a time of a scene that moves; the result is not kept. `choose`: the ground to
+  /// build it with.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> posed(
-      const std::optional<ClipTime>& time, const PictureDescription& picture) const;
+      const std::optional<ClipTime>& time, const PictureDescription& picture,
+      const ChooseGround& choose) const;
   /// The scene as the file's nodes place it, if it moves; otherwise the result of `at`.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at_rest(
       const PictureDescription& picture);
   /// Replaces the last scene by this one with its lights and ground; `at` of the same time returns
   /// it. Frees the hierarchies of the one before.
   void keep(std::shared_ptr<const RenderScene> scene) { newest_ = std::move(scene); }
-  /// Returns the camera for a picture of `scene`, which is one of those above. Without cameras in
-  /// the file, it frames the whole animation.
-  [[nodiscard]] Result<Camera> camera(const RenderScene& scene, const CameraChoice& choice,
+  /// Returns the camera for a picture of `world`, which is that of one of the scenes above. Without
+  /// cameras in the file, it frames the whole animation.
+  [[nodiscard]] Result<Camera> camera(const World& world, const CameraChoice& choice,
                                       double aspect_ratio) const;
 
  private:
   [[nodiscard]] Result<void> go_on_stage(const PictureArguments& wanted);
   void frame_animation();
+  [[nodiscard]] Ground ground_of_picture(const World& world, bool dark) const;
 
+  PictureArguments wanted_;
+  bool expects_ground_ = false;
   Scene at_rest_;  // for an animated scene, only its rig is kept
   SceneContents contents_;
   std::size_t cameras_ = 0;

@@ -165,6 +165,7 @@ Result<Work> open(RenderArguments& arguments, ProgressBar& bar, const InterruptG
   Result<OpenedScene> scene = OpenedScene::open(wanted);
   if (!scene) return tl::unexpected(scene_error(wanted, scene.error()));
   if (interrupt.interrupted()) return interrupted_error();
+  scene->expect_ground();
   Work work{*std::move(scene), seconds_since(started), {}};
   if (!arguments.frames.empty()) work.sources = source_files(wanted.scene, wanted.asset_root);
   if (!wanted.sky.file.empty()) work.sources.push_back(wanted.sky.file);
@@ -203,7 +204,7 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   CameraChoice choice = wanted.camera;
   if (wanted.from) choice.given = picture.camera_from((*prepared)->world().origin);
   const double aspect = static_cast<double>(wanted.settings.width) / wanted.settings.height;
-  const Result<Camera> camera = work.scene.camera(**prepared, choice, aspect);
+  const Result<Camera> camera = work.scene.camera((*prepared)->world(), choice, aspect);
   if (!camera) return tl::unexpected(camera.error());
   take_default_look(arguments.picture, **prepared, *camera);
   arguments.picture.settings.shutter.camera =

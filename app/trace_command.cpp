@@ -60,6 +60,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   bar.say(fmt::format("Loading {} ...", wanted.scene));
   Result<OpenedScene> scene = OpenedScene::open(wanted);
   if (!scene) return tl::unexpected(scene.error());
+  scene->expect_ground();
   bar.say("Building ...");
   PictureDescription picture;
   picture.render_features = wanted.render_features;
@@ -69,7 +70,7 @@ Result<nlohmann::ordered_json> trace(const TraceArguments& arguments, ProgressBa
   RenderSettings settings = as_published(*with);
   settings.judged_tone = judged_as_shown(wanted).judged_tone;
   const double aspect = static_cast<double>(settings.width) / settings.height;
-  const Result<Camera> camera = scene->camera(**prepared, wanted.camera, aspect);
+  const Result<Camera> camera = scene->camera((*prepared)->world(), wanted.camera, aspect);
   if (!camera) return tl::unexpected(camera.error());
   PictureArguments shown = wanted;
   shown.settings = settings;

@@ -151,8 +151,8 @@ class FlickerRun {
     if (!ready) return tl::unexpected(ready.error());
     if ((*ready)->world().shows_nothing())
       return tl::unexpected(Error{study_.scene, "the scene is empty: there is nothing to compare"});
-    const auto camera =
-        scene_->camera(**ready, wanted_.camera, static_cast<double>(study_.width) / study_.height);
+    const auto camera = scene_->camera((*ready)->world(), wanted_.camera,
+                                       static_cast<double>(study_.width) / study_.height);
     if (!camera) return tl::unexpected(camera.error());
     camera_ = *camera;
     ready = with_lines(*std::move(ready), {camera_, study_.height, RenderSettings{}.line_width})

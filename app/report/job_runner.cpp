@@ -71,8 +71,8 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   if (!ready) return tl::unexpected(ready.error());
   if ((*ready)->world().shows_nothing())
     return tl::unexpected(Error{subject.source, "the scene is empty: there is nothing to compare"});
-  const auto camera =
-      opened->camera(**ready, wanted.camera, static_cast<double>(plan_.width) / plan_.height);
+  const auto camera = opened->camera((*ready)->world(), wanted.camera,
+                                     static_cast<double>(plan_.width) / plan_.height);
   if (!camera) return tl::unexpected(camera.error());
   // Lines have their own width unless another one is set.
   ready = with_lines(*std::move(ready), {*camera, plan_.height, RenderSettings{}.line_width})

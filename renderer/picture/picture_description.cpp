@@ -315,8 +315,9 @@ Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
 
 Result<std::shared_ptr<const RenderScene>> prepare_posed(const Scene& scene,
                                                          const PictureDescription& description,
-                                                         const AnimationInvariants* stage) {
-  auto prepared = prepare(scene, forced_by(description.render_features), stage);
+                                                         const AnimationInvariants* stage,
+                                                         const ChooseGround& choose) {
+  auto prepared = prepare_on_ground(scene, forced_by(description.render_features), stage, choose);
   if (!prepared) return prepared;
   if (description.lights)
     prepared = with_lights(*prepared, description.lights_from((*prepared)->world().origin));

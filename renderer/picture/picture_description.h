@@ -4,6 +4,7 @@
 #include "renderer/film/split_map.h"
 #include "renderer/film/tone.h"
 #include "renderer/gltf/load.h"
+#include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "renderer/scene/scene.h"
@@ -85,8 +86,9 @@ struct PictureDescription {
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
     const Scene& scene, const PictureDescription& description);
 /// Prepares a scene that is already posed at the picture's time, with the invariants of the scene
-/// at rest; null: with its own.
+/// at rest; null: with its own. `choose`: the ground to build it with; null: none.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare_posed(
-    const Scene& scene, const PictureDescription& description, const AnimationInvariants* stage);
+    const Scene& scene, const PictureDescription& description, const AnimationInvariants* stage,
+    const ChooseGround& choose = nullptr);
 
 }  // namespace asos

@@ -13,8 +13,8 @@ namespace {
 constexpr float backdrop_top = 0.25f;
 constexpr float backdrop_bottom = 0.48f;
 
-bool stands_below(const RenderScene& scene, const Camera& camera) {
-  const Box bounds = bounds_without_ground(scene.world());
+bool stands_below(const World& world, const Camera& camera) {
+  const Box bounds = bounds_without_ground(world);
   return !bounds.empty() && camera.world_from_camera[3].y > static_cast<double>(bounds.lo.y);
 }
 
@@ -23,12 +23,20 @@ bool stands_below(const RenderScene& scene, const Camera& camera) {
 DefaultLook default_look(const RenderScene& scene, const Camera& camera) {
   const AnimationInvariants& stage = scene.geometry->stage;
   if (!stage.has_default_lighting) return {};
-  const bool ground = !stage.default_lighting_inside && stands_below(scene, camera);
+  const bool ground = !stage.default_lighting_inside && stands_below(scene.world(), camera);
   return {std::make_shared<const Sky>(Environment::softboxes), ground ? Ground::on : Ground::off};
 }
 
 DefaultLook default_look(const RenderScene& scene) {
   return default_look(scene, first_camera(scene.world()));
+}
+
+Ground likely_ground(const World& world, bool dark, const Camera& camera) {
+  const Box bounds = bounds_without_ground(world);
+  const glm::dvec3 eye(camera.world_from_camera[3]);
+  const bool inside = glm::all(glm::greaterThanEqual(eye, glm::dvec3(bounds.lo))) &&
+                      glm::all(glm::lessThanEqual(eye, glm::dvec3(bounds.hi)));
+  return dark && !inside && stands_below(world, camera) ? Ground::on : Ground::off;
 }
 
 Background default_background(const Sky* sky) {

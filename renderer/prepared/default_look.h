@@ -24,6 +24,10 @@ struct DefaultLook {
 /// Returns the look for the file's first camera, or for the one that frames the scene.
 [[nodiscard]] DefaultLook default_look(const RenderScene& scene);
 
+/// Returns the ground of the default look of a scene whose hierarchy is not built yet. `dark`: the
+/// scene itself has almost no light. A camera within its bounds is taken for that of an interior.
+[[nodiscard]] Ground likely_ground(const World& world, bool dark, const Camera& camera);
+
 /// Returns the default background of a sky. It is a grey gradient for environments with panels,
 /// since these would distract behind a model, and the sky itself for others.
 [[nodiscard]] Background default_background(const Sky* sky);

@@ -7,6 +7,7 @@
 #include "renderer/shading/shade.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
+#include "renderer/world/ground.h"
 
 #include <algorithm>
 #include <limits>
@@ -34,6 +35,12 @@ glm::vec3 emission_at(const World& world, std::uint32_t triangle, float b1, floa
   return opacity_at(world, triangle, b1, b2) * emission;
 }
 
+/// Returns whether a hit is on the ground, which does not count for the default lights.
+bool on_ground(const World& world, const Hit& hit) {
+  return ground_of(world) != Ground::off &&
+         world.triangle_part[hit.triangle] + 1 == world.solid_parts();
+}
+
 /// Returns the surface points at the hits of a grid of eye rays.
 std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, const Camera& camera) {
   constexpr int width = 32;
@@ -44,7 +51,7 @@ std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, con
     for (int x = 0; x < width; ++x) {
       const Ray ray = view.ray(x + 0.5, y + 0.5);
       const Hit hit = rays.closest(ray, Culling::as_material_says);
-      if (!hit.valid()) continue;
+      if (!hit.valid() || on_ground(world, hit)) continue;
       const SurfacePoint point = surface_point(world, {}, hit, -ray.direction);
       seen.push_back({ray.origin, point.position, point.geometric_normal});
     }
@@ -52,13 +59,16 @@ std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, con
   return seen;
 }
 
-double free_distance(const RayScene& rays, glm::dvec3 from, glm::dvec3 direction) {
+double free_distance(const World& world, const RayScene& rays, glm::dvec3 from,
+                     glm::dvec3 direction) {
   Ray ray;
   ray.origin = from;
   ray.direction = direction;
   Blocker blocker;
   rays.blockers({&ray, 1}, {&blocker, 1});
-  return blocker.hit.valid() ? blocker.hit.t : std::numeric_limits<double>::infinity();
+  if (!blocker.hit.valid() || on_ground(world, blocker.hit))
+    return std::numeric_limits<double>::infinity();
+  return blocker.hit.t;
 }
 
 }  // namespace
@@ -88,16 +98,16 @@ Camera first_camera(const World& world) {
   return world.cameras.empty() ? default_camera(world, 16.0 / 9.0) : world.cameras.front();
 }
 
-DefaultLighting default_lighting(const World& world, const RayScene& rays) {
+DefaultLighting default_lighting(const World& world, const Box& bounds, const RayScene& rays) {
   const Camera camera = first_camera(world);
-  std::vector<Light> studio = studio_lighting(camera, world.bounds);
+  std::vector<Light> studio = studio_lighting(camera, bounds);
   const std::vector<SeenPoint> seen = look_around(world, rays, camera);
   const FreeDistance way = [&](glm::dvec3 from, glm::dvec3 direction) {
-    return free_distance(rays, from, direction);
+    return free_distance(world, rays, from, direction);
   };
   if (seen.empty() || reached_share(studio, seen, way) >= least_reached_share)
     return {std::move(studio), false};
-  return {interior_lighting(camera, world.bounds, seen, way), true};
+  return {interior_lighting(camera, bounds, seen, way), true};
 }
 
 }  // namespace asos

@@ -22,8 +22,10 @@ struct DefaultLighting {
 };
 
 /// Returns a studio around the first camera's view, or lights inside if walls block a studio. They
-/// have no own part in the world, so the rays do not depend on them.
-[[nodiscard]] DefaultLighting default_lighting(const World& world, const RayScene& rays);
+/// have no own part in the world, so the rays do not depend on them. `bounds`: the world's, without
+/// its ground. The ground is ignored.
+[[nodiscard]] DefaultLighting default_lighting(const World& world, const Box& bounds,
+                                               const RayScene& rays);
 
 /// Returns the first camera of the file, or else the one that frames the scene.
 [[nodiscard]] Camera first_camera(const World& world);

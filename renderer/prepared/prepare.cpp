@@ -1,5 +1,6 @@
 #include "renderer/geometry/finite.h"
 #include "renderer/prepared/own_lights.h"
+#include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/cube_sky.h"
 #include "renderer/shading/sky.h"
@@ -56,9 +57,27 @@ bool gets_default_lighting(const Scene& scene, const World& world, std::span<con
   return !scene.surroundings && needs_default_lighting(world, of_file, emissive);
 }
 
+/// Returns whether the search for the default lights sees the same with and without a ground: all
+/// its rays start above.
+bool looks_from_above(const World& world) {
+  const Camera camera = first_camera(world);
+  return camera.type == Camera::Type::perspective &&
+         camera.world_from_camera[3].y > static_cast<double>(world.bounds.lo.y);
+}
+
+void add_ground(World& world, const ChooseGround& choose, const AnimationInvariants& own,
+                bool has_stage) {
+  if (!choose || world.bounds.empty() || world.triangles.size() + 1000 > most_triangles) return;
+  const GroundChoice choice = choose(world, own.has_default_lighting);
+  if (choice.ground == Ground::off) return;
+  if (own.has_default_lighting && !has_stage && !looks_from_above(world)) return;
+  put_on_ground(world, choice.ground, own.floor, choice.as);
+}
+
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                                              const RenderFeatures& forced,
-                                                             const AnimationInvariants* stage) {
+                                                             const AnimationInvariants* stage,
+                                                             const ChooseGround& choose) {
   const auto start = std::chrono::steady_clock::now();
   auto flattened =
       stage ? flatten(scene, most_triangles, stage->origin) : flatten(scene, most_triangles);
@@ -73,6 +92,12 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                  ? stage->has_default_lighting
                                  : gets_default_lighting(scene, flattened->world, lights, emissive);
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
+  const Box bounds = flattened->world.bounds;
+  if (stage)
+    own.floor = stage->floor;
+  else if (!bounds.empty())
+    own.floor = static_cast<double>(bounds.lo.y);
+  add_ground(flattened->world, choose, own, stage != nullptr);
 
   // Build this after the emitters, whose sampling depends on whether there are colours.
   auto geometry =
@@ -80,15 +105,11 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                      scene.time ? BvhPurpose::moment : BvhPurpose::lasting);
   if (!geometry) return unexpected(Error{scene.source, geometry.error().message()});
   Geometry& built = **geometry;
-  if (stage)
-    own.floor = stage->floor;
-  else if (!built.world.bounds.empty())
-    own.floor = static_cast<double>(built.world.bounds.lo.y);
   if (own.has_default_lighting && stage) {
     own.rig = stage->rig;
     own.default_lighting_inside = stage->default_lighting_inside;
   } else if (own.has_default_lighting) {
-    DefaultLighting rig = default_lighting(built.world, built.rays);
+    DefaultLighting rig = default_lighting(built.world, bounds, built.rays);
     if (scene.added_lighting == AddedLighting::automatic) own.rig = std::move(rig.lights);
     own.default_lighting_inside = rig.inside;
   }
@@ -159,8 +180,15 @@ std::shared_ptr<const RenderScene> unedited_scene(std::shared_ptr<const Geometry
 
 Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene, const RenderFeatures& forced,
                                                    const AnimationInvariants* stage) {
+  return prepare_on_ground(scene, forced, stage, nullptr);
+}
+
+Result<std::shared_ptr<const RenderScene>> prepare_on_ground(const Scene& scene,
+                                                             const RenderFeatures& forced,
+                                                             const AnimationInvariants* stage,
+                                                             const ChooseGround& choose) {
   try {
-    return prepare_in_memory(scene, forced, stage);
+    return prepare_in_memory(scene, forced, stage, choose);
   } catch (const std::bad_alloc&) {
     return unexpected(memory_error(scene.source));
   }

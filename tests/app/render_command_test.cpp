@@ -1,5 +1,7 @@
 #include "renderer/film/image_io.h"
+#include "renderer/gltf/load.h"
 #include "renderer/picture/picture_description.h"
+#include "renderer/prepared/build_counts.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/temporary_folder.h"
 
@@ -52,6 +54,39 @@ bool same_bits(const Film& a, const Film& b) {
   return a.width == b.width && a.height == b.height && a.radiance.size() == b.radiance.size() &&
          std::memcmp(a.radiance.data(), b.radiance.data(), a.radiance.size() * sizeof(glm::vec3)) ==
              0;
+}
+
+/// A model without lights, which gets the default lighting and a ground.
+void write_dark_model(const std::string& file) {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions = {{-1, 0, -1}, {1, 0, -1}, {1, 1, 1}, {-1, 1, 1}};
+  mesh.normals.assign(4, glm::vec3(0, 1, 0));
+  mesh.triangles = {{0, 2, 1}, {0, 3, 2}};
+  mesh.material = 0;
+  scene.materials.emplace_back();
+  scene.meshes.push_back(std::move(mesh));
+  scene.instances.push_back({"board", 0, glm::dmat4(1.0)});
+  ASSERT_TRUE(export_gltf(scene, file));
+}
+
+TEST_F(RenderCommand, BuildsAModelOnItsGroundOnce) {
+  write_dark_model(path("model.glb"));
+  for (const char* method : {"sobol", "asos"}) {
+    const BuildCounts before = build_counts();
+    const AsosRun outcome =
+        run_asos({"render", path("model.glb"), "-o", path("a.png"), "--size", "32x18", "--method",
+                  method, "--spp", "1", "--max", "1", "--stats", path("a.json")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(build_counts().geometries, before.geometries + 1) << method;
+    const bool edges = std::string(method) == "asos";
+    EXPECT_EQ(build_counts().boundary_searches, before.boundary_searches + (edges ? 1 : 0));
+    std::size_t left_out = 0;
+    const json written = stats("a.json");
+    for (const json& feature : written.at("left_out"))
+      left_out += feature.at("feature") == "edges" ? 1 : 0;
+    EXPECT_EQ(left_out, edges ? 0u : 1u);
+  }
 }
 
 TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {

@@ -1,6 +1,8 @@
 #include "renderer/prepared/with_ground.h"
 
 #include "renderer/gltf/load.h"
+#include "renderer/prepared/build_counts.h"
+#include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/prepared/with_lines.h"
 #include "renderer/world/framing.h"
 #include "renderer/world/ground.h"
@@ -184,6 +186,57 @@ TEST(WithGround, LinesAreNoGroundToStandOn) {
   lines.instances.erase(lines.instances.begin());
   const auto only = with_lines(ready(lines), picture).value();
   EXPECT_EQ(with_ground(only, Ground::on).value(), only);
+}
+
+/// The board without lights, or a closed room around the first camera.
+Scene dark_scene(bool room) {
+  Scene scene = board(false);
+  scene.lights.clear();
+  Mesh& mesh = scene.meshes[0];
+  if (!room) return scene;
+  mesh.positions.clear(), mesh.triangles.clear(), mesh.normals.clear();
+  for (int i = 0; i < 8; ++i)
+    mesh.positions.push_back(4.0f * glm::vec3(glm::ivec3(i % 2, i / 2 % 2, i / 4)));
+  for (const glm::uvec4 wall :
+       {glm::uvec4(0, 1, 3, 2), glm::uvec4(4, 5, 7, 6), glm::uvec4(0, 1, 5, 4),
+        glm::uvec4(2, 3, 7, 6), glm::uvec4(0, 2, 6, 4), glm::uvec4(1, 3, 7, 5)}) {
+    mesh.triangles.emplace_back(wall.x, wall.y, wall.z);
+    mesh.triangles.emplace_back(wall.x, wall.z, wall.w);
+  }
+  Camera camera;
+  camera.world_from_camera[3] = {2, 2, 3, 1};
+  scene.cameras.push_back(camera);
+  return scene;
+}
+
+TEST(PrepareOnGround, IsPrepareFollowedByWithGround) {
+  for (const bool room : {false, true}) {
+    for (const Ground ground : {Ground::on, Ground::mirror}) {
+      const Scene scene = dark_scene(room);
+      const auto expected = with_ground(ready(scene), ground).value();
+      const std::uint64_t before = build_counts().geometries;
+      const auto found = prepare_on_ground(scene, {}, nullptr, [&](const World&, bool dark) {
+                           EXPECT_TRUE(dark);
+                           return GroundChoice{ground};
+                         }).value();
+      EXPECT_EQ(build_counts().geometries, before + 1);
+      EXPECT_EQ(ground_of(found->world()), ground);
+      const World &a = found->world(), &b = expected->world();
+      EXPECT_EQ(a.positions, b.positions);
+      EXPECT_EQ(a.triangles, b.triangles);
+      EXPECT_EQ(a.triangle_part, b.triangle_part);
+      EXPECT_EQ(a.bounds.lo, b.bounds.lo);
+      EXPECT_EQ(a.bounds.hi, b.bounds.hi);
+      EXPECT_EQ(found->lights(), expected->lights());
+      EXPECT_FALSE(found->lights().empty());
+      EXPECT_EQ(found->dfrs(), expected->dfrs());
+      EXPECT_EQ(found->render_features, expected->render_features);
+      EXPECT_EQ(found->geometry->stage.floor, expected->geometry->stage.floor);
+      EXPECT_EQ(found->geometry->stage.default_lighting_inside, room);
+      EXPECT_EQ(expected->geometry->stage.default_lighting_inside, room);
+      EXPECT_EQ(ground_at(*found, 1.5, -3.0), ground_at(*expected, 1.5, -3.0));
+    }
+  }
 }
 
 TEST(WithGround, EmptyScenesGetNoGround) {
