@@ -50,6 +50,11 @@ struct ShadingPoints {
   [[nodiscard]] bool full() const { return count == size; }
   /// Adds a point whose reflectance is multiplied by `weight`. The batch must not be full.
   void add(const LightingQuery& point, glm::vec3 weight);
+  /// Multiplies the reflectance of a point of the batch.
+  void weigh(std::size_t i, glm::vec3 weight) {
+    for (Vectors* reflectance : {&diffuse, &f0, &f90_less_f0})
+      reflectance->set(i, weight * reflectance->at(i));
+  }
   /// Adds a point without material or viewer; their fields are not set.
   void add(const SurfacePoint& point);
   /// Fills the batch with `times` copies of its first point, at most `size`.

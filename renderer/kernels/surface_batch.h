@@ -32,6 +32,19 @@ struct TriangleBatch {
   }
 };
 
+/// One PixelSpacing per hit of a batch.
+struct SpacingBatch {
+  ShadingPoints::Vectors right, down, forward;
+  ShadingPoints::Floats start{};
+  ShadingPoints::Floats perspective{};  ///< 1 or 0
+
+  void set(std::size_t i, const PixelSpacing& spacing) {
+    right.set(i, spacing.right), down.set(i, spacing.down), forward.set(i, spacing.forward);
+    start[i] = spacing.start;
+    perspective[i] = spacing.perspective ? 1.0f : 0.0f;
+  }
+};
+
 /// Fields of SurfacePoint that ShadingPoints lacks.
 struct SurfaceRest {
   ShadingPoints::Vectors position, geometric;  ///< of the triangle

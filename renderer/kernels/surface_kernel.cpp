@@ -66,20 +66,48 @@ struct PatchLanes {
   Vectors right, down;
 };
 
+/// As PixelSpacing.
+struct SpacingLanes {
+  Vectors right, down, forward;
+  Lanes start;
+  LaneMask perspective;
+};
+
+/// The spacing of one picture for all points.
+struct OneSpacing {
+  const PixelSpacing* spacing;  ///< null: all samples are points
+
+  [[nodiscard]] HWY_INLINE bool known() const { return spacing != nullptr; }
+  [[nodiscard]] HWY_INLINE SpacingLanes at(std::size_t) const {
+    const auto perspective = all_lanes(spacing->perspective ? 1.0f : 0.0f);
+    return {all_lanes(spacing->right), all_lanes(spacing->down), all_lanes(spacing->forward),
+            all_lanes(spacing->start), hn::Gt(perspective, hn::Zero(FloatTag()))};
+  }
+};
+/// A spacing for each point.
+struct OwnSpacings {
+  const SpacingBatch* spacings;
+
+  [[nodiscard]] HWY_INLINE bool known() const { return true; }
+  [[nodiscard]] HWY_INLINE SpacingLanes at(std::size_t i) const {
+    return {loaded(spacings->right, i), loaded(spacings->down, i), loaded(spacings->forward, i),
+            loaded(spacings->start, i),
+            hn::Gt(loaded(spacings->perspective, i), hn::Zero(FloatTag()))};
+  }
+};
+
 /// As patch_on_plane.
-HWY_INLINE PatchLanes patch_on_plane(const TriangleBatch& hits, const PixelSpacing& spacing,
+HWY_INLINE PatchLanes patch_on_plane(const TriangleBatch& hits, const SpacingLanes& spacing,
                                      const Vectors& direction, const Vectors& normal,
                                      std::size_t i) {
-  auto scale = loaded(hits.side, i);
-  if (spacing.perspective) {
-    const auto ahead = hn::Add(all_lanes(spacing.start), loaded(hits.distance, i));
-    scale = hn::Mul(scale, hn::Mul(ahead, dot(direction, all_lanes(spacing.forward))));
-  }
+  const auto side = loaded(hits.side, i);
+  const auto ahead = hn::Add(spacing.start, loaded(hits.distance, i));
+  const auto widened = hn::Mul(side, hn::Mul(ahead, dot(direction, spacing.forward)));
+  const auto scale = hn::IfThenElse(spacing.perspective, widened, side);
   const auto cosine = dot(normal, direction);
   const auto least = hn::Max(hn::Abs(cosine), all_lanes(steepest_patch));
   const auto per_cosine = hn::Div(all_lanes(1.0f), hn::CopySign(least, cosine));
-  const auto moved = [&](glm::vec3 of_pixel) HWY_ATTR {
-    const Vectors step = all_lanes(of_pixel);
+  const auto moved = [&](const Vectors& step) HWY_ATTR {
     return scaled(scale, step - scaled(hn::Mul(dot(normal, step), per_cosine), direction));
   };
   return {moved(spacing.right), moved(spacing.down)};
@@ -211,7 +239,8 @@ HWY_INLINE void lift_points(const TriangleBatch& hits, const Weights& w, const V
 }
 
 /// Computes the patches of points from i on, where they matter.
-HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spacing,
+template <class Spacings>
+HWY_INLINE void place_patches(const TriangleBatch& hits, const Spacings& spacings,
                               const Vectors& geometric, const SmoothLanes& smooth,
                               SurfaceRest& rest, ShadingPoints& points, std::size_t i) {
   const auto zero = hn::Zero(FloatTag());
@@ -222,13 +251,13 @@ HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spa
   const auto textured = hn::Gt(loaded(hits.textured, i), zero);
   const auto shiny = hn::Gt(loaded(hits.shiny, i), zero);
   const auto wide = hn::And(hn::Gt(loaded(hits.side, i), zero), hn::Or(textured, shiny));
-  if (spacing && !hn::AllFalse(FloatTag(), wide)) {
-    patch = patch_on_plane(hits, *spacing, loaded(hits.direction, i), geometric, i);
+  if (spacings.known() && !hn::AllFalse(FloatTag(), wide)) {
+    const SpacingLanes spacing = spacings.at(i);
+    patch = patch_on_plane(hits, spacing, loaded(hits.direction, i), geometric, i);
     patch = {select(wide, patch.right, none), select(wide, patch.down, none)};
-    if (spacing->perspective) {
-      const auto distance = hn::Add(all_lanes(spacing->start), loaded(hits.distance, i));
-      nearness = hn::IfThenElseZero(wide, hn::Div(all_lanes(1.0f), distance));
-    }
+    const auto distance = hn::Add(spacing.start, loaded(hits.distance, i));
+    nearness =
+        hn::IfThenElseZero(hn::And(wide, spacing.perspective), hn::Div(all_lanes(1.0f), distance));
     const Vectors n0 = loaded(hits.normal_0, i), n1 = loaded(hits.normal_1, i),
                   n2 = loaded(hits.normal_2, i);
     const auto turns = hn::Or(differ(n0, n1), differ(n0, n2));
@@ -262,8 +291,9 @@ HWY_INLINE void place_patches(const TriangleBatch& hits, const PixelSpacing* spa
   store(footprint.down_b2, rest.down_b2, i);
 }
 
-void place(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
-           ShadingPoints& points) {
+template <class Spacings>
+HWY_INLINE void place(const TriangleBatch& hits, const Spacings& spacings, SurfaceRest& rest,
+                      ShadingPoints& points) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   points.count = hits.count;
@@ -285,8 +315,17 @@ void place(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& 
     store(normal, points.normal, i);
     store(side, rest.normal_side, i);
     lift_points(hits, w, geometric, normal, side, rest, points, i);
-    place_patches(hits, spacing, geometric, smooth, rest, points, i);
+    place_patches(hits, spacings, geometric, smooth, rest, points, i);
   }
+}
+
+void place_in_one(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
+                  ShadingPoints& points) {
+  place(hits, OneSpacing{spacing}, rest, points);
+}
+void place_in_own(const TriangleBatch& hits, const SpacingBatch& spacing, SurfaceRest& rest,
+                  ShadingPoints& points) {
+  place(hits, OwnSpacings{&spacing}, rest, points);
 }
 
 bool view(const LobeNormTable& table, const SurfaceRest& rest, MaterialBatch& materials,
@@ -337,12 +376,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace asos {
 
-HWY_EXPORT(place);
+HWY_EXPORT(place_in_one);
+HWY_EXPORT(place_in_own);
 HWY_EXPORT(view);
 
 void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
                     ShadingPoints& points) {
-  HWY_DYNAMIC_DISPATCH(place)(hits, spacing, rest, points);
+  HWY_DYNAMIC_DISPATCH(place_in_one)(hits, spacing, rest, points);
+}
+
+void place_surfaces(const TriangleBatch& hits, const SpacingBatch& spacing, SurfaceRest& rest,
+                    ShadingPoints& points) {
+  HWY_DYNAMIC_DISPATCH(place_in_own)(hits, spacing, rest, points);
 }
 
 bool view_materials(const SurfaceRest& rest, MaterialBatch& materials, ShadingPoints& points) {

@@ -14,6 +14,9 @@ namespace asos {
 /// ShadingPoints.
 void place_surfaces(const TriangleBatch& hits, const PixelSpacing* spacing, SurfaceRest& rest,
                     ShadingPoints& points);
+/// Computes the same for points that are seen in pictures of their own.
+void place_surfaces(const TriangleBatch& hits, const SpacingBatch& spacing, SurfaceRest& rest,
+                    ShadingPoints& points);
 
 /// Computes the materials as `viewed` and ShadingPoints::add do for one point, and fills the rest
 /// of ShadingPoints. No lights are visible in reflections. Returns false if any value is not

@@ -13,6 +13,16 @@
 #include <vector>
 
 namespace asos {
+namespace {
+
+/// A ray of a sample, with its hit and the weight of its radiance in the sample.
+struct SeenSample {
+  const PointSample& sample;
+  glm::vec3 weight;
+  ViewedRay seen;
+};
+
+}  // namespace
 
 /// One SampleSums per moment, made for the first sample at that moment.
 struct SampleSums::Moving {
@@ -243,8 +253,13 @@ void SampleSums::shade_batch() {
       alone_[alone++] = i;
     }
   }
-  if (simd_.count() > 0 && !shade_plain()) {
+  const auto seen_sample = [this](std::size_t i) {
+    return SeenSample{samples_[i], glm::vec3(1.0f), seen_by(i, samples_[i].side)};
+  };
+  if (simd_.count() > 0 && !shade_plain(seen_sample)) {
     for (std::size_t i = 0; i < simd_.count(); ++i) alone_[alone++] = simd_.index(i);
+  } else {
+    for (std::size_t i = 0; i < simd_.count(); ++i) count(samples_[simd_.index(i)].target);
   }
   for (std::size_t k = 0; k < alone; ++k) {
     const PointSample& sample = samples_[alone_[k]];
@@ -254,41 +269,41 @@ void SampleSums::shade_batch() {
   }
 }
 
-// Returns false, without adding anything, if any value is not finite.
-bool SampleSums::shade_plain() {
+// Shades the points of the SIMD path; sample(i) is that of ray i. Returns false, without adding
+// anything, if any value is not finite.
+template <typename Sample>
+bool SampleSums::shade_plain(const Sample& sample) {
   SampledLights::Gathered& gathered = lights_.first_points();
-  if (!simd_.shade(gathered.points)) return false;
+  ShadingPoints& points = gathered.points;
+  if (!simd_.shade(points)) return false;
   const Shader& shader = viewer_.shader;
   lights_.prepare(shader.lights(), shader.settings().shadows);
   lights_.gathered(simd_.count());
   const bool sky_rays = shader.settings().sky_shadows;
   for (std::size_t i = 0; i < simd_.count(); ++i) {
-    const std::size_t index = simd_.index(i);
-    const PointSample& sample = samples_[index];
-    gathered.samples[i] = {sample.x, sample.y, sample.index};
-    gathered.targets[i] = {sample.target};
+    const SeenSample of = sample(simd_.index(i));
+    const PointSample& place = of.sample;
+    gathered.samples[i] = {place.x, place.y, place.index};
+    gathered.targets[i] = {place.target, place.part};
     bool mirrors = false;
     if (sky_rays || lights_.picks_lights() || simd_.may_mirror(i)) {
-      places_->start_pixel(sample.x, sample.y);
-      places_->start_sample(sample.index);
+      places_->start_pixel(place.x, place.y);
+      places_->start_sample(place.index);
     }
     if (lights_.picks_lights()) gathered.picks[i] = lights_.pick_place();
-    OneSample transport(lights_, reflections_, shader, sample, glm::vec3(1.0f));
-    if (simd_.may_mirror(i)) {
-      mirrors =
-          simd_.reflect(i, seen_by(index, sample.side), gathered.points, transport, statistics_);
-    }
+    OneSample transport(lights_, reflections_, shader, place, of.weight);
+    if (simd_.may_mirror(i)) mirrors = simd_.reflect(i, of.seen, points, transport, statistics_);
     simd_.set_mirrors(i, mirrors);
-    if (sky_rays) simd_.add_sky(i, gathered.points, transport, statistics_);
+    if (sky_rays) simd_.add_sky(i, points, transport, statistics_);
   }
-  if (!sky_rays) simd_.reflect_skies(gathered.points);
+  if (!sky_rays) simd_.reflect_skies(points);
   for (std::size_t i = 0; i < simd_.count(); ++i) {
-    const std::size_t target = samples_[simd_.index(i)].target;
-    const glm::dvec3 emission(simd_.emission(i));
+    const glm::vec3 weight = sample(simd_.index(i)).weight;
+    const glm::dvec3 emission(weight * simd_.emission(i));
     const glm::dvec3 radiance =
-        sky_rays ? emission : glm::dvec3(simd_.unlit_radiance(i, gathered.points));
-    sums().add({target}, radiance, emission, glm::dvec3(0.0));
-    count(target);
+        sky_rays ? emission : glm::dvec3(weight * simd_.unlit_radiance(i, points));
+    sums().add(gathered.targets[i], radiance, emission, glm::dvec3(0.0));
+    if (weight != glm::vec3(1.0f)) points.weigh(i, weight);
   }
   return true;
 }
@@ -330,10 +345,30 @@ void SampleSums::follow_reflections() {
         }
         pass_own_side(next.passage, scene_->world(), scene_->rays(), faces_, {&rays_[i], 1},
                       {&hits_[i], 1});
-        places_->start_pixel(next.sample.x, next.sample.y);
-        (void)shade(next.sample, next.weight, next.viewed(hits_[i]));
       }
+      shade_reflections(std::span(samples).subspan(first, count));
     }
+  }
+}
+
+// Shades the hits of reflected rays, at most a batch.
+void SampleSums::shade_reflections(std::span<const ReflectedSample> samples) {
+  const auto seen_sample = [&](std::size_t i) {
+    return SeenSample{samples[i].sample, samples[i].weight, samples[i].viewed(hits_[i])};
+  };
+  simd_.clear();
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (!simd_.add_reflected(i, samples[i].viewed(hits_[i]))) alone_[alone++] = i;
+  if (simd_.count() > 0) {
+    lights_.trace(sums(), statistics_);  // makes room for the first points
+    if (!shade_plain(seen_sample))
+      for (std::size_t i = 0; i < simd_.count(); ++i) alone_[alone++] = simd_.index(i);
+  }
+  for (std::size_t k = 0; k < alone; ++k) {
+    const ReflectedSample& next = samples[alone_[k]];
+    places_->start_pixel(next.sample.x, next.sample.y);
+    (void)shade(next.sample, next.weight, next.viewed(hits_[alone_[k]]));
   }
 }
 

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace asos {
@@ -143,9 +144,11 @@ class SampleSums {
     sums().count(target);
   }
   void shade_batch();
-  [[nodiscard]] bool shade_plain();
+  template <typename Sample>
+  [[nodiscard]] bool shade_plain(const Sample& sample);
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
   void follow_reflections();
+  void shade_reflections(std::span<const ReflectedSample> samples);
 
   std::optional<Shader> own_shader_;
   ViewContext viewer_;

@@ -19,9 +19,9 @@ SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
       mips_(viewer.shader.settings().mips),
       sky_(viewer.shader.settings().sky),
       usable_(SampledLights::takes_all(viewer.shader.lights(), viewer.shader.settings().shadows) &&
-              !world_.normals.empty() && !viewer.sees_bare_lights() &&
-              !viewer.passage.in_medium() && viewer.shader.settings().backdrop.shows_light()),
-      reflections_(viewer.bounces < viewer.shader.reflections()),
+              !world_.normals.empty() && viewer.shader.settings().backdrop.shows_light()),
+      viewer_usable_(usable_ && !viewer.sees_bare_lights() && !viewer.passage.in_medium()),
+      reflections_(viewer.shader.reflections()),
       roughest_mirror_(viewer.shader.settings().roughest_mirror),
       picture_(sky_ ? sky_->picture_lobes() : Sky::PictureLobes{}),
       same_sky_(!sky_ || sky_->constant()) {
@@ -36,7 +36,24 @@ SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
 }
 
 bool SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
-  if (!usable_ || hit.triangle >= triangles_) return false;
+  return viewer_usable_ && add(index, ray, hit, side, viewer_.bounces, viewer_.hides_lights);
+}
+
+bool SimdSamples::add_reflected(std::size_t index, const ViewedRay& seen) {
+  if (!usable_ || seen.passage.in_medium()) return false;
+  if (seen.reflected() && !seen.hides_lights && seen.hit.triangle < triangles_) {
+    const auto light = viewer_.shader.nearest_light_without_geometry(seen.ray);
+    if (light && !(seen.hit.t < light->t)) return false;
+  }
+  if (!add(index, seen.ray, seen.hit, seen.side, seen.bounces, seen.hides_lights)) return false;
+  own_spacings_ = true;
+  arrays_->spacing.set(count() - 1, *seen.spacing);
+  return true;
+}
+
+bool SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side, int bounces,
+                      bool hides_lights) {
+  if (hit.triangle >= triangles_) return false;
   const SimdMaterial& material = table_.of(world_, hit.triangle);
   if (!material.plain) return false;
   if (!arrays_) {
@@ -58,21 +75,28 @@ bool SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float s
   arrays_->material[i] = &material;
   arrays_->hit[i] = hit;
   arrays_->index[i] = index;
+  arrays_->bounces[i] = bounces;
+  arrays_->hides_lights[i] = hides_lights;
   if (material.looked_up) {
     arrays_->looked_up[arrays_->looked_up_count++] = i;
   } else {
     arrays_->materials.set(i, material.surface);
-    arrays_->emission[i] = shown(material.surface.emission, hit.triangle);
+    arrays_->emission[i] = shown(i, material.surface.emission);
   }
   return true;
 }
 
-glm::vec3 SimdSamples::shown(glm::vec3 emission, std::uint32_t triangle) const {
-  return viewer_.shader.shows_emission(viewer_.hides_lights, triangle) ? emission : glm::vec3(0.0f);
+glm::vec3 SimdSamples::shown(std::size_t i, glm::vec3 emission) const {
+  const std::uint32_t triangle = arrays_->hit[i].triangle;
+  return viewer_.shader.shows_emission(arrays_->hides_lights[i], triangle) ? emission
+                                                                           : glm::vec3(0.0f);
 }
 
 bool SimdSamples::shade(ShadingPoints& points) {
-  place_surfaces(arrays_->hits, mips_ ? &viewer_.spacing : nullptr, arrays_->rest, points);
+  if (own_spacings_ && mips_)
+    place_surfaces(arrays_->hits, arrays_->spacing, arrays_->rest, points);
+  else
+    place_surfaces(arrays_->hits, mips_ ? &viewer_.spacing : nullptr, arrays_->rest, points);
   bool finite = true;
   for (std::size_t k = 0; k < arrays_->looked_up_count; ++k) {
     const std::size_t i = arrays_->looked_up[k];
@@ -94,10 +118,10 @@ void SimdSamples::look_up_material(std::size_t i, ShadingPoints& points) {
     points.spread_variance[i] = point.spread.variance;
   }
   Footprint footprint = footprint_at(arrays_->hits, arrays_->rest, i);
-  footprint.colours = colours_;
+  footprint.colours = own_spacings_ ? 1.0f : colours_;
   const SurfaceMaterial found = surface_material(world_, needs_, hit, footprint, mips);
   arrays_->materials.set(i, found);
-  arrays_->emission[i] = shown(found.emission, hit.triangle);
+  arrays_->emission[i] = shown(i, found.emission);
 }
 
 bool SimdSamples::reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& points,

@@ -17,8 +17,9 @@
 
 namespace asos {
 
-/// The SIMD path for first hits on opaque triangles with simple materials, shaded in batches.
-/// Shader shades everything else, one point at a time, with the same result up to rounding.
+/// The SIMD path for hits on opaque triangles with simple materials, shaded in batches: those of
+/// the viewer's rays, or of rays that continue samples after reflections. Shader shades everything
+/// else, one point at a time, with the same result up to rounding.
 class SimdSamples {
  public:
   /// Both arguments have to outlive this.
@@ -26,12 +27,17 @@ class SimdSamples {
 
   /// See SampleSums.
   void widen_colours(float times) { colours_ = times; }
-  /// Adds the hit of ray number `index` to the batch. Returns false if the hit needs Shader.
+  /// Adds the hit of the viewer's ray number `index` to the batch. Returns false if the hit needs
+  /// Shader.
   [[nodiscard]] bool add(std::size_t index, const Ray& ray, const Hit& hit, float side);
+  /// Adds the hit of another ray, with the spacing of its own picture. All points of a batch are of
+  /// the same kind.
+  [[nodiscard]] bool add_reflected(std::size_t index, const ViewedRay& seen);
   [[nodiscard]] std::size_t count() const { return arrays_ ? arrays_->hits.count : 0; }
   /// Returns the number of point i's ray.
   [[nodiscard]] std::size_t index(std::size_t i) const { return arrays_->index[i]; }
   void clear() {
+    own_spacings_ = false;
     if (arrays_) arrays_->hits.count = arrays_->looked_up_count = 0;
   }
 
@@ -45,7 +51,7 @@ class SimdSamples {
 
   /// Returns whether a reflection may be followed.
   [[nodiscard]] bool may_mirror(std::size_t i) const {
-    return reflections_ &&
+    return arrays_->bounces[i] < reflections_ &&
            (arrays_->materials.roughness[i] <= roughest_mirror_ || arrays_->material[i]->own_dfr);
   }
   /// Follows its reflection, as Shader::reflect does, and records that in `points`.
@@ -53,7 +59,7 @@ class SimdSamples {
                              LightTransport& transport, RenderStatistics& counts) const;
   /// Notes whether its reflection is followed, so that the sky contributes only diffusely.
   void set_mirrors(std::size_t i, bool mirrors) { arrays_->mirrors[i] = mirrors; }
-  /// Computes what all points reflect of the sky, once that is noted for each.
+  /// Computes the sky radiance that all points reflect. Requires set_mirrors for each point.
   void reflect_skies(const ShadingPoints& points);
   /// Returns its radiance without lights and reflections.
   [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const ShadingPoints& points) const;
@@ -64,14 +70,19 @@ class SimdSamples {
                RenderStatistics& counts) const;
 
  private:
-  /// Returns the emission that the viewer's rays include.
-  [[nodiscard]] glm::vec3 shown(glm::vec3 emission, std::uint32_t triangle) const;
+  [[nodiscard]] bool add(std::size_t index, const Ray& ray, const Hit& hit, float side, int bounces,
+                         bool hides_lights);
+  /// Returns the emission that the point's ray includes.
+  [[nodiscard]] glm::vec3 shown(std::size_t i, glm::vec3 emission) const;
   struct Arrays {
     TriangleBatch hits;
     SurfaceRest rest;
     MaterialBatch materials;
     SkyBatch sky;
+    SpacingBatch spacing;  // only of reflected rays
     std::array<bool, ShadingPoints::size> mirrors;
+    std::array<bool, ShadingPoints::size> hides_lights;
+    std::array<int, ShadingPoints::size> bounces;
     std::array<glm::vec3, ShadingPoints::size> emission;
     std::array<const SimdMaterial*, ShadingPoints::size> material;
     std::array<Hit, ShadingPoints::size> hit;
@@ -90,8 +101,10 @@ class SimdSamples {
   const ViewContext& viewer_;
   const MipChains* mips_;
   const Sky* sky_;
-  bool usable_;
-  bool reflections_;
+  bool usable_;         // for any ray
+  bool viewer_usable_;  // for the viewer's rays
+  bool own_spacings_ = false;
+  int reflections_;
   float roughest_mirror_;
   Sky::PictureLobes picture_;
   bool same_sky_;                 // the same in all directions

@@ -172,6 +172,26 @@ TEST(SurfaceKernel, PointsAreTheOnesMadeOneByOne) {
 }
 
 // The material data that the lights' kernels use: see light_kernel_test.
+TEST(SurfaceKernel, SpacingsOfTheirOwnAreAsOneForAll) {
+  for (const bool perspective : {true, false}) {
+    const Subjects subjects(11, 1.0, perspective);
+    const auto one = std::make_unique<Found>(), own = std::make_unique<Found>();
+    const auto spacings = std::make_unique<SpacingBatch>();
+    for (std::size_t i = 0; i < points_of_a_batch; ++i) spacings->set(i, subjects.spacing);
+    for_every_target([&] {
+      place_surfaces(*subjects.batch, &subjects.spacing, one->rest, one->points);
+      place_surfaces(*subjects.batch, *spacings, own->rest, own->points);
+      for (std::size_t i = 0; i < points_of_a_batch; ++i) {
+        EXPECT_EQ(own->points.patch_right.at(i), one->points.patch_right.at(i)) << i;
+        EXPECT_EQ(own->points.patch_down.at(i), one->points.patch_down.at(i)) << i;
+        EXPECT_EQ(own->points.viewer_nearness[i], one->points.viewer_nearness[i]) << i;
+        EXPECT_EQ(own->points.spread_right.at(i), one->points.spread_right.at(i)) << i;
+        EXPECT_EQ(own->rest.right_b1[i], one->rest.right_b1[i]) << i;
+      }
+    });
+  }
+}
+
 TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
   const Subjects subjects(3, 1.0, true);
   const auto found = std::make_unique<Found>();

@@ -64,7 +64,9 @@ class Comparison {
     viewer_.emplace(ViewContext::camera(*view_, *shader_));
   }
 
-  [[nodiscard]] Compared compare() const {
+  /// Compares points that the eye sees, or the same ones as if in reflections, each with a spacing
+  /// of its own.
+  [[nodiscard]] Compared compare(bool reflected = false) const {
     Compared all;
     SimdSamples plain(*scene_, *viewer_);
     std::vector<Ray> rays;
@@ -74,10 +76,20 @@ class Comparison {
       plain.clear();
       for (int x = 0; x < side; ++x) rays.push_back(view_->ray(x + 0.5, y + 0.5));
       scene_->rays().closest(rays, hits, culling_of(settings_));
+      std::vector<PixelSpacing> spacings(hits.size(), viewer_->spacing);
       std::vector<ViewedRay> seen;
       for (std::size_t i = 0; i < hits.size(); ++i) {
         seen.push_back(viewer_->viewed(rays[i], hits[i], 0.25f));
-        all.alone += hits[i].valid() && !plain.add(i, rays[i], hits[i], 0.25f);
+        if (!reflected) {
+          all.alone += hits[i].valid() && !plain.add(i, rays[i], hits[i], 0.25f);
+          continue;
+        }
+        spacings[i].right *= 1.0f + 0.1f * static_cast<float>(i);
+        spacings[i].perspective = i % 4 != 1;
+        seen[i].spacing = &spacings[i];
+        seen[i].bounces = static_cast<int>(i % 3);
+        seen[i].hides_lights = i % 2 == 0;
+        all.alone += hits[i].valid() && !plain.add_reflected(i, seen[i]);
       }
       if (plain.count() == 0) continue;
       const auto points = std::make_unique<ShadingPoints>();
@@ -166,6 +178,14 @@ TEST(SimdSamples, HaveTheirTexturesAndMapsOfNormals) {
     SCOPED_TRACE(source);
     const Compared found = Comparison(source, nullptr).compare();
     EXPECT_GT(found.textured, 200);
+  }
+}
+
+TEST(SimdSamples, InReflectionsAreTheOnesShadedOneByOne) {
+  for (const char* source : {"builtin:office-metal", "builtin:house-textured"}) {
+    SCOPED_TRACE(source);
+    const auto sky = std::make_shared<const Sky>(Environment::softboxes);
+    EXPECT_GT(Comparison(source, sky).compare(true).points, 500);
   }
 }
 
