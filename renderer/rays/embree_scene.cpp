@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
+#include <tbb/task_group.h>
 #include <utility>
 
 namespace asos::tracing {
@@ -86,15 +86,20 @@ Result<void> EmbreeScene::build(const World& world, const Transparency& open,
                                       ? RTC_BUILD_QUALITY_LOW
                                       : RTC_BUILD_QUALITY_MEDIUM;
   rtcSetSceneBuildQuality(scene_, quality);
-  // Takes about as long as the hierarchy where many parts touch.
-  auto coplanar = std::async(std::launch::async, [&world] { return find_coplanar(world); });
-  for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced, quality);
-  if (world.placements) add_places(world, forced, quality);
+  // Takes about as long as the hierarchy where many parts touch. A thread for it would leave some
+  // memory to Embree, a task does not.
   {
     const TaskOrder::Sending sending;
+    tbb::task_group coplanar;
+    coplanar.run([this, &world] {
+      const TaskOrder::Task task;
+      coplanar_ = find_coplanar(world);
+    });
+    for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced, quality);
+    if (world.placements) add_places(world, forced, quality);
     rtcCommitScene(scene_);
+    coplanar.wait();
   }
-  coplanar_ = coplanar.get();
   if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
   return {};
 }
