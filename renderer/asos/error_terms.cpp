@@ -177,8 +177,9 @@ bool ErrorTerms::glints(const Leaf& leaf) const {
          eye_->error_budget.tolerance;
 }
 
-// Where triangles are smaller than the leaf, highlights lie wherever their normals turn. The leaf's
-// own triangle does not represent these; how far its neighbours' normals stray from it does.
+// Returns whether highlights of the neighbours may lie in the leaf. If triangles are smaller than
+// the leaf, its own triangle does not represent them, but the spread of the neighbours' normals
+// does.
 bool ErrorTerms::sparkles(const Leaf& leaf) const {
   const RenderScene& scene = *eye_->scene;
   const Hit& hit = leaf.hit;

@@ -20,8 +20,8 @@ void set_seconds(double seconds, FinishedTile& tile) {
   tile.seconds.assign(pixels, static_cast<float>(each));
 }
 
-/// Returns the boundaries that the method uses: of the scene, and of its moments while the shutter is
-/// open.
+/// Returns the boundaries that the method uses: of the scene, and of its moments while the shutter
+/// is open.
 std::vector<const BoundaryFeatures*> boundaries_of(const PlannedRender& render) {
   const RenderScene& scene = *render.snapshot.scene;
   if (!needs_boundaries(render.snapshot.settings.method)) return {};

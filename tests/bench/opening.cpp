@@ -1,18 +1,17 @@
-// What a user waits for when a scene opens: processor and wall-clock seconds of each stage, every
-// scene in a process of its own.
+// Time and memory of opening a scene, stage by stage. Every scene has a process of its own.
 //
-//   bench opening [SCENE...] [--size WxH] [--threads N]
+//   bench opening [SCENE...] [--size WxH] [--threads N].
 //
-//   read      reading and decoding the file
-//   rays      flattening, rays' hierarchy, coplanar triangles, lights
-//   look      default sky and ground
-//   picture   one Sobol sample per pixel
-//   edges     the search for boundaries, which only methods with edges need
-//   block     the first exact block
+//   read      reading and decoding the file.
+//   rays      flattening, rays' hierarchy, coplanar triangles, lights.
+//   look      default sky and ground.
+//   picture   one Sobol sample per pixel.
+//   edges     the search for boundaries, which only methods with edges need.
+//   block     the first exact block.
 //
 // Seconds are processor time of all threads; "wall" is the time until the picture. The last columns
-// are the peak memory and its bytes per triangle. At the end: the scenes whose picture takes more
-// than five times as long as reading their file.
+// are the peak memory and its bytes per triangle. The last line names the scenes whose picture
+// takes more than five times as long as reading their file.
 
 #include "app/large_blocks.h"
 #include "renderer/prepared/default_look.h"

@@ -166,8 +166,8 @@ Material metal(glm::vec3 color, float roughness) {
   return m;
 }
 
-// A hair of shiny metal below a panel of which half is hidden. Its highlight is unsure, so that it
-// is sampled; where no sample meets it, its own sample counts, once.
+// A hair of shiny metal lies below a half hidden panel. Its highlight is unsure, so it is sampled.
+// If no sample meets it, its own sample counts, once.
 TEST(LeafShader, ShadesAnUnsureHighlightThatNoSampleMeets) {
   Light panel;
   panel.type = Light::Type::rectangle;

@@ -451,7 +451,7 @@ TEST(Layers, SurfacesOfOpacityZeroAreNotThere) {
   }
 }
 
-// The lens focuses on what is seen, not on a card of opacity 0 before it.
+// The lens focuses on the visible surface, not on a card of opacity 0 before it.
 TEST(Focus, PassesSurfacesOfOpacityZero) {
   World world;
   Material card = test::unlit(glm::vec3(0.5f), 0.0f);

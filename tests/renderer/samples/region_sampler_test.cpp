@@ -382,8 +382,8 @@ TEST_F(TwoColours, PlaceInsideCountsWhereNoSampleMeetsTheRegion) {
   EXPECT_EQ(found[1].cost, 64.0) << "the place is one more sample only where there is no other";
 }
 
-// An even pixel beside a noisy one that may take no more samples. Its samples agree, and it needs
-// more all the same: what its neighbour shows may be in it, too.
+// A noisy pixel may take no more samples. The samples of its even neighbour agree, but it needs
+// more, since the noisy surface may reach into it.
 TEST_F(TwoColours, SecondStageCountsFinishedNeighbours) {
   constexpr Square even{5.0f / 8.0f, 3.0f / 8.0f, 1.0f / 8.0f};
   const double noise = sample({crossed, {}}, goal_of(-1.0, 16, 16, 1.0)).error;
