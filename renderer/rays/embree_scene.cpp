@@ -2,13 +2,12 @@
 
 #include "renderer/rays/coplanar.h"
 #include "renderer/rays/face_geometry.h"
-#include "renderer/task_order.h"
+#include "renderer/tasks.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <tbb/task_group.h>
 #include <utility>
 
 namespace asos::tracing {
@@ -86,20 +85,20 @@ Result<void> EmbreeScene::build(const World& world, const Transparency& open,
                                       ? RTC_BUILD_QUALITY_LOW
                                       : RTC_BUILD_QUALITY_MEDIUM;
   rtcSetSceneBuildQuality(scene_, quality);
-  // Takes about as long as the hierarchy where many parts touch. A thread for it would leave some
-  // memory to Embree, a task does not.
-  {
-    const TaskOrder::Sending sending;
-    tbb::task_group coplanar;
-    coplanar.run([this, &world] {
-      const TaskOrder::Task task;
-      coplanar_ = find_coplanar(world);
-    });
+  const auto build_hierarchy = [&] {
     for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced, quality);
     if (world.placements) add_places(world, forced, quality);
+    const TaskOrder::Sending sending;
     rtcCommitScene(scene_);
-    coplanar.wait();
-  }
+  };
+  // The search takes about as long as the hierarchy where many parts touch. A thread for it would
+  // leave some memory to Embree, a task does not.
+  in_tasks(2, [&](std::size_t task) {
+    if (task == 0)
+      build_hierarchy();
+    else
+      coplanar_ = find_coplanar(world);
+  });
   if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
   return {};
 }

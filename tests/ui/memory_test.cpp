@@ -133,7 +133,9 @@ TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
   }
   std::printf("heap %.2f MB before, %.2f after; resident %.1f MB before, %.1f after\n",
               before.heap_mb, after.heap_mb, before.resident_mb, after.resident_mb);
-  EXPECT_LE(after.heap_mb, 1.05 * before.heap_mb);
+  // 0.9 MB: 5 % of the heap with all pictures of environments, and 4.5 kB for each scene. A leaked
+  // scene has more: the large one 1 MB.
+  EXPECT_LE(after.heap_mb, before.heap_mb + 0.9);
   // The sanitizers keep freed memory.
   if (!test::sanitized) {
     EXPECT_LE(after.resident_mb, 1.05 * before.resident_mb);
