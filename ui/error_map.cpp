@@ -1,5 +1,6 @@
 #include "ui/error_map.h"
 
+#include "renderer/study/measures.h"
 #include "ui/frames.h"
 #include "ui/previewer.h"
 #include "ui/split_check.h"
@@ -18,6 +19,15 @@ double error_steps(const Film& picture, const Film& reference, std::size_t pixel
                    const DisplayTransform& display) {
   constexpr double steps = 255.0;
   return steps * static_cast<double>(difference_of(picture, reference, pixel, display));
+}
+
+ErrorSummary error_summary(const Film& picture, const Film& reference,
+                           const DisplayTransform& display) {
+  std::size_t visible = 0;
+  for (std::size_t i = 0; i < picture.radiance.size(); ++i)
+    visible += error_steps(picture, reference, i, display) > 1.0;
+  return {root_mean_square(picture, reference, true),
+          static_cast<double>(visible) / static_cast<double>(picture.radiance.size())};
 }
 
 ErrorReference::View ErrorReference::view_of(const Previewer& previewer) {
@@ -44,6 +54,21 @@ void ErrorReference::update(const Previewer& previewer, const SplitFindings* fin
   film_ = findings->reference;
   samples_ = findings->passes * SplitCheck::samples_each;
   ++revision_;
+}
+
+std::optional<ErrorSummary> ErrorReference::summary(const Previewer& previewer,
+                                                    const DisplayTransform& display) {
+  const PreviewRender& render = previewer.render();
+  const Film& picture = render.film();
+  if (!film_ || !render.progress().finished || film_->width != picture.width ||
+      film_->height != picture.height)
+    return std::nullopt;
+  const Measured now{revision_, render.restarts(), display};
+  if (measured_ != now) {
+    measured_ = now;
+    summary_ = error_summary(picture, *film_, display);
+  }
+  return summary_;
 }
 
 }  // namespace asos::ui

@@ -25,6 +25,15 @@ struct ErrorScale {
 [[nodiscard]] double error_steps(const Film& picture, const Film& reference, std::size_t pixel,
                                  const DisplayTransform& display);
 
+/// The error of a whole picture.
+struct ErrorSummary {
+  double rmse = 0.0;     ///< linear, clipped to 0 to 1
+  double visible = 0.0;  ///< the fraction of pixels with an error above one display step, 0 to 1
+};
+/// Both films have the same size, which is not 0.
+[[nodiscard]] ErrorSummary error_summary(const Film& picture, const Film& reference,
+                                         const DisplayTransform& display);
+
 /// Keeps the reference picture that "Check splits" has sampled for as long as the view stays,
 /// whatever EPS, MAX and method the picture uses. Not thread-safe.
 class ErrorReference {
@@ -33,8 +42,12 @@ class ErrorReference {
   void update(const Previewer& previewer, const SplitFindings* findings);
   /// Null: none of this view.
   [[nodiscard]] const Film* film() const { return film_.get(); }
+  [[nodiscard]] const std::shared_ptr<const Film>& shared() const { return film_; }
   /// Samples of a pixel.
   [[nodiscard]] int samples() const { return samples_; }
+  /// The error of the finished picture; none: it is not finished, or there is no reference.
+  [[nodiscard]] std::optional<ErrorSummary> summary(const Previewer& previewer,
+                                                    const DisplayTransform& display);
   /// Counts the changes of the reference.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
@@ -52,6 +65,15 @@ class ErrorReference {
   std::shared_ptr<const Film> film_;
   int samples_ = 0;
   std::uint64_t revision_ = 0;
+
+  struct Measured {
+    std::uint64_t revision = 0;
+    std::uint64_t restarts = 0;
+    DisplayTransform display;
+    bool operator==(const Measured&) const = default;
+  };
+  std::optional<Measured> measured_;
+  ErrorSummary summary_;
 };
 
 }  // namespace asos::ui

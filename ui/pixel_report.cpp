@@ -46,6 +46,15 @@ std::string strongest_object(const RenderScene& scene, const LevelStatistics& le
   return strongest == level.objects.end() ? "" : object_name(scene, strongest->object);
 }
 
+std::set<std::uint32_t> unlit_triangles(const World& world, const std::vector<TracedCell>& cells) {
+  std::set<std::uint32_t> found;
+  for (const TracedCell& cell : cells)
+    for (const TracedSample& sample : cell.samples)
+      if (sample.triangle < world.triangles.size() && world.material_of(sample.triangle).unlit)
+        found.insert(sample.triangle);
+  return found;
+}
+
 /// Finds all edges in the hit list of the whole picture, visible or hidden.
 void find_boundaries(const RenderScene& scene, const View& view, PixelReport& report) {
   const glm::vec2 size(static_cast<float>(view.width()), static_cast<float>(view.height()));
@@ -179,6 +188,7 @@ PixelReport PixelInspector::work(const Request& request) {
   for (const LevelStatistics& level : report.trace.levels)
     report.level_object.push_back(strongest_object(scene, level));
   report.seen = seen_parts(report.trace.cells);
+  report.unlit = unlit_triangles(scene.world(), report.trace.cells);
   for (const TracedPyray& pyray : report.trace.pyrays) {
     report.pyray_seen.push_back(seen_parts(pyray.cells));
     report.pyray_names.push_back(name_of_pyray(scene, pyray));

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct PixelReport {
   RenderSettings settings;
   std::vector<SeenPart> seen;                     ///< parts of the pixel's cells
   std::vector<std::vector<SeenPart>> pyray_seen;  ///< the same for each entry of trace.pyrays
-  std::vector<std::string> pyray_names;           ///< a short description of each of them
+  std::set<std::uint32_t> unlit;  ///< triangles of unlit surfaces at the samples of trace.cells
+  std::vector<std::string> pyray_names;   ///< a short description of each of them
   std::vector<std::string> level_object;  ///< name of the object of largest change, per level
   /// The edges in the whole picture's hit list, if requested; `most_boundaries` at most.
   std::vector<PictureBoundary> boundaries;

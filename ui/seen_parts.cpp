@@ -14,8 +14,8 @@ float x_at(const BorderEdge& side, float y) {
 
 /// Splits an area at the heights of its corners into trapezoids: no two sides cross between these
 /// heights. The area may have holes.
-void add_trapezoids(std::span<const BorderEdge> border, glm::vec3 radiance,
-                    std::vector<SeenPart>& parts) {
+void add_trapezoids(const TracedSample& sample, std::vector<SeenPart>& parts) {
+  const std::span<const BorderEdge> border = sample.border;
   std::vector<float> heights;
   for (const BorderEdge& side : border) heights.push_back(side.from.y);
   std::sort(heights.begin(), heights.end());
@@ -35,7 +35,8 @@ void add_trapezoids(std::span<const BorderEdge> border, glm::vec3 radiance,
       parts.push_back(
           {{glm::vec2(x_at(left, top), top), glm::vec2(x_at(right, top), top),
             glm::vec2(x_at(right, bottom), bottom), glm::vec2(x_at(left, bottom), bottom)},
-           radiance});
+           sample.radiance,
+           sample.triangle});
     }
   }
 }
@@ -56,11 +57,13 @@ std::vector<SeenPart> seen_parts(std::span<const TracedCell> cells) {
   for (const TracedCell& cell : cells) {
     for (const TracedSample& sample : cell.samples) {
       if (!sample.border.empty()) {
-        add_trapezoids(sample.border, sample.radiance, parts);
+        add_trapezoids(sample, parts);
         continue;
       }
       const glm::vec2 lo = cell.corner, hi = cell.corner + cell.side;
-      parts.push_back({{lo, glm::vec2(hi.x, lo.y), hi, glm::vec2(lo.x, hi.y)}, sample.radiance});
+      parts.push_back({{lo, glm::vec2(hi.x, lo.y), hi, glm::vec2(lo.x, hi.y)},
+                       sample.radiance,
+                       sample.triangle});
     }
   }
   return parts;

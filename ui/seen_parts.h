@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace asos::ui {
 struct SeenPart {
   std::array<glm::vec2, 4> corners{};  ///< in order around the piece; two of them may coincide
   glm::vec3 radiance{0.0f};
+  std::uint32_t triangle = TracedSample::no_triangle;  ///< at its sample's hit
 
   [[nodiscard]] double area() const;
 };

@@ -1,8 +1,11 @@
 #include "ui/split_check.h"
 
 #include "renderer/comparison/method.h"
+#include "renderer/geometry/largest.h"
 #include "renderer/study/measures.h"
 #include "renderer/study/timed_render.h"
+#include "ui/frames.h"
+#include "ui/pass_mean.h"
 #include "ui/previewer.h"
 
 #include <glm/glm.hpp>
@@ -18,10 +21,6 @@ namespace {
 constexpr int least_passes = 6;  // fewer passes give no usable standard error
 constexpr float as_one_sample = 0.25f / 255.0f;
 
-float largest(glm::vec3 v) {
-  return std::max({v.x, v.y, v.z});
-}
-
 // Number of standard errors that noise can explain: the quantile of Student's t-distribution at the
 // probability of 4 standard deviations, expanded in 1 / (passes - 1) (Abramowitz and Stegun
 // 26.7.5).
@@ -32,8 +31,10 @@ float most_explained(int passes) {
          (1.0f + 0.25f * (z2 + 1.0f) * d + (5.0f * z2 * z2 + 16.0f * z2 + 3.0f) / 96.0f * d * d);
 }
 
-float display_difference(glm::vec3 a, glm::vec3 b) {
-  return largest(glm::abs(display_rgb(a, 0.0f) - display_rgb(b, 0.0f)));
+/// The standard error of a mean that is clipped to 0 to 1.
+float clipped_error(glm::vec3 mean, float error) {
+  return 0.5f *
+         largest(glm::clamp(mean + error, 0.0f, 1.0f) - glm::clamp(mean - error, 0.0f, 1.0f));
 }
 
 void add_pixel(std::vector<PixelRun>& runs, int x, int y) {
@@ -43,41 +44,6 @@ void add_pixel(std::vector<PixelRun>& runs, int x, int y) {
     runs.push_back({x, y, 1});
   }
 }
-
-/// Mean and standard error over passes, of radiance clipped to 0 to 1 (Welford 1962).
-class PassMean {
- public:
-  void add(const Film& pass) {
-    if (count_ == 0) {
-      film_ = Film(pass.width, pass.height);
-      squares_.assign(film_.radiance.size(), glm::vec3(0.0f));
-    }
-    ++count_;
-    const float share = 1.0f / static_cast<float>(count_);
-    for (std::size_t i = 0; i < film_.radiance.size(); ++i) {
-      glm::vec3& mean = film_.radiance[i];
-      const glm::vec3 value = glm::clamp(pass.radiance[i], 0.0f, 1.0f);
-      const glm::vec3 before = value - mean;
-      mean += share * before;
-      squares_[i] += before * (value - mean);
-    }
-  }
-  [[nodiscard]] int count() const { return count_; }
-  [[nodiscard]] const Film& film() const { return film_; }
-  [[nodiscard]] std::vector<float> uncertainty() const {
-    const auto n = static_cast<float>(count_);
-    std::vector<float> errors;
-    errors.reserve(squares_.size());
-    for (const glm::vec3& sum : squares_)
-      errors.push_back(std::sqrt(largest(sum) / std::max(1.0f, n * (n - 1.0f))));
-    return errors;
-  }
-
- private:
-  int count_ = 0;
-  Film film_;
-  std::vector<glm::vec3> squares_;
-};
 
 struct CheckRequest {
   Snapshot snapshot;
@@ -101,9 +67,13 @@ void check_view(const CheckRequest& request, const std::stop_token& stop,
     if (!pass) return;
     mean.add(pass->film);
     if (mean.count() < least_passes) continue;
-    SplitFindings found =
-        find_faults({request.picture, centres->film, mean.film(), mean.uncertainty(), mean.count()},
-                    request.alarm);
+    SplitFindings found = find_faults({request.picture,
+                                       centres->film,
+                                       mean.film(),
+                                       mean.uncertainty(),
+                                       mean.count(),
+                                       {0.0f, request.snapshot.settings.judged_tone}},
+                                      request.alarm);
     found.passes = mean.count();
     found.reference = std::make_shared<const Film>(mean.film());
     tell(std::move(found));
@@ -116,25 +86,28 @@ SplitFindings find_faults(const SplitEvidence& evidence, double alarm) {
   const Film& picture = evidence.picture;
   SplitFindings found;
   const float explained = most_explained(evidence.passes);
+  const auto display_difference = [&](const Film& other, std::size_t i) {
+    return difference_of(picture, other, i, evidence.display);
+  };
   double noise = 0.0;
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       const std::size_t i = picture.index(x, y);
       const glm::vec3 seen = picture.radiance[i], truth = evidence.reference.radiance[i];
       const float error = evidence.uncertainty[i];
-      noise += static_cast<double>(error) * static_cast<double>(error);
+      const auto clipped = static_cast<double>(clipped_error(truth, error));
+      noise += clipped * clipped;
       // A shadow's edge may cut a pixel that has a single cell.
       const bool split = picture.split_level[i] > 0 || picture.cause[i] != SplitCause::none;
       found.split_pixels += split;
       if (split) {
-        if (display_difference(seen, evidence.centres.radiance[i]) > as_one_sample) continue;
+        if (display_difference(evidence.centres, i) > as_one_sample) continue;
         ++found.wasted_pixels;
         add_pixel(found.wasted, x, y);
         continue;
       }
-      const float off = largest(glm::abs(glm::clamp(seen, 0.0f, 1.0f) - truth));
-      if (!(off > explained * error) ||
-          !(static_cast<double>(display_difference(seen, truth)) > alarm))
+      if (!(largest(glm::abs(seen - truth)) > explained * error) ||
+          !(static_cast<double>(display_difference(evidence.reference, i)) > alarm))
         continue;
       ++found.missed_pixels;
       add_pixel(found.missed, x, y);

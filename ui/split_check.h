@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/film.h"
+#include "renderer/film/tone.h"
 #include "renderer/session/render_session.h"
 #include "ui/stoppable_job.h"
 
@@ -28,8 +29,9 @@ struct SplitEvidence {
   const Film& picture;
   const Film& centres;                    ///< one sample per pixel, at its centre
   const Film& reference;                  ///< the mean of many
-  const std::vector<float>& uncertainty;  ///< standard error of the reference, largest channel
-  int passes = 1000;  ///< number of passes that the uncertainty is estimated from
+  const std::vector<float>& uncertainty;  ///< standard error of its radiance, largest channel
+  int passes = 1000;           ///< number of passes that the uncertainty is estimated from
+  DisplayTransform display{};  ///< EPS and errors are measured in its display values
 };
 
 /// Pixels that were split too little or needlessly.

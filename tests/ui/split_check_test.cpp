@@ -3,6 +3,8 @@
 #include "renderer/comparison/method.h"
 #include "tests/ui/panels_fixture.h"
 #include "ui/equal_time.h"
+#include "ui/error_map.h"
+#include "ui/pass_mean.h"
 #include "ui/split_forecast.h"
 
 #include <gtest/gtest.h>
@@ -107,6 +109,53 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
   check.update(rig.previewer(), false, 1.0 / 64.0);
   EXPECT_EQ(check.findings(), nullptr);
   EXPECT_TRUE(checked()) << "switched on again, it checks the same picture again";
+}
+
+// Once the reference had no unlit part and was clipped before the tone curve: unlit surfaces and
+// those brighter than white had errors of 10 to 40 display steps.
+TEST_F(SplitCheckTest, TheReferenceIsDisplayedAsThePictureIs) {
+  for (const char* source : {"shining", "two triangles"}) {
+    rig.previewer().scene().open(source);
+    ASSERT_TRUE(
+        rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; }));
+    SplitCheck check;
+    ASSERT_TRUE(rig.frames_until([&] {
+      check.update(rig.previewer(), true, 1.0 / 64.0);
+      return check.findings() != nullptr;
+    }));
+    const Film& film = rig.previewer().render().film();
+    for (const ToneCurve tone : {ToneCurve::none, ToneCurve::neutral, ToneCurve::agx}) {
+      const DisplayTransform display{-0.5f, tone};
+      double most = 0.0;
+      int whole = 0;
+      for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+        if (film.split_level[i] > 0 || film.cause[i] != SplitCause::none) continue;
+        most = std::max(most, error_steps(film, *check.findings()->reference, i, display));
+        ++whole;
+      }
+      EXPECT_GT(whole, 1000);
+      EXPECT_LT(most, 0.5) << source << ", curve " << static_cast<int>(tone);
+    }
+    EXPECT_EQ(check.findings()->missed_pixels, 0u) << source;
+  }
+}
+
+// A mean of the picture itself has no error in any display.
+TEST(PassMean, OfOnePictureIsThatPicture) {
+  Film picture(4, 1);
+  picture.radiance = {glm::vec3(0.2f), glm::vec3(7.0f, 0.5f, 0.0f), glm::vec3(0.9f),
+                      glm::vec3(2.0f)};
+  picture.unlit.assign(4, glm::vec4(0.0f));
+  picture.unlit[2] = glm::vec4(0.9f, 0.9f, 0.9f, 1.0f);
+  picture.unlit[3] = glm::vec4(0.25f, 0.25f, 0.25f, 0.5f);
+  PassMean mean;
+  for (int i = 0; i < 3; ++i) mean.add(picture);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (const ToneCurve tone : {ToneCurve::none, ToneCurve::neutral, ToneCurve::agx})
+      EXPECT_LT(error_steps(picture, mean.film(), i, {1.0f, tone}), 1e-3) << i;
+    EXPECT_LT(mean.uncertainty()[i], 1e-6f);
+  }
+  EXPECT_EQ(error_summary(picture, mean.film(), {}).visible, 0.0);
 }
 
 TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {

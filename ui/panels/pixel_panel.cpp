@@ -1,5 +1,6 @@
 #include "renderer/comparison/method.h"
 #include "renderer/film/split_map.h"
+#include "renderer/study/measures.h"
 #include "ui/panels/inner_list.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/pixel_place.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -26,8 +28,8 @@ std::uint32_t kind_colour(FeatureKind kind) {
   return IM_COL32(c.x, c.y, c.z, 255);
 }
 
-std::uint32_t shown_colour(glm::vec3 radiance, const DisplayTransform& display) {
-  const glm::u8vec3 c = display_bytes(radiance, display);
+std::uint32_t shown_colour(glm::vec3 radiance, bool unlit, const DisplayTransform& display) {
+  const glm::u8vec3 c = display_bytes(radiance, unlit ? DisplayTransform{} : display);
   return IM_COL32(c.x, c.y, c.z, 255);
 }
 
@@ -99,7 +101,7 @@ void cost_rows(Controls& controls, const Film& film, const SplitFindings* findin
   if (!findings || findings->reference->width != film.width ||
       findings->reference->height != film.height)
     return;
-  const glm::vec3 d = glm::clamp(film.radiance[i], 0.0f, 1.0f) - findings->reference->radiance[i];
+  const glm::vec3 d(clipped_difference(film.radiance[i], findings->reference->radiance[i]));
   controls.row("Error", fmt::format("{:+.5f} {:+.5f} {:+.5f}", d.x, d.y, d.z),
                "Difference from the reference of \"Check splits\", clipped linear values.");
 }
@@ -120,7 +122,8 @@ struct ShownPyray {
   const std::vector<TracedCell>& cells;
   const std::vector<SeenPart>& seen;
   DisplayTransform display;
-  int deepest = 1000;  ///< deepest level of cells to draw
+  int deepest = 1000;                    ///< deepest level of cells to draw
+  const std::set<std::uint32_t>& unlit;  ///< triangles that are displayed as they are
 };
 
 // Draws without antialiasing, which would show gaps between adjacent parts.
@@ -130,8 +133,9 @@ void draw_seen(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray& sh
     std::array<ImVec2, 4> corners{};
     std::transform(part.corners.begin(), part.corners.end(), corners.begin(),
                    [&](glm::vec2 corner) { return canvas.at(corner); });
-    draw.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()),
-                             shown_colour(part.radiance, shown.display));
+    draw.AddConvexPolyFilled(
+        corners.data(), static_cast<int>(corners.size()),
+        shown_colour(part.radiance, shown.unlit.contains(part.triangle), shown.display));
   }
   draw.Flags = smooth;
 }
@@ -166,8 +170,9 @@ void draw_samples(ImDrawList& draw, const PixelCanvas& canvas, const ShownPyray&
     for (const TracedSample& sample : cell.samples) {
       draw.AddCircleFilled(canvas.at(sample.at), radius + 1.5f, IM_COL32(0, 0, 0, 255), 12);
       draw.AddCircleFilled(canvas.at(sample.at), radius + 0.7f, IM_COL32(255, 255, 255, 255), 12);
-      draw.AddCircleFilled(canvas.at(sample.at), radius - 0.8f,
-                           shown_colour(sample.radiance, shown.display), 12);
+      draw.AddCircleFilled(
+          canvas.at(sample.at), radius - 0.8f,
+          shown_colour(sample.radiance, shown.unlit.contains(sample.triangle), shown.display), 12);
     }
   }
 }
@@ -212,10 +217,13 @@ void tree(Controls& controls, const PixelReport& report, const UiState& state, f
       own ? nullptr : &report.trace.pyrays[static_cast<std::size_t>(shown_pyray)];
   // A light's visibility is not radiance, so the exposure does not apply.
   const bool shadow = pyray && pyray->kind == TracedPyray::Kind::shadow;
+  // Reflected unlit surfaces are part of the light of what reflects them.
+  static const std::set<std::uint32_t> none;
   const ShownPyray shown{
       own ? report.trace.cells : pyray->cells,
       own ? report.seen : report.pyray_seen[static_cast<std::size_t>(shown_pyray)],
-      shadow ? DisplayTransform{} : display, state.shown_level.value_or(1000)};
+      shadow ? DisplayTransform{} : display, state.shown_level.value_or(1000),
+      own ? report.unlit : none};
   const float fits =
       most_height - ImGui::GetFrameHeightWithSpacing() - 2.0f * ImGui::GetStyle().WindowPadding.y;
   const float side = std::max(1.0f, std::min(ImGui::GetContentRegionAvail().x, fits));
