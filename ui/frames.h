@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,17 +36,27 @@ struct Frames {
   bool flipped = false;       ///< the snapshot is shown
   float scale_stops = -4.0f;  ///< the difference that is drawn white: 2^scale_stops
 
+  /// A reference of this view, that errors are measured against. `film` null: there is none, and
+  /// they are differences from the chosen snapshot.
+  struct Reference {
+    std::shared_ptr<const Film> film;
+    int samples = 0;             ///< per pixel
+    std::uint64_t revision = 0;  ///< grows with each change
+  };
+  Reference reference;
+
   // The state that the RMSE values were measured for.
   struct Measured {
     std::uint64_t restarts = 0;  ///< of the picture
+    std::uint64_t reference = 0;
     std::uint64_t revision = 0;
     int chosen = -1;
     bool finished = false;  ///< the picture was finished
     bool operator==(const Measured&) const = default;
   };
   Measured measured;
-  double rmse = 0.0;                ///< of the picture against the chosen snapshot; NaN: unknown
-  std::vector<double> stored_rmse;  ///< RMSE of the picture against each snapshot
+  double rmse = 0.0;                ///< of the picture; NaN: unknown
+  std::vector<double> stored_rmse;  ///< of each snapshot
 
   /// Returns the film of snapshot `index` resampled to `size`. The result is valid until the next
   /// call.
@@ -56,6 +67,10 @@ struct Frames {
   /// Shows a snapshot in place of the picture; shows the picture again if that snapshot is shown.
   void flip_to(int index);
   void remove(int index);
+  /// Whether a snapshot, or the difference from it, covers the whole picture.
+  [[nodiscard]] bool cover_picture() const {
+    return compared() && (comparison == Comparison::difference || flipped);
+  }
   /// The snapshot that is compared; null: none.
   [[nodiscard]] const StoredFrame* compared() const;
 

@@ -25,6 +25,9 @@ constexpr int hatching_pitch = 12;
 constexpr glm::u8vec3 wireframe_colour{255, 150, 40};
 constexpr float wireframe_opacity = 0.85f;
 
+// The picture's brightness in place of its error until there is a reference.
+constexpr float brightness_without_reference = 0.35f;
+
 bool on_hatching(int x, int y) {
   return (x + y) % hatching_pitch == 0;
 }
@@ -178,35 +181,36 @@ void GlDisplay::show_wireframe(const SurfacePicture* surfaces, std::uint64_t rev
   wireframe_.upload();
 }
 
-void GlDisplay::update_error(const Film& film, std::span<const PixelRect> changed,
-                             const Film* reference, std::uint64_t revision) {
+void GlDisplay::show_error(const Film& film, std::span<const PixelRect> changed,
+                           const Film* reference, std::uint64_t revision) {
   const glm::ivec2 size(film.width, film.height);
-  if (!reference || size.x <= 0 || glm::ivec2(reference->width, reference->height) != size) {
-    error_.reset();
-    return;
-  }
   const PixelRect whole{0, 0, size.x, size.y};
-  const ErrorShown wanted{revision, shown_, size};
+  if (whole.empty()) return hide_error();
+  if (reference && glm::ivec2(reference->width, reference->height) != size) reference = nullptr;
+  const ErrorShown wanted{revision, reference != nullptr, shown_, size};
   if (error_ != wanted) {
     error_layer_.resize(size.x, size.y);
     error_ = wanted;
-    convert_error(film, *reference, whole);
+    convert_error(film, reference, whole);
   } else {
     for (const PixelRect& rect : changed) {
       const PixelRect inside = intersection(rect, whole);
-      if (!inside.empty()) convert_error(film, *reference, inside);
+      if (!inside.empty()) convert_error(film, reference, inside);
     }
   }
   error_layer_.upload();
 }
 
-void GlDisplay::convert_error(const Film& film, const Film& reference, const PixelRect& rect) {
+glm::u8vec3 GlDisplay::error_colour(const Film& film, const Film* reference, std::size_t i) const {
+  if (!reference) return glm::u8vec3(brightness_without_reference * glm::vec3(bytes_of(film, i)));
+  return heat_colour(ErrorScale::share(error_steps(film, *reference, i, error_->shown)));
+}
+
+void GlDisplay::convert_error(const Film& film, const Film* reference, const PixelRect& rect) {
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const std::size_t row = film.index(rect.x, y);
-    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
-      const double steps = error_steps(film, reference, i, error_->shown);
-      error_layer_.at(i) = glm::u8vec4(heat_colour(ErrorScale::share(steps)), 255);
-    }
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i)
+      error_layer_.at(i) = glm::u8vec4(error_colour(film, reference, i), 255);
   }
   error_layer_.mark(rect);
 }

@@ -38,10 +38,11 @@ class GlDisplay {
   /// From now on draws the wireframe of `surfaces` over the picture, if it has the picture's size;
   /// null: none. `revision` grows with each new picture of surfaces.
   void show_wireframe(const SurfacePicture* surfaces, std::uint64_t revision);
-  /// From now on shows the error of each pixel against `reference`, which has the film's size;
-  /// null: none. `revision` counts the references.
-  void update_error(const Film& film, std::span<const PixelRect> changed, const Film* reference,
-                    std::uint64_t revision);
+  /// From now on shows the error of each pixel against `reference`. Without one of the film's size
+  /// (null: none) shows the picture, dimmed. `revision` counts the references.
+  void show_error(const Film& film, std::span<const PixelRect> changed, const Film* reference,
+                  std::uint64_t revision);
+  void hide_error() { error_.reset(); }
 
   /// Where to draw: `area` is in framebuffer pixels from the top left of a framebuffer of
   /// `framebuffer_height` pixels.
@@ -123,11 +124,14 @@ class GlDisplay {
 
   struct ErrorShown {
     std::uint64_t revision = 0;
+    bool known = false;  ///< there is a reference
     DisplayTransform shown;
     glm::ivec2 size{0};
     bool operator==(const ErrorShown&) const = default;
   };
-  void convert_error(const Film& film, const Film& reference, const PixelRect& rect);
+  [[nodiscard]] glm::u8vec3 error_colour(const Film& film, const Film* reference,
+                                         std::size_t i) const;
+  void convert_error(const Film& film, const Film* reference, const PixelRect& rect);
   std::optional<ErrorShown> error_;  // none: not shown
   Layer error_layer_;
 };

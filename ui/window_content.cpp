@@ -123,6 +123,8 @@ void WindowContent::draw(const FrameInput& in) {
   check_.update(previewer_, wants_reference() && !equal_time_.busy(), state_.check.alarm,
                 study_.busy());
   error_reference_.update(previewer_, check_.findings());
+  state_.frames.reference = {error_reference_.shared(), error_reference_.samples(),
+                             error_reference_.revision()};
   surfaces_.update(previewer_, state_.surfaces);
   update_display();
   keep_saving();
@@ -227,7 +229,8 @@ void WindowContent::lay_out(const FrameInput& in) {
               shown);
   DisplaySettings legend = state_.display;
   const bool shows_layer = state_.display.layer && layers_.film() && !state_.surfaces.property;
-  if (state_.show_error || state_.shows_layer()) legend.show_legend = false;
+  const bool shows_snapshot = state_.frames.cover_picture() && !state_.shows_layer();
+  if (state_.show_error || shows_snapshot || state_.shows_layer()) legend.show_legend = false;
   // The legend is hidden in pictures narrower than this if the tour's card or the pixel panel is
   // shown.
   constexpr float beside_another_em = 52.0f;
@@ -246,10 +249,13 @@ void WindowContent::lay_out(const FrameInput& in) {
                  {*state_.display.layer, layers_.scale(),
                   renders_layer(previewer_.render().settings().method, *state_.display.layer)},
                  picture);
-  if (state_.show_error && !shows_layer)
+  if (shows_snapshot && state_.display.show_legend)
+    comparison_legend(controls_, state_.frames, picture);
+  if (state_.show_error && !shows_snapshot && !shows_layer)
     error_legend(controls_,
                  {error_reference_.film() ? error_reference_.samples() : 0,
-                  previewer_.render().progress().finished},
+                  previewer_.render().progress().finished,
+                  error_reference_.summary(previewer_, state_.display.transform())},
                  picture);
   tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);

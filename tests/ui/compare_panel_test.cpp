@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace asos {
 using namespace ui;
@@ -37,6 +38,7 @@ class ComparePanelTest : public PanelsTest {
   }
   template <typename Expected>
   void expect_area(const Expected& expected) {
+    display().show_legend = false;
     rig.move_to({-10.0f, -10.0f});
     rig.frame();
     const Film& film = rig.previewer().render().film();
@@ -59,14 +61,14 @@ class ComparePanelTest : public PanelsTest {
 
 TEST(SnapshotTable, IsCopiedAsCsv) {
   Frames frames;
-  EXPECT_EQ(snapshot_csv(frames), "picture,reference,rmse,psnr_db\n");
+  EXPECT_EQ(snapshot_csv(frames), "picture,compared with,rmse,psnr_db\n");
   for (const char* name : {"Sobol, 19 spp", "ASOS \"fine\"", "Beam"})
     frames.stored.push_back({name, "", {}});
   frames.chosen = 1;
   frames.rmse = 0.01;
   frames.stored_rmse = {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
   EXPECT_EQ(snapshot_csv(frames),
-            "picture,reference,rmse,psnr_db\n"
+            "picture,compared with,rmse,psnr_db\n"
             "Current picture,\"ASOS \"\"fine\"\"\",0.01,40.00\n"
             "\"Sobol, 19 spp\",\"ASOS \"\"fine\"\"\",,\n"
             "Beam,\"ASOS \"\"fine\"\"\",0,inf\n");
@@ -133,7 +135,15 @@ TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
     return heat_colour(d / scale);
   });
   EXPECT_GT(different, 50);
-  EXPECT_TRUE(rig.content().controls().all().contains("Difference legend"));
+  display().show_legend = true;
+  rig.frame();
+  const auto& all = rig.content().controls().all();
+  EXPECT_EQ(all.at("Compared snapshot").words, "Difference from: ASOS, EPS 1/256, MAX 2");
+  EXPECT_EQ(all.at("Difference scale").words, "0 " + scale_words(frames().scale_stops - 1.0f) +
+                                                  " " + scale_words(frames().scale_stops));
+  rig.key(Key::x);
+  rig.frame();
+  EXPECT_EQ(all.at("Compared snapshot").words, "Snapshot (X: picture): ASOS, EPS 1/256, MAX 2");
 }
 
 TEST_F(ComparePanelTest, NineSnapshotsAreKept) {
@@ -186,6 +196,37 @@ TEST_F(ComparePanelTest, ErrorsStandBesideTheNames) {
   EXPECT_EQ(frames().stored_rmse[0], 0.0);
   EXPECT_EQ(psnr_words(0.1), "20.0 dB");
   EXPECT_EQ(psnr_words(0.0), "identical");
+}
+
+// Without a reference a snapshot is only compared with the picture: it is not the truth.
+TEST_F(ComparePanelTest, TheReferenceTellsWhichOneIsCloser) {
+  store_and_change();
+  for (int i = 0; i < 2; ++i) rig.frame();
+  EXPECT_EQ(closer_words(frames()), "not known yet");
+  EXPECT_EQ(rig.control("Errors against").words, "the chosen snapshot");
+  rig.content().state().check.check = true;
+  ASSERT_TRUE(rig.frames_until([&] { return frames().reference.samples == 256; }));
+  rig.frame();
+  EXPECT_TRUE(closer_words(frames()).starts_with("Snapshot 1, ")) << closer_words(frames());
+  EXPECT_GT(frames().rmse, 1.5 * frames().stored_rmse[0]) << "it has no antialiasing";
+  const Film& film = rig.previewer().render().film();
+  EXPECT_DOUBLE_EQ(frames().rmse, root_mean_square(film, *frames().reference.film, true));
+  EXPECT_NE(snapshot_csv(frames()).find("\"Reference, "), std::string::npos);
+}
+
+TEST(SnapshotTable, SaysHowManyTimesCloser) {
+  Frames frames;
+  frames.stored.resize(1);
+  frames.reference = {std::make_shared<Film>(1, 1), 256, 1};
+  frames.rmse = 0.001;
+  frames.stored_rmse = {0.0031};
+  EXPECT_EQ(closer_words(frames), "Current picture, 3.1 times");
+  frames.rmse = 0.0062;
+  EXPECT_EQ(closer_words(frames), "Snapshot 1, 2 times");
+  frames.rmse = 0.0031;
+  EXPECT_EQ(closer_words(frames), "equally close");
+  frames.rmse = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(closer_words(frames), "not known yet");
 }
 
 TEST(SnapshotName, SaysMethodAndQuality) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 // The bar under the picture, and the display of the picture of the previous EPS and MAX.
@@ -100,6 +101,36 @@ TEST_F(PictureBarTest, KeysOfThePictureEndALayer) {
   }
 }
 
+// Once the level map stood under the error's legend until there was a reference.
+TEST_F(PictureBarTest, WithoutAReferenceTheErrorLayerIsTheDimmedPicture) {
+  rig.set_pixel_size(1);
+  settings().asos.eps = 1e-6;  // so that the picture is not finished soon
+  rig.previewer().scene().open("grating");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  rig.click("Layer/Level");
+  rig.click("Layer/Error");
+  rig.move_to({-10.0f, -10.0f});
+  for (int i = 0; i < 3; ++i) rig.frame();
+  const std::string words = all().at("Error reference").words;
+  if (words.starts_with("Reference: ")) GTEST_SKIP() << "the reference came at once";
+  EXPECT_TRUE(words == "Waiting for the finished picture" || words == "Sampling the reference")
+      << words;
+  const std::vector<glm::u8vec3> pixels = rig.pixels();
+  const PixelRect area = rig.content().picture_rect();
+  int brightest = 0, coloured = 0;
+  for (int y = 0; y < area.height / 2; ++y) {  // above the legend
+    for (int x = 0; x < area.width; ++x) {
+      const glm::u8vec3 c = pixels[static_cast<std::size_t>(y * rig.size().x + x)];
+      brightest = std::max({brightest, int{c.x}, int{c.y}, int{c.z}});
+      coloured += std::max({c.x, c.y, c.z}) - std::min({c.x, c.y, c.z}) > 8;
+    }
+  }
+  EXPECT_GT(brightest, 10);
+  EXPECT_LT(brightest, 128) << "the picture, dimmed";
+  EXPECT_EQ(coloured, 0) << "the grating is grey; the colours of a map are not";
+}
+
 // A click on Error samples the reference. The layer has a scale in display steps, and stays and is
 // updated while EPS changes.
 TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
@@ -115,6 +146,8 @@ TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
   ASSERT_TRUE(rig.frames_until([&] {
     return all().at("Error reference").words == "Reference: 256 samples per pixel";
   })) << all().at("Error reference").words;
+  rig.frame();
+  EXPECT_NE(all().at("Error summary").words.find("above 1 step"), std::string::npos);
   EXPECT_FALSE(rig.content().state().check.check) << "the panel's own check stays off";
   settings().asos.eps = 0.3;
   for (int i = 0; i < 3; ++i) rig.frame();

@@ -1,15 +1,12 @@
 #include "renderer/comparison/method.h"
-#include "renderer/film/split_map.h"
 #include "ui/equal_time.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/snapshot_table.h"
 #include "ui/snapshot_name.h"
-#include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -36,28 +33,6 @@ std::string summary_of(const Previewer& previewer) {
               : fmt::format(", {} samples", s.sampling.spp);
   return text + fmt::format(", {} x {}, {:.0f} % in {:.2f} s", s.width, s.height,
                             100.0 * progress.fraction, progress.seconds);
-}
-
-std::string scale_words(float stops) {
-  return stops >= 0.0f ? std::string("1") : fmt::format("1/{:.3g}", std::exp2(-stops));
-}
-
-void difference_legend(Controls& controls, const std::string& most) {
-  const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  constexpr int steps = 64;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  for (int i = 0; i < steps; ++i) {
-    const glm::u8vec3 c = heat_colour((static_cast<float>(i) + 0.5f) / steps);
-    draw.AddRectFilled({corner.x + width * static_cast<float>(i) / steps, corner.y},
-                       {corner.x + width * static_cast<float>(i + 1) / steps, corner.y + 0.9f * em},
-                       IM_COL32(c.x, c.y, c.z, 255));
-  }
-  const float right = corner.x + width - ImGui::CalcTextSize(most.c_str()).x;
-  draw.AddText({corner.x, corner.y + em}, theme::packed(theme::dim_text), "0");
-  draw.AddText({right, corner.y + em}, theme::packed(theme::dim_text), most.c_str());
-  ImGui::Dummy({width, 2.2f * em});
-  controls.placed("Difference legend", "Black: no difference. White: the scale's maximum or more.");
 }
 
 void size_row(Controls& controls, const Film& film, const Film& frame) {
@@ -90,7 +65,6 @@ void comparison_controls(Controls& controls, Frames& frames) {
     case Comparison::difference:
       controls.slider("Scale", "Difference shown as white, 0 to 1. 1/256 is one 8-bit step.",
                       frames.scale_stops, {-10.0f, 0.0f, -4.0f}, scale_words);
-      difference_legend(controls, scale_words(frames.scale_stops));
       break;
   }
 }
@@ -112,6 +86,13 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
   if (frames.stored.empty()) return;
 
   snapshot_table(controls, previewer, frames);
+  const int samples = frames.reference.film ? frames.reference.samples : 0;
+  controls.row("Errors against",
+               samples > 0 ? fmt::format("a reference of {} samples", samples)
+                           : std::string("the chosen snapshot"),
+               "Check splits and the layer Error sample a reference of the view.");
+  controls.row("Closer", closer_words(frames),
+               "The one of picture and chosen snapshot with the smaller error.");
   if (controls.button("Copy errors", "Copy the table as CSV to the clipboard.", -1.0f))
     ImGui::SetClipboardText(snapshot_csv(frames).c_str());
   const StoredFrame& chosen = frames.stored[static_cast<std::size_t>(frames.chosen)];

@@ -1,12 +1,13 @@
-#include "renderer/files/counted.h"
 #include "ui/error_map.h"
 #include "ui/panels/heat_strip.h"
+#include "ui/panels/legend_window.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/snapshot_table.h"
+#include "ui/split_check.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -38,34 +39,33 @@ void error_scale(Controls& controls) {
       "Error per pixel in 8-bit display steps, logarithmic. Black: less than 1/4.");
 }
 
+std::string reference_words(const ErrorFacts& facts) {
+  constexpr int whole = SplitCheck::most_passes * SplitCheck::samples_each;
+  if (facts.samples >= whole) return fmt::format("Reference: {} samples per pixel", whole);
+  if (facts.samples > 0) return fmt::format("Reference: {} of {} samples", facts.samples, whole);
+  return facts.finished ? "Sampling the reference" : "Waiting for the finished picture";
+}
+
+void summary_row(Controls& controls, const ErrorSummary& summary) {
+  const std::string words = fmt::format("RMSE {:.2g} ({}), above 1 step: {:.2g} %", summary.rmse,
+                                        psnr_words(summary.rmse), 100.0 * summary.visible);
+  ImGui::TextUnformatted(words.c_str());
+  controls.placed_words("Error summary", words,
+                        "Whole picture against the reference: clipped linear values, and the "
+                        "percentage of pixels with a visible error.");
+}
+
 }  // namespace
 
 void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect& area) {
-  const float em = ImGui::GetFontSize();
-  const float width = std::min(error_legend_width_em * em, area.size.x - em);
-  if (width < 8.0f * em || area.size.y < 6.0f * em) return;
-  ImGui::SetNextWindowPos({area.lo.x + 0.5f * em, area.lo.y + area.size.y - 0.5f * em},
-                          ImGuiCond_Always, {0.0f, 1.0f});
-  ImGui::SetNextWindowSize({width, 0.0f});
-  ImGui::SetNextWindowBgAlpha(0.96f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::Begin("error legend", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  const LegendWindow window(controls, "Error legend", area, error_legend_width_em);
+  if (!window.has_room()) return;
   ImGui::TextUnformatted("Error per pixel");
   error_scale(controls);
-  std::string words = "Sampling the reference";
-  if (facts.samples > 0)
-    words =
-        "Reference: " + counted(static_cast<std::uint64_t>(facts.samples), "sample") + " per pixel";
-  else if (!facts.finished)
-    words = "Reference: when the picture is finished";
+  const std::string words = reference_words(facts);
   ImGui::TextDisabled("%s", words.c_str());
   controls.placed_words("Error reference", words, "It is kept while EPS, MAX and method change.");
-  controls.placed_window("Error legend");
-  ImGui::End();
-  ImGui::PopStyleVar();
+  if (facts.summary) summary_row(controls, *facts.summary);
 }
 
 }  // namespace asos::ui

@@ -1,10 +1,10 @@
 #include "ui/panels/heat_strip.h"
+#include "ui/panels/legend_window.h"
 #include "ui/panels/overlays.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -37,19 +37,9 @@ std::string layer_key_words(const LayerFacts& facts) {
 }  // namespace
 
 void layer_legend(Controls& controls, const LayerFacts& facts, const WindowRect& area) {
-  const float em = ImGui::GetFontSize();
-  const float width = std::min(layer_legend_width_em * em, area.size.x - em);
-  if (width < 8.0f * em || area.size.y < 6.0f * em) return;
+  const LegendWindow window(controls, "Layer legend", area, layer_legend_width_em);
+  if (!window.has_room()) return;
   const LayerRow& row = row_of(facts.layer);
-  ImGui::SetNextWindowPos({area.lo.x + 0.5f * em, area.lo.y + area.size.y - 0.5f * em},
-                          ImGuiCond_Always, {0.0f, 1.0f});
-  ImGui::SetNextWindowSize({width, 0.0f});
-  ImGui::SetNextWindowBgAlpha(0.96f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::Begin("layer legend", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::TextUnformatted(row.title);
   if (facts.rendered && is_scalar(facts.layer)) {
     const float lo = facts.scale.lo.x, hi = facts.scale.hi.x;
@@ -64,9 +54,6 @@ void layer_legend(Controls& controls, const LayerFacts& facts, const WindowRect&
     ImGui::TextDisabled("%s", words.c_str());
     controls.placed_words("Layer scale", words, row.about);
   }
-  controls.placed_window("Layer legend");
-  ImGui::End();
-  ImGui::PopStyleVar();
 }
 
 }  // namespace asos::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/layer_colours.h"
+#include "ui/error_map.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/panels.h"
 #include "ui/picture_job.h"
@@ -11,6 +12,8 @@
 #include "ui/window_layout.h"
 
 #include <glm/glm.hpp>
+
+#include <optional>
 
 namespace asos::ui {
 
@@ -66,8 +69,12 @@ struct MapFacts {
 struct ErrorFacts {
   int samples = 0;        ///< samples per pixel of the reference; 0: there is none yet
   bool finished = false;  ///< the picture is finished
+  std::optional<ErrorSummary> summary{};  ///< of the finished picture
 };
 void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect& area);
+
+/// Which snapshot the picture shows or differs from, and the difference's scale, at the lower left.
+void comparison_legend(Controls& controls, const Frames& frames, const WindowRect& area);
 
 /// The name of the layer that is shown, and what its colours mean, at the lower left.
 struct LayerFacts {

@@ -1,4 +1,5 @@
 #include "renderer/film/split_map.h"
+#include "ui/panels/legend_window.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
 
@@ -184,21 +185,9 @@ void unfinished_row(Controls& controls) {
 
 bool split_legend(Controls& controls, const DisplaySettings& display, const MapFacts& map,
                   const WindowRect& area, bool at_right) {
-  const float em = ImGui::GetFontSize();
-  const float width = std::min(legend_width_em * em, area.size.x - em);
-  if (!display.show_split_map || !display.show_legend || width < 8.0f * em ||
-      area.size.y < 8.0f * em)
-    return false;
-  const float left = at_right ? area.lo.x + area.size.x - width - 0.5f * em : area.lo.x + 0.5f * em;
-  ImGui::SetNextWindowPos({left, area.lo.y + area.size.y - 0.5f * em}, ImGuiCond_Always,
-                          {0.0f, 1.0f});
-  ImGui::SetNextWindowSize({width, 0.0f});
-  ImGui::SetNextWindowBgAlpha(0.96f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::Begin("legend", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  if (!display.show_split_map || !display.show_legend) return false;
+  const LegendWindow window(controls, "Map legend", area, legend_width_em, 8.0f, at_right);
+  if (!window.has_room()) return false;
   const std::string title = headline(display.split_colours, map.max_level);
   ImGui::TextUnformatted(title.c_str());
   controls.placed_words("Legend title", title, nullptr);
@@ -220,9 +209,6 @@ bool split_legend(Controls& controls, const DisplaySettings& display, const MapF
                       "Inspect the most deeply split pixel. Click any pixel to inspect it.");
   ImGui::SameLine();
   ImGui::TextDisabled("M: hide   C: next");
-  controls.placed_window("Map legend");
-  ImGui::End();
-  ImGui::PopStyleVar();
   return why;
 }
 
