@@ -50,7 +50,7 @@ EqualTimeFrame frame_of(Film film, const RenderSettings& settings, const std::st
                         double wanted) {
   const double taken = processor_seconds(film);
   return {std::move(film), snapshot_name(settings, taken),
-          fmt::format("{}, {}, {:.2f} s CPU ({:.0f} % of {:.2f} s)", row_of(settings.method).title,
+          fmt::format("{}, {}, {:.3g} s CPU ({:.0f} % of {:.3g} s)", row_of(settings.method).title,
                       quality, taken, 100.0 * taken / wanted, wanted)};
 }
 

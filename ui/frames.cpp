@@ -14,12 +14,13 @@ namespace asos::ui {
 bool Frames::store(const Film& film, std::string name, std::string summary) {
   if (stored.size() >= most || film.width <= 0) return false;
   const auto taken = [&](const std::string& wanted) {
-    return std::any_of(stored.begin(), stored.end(),
-                       [&](const StoredFrame& frame) { return frame.name == wanted; });
+    return std::any_of(stored.begin(), stored.end(), [&](const StoredFrame& frame) {
+      return frame.name == wanted && frame.file == shown_file;
+    });
   };
   std::string free = name;
   for (int number = 2; taken(free); ++number) free = fmt::format("{} ({})", name, number);
-  stored.push_back({std::move(free), std::move(summary), film});
+  stored.push_back({std::move(free), std::move(summary), film, shown_file});
   chosen = static_cast<int>(stored.size()) - 1;
   ++revision;
   return true;

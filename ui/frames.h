@@ -19,6 +19,7 @@ struct StoredFrame {
   std::string name;     ///< the method and its quality, unique: see snapshot_name
   std::string summary;  ///< how it was made, in one line
   Film film;
+  std::string file{};  ///< name of the scene's file without folder
 };
 
 /// How a snapshot is compared with the current picture.
@@ -29,6 +30,7 @@ struct Frames {
   static constexpr std::size_t most = 9;  ///< one for each number key
 
   std::vector<StoredFrame> stored;
+  std::string shown_file;      ///< name of the open scene's file
   std::uint64_t revision = 0;  ///< grows when `stored` changes
   int chosen = 0;
   Comparison comparison = Comparison::none;
@@ -61,9 +63,18 @@ struct Frames {
   /// Returns the film of snapshot `index` resampled to `size`. The result is valid until the next
   /// call.
   [[nodiscard]] const Film& at_size(int index, glm::ivec2 size);
-  /// Stores a picture under this name, with a number added if the name is taken. Returns false if
-  /// there are `most` snapshots already.
+  /// Stores a picture of the scene `shown_file` under this name, with a number added if the name is
+  /// taken. Returns false if there are `most` snapshots already.
   bool store(const Film& film, std::string name, std::string summary);
+  /// Returns a snapshot's name, after that of its file if it is not of `shown_file`.
+  [[nodiscard]] std::string title(const StoredFrame& frame) const {
+    return frame.file == shown_file ? frame.name : frame.file + ": " + frame.name;
+  }
+  /// Ends the comparison; the snapshots stay.
+  void show_picture() {
+    comparison = Comparison::none;
+    flipped = false;
+  }
   /// Shows a snapshot in place of the picture; shows the picture again if that snapshot is shown.
   void flip_to(int index);
   void remove(int index);

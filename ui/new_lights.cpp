@@ -64,7 +64,7 @@ World face_around(const RenderScene& scene, std::uint32_t picked, glm::dvec3 eye
 
 Light new_light(glm::dvec3 eye, glm::dvec3 subject, double scene_radius) {
   Light light;
-  light.name = "light";
+  light.name = "New light";
   light.position = glm::mix(subject, eye, 0.5);
   const double distance = std::max(glm::distance(subject, light.position), 1e-3 * scene_radius);
   light.direction = (subject - light.position) / distance;

@@ -67,14 +67,17 @@ void PictureSaver::begin_movie(const SaveChoice& choice, Snapshot snapshot,
              });
 }
 
-std::string PictureSaver::save_shown(const DisplaySettings& shown) {
+std::string PictureSaver::save_shown(const DisplaySettings& shown, double fraction) {
   const RenderScene* scene = previewer_.scene().get();
   if (!scene || display_.width() <= 0) return no_picture;
   RgbImage image{display_.width(), display_.height(), display_.seen_rgb(shown),
                  screenshot_text(previewer_, shown)};
   if (shown.show_split_map && shown.show_legend) add_legend(image, shown.split_colours);
-  return words(
-      save_screenshot(image, screenshot_folder(), screenshot_stem(scene->geometry->source)));
+  const auto saved =
+      save_screenshot(image, screenshot_folder(), screenshot_stem(scene->geometry->source));
+  if (!saved || previewer_.render().progress().finished) return words(saved);
+  ++saved_;
+  return fmt::format("Saved unfinished ({:.0f} %): {}", std::floor(100.0 * fraction), *saved);
 }
 
 std::optional<std::string> PictureSaver::begin(const SaveChoice& choice,

@@ -25,7 +25,7 @@ class PictureSaver {
       : previewer_(previewer), display_(display) {}
 
   /// Saves the displayed film as a PNG under the next free name, with the legend below a split map.
-  [[nodiscard]] std::string save_shown(const DisplaySettings& shown);
+  [[nodiscard]] std::string save_shown(const DisplaySettings& shown, double fraction);
   /// Starts the job that the save dialog has confirmed.
   [[nodiscard]] std::optional<std::string> begin(const SaveChoice& choice,
                                                  const DisplaySettings& shown, double now_seconds);

@@ -14,16 +14,21 @@ namespace asos::ui {
 
 namespace {
 
+std::string size_words(const TracedPyray& pyray) {
+  return fmt::format("{:.3g} % of pixel, {}", 100.0 * pyray.weight,
+                     counted(pyray.cells.size(), "cell"));
+}
+
+std::string visibility_words(double visible) {
+  if (visible >= 0.9995) return "visible";
+  return visible > 0.0 ? fmt::format("{:.2g} % visible", 100.0 * visible) : "hidden";
+}
+
 std::string name_of_pyray(const RenderScene& scene, const TracedPyray& pyray) {
-  const double from = 100.0 * pyray.weight;
-  const std::size_t count = pyray.cells.size();
-  const std::string cells = counted(count, "cell");
   if (pyray.kind == TracedPyray::Kind::mirror)
-    return fmt::format("mirror {} ({:.3g} % of pixel, {})", pyray.bounces + 1, from, cells);
+    return fmt::format("mirror {} ({})", pyray.bounces + 1, size_words(pyray));
   const std::string& name = scene.lights()[pyray.light].name;
-  return fmt::format("{}: {:.0f} % visible ({:.3g} % of pixel, {})",
-                     name.empty() ? fmt::format("light {}", pyray.light + 1) : name, from,
-                     100.0 * static_cast<double>(pyray.result.x), cells);
+  return shadow_words(name.empty() ? fmt::format("light {}", pyray.light + 1) : name, pyray);
 }
 
 /// Name of the part that a smooth surface belongs to.
@@ -80,6 +85,11 @@ void find_boundaries(const RenderScene& scene, const View& view, PixelReport& re
 }
 
 }  // namespace
+
+std::string shadow_words(const std::string& light, const TracedPyray& pyray) {
+  return fmt::format("{}: {} ({})", light, visibility_words(static_cast<double>(pyray.result.x)),
+                     size_words(pyray));
+}
 
 const char* words_of(CellFate fate) {
   switch (fate) {

@@ -50,6 +50,9 @@ struct PixelReport {
 /// empty.
 [[nodiscard]] std::size_t cell_at(const std::vector<TracedCell>& cells, glm::vec2 place);
 
+/// A shadow pyray's light, its visibility, and the weight and cells of the pyray:
+/// "lamp: 37 % visible (12 % of pixel, 5 cells)".
+[[nodiscard]] std::string shadow_words(const std::string& light, const TracedPyray& pyray);
 [[nodiscard]] const char* words_of(CellFate fate);
 /// The counts of a cell's edges: "1 edge, 2 hidden edges".
 [[nodiscard]] std::string edge_words(const TracedCell& cell);

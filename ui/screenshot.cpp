@@ -22,6 +22,11 @@ std::filesystem::path screenshot_folder() {
   return here.empty() ? std::filesystem::path(".") : here;
 }
 
+std::string file_title(const std::string& source) {
+  if (source.starts_with("builtin:")) return source.substr(8);
+  return std::filesystem::path(source).filename().string();
+}
+
 std::string screenshot_stem(const std::string& source) {
   std::string stem = source.starts_with("builtin:") ? source.substr(8)
                                                     : std::filesystem::path(source).stem().string();

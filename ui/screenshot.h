@@ -17,6 +17,7 @@ struct DisplaySettings;
 
 /// A file name made from a scene's source: "builtin:office" gives "office", a path its stem.
 /// Characters that a file name cannot have become "_".
+[[nodiscard]] std::string file_title(const std::string& source);
 [[nodiscard]] std::string screenshot_stem(const std::string& source);
 
 /// FOLDER/NAME-001, or the next number without a picture.

@@ -55,15 +55,15 @@ void SurfaceViewer::update(const Previewer& previewer, const SurfaceChoice& choi
   });
 }
 
-std::string surface_names(const Previewer& previewer, glm::ivec2 pixel) {
+SurfaceNames surface_names(const Previewer& previewer, glm::ivec2 pixel) {
   if (!previewer.scene() || !previewer.viewpoint().sized()) return {};
   const Hit hit = previewer.viewpoint().seen_at(pixel.x + 0.5, pixel.y + 0.5);
   if (!hit.valid()) return {};
   const World& world = previewer.scene()->world();
   const std::uint32_t part = world.triangle_part[hit.triangle];
   const std::uint32_t material = world.parts[part].material;
-  return name_or_number(world.parts[part].name, "Object", part) + ", " +
-         name_or_number(world.materials[material].name, "Material", material);
+  return {name_or_number(world.parts[part].name, "Object", part),
+          name_or_number(world.materials[material].name, "Material", material)};
 }
 
 }  // namespace asos::ui

@@ -53,7 +53,15 @@ class SurfaceViewer {
   StoppableJob<std::shared_ptr<const SurfacePicture>> job_;
 };
 
-/// The names of the object and the material at a pixel, as "object, material"; empty: no surface.
-[[nodiscard]] std::string surface_names(const Previewer& previewer, glm::ivec2 pixel);
+/// The names of the object and the material at a pixel; empty: no surface.
+struct SurfaceNames {
+  std::string object;
+  std::string material;
+
+  [[nodiscard]] std::string joined() const {
+    return object.empty() ? std::string() : object + ", " + material;
+  }
+};
+[[nodiscard]] SurfaceNames surface_names(const Previewer& previewer, glm::ivec2 pixel);
 
 }  // namespace asos::ui

@@ -25,6 +25,7 @@ constexpr ImGuiWindowFlags fixed_flags =
     ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr double message_seconds = 6.0;
 constexpr int frames_to_settle = 3;
+constexpr int most_frames_without_input = 3;
 // Few redraws during a study, because their time counts as the study's.
 constexpr double study_redraw_seconds = 0.5;
 
@@ -169,14 +170,24 @@ void WindowContent::begin_frame(const FrameInput& in) {
   io.DisplayFramebufferScale = {framebuffer.x / window.x, raster};
   io.DeltaTime = std::max(1e-4f, static_cast<float>(in.time_seconds - time_seconds_));
   time_seconds_ = in.time_seconds;
-  input_.feed(io);
+  if (!awaits_search()) input_.feed(io);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   controls_.begin_frame(in.time_seconds);
 }
 
+// After Ctrl+F the search field gets the keyboard two frames later. Keys wait for it meanwhile, so
+// that none of them is a shortcut.
+bool WindowContent::awaits_search() {
+  if (ImGui::GetIO().WantTextInput) frames_without_input_ = 0;
+  if (frames_without_input_ == 0) return false;
+  --frames_without_input_;
+  return true;
+}
+
 void WindowContent::lay_out(const FrameInput& in) {
   handle_shortcuts(state_, previewer_);
+  if (state_.focus_search) frames_without_input_ = most_frames_without_input;
   if (!ImGui::GetIO().WantTextInput && shortcut_pressed(Key::z, true)) take_back();
   if (in.time_seconds >= state_.message_until_seconds) state_.message.clear();
 
@@ -201,19 +212,24 @@ void WindowContent::lay_out(const FrameInput& in) {
   check_marks(check_.findings(), state_.check, state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
   if (state_.display.show_grid) grid_.draw(previewer_, state_.view, shown);
+  if (!state_.display.show_split_map && !state_.show_error && !state_.shows_layer() &&
+      state_.frames.comparison == Comparison::none)
+    pixel_numbers(controls_, previewer_.render().film(), state_.display.transform(), state_.view,
+                  shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
-  wipe_line(controls_, state_.frames, state_.view, previewer_.render().film(), shown);
+  wipe_line(controls_, state_.frames, state_.view, previewer_, shown);
   picture_area(controls_, previewer_, state_, shown);
   ImGui::End();
   ImGui::PopStyleVar();
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.8f * em, 0.42f * em});
   begin_fixed("status", layout_.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav);
-  progress_panel(controls_, previewer_,
-                 {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform(),
-                  progress_.fraction(), estimate(),
-                  state_.hovered ? surface_names(previewer_, *state_.hovered) : std::string(),
-                  hovered_layer()});
+  progress_panel(
+      controls_, previewer_,
+      {state_.message, state_.view.zoom(), state_.hovered, state_.display.transform(),
+       progress_.fraction(),
+       state_.hovered ? surface_names(previewer_, *state_.hovered).joined() : std::string(),
+       hovered_layer()});
   ImGui::End();
   ImGui::PopStyleVar();
 
@@ -225,7 +241,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   if (layout_.panel.size.x > 0.0f && layout_.panel.size.y > 0.0f) panel_window(layout_.panel);
   pixel_panel(controls_, previewer_, state_,
               {inspector_.report(), check_.findings(),
-               state_.picked ? surface_names(previewer_, *state_.picked) : std::string()},
+               state_.picked ? surface_names(previewer_, *state_.picked) : SurfaceNames{}},
               shown);
   DisplaySettings legend = state_.display;
   const bool shows_layer = state_.display.layer && layers_.film() && !state_.surfaces.property;

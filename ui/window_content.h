@@ -88,6 +88,7 @@ class WindowContent {
   WindowContent(Previewer& previewer, GlDisplay display, ImGuiContext* context);
   void take_outcomes();
   void begin_frame(const FrameInput& in);
+  [[nodiscard]] bool awaits_search();
   void lay_out(const FrameInput& in);
   void panel_window(const WindowRect& rect);
   void update_display();
@@ -150,7 +151,8 @@ class WindowContent {
   WindowLayout layout_;
   std::optional<theme::Appearance> applied_;  // appearance that the fonts were built for
   double time_seconds_ = 0.0;
-  int settling_frames_ = 0;  // frames that Dear ImGui still needs to settle after a change
+  int frames_without_input_ = 0;  // until the search field takes keys
+  int settling_frames_ = 0;       // frames that Dear ImGui still needs to settle after a change
 };
 
 }  // namespace asos::ui

@@ -60,6 +60,8 @@ void WindowContent::follow_files(double now_seconds) {
     if (std::exchange(source_seen_, scene->geometry->source) != scene->geometry->source) {
       state_.tour.before.display.show_split_map = false;
       if (!state_.tour.card) state_.display.show_split_map = false;
+      state_.frames.show_picture();
+      state_.frames.shown_file = file_title(source_seen_);
     }
     const auto opened = previewer_.scene().take_opened_display();
     metered_exposure_.scene_opened(state_.display, opened.has_value());

@@ -61,7 +61,7 @@ void WindowLoop::draw(double now) {
       scene && scene->geometry->source != titled_) {
     titled_ = scene->geometry->source;
     save();
-    window_.set_title(printable(screenshot_stem(titled_)) + " - ASOS");
+    window_.set_title(printable(file_title(titled_)) + " - ASOS");
   }
 }
 

@@ -70,7 +70,8 @@ void WindowContent::present(const FrameInput& in) {
 
 // Starts requested saves and reports their results.
 void WindowContent::keep_saving() {
-  if (std::exchange(state_.screenshot_requested, false)) say(saver_.save_shown(shown_display_));
+  if (std::exchange(state_.screenshot_requested, false))
+    say(saver_.save_shown(shown_display_, progress_.fraction()));
   if (std::exchange(state_.save.asked, false)) {
     const SaveChoice choice = state_.save;
     state_.save.stem.clear();

@@ -67,7 +67,7 @@ inline const std::map<std::string, Part> parts{
     {"DFRMAX point", Part::mirrors},
     {"N point", Part::mirrors},
     {"Variation", Part::mirrors},
-    {"Override roughness by DFR", Part::mirrors},
+    {"Blur curve (DFR) instead of roughness", Part::mirrors},
     {"Material", Part::view},
     {"Reset reflections", Part::mirrors},
     {"Sky", Part::sky},

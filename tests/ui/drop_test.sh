@@ -83,6 +83,6 @@ if [ -d "$shared/hostile" ]; then
   done < <(find "$shared/hostile" -type f -print0 | sort -z)
 fi
 "$drop" "$window" "$work/good.glb" || fail 'the window does not take what is sound'
-wait_until 'what is sound is not opened' titled 'good - ASOS'
+wait_until 'what is sound is not opened' titled 'good.glb - ASOS'
 [ -s "$work/log" ] && fail 'the program complained'
 echo "passed: $refused files"

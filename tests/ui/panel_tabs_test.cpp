@@ -63,6 +63,23 @@ TEST_F(PanelTabsTest, SearchFindsControlsOfAllTabs) {
   state().search = "keep snap";
   EXPECT_TRUE(shows("Keep snapshot")) << "in a section that was never open";
   EXPECT_FALSE(shows("No match"));
+  state().search.clear();
+  rig.frame();
+  // Once a letter that followed Ctrl+F at once was a shortcut: "p" saved a picture.
+  InputQueue& input = rig.content().input();
+  input.add(KeyChanged{Key::ctrl, true});
+  input.add(KeyChanged{Key::f, true});
+  input.add(KeyChanged{Key::f, false});
+  input.add(KeyChanged{Key::ctrl, false});
+  for (const auto& [key, letter] : {std::pair{Key::m, U'm'}, std::pair{Key::x, U'x'}}) {
+    input.add(KeyChanged{key, true});
+    input.add(TextTyped{letter});
+    input.add(KeyChanged{key, false});
+  }
+  for (int i = 0; i < 20; ++i) rig.frame();
+  EXPECT_EQ(state().search, "mx");
+  EXPECT_FALSE(state().display.show_split_map) << "M is its shortcut";
+  rig.key(Key::escape);
   state().search = "no such thing";
   EXPECT_TRUE(shows("No match"));
   rig.click("Tab/Scene");

@@ -69,6 +69,7 @@ class PanelsTest : public testing::Test {
     if (source.starts_with("missing")) {
       return unexpected(Error{source, "there is no such file"});
     }
+    if (source.ends_with("broken.glb")) return unexpected(Error{source, "is no glTF file"});
     return scene_named(source);
   }
   /// A grating, or two triangles with the properties that the name states.

@@ -313,6 +313,48 @@ TEST_F(PanelsTest, PagesThroughTheModelsOfTheFolder) {
   EXPECT_TRUE(opened("c.glb"));
 }
 
+// Once Page Down asked for the same broken file for ever.
+TEST_F(PanelsTest, PagesStepOverABrokenFile) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.glb", "broken.glb", "c.glb"}) folder.write(name, "");
+  rig.previewer().scene().open(folder.file("a.glb"));
+  const auto opened = [&](const char* name) {
+    return rig.frames_until(
+        [&] { return rig.previewer().scene()->geometry->source == folder.file(name); });
+  };
+  ASSERT_TRUE(opened("a.glb"));
+  rig.key(Key::page_down);
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  EXPECT_TRUE(opened("a.glb")) << "nothing that was open is lost";
+  rig.key(Key::page_down);
+  EXPECT_TRUE(opened("c.glb"));
+}
+
+// A snapshot stays for the next file, with the name of its own; comparisons end.
+TEST_F(PanelsTest, AnotherFileEndsComparisonsAndKeepsSnapshots) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.glb", "b.glb"}) folder.write(name, "");
+  const auto open = [&](const char* name) {
+    rig.previewer().scene().open(folder.file(name));
+    return rig.frames_until(
+        [&] { return rig.previewer().scene()->geometry->source == folder.file(name); });
+  };
+  ASSERT_TRUE(open("a.glb"));
+  rig.frame();
+  rig.key(Key::s);
+  rig.key(Key::x);
+  Frames& frames = rig.content().state().frames;
+  ASSERT_EQ(frames.stored.size(), 1u);
+  EXPECT_TRUE(frames.flipped);
+  EXPECT_EQ(frames.title(frames.stored[0]), frames.stored[0].name);
+  ASSERT_TRUE(open("b.glb"));
+  rig.frame();
+  EXPECT_FALSE(frames.flipped);
+  EXPECT_EQ(frames.comparison, Comparison::none);
+  ASSERT_EQ(frames.stored.size(), 1u);
+  EXPECT_EQ(frames.title(frames.stored[0]), "a.glb: " + frames.stored[0].name);
+}
+
 // F6 moves the focus to the panel and back. There, arrow keys select a control, and Space goes to
 // the control.
 TEST_F(PanelsTest, ThePanelIsUsedByKeyboard) {

@@ -164,6 +164,26 @@ TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
   EXPECT_FALSE(rig.content().state().show_error);
 }
 
+// From 24x on, as in other viewers of pictures.
+TEST_F(PictureBarTest, ZoomedPixelsShowTheirNumbers) {
+  rig.set_pixel_size(1);
+  ASSERT_TRUE(rig.settle());
+  PictureView& view = rig.content().state().view;
+  view.zoom_at({0.0f, 0.0f}, 1);
+  rig.frame();
+  EXPECT_FALSE(all().contains("Pixel numbers"));
+  while (view.zoom() < 24) view.zoom_at({0.0f, 0.0f}, 1);
+  rig.frame();
+  ASSERT_TRUE(all().contains("Pixel numbers"));
+  const Film& film = rig.previewer().render().film();
+  const glm::ivec2 first(-view.offset() / view.scale());
+  const glm::u8vec3 c = display_bytes(film, film.index(first.x, first.y), display().transform());
+  EXPECT_EQ(all().at("Pixel numbers").words, fmt::format("{}\n{}\n{}", c.x, c.y, c.z));
+  display().show_split_map = true;
+  rig.frame();
+  EXPECT_FALSE(all().contains("Pixel numbers")) << "the map's colours are no display values";
+}
+
 TEST(ErrorScale, IsLogarithmicInDisplaySteps) {
   EXPECT_EQ(ErrorScale::share(0.0), 0.0f);
   EXPECT_EQ(ErrorScale::share(0.25), 0.0f);

@@ -94,6 +94,20 @@ TEST_F(PixelPanelTest, TheSquareHasTheExactSidesOfItsParts) {
   for (const auto& [red, share] : weight) EXPECT_NEAR(area[red], share, 1e-5) << red;
 }
 
+// Once weight and visibility had changed their places.
+TEST(PixelReport, ShadowsSayHowMuchOfTheLightIsVisible) {
+  TracedPyray pyray;
+  pyray.kind = TracedPyray::Kind::shadow;
+  pyray.weight = 0.25;
+  pyray.cells.resize(1);
+  pyray.result = glm::vec3(0.5f);
+  EXPECT_EQ(shadow_words("lamp", pyray), "lamp: 50 % visible (25 % of pixel, 1 cell)");
+  pyray.result = glm::vec3(0.0f);
+  EXPECT_EQ(shadow_words("lamp", pyray), "lamp: hidden (25 % of pixel, 1 cell)");
+  pyray.result = glm::vec3(1.0f);
+  EXPECT_EQ(shadow_words("lamp", pyray), "lamp: visible (25 % of pixel, 1 cell)");
+}
+
 TEST(SeenParts, ARingLeavesItsHoleOut) {
   TracedCell cell;
   TracedSample ring;

@@ -157,7 +157,7 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
   const std::uint64_t opened = rig.previewer().scene().times_opened();
   const Geometry* geometry = rig.previewer().scene()->geometry.get();
   ASSERT_FALSE(dfr(0).has_value());
-  rig.click("Override roughness by DFR");
+  rig.click("Blur curve (DFR) instead of roughness");
   ASSERT_TRUE(reached_scene());
   ASSERT_TRUE(dfr(0).has_value());
   EXPECT_FALSE(dfr(1).has_value()) << "another material";
@@ -181,7 +181,7 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
 }
 
 TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
-  rig.click("Override roughness by DFR");
+  rig.click("Blur curve (DFR) instead of roughness");
   ASSERT_TRUE(reached_scene());
   const MaterialDfrs edited = rig.previewer().edits().dfrs();
   const test::TemporaryFolder folder;
@@ -227,7 +227,7 @@ TEST_F(ReflectionsPanelTest, LightsAndMaterialsAreEditedBesideEachOther) {
 }
 
 TEST_F(ReflectionsPanelTest, ThePickedPixelChoosesItsMaterialAndMarksItsAngle) {
-  rig.click("Override roughness by DFR");
+  rig.click("Blur curve (DFR) instead of roughness");
   ASSERT_TRUE(reached_scene());
   EXPECT_FALSE(shows("Picked pixel"));
   const Film& film = rig.previewer().render().film();

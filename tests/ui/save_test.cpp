@@ -127,8 +127,11 @@ TEST_F(SaveTest, WhyItCouldNotBeSavedIsSaid) {
 TEST_F(SaveTest, SavedPicturesCanBeOpened) {
   display().exposure_ev = 1.5f;
   settings().asos.eps = 0.25;
-  rig.key(Key::p);
-  ASSERT_TRUE(saved("scene-001.png"));
+  rig.key(Key::p);  // before the picture is finished
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.content().state().message.ends_with("scene-001.png"); }));
+  EXPECT_TRUE(rig.content().state().message.starts_with("Saved unfinished ("))
+      << rig.content().state().message;
   display().exposure_ev = 0.0f;
   settings().asos.eps = 0.5;
   rig.previewer().scene().open(folder.file("scene-001.png"));

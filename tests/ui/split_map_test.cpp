@@ -185,10 +185,10 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
     EXPECT_LE(legend.hi.x, static_cast<float>(picture.width));
     EXPECT_LE(legend.hi.y, static_cast<float>(picture.height));
     if (colours == SplitMapColours::rays) {
-      EXPECT_EQ(all.at("Scale").words, "1 4 16 64 256 4096 rays");
+      EXPECT_EQ(all.at("Scale").words, "1 ray 4 16 64 256 4096 rays");
     }
     if (colours == SplitMapColours::time) {
-      EXPECT_EQ(all.at("Scale").words, "0.1 1 \u00b5s 10 100 1 ms 10");
+      EXPECT_EQ(all.at("Scale").words, "0.1 \u00b5s 1 \u00b5s 10 \u00b5s 100 \u00b5s 1 ms 10 ms");
     }
     // The pixel panel does not overlap the legend.
     rig.click("Why is this pixel like this?");

@@ -102,10 +102,10 @@ TEST_F(SurfaceViewerTest, TheWireframeLiesOverThePicture) {
 }
 
 TEST_F(SurfaceViewerTest, NamesWhatIsUnderThePointer) {
-  EXPECT_EQ(surface_names(rig.previewer(), centre()), "Object 1, Material 1");
+  EXPECT_EQ(surface_names(rig.previewer(), centre()).joined(), "Object 1, Material 1");
   const glm::ivec2 corner(0, 0);
   ASSERT_FALSE(seen(corner).valid());
-  EXPECT_EQ(surface_names(rig.previewer(), corner), "");
+  EXPECT_EQ(surface_names(rig.previewer(), corner).joined(), "");
   rig.move_to(glm::vec2(centre()) + 0.5f);
   rig.frame();
   EXPECT_TRUE(rig.content().state().hovered);

@@ -39,32 +39,40 @@ TEST(TimeWords, AProgressNamesItsPassAndWhatIsLeft) {
   ProgressFacts facts;
   facts.fraction = 0.4;
   facts.progress.seconds = 2.0;
-  EXPECT_EQ(progress_words(facts), "Rendering 40 %   2.0 s");
-  facts.estimate = TimeEstimate{5.2, 3.2};
-  EXPECT_EQ(progress_words(facts), "Rendering 40 %   2.0 s   4 s left");
+  EXPECT_EQ(progress_words(facts), "40 % done   2.0 s");
   facts.reached.pass = Reached::Pass::quarters;
-  EXPECT_EQ(progress_words(facts), "Rendering 40 %   first samples   2.0 s   4 s left");
+  EXPECT_EQ(progress_words(facts), "40 % done   first samples   2.0 s");
   facts.reached.pass = Reached::Pass::samples;
-  facts.reached.samples = 2;
-  facts.reached.round = 3;
-  EXPECT_EQ(progress_words(facts), "Rendering 40 %   round 3   2.0 s   4 s left");
-  facts.reached.rounds = 6;
-  EXPECT_EQ(progress_words(facts), "Rendering 40 %   round 3 of 6   2.0 s   4 s left");
+  facts.reached.samples = 4;
+  EXPECT_EQ(progress_words(facts), "40 % done   4 samples per pixel   2.0 s");
+  facts.progress.seconds_left = 3.2;
+  EXPECT_EQ(progress_words(facts), "40 % done   4 samples per pixel   2.0 s   4 s left");
   facts.without_edges = true;
-  EXPECT_EQ(progress_words(facts), "Rendering 40 %   finding edges   2.0 s   4 s left");
+  EXPECT_EQ(progress_words(facts), "40 % done   finding edges   2.0 s   4 s left");
   facts.rest = PauseReason::paused;
-  EXPECT_EQ(progress_words(facts), "Paused at 40 %   round 3 of 6   2.0 s   4 s left");
-  facts.rest = PauseReason::none;
-  facts.without_edges = false;
-  facts.reached.round = 0;
-  EXPECT_EQ(progress_words(facts), "Rendering 40 %   first final pixels   2.0 s   4 s left");
+  EXPECT_EQ(progress_words(facts), "Paused at 40 %   4 samples per pixel   2.0 s   4 s left");
   facts = {};
   facts.fraction = 0.0042;
   facts.reached.final_share = 0.125;
-  EXPECT_EQ(progress_words(facts), "Rendering 0.4 %   12 % of pixels final   0.0 s");
+  EXPECT_EQ(progress_words(facts), "0.4 % done   12 % final   0.0 s");
   facts.progress.finished = true;
   facts.progress.seconds = 2.0;
   EXPECT_EQ(progress_words(facts), "Finished in 2.0 s");
+}
+
+// Once the line said "1 s left" for 25 s at 42 %, and gave times before anything was measured.
+TEST(TimeWords, TheTimeLeftIsMeasuredAndFitsThePercentage) {
+  ProgressFacts facts;
+  facts.progress.seconds = 20.0;
+  EXPECT_FALSE(seconds_left(facts)) << "nothing was measured";
+  facts.fraction = 0.4;
+  EXPECT_FALSE(seconds_left(facts));
+  facts.progress.seconds_left = 1.0;
+  EXPECT_DOUBLE_EQ(seconds_left(facts).value(), 30.0) << "20 s took 40 %";
+  facts.progress.seconds_left = 50.0;
+  EXPECT_DOUBLE_EQ(seconds_left(facts).value(), 50.0);
+  facts.fraction = 0.0;
+  EXPECT_FALSE(seconds_left(facts));
 }
 
 // The row "Estimate" once said 8 s while the status line said 40 s.

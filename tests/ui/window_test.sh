@@ -156,7 +156,7 @@ bike=${ASOS_SHARED:-$(dirname "$0")/../../../shared}/scenes/Bike/Bike.glb
 if [ -f "$bike" ]; then
   open_file "$(realpath "$bike")"
   wait_until 'Bike was not opened' \
-    eval '[ "$(xdotool getwindowname "$window")" = "Bike - ASOS" ]'
+    eval '[ "$(xdotool getwindowname "$window")" = "Bike.glb - ASOS" ]'
   wait_for_picture window_bike.png
 fi
 

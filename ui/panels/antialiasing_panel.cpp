@@ -51,7 +51,7 @@ std::string eps_words(double eps) {
 }
 
 std::string level_words(int max_level) {
-  if (max_level == 0) return "0 (no splitting)";
+  if (max_level == 0) return "0 (cut along edges only)";
   const int cells = 1 << max_level;
   return fmt::format("{} (up to {} x {})", max_level, cells, cells);
 }

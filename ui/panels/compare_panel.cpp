@@ -2,6 +2,7 @@
 #include "ui/equal_time.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/snapshot_table.h"
+#include "ui/panels/time_words.h"
 #include "ui/snapshot_name.h"
 
 #include <fmt/format.h>
@@ -29,10 +30,10 @@ std::string summary_of(const Previewer& previewer) {
   const Progress progress = previewer.render().progress();
   std::string text = row_of(s.method).title;
   text += in_object_space(s.method) || row_of(s.method).samples_by_eps
-              ? fmt::format(", EPS {:.4g}, MAX {}", s.asos.eps, s.asos.max_level)
+              ? fmt::format(", EPS {:.2g}, MAX {}", s.asos.eps, s.asos.max_level)
               : fmt::format(", {} samples", s.sampling.spp);
-  return text + fmt::format(", {} x {}, {:.0f} % in {:.2f} s", s.width, s.height,
-                            100.0 * progress.fraction, progress.seconds);
+  return text + fmt::format(", {} x {}, {:.0f} % in {}", s.width, s.height,
+                            100.0 * progress.fraction, duration_words(progress.seconds));
 }
 
 void size_row(Controls& controls, const Film& film, const Film& frame) {
@@ -99,6 +100,13 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
   controls.row("Settings", chosen.summary, "Settings of the chosen snapshot.");
   size_row(controls, previewer.render().film(), chosen.film);
   comparison_controls(controls, frames);
+}
+
+std::string picture_words(const PreviewRender& render) {
+  const Progress progress = render.progress();
+  const std::string title = row_of(render.settings().method).title;
+  if (progress.finished) return title + ", " + duration_words(progress.seconds);
+  return fmt::format("{}, {:.0f} % done", title, std::floor(100.0 * progress.fraction));
 }
 
 std::string kept_words(const Frames& frames) {

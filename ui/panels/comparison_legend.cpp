@@ -33,7 +33,7 @@ void comparison_legend(Controls& controls, const Frames& frames, const WindowRec
   const LegendWindow window(controls, "Comparison legend", area, comparison_legend_width_em);
   if (!window.has_room()) return;
   const std::string words =
-      (difference ? "Difference from: " : "Snapshot (X: picture): ") + compared->name;
+      (difference ? "Difference from: " : "Snapshot (X: picture): ") + frames.title(*compared);
   ImGui::TextWrapped("%s", words.c_str());
   controls.placed_words("Compared snapshot", words, compared->summary.c_str());
   if (difference) difference_scale(controls, frames.scale_stops);

@@ -115,8 +115,9 @@ namespace {
 void say_flipped(UiState& state, const Film& film) {
   const Frames& frames = state.frames;
   const StoredFrame& frame = *frames.compared();
-  state.said = frames.flipped ? fmt::format("Snapshot {}: {}", frames.chosen + 1, frame.name)
-                              : std::string("Current picture");
+  state.said = frames.flipped
+                   ? fmt::format("Snapshot {}: {}", frames.chosen + 1, frames.title(frame))
+                   : std::string("Current picture");
   if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
     state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
 }
@@ -157,7 +158,7 @@ void snapshot_keys(UiState& state, const Film& film) {
 void show_before(UiState& state, const PreviewRender& render) {
   const PreviewRender::FinishedPicture* before = render.finished_before();
   if (!before) {
-    state.said = "Nothing to compare with: no other EPS or MAX was finished";
+    state.said = "Change EPS or MAX first";
     return;
   }
   state.show_before = state.shows_layer() || !state.show_before;
@@ -176,9 +177,9 @@ void store(UiState& state, const Previewer& previewer) {
 
 // Opens another model of the folder.
 void page(UiState& state, Previewer& previewer, int step) {
-  const RenderScene* scene = previewer.scene().get();
-  if (!scene) return;
-  const std::optional<NextModel> next = next_model(scene->geometry->source, step);
+  if (previewer.scene().asked_for().empty()) return;
+  // A file that cannot be opened was asked for, too, so that the next one follows it.
+  const std::optional<NextModel> next = next_model(previewer.scene().asked_for(), step);
   if (!next) {
     state.said = "No other model in this folder";
     return;

@@ -21,6 +21,14 @@ constexpr double usual_blur = 0.01;
 
 constexpr std::array aperture_corners{0, 3, 4, 5, 6, 7, 8, 9, 12, 16};
 
+// No photographic lens is as wide as its focal length is long twice.
+constexpr double widest_named = 0.5;
+
+std::string aperture_words(double f_stop, double fov_y_rad) {
+  if (f_stop >= widest_named) return fmt::format("f/{:.3g}", f_stop);
+  return fmt::format("{:.2g} units wide", 2.0 * aperture_of_f_stop(f_stop, fov_y_rad));
+}
+
 void aperture_controls(Controls& controls, const Camera& camera, Lens& lens) {
   double f_stop = f_stop_of_aperture(lens.radius, camera.fov_y_rad);
   if (controls.number("Aperture",
@@ -28,7 +36,7 @@ void aperture_controls(Controls& controls, const Camera& camera, Lens& lens) {
                                   number_words(lens.radius))
                           .c_str(),
                       f_stop, {{Lens::smallest_f_stop, Lens::largest_f_stop, {}}, 0.01, true},
-                      [](double n) { return fmt::format("f/{:.3g}", n); }))
+                      [&](double n) { return aperture_words(n, camera.fov_y_rad); }))
     lens.radius = aperture_of_f_stop(f_stop, camera.fov_y_rad);
   std::vector<std::string> names;
   for (const int corners : aperture_corners)

@@ -189,8 +189,9 @@ void side_label(const std::string& text, glm::vec2 at, float align) {
 
 }  // namespace
 
-void wipe_line(Controls& controls, Frames& frames, const PictureView& view, const Film& film,
-               const PictureArea& area) {
+void wipe_line(Controls& controls, Frames& frames, const PictureView& view,
+               const Previewer& previewer, const PictureArea& area) {
+  const Film& film = previewer.render().film();
   const float width = view.scale() * static_cast<float>(film.width) / area.scale;
   if (frames.comparison != Comparison::wipe || !frames.compared() || width <= 0.0f) return;
   const float left = area.rect.lo.x + view.offset().x / area.scale;
@@ -206,8 +207,8 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view, cons
   ImGui::GetWindowDrawList()->AddLine(
       {x, top}, {x, bottom}, theme::packed(lit ? over_picture(theme::accent_bright) : 0xffffff),
       1.5f);
-  side_label("current picture", {x - 1.5f * grip, top}, 1.0f);
-  side_label(frames.compared()->name, {x + 1.5f * grip, top}, 0.0f);
+  side_label(picture_words(previewer.render()), {x - 1.5f * grip, top}, 1.0f);
+  side_label(frames.title(*frames.compared()), {x + 1.5f * grip, top}, 0.0f);
 }
 
 }  // namespace asos::ui

@@ -41,7 +41,7 @@ void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
 struct PixelFacts {
   const PixelReport* report = nullptr;
   const SplitFindings* findings = nullptr;  ///< for this picture, with a reference
-  std::string names{};                      ///< names of the object and the material; empty: none
+  SurfaceNames names{};
 };
 /// Shows the data of the picked pixel: values, errors, cost, how it was split and why splitting
 /// stopped.
@@ -49,9 +49,12 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
                  const PixelFacts& facts, const PictureArea& area);
 /// Marks the picked pixel, and draws the edges of the hit list over the picture.
 void picked_mark(const PixelReport* report, const UiState& state, const PictureArea& area);
+/// Writes the displayed red, green and blue, 0 to 255, into pixels zoomed to 24x and more.
+void pixel_numbers(Controls& controls, const Film& film, const DisplayTransform& display,
+                   const PictureView& view, const PictureArea& area);
 /// The draggable line of a wipe.
-void wipe_line(Controls& controls, Frames& frames, const PictureView& view, const Film& film,
-               const PictureArea& area);
+void wipe_line(Controls& controls, Frames& frames, const PictureView& view,
+               const Previewer& previewer, const PictureArea& area);
 
 /// Notices over the picture: an error, the file being loaded, or the invitation to open a scene.
 void notices(Controls& controls, OpenScene& scene, const WindowRect& area);

@@ -51,6 +51,8 @@ void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
 void compare_panel(Controls& controls, const Previewer& previewer, Frames& frames);
 /// Returns false if there is no room for another snapshot.
 bool store_frame(Frames& frames, const Previewer& previewer);
+/// Method and time of the current picture: "ASOS, 18 s", "ASOS, 22 % done".
+[[nodiscard]] std::string picture_words(const PreviewRender& render);
 /// Message about the newest snapshot: "Kept 2: ASOS, EPS 1/256".
 [[nodiscard]] std::string kept_words(const Frames& frames);
 
@@ -82,9 +84,8 @@ struct StatusLine {
   std::optional<glm::ivec2> pixel;  ///< the hovered pixel
   DisplayTransform display;
   double fraction = 0.0;  ///< see ShownProgress
-  std::optional<TimeEstimate> estimate;
-  std::string names;    ///< of the object and the material under the pointer; empty: none
-  std::string layer{};  ///< values of the shown layer under the pointer; empty: none
+  std::string names;      ///< of the object and the material under the pointer; empty: none
+  std::string layer{};    ///< values of the shown layer under the pointer; empty: none
 };
 void progress_panel(Controls& controls, const Previewer& previewer, const StatusLine& status);
 

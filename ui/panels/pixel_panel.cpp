@@ -332,8 +332,10 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   // The tour's card is about the drawing, so that it comes first.
   const bool drawing_first = state.tour.card == Tour::Card::split;
   if (traced && drawing_first) tree(controls, *report, state, place->most_height);
-  if (!facts.names.empty())
-    controls.row("Surface", facts.names, "Object and material at the pixel's centre.");
+  if (!facts.names.object.empty()) {
+    controls.row("Object", facts.names.object, "At the pixel's centre.");
+    controls.row("Material", facts.names.material, "At the pixel's centre.");
+  }
   if (traced) why(controls, *report, film, pixel);
   values(controls, film, state.frames, state.display, pixel);
   cost_rows(controls, film, facts.findings, pixel);

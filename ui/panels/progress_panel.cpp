@@ -35,7 +35,7 @@ std::string status_words(const Previewer& previewer, const StatusLine& status) {
   if (changes_ground(previewer)) return "Updating ground";
   return progress_words({previewer.render().progress(), status.fraction,
                          previewer.refinement().rest(), looks_for_boundaries(previewer),
-                         previewer.render().reached(), status.estimate});
+                         previewer.render().reached()});
 }
 
 // Formats with constant width, so that the line does not move with every pixel.

@@ -116,8 +116,8 @@ void material_controls(Controls& controls, Previewer& previewer, ReflectionChoic
   std::optional<Dfr> dfr = previewer.edits().dfrs()[first];
   bool own = dfr.has_value();
   bool changed =
-      controls.checkbox("Override roughness by DFR", "Blur by a DFR curve instead of roughness.",
-                        own, original.has_value());
+      controls.checkbox("Blur curve (DFR) instead of roughness",
+                        "Blur reflections by the curve of a DFR.", own, original.has_value());
   if (changed) dfr = own ? std::optional(original.value_or(first_dfr())) : std::nullopt;
   if (dfr)
     changed |=

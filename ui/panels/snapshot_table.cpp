@@ -69,7 +69,7 @@ std::string csv_row(const std::string& name, const std::string& reference, doubl
 
 std::string compared_name(const Frames& frames) {
   if (frames.reference.film) return fmt::format("Reference, {} spp", frames.reference.samples);
-  return frames.stored[static_cast<std::size_t>(frames.chosen)].name;
+  return frames.title(frames.stored[static_cast<std::size_t>(frames.chosen)]);
 }
 
 bool snapshot_row(Controls& controls, const Frames& frames, std::size_t index) {
@@ -78,8 +78,9 @@ bool snapshot_row(Controls& controls, const Frames& frames, std::size_t index) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(index));
-  const bool clicked = ImGui::Selectable(fmt::format("{}  {}", index + 1, frame.name).c_str(),
-                                         chosen, ImGuiSelectableFlags_SpanAllColumns);
+  const bool clicked =
+      ImGui::Selectable(fmt::format("{}  {}", index + 1, frames.title(frame)).c_str(), chosen,
+                        ImGuiSelectableFlags_SpanAllColumns);
   ImGui::PopID();
   const std::string tooltip =
       fmt::format("{}. Press {} to show it, and again for the picture.", frame.summary, index + 1);
@@ -129,7 +130,7 @@ std::string snapshot_csv(const Frames& frames) {
   text += csv_row("Current picture", reference, frames.rmse);
   for (std::size_t i = 0; i < frames.stored_rmse.size(); ++i)
     if (!compared_with(frames, i))
-      text += csv_row(frames.stored[i].name, reference, frames.stored_rmse[i]);
+      text += csv_row(frames.title(frames.stored[i]), reference, frames.stored_rmse[i]);
   return text;
 }
 

@@ -88,12 +88,12 @@ struct CostTick {
   double value;
   const char* text;
 };
-constexpr std::array ray_ticks{CostTick{1, "1"},           CostTick{4, "4"},     CostTick{16, "16"},
+constexpr std::array ray_ticks{CostTick{1, "1 ray"},       CostTick{4, "4"},     CostTick{16, "16"},
                                CostTick{64, "64"},         CostTick{256, "256"}, CostTick{1024, ""},
                                CostTick{4096, "4096 rays"}};
-constexpr std::array time_ticks{CostTick{1e-7, "0.1"},  CostTick{1e-6, "1 \u00b5s"},
-                                CostTick{1e-5, "10"},   CostTick{1e-4, "100"},
-                                CostTick{1e-3, "1 ms"}, CostTick{1e-2, "10"}};
+constexpr std::array time_ticks{CostTick{1e-7, "0.1 \u00b5s"}, CostTick{1e-6, "1 \u00b5s"},
+                                CostTick{1e-5, "10 \u00b5s"},  CostTick{1e-4, "100 \u00b5s"},
+                                CostTick{1e-3, "1 ms"},        CostTick{1e-2, "10 ms"}};
 
 // The logarithmic scale of rays or time.
 void cost_legend(Controls& controls, SplitMapColours colours) {

@@ -1,9 +1,12 @@
 #include "ui/panels/time_words.h"
 
+#include "renderer/files/counted.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace asos::ui {
 
@@ -36,7 +39,7 @@ const char* doing(PauseReason rest) {
     case PauseReason::stopped:
       return "Stopped at";
   }
-  return "Rendering";
+  return "";
 }
 
 }  // namespace
@@ -58,14 +61,11 @@ std::string processor_words(double seconds) {
 }
 
 std::string pass_words(const Reached& reached) {
-  if (reached.round > 0 && reached.rounds > 0)
-    return fmt::format("round {} of {}", reached.round, reached.rounds);
-  if (reached.round > 0) return fmt::format("round {}", reached.round);
   if (reached.final_share >= 0.01)
-    return fmt::format("{} % of pixels final", static_cast<int>(100.0 * reached.final_share));
+    return fmt::format("{} % final", static_cast<int>(100.0 * reached.final_share));
   if (reached.pass == Reached::Pass::nothing) return "";
   if (reached.pass != Reached::Pass::samples) return "first samples";
-  return "first final pixels";
+  return counted(static_cast<std::uint64_t>(reached.samples), "sample") + " per pixel";
 }
 
 std::string progress_words(const ProgressFacts& facts) {
@@ -74,14 +74,23 @@ std::string progress_words(const ProgressFacts& facts) {
   if (progress.finished) return "Finished in " + duration_words(progress.seconds);
   // Small percentages have a decimal, so that slow renders visibly progress.
   const double percent = 100.0 * facts.fraction;
-  std::string text =
-      fmt::format("{} {:.{}f} %   ", doing(facts.rest), percent, percent < 9.95 ? 1 : 0);
+  const std::string share = fmt::format("{:.{}f} %", percent, percent < 9.95 ? 1 : 0);
+  std::string text = facts.rest == PauseReason::none
+                         ? share + " done   "
+                         : fmt::format("{} {}   ", doing(facts.rest), share);
   const bool searching = facts.without_edges && facts.rest == PauseReason::none;
   const std::string pass = searching ? "finding edges" : pass_words(facts.reached);
   if (!pass.empty()) text += pass + "   ";
   text += duration_words(progress.seconds);
-  if (facts.estimate) text += "   " + wait_words(facts.estimate->left);
+  if (const std::optional<double> left = seconds_left(facts)) text += "   " + wait_words(*left);
   return text;
+}
+
+std::optional<double> seconds_left(const ProgressFacts& facts) {
+  const Progress& progress = facts.progress;
+  if (progress.seconds_left < 0.0 || !(facts.fraction > 0.0)) return std::nullopt;
+  return std::max(progress.seconds_left,
+                  progress.seconds * (1.0 - facts.fraction) / facts.fraction);
 }
 
 std::string estimate_words(double split_share, const TimeEstimate& estimate) {

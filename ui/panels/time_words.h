@@ -26,13 +26,14 @@ struct ProgressFacts {
   PauseReason rest = PauseReason::none;
   bool without_edges = false;  ///< edges are still being searched
   Reached reached;
-  std::optional<TimeEstimate> estimate;
 };
-/// "Rendering 40 %   round 3 of 6   2.0 s   4 s left": percentage over all passes, running
-/// pass, elapsed time and remaining time.
+/// Wall-clock seconds until the render is finished, by its own measurements only, and at least as
+/// long as the displayed fraction implies. None: no final pixels of these settings were measured.
+[[nodiscard]] std::optional<double> seconds_left(const ProgressFacts& facts);
+/// "40 % done   4 samples per pixel   2.0 s   4 s left": percentage over all passes, the pass that
+/// all pixels have reached, elapsed time and remaining time.
 [[nodiscard]] std::string progress_words(const ProgressFacts& facts);
-/// The running pass: "first samples", "round 3 of 6" or "round 3" of samples, "first final pixels",
-/// "12 % of pixels final"; empty before the first one.
+/// "first samples", "4 samples per pixel", "12 % final"; empty before the first picture.
 [[nodiscard]] std::string pass_words(const Reached& reached);
 /// "about 3.1 % split, 5 s": the time of the whole render.
 [[nodiscard]] std::string estimate_words(double split_share, const TimeEstimate& estimate);

@@ -91,7 +91,7 @@ void timeline_panel(Controls& controls, Playback& playback, RenderSettings& sett
   shutter_controls(controls, playback, options.fps, settings);
   if (playback.pose_seconds() > 0.0)
     controls.row("Update",
-                 fmt::format("{:.1f} + {:.1f} ms", 1e3 * playback.pose_seconds(),
+                 fmt::format("Pose {:.1f} ms, edges {:.1f} ms", 1e3 * playback.pose_seconds(),
                              1e3 * playback.prepare_seconds()),
                  "Time to pose the scene and to prepare it for rendering.");
 }
