@@ -1,7 +1,9 @@
 #include "ui/edit_history.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace asos::ui {
 
@@ -9,6 +11,33 @@ namespace {
 
 // Turns of the mouse wheel within this time of each other are one step.
 constexpr double step_rest_seconds = 0.4;
+
+// Whether both have the same exposure and tone curve. The rest chooses a view of the picture.
+bool same_tones(const DisplaySettings& a, const DisplaySettings& b) {
+  return a.transform() == b.transform() && a.auto_exposure == b.auto_exposure;
+}
+
+struct Change {
+  const char* name;
+  bool found;
+};
+
+// The changed groups of settings; EPS and MAX by name.
+std::vector<Change> changes_of(const RenderSettings& a, const RenderSettings& b) {
+  AsosSettings rest = a.asos;
+  rest.eps = b.asos.eps;
+  rest.max_level = b.asos.max_level;
+  return {{"method", a.method != b.method},
+          {"EPS", a.asos.eps != b.asos.eps},
+          {"MAX", a.asos.max_level != b.asos.max_level},
+          {"antialiasing", rest != b.asos || a.sampling != b.sampling || a.texture != b.texture ||
+                               a.filter_width != b.filter_width},
+          {"shadows", a.shadow != b.shadow},
+          {"reflections", a.mirror != b.mirror},
+          {"shutter", a.shutter != b.shutter},
+          {"sky", a.sky != b.sky || a.background != b.background},
+          {"ground", a.ground != b.ground}};
+}
 
 }  // namespace
 
@@ -65,30 +94,48 @@ void EditHistory::end_group(const Previewer& previewer, const DisplaySettings& d
 bool EditHistory::is(const Previewer& previewer, const DisplaySettings& display,
                      const State& state) {
   return previewer.edits().same_as(state.edits) && previewer.viewpoint().same_as(state.viewpoint) &&
-         display == state.display;
+         same_tones(display, state.display);
 }
 
-bool EditHistory::undo(Previewer& previewer, DisplaySettings& display) {
+std::string EditHistory::changed_words(const Previewer& previewer, const DisplaySettings& display,
+                                       const State& wanted) {
+  const SceneEdits::State& now = previewer.edits().state();
+  std::vector<Change> changes = changes_of(now.settings, wanted.edits.settings);
+  changes.push_back({"lights", now.look.lights != wanted.edits.look.lights});
+  changes.push_back({"blur curves", now.look.dfrs != wanted.edits.look.dfrs});
+  changes.push_back({"camera", !previewer.viewpoint().same_as(wanted.viewpoint)});
+  changes.push_back({"exposure or tone", !same_tones(display, wanted.display)});
+  std::string words;
+  for (const Change& change : changes)
+    if (change.found) words += (words.empty() ? "" : ", ") + std::string(change.name);
+  return words.empty() ? "settings" : words;
+}
+
+std::optional<std::string> EditHistory::undo(Previewer& previewer, DisplaySettings& display) {
   if (changed_) end_step();
   return step(past_, future_, previewer, display);
 }
 
-bool EditHistory::redo(Previewer& previewer, DisplaySettings& display) {
+std::optional<std::string> EditHistory::redo(Previewer& previewer, DisplaySettings& display) {
   if (changed_) end_step();
   return step(future_, past_, previewer, display);
 }
 
-bool EditHistory::step(std::deque<State>& from, std::deque<State>& to, Previewer& previewer,
-                       DisplaySettings& display) {
-  if (from.empty() || !settled_) return false;
+std::optional<std::string> EditHistory::step(std::deque<State>& from, std::deque<State>& to,
+                                             Previewer& previewer, DisplaySettings& display) {
+  if (from.empty() || !settled_) return std::nullopt;
+  const std::string words = changed_words(previewer, display, from.back());
   if (group_ && &from == &past_ && past_.size() <= *group_) group_.reset();
   previewer.edits().restore(from.back().edits);
   previewer.viewpoint().restore(from.back().viewpoint);
-  display = from.back().display;
+  const DisplaySettings& tones = from.back().display;
+  display.exposure_ev = tones.exposure_ev;
+  display.auto_exposure = tones.auto_exposure;
+  display.tone = tones.tone;
   from.pop_back();
   to.push_back(std::move(*settled_));
   settled_ = seen_ = state_of(previewer, display);
-  return true;
+  return words;
 }
 
 std::optional<double> EditHistory::seconds_to_update(double now_seconds) const {

@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <string>
 
 namespace asos::ui {
 
-/// Undo and redo of edits: settings, lights, camera and display. A drag, or a series of wheel
+/// Undo and redo of edits: settings, lights, camera, exposure and tone curve. Maps, layers and
+/// other views of the picture are no edits. A drag, or a series of wheel
 /// turns, is one step: a step ends when nothing has changed for a moment and no button is held.
 /// Opening another scene clears the history. Not thread-safe.
 class EditHistory {
@@ -19,9 +21,10 @@ class EditHistory {
   /// Call once a frame. `holding`: a mouse button is down, which keeps the step open.
   void update(const Previewer& previewer, const DisplaySettings& display, bool holding,
               double now_seconds);
-  /// Returns false if there is no step to undo or redo.
-  bool undo(Previewer& previewer, DisplaySettings& display);
-  bool redo(Previewer& previewer, DisplaySettings& display);
+  /// Return what has changed, such as "EPS" or "lights, camera"; none: there is no step to undo or
+  /// redo.
+  std::optional<std::string> undo(Previewer& previewer, DisplaySettings& display);
+  std::optional<std::string> redo(Previewer& previewer, DisplaySettings& display);
 
   /// All steps between begin and end count as one, or as none if the state is the same at both. The
   /// group ends early when another scene is opened, or when an undo goes back before its begin.
@@ -44,8 +47,11 @@ class EditHistory {
   [[nodiscard]] static bool is(const Previewer& previewer, const DisplaySettings& display,
                                const State& state);
   void end_step();
-  bool step(std::deque<State>& from, std::deque<State>& to, Previewer& previewer,
-            DisplaySettings& display);
+  std::optional<std::string> step(std::deque<State>& from, std::deque<State>& to,
+                                  Previewer& previewer, DisplaySettings& display);
+  [[nodiscard]] static std::string changed_words(const Previewer& previewer,
+                                                 const DisplaySettings& display,
+                                                 const State& wanted);
 
   std::optional<State> settled_;  // at the end of the last step
   std::optional<State> seen_;     // in the last frame

@@ -20,6 +20,7 @@ struct EditedLight {
 
   /// Returns the light as tidy_light normalises it.
   [[nodiscard]] static EditedLight of(Light light);
+  bool operator==(const EditedLight&) const = default;
 };
 
 /// Kinds of lights in the window: the types of Light, with a sphere light separate from a point

@@ -334,9 +334,12 @@ void WindowContent::focus_panel() {
 void WindowContent::take_back() {
   const bool again = ImGui::GetIO().KeyShift;
   DisplaySettings display = display_without_card(state_);
-  const bool done = again ? history_.redo(previewer_, display) : history_.undo(previewer_, display);
+  const auto done = again ? history_.redo(previewer_, display) : history_.undo(previewer_, display);
   state_.display = display_with_card(state_, display);
-  if (!done) say(again ? "Nothing to redo" : "Nothing to undo");
+  if (done)
+    say((again ? "Redone: " : "Undone: ") + *done);
+  else
+    say(again ? "Nothing to redo" : "Nothing to undo");
 }
 
 void WindowContent::panel_window(const WindowRect& rect) {

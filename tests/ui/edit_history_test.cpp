@@ -105,6 +105,37 @@ TEST_F(EditHistoryTest, AnotherSceneAndAnotherSizeAreNoSteps) {
   EXPECT_EQ(settings().asos.eps, eps);
 }
 
+TEST_F(EditHistoryTest, SaysWhatWentBack) {
+  const std::string& message = rig.content().state().message;
+  slide("EPS", 0.5f, 0.9f);
+  rest();
+  rig.drag({200, 200}, {260, 180});
+  rest();
+  rig.click("Add light");
+  rest();
+  for (const char* what : {"lights", "camera", "EPS"}) {
+    undo();
+    EXPECT_EQ(message, std::string("Undone: ") + what);
+  }
+  redo();
+  EXPECT_EQ(message, "Redone: EPS");
+}
+
+// Maps and layers are views of a picture: switching them once took an undo to get to the edit.
+TEST_F(EditHistoryTest, ViewsAreNoSteps) {
+  const double eps = settings().asos.eps;
+  slide("EPS", 0.5f, 0.9f);
+  rest();
+  rig.key(Key::m);
+  rest();
+  rig.key(Key::c);
+  rest();
+  EXPECT_TRUE(display().show_split_map);
+  undo();
+  EXPECT_EQ(settings().asos.eps, eps);
+  EXPECT_TRUE(display().show_split_map) << "the view stays";
+}
+
 TEST_F(EditHistoryTest, AnIdleWindowSleepsAfterAStep) {
   slide("EPS", 0.5f, 0.9f);
   EXPECT_TRUE(rig.settle());
