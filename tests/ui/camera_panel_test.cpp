@@ -1,6 +1,11 @@
 #include "tests/ui/panels_fixture.h"
+#include "ui/camera_text.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
 
 namespace asos {
 using namespace ui;
@@ -113,6 +118,34 @@ TEST_F(CameraPanelTest, ProjectionKeepsThePlanesPlaces) {
   rig.key(Key::pad_five);
   EXPECT_GT(viewpoint.camera().distance(), 1.1 * distance);
   EXPECT_NEAR(place(), before, 1e-12);
+}
+
+TEST(CameraText, IsWhatCommandLineAndFilesRead) {
+  Camera camera;
+  camera.fov_y_rad = glm::radians(30.0);
+  camera.world_from_camera[3] = glm::dvec4(1.0, 2.5, -3.0, 1.0);
+  const glm::dvec3 origin(100.0, 0.0, 0.0);
+  EXPECT_EQ(camera_options(camera, {1.0, 2.0, -8.0}, origin),
+            "--look-at 101,2.5,-3,101,2,-8 --fov 30");
+  const auto root = nlohmann::json::parse(camera_as_gltf(camera, origin));
+  const auto& matrix = root.at("nodes").at(0).at("matrix");
+  EXPECT_EQ(matrix.at(12), 101.0);
+  EXPECT_EQ(matrix.at(13), 2.5);
+  EXPECT_EQ(root.at("nodes").at(0).at("camera"), 0);
+  EXPECT_NEAR(root.at("cameras").at(0).at("perspective").at("yfov").get<double>(), camera.fov_y_rad,
+              1e-15);
+  camera.type = Camera::Type::orthographic;
+  EXPECT_EQ(camera_options(camera, {}, origin), "");
+  EXPECT_EQ(nlohmann::json::parse(camera_as_gltf(camera, origin)).at("cameras").at(0).at("type"),
+            "orthographic");
+}
+
+TEST_F(CameraPanelTest, IsCopied) {
+  rig.click("Copy options");
+  EXPECT_EQ(std::string(ImGui::GetClipboardText()).rfind("--look-at ", 0), 0u);
+  rig.click("Copy as glTF");
+  EXPECT_NE(std::string(ImGui::GetClipboardText()).find("yfov"), std::string::npos);
+  EXPECT_FALSE(restarted());
 }
 
 }  // namespace

@@ -216,6 +216,8 @@ inline const std::map<std::string, Part> parts{
     {"Save scene", Part::save},
     {"Copy picture", Part::message},
     {"Copy errors", Part::message},
+    {"Copy options", Part::message},
+    {"Copy as glTF", Part::message},
     {"Reload", Part::files},
     {"Watch file", Part::choice},
     {"Reset window", Part::display},

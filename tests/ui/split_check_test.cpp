@@ -7,6 +7,7 @@
 #include "ui/pass_mean.h"
 #include "ui/split_forecast.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -156,6 +157,26 @@ TEST(PassMean, OfOnePictureIsThatPicture) {
     EXPECT_LT(mean.uncertainty()[i], 1e-6f);
   }
   EXPECT_EQ(error_summary(picture, mean.film(), {}).visible, 0.0);
+}
+
+TEST_F(SplitCheckTest, TheRowOfMaxCountsThePixelsThatItEnded) {
+  rig.content().state().tab = PanelTab::antialias;
+  const auto ended = [&] {
+    EXPECT_TRUE(rig.settle());
+    rig.frame();
+    const Film& film = rig.previewer().render().film();
+    const auto count = std::count(film.cause.begin(), film.cause.end(), SplitCause::depth_limit);
+    const double percent =
+        100.0 * static_cast<double>(count) / static_cast<double>(film.cause.size());
+    EXPECT_EQ(rig.control("Ended by MAX").words, fmt::format("{:.2g} % of pixels", percent));
+    return percent;
+  };
+  EXPECT_EQ(ended(), 0.0) << "an edge cuts exactly";
+  settings().asos.leaf = LeafKind::point;
+  settings().asos.max_level = 1;
+  settings().asos.eps = 0.0;
+  EXPECT_TRUE(restarted());
+  EXPECT_GT(ended(), 0.1);
 }
 
 TEST_F(SplitCheckTest, MissedPixelsAreMarkedInThePicture) {

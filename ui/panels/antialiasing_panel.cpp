@@ -77,6 +77,21 @@ void forecast_row(Controls& controls, const Previewer& previewer, const SplitFor
                forecast_tooltip, {true, 1});
 }
 
+// Pixels that a larger MAX would divide further. Unfinished pixels do not count.
+void ended_by_max_row(Controls& controls, const Film& film) {
+  std::size_t ended = 0, finished = 0;
+  for (std::size_t i = 0; i < film.cause.size(); ++i) {
+    if (!film.unfinished.empty() && film.unfinished[i]) continue;
+    ++finished;
+    ended += film.cause[i] == SplitCause::depth_limit;
+  }
+  const double percent = 100.0 * static_cast<double>(ended) / static_cast<double>(finished);
+  controls.row("Ended by MAX",
+               finished == 0 ? std::string("-") : fmt::format("{:.2g} % of pixels", percent),
+               "Finished pixels with edges left at MAX: a larger MAX divides them further. The map "
+               "Cause shows where.");
+}
+
 void asos_controls(Controls& controls, Previewer& previewer, const SplitForecast& forecast) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderSettings usual;
@@ -91,6 +106,7 @@ void asos_controls(Controls& controls, Previewer& previewer, const SplitForecast
       "samples. Smaller is faster and coarser. Ctrl+click to type a value.",
       settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
   forecast_row(controls, previewer, forecast);
+  ended_by_max_row(controls, previewer.render().film());
 }
 
 // Controls for how cells are shaded and when splitting stops.

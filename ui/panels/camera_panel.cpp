@@ -1,3 +1,4 @@
+#include "ui/camera_text.h"
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
@@ -94,6 +95,20 @@ void turntable_controls(Controls& controls, Turntable& turntable) {
       [](double s) { return fmt::format("{:.3g} s", s); });
 }
 
+void copy_buttons(Controls& controls, const OrbitCamera& camera, glm::dvec3 origin) {
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  const std::string options = camera_options(camera.camera(), camera.pivot(), origin);
+  if (controls.button("Copy options",
+                      options.empty() ? "Only a perspective camera has command-line options."
+                                      : "Copy this view as --look-at and --fov. They have no roll.",
+                      width) &&
+      !options.empty())
+    ImGui::SetClipboardText(options.c_str());
+  ImGui::SameLine();
+  if (controls.button("Copy as glTF", "Copy this camera as a glTF file with one node.", width))
+    ImGui::SetClipboardText(camera_as_gltf(camera.camera(), origin).c_str());
+}
+
 }  // namespace
 
 void camera_panel(Controls& controls, Previewer& previewer) {
@@ -110,6 +125,7 @@ void camera_panel(Controls& controls, Previewer& previewer) {
     viewpoint.choose_camera(viewpoint.chosen_camera());
   }
   side_buttons(controls, viewpoint);
+  copy_buttons(controls, viewpoint.camera(), previewer.scene()->world().origin);
   lens_controls(controls, viewpoint.camera());
   planes_control(controls, viewpoint);
   turntable_controls(controls, previewer.turntable());
