@@ -25,7 +25,7 @@ std::string version_text() {
       "commit: {}\n"
       "compiler: {}\n"
       "instruction set: {}\n"
-      "scenes: glTF 2.0 (.gltf, .glb), Draco, meshopt\n"
+      "scenes: glTF 2.0 (.gltf, .glb), Draco, meshopt; others by assimp\n"
       "textures: PNG, JPEG, WebP\n"
       "skies: .hdr, .exr\n"
       "pictures: PNG, EXR",
@@ -34,7 +34,8 @@ std::string version_text() {
 
 constexpr const char* program_footer =
     "`asos [SCENE] [options]` is short for `asos view [SCENE] [options]`. SCENE is the path of a\n"
-    ".gltf or .glb file, or builtin:NAME (`asos list-scenes` has the names).\n"
+    ".gltf or .glb file, of a model that assimp converts (.obj, .stl, .ply, .fbx, .dae, ...), or\n"
+    "builtin:NAME (`asos list-scenes` has the names).\n"
     "`asos COMMAND --help` lists a command's options with their units and defaults.\n"
     "\n"
     "Examples:\n"

@@ -1,5 +1,7 @@
 #include "ui/folder_listing.h"
 
+#include "renderer/gltf/converted.h"
+
 #include <algorithm>
 #include <cctype>
 #include <system_error>
@@ -75,7 +77,7 @@ std::vector<std::string> models_beside(const fs::path& folder) {
 
 bool is_model(const fs::path& file) {
   const std::string ending = lower(file.extension().string());
-  return ending == ".gltf" || ending == ".glb";
+  return ending == ".gltf" || ending == ".glb" || gltf::is_convertible(file.string());
 }
 
 FolderListing FolderListing::of(const fs::path& folder, Kind kind) {

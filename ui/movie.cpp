@@ -1,10 +1,10 @@
 #include "ui/movie.h"
 
+#include "renderer/files/helper_program.h"
 #include "renderer/film/picture_writer.h"
 #include "renderer/prepared/with_lines.h"
 #include "renderer/scene/turned_camera.h"
 #include "renderer/session/strip_render.h"
-#include "ui/helper_program.h"
 #include "ui/playback.h"
 
 #include <fmt/format.h>

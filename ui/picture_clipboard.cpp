@@ -1,6 +1,6 @@
 #include "ui/picture_clipboard.h"
 
-#include "ui/helper_program.h"
+#include "renderer/files/helper_program.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
 #include "renderer/gltf/load.h"
 
+#include "renderer/gltf/converted.h"
 #include "renderer/scene/builtin.h"
 
 #include <string_view>
@@ -29,6 +30,7 @@ Result<Scene> load_scene(const std::string& source, const LoadOptions& options) 
   if (source.starts_with(prefix))
     return load_builtin(source, source.substr(prefix.size()), options);
   if (source.empty()) return unexpected(Error{"scene", "no file is named"});
+  if (gltf::is_convertible(source)) return gltf::import_converted(source, options);
   return import_gltf(source, options);
 }
 

@@ -20,7 +20,8 @@ struct LoadOptions {
   std::string asset_root = {};
 };
 
-/// Opens "builtin:NAME" or the path of a .gltf or .glb file. The error has the file's name and the
+/// Opens "builtin:NAME", the path of a .gltf or .glb file, or that of a model that assimp converts
+/// (converted.h). The error has the file's name and the
 /// reason. Any thread.
 [[nodiscard]] Result<Scene> load_scene(const std::string& source, const LoadOptions& options = {});
 

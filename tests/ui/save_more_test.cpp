@@ -1,3 +1,4 @@
+#include "renderer/files/helper_program.h"
 #include "renderer/gltf/load.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/scene/posable_scene.h"
@@ -6,7 +7,6 @@
 #include "tests/renderer/gltf/moving_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/panels_fixture.h"
-#include "ui/helper_program.h"
 #include "ui/legend_strip.h"
 #include "ui/scene_export.h"
 

@@ -1,4 +1,4 @@
-#include "ui/helper_program.h"
+#include "renderer/files/helper_program.h"
 #include "ui/input.h"
 #include "ui/movie.h"
 #include "ui/panels/overlays.h"

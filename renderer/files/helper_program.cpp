@@ -1,4 +1,4 @@
-#include "ui/helper_program.h"
+#include "renderer/files/helper_program.h"
 
 #include "renderer/files/printable.h"
 
@@ -13,6 +13,7 @@
 #include <fstream>
 #include <spawn.h>
 #include <sstream>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <thread>
@@ -20,7 +21,7 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
-namespace asos::ui {
+namespace asos {
 
 namespace {
 
@@ -59,11 +60,14 @@ class Complaints {
 
 class Actions {
  public:
-  Actions(const std::string& input, int complaints) {
+  Actions(const std::string& input, int complaints, QuotedOutput quoted) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO,
                                      input.empty() ? "/dev/null" : input.c_str(), O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    if (quoted == QuotedOutput::all && complaints >= 0)
+      posix_spawn_file_actions_adddup2(&actions_, complaints, STDOUT_FILENO);
+    else
+      posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     if (complaints >= 0) posix_spawn_file_actions_adddup2(&actions_, complaints, STDERR_FILENO);
   }
   ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
@@ -102,6 +106,17 @@ Result<int> wait_for(pid_t child, const std::string& name, const std::function<b
   }
 }
 
+// The program may have run some instructions by then, which cannot take much.
+void limit(pid_t child, const ProgramLimits& limits) {
+  const auto set = [&](__rlimit_resource resource, std::uint64_t most) {
+    const rlimit both{most, most};
+    if (most > 0) prlimit(child, resource, &both, nullptr);
+  };
+  set(RLIMIT_CPU, limits.processor_seconds);
+  set(RLIMIT_AS, limits.memory_bytes);
+  set(RLIMIT_FSIZE, limits.file_bytes);
+}
+
 }  // namespace
 
 std::string find_program(const std::string& name) {
@@ -118,19 +133,21 @@ std::string find_program(const std::string& name) {
 }
 
 Result<void> run_program(const std::vector<std::string>& arguments, const std::string& input_file,
-                         const std::function<bool()>& stop) {
+                         const std::function<bool()>& stop, const ProgramLimits& limits,
+                         QuotedOutput quoted) {
   const std::string name = std::filesystem::path(arguments.front()).filename().string();
   std::vector<std::string> copies = arguments;
   std::vector<char*> list;
   for (std::string& argument : copies) list.push_back(argument.data());
   list.push_back(nullptr);
   const Complaints complaints;
-  const Actions actions(input_file, complaints.file());
+  const Actions actions(input_file, complaints.file(), quoted);
   pid_t child = 0;
   if (const int fault =
           posix_spawn(&child, list.front(), actions.get(), nullptr, list.data(), environ);
       fault != 0)
     return unexpected(Error{name, std::strerror(fault)});
+  limit(child, limits);
   const Result<int> status = wait_for(child, name, stop);
   if (!status) return unexpected(status.error());
   if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0) return {};
@@ -141,4 +158,4 @@ Result<void> run_program(const std::vector<std::string>& arguments, const std::s
   return unexpected(Error{name, why.empty() ? how : fmt::format("{}: {}", how, why)});
 }
 
-}  // namespace asos::ui
+}  // namespace asos
