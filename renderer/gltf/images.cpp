@@ -4,6 +4,7 @@
 #include "renderer/gltf/texture_budget.h"
 #include "renderer/gltf/values.h"
 #include "renderer/tasks.h"
+#include "renderer/work_counts.h"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,14 @@ Wrap wrap_of(int value, bool& known) {
   if (value == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return Wrap::mirrored_repeat;
   if (value != TINYGLTF_TEXTURE_WRAP_REPEAT) known = false;
   return Wrap::repeat;
+}
+
+/// Returns read_picture, and counts its bytes.
+PictureResult<Picture> decoded_picture(PictureBytes bytes, int shrink) {
+  PictureResult<Picture> picture = read_picture(bytes, shrink);
+  if (picture)
+    WorkDone::add(Work::decoded_bytes, picture->image.rgba.size() + picture->image.low.size());
+  return picture;
 }
 
 }  // namespace
@@ -199,7 +208,8 @@ void Textures::decode_noted() {
   }
   in_tasks(tasks.size(), [&](std::size_t i) {
     Task& task = tasks[i];
-    task.picture = read_picture(task.bytes.bytes, shrinks_[static_cast<std::size_t>(task.index)]);
+    task.picture =
+        decoded_picture(task.bytes.bytes, shrinks_[static_cast<std::size_t>(task.index)]);
     task.bytes.read = {};
   });
   for (Task& task : tasks)
@@ -213,7 +223,7 @@ Checked<Textures::DecodedImage> Textures::take_decoded(int index) {
   Checked<ImageBytes> bytes = take_bytes(index);
   if (!bytes) return fault(bytes.error());
   return DecodedImage{std::move(bytes->remark),
-                      read_picture(bytes->bytes, shrinks_[static_cast<std::size_t>(index)])};
+                      decoded_picture(bytes->bytes, shrinks_[static_cast<std::size_t>(index)])};
 }
 
 Checked<ImageBytes> Textures::take_bytes(int index) {

@@ -2,6 +2,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/emitter_mesh.h"
 #include "renderer/lights/lit_texels.h"
+#include "renderer/work_counts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,6 +102,8 @@ glm::dvec3 mean_emission(const World& world, std::uint32_t triangle, int steps,
       if (i + j + 1 < steps) add(i + 2.0 / 3.0, j + 2.0 / 3.0);
     }
   }
+  WorkDone::add(Work::emission_lookups,
+                static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(steps));
   return sum / (static_cast<double>(steps) * steps);
 }
 

@@ -4,6 +4,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/light_math.h"
 #include "renderer/lights/prepared_light.h"
+#include "renderer/work_counts.h"
 
 #include <algorithm>
 #include <array>
@@ -144,6 +145,7 @@ class EmissionTable {
           const auto weights = t.holds(place);
           if (!weights) continue;
           const glm::vec2 b(*weights);
+          WorkDone::add(Work::emission_lookups);
           const glm::dvec3 radiance(emission(world, t.triangle(), b.x, b.y));
           if (finite(radiance)) sum += {1.0, radiance, glm::dot(radiance, radiance)};
           break;

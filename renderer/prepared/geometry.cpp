@@ -1,19 +1,15 @@
 #include "renderer/prepared/geometry.h"
 
-#include "renderer/prepared/build_counts.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/texture.h"
+#include "renderer/work_counts.h"
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 
 namespace asos {
 namespace {
-
-std::atomic<std::uint64_t> geometries_built = 0;
-std::atomic<std::uint64_t> searches_begun = 0;
 
 template <typename T>
 std::size_t bytes_of(const std::vector<T>& v) {
@@ -35,10 +31,6 @@ glm::vec4 stored_texture(const World& world, const TextureUse& use, std::uint32_
 
 }  // namespace
 
-BuildCounts build_counts() {
-  return {geometries_built, searches_begun};
-}
-
 double Geometry::memory_mb() const {
   std::size_t bytes =
       bytes_of(world) + mips.memory_bytes() + rays.memory_bytes() + bytes_of(object_spheres);
@@ -49,7 +41,7 @@ double Geometry::memory_mb() const {
 Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Light> lights,
                                                  const RenderFeatures& forced,
                                                  const MipChains* known, BvhPurpose use) {
-  ++geometries_built;
+  WorkDone::add(Work::geometries);
   auto geometry = std::make_shared<Geometry>();
   geometry->render_features =
       find_render_features(world);  // White colours that are forced do not count as colours.
@@ -64,7 +56,7 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
   geometry->rays = std::move(*rays);
 
   geometry->boundaries.find([&world = geometry->world](const std::stop_token& stop) {
-    ++searches_begun;
+    WorkDone::add(Work::boundary_searches);
     return FeatureSet(world, stored_texture, stop);
   });
   return geometry;

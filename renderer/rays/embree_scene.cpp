@@ -3,6 +3,7 @@
 #include "renderer/rays/coplanar.h"
 #include "renderer/rays/face_geometry.h"
 #include "renderer/tasks.h"
+#include "renderer/work_counts.h"
 
 #include <fmt/format.h>
 
@@ -99,6 +100,7 @@ Result<void> EmbreeScene::build(const World& world, const Transparency& open,
     else
       coplanar_ = find_coplanar(world);
   });
+  WorkDone::add(Work::coplanar_pairs, coplanar_.compared);
   if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
   return {};
 }

@@ -1,7 +1,7 @@
 #include "renderer/film/image_io.h"
 #include "renderer/gltf/load.h"
 #include "renderer/picture/picture_description.h"
-#include "renderer/prepared/build_counts.h"
+#include "renderer/work_counts.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/temporary_folder.h"
 
@@ -73,14 +73,15 @@ void write_dark_model(const std::string& file) {
 TEST_F(RenderCommand, BuildsAModelOnItsGroundOnce) {
   write_dark_model(path("model.glb"));
   for (const char* method : {"sobol", "asos"}) {
-    const BuildCounts before = build_counts();
+    const std::uint64_t builds = WorkDone::of(Work::geometries);
+    const std::uint64_t searches = WorkDone::of(Work::boundary_searches);
     const AsosRun outcome =
         run_asos({"render", path("model.glb"), "-o", path("a.png"), "--size", "32x18", "--method",
                   method, "--spp", "1", "--max", "1", "--stats", path("a.json")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(build_counts().geometries, before.geometries + 1) << method;
+    EXPECT_EQ(WorkDone::of(Work::geometries), builds + 1) << method;
     const bool edges = std::string(method) == "asos";
-    EXPECT_EQ(build_counts().boundary_searches, before.boundary_searches + (edges ? 1 : 0));
+    EXPECT_EQ(WorkDone::of(Work::boundary_searches), searches + (edges ? 1 : 0));
     std::size_t left_out = 0;
     const json written = stats("a.json");
     for (const json& feature : written.at("left_out"))

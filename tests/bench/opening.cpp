@@ -3,19 +3,22 @@
 //   bench opening [SCENE...] [--size WxH] [--threads N].
 //
 //   read      reading and decoding the file.
-//   rays      flattening, rays' hierarchy, coplanar triangles, lights.
-//   look      default sky and ground.
+//   rays      flattening, likely ground, rays' hierarchy, coplanar triangles, lights.
+//   look      default sky, and the ground if it is another.
 //   picture   one Sobol sample per pixel.
 //   edges     the search for boundaries, which only methods with edges need.
 //   block     the first exact block.
 //
-// Seconds are processor time of all threads; "wall" is the time until the picture. The last columns
-// are the peak memory and its bytes per triangle. The last line names the scenes whose picture
-// takes more than five times as long as reading their file.
+// Seconds are processor time of all threads; "wall" is the time until the picture, and until the
+// block. The last columns are the peak memory until the picture, and of all stages, with bytes per
+// triangle. The last line names the stages that take more than five times as long as reading the
+// file.
 
 #include "app/large_blocks.h"
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
+#include "renderer/prepared/own_lights.h"
+#include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/render_block.h"
 #include "renderer/session/film_render.h"
@@ -49,11 +52,9 @@ struct Settings {
 struct Opened {
   enum Stage { read, rays, look, picture, edges, block, stages };
   std::array<double, stages> cpu{};
-  double wall = 0.0;
-  double peak_bytes = 0.0;
+  std::array<double, 2> wall{};        // until the picture, until the block
+  std::array<double, 2> peak_bytes{};  // the same
   double triangles = 0.0;
-
-  [[nodiscard]] double to_picture() const { return cpu[rays] + cpu[look] + cpu[picture]; }
 };
 
 rusage usage() {
@@ -92,7 +93,9 @@ Result<Opened> measure(const std::string& source, const Settings& settings) {
   auto scene = load_scene(source);
   if (!scene) return unexpected(scene.error());
   end(Opened::read);
-  auto ready = prepare(*scene);
+  auto ready = prepare_on_ground(*scene, {}, nullptr, [](const World& world, bool dark) {
+    return GroundChoice{likely_ground(world, dark, first_camera(world))};
+  });
   if (!ready) return unexpected(ready.error());
   *scene = Scene{};  // as the program does
   end(Opened::rays);
@@ -109,7 +112,11 @@ Result<Opened> measure(const std::string& source, const Settings& settings) {
   snapshot.settings.sampling.spp = 1;
   (void)render_to_end(snapshot);
   end(Opened::picture);
-  opened.wall = seconds_since(start);
+  const auto reach = [&](std::size_t point) {
+    opened.wall[point] = seconds_since(start);
+    opened.peak_bytes[point] = 1024.0 * static_cast<double>(usage().ru_maxrss);
+  };
+  reach(0);
   if (const auto whole = with_boundaries(*ready); !whole) return unexpected(whole.error());
   end(Opened::edges);
   snapshot.settings.method = Method::asos;
@@ -118,7 +125,7 @@ Result<Opened> measure(const std::string& source, const Settings& settings) {
   const PixelRect middle{settings.size.width / 16 * 8, settings.size.height / 16 * 8, 8, 8};
   (void)render_block(**ready, view, snapshot.settings, middle);
   end(Opened::block);
-  opened.peak_bytes = 1024.0 * static_cast<double>(usage().ru_maxrss);
+  reach(1);
   opened.triangles = static_cast<double>((*ready)->world().triangles.size());
   return opened;
 }
@@ -145,6 +152,17 @@ std::optional<Opened> measure_apart(const std::string& source, const Settings& s
   return known ? std::optional(opened) : std::nullopt;
 }
 
+std::string slow_stages(const std::string& name, const Opened& opened) {
+  constexpr std::array names{"read", "rays", "look", "picture", "edges", "block"};
+  static_assert(names.size() == Opened::stages);
+  std::string slow;
+  for (std::size_t stage = Opened::rays; stage < Opened::stages; ++stage)
+    if (opened.cpu[stage] > 5.0 * opened.cpu[Opened::read])
+      slow += fmt::format("{} {} {:.1f}, ", name, names[stage],
+                          opened.cpu[stage] / opened.cpu[Opened::read]);
+  return slow;
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -154,8 +172,9 @@ int run(int argc, char** argv) {
   options.size(settings.size);
   options.number("--threads", settings.threads, 1, 1024);
   if (const auto code = options.end(argc, argv)) return *code;
-  fmt::print("{:<30} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8} {:>9}\n", "processor seconds",
-             "read", "rays", "look", "picture", "wall", "edges", "block", "peak MB", "B/triangle");
+  fmt::print("{:<30} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8} {:>6} {:>10} {:>6}\n",
+             "processor seconds", "read", "rays", "look", "picture", "wall", "edges", "block",
+             "wall", "peak MB", "B/tri", "with edges", "B/tri");
   std::string slow;
   bool all = true;
   for (const NamedScene& scene : chosen_scenes(settings.scenes)) {
@@ -163,15 +182,18 @@ int run(int argc, char** argv) {
     all = all && opened.has_value();
     if (!opened) continue;
     const auto& cpu = opened->cpu;
-    fmt::print("{:<30} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:8.0f} {:9.0f}\n",
-               scene.name, cpu[Opened::read], cpu[Opened::rays], cpu[Opened::look],
-               cpu[Opened::picture], opened->wall, cpu[Opened::edges], cpu[Opened::block],
-               1e-6 * opened->peak_bytes, opened->peak_bytes / std::max(1.0, opened->triangles));
-    if (opened->to_picture() > 5.0 * cpu[Opened::read])
-      slow += fmt::format("{} {:.1f}, ", scene.name, opened->to_picture() / cpu[Opened::read]);
+    const auto& [first, all_stages] = opened->peak_bytes;
+    const double triangles = std::max(1.0, opened->triangles);
+    fmt::print(
+        "{:<30} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:8.0f} {:6.0f} "
+        "{:10.0f} {:6.0f}\n",
+        scene.name, cpu[Opened::read], cpu[Opened::rays], cpu[Opened::look], cpu[Opened::picture],
+        opened->wall[0], cpu[Opened::edges], cpu[Opened::block], opened->wall[1], 1e-6 * first,
+        first / triangles, 1e-6 * all_stages, all_stages / triangles);
+    slow += slow_stages(scene.name, *opened);
   }
   if (!slow.empty()) slow.resize(slow.size() - 2);
-  fmt::print("picture over reading, above 5: {}\n", slow.empty() ? "none" : slow);
+  fmt::print("stages over reading, above 5: {}\n", slow.empty() ? "none" : slow);
   return all ? 0 : 1;
 }
 

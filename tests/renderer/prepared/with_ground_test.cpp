@@ -1,9 +1,9 @@
 #include "renderer/prepared/with_ground.h"
 
 #include "renderer/gltf/load.h"
-#include "renderer/prepared/build_counts.h"
 #include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/prepared/with_lines.h"
+#include "renderer/work_counts.h"
 #include "renderer/world/framing.h"
 #include "renderer/world/ground.h"
 #include "tests/support/render_picture.h"
@@ -214,12 +214,12 @@ TEST(PrepareOnGround, IsPrepareFollowedByWithGround) {
     for (const Ground ground : {Ground::on, Ground::mirror}) {
       const Scene scene = dark_scene(room);
       const auto expected = with_ground(ready(scene), ground).value();
-      const std::uint64_t before = build_counts().geometries;
+      const std::uint64_t before = WorkDone::of(Work::geometries);
       const auto found = prepare_on_ground(scene, {}, nullptr, [&](const World&, bool dark) {
                            EXPECT_TRUE(dark);
                            return GroundChoice{ground};
                          }).value();
-      EXPECT_EQ(build_counts().geometries, before + 1);
+      EXPECT_EQ(WorkDone::of(Work::geometries), before + 1);
       EXPECT_EQ(ground_of(found->world()), ground);
       const World &a = found->world(), &b = expected->world();
       EXPECT_EQ(a.positions, b.positions);
