@@ -64,6 +64,8 @@ class OpenScene {
   /// The source of the last request, whether it could be opened or not.
   [[nodiscard]] const std::string& asked_for() const { return asked_for_; }
   [[nodiscard]] std::optional<SceneLoader::Loading> loading() const { return loader_.loading(); }
+  /// Whether the scene being loaded is the open one, or another one of its file.
+  [[nodiscard]] bool loads_again() const { return same_file_; }
   /// The files that the open scene was read from, as they were at the last attempt.
   [[nodiscard]] const std::vector<FileStamp>& files() const { return files_; }
   [[nodiscard]] double load_seconds() const { return load_seconds_; }

@@ -82,12 +82,15 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const RenderFeatu
 }
 
 LoadOutcome load_and_prepare(const LoadFunction& load, const RenderFeatures& forced,
-                             const SceneSource& source) {
+                             const SceneSource& source, LoadProgress& progress) {
+  const LoadProgress::Scope scope(&progress);
   LoadOutcome outcome{source.path, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
   // A large scene can run out of memory anywhere. This is reported as an error and does not end the
   // program.
   try {
     load_into(outcome, load, forced, source);
+  } catch (const LoadStopped&) {
+    outcome.scene = unexpected(Error{source.path, "its loading was stopped"});
   } catch (const std::bad_alloc&) {
     outcome.scene = unexpected(Error{source.path, "not enough memory to load this scene"});
   } catch (const std::exception& e) {
@@ -100,14 +103,23 @@ LoadOutcome load_and_prepare(const LoadFunction& load, const RenderFeatures& for
 
 SceneLoader::SceneLoader(LoadFunction load, std::function<void()> wake,
                          const RenderFeatures& forced)
-    : job_([load = std::move(load),
-            forced](const SceneSource& source) { return load_and_prepare(load, forced, source); },
-           std::move(wake), Overtaken::dropped) {}
+    : wake_(wake),
+      job_(
+          [load = std::move(load), forced](const Request& request) {
+            return load_and_prepare(load, forced, request.source, *request.progress);
+          },
+          std::move(wake), Overtaken::dropped) {}
+
+void SceneLoader::stop() {
+  if (progress_) progress_->stop();
+}
 
 void SceneLoader::open(SceneSource source) {
+  stop();
+  progress_ = std::make_shared<LoadProgress>(wake_);
   source_ = source.path;
   since_ = std::chrono::steady_clock::now();
-  job_.ask(std::move(source));
+  job_.ask({std::move(source), progress_});
 }
 
 std::optional<LoadOutcome> SceneLoader::take_outcome() {
@@ -116,7 +128,7 @@ std::optional<LoadOutcome> SceneLoader::take_outcome() {
 
 std::optional<SceneLoader::Loading> SceneLoader::loading() const {
   if (!job_.pending()) return std::nullopt;
-  return Loading{source_, seconds_since(since_)};
+  return Loading{source_, seconds_since(since_), progress_->stage(), progress_->preview()};
 }
 
 }  // namespace asos::ui

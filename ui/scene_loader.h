@@ -1,9 +1,11 @@
 #pragma once
 
+#include "renderer/load_progress.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "renderer/scene/clip_choice.h"
+#include "renderer/scene/scene_preview.h"
 #include "ui/file_watch.h"
 #include "ui/hidden_objects.h"
 #include "ui/latest_job.h"
@@ -29,7 +31,7 @@ struct SceneSource {
   operator const std::string&() const { return path; }
 };
 
-/// Opens a source. Called on the loader's thread.
+/// Opens a source. Called on the loader's thread, which works for a LoadProgress.
 using LoadFunction = std::function<Result<Scene>(const SceneSource& source)>;
 
 /// A prepared scene, or an error instead.
@@ -45,12 +47,16 @@ struct LoadOutcome {
 };
 
 /// Loads and prepares scenes, and those of saved pictures (.png, .exr), on its own thread. A newer
-/// request replaces an older one, whose outcome is dropped even if its loading has begun. The
-/// destructor waits for a running load.
+/// request replaces an older one: it stops its loading at the next stop point, and drops its
+/// outcome. So does the destructor.
 class SceneLoader {
  public:
-  /// `wake` is called from the loader's thread when an outcome is ready. `forced`: see prepare.
+  /// `wake` is called from the loader's thread when an outcome is ready or the progress changed.
+  /// `forced`: see prepare.
   SceneLoader(LoadFunction load, std::function<void()> wake, const RenderFeatures& forced = {});
+  ~SceneLoader() { stop(); }
+  SceneLoader(const SceneLoader&) = delete;
+  SceneLoader& operator=(const SceneLoader&) = delete;
 
   void open(SceneSource source);
   /// Returns the outcome of the newest request, once.
@@ -59,13 +65,23 @@ class SceneLoader {
   struct Loading {
     std::string source;
     double seconds = 0.0;
+    LoadStage stage = LoadStage::reading;
+    std::shared_ptr<const ScenePreview> preview{};  ///< null: not known yet, or never
   };
   /// The running load of the newest request.
   [[nodiscard]] std::optional<Loading> loading() const;
 
  private:
-  LatestJob<SceneSource, LoadOutcome> job_;
-  std::string source_;  // of the newest request
+  struct Request {
+    SceneSource source;
+    std::shared_ptr<LoadProgress> progress;
+  };
+  void stop();
+
+  std::function<void()> wake_;
+  LatestJob<Request, LoadOutcome> job_;
+  std::string source_;                      // of the newest request
+  std::shared_ptr<LoadProgress> progress_;  // of the newest request; null before it
   std::chrono::steady_clock::time_point since_;
 };
 

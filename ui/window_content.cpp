@@ -218,6 +218,7 @@ void WindowContent::lay_out(const FrameInput& in) {
                   shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
   wipe_line(controls_, state_.frames, state_.view, previewer_, shown);
+  loading_box(previewer_.scene(), shown);
   picture_area(controls_, previewer_, state_, shown);
   ImGui::End();
   ImGui::PopStyleVar();
@@ -418,9 +419,9 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
   if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
   if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
-  if (previewer_.scene().loading() || saver_.job().pending() || scene_export_.pending() ||
-      clipboard_.pending())
-    also(0.1);
+  if (const auto loading = previewer_.scene().loading())
+    also(loading->seconds < loading_box_delay ? loading_box_delay : 0.1);
+  if (saver_.job().pending() || scene_export_.pending() || clipboard_.pending()) also(0.1);
   if (const std::optional<double> save = saver_.seconds_to_due(time_seconds_)) also(*save);
   if (previewer_.render().progress().running) also(0.25);
   if (previewer_.scene() && previewer_.scene()->geometry->boundaries.running()) also(0.25);

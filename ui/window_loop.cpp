@@ -49,7 +49,8 @@ void WindowLoop::take_events() {
     schedule_.note_input();
   }
   if (hooks_.woken.exchange(false))
-    schedule_.note_woken(previewer_.render().first_picture_pending());
+    schedule_.note_woken(previewer_.render().first_picture_pending() ||
+                         previewer_.scene().loading().has_value());
 }
 
 void WindowLoop::draw(double now) {

@@ -1,5 +1,7 @@
 #include "renderer/files/read_file.h"
 
+#include "renderer/load_progress.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,8 +35,11 @@ struct OpenFile {
 tl::expected<void, std::string> read_up_to(std::size_t size, int descriptor, FileBytes& bytes) {
   std::size_t got = bytes.size();
   bytes.resize(size);
+  constexpr std::size_t between_stops = std::size_t{1} << 24;
   while (got < bytes.size()) {
-    const ssize_t n = ::read(descriptor, bytes.data() + got, bytes.size() - got);
+    stop_point();
+    const std::size_t wanted = std::min(bytes.size() - got, between_stops);
+    const ssize_t n = ::read(descriptor, bytes.data() + got, wanted);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return unexpected<std::string>(std::strerror(errno));
     if (n == 0) break;

@@ -5,6 +5,7 @@
 #include "renderer/gltf/tidy.h"
 #include "renderer/gltf/tidy_animations.h"
 #include "renderer/gltf/tidy_entries.h"
+#include "renderer/load_progress.h"
 
 #include <fmt/format.h>
 
@@ -247,6 +248,7 @@ Checked<Document> read_document(const std::filesystem::path& path,
   doc.files = ModelFiles(std::move(*folders));
   const Checked<Container> container = open_container(*file, doc.warnings);
   if (!container) return fault(container.error());
+  stop_point();
   Checked<json> root = parse(container->json, doc.warnings);
   if (!root) return fault(root.error());
 
@@ -259,6 +261,7 @@ Checked<Document> read_document(const std::filesystem::path& path,
     return fault(done.error());
   if (moves_values(*root)) doc.movable = std::make_shared<const json>(movable_parts(*root));
   complete_planes(*root, doc.warnings);
+  stop_point();
   take_strides(*root, doc);
   if (auto done = take_buffers(*root, *container, doc); !done) return fault(done.error());
   if (auto done = take_images(*root, doc); !done) return fault(done.error());

@@ -3,6 +3,7 @@
 #include "renderer/gltf/pictures/picture.h"
 #include "renderer/gltf/texture_budget.h"
 #include "renderer/gltf/values.h"
+#include "renderer/load_progress.h"
 #include "renderer/tasks.h"
 #include "renderer/work_counts.h"
 
@@ -206,7 +207,8 @@ void Textures::decode_noted() {
     }
     tasks.push_back({index, *std::move(bytes), {}});
   }
-  in_tasks(tasks.size(), [&](std::size_t i) {
+  in_tasks(tasks.size(), [&, progress = LoadProgress::current()](std::size_t i) {
+    const LoadProgress::Scope scope(progress);
     Task& task = tasks[i];
     task.picture =
         decoded_picture(task.bytes.bytes, shrinks_[static_cast<std::size_t>(task.index)]);

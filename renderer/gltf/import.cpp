@@ -1,4 +1,5 @@
 #include "renderer/gltf/clips.h"
+#include "renderer/gltf/declared_size.h"
 #include "renderer/gltf/document.h"
 #include "renderer/gltf/image_based_light.h"
 #include "renderer/gltf/importer.h"
@@ -6,6 +7,7 @@
 #include "renderer/gltf/load.h"
 #include "renderer/gltf/materials.h"
 #include "renderer/gltf/variants.h"
+#include "renderer/load_progress.h"
 #include "renderer/scene/not_shown.h"
 #include "renderer/scene/posable_scene.h"
 
@@ -94,6 +96,8 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
     if (shown_scene_ >= 0)
       base_.name = doc_.model.scenes[static_cast<std::size_t>(shown_scene_)].name;
     base_.source = path_;
+    publish_size();
+    begin_stage(LoadStage::textures);
     textures_.emplace(doc_, accessors_, base_);
     still_.moving_materials = moving_materials(clips_);
     base_.materials = import_materials(doc_, *textures_, still_.moving_materials);
@@ -110,6 +114,7 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
     if (auto moved = move_values(time); !moved) return fault(moved.error());
     const NodeGraph graph(doc_, std::move(poses));
     accessors_.forget_zeros();
+    begin_stage(LoadStage::meshes);
     // If the file is not kept, its pictures are not kept, either.
     Importer importer(doc_, accessors_, graph, still_, options_);
     Checked<Scene> scene =
@@ -154,6 +159,14 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
   }
 
  private:
+  /// Publishes the scene's size to the progress of the load, if there is one.
+  void publish_size() {
+    LoadProgress* const progress = LoadProgress::current();
+    if (!progress) return;
+    if (const auto preview = declared_size(doc_, accessors_, rest_, shown_scene_))
+      progress->publish(std::make_shared<const ScenePreview>(*preview));
+  }
+
   /// Sets the document's materials, cameras and lights to their animated values at `time`.
   Checked<void> move_values(const std::optional<ClipTime>& time) {
     if (!doc_.movable) return {};
@@ -183,6 +196,7 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
 };
 
 Checked<Scene> import_at_rest(const std::string& path, const LoadOptions& options) {
+  begin_stage(LoadStage::reading);
   Checked<Document> document = read_document(path, options.asset_root);
   if (!document) return fault(document.error());
   if (!options.variant.empty()) {

@@ -6,6 +6,7 @@
 #include "renderer/gltf/memory_check.h"
 #include "renderer/gltf/shapes.h"
 #include "renderer/gltf/skin.h"
+#include "renderer/load_progress.h"
 #include "renderer/scene/tessellate.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ Checked<Scene> Importer::run(int scene, Scene base) {
   scene_ = std::move(base);
   for (const auto& [index, shown] : graph_.listed(scene)) {
     node_ = nodes_++;
+    stop_point();
     if (!shown) continue;
     const tinygltf::Node& node = doc_.model.nodes[static_cast<std::size_t>(index)];
     add_camera(doc_, node, graph_.world_from_node(index), scene_);
@@ -65,6 +67,7 @@ Checked<void> Importer::add_mesh(int index, const tinygltf::Node& node) {
                                         accessors_, doc_.warnings);
   if (!copies) return fault(copies.error());
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+    stop_point();
     auto done = add_primitive(index, static_cast<int>(p), skin, *copies);
     if (!done) return done;
   }

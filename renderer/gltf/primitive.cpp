@@ -6,6 +6,7 @@
 #include "renderer/gltf/surface.h"
 #include "renderer/gltf/values.h"
 #include "renderer/gltf/vertices.h"
+#include "renderer/load_progress.h"
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>
@@ -289,7 +290,9 @@ Checked<LoadedMesh> load_primitive(const PrimitiveRequest& request, Accessors& a
     loaded.mesh = line_mesh(request.primitive.mode, std::move(*data), *triangles);
     return loaded;
   }
+  stop_point();
   complete_normals(*data, *triangles, request.place, warnings);
+  stop_point();
   check_texcoords(request, *data, warnings);
   if (request.material && needs_tangents(*request.material)) {
     complete_tangents(*data, *triangles, *request.material, request.place, warnings);

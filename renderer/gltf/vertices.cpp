@@ -1,5 +1,7 @@
 #include "renderer/gltf/vertices.h"
 
+#include "renderer/load_progress.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,6 +46,7 @@ Checked<int> AttributeSource::components(const std::string& name) const {
 
 Checked<std::vector<float>> AttributeSource::floats(const std::string& name, int components,
                                                     const Selection& selection) const {
+  stop_point();
   const auto found = request_.primitive.attributes.find(name);
   if (draco_ && draco_->has(name)) {
     bool normalized = false;

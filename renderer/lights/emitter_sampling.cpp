@@ -2,6 +2,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/emitter_mesh.h"
 #include "renderer/lights/lit_texels.h"
+#include "renderer/load_progress.h"
 #include "renderer/work_counts.h"
 
 #include <algorithm>
@@ -199,6 +200,7 @@ std::vector<EmitterTriangle> emitting_triangles(const World& world, std::uint32_
   const double least = dark_triangle_share * full_emission(world.materials[of.material]);
   std::vector<EmitterTriangle> triangles;
   for (std::uint32_t i = 0; i < of.triangle_count; ++i) {
+    stop_point();
     EmitterTriangle t;
     const glm::uvec3 v = world.triangles[of.first_triangle + i];
     for (int k = 0; k < 3; ++k) t.corner[static_cast<std::size_t>(k)] = world.positions[v[k]];

@@ -1,4 +1,5 @@
 #include "renderer/geometry/finite.h"
+#include "renderer/load_progress.h"
 #include "renderer/prepared/own_lights.h"
 #include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/prepared/render_scene.h"
@@ -79,11 +80,13 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                                              const AnimationInvariants* stage,
                                                              const ChooseGround& choose) {
   const auto start = std::chrono::steady_clock::now();
+  begin_stage(LoadStage::surfaces);
   auto flattened =
       stage ? flatten(scene, most_triangles, stage->origin) : flatten(scene, most_triangles);
   if (!flattened) return unexpected(flattened.error());
 
   // Emissive meshes light every scene, except those that show a light of the file.
+  begin_stage(LoadStage::lights);
   std::vector<Light> lights = std::move(flattened->lights);
   std::vector<Light> emissive = lights_of_meshes(flattened->world);
   AnimationInvariants own;
@@ -99,11 +102,13 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
     own.floor = static_cast<double>(bounds.lo.y);
   add_ground(flattened->world, choose, own, stage != nullptr);
 
+  begin_stage(LoadStage::rays);
   // Build this after the emitters, whose sampling depends on whether there are colours.
   auto geometry =
       build_geometry(std::move(flattened->world), lights, forced, stage ? &stage->mips : nullptr,
                      scene.time ? BvhPurpose::moment : BvhPurpose::lasting);
   if (!geometry) return unexpected(Error{scene.source, geometry.error().message()});
+  begin_stage(LoadStage::finishing);
   Geometry& built = **geometry;
   if (own.has_default_lighting && stage) {
     own.rig = stage->rig;
@@ -125,6 +130,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   built.time = scene.time;
   built.rig = scene.rig;
   own.mips = built.mips;
+  stop_point();
   own.sky = stage ? stage->sky : sky_of_file(scene);
   built.stage = std::move(own);
   built.build_seconds =

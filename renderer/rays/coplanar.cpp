@@ -1,5 +1,6 @@
 #include "renderer/rays/coplanar.h"
 
+#include "renderer/load_progress.h"
 #include "renderer/rays/coplanar_pairs.h"
 #include "renderer/world/surface_kind.h"
 
@@ -55,6 +56,7 @@ std::vector<Neighbours> neighbours_of(const World& world) {
   };
   std::size_t pairs = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
+    stop_point();
     const Box& own = boxes[order[k]];
     for (std::size_t m = k + 1; m < order.size() && boxes[order[m]].lo.x <= own.hi.x; ++m) {
       if (++pairs > pairs_of_part * order.size()) {
@@ -91,7 +93,9 @@ Coplanar find_coplanar(const World& world) {
     if (!none(neighbours[i])) most += world.parts[i].triangle_count;
   near.reserve(std::min(most, found.by_triangle.size()));
   const std::size_t solid = found.by_triangle.size() - world.lines_and_points.triangle_count;
+  constexpr std::uint32_t between_stops = 4096;
   for (std::uint32_t i = 0; i < solid; ++i) {
+    if (i % between_stops == 0) stop_point();
     const Neighbours& around = neighbours[world.triangle_part[i]];
     if (none(around) || normal_of(corners_of(world, i)) == glm::dvec3(0.0)) continue;
     const BoxedTriangle triangle = boxed(world, i);

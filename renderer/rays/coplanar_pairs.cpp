@@ -1,5 +1,7 @@
 #include "renderer/rays/coplanar_pairs.h"
 
+#include "renderer/load_progress.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -170,6 +172,7 @@ class PairSearch {
   /// empty.
   void split(std::uint32_t index) {
     if (nodes_[index].child != none) return;
+    stop_point();
     const Node node = nodes_[index];
     const std::span<BoxedTriangle> items = items_of(node);
     const auto centre = [](const BoxedTriangle& item) {

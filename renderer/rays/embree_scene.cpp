@@ -1,5 +1,6 @@
 #include "renderer/rays/embree_scene.h"
 
+#include "renderer/load_progress.h"
 #include "renderer/rays/coplanar.h"
 #include "renderer/rays/face_geometry.h"
 #include "renderer/tasks.h"
@@ -38,6 +39,27 @@ bool count_bytes(void* counter, ssize_t bytes, bool) {
   const TaskOrder::Task task;
   static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
   return true;
+}
+
+/// Lets a stop of the load end Embree's build. `progress`: a LoadProgress.
+bool goes_on(void* progress, double) {
+  return static_cast<LoadProgress*>(progress)->goes_on();
+}
+
+void watch_for_stops(RTCScene scene) {
+  if (LoadProgress* progress = LoadProgress::current())
+    rtcSetSceneProgressMonitorFunction(scene, goes_on, progress);
+}
+
+/// Builds a scene's hierarchy. Throws LoadStopped.
+void commit(RTCScene scene) {
+  watch_for_stops(scene);
+  {
+    const TaskOrder::Sending sending;
+    rtcCommitScene(scene);
+  }
+  rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+  stop_point();
 }
 
 constexpr unsigned first_group_of_faces = 6;
@@ -89,12 +111,12 @@ Result<void> EmbreeScene::build(const World& world, const Transparency& open,
   const auto build_hierarchy = [&] {
     for (unsigned id = 0; id < groups_.size(); ++id) add(id, world, forced, quality);
     if (world.placements) add_places(world, forced, quality);
-    const TaskOrder::Sending sending;
-    rtcCommitScene(scene_);
+    commit(scene_);
   };
   // The search takes about as long as the hierarchy where many parts touch. A thread for it would
   // leave some memory to Embree, a task does not.
-  in_tasks(2, [&](std::size_t task) {
+  in_tasks(2, [&, progress = LoadProgress::current()](std::size_t task) {
+    const LoadProgress::Scope scope(progress);
     if (task == 0)
       build_hierarchy();
     else
@@ -233,9 +255,11 @@ void EmbreeScene::add_filters(RTCGeometry geometry, const Group& group,
   rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
 }
 
-RTCScene EmbreeScene::scene_of_mesh(const World& mesh, Group& group, const RenderFeatures& forced,
-                                    RTCBuildQuality quality) {
-  RTCScene scene = rtcNewScene(device_);
+EmbreeScene::OwnedScene EmbreeScene::scene_of_mesh(const World& mesh, Group& group,
+                                                   const RenderFeatures& forced,
+                                                   RTCBuildQuality quality) {
+  OwnedScene owned(rtcNewScene(device_));
+  RTCScene scene = owned.get();
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   rtcSetSceneBuildQuality(scene, quality);
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -252,9 +276,8 @@ RTCScene EmbreeScene::scene_of_mesh(const World& mesh, Group& group, const Rende
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, 0);
   rtcReleaseGeometry(geometry);
-  const TaskOrder::Sending sending;
-  rtcCommitScene(scene);
-  return scene;
+  commit(scene);
+  return owned;
 }
 
 void EmbreeScene::add_places(const World& world, const RenderFeatures& forced,
@@ -264,20 +287,19 @@ void EmbreeScene::add_places(const World& world, const RenderFeatures& forced,
     mesh_groups_.emplace_back().world = &world;
     mesh_groups_.back().scale = scale_;
   }
-  std::vector<RTCScene> scenes;
+  std::vector<OwnedScene> scenes;  // the instances keep them
   for (std::size_t i = 0; i < placed.meshes.size(); ++i)
     scenes.push_back(scene_of_mesh(*placed.meshes[i], mesh_groups_[i], forced, quality));
   unsigned id = Geometries::group_count;
   for (const Placement& place : placed.places) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(geometry, scenes[place.mesh]);
+    rtcSetGeometryInstancedScene(geometry, scenes[place.mesh].get());
     const glm::mat4 matrix(static_cast<double>(scale_) * placed.world_from_mesh(place));
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &matrix[0][0]);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_, geometry, id++);
     rtcReleaseGeometry(geometry);
   }
-  for (RTCScene scene : scenes) rtcReleaseScene(scene);  // the instances keep them
 }
 
 int EmbreeScene::native_width() const {

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <string>
@@ -27,7 +28,7 @@ class EmbreeScene {
   ~EmbreeScene();
 
   /// Builds the scene; may be called once. Errors: Embree's, and a light whose own part does not
-  /// exist. `lights`, `forced` and `use`: as in RayScene::build.
+  /// exist. Throws LoadStopped. `lights`, `forced` and `use`: as in RayScene::build.
   [[nodiscard]] Result<void> build(const World& world, const Transparency& open,
                                    std::span<const Light> lights, const RenderFeatures& forced,
                                    BvhPurpose use);
@@ -70,8 +71,12 @@ class EmbreeScene {
   void add_filters(RTCGeometry geometry, const Group& group, const RenderFeatures& forced) const;
   /// Adds a scene for each shared mesh, and its instances.
   void add_places(const World& world, const RenderFeatures& forced, RTCBuildQuality quality);
-  [[nodiscard]] RTCScene scene_of_mesh(const World& mesh, Group& group,
-                                       const RenderFeatures& forced, RTCBuildQuality quality);
+  struct Release {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+  using OwnedScene = std::unique_ptr<RTCSceneTy, Release>;
+  [[nodiscard]] OwnedScene scene_of_mesh(const World& mesh, Group& group,
+                                         const RenderFeatures& forced, RTCBuildQuality quality);
 
   // Meshes: three kinds of surfaces, then these kinds of lights' own parts. Then six such groups
   // for faces of shapes, then three kinds of lines and points.

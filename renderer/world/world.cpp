@@ -3,6 +3,7 @@
 #include "renderer/geometry/coordinates.h"
 #include "renderer/geometry/direction.h"
 #include "renderer/geometry/finite.h"
+#include "renderer/load_progress.h"
 #include "renderer/scene/tessellate.h"
 #include "renderer/scene/validate_scene.h"
 #include "renderer/world/origin.h"
@@ -50,7 +51,10 @@ class Flattener {
     }
     if (std::string fault = find_origin(); !fault.empty()) return refuse(scene_, fault);
     reserve();
-    for (const Instance& instance : scene_.instances) add(instance);
+    for (const Instance& instance : scene_.instances) {
+      stop_point();
+      add(instance);
+    }
     if (!placements_.places.empty()) world_.set_placements(finished(std::move(placements_)));
     // Face numbers follow triangle numbers.
     for (const ShapeFace& face : world_.faces) world_.triangle_part.push_back(face.part);
@@ -115,6 +119,7 @@ class Flattener {
     std::vector<PlacedBox> boxes;
     PlacedBox all;
     for (const Instance& instance : scene_.instances) {
+      stop_point();
       const PlacedMesh& placed = mesh_of(instance);
       const std::vector<ShapeFace>& faces = faces_[index_of(instance)];
       if (!placed.mesh && faces.empty()) continue;

@@ -1,4 +1,5 @@
 #include "tests/ui/previewer_fixture.h"
+#include "tests/ui/ui_rig.h"
 
 // Scenes replace each other; scenes that cannot be opened leave the old one.
 
@@ -87,6 +88,95 @@ TEST_F(OpeningTest, EndsWhileALoadIsWaiting) {
   ASSERT_TRUE(update_until([&] { return loader.calls == 1; }));
   previewer.scene().open("red");
   loader.released = true;
+}
+
+/// Loads "red" at once. Any other scene has a stage and a box, and never ends by itself.
+class EndlessLoader {
+ public:
+  LoadFunction function() {
+    return [this](const std::string& source) -> Result<Scene> {
+      if (source == "red") return two_triangles({1, 0, 0}, source);
+      ++begun;
+      begin_stage(LoadStage::meshes);
+      LoadProgress::current()->publish(
+          std::make_shared<const ScenePreview>(ScenePreview{{-1, -1, -1}, {1, 1, 1}, {}}));
+      try {
+        for (;;) {
+          stop_point();
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+      } catch (const LoadStopped&) {
+        ++stopped;
+        throw;
+      }
+    };
+  }
+  std::atomic<int> begun = 0, stopped = 0;
+};
+
+TEST(StoppedLoad, MakesRoomForTheNextOne) {
+  EndlessLoader loader;
+  std::atomic<int> wakes = 0;
+  {
+    Previewer previewer({loader.function(), [&] { ++wakes; }}, small_picture());
+    const auto wait = [&](const std::function<bool()>& done) {
+      for (int i = 0; i < 20000 && !done(); ++i) {
+        previewer.update(0.0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+      return done();
+    };
+    previewer.scene().open("endless");
+    ASSERT_TRUE(wait([&] { return previewer.scene().loading()->preview != nullptr; }));
+    EXPECT_EQ(previewer.scene().loading()->stage, LoadStage::meshes);
+    EXPECT_GE(wakes, 2) << "the window is woken for the stage and for the box";
+    previewer.scene().open("red");
+    EXPECT_FALSE(previewer.scene().loading()->preview) << "it was of the other scene";
+    ASSERT_TRUE(wait([&] { return previewer.scene().get() != nullptr; }));
+    EXPECT_EQ(loader.stopped, 1);
+    EXPECT_FALSE(previewer.scene().error());
+    previewer.scene().open("endless");
+    ASSERT_TRUE(wait([&] { return loader.begun == 2; }));
+  }
+  EXPECT_EQ(loader.stopped, 2) << "closing the window stops the load, too";
+}
+
+// The box appears in the upper half of the picture, where the notice is not.
+TEST(StoppedLoad, ShowsTheBoxMeanwhile) {
+  EndlessLoader loader;
+  UiRig rig(loader.function());
+  const auto open_red = [&] {
+    rig.previewer().scene().open("red");
+    return rig.frames_until([&] {
+      return rig.previewer().scene() && !rig.previewer().scene().loading() &&
+             !rig.previewer().render().first_picture_pending();
+    });
+  };
+  ASSERT_TRUE(open_red());
+  const auto lines = [&] {
+    const std::uint32_t colour = theme::rgb(theme::accent_bright);
+    const std::vector<glm::u8vec3> pixels = rig.pixels();
+    const PixelRect area = rig.content().picture_rect();
+    int count = 0;
+    for (int y = 0; y < area.height / 2; ++y) {
+      for (int x = 0; x < area.width; ++x) {
+        const glm::ivec3 off =
+            glm::abs(glm::ivec3(pixels[static_cast<std::size_t>(y * rig.size().x + x)]) -
+                     glm::ivec3(colour >> 16 & 255u, colour >> 8 & 255u, colour & 255u));
+        count += std::max({off.x, off.y, off.z}) < 40 ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(lines(), 0);
+  rig.previewer().scene().open("endless");
+  ASSERT_TRUE(rig.frames_until([&] {
+    const auto loading = rig.previewer().scene().loading();
+    return loading && loading->preview && loading->seconds > loading_box_delay;
+  }));
+  EXPECT_GT(lines(), 150);
+  ASSERT_TRUE(open_red());
+  EXPECT_EQ(lines(), 0);
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 
 namespace asos::ui {
@@ -65,29 +66,45 @@ void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) 
   end_notice();
 }
 
+const char* stage_words(LoadStage stage) {
+  constexpr std::array words{"Reading file",     "Decoding textures", "Reading meshes",
+                             "Placing objects",  "Finding lights",    "Building ray hierarchy",
+                             "Preparing picture"};
+  static_assert(words.size() == load_stage_count);
+  return words[static_cast<std::size_t>(stage)];
+}
+
+/// Draws one field for each stage, filled up to the current one.
+void stage_fields(LoadStage stage) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
+  const float step = width / static_cast<float>(load_stage_count), gap = 0.15f * em;
+  for (std::size_t i = 0; i < load_stage_count; ++i) {
+    const float left = corner.x + step * static_cast<float>(i);
+    const bool reached = i <= static_cast<std::size_t>(stage);
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {left, corner.y}, {left + step - gap, corner.y + 0.2f * em},
+        theme::packed(reached ? theme::accent_bright : theme::field));
+  }
+  ImGui::Dummy({width, 0.2f * em});
+}
+
+void loading_notice(const SceneLoader::Loading& loading, const WindowRect& area) {
+  begin_notice("loading", area, 22.0f, 0.9f);
+  ImGui::TextUnformatted(("Loading " + short_name(loading.source)).c_str());
+  ImGui::TextDisabled(
+      "%s", fmt::format("{}   {:.1f} s", stage_words(loading.stage), loading.seconds).c_str());
+  stage_fields(loading.stage);
+  end_notice();
+}
+
 }  // namespace
 
 void notices(Controls& controls, OpenScene& scene, const WindowRect& area) {
   if (area.size.x < 1.0f || area.size.y < 1.0f) return;
   const std::optional<SceneLoader::Loading> loading = scene.loading();
   if (loading) {
-    begin_notice("loading", area, 20.0f, 0.5f);
-    ImGui::TextUnformatted(("Loading " + short_name(loading->source)).c_str());
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", fmt::format("{:.1f} s", loading->seconds).c_str());
-    // The duration of loading is unknown, so the bar only runs in a loop.
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
-    const double lap = loading->seconds * 0.7;
-    const float left = static_cast<float>(lap - std::floor(lap)) * 1.3f - 0.3f;
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(corner, {corner.x + width, corner.y + 0.2f * em},
-                        theme::packed(theme::field));
-    draw->AddRectFilled({corner.x + width * std::max(left, 0.0f), corner.y},
-                        {corner.x + width * std::min(left + 0.3f, 1.0f), corner.y + 0.2f * em},
-                        theme::packed(theme::accent_bright));
-    ImGui::Dummy({width, 0.2f * em});
-    end_notice();
+    loading_notice(*loading, area);
   } else if (!scene && !scene.error()) {
     begin_notice("empty", area, 24.0f, 0.5f);
     ImGui::TextUnformatted("Drop a .gltf or .glb file here");

@@ -20,10 +20,10 @@ class Projection {
  public:
   Projection(const Viewpoint& viewpoint, const Film& film, const PictureView& view,
              const PictureArea& area)
-      : frame_(viewpoint.view().frame(0.0, 0.0, film.width, film.height)),
-        size_(film.width, film.height),
-        view_(view),
-        area_(area) {}
+      : Projection(viewpoint.view(), {film.width, film.height}, view, area) {}
+  /// `size`: of the picture that `seen` is a view of, in pixels.
+  Projection(const View& seen, glm::ivec2 size, const PictureView& view, const PictureArea& area)
+      : frame_(seen.frame(0.0, 0.0, size.x, size.y)), size_(size), view_(view), area_(area) {}
 
   /// Homogeneous coordinates; z is positive in front of the viewer.
   [[nodiscard]] glm::dvec3 homogeneous(glm::dvec3 p) const { return frame_.homogeneous(p); }

@@ -1,6 +1,7 @@
 #include "renderer/gltf/pictures/row_means.h"
 
 #include "renderer/gltf/pictures/picture.h"
+#include "renderer/load_progress.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -19,6 +20,7 @@ RowMeans::RowMeans(int width, int height, int shrink) : width_(width), shrink_(s
 }
 
 std::span<std::uint8_t> RowMeans::next() {
+  stop_point();
   if (shrink_ > 1 || row_ >= image_.height) return pixels_;
   const auto row = 4 * static_cast<std::size_t>(width_);
   return std::span(image_.rgba.own()).subspan(static_cast<std::size_t>(row_) * row, row);
