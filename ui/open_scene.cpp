@@ -39,6 +39,7 @@ void OpenScene::ask_for(SceneSource source) {
   asked_ = source;
   outer_root_.clear();
   reloading_ = same_file_ = false;
+  if (expected_ground_) source.ground = expected_ground_();
   loader_.open(std::move(source));
 }
 
@@ -65,7 +66,8 @@ SceneSource OpenScene::shown_source() const {
           name_of(contents, contents.shown_scene),
           {},
           hidden_,
-          asset_root_};
+          asset_root_,
+          std::nullopt};
 }
 
 void OpenScene::load_again(const std::string& variant, std::vector<ObjectId> hidden) {
@@ -145,8 +147,13 @@ void OpenScene::show_all() {
 void OpenScene::show_scene(int index) {
   if (!scene_) return;
   const SceneContents& contents = scene_->geometry->contents;
-  ask_for(
-      {scene_->geometry->source, contents.variant, name_of(contents, index), {}, {}, asset_root_});
+  ask_for({scene_->geometry->source,
+           contents.variant,
+           name_of(contents, index),
+           {},
+           {},
+           asset_root_,
+           std::nullopt});
   same_file_ = true;
 }
 

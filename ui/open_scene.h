@@ -27,6 +27,11 @@ class OpenScene {
   /// loading fails. A saved picture (.png, .exr) brings its scene, camera, lights and settings.
   void open(const std::string& source);
   void open(SceneSource source);
+  /// Sets the function that returns the ground of scenes to open: see SceneSource::ground. It is
+  /// called by the functions that start loading.
+  void expect_ground(std::function<std::optional<Ground>()> expected) {
+    expected_ground_ = std::move(expected);
+  }
   /// Reloads the open scene's file and keeps the view.
   void reload();
   /// Reloads with this material variant; empty: none.
@@ -105,6 +110,7 @@ class OpenScene {
   void find_hidden_places();
 
   std::shared_ptr<const RenderScene> scene_;
+  std::function<std::optional<Ground>()> expected_ground_;
   std::uint64_t times_opened_ = 0;
   std::string asked_for_;
   SceneSource asked_;

@@ -1,6 +1,7 @@
 #include "ui/playback.h"
 
 #include "renderer/comparison/method.h"
+#include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/scene/posable_scene.h"
 #include "renderer/world/ground.h"
@@ -21,12 +22,22 @@ double elapsed_since(std::chrono::steady_clock::time_point start) {
 /// Applies the edited lights and materials to another pose of the scene. `as`: see with_ground.
 Result<std::shared_ptr<const RenderScene>> with_look(
     std::shared_ptr<const RenderScene> scene, const std::optional<std::vector<Light>>& lights,
-    const std::optional<MaterialDfrs>& dfrs, Ground ground, const World* as = nullptr) {
+    const std::optional<MaterialDfrs>& dfrs, Ground ground, const World* as) {
   Result<std::shared_ptr<const RenderScene>> edited = std::move(scene);
   if (lights) edited = with_lights(*edited, *lights);
   if (edited && dfrs) edited = with_dfrs(*edited, *dfrs);
   if (edited) edited = with_ground(*edited, ground, as);
   return edited;
+}
+
+/// Prepares a pose of the scene on its ground, with the edits. `as`: see with_ground.
+Result<std::shared_ptr<const RenderScene>> prepared_pose(
+    const Scene& pose, const RenderScene& from, const std::optional<std::vector<Light>>& lights,
+    const std::optional<MaterialDfrs>& dfrs, Ground ground, const World* as = nullptr) {
+  const auto choose = [&](const World&, bool) { return GroundChoice{ground, as}; };
+  return prepare_on_ground(pose, from.forced, &from.geometry->stage, choose)
+      .and_then(
+          [&](auto prepared) { return with_look(std::move(prepared), lights, dfrs, ground, as); });
 }
 
 /// Draws lines and points for this pose as the camera sees them.
@@ -164,9 +175,7 @@ Result<std::shared_ptr<const RenderScene>> Playback::scene_at(
     Ground ground, const World* as) {
   const Result<Scene> scene = from.geometry->rig->pose(time);
   if (!scene) return unexpected(scene.error());
-  return prepare(*scene, from.forced, &from.geometry->stage).and_then([&](auto prepared) {
-    return with_look(std::move(prepared), lights, dfrs, ground, as);
-  });
+  return prepared_pose(*scene, from, lights, dfrs, ground, as);
 }
 
 Result<std::shared_ptr<const RenderScene>> Playback::exposed_scene(
@@ -200,10 +209,7 @@ Playback::Pose Playback::posed(const Request& request) {
       pose.scene = unexpected(scene.error());
       return pose;
     }
-    pose.scene =
-        prepare(*scene, request.from->forced, &geometry.stage).and_then([&](auto prepared) {
-          return with_look(std::move(prepared), request.lights, request.dfrs, request.ground);
-        });
+    pose.scene = prepared_pose(*scene, *request.from, request.lights, request.dfrs, request.ground);
     if (pose.scene && request.lines_and_points &&
         !(*pose.scene)->world().lines_and_points.empty()) {
       pose.lines_and_points = request.lines_and_points;

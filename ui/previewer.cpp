@@ -21,7 +21,9 @@ Previewer::Previewer(Hooks hooks, const RenderSettings& settings)
       viewpoint_(scene_, edits_.settings()),
       ground_(hooks.wake),
       lines_and_points_(hooks.wake),
-      render_(hooks.wake, refinement_) {}
+      render_(hooks.wake, refinement_) {
+  scene_.expect_ground([this] { return edits_.own_ground(); });
+}
 
 void Previewer::update(double now_seconds) {
   viewpoint_.settle_size(now_seconds);

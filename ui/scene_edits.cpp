@@ -189,14 +189,19 @@ CarriedEdits SceneEdits::adopt_again(const RenderScene& before, glm::dvec3 moved
   return carried;
 }
 
+std::optional<Ground> SceneEdits::own_ground() const {
+  const Ground now = now_.settings.ground;
+  const bool own = keeps_.sky || keeps_.ground || now != first_settings_.ground;
+  return own ? std::optional(now) : std::nullopt;
+}
+
 void SceneEdits::take_default_look() {
   RenderSettings& now = now_.settings;
-  const bool own_ground = keeps_.sky || keeps_.ground || now.ground != first_settings_.ground;
   const bool own_background =
       keeps_.background || now.background != default_background(now.sky.get());
   const DefaultLook look = default_look(*scene_);
   if (!keeps_.sky && !sky_chosen_) now.sky = first_settings_.sky = look.sky;
-  if (!own_ground) now.ground = first_settings_.ground = look.ground;
+  if (!own_ground()) now.ground = first_settings_.ground = look.ground;
   if (own_background) return;
   now.background = default_background(now.sky.get());
   first_settings_.background = default_background(first_settings_.sky.get());

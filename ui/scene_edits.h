@@ -39,6 +39,8 @@ class SceneEdits {
   void reset_lights();
   /// Scenes opened later get these parts from the initial settings instead of their default look.
   void keep_first(const ChosenLook& parts) { keeps_ = parts; }
+  /// Returns the ground of scenes opened later; none: that of their default look.
+  [[nodiscard]] std::optional<Ground> own_ground() const;
   /// Sets the sky, also for scenes opened later; null: the neutral sky. A scene without its own
   /// lights gets new ones if the old or the new sky brings any (lights_under). A background that
   /// was not chosen follows.

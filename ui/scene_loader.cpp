@@ -1,6 +1,8 @@
 #include "ui/scene_loader.h"
 
 #include "renderer/prepared/default_look.h"
+#include "renderer/prepared/own_lights.h"
+#include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/scene/posable_scene.h"
 #include "renderer/scene/source_files.h"
 #include "ui/hidden_objects.h"
@@ -35,19 +37,27 @@ Result<PictureDescription> read_picture(const std::string& source) {
 
 SceneSource source_of(const PictureDescription& picture, const std::string& asset_root) {
   const LoadOptions options = picture.load_options();
-  return {picture.scene, options.variant, options.scene, {}, {}, asset_root};
+  return {picture.scene, options.variant, options.scene, {}, {}, asset_root, std::nullopt};
 }
 
-Result<std::shared_ptr<const RenderScene>> prepare_at(const Scene& scene, const ClipChoice& clip,
+ChooseGround ground_of_source(const SceneSource& source) {
+  return [ground = source.ground](const World& world, bool dark) {
+    return GroundChoice{ground ? *ground : likely_ground(world, dark, first_camera(world))};
+  };
+}
+
+Result<std::shared_ptr<const RenderScene>> prepare_at(const Scene& scene, const SceneSource& source,
                                                       const RenderFeatures& forced) {
-  auto at_rest = prepare(scene, forced);
-  if (!at_rest || !clip.any()) return at_rest;
-  const auto time = clip_time(scene.contents, scene.source, clip);
+  const bool moves = source.clip.any() && scene.rig;  // the load function may not have kept it
+  const ChooseGround choose = ground_of_source(source);
+  auto at_rest = prepare_on_ground(scene, forced, nullptr, moves ? nullptr : choose);
+  if (!at_rest || !source.clip.any()) return at_rest;
+  const auto time = clip_time(scene.contents, scene.source, source.clip);
   if (!time) return unexpected(time.error());
-  if (!scene.rig) return at_rest;  // the load function did not keep it
+  if (!moves) return at_rest;
   const Result<Scene> posed = scene.rig->pose(*time);
   if (!posed) return unexpected(posed.error());
-  return prepare(*posed, forced, &(*at_rest)->geometry->stage);
+  return prepare_on_ground(*posed, forced, &(*at_rest)->geometry->stage, choose);
 }
 
 void load_into(LoadOutcome& outcome, const LoadFunction& load, const RenderFeatures& forced,
@@ -74,8 +84,8 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const RenderFeatu
     outcome.scene = unexpected(
         outcome.picture ? scene_of_picture_error(outcome.source, scene.error()) : scene.error());
   } else {
-    outcome.scene = outcome.picture ? prepare(*scene, *outcome.picture)
-                                    : prepare_at(*scene, source.clip, forced);
+    outcome.scene =
+        outcome.picture ? prepare(*scene, *outcome.picture) : prepare_at(*scene, source, forced);
     // Paints the environment on this thread; the window's thread would stall.
     if (outcome.scene) (void)default_look(**outcome.scene);
   }

@@ -27,6 +27,7 @@ struct SceneSource {
   ClipChoice clip{};               ///< the animation and time to show first
   std::vector<ObjectId> hidden{};  ///< objects to remove: see leave_out
   std::string asset_root{};        ///< see LoadOptions
+  std::optional<Ground> ground{};  ///< to build the scene with; none: that of its default look
 
   operator const std::string&() const { return path; }
 };

@@ -303,14 +303,17 @@ Error scene_of_picture_error(const std::string& file, const Error& error) {
 
 Result<std::shared_ptr<const RenderScene>> prepare(const Scene& scene,
                                                    const PictureDescription& description) {
-  if (!description.time) return prepare_posed(scene, description, nullptr);
+  const ChooseGround choose = [&](const World&, bool) {
+    return GroundChoice{description.settings.ground};
+  };
+  if (!description.time) return prepare_posed(scene, description, nullptr, choose);
   if (!scene.rig)
     return unexpected(Error{scene.source, "has no animations, so there is no such time of it"});
   const auto at_rest = prepare(scene, forced_by(description.render_features));
   if (!at_rest) return unexpected(at_rest.error());
   const Result<Scene> posed = scene.rig->pose(description.time);
   if (!posed) return unexpected(posed.error());
-  return prepare_posed(*posed, description, &(*at_rest)->geometry->stage);
+  return prepare_posed(*posed, description, &(*at_rest)->geometry->stage, choose);
 }
 
 Result<std::shared_ptr<const RenderScene>> prepare_posed(const Scene& scene,

@@ -80,9 +80,9 @@ struct PictureDescription {
 /// Returns an error that says why the scene of the picture in `file` could not be loaded.
 [[nodiscard]] Error scene_of_picture_error(const std::string& file, const Error& error);
 
-/// Prepares a loaded scene with the picture's lighting and blur; the settings must have their sky.
-/// If the picture is of another time, the scene must be at rest and have its rig. Errors have the
-/// scene's file name.
+/// Prepares a loaded scene with the picture's lighting, ground and blur; the settings must have
+/// their sky. If the picture is of another time, the scene must be at rest and have its rig. Errors
+/// have the scene's file name.
 [[nodiscard]] Result<std::shared_ptr<const RenderScene>> prepare(
     const Scene& scene, const PictureDescription& description);
 /// Prepares a scene that is already posed at the picture's time, with the invariants of the scene

@@ -1,3 +1,6 @@
+#include "renderer/work_counts.h"
+#include "renderer/world/ground.h"
+#include "tests/renderer/gltf/gltf_builder.h"
 #include "tests/ui/previewer_fixture.h"
 #include "tests/ui/ui_rig.h"
 
@@ -177,6 +180,62 @@ TEST(StoppedLoad, ShowsTheBoxMeanwhile) {
   EXPECT_GT(lines(), 150);
   ASSERT_TRUE(open_red());
   EXPECT_EQ(lines(), 0);
+}
+
+// A scene without lights stands on a ground, which is not added to a hierarchy without it.
+TEST(GroundOfScene, IsBuiltWithIt) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("square.glb", GltfBuilder::square().glb());
+  Previewer previewer({{}, {}}, small_picture());
+  previewer.viewpoint().set_picture_size(48, 32, 0.0);
+  const std::uint64_t before = WorkDone::of(Work::geometries);
+  previewer.scene().open(path);
+  const auto settled = [&](Ground ground) {
+    for (int i = 0; i < 20000; ++i) {
+      previewer.update(0.0);
+      if (previewer.scene() && !previewer.scene().loading() &&
+          ground_of(previewer.scene()->world()) == ground &&
+          !previewer.render().first_picture_pending())
+        return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  };
+  ASSERT_TRUE(settled(Ground::on));
+  EXPECT_EQ(WorkDone::of(Work::geometries), before + 1);
+
+  // A ground that the user chose stays, and so it does in the next scene.
+  previewer.edits().settings().ground = Ground::mirror;
+  ASSERT_TRUE(settled(Ground::mirror));
+  EXPECT_EQ(WorkDone::of(Work::geometries), before + 2);
+  previewer.scene().reload();
+  previewer.update(0.0);
+  ASSERT_TRUE(settled(Ground::mirror));
+  EXPECT_EQ(WorkDone::of(Work::geometries), before + 3);
+}
+
+// So are those of an animation.
+TEST(GroundOfScene, IsBuiltWithEachPose) {
+  Previewer previewer({{}, {}}, small_picture());
+  previewer.edits().keep_first({true, true, true});
+  previewer.edits().settings().ground = Ground::on;
+  previewer.viewpoint().set_picture_size(48, 32, 0.0);
+  previewer.scene().open("builtin:turning-fence");
+  const auto posed = [&](const std::optional<ClipTime>& time) {
+    for (int i = 0; i < 20000; ++i) {
+      previewer.update(0.0);
+      if (previewer.scene() && previewer.scene()->geometry->time == time &&
+          ground_of(previewer.scene()->world()) == Ground::on)
+        return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  };
+  ASSERT_TRUE(posed(std::nullopt));
+  const std::uint64_t before = WorkDone::of(Work::geometries);
+  previewer.playback().seek(2.0);
+  ASSERT_TRUE(posed(ClipTime{0, 2.0}));
+  EXPECT_EQ(WorkDone::of(Work::geometries), before + 1);
 }
 
 }  // namespace

@@ -247,7 +247,7 @@ TEST_F(SceneExportTest, HiddenObjectsAreRemovedFromTheFile) {
   const std::uint64_t opened = previewer->scene().times_opened();
   previewer->scene().hide(1);
   for (int i = 0; i < 20000 && previewer->scene().times_opened() == opened; ++i) wait();
-  ASSERT_EQ(previewer->scene()->world().parts.size(), 2u);
+  ASSERT_EQ(objects_without_ground(previewer->scene()->world()), 2u);
   const Film before = picture_by_default();
   const std::string path = folder.file("two.glb");
   ASSERT_EQ(*export_edited(order_of(*previewer, path)), path);
