@@ -61,6 +61,22 @@ class LoadProgress {
   }
   [[nodiscard]] LoadStage stage() const { return stage_.load(std::memory_order_relaxed); }
 
+  /// Allows that the scene is opened with plain texels in place of textures, which take far longer
+  /// to decode than its geometry. It has to be opened again to get them.
+  void allow_missing_textures() { may_miss_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool may_miss_textures() const { return may_miss_.load(std::memory_order_relaxed); }
+  /// The opening thread has left out this number of textures.
+  void note_missing_textures(std::size_t count) {
+    missing_.store(count, std::memory_order_relaxed);
+  }
+  [[nodiscard]] std::size_t missing_textures() const {
+    return missing_.load(std::memory_order_relaxed);
+  }
+  void note_decoded_texture() { decoded_.fetch_add(1, std::memory_order_relaxed); }
+  [[nodiscard]] std::size_t decoded_textures() const {
+    return decoded_.load(std::memory_order_relaxed);
+  }
+
   void publish(std::shared_ptr<const ScenePreview> preview) {
     {
       const std::scoped_lock lock(mutex_);
@@ -96,6 +112,9 @@ class LoadProgress {
   std::atomic<bool> stopped_ = false;
   std::atomic<std::uint64_t> points_ = 0;
   std::atomic<std::uint64_t> limit_ = ~std::uint64_t{0};
+  std::atomic<bool> may_miss_ = false;
+  std::atomic<std::size_t> missing_ = 0;
+  std::atomic<std::size_t> decoded_ = 0;
   std::atomic<LoadStage> stage_ = LoadStage::reading;
   mutable std::mutex mutex_;
   std::shared_ptr<const ScenePreview> preview_;

@@ -39,6 +39,7 @@ void OpenScene::ask_for(SceneSource source) {
   asked_ = source;
   outer_root_.clear();
   reloading_ = same_file_ = false;
+  textures_missing_ = 0;
   if (expected_ground_) source.ground = expected_ground_();
   loader_.open(std::move(source));
 }
@@ -67,6 +68,7 @@ SceneSource OpenScene::shown_source() const {
           {},
           hidden_,
           asset_root_,
+          true,
           std::nullopt};
 }
 
@@ -153,6 +155,7 @@ void OpenScene::show_scene(int index) {
            {},
            {},
            asset_root_,
+           false,
            std::nullopt});
   same_file_ = true;
 }
@@ -183,6 +186,10 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   ++times_opened_;
   if (outcome->picture) opened_display_ = outcome->picture->display;
   const glm::dvec3 moved = same_file ? before - scene_->world().origin : glm::dvec3(0.0);
+  if (outcome->textures_missing > 0) {
+    reload();
+    textures_missing_ = outcome->textures_missing;
+  }
   return Opened{reloaded, same_file, moved, std::move(outcome->picture)};
 }
 

@@ -71,6 +71,11 @@ class OpenScene {
   [[nodiscard]] std::optional<SceneLoader::Loading> loading() const { return loader_.loading(); }
   /// Whether the scene being loaded is the open one, or another one of its file.
   [[nodiscard]] bool loads_again() const { return same_file_; }
+  /// The number of textures that the open scene lacks while it is loaded again with them; 0: none.
+  /// Until then the factors of their materials show.
+  [[nodiscard]] std::size_t textures_missing() const {
+    return loader_.loading() ? textures_missing_ : 0;
+  }
   /// The files that the open scene was read from, as they were at the last attempt.
   [[nodiscard]] const std::vector<FileStamp>& files() const { return files_; }
   [[nodiscard]] double load_seconds() const { return load_seconds_; }
@@ -119,6 +124,7 @@ class OpenScene {
   bool reloading_ = false;  // the scene being loaded is a reload of the open one
   bool same_file_ = false;  // or another scene of its file
   bool reload_failed_ = false;
+  std::size_t textures_missing_ = 0;
   std::vector<ObjectId> hidden_;    // ascending; in any pose
   std::vector<int> hidden_places_;  // of those in the present pose
   double load_seconds_ = 0.0;

@@ -37,7 +37,7 @@ Result<PictureDescription> read_picture(const std::string& source) {
 
 SceneSource source_of(const PictureDescription& picture, const std::string& asset_root) {
   const LoadOptions options = picture.load_options();
-  return {picture.scene, options.variant, options.scene, {}, {}, asset_root, std::nullopt};
+  return {picture.scene, options.variant, options.scene, {}, {}, asset_root, true, std::nullopt};
 }
 
 ChooseGround ground_of_source(const SceneSource& source) {
@@ -94,6 +94,7 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const RenderFeatu
 LoadOutcome load_and_prepare(const LoadFunction& load, const RenderFeatures& forced,
                              const SceneSource& source, LoadProgress& progress) {
   const LoadProgress::Scope scope(&progress);
+  if (!source.whole && !is_picture(source.path)) progress.allow_missing_textures();
   LoadOutcome outcome{source.path, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
   // A large scene can run out of memory anywhere. This is reported as an error and does not end the
   // program.
@@ -106,6 +107,7 @@ LoadOutcome load_and_prepare(const LoadFunction& load, const RenderFeatures& for
   } catch (const std::exception& e) {
     outcome.scene = unexpected(Error{source.path, e.what()});
   }
+  outcome.textures_missing = progress.missing_textures();
   return outcome;
 }
 
@@ -138,7 +140,8 @@ std::optional<LoadOutcome> SceneLoader::take_outcome() {
 
 std::optional<SceneLoader::Loading> SceneLoader::loading() const {
   if (!job_.pending()) return std::nullopt;
-  return Loading{source_, seconds_since(since_), progress_->stage(), progress_->preview()};
+  return Loading{source_, seconds_since(since_), progress_->stage(), progress_->preview(),
+                 progress_->decoded_textures()};
 }
 
 }  // namespace asos::ui

@@ -27,6 +27,7 @@ struct SceneSource {
   ClipChoice clip{};               ///< the animation and time to show first
   std::vector<ObjectId> hidden{};  ///< objects to remove: see leave_out
   std::string asset_root{};        ///< see LoadOptions
+  bool whole = false;              ///< with all textures, even if they delay the first picture
   std::optional<Ground> ground{};  ///< to build the scene with; none: that of its default look
 
   operator const std::string&() const { return path; }
@@ -43,8 +44,9 @@ struct LoadOutcome {
   /// For a saved picture: its description, with the sky loaded. `scene` is its scene with its
   /// lights.
   std::optional<PictureDescription> picture;
-  std::vector<FileStamp> files;  ///< the files of the scene, as they were before it was read
-  std::string outer_root{};      ///< see outer_asset_root
+  std::vector<FileStamp> files;      ///< the files of the scene, as they were before it was read
+  std::string outer_root{};          ///< see outer_asset_root
+  std::size_t textures_missing = 0;  ///< number of textures that plain texels stand for
 };
 
 /// Loads and prepares scenes, and those of saved pictures (.png, .exr), on its own thread. A newer
@@ -68,6 +70,7 @@ class SceneLoader {
     double seconds = 0.0;
     LoadStage stage = LoadStage::reading;
     std::shared_ptr<const ScenePreview> preview{};  ///< null: not known yet, or never
+    std::size_t textures = 0;                       ///< decoded so far
   };
   /// The running load of the newest request.
   [[nodiscard]] std::optional<Loading> loading() const;

@@ -134,6 +134,43 @@ std::string Textures::name_of(int index) const {
                      source.name.empty() ? shown_uri(source.uri) : source.name);
 }
 
+int Textures::image_named(int texture) const {
+  if (texture < 0 || static_cast<std::size_t>(texture) >= texture_of_.size()) return none;
+  const tinygltf::Texture& source = doc_.model.textures[static_cast<std::size_t>(texture)];
+  const auto* e = extension(source.extensions, "EXT_texture_webp");
+  return e ? whole(*e, "source").value_or(source.source) : source.source;
+}
+
+/// Leaves images out for now if the load allows that and they would delay the first picture. A
+/// white texel stands for an image, so that the material's factor shows. Emissive images are
+/// needed, since they decide on the lighting.
+void Textures::leave_out_images() {
+  constexpr std::uint64_t fewest_pixels = std::uint64_t{1} << 22;
+  // Opening the geometry a second time takes about a fifth of decoding this number of pixels.
+  constexpr std::uint64_t pixels_a_triangle = 400;
+  constexpr std::uint32_t white = 0xffffffffu, straight = 0xffff8080u;  // as RGBA bytes
+  LoadProgress* const progress = LoadProgress::current();
+  const auto preview = progress && progress->may_miss_textures() ? progress->preview() : nullptr;
+  if (!preview) return;
+  std::map<int, std::uint32_t> later;
+  for (const int index : noted_) later.emplace(index, white);
+  for (const tinygltf::Material& m : doc_.model.materials) {
+    // Its roughness is computed from texels.
+    if (extension(m.extensions, "KHR_materials_pbrSpecularGlossiness")) return;
+    if (const auto normal = later.find(image_named(m.normalTexture.index)); normal != later.end())
+      normal->second = straight;
+    later.erase(image_named(m.emissiveTexture.index));
+  }
+  std::erase_if(later, [&](const auto& image) {
+    return pixels_[static_cast<std::size_t>(image.first)] == 0;
+  });
+  std::uint64_t pixels = 0;
+  for (const auto& [index, texel] : later) pixels += pixels_[static_cast<std::size_t>(index)];
+  if (pixels < fewest_pixels || pixels / pixels_a_triangle < preview->triangles) return;
+  progress->note_missing_textures(later.size());
+  later_ = std::move(later);
+}
+
 /// Returns the place of an image's bytes; empty if no other image can have the same.
 Textures::ImagePlace Textures::place_of(const ImageSource& source) {
   if (source.buffer_view >= 0) {
@@ -151,6 +188,7 @@ void Textures::plan() {
   std::size_t kept = 0;
   std::set<ImagePlace> seen;
   std::vector<DecodedImageSize> claims(doc_.images.size());
+  pixels_.assign(claims.size(), 0);
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const auto index = static_cast<int>(i);
     const ImagePlace place = place_of(doc_.images[i]);
@@ -160,6 +198,7 @@ void Textures::plan() {
     const PictureResult<PictureHead> head = picture_head(bytes->bytes);
     if (!head) continue;
     claims[i] = {head->width, head->height, bytes->bytes.size()};
+    pixels_[i] = head->pixels();
     all_bytes_ += bytes->bytes.size();
     if (bytes->read.empty() || kept + bytes->read.size() > most_kept) continue;
     kept += bytes->read.size();
@@ -170,10 +209,7 @@ void Textures::plan() {
 
 int Textures::note(int texture) {
   if (static_cast<std::size_t>(texture) >= texture_of_.size()) return none;
-  const tinygltf::Texture& source = doc_.model.textures[static_cast<std::size_t>(texture)];
-  int image = source.source;
-  if (const auto* e = extension(source.extensions, "EXT_texture_webp"))
-    image = whole(*e, "source").value_or(image);
+  const int image = image_named(texture);
   if (image >= 0 && static_cast<std::size_t>(image) < image_of_.size()) noted_.insert(image);
   return texture;
 }
@@ -184,6 +220,7 @@ void Textures::decode_noted() {
   constexpr std::uint64_t most_held = std::uint64_t{1} << 28;
   if (noted_.empty()) return;
   plan();
+  leave_out_images();
   struct Task {
     int index;
     ImageBytes bytes;
@@ -193,6 +230,7 @@ void Textures::decode_noted() {
   std::set<ImagePlace> seen;
   std::uint64_t held = 0;
   for (const int index : noted_) {
+    if (later_.contains(index)) continue;
     const ImageSource& source = doc_.images[static_cast<std::size_t>(index)];
     const ImagePlace place = place_of(source);
     if (place != ImagePlace{} && !seen.insert(place).second) continue;
@@ -213,6 +251,7 @@ void Textures::decode_noted() {
     task.picture =
         decoded_picture(task.bytes.bytes, shrinks_[static_cast<std::size_t>(task.index)]);
     task.bytes.read = {};
+    if (progress) progress->note_decoded_texture();
   });
   for (Task& task : tasks)
     decoded_.emplace(task.index,
@@ -220,6 +259,13 @@ void Textures::decode_noted() {
 }
 
 Checked<Textures::DecodedImage> Textures::take_decoded(int index) {
+  if (const auto later = later_.find(index); later != later_.end()) {
+    Image texel;
+    texel.width = texel.height = 1;
+    for (int c = 0; c < 4; ++c)
+      texel.rgba.own().push_back(static_cast<std::uint8_t>(later->second >> (8 * c)));
+    return DecodedImage{{}, Picture{std::move(texel), {}}};
+  }
   auto known = decoded_.extract(index);
   if (!known.empty()) return std::move(known.mapped());
   Checked<ImageBytes> bytes = take_bytes(index);

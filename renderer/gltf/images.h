@@ -66,6 +66,9 @@ class Textures {
   [[nodiscard]] Checked<DecodedImage> take_decoded(int image);
   [[nodiscard]] Checked<ImageBytes> take_bytes(int image);
   [[nodiscard]] int note(int texture);
+  /// Returns the document's image of a texture; -1: none.
+  [[nodiscard]] int image_named(int texture) const;
+  void leave_out_images();
   void decode_noted();
   [[nodiscard]] ImagePlace place_of(const ImageSource& source);
   void plan();
@@ -78,6 +81,8 @@ class Textures {
   std::vector<int> image_of_;
   std::map<ImagePlace, int> image_at_;  // the scene's image, by the place of its bytes
   std::vector<int> shrinks_;            // by document image; empty before plan()
+  std::vector<std::uint64_t> pixels_;   // by document image; 0: it is no picture, or a copy
+  std::map<int, std::uint32_t> later_;  // document images that are left out, and their texel
   std::map<int, ImageBytes> read_;      // by document image: files read for the plan
   std::set<int> noted_;                 // document images
   bool noting_ = false, decoded_ahead_ = false;

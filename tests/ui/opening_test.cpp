@@ -1,3 +1,4 @@
+#include "renderer/film/image_io.h"
 #include "renderer/work_counts.h"
 #include "renderer/world/ground.h"
 #include "tests/renderer/gltf/gltf_builder.h"
@@ -180,6 +181,85 @@ TEST(StoppedLoad, ShowsTheBoxMeanwhile) {
   EXPECT_GT(lines(), 150);
   ASSERT_TRUE(open_red());
   EXPECT_EQ(lines(), 0);
+}
+
+/// A square with a large picture, and a small one that glows.
+GltfBuilder large_picture() {
+  GltfBuilder b = GltfBuilder::square();
+  const int uv = b.vec2({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  nlohmann::json& primitive = b.json["meshes"][0]["primitives"][0];
+  primitive["attributes"]["TEXCOORD_0"] = uv;
+  primitive["material"] = 0;
+  b.json["accessors"][0]["min"] = {0, 0, 0};
+  b.json["accessors"][0]["max"] = {1, 1, 0};
+  b.json["images"] = {{{"uri", "large.png"}}, {{"uri", small_png}}};
+  b.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
+  b.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                          {"normalTexture", {{"index", 0}}},
+                          {"emissiveFactor", {1, 1, 1}},
+                          {"emissiveTexture", {{"index", 1}}}}};
+  return b;
+}
+
+/// Writes the large picture next to the scene, with texels that do not compress well.
+void write_large_picture(const std::string& scene) {
+  RgbImage image{2048, 2049, {}, {}};
+  image.rgb.resize(std::size_t{3} * 2048 * 2049);
+  std::uint32_t noise = 1;
+  for (std::uint8_t& byte : image.rgb) {
+    noise = noise * 1664525u + 1013904223u;
+    byte = static_cast<std::uint8_t>(noise >> 24 & 15u);
+  }
+  const auto path = std::filesystem::path(scene).parent_path() / "large.png";
+  ASSERT_TRUE(write_png(path.string(), image));
+}
+
+// The first picture shows the factors of materials whose textures take longest.
+TEST(LateTextures, FollowTheFirstPicture) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("square.glb", large_picture().glb());
+  write_large_picture(path);
+  Previewer previewer({{}, {}}, small_picture());
+  previewer.viewpoint().set_picture_size(48, 32, 0.0);
+  previewer.scene().open(path);
+  const auto update_until = [&](const std::function<bool()>& done) {
+    for (int i = 0; i < 20000 && !done(); ++i) {
+      previewer.update(0.0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return done();
+  };
+  ASSERT_TRUE(update_until([&] { return previewer.scene().get() != nullptr; }));
+  ASSERT_EQ(previewer.scene()->world().images.size(), 2u);
+  EXPECT_EQ(previewer.scene()->world().images[0].width, 1);
+  EXPECT_EQ(previewer.scene()->world().images[0].rgba.get(),
+            (SharedBytes::Bytes{128, 128, 255, 255}));
+  EXPECT_EQ(previewer.scene()->world().images[1].width, 2) << "emission decides on the lighting";
+  EXPECT_EQ(previewer.scene().textures_missing(), 1u);
+  const Camera camera = previewer.viewpoint().camera().camera();
+
+  ASSERT_TRUE(update_until([&] { return !previewer.scene().loading(); }));
+  EXPECT_EQ(previewer.scene()->world().images[0].width, 2048);
+  EXPECT_EQ(previewer.scene().textures_missing(), 0u);
+  EXPECT_EQ(previewer.viewpoint().camera().camera(), camera);
+  // The scene is the one that a program without a window opens.
+  const Scene whole = load_scene(path).value();
+  EXPECT_EQ(previewer.scene()->world().images[0].rgba, whole.images[0].rgba);
+  EXPECT_EQ(previewer.scene()->geometry->notes.warnings, whole.notes.warnings);
+}
+
+TEST(LateTextures, DoNotDelayGeometryThatTakesAsLong) {
+  GltfBuilder b = large_picture();
+  for (int i = 0; i < 8000; ++i) b.json["scenes"][0]["nodes"].push_back(i + 1);
+  for (int i = 0; i < 8000; ++i) b.json["nodes"].push_back({{"mesh", 0}});
+  const TemporaryFolder folder;
+  const std::string path = folder.write("square.glb", b.glb());
+  write_large_picture(path);
+  LoadProgress progress;
+  progress.allow_missing_textures();
+  const LoadProgress::Scope scope(&progress);
+  EXPECT_EQ(load_scene(path).value().images[0].width, 2048);
+  EXPECT_EQ(progress.missing_textures(), 0u);
 }
 
 // A scene without lights stands on a ground, which is not added to a hierarchy without it.

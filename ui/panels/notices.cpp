@@ -103,7 +103,8 @@ void loading_notice(const SceneLoader::Loading& loading, const WindowRect& area)
 void notices(Controls& controls, OpenScene& scene, const WindowRect& area) {
   if (area.size.x < 1.0f || area.size.y < 1.0f) return;
   const std::optional<SceneLoader::Loading> loading = scene.loading();
-  if (loading) {
+  // The status line has the progress of textures that follow.
+  if (loading && scene.textures_missing() == 0) {
     loading_notice(*loading, area);
   } else if (!scene && !scene.error()) {
     begin_notice("empty", area, 24.0f, 0.5f);
