@@ -11,8 +11,8 @@
 //
 // Seconds are processor time of all threads; "wall" is the time until the picture, and until the
 // block. The last columns are the peak memory until the picture, and of all stages, with bytes per
-// triangle. The last line names the stages that take more than five times as long as reading the
-// file.
+// triangle. The last line names the stages of 50 ms or more that take more than five times as long
+// as reading the file.
 
 #include "app/large_blocks.h"
 #include "renderer/prepared/default_look.h"
@@ -155,9 +155,10 @@ std::optional<Opened> measure_apart(const std::string& source, const Settings& s
 std::string slow_stages(const std::string& name, const Opened& opened) {
   constexpr std::array names{"read", "rays", "look", "picture", "edges", "block"};
   static_assert(names.size() == Opened::stages);
+  constexpr double least_seconds = 0.05;
   std::string slow;
   for (std::size_t stage = Opened::rays; stage < Opened::stages; ++stage)
-    if (opened.cpu[stage] > 5.0 * opened.cpu[Opened::read])
+    if (opened.cpu[stage] > std::max(least_seconds, 5.0 * opened.cpu[Opened::read]))
       slow += fmt::format("{} {} {:.1f}, ", name, names[stage],
                           opened.cpu[stage] / opened.cpu[Opened::read]);
   return slow;
