@@ -56,6 +56,13 @@ void OpenScene::reload() {
   if (scene_) show_variant(scene_->geometry->contents.variant);
 }
 
+void OpenScene::load_textures() {
+  if (textures_missing_ == 0 || loading()) return;
+  const std::size_t missing = textures_missing_;
+  reload();
+  textures_missing_ = missing;
+}
+
 void OpenScene::show_variant(const std::string& variant) {
   if (scene_) load_again(variant, hidden_);
 }
@@ -170,6 +177,7 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   const bool reloaded = std::exchange(reloading_, false);
   const bool same_file = std::exchange(same_file_, false);
   outer_root_ = outcome->outer_root;
+  textures_missing_ = 0;
   if (!outcome->scene) {
     error_ = outcome->scene.error();
     reload_failed_ = reloaded;
@@ -186,10 +194,8 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   ++times_opened_;
   if (outcome->picture) opened_display_ = outcome->picture->display;
   const glm::dvec3 moved = same_file ? before - scene_->world().origin : glm::dvec3(0.0);
-  if (outcome->textures_missing > 0) {
-    reload();
-    textures_missing_ = outcome->textures_missing;
-  }
+  textures_missing_ = outcome->textures_missing;
+  preview_ = std::move(outcome->preview);
   return Opened{reloaded, same_file, moved, std::move(outcome->picture)};
 }
 

@@ -71,11 +71,13 @@ class OpenScene {
   [[nodiscard]] std::optional<SceneLoader::Loading> loading() const { return loader_.loading(); }
   /// Whether the scene being loaded is the open one, or another one of its file.
   [[nodiscard]] bool loads_again() const { return same_file_; }
-  /// The number of textures that the open scene lacks while it is loaded again with them; 0: none.
-  /// Until then the factors of their materials show.
-  [[nodiscard]] std::size_t textures_missing() const {
-    return loader_.loading() ? textures_missing_ : 0;
-  }
+  /// The number of textures that the open scene lacks; 0: none. The factors of their materials
+  /// show until it is loaded again.
+  [[nodiscard]] std::size_t textures_missing() const { return textures_missing_; }
+  /// Loads the open scene again with the textures that it lacks.
+  void load_textures();
+  /// The declared size of the open scene; null: unknown.
+  [[nodiscard]] const std::shared_ptr<const ScenePreview>& preview() const { return preview_; }
   /// The files that the open scene was read from, as they were at the last attempt.
   [[nodiscard]] const std::vector<FileStamp>& files() const { return files_; }
   [[nodiscard]] double load_seconds() const { return load_seconds_; }
@@ -125,6 +127,7 @@ class OpenScene {
   bool same_file_ = false;  // or another scene of its file
   bool reload_failed_ = false;
   std::size_t textures_missing_ = 0;
+  std::shared_ptr<const ScenePreview> preview_;
   std::vector<ObjectId> hidden_;    // ascending; in any pose
   std::vector<int> hidden_places_;  // of those in the present pose
   double load_seconds_ = 0.0;

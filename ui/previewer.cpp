@@ -44,6 +44,7 @@ void Previewer::update(double now_seconds) {
   ground_.update(scene_, edits_.settings().ground, edits_.relighting());
   lines_and_points_.update(scene_, subject(), edits_.relighting(), now_seconds);
   render_.update(subject(), now_seconds);
+  await_first_picture();
   free_memory_.update();
   // The previous scene and the memory used for loading are free by then.
   if (holds_free_memory_ && !scene_.loading() && !render_.first_picture_pending() &&
@@ -54,8 +55,17 @@ void Previewer::update(double now_seconds) {
   }
 }
 
+// Textures would take the processors from the first picture.
+void Previewer::await_first_picture() {
+  const PreviewRender::Subject now = subject();
+  if (!now.scene || (!render_.out_of_date(now) && !render_.first_picture_pending()))
+    awaits_first_picture_ = false;
+  if (!awaits_first_picture_) scene_.load_textures();
+}
+
 void Previewer::take_over(const OpenScene::Opened& opened, const RenderScene* before) {
   holds_free_memory_ = true;
+  awaits_first_picture_ |= !opened.same_file;
   if (before && opened.same_file)
     carried_ = edits_.adopt_again(*before, opened.moved);
   else

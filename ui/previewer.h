@@ -58,6 +58,9 @@ class Previewer {
     return holds_free_memory_ || free_memory_.pending();
   }
 
+  /// Whether another file was opened, and nothing of it is displayed yet.
+  [[nodiscard]] bool awaits_first_picture() const { return awaits_first_picture_; }
+
   /// Returns the edits that stayed when the scene was loaded again, once.
   [[nodiscard]] std::optional<CarriedEdits> take_carried() {
     return std::exchange(carried_, std::nullopt);
@@ -70,6 +73,7 @@ class Previewer {
   [[nodiscard]] std::optional<double> seconds_to_update(double now_seconds) const;
 
  private:
+  void await_first_picture();
   void take_over(const OpenScene::Opened& opened, const RenderScene* before);
   /// The subject to render; empty before there are a scene and a picture size.
   [[nodiscard]] PreviewRender::Subject subject() const;
@@ -93,6 +97,7 @@ class Previewer {
   std::optional<CarriedEdits> carried_;
   std::optional<Layer> shown_layer_;
   ToneCurve shown_tone_ = ToneCurve::none;
+  bool awaits_first_picture_ = false;
   bool holds_free_memory_ = false;  // loading has left some
 };
 

@@ -108,6 +108,7 @@ LoadOutcome load_and_prepare(const LoadFunction& load, const RenderFeatures& for
     outcome.scene = unexpected(Error{source.path, e.what()});
   }
   outcome.textures_missing = progress.missing_textures();
+  outcome.preview = progress.preview();
   return outcome;
 }
 

@@ -47,6 +47,7 @@ struct LoadOutcome {
   std::vector<FileStamp> files;      ///< the files of the scene, as they were before it was read
   std::string outer_root{};          ///< see outer_asset_root
   std::size_t textures_missing = 0;  ///< number of textures that plain texels stand for
+  std::shared_ptr<const ScenePreview> preview{};  ///< null: unknown
 };
 
 /// Loads and prepares scenes, and those of saved pictures (.png, .exr), on its own thread. A newer

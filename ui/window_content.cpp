@@ -218,7 +218,7 @@ void WindowContent::lay_out(const FrameInput& in) {
                   shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
   wipe_line(controls_, state_.frames, state_.view, previewer_, shown);
-  loading_box(previewer_.scene(), shown);
+  loading_box(previewer_, shown);
   picture_area(controls_, previewer_, state_, shown);
   ImGui::End();
   ImGui::PopStyleVar();

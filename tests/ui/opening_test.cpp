@@ -238,9 +238,12 @@ TEST(LateTextures, FollowTheFirstPicture) {
   EXPECT_EQ(previewer.scene().textures_missing(), 1u);
   const Camera camera = previewer.viewpoint().camera().camera();
 
-  ASSERT_TRUE(update_until([&] { return !previewer.scene().loading(); }));
+  EXPECT_TRUE(previewer.awaits_first_picture());
+  EXPECT_FALSE(previewer.scene().loading()) << "the textures wait for the first picture";
+  ASSERT_TRUE(update_until([&] { return !previewer.awaits_first_picture(); }));
+  EXPECT_TRUE(previewer.scene().loading());
+  ASSERT_TRUE(update_until([&] { return previewer.scene().textures_missing() == 0; }));
   EXPECT_EQ(previewer.scene()->world().images[0].width, 2048);
-  EXPECT_EQ(previewer.scene().textures_missing(), 0u);
   EXPECT_EQ(previewer.viewpoint().camera().camera(), camera);
   // The scene is the one that a program without a window opens.
   const Scene whole = load_scene(path).value();

@@ -37,19 +37,27 @@ glm::dvec3 corner_of(const Box& box, unsigned corner) {
           corner & 4u ? box.hi.z : box.lo.z};
 }
 
+/// Returns the box to show; null: none.
+std::shared_ptr<const ScenePreview> shown_preview(const Previewer& previewer) {
+  const OpenScene& scene = previewer.scene();
+  const auto loading = scene.loading();
+  if (loading && !scene.loads_again())
+    return loading->seconds < loading_box_delay ? nullptr : loading->preview;
+  return previewer.awaits_first_picture() ? scene.preview() : nullptr;
+}
+
 }  // namespace
 
-void loading_box(const OpenScene& scene, const PictureArea& area) {
-  const std::optional<SceneLoader::Loading> loading = scene.loading();
-  if (!loading || !loading->preview || loading->seconds < loading_box_delay || scene.loads_again())
-    return;
+void loading_box(const Previewer& previewer, const PictureArea& area) {
+  const std::shared_ptr<const ScenePreview> preview = shown_preview(previewer);
+  if (!preview) return;
   const glm::ivec2 pixels(glm::round(area.rect.size * area.scale));
   if (pixels.x < 1 || pixels.y < 1) return;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const glm::vec2 end = area.rect.lo + area.rect.size;
   draw.AddRectFilled({area.rect.lo.x, area.rect.lo.y}, {end.x, end.y},
                      theme::packed(theme::ground, cover));
-  const PlacedBox box = placed(*loading->preview, static_cast<double>(pixels.x) / pixels.y);
+  const PlacedBox box = placed(*preview, static_cast<double>(pixels.x) / pixels.y);
   PictureView whole;
   whole.set_sizes(pixels, pixels);
   const View view(box.camera, pixels.x, pixels.y, radius_around_origin(box.world.bounds));

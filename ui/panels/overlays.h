@@ -56,11 +56,11 @@ void pixel_numbers(Controls& controls, const Film& film, const DisplayTransform&
 void wipe_line(Controls& controls, Frames& frames, const PictureView& view,
                const Previewer& previewer, const PictureArea& area);
 
-/// Shows the bounding box of a scene that is being loaded, over the dimmed picture. Draws into the
-/// current window. Scenes that load within `loading_box_delay` seconds show none, since it would
-/// only flicker.
+/// Shows the bounding box of a scene that is being loaded, or rendered for the first time, over the
+/// dimmed previous picture. Draws into the current window. Scenes that load within
+/// `loading_box_delay` seconds show none, since it would only flicker.
 inline constexpr double loading_box_delay = 0.05;
-void loading_box(const OpenScene& scene, const PictureArea& area);
+void loading_box(const Previewer& previewer, const PictureArea& area);
 
 /// Notices over the picture: an error, the file being loaded, or the invitation to open a scene.
 void notices(Controls& controls, OpenScene& scene, const WindowRect& area);

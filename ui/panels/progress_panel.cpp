@@ -32,9 +32,11 @@ bool changes_ground(const Previewer& previewer) {
 std::string status_words(const Previewer& previewer, const StatusLine& status) {
   if (!status.message.empty()) return status.message;
   if (!previewer.scene()) return previewer.scene().loading() ? "Loading" : "No scene";
-  if (const std::size_t missing = previewer.scene().textures_missing(); missing > 0)
-    return fmt::format("Textures: {} of {}",
-                       std::min(missing, previewer.scene().loading()->textures), missing);
+  if (const std::size_t missing = previewer.scene().textures_missing(); missing > 0) {
+    const auto loading = previewer.scene().loading();
+    const std::size_t decoded = loading ? std::min(missing, loading->textures) : 0;
+    return fmt::format("Textures: {} of {}", decoded, missing);
+  }
   if (changes_ground(previewer)) return "Updating ground";
   return progress_words({previewer.render().progress(), status.fraction,
                          previewer.refinement().rest(), looks_for_boundaries(previewer),
