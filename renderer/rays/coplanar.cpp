@@ -149,7 +149,7 @@ void collecting_filter(const RTCFilterFunctionNArguments* args) {
     Hit hit = context.geometries.hit(*args, i);
     hit.t = RTCRayN_tfar(args->ray, args->N, i) / context.scale;
     const glm::vec3 direction = context.geometries.direction(*args, i);
-    if (!(context.culls && context.sides->culled(hit, direction))) context.met->push_back(hit);
+    if (!(context.culls && context.sides.culled(hit, direction))) context.met->push_back(hit);
   }
 }
 

@@ -64,10 +64,56 @@ void commit(RTCScene scene) {
 
 constexpr unsigned first_group_of_faces = 6;
 constexpr unsigned first_group_of_lines = 12;
+static_assert(RayScene::most_poses == RTC_MAX_TIME_STEP_COUNT);
 
 }  // namespace
 
-void EmbreeScene::Errors::note(void* self, RTCError code, const char* text) {
+MeshDevice::MeshDevice() : device_(rtcNewDevice(nullptr)) {
+  if (!device_) return;
+  rtcSetDeviceErrorFunction(device_, Errors::note, &errors_);
+  rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
+}
+
+std::string MeshDevice::take_error() {
+  const std::lock_guard lock(errors_.mutex);
+  return std::exchange(errors_.first, {});
+}
+
+MeshDevice::~MeshDevice() {
+  for (const Known& known : scenes_) rtcReleaseScene(known.scene);
+  if (device_) rtcReleaseDevice(device_);
+}
+
+std::shared_ptr<MeshDevice> MeshDevice::common() {
+  static std::mutex mutex;
+  static std::weak_ptr<MeshDevice> newest;
+  const std::lock_guard lock(mutex);
+  std::shared_ptr<MeshDevice> device = newest.lock();
+  if (!device) newest = device = std::make_shared<MeshDevice>();
+  return device;
+}
+
+OwnedScene MeshDevice::scene_of(const std::shared_ptr<const World>& mesh, bool filtered,
+                                const std::function<OwnedScene()>& build) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(scenes_, [](const Known& known) {
+    if (!known.mesh.expired()) return false;
+    rtcReleaseScene(known.scene);
+    return true;
+  });
+  auto found = std::find_if(scenes_.begin(), scenes_.end(), [&](const Known& known) {
+    return known.filtered == filtered && known.mesh.lock() == mesh;
+  });
+  if (found == scenes_.end()) {
+    OwnedScene built = build();
+    found = scenes_.insert(scenes_.end(), {mesh, filtered, built.release()});
+  }
+  rtcRetainScene(found->scene);
+  return OwnedScene(found->scene);
+}
+
+void MeshDevice::Errors::note(void* self, RTCError code, const char* text) {
+  if (code == RTC_ERROR_CANCELLED) return;  // LoadStopped says so
   auto& errors = *static_cast<Errors*>(self);
   const std::lock_guard lock(errors.mutex);
   if (!errors.first.empty()) return;
@@ -78,26 +124,27 @@ void EmbreeScene::Errors::note(void* self, RTCError code, const char* text) {
 
 EmbreeScene::~EmbreeScene() {
   if (scene_) rtcReleaseScene(scene_);
-  if (device_) rtcReleaseDevice(device_);
 }
 
-Result<void> EmbreeScene::build(const World& world, const Transparency& open,
+Result<void> EmbreeScene::build(std::span<const World* const> poses, const Transparency& open,
                                 std::span<const Light> lights, const RenderFeatures& forced,
                                 BvhPurpose use) {
+  poses_.assign(poses.begin(), poses.end());
+  const World& world = *poses_.front();
   if (auto checked = check_own_parts(world, lights); !checked) return checked;
-  device_ = rtcNewDevice(nullptr);
+  const bool shares = use == BvhPurpose::moment || poses_.size() > 1;
+  owner_ = shares ? MeshDevice::common() : std::make_shared<MeshDevice>();
+  device_ = owner_->get();
+  const std::int64_t before = owner_->bytes();
   if (!device_) {
     return unexpected(embree_error(fmt::format("Embree does not start (error {})",
                                                static_cast<int>(rtcGetDeviceError(nullptr)))));
   }
-  rtcSetDeviceErrorFunction(device_, Errors::note, &errors_);
-  rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &device_bytes_);
-
   choose_scale(world);
   sort_surfaces(world, open, lights);
   see_through_ |= all_filtered(forced);
-  sides_.any_single_sided |= forced.culling;
-  place_vertices(world);
+  any_single_sided_ |= forced.culling;
+  for (const World* pose : poses_) place_vertices(*pose);
   scene_ = rtcNewScene(device_);
   // Measured (tests/bench/rays_bench.cpp): the ability to use a filter in the context does not slow
   // down queries without one.
@@ -123,7 +170,9 @@ Result<void> EmbreeScene::build(const World& world, const Transparency& open,
       coplanar_ = find_coplanar(world);
   });
   WorkDone::add(Work::coplanar_pairs, coplanar_.compared);
-  if (!errors_.first.empty()) return unexpected(embree_error(errors_.first));
+  device_bytes_ = owner_->bytes() - (shares ? before : 0);
+  if (std::string error = owner_->take_error(); !error.empty())
+    return unexpected(embree_error(std::move(error)));
   return {};
 }
 
@@ -134,9 +183,11 @@ void EmbreeScene::sort_surfaces(const World& world, const Transparency& open,
     if (light.own_part >= 0) owned[static_cast<std::size_t>(light.own_part)] = 1;
   }
   for (std::size_t id = 0; id < groups_.size(); ++id) {
-    groups_[id] = {&world, open,   static_cast<SurfaceKind>(id % 3), id % 6 >= 3,
-                   {},     scale_, id >= first_group_of_lines};
+    const std::size_t of_kind = id % Geometries::still_count;
+    groups_[id] = {poses_, open,   static_cast<SurfaceKind>(of_kind % 3), of_kind % 6 >= 3,
+                   {},     scale_, of_kind >= first_group_of_lines};
   }
+  const std::vector<std::uint8_t> moving = moving_surfaces();
   // Placed meshes have their own scenes. Worlds with placed meshes have no shapes.
   const auto count = world.placements ? static_cast<std::uint32_t>(world.triangles.own().size())
                                       : world.surface_count();
@@ -146,7 +197,8 @@ void EmbreeScene::sort_surfaces(const World& world, const Transparency& open,
     const std::size_t first = world.lines_and_points.has_triangle(i) ? first_group_of_lines
                               : world.is_face(i)                     ? first_group_of_faces
                                                                      : 0;
-    groups_[first + kind + (own ? 3u : 0u)].triangles.push_back(i);
+    const std::size_t moves = !moving.empty() && moving[i] ? Geometries::still_count : 0;
+    groups_[first + kind + (own ? 3u : 0u) + moves].triangles.push_back(i);
   }
   for (const Part& part : world.parts) {
     const Material& m = world.materials[part.material];
@@ -158,12 +210,30 @@ void EmbreeScene::sort_surfaces(const World& world, const Transparency& open,
         group.kind != SurfaceKind::opaque && !group.shadowless && !group.triangles.empty();
   }
 
-  sides_.world = &world;
   for (const Part& part : world.parts) {
     const bool single = !shows_both_sides(world.materials[part.material]);
-    sides_.single_sided.push_back(single);
-    sides_.any_single_sided |= single && !part.shows_nothing();
+    single_sided_.push_back(single);
+    any_single_sided_ |= single && !part.shows_nothing();
   }
+}
+
+std::vector<std::uint8_t> EmbreeScene::moving_surfaces() const {
+  if (poses_.size() == 1) return {};
+  const World& first = *poses_.front();
+  const std::vector<glm::vec3>& at = first.positions.own();
+  const std::vector<glm::uvec3>& triangles = first.triangles.own();
+  std::vector<std::uint8_t> vertices(at.size(), 0);
+  std::vector<std::uint8_t> surfaces(triangles.size() + first.faces.size(), 0);
+  for (const World* pose : poses_) {
+    for (std::size_t i = 0; i < at.size(); ++i) vertices[i] |= pose->positions.own()[i] != at[i];
+    for (std::size_t i = 0; i < first.faces.size(); ++i)
+      surfaces[triangles.size() + i] |= !(pose->faces[i] == first.faces[i]);
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const glm::uvec3 t = triangles[i];
+    surfaces[i] = vertices[t.x] | vertices[t.y] | vertices[t.z];
+  }
+  return surfaces;
 }
 
 void EmbreeScene::choose_scale(const World& world) {
@@ -182,24 +252,26 @@ void EmbreeScene::choose_scale(const World& world) {
 void EmbreeScene::place_vertices(const World& world) {
   const std::vector<glm::vec3>& positions = world.positions.own();
   if (scale_ == 1.0f && positions.capacity() > positions.size()) {
-    corners_ = &positions.data()->x;
+    corners_.push_back(&positions.data()->x);
     return;
   }
-  vertices_.resize(3 * positions.size() + 4);
+  std::vector<float>& vertices = vertices_.emplace_back(3 * positions.size() + 4);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      vertices_[3 * i + static_cast<std::size_t>(k)] = positions[i][k] * scale_;
+      vertices[3 * i + static_cast<std::size_t>(k)] = positions[i][k] * scale_;
     }
   }
-  corners_ = vertices_.data();
+  corners_.push_back(vertices.data());
 }
 
-RTCGeometry EmbreeScene::make_triangles(Group& group, const World& world) {
+RTCGeometry EmbreeScene::make_triangles(Group& group, const World& world, std::size_t poses) {
   const std::vector<glm::uvec3>& triangles = world.triangles.own();
   const bool all = group.triangles.size() == triangles.size();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, corners_, 0,
-                             3 * sizeof(float), world.positions.own().size());
+  rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(poses));
+  for (unsigned i = 0; i < poses; ++i)
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, i, RTC_FORMAT_FLOAT3, corners_[i],
+                               0, 3 * sizeof(float), world.positions.own().size());
   if (all) {
     group.triangles = std::vector<std::uint32_t>();
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
@@ -230,13 +302,17 @@ bool EmbreeScene::quickly_built() const {
 void EmbreeScene::add(unsigned id, const World& world, const RenderFeatures& forced,
                       RTCBuildQuality quality) {
   Group& group = groups_[id];
-  const bool faces = id >= first_group_of_faces && id < first_group_of_lines;
-  if (group.triangles.empty() && !(faces && forced.shapes)) return;
+  const unsigned of_kind = id % Geometries::still_count;
+  const bool faces = of_kind >= first_group_of_faces && of_kind < first_group_of_lines;
+  const std::size_t poses = id < Geometries::still_count ? 1 : poses_.size();
+  const bool forced_empty = faces && forced.shapes && id < Geometries::still_count;
+  if (group.triangles.empty() && !forced_empty) return;
   RTCGeometry geometry = nullptr;
   if (!faces) {
-    geometry = make_triangles(group, world);
+    geometry = make_triangles(group, world, poses);
   } else {
     geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(poses));
     set_faces(geometry, group);
   }
   rtcSetGeometryBuildQuality(geometry, quality);
@@ -255,9 +331,9 @@ void EmbreeScene::add_filters(RTCGeometry geometry, const Group& group,
   rtcSetGeometryOccludedFilterFunction(geometry, shadow_filter);
 }
 
-EmbreeScene::OwnedScene EmbreeScene::scene_of_mesh(const World& mesh, Group& group,
-                                                   const RenderFeatures& forced,
-                                                   RTCBuildQuality quality) {
+OwnedScene EmbreeScene::scene_of_mesh(const World& mesh, const RenderFeatures& forced,
+                                      RTCBuildQuality quality) const {
+  static Group opaque;  // shared meshes are
   OwnedScene owned(rtcNewScene(device_));
   RTCScene scene = owned.get();
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
@@ -270,9 +346,9 @@ EmbreeScene::OwnedScene EmbreeScene::scene_of_mesh(const World& mesh, Group& gro
                              positions.data(), 0, sizeof(glm::vec3), positions.size());
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
                              0, sizeof(glm::uvec3), triangles.size());
-  rtcSetGeometryUserData(geometry, &group);
+  rtcSetGeometryUserData(geometry, &opaque);
   rtcSetGeometryBuildQuality(geometry, quality);
-  add_filters(geometry, group, forced);
+  add_filters(geometry, opaque, forced);
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, 0);
   rtcReleaseGeometry(geometry);
@@ -283,23 +359,34 @@ EmbreeScene::OwnedScene EmbreeScene::scene_of_mesh(const World& mesh, Group& gro
 void EmbreeScene::add_places(const World& world, const RenderFeatures& forced,
                              RTCBuildQuality quality) {
   const Placements& placed = *world.placements;
-  for (std::size_t i = 0; i < placed.meshes.size(); ++i) {
-    mesh_groups_.emplace_back().world = &world;
-    mesh_groups_.back().scale = scale_;
-  }
   std::vector<OwnedScene> scenes;  // the instances keep them
-  for (std::size_t i = 0; i < placed.meshes.size(); ++i)
-    scenes.push_back(scene_of_mesh(*placed.meshes[i], mesh_groups_[i], forced, quality));
-  unsigned id = Geometries::group_count;
-  for (const Placement& place : placed.places) {
+  for (const std::shared_ptr<const World>& mesh : placed.meshes)
+    scenes.push_back(owner_->scene_of(mesh, all_filtered(forced),
+                                      [&] { return scene_of_mesh(*mesh, forced, quality); }));
+  for (unsigned i = 0; i < placed.places.size(); ++i) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(geometry, scenes[place.mesh].get());
-    const glm::mat4 matrix(static_cast<double>(scale_) * placed.world_from_mesh(place));
-    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &matrix[0][0]);
+    rtcSetGeometryInstancedScene(geometry, scenes[placed.places[i].mesh].get());
+    set_transforms(geometry, i);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene_, geometry, id++);
+    rtcAttachGeometryByID(scene_, geometry, Geometries::group_count + i);
     rtcReleaseGeometry(geometry);
   }
+}
+
+// A place that stands still has one matrix.
+void EmbreeScene::set_transforms(RTCGeometry geometry, std::size_t place) const {
+  std::vector<glm::mat4> matrices;
+  for (const World* pose : poses_) {
+    const Placements& placed = *pose->placements;
+    matrices.emplace_back(static_cast<double>(scale_) *
+                          placed.world_from_mesh(placed.places[place]));
+  }
+  if (std::count(matrices.begin(), matrices.end(), matrices[0]) ==
+      static_cast<std::ptrdiff_t>(matrices.size()))
+    matrices.resize(1);
+  rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(matrices.size()));
+  for (unsigned i = 0; i < matrices.size(); ++i)
+    rtcSetGeometryTransform(geometry, i, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &matrices[i][0][0]);
 }
 
 int EmbreeScene::native_width() const {
@@ -310,8 +397,9 @@ int EmbreeScene::native_width() const {
 }
 
 std::size_t EmbreeScene::memory_bytes() const {
-  std::size_t bytes = vertices_.capacity() * sizeof(float) + sides_.single_sided.capacity() +
-                      coplanar_.by_triangle.capacity() + coplanar_.by_place.capacity();
+  std::size_t bytes =
+      single_sided_.capacity() + coplanar_.by_triangle.capacity() + coplanar_.by_place.capacity();
+  for (const std::vector<float>& copy : vertices_) bytes += copy.capacity() * sizeof(float);
   for (const Group& group : groups_) bytes += group.triangles.capacity() * sizeof(std::uint32_t);
   return bytes + static_cast<std::size_t>(std::max<std::int64_t>(0, device_bytes_));
 }

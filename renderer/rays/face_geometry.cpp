@@ -3,14 +3,36 @@
 #include "renderer/geometry/face_crossings.h"
 #include "renderer/task_order.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace asos::tracing {
 namespace {
 
-const ShapeFace& face_of(const Group& group, unsigned primitive) {
-  return group.world->face(group.triangle(primitive));
+/// Returns a face whose points move linearly from `a` to `b`, at a fraction of the way.
+ShapeFace between(const ShapeFace& a, const ShapeFace& b, double way) {
+  ShapeFace face = a;
+  face.bottom = glm::mix(a.bottom, b.bottom, way);
+  face.top = glm::mix(a.top, b.top, way);
+  face.world_from_unit = (1.0 - way) * a.world_from_unit + way * b.world_from_unit;
+  face.origin = glm::mix(a.origin, b.origin, way);
+  face.unit_from_world = glm::inverse(face.world_from_unit);
+  return face;
+}
+
+/// Returns a face at a time from 0 to 1; `room` is for one in between two poses.
+const ShapeFace& face_at(const Group& group, unsigned primitive, float time, ShapeFace& room) {
+  const std::uint32_t surface = group.triangle(primitive);
+  const std::size_t steps = group.poses.size() - 1;
+  if (steps == 0) return group.poses.front()->face(surface);
+  const double at = static_cast<double>(time) * static_cast<double>(steps);
+  const auto step = std::min(static_cast<std::size_t>(std::max(at, 0.0)), steps - 1);
+  room = between(group.poses[step]->face(surface), group.poses[step + 1]->face(surface),
+                 at - static_cast<double>(step));
+  return room;
 }
 
 float below(double x) {
@@ -24,7 +46,8 @@ float above(double x) {
 void bound_face(const RTCBoundsFunctionArguments* args) {
   const TaskOrder::Task task;
   const auto& group = *static_cast<const Group*>(args->geometryUserPtr);
-  const FaceBounds box = bounds_of(face_of(group, args->primID));
+  const std::size_t pose = std::min<std::size_t>(args->timeStep, group.poses.size() - 1);
+  const FaceBounds box = bounds_of(group.poses[pose]->face(group.triangle(args->primID)));
   const double scale = group.scale;
   // Embree computes distances to boxes in single precision, so a flat face needs a box with some
   // thickness.
@@ -42,7 +65,8 @@ void bound_face(const RTCBoundsFunctionArguments* args) {
 /// accepted. During the call, `ray.tfar` is the hit's distance.
 template <typename Accept>
 void offer(const Group& group, unsigned primitive, float scale, RTCRay& ray, Accept accept) {
-  const ShapeFace& face = face_of(group, primitive);
+  ShapeFace room;
+  const ShapeFace& face = face_at(group, primitive, ray.time, room);
   const double per_scale = 1.0 / static_cast<double>(scale);
   const FaceCrossings met = cross(face, per_scale * glm::dvec3(ray.org_x, ray.org_y, ray.org_z),
                                   glm::dvec3(ray.dir_x, ray.dir_y, ray.dir_z));

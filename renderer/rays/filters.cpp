@@ -20,8 +20,9 @@ struct Candidate {
   [[nodiscard]] std::uint32_t triangle() const {
     return context_of(args).geometries.hit(args, i).triangle;
   }
+  [[nodiscard]] const World& world() const { return context_of(args).world(); }
   [[nodiscard]] float opacity() const {
-    return group.open.alpha(*group.world, triangle(), RTCHitN_u(args.hit, args.N, i),
+    return group.open.alpha(world(), triangle(), RTCHitN_u(args.hit, args.N, i),
                             RTCHitN_v(args.hit, args.N, i));
   }
   [[nodiscard]] Hit hit() const { return context_of(args).geometries.hit(args, i); }
@@ -29,11 +30,11 @@ struct Candidate {
     return context_of(args).geometries.direction(args, i);
   }
   [[nodiscard]] bool hole() const {
-    return opacity() < group.world->material_of(triangle()).alpha_cutoff;
+    return opacity() < world().material_of(triangle()).alpha_cutoff;
   }
   [[nodiscard]] bool ignored(std::int32_t part) const {
     return group.owned && part >= 0 &&
-           group.world->triangle_part[triangle()] == static_cast<std::uint32_t>(part);
+           world().triangle_part[triangle()] == static_cast<std::uint32_t>(part);
   }
   // Embree passes packets as a whole or ray by ray; the id is the ray's lane.
   [[nodiscard]] std::size_t lane() const { return RTCRayN_id(args.ray, args.N, i); }
@@ -60,7 +61,7 @@ float pass(const Candidate& candidate, Lanes& lanes) {
   if (!candidate.group.open.passage) return most(left *= 1.0f - candidate.opacity());
   const glm::vec3 direction = candidate.direction();
   const StraightTransmission through =
-      candidate.group.open.passage(*candidate.group.world, candidate.hit(), direction);
+      candidate.group.open.passage(candidate.world(), candidate.hit(), direction);
   if (lanes.volumes && through.extinction != glm::vec3(0.0f)) {
     const glm::vec3 extinction = through.enters ? through.extinction : -through.extinction;
     const float way = candidate.t() / candidate.group.scale * glm::length(direction);
@@ -130,7 +131,7 @@ void back_filter(const RTCFilterFunctionNArguments* args) {
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
     const Hit hit = context.geometries.hit(*args, i);
-    if (context.sides->culled(hit, context.geometries.direction(*args, i))) args->valid[i] = 0;
+    if (context.sides.culled(hit, context.geometries.direction(*args, i))) args->valid[i] = 0;
   }
 }
 

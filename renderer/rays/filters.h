@@ -40,7 +40,8 @@ struct Transparency {
 /// primitives to the world's numbers for them (World::is_face). It is empty if the geometry has all
 /// triangles in order.
 struct Group {
-  const World* world = nullptr;
+  /// One world, or those of a motion at even times. Geometries of triangles do not use them.
+  std::span<const World* const> poses;
   Transparency open;
   SurfaceKind kind = SurfaceKind::opaque;
   bool owned = false;  ///< holds the surfaces of lights
@@ -87,9 +88,11 @@ struct Lanes {
   }
 };
 
-/// Embree's geometries by id, followed by the instances.
+/// Embree's geometries by id, followed by the instances. Groups of surfaces that stand still come
+/// before the same groups of those that move.
 struct Geometries {
-  static constexpr unsigned group_count = 15;
+  static constexpr unsigned still_count = 15;
+  static constexpr unsigned group_count = 2 * still_count;
 
   const Group* groups = nullptr;
   const Placements* placed = nullptr;  ///< null: there are no instances
@@ -118,7 +121,7 @@ struct Geometries {
 /// Which parts have a back that rays for the viewer pass through.
 struct Sides {
   const World* world = nullptr;
-  std::vector<std::uint8_t> single_sided;  ///< by World's parts
+  std::span<const std::uint8_t> single_sided;  ///< by World's parts
   bool any_single_sided = false;
 
   /// Returns whether a ray for the viewer passes through a hit because it is on the back.
@@ -129,7 +132,7 @@ struct Sides {
 struct Context {
   RTCIntersectContext base;
   Geometries geometries;
-  const Sides* sides;
+  Sides sides;
   std::int32_t ignored_part;
   float scale;  ///< ratio of Embree's lengths to the world's: EmbreeScene::scale
   bool of_shadows = false;
@@ -137,18 +140,23 @@ struct Context {
   std::span<const std::uint8_t> outlined = {};  ///< see RayScene::blockers
   std::vector<Hit>* met = nullptr;              ///< for collecting_filter
   bool culls = false;                           ///< drops the backs of single-sided surfaces
+  std::span<const float> times;                 ///< of the rays, 0 to 1; empty: all 0
 
-  Context(RTCIntersectContextFlags flags, Geometries all, const Sides* sides_of_parts,
-          std::int32_t part_to_ignore, float scale_of_scene)
+  Context(RTCIntersectContextFlags flags, Geometries all, const Sides& sides_of_parts,
+          std::int32_t part_to_ignore, float scale_of_scene, std::span<const float> times_of_rays)
       : geometries(all),
         sides(sides_of_parts),
         ignored_part(part_to_ignore),
-        scale(scale_of_scene) {
+        scale(scale_of_scene),
+        times(times_of_rays) {
     rtcInitIntersectContext(&base);
     base.flags = flags;
   }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
+
+  [[nodiscard]] const World& world() const { return *sides.world; }
+  [[nodiscard]] float time_of(std::size_t ray) const { return times.empty() ? 0.0f : times[ray]; }
 };
 static_assert(offsetof(Context, base) == 0, "the filters cast Embree's context back");
 

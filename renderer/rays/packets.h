@@ -77,7 +77,7 @@ inline constexpr float largest_traceable = 1.8e18f;
 }
 
 template <typename Rays>
-void load(Rays& rays, std::size_t lane, const Ray& ray, float scale) {
+void load(Rays& rays, std::size_t lane, const Ray& ray, float scale, float time) {
   lane_of(rays.org_x, lane) = ray.origin.x * scale;
   lane_of(rays.org_y, lane) = ray.origin.y * scale;
   lane_of(rays.org_z, lane) = ray.origin.z * scale;
@@ -86,7 +86,7 @@ void load(Rays& rays, std::size_t lane, const Ray& ray, float scale) {
   lane_of(rays.dir_y, lane) = ray.direction.y;
   lane_of(rays.dir_z, lane) = ray.direction.z;
   lane_of(rays.tfar, lane) = ray.t_far * scale;
-  lane_of(rays.time, lane) = 0.0f;
+  lane_of(rays.time, lane) = time;
   lane_of(rays.mask, lane) = ~0u;
   lane_of(rays.id, lane) = static_cast<unsigned>(lane);
   lane_of(rays.flags, lane) = 0u;
@@ -104,7 +104,7 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
     if (count < lanes) query = {};
     for (std::size_t i = 0; i < count; ++i) {
       valid[i] = traceable(rays[first + i], context.scale) ? -1 : 0;
-      load(query.ray, i, rays[first + i], context.scale);
+      load(query.ray, i, rays[first + i], context.scale, context.time_of(first + i));
       lane_of(query.hit.geomID, i) = RTC_INVALID_GEOMETRY_ID;
     }
     if (context.lanes) context.lanes->reset();
@@ -140,7 +140,7 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
     for (std::size_t i = 0; i < count; ++i) {
       const Ray& ray = rays[first + i];
       valid[i] = traceable(ray, context.scale) && ray.t_far != far_end_of_blocked ? -1 : 0;
-      load(query, i, ray, context.scale);
+      load(query, i, ray, context.scale, context.time_of(first + i));
     }
     if (context.lanes) context.lanes->reset();
     if (width > 1 || valid[0]) Packet<width>::occluded(valid.data(), scene, &context.base, &query);

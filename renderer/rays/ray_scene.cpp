@@ -18,6 +18,16 @@ using tracing::Context;
 using tracing::Lanes;
 
 struct RayScene::Impl {
+  /// What rays meet: the surfaces as a world numbers them, at the rays' times, 0 to 1; empty: 0.
+  struct Seen {
+    const World& world;
+    std::span<const float> times;
+
+    [[nodiscard]] Seen of(std::size_t ray) const {
+      return {world, times.empty() ? times : times.subspan(ray, 1)};
+    }
+  };
+
   tracing::EmbreeScene embree;
   int width = 1;
 
@@ -25,13 +35,20 @@ struct RayScene::Impl {
   // hits, are up to three times as fast with Embree's coherent flag. Occlusion queries in large
   // scenes are faster without it.
   [[nodiscard]] Context nearest(std::size_t rays, std::int32_t ignored_part = -1) const {
-    return context(
-        rays == 1 ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT,
-        ignored_part);
+    return context(flags_for(rays), still(), ignored_part);
   }
-  [[nodiscard]] Context context(RTCIntersectContextFlags flags, std::int32_t ignored_part) const {
-    return Context(flags, embree.geometries(), &embree.sides(), ignored_part, embree.scale());
+  [[nodiscard]] Context nearest(std::size_t rays, Seen seen) const {
+    return context(flags_for(rays), seen, -1);
   }
+  [[nodiscard]] static RTCIntersectContextFlags flags_for(std::size_t rays) {
+    return rays == 1 ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  }
+  [[nodiscard]] Context context(RTCIntersectContextFlags flags, Seen seen,
+                                std::int32_t ignored_part) const {
+    return Context(flags, embree.geometries(seen.world), embree.sides(seen.world), ignored_part,
+                   embree.scale(), seen.times);
+  }
+  [[nodiscard]] Seen still() const { return {embree.world(), {}}; }
 
   template <typename Store>
   void intersect(Context& context, std::span<const Ray> rays, Store store) const {
@@ -46,7 +63,7 @@ struct RayScene::Impl {
                      std::int32_t ignored_part) const {
     Lanes left;
     left.volumes = embree.volumes();
-    Context occluding = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, ignored_part);
+    Context occluding = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, still(), ignored_part);
     occluding.of_shadows = true;
     occluding.lanes = &left;
     tracing::with_width(width, count, [&](auto lanes) {
@@ -56,12 +73,15 @@ struct RayScene::Impl {
           });
     });
   }
-  void pass_backs(std::span<const Ray> rays, std::span<Hit> hits) const;
-  [[nodiscard]] bool is_coplanar(const Hit& hit) const {
-    return hit.valid() && embree.coplanar().marks(*embree.sides().world, hit.triangle);
+  void closest(std::span<const Ray> rays, Seen seen, std::span<Hit> hits, Culling faces) const;
+  void pass_backs(std::span<const Ray> rays, Seen seen, std::span<Hit> hits) const;
+  [[nodiscard]] bool is_coplanar(const World& world, const Hit& hit) const {
+    return hit.valid() && embree.coplanar().marks(world, hit.triangle);
   }
-  void in_place(const Ray& ray, const Hit& hit, Culling faces, std::vector<Hit>& met) const;
-  void choose_in_place(std::span<const Ray> rays, std::span<Hit> hits, Culling faces) const;
+  void in_place(const Ray& ray, Seen seen, const Hit& hit, Culling faces,
+                std::vector<Hit>& met) const;
+  void choose_in_place(std::span<const Ray> rays, Seen seen, std::span<Hit> hits,
+                       Culling faces) const;
 
   /// Returns the length of a ray.
   [[nodiscard]] static float way_of(std::span<const Ray> rays, std::size_t i) {
@@ -78,9 +98,16 @@ RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 Result<RayScene> RayScene::build(const World& world, AlphaAt alpha, std::span<const Light> lights,
                                  const RenderFeatures& forced, TransmissionAt passage,
                                  BvhPurpose use) {
+  const World* const pose = &world;
+  return build_moving({&pose, 1}, alpha, lights, forced, passage, use);
+}
+
+Result<RayScene> RayScene::build_moving(std::span<const World* const> poses, AlphaAt alpha,
+                                        std::span<const Light> lights, const RenderFeatures& forced,
+                                        TransmissionAt passage, BvhPurpose use) {
   RayScene built;
   built.impl_ = std::make_unique<Impl>();
-  if (auto done = built.impl_->embree.build(world, {alpha, passage}, lights, forced, use); !done)
+  if (auto done = built.impl_->embree.build(poses, {alpha, passage}, lights, forced, use); !done)
     return unexpected(done.error());
   // Measured (tests/bench/rays_bench.cpp): the processor's widest packets are the fastest for eye
   // rays and for shadow rays; packets that Embree has to emulate are slower.
@@ -91,19 +118,22 @@ Result<RayScene> RayScene::build(const World& world, AlphaAt alpha, std::span<co
 /// Traces the rays that hit a back again, now through all backs. These are few rays, so this costs
 /// less than a filter for all rays. A filter also finds a front at the same place as a back, which
 /// a restart behind the back would miss.
-void RayScene::Impl::pass_backs(std::span<const Ray> rays, std::span<Hit> hits) const {
+void RayScene::Impl::pass_backs(std::span<const Ray> rays, Seen seen, std::span<Hit> hits) const {
+  const tracing::Sides sides = embree.sides(seen.world);
   const auto culled = [&](std::size_t i) {
-    return hits[i].valid() && embree.sides().culled(hits[i], rays[i].direction);
+    return hits[i].valid() && sides.culled(hits[i], rays[i].direction);
   };
   std::size_t i = 0;
   while (i < rays.size() && !culled(i)) ++i;
   if (i == rays.size()) return;
 
   std::array<Ray, tracing::most_lanes> again;
+  std::array<float, tracing::most_lanes> times{};
   std::array<std::size_t, tracing::most_lanes> places;
   std::size_t count = 0;
   const auto trace = [&] {
-    Context filtering = nearest(count);
+    const Seen those{seen.world, std::span(times).first(seen.times.empty() ? 0 : count)};
+    Context filtering = nearest(count, those);
     filtering.base.filter = tracing::back_filter;
     intersect(filtering, std::span(again).first(count),
               [&](std::size_t k, std::size_t, const Hit& hit) { hits[places[k]] = hit; });
@@ -112,41 +142,51 @@ void RayScene::Impl::pass_backs(std::span<const Ray> rays, std::span<Hit> hits) 
   for (; i < rays.size(); ++i) {
     if (!culled(i)) continue;
     again[count] = rays[i];
+    if (!seen.times.empty()) times[count] = seen.times[i];
     places[count++] = i;
     if (count == again.size()) trace();
   }
   if (count > 0) trace();
 }
 
-void RayScene::Impl::in_place(const Ray& ray, const Hit& hit, Culling faces,
+void RayScene::Impl::in_place(const Ray& ray, Seen seen, const Hit& hit, Culling faces,
                               std::vector<Hit>& met) const {
-  const World& world = *embree.sides().world;
-  const float reach = tracing::reach_of_hit(world, ray, hit);
+  const float reach = tracing::reach_of_hit(seen.world, ray, hit);
   Ray near = ray;
   near.t_near = std::max(ray.t_near, hit.t - reach);
   near.t_far = std::min(ray.t_far, hit.t + reach);
-  Context collecting = nearest(1);
+  Context collecting = nearest(1, seen);
   collecting.base.filter = tracing::collecting_filter;
   collecting.met = &met;
   collecting.culls = faces == Culling::as_material_says;
   intersect(collecting, std::span(&near, 1), [](std::size_t, std::size_t, const Hit&) {});
-  std::erase_if(
-      met, [&](const Hit& other) { return other.triangle == hit.triangle || !is_coplanar(other); });
+  std::erase_if(met, [&](const Hit& other) {
+    return other.triangle == hit.triangle || !is_coplanar(seen.world, other);
+  });
   met.push_back(hit);
   std::sort(met.begin(), met.end(),
-            [&](const Hit& a, const Hit& b) { return tracing::in_front(world, a, b); });
+            [&](const Hit& a, const Hit& b) { return tracing::in_front(seen.world, a, b); });
 }
 
 /// Selects the front one of several surfaces at the same place.
-void RayScene::Impl::choose_in_place(std::span<const Ray> rays, std::span<Hit> hits,
+void RayScene::Impl::choose_in_place(std::span<const Ray> rays, Seen seen, std::span<Hit> hits,
                                      Culling faces) const {
   std::vector<Hit> met;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (!is_coplanar(hits[i])) continue;
+    if (!is_coplanar(seen.world, hits[i])) continue;
     met.clear();
-    in_place(rays[i], hits[i], faces, met);
+    in_place(rays[i], seen.of(i), hits[i], faces, met);
     hits[i] = met.front();
   }
+}
+
+void RayScene::Impl::closest(std::span<const Ray> rays, Seen seen, std::span<Hit> hits,
+                             Culling faces) const {
+  Context context = nearest(rays.size(), seen);
+  intersect(context, rays, [hits](std::size_t i, std::size_t, const Hit& hit) { hits[i] = hit; });
+  if (faces == Culling::as_material_says && context.sides.any_single_sided)
+    pass_backs(rays, seen, hits);
+  if (!embree.coplanar().empty()) choose_in_place(rays, seen, hits, faces);
 }
 
 void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Culling faces) const {
@@ -154,23 +194,22 @@ void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Culling f
     std::fill(hits.begin(), hits.end(), Hit{});
     return;
   }
-  Context context = impl_->nearest(rays.size());
-  impl_->intersect(context, rays,
-                   [hits](std::size_t i, std::size_t, const Hit& hit) { hits[i] = hit; });
-  if (faces == Culling::as_material_says && impl_->embree.sides().any_single_sided) {
-    impl_->pass_backs(rays, hits);
-  }
-  if (!impl_->embree.coplanar().empty()) impl_->choose_in_place(rays, hits, faces);
+  impl_->closest(rays, impl_->still(), hits, faces);
+}
+
+void RayScene::closest(std::span<const Ray> rays, std::span<const float> times, const World& pose,
+                       std::span<Hit> hits, Culling faces) const {
+  impl_->closest(rays, {pose, times}, hits, faces);
 }
 
 bool RayScene::is_coplanar(const Hit& hit) const {
-  return impl_ && impl_->is_coplanar(hit);
+  return impl_ && impl_->is_coplanar(impl_->embree.world(), hit);
 }
 
 void RayScene::in_place(const Ray& ray, const Hit& hit, Culling faces,
                         std::vector<Hit>& met) const {
   met.clear();
-  if (impl_) impl_->in_place(ray, hit, faces, met);
+  if (impl_) impl_->in_place(ray, impl_->still(), hit, faces, met);
 }
 
 Hit RayScene::closest(const Ray& ray, Culling faces) const {

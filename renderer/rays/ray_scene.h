@@ -100,11 +100,29 @@ class RayScene {
                                               TransmissionAt passage = nullptr,
                                               BvhPurpose use = BvhPurpose::lasting);
 
+  /// The largest number of poses in a motion.
+  static constexpr std::size_t most_poses = 129;
+  /// Builds the scene of a motion through `poses`: worlds at even times from 0 to 1, at most
+  /// most_poses. In between, vertices, faces and places of meshes move linearly. What does not move
+  /// is stored once. All poses have the same triangles, faces and placed meshes, and the same kinds
+  /// of surfaces; they must outlive the scene. Queries without times see the first pose. Arguments
+  /// and errors: as for `build`.
+  [[nodiscard]] static Result<RayScene> build_moving(std::span<const World* const> poses,
+                                                     AlphaAt alpha,
+                                                     std::span<const Light> lights = {},
+                                                     const RenderFeatures& forced = {},
+                                                     TransmissionAt passage = nullptr,
+                                                     BvhPurpose use = BvhPurpose::lasting);
+
   /// Finds the nearest hit of each ray; `hits` is as long as `rays`. Coherent rays go in packets.
   /// If triangles of different parts are coplanar, it is the one in front: blended and cut-out ones
   /// before opaque ones, and of the same kind the later primitive of the file.
   void closest(std::span<const Ray> rays, std::span<Hit> hits, Culling faces = Culling::none) const;
   [[nodiscard]] Hit closest(const Ray& ray, Culling faces = Culling::none) const;
+  /// Does so at the rays' times, 0 to 1, in the scene of a motion. `times` is as long as `rays`.
+  /// Holes, backs and coplanar surfaces are those of `pose`, one of the motion's poses.
+  void closest(std::span<const Ray> rays, std::span<const float> times, const World& pose,
+               std::span<Hit> hits, Culling faces = Culling::none) const;
 
   /// Returns whether a hit's triangle is coplanar with one of another part, and overlaps it.
   [[nodiscard]] bool is_coplanar(const Hit& hit) const;
