@@ -14,10 +14,11 @@ Result<std::shared_ptr<const RenderScene>> exposed_scene(
     const std::shared_ptr<const RenderScene>& scene, const Camera& camera,
     const RenderSettings& settings, const PictureDescription& picture, const OpenedScene& opened) {
   if (!row_of(settings.method).takes_motion) return scene;
-  const auto at = [&](const ClipTime& time) {
-    auto moment = opened.posed(time, picture, [&](const World&, bool) {
+  const auto at = [&](const ClipTime& time, const std::shared_ptr<MeshStore>& meshes) {
+    const auto ground = [&](const World&, bool) {
       return GroundChoice{settings.ground, &scene->world()};
-    });
+    };
+    auto moment = opened.posed(time, picture, ground, meshes);
     if (moment && !picture.lights) moment = lit_under(*moment, settings.sky.get());
     if (moment) moment = with_ground(*std::move(moment), settings.ground, &scene->world());
     if (!moment) return moment;

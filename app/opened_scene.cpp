@@ -99,12 +99,14 @@ Result<std::shared_ptr<const RenderScene>> OpenedScene::at(const std::optional<C
   return newest_ = *std::move(prepared);
 }
 
-Result<std::shared_ptr<const RenderScene>> OpenedScene::posed(const std::optional<ClipTime>& time,
-                                                              const PictureDescription& picture,
-                                                              const ChooseGround& choose) const {
+Result<std::shared_ptr<const RenderScene>> OpenedScene::posed(
+    const std::optional<ClipTime>& time, const PictureDescription& picture,
+    const ChooseGround& choose, const std::shared_ptr<MeshStore>& meshes) const {
   const Result<Scene> posed = stage_->geometry->rig->pose(time);
   if (!posed) return tl::unexpected(posed.error());
-  return prepare_posed(*posed, picture, &stage_->geometry->stage, choose);
+  AnimationInvariants stage = stage_->geometry->stage;
+  stage.meshes = meshes;
+  return prepare_posed(*posed, picture, &stage, choose);
 }
 
 // The automatic exposure of a picture is metered without a ground.

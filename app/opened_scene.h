@@ -33,10 +33,10 @@ class OpenedScene {
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at(const std::optional<ClipTime>& time,
                                                               const PictureDescription& picture);
   /// The same at a time of a scene that moves; the result is not kept. `choose`: the ground to
-  /// build it with.
+  /// build it with. `meshes`: AnimationInvariants::meshes.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> posed(
       const std::optional<ClipTime>& time, const PictureDescription& picture,
-      const ChooseGround& choose) const;
+      const ChooseGround& choose, const std::shared_ptr<MeshStore>& meshes = nullptr) const;
   /// The scene as the file's nodes place it, if it moves; otherwise the result of `at`.
   [[nodiscard]] Result<std::shared_ptr<const RenderScene>> at_rest(
       const PictureDescription& picture);

@@ -30,14 +30,24 @@ Result<std::shared_ptr<const RenderScene>> with_look(
   return edited;
 }
 
-/// Prepares a pose of the scene on its ground, with the edits. `as`: see with_ground.
-Result<std::shared_ptr<const RenderScene>> prepared_pose(
-    const Scene& pose, const RenderScene& from, const std::optional<std::vector<Light>>& lights,
-    const std::optional<MaterialDfrs>& dfrs, Ground ground, const World* as = nullptr) {
-  const auto choose = [&](const World&, bool) { return GroundChoice{ground, as}; };
-  return prepare_on_ground(pose, from.forced, &from.geometry->stage, choose)
-      .and_then(
-          [&](auto prepared) { return with_look(std::move(prepared), lights, dfrs, ground, as); });
+/// The edits of a pose, and the meshes that it shares with others.
+struct PoseEdits {
+  const std::optional<std::vector<Light>>& lights;
+  const std::optional<MaterialDfrs>& dfrs;
+  Ground ground;
+  const World* as = nullptr;  ///< see with_ground
+  std::shared_ptr<MeshStore> meshes{};
+};
+
+/// Prepares a pose of the scene on its ground, with the edits.
+Result<std::shared_ptr<const RenderScene>> prepared_pose(const Scene& pose, const RenderScene& from,
+                                                         const PoseEdits& edits) {
+  AnimationInvariants stage = from.geometry->stage;
+  stage.meshes = edits.meshes;
+  const auto choose = [&](const World&, bool) { return GroundChoice{edits.ground, edits.as}; };
+  return prepare_on_ground(pose, from.forced, &stage, choose).and_then([&](auto prepared) {
+    return with_look(std::move(prepared), edits.lights, edits.dfrs, edits.ground, edits.as);
+  });
 }
 
 /// Draws lines and points for this pose as the camera sees them.
@@ -172,18 +182,18 @@ std::optional<MaterialDfrs> Playback::edited_dfrs() const {
 Result<std::shared_ptr<const RenderScene>> Playback::scene_at(
     const RenderScene& from, const std::optional<ClipTime>& time,
     const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
-    Ground ground, const World* as) {
+    Ground ground, const World* as, const std::shared_ptr<MeshStore>& meshes) {
   const Result<Scene> scene = from.geometry->rig->pose(time);
   if (!scene) return unexpected(scene.error());
-  return prepared_pose(*scene, from, lights, dfrs, ground, as);
+  return prepared_pose(*scene, from, {lights, dfrs, ground, as, meshes});
 }
 
 Result<std::shared_ptr<const RenderScene>> Playback::exposed_scene(
     const std::shared_ptr<const RenderScene>& scene, const WantedExposure& wanted,
     const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs) {
   const RenderSettings& settings = wanted.settings;
-  const auto at = [&](const ClipTime& time) {
-    auto moment = scene_at(*scene, time, lights, dfrs, settings.ground, &scene->world());
+  const auto at = [&](const ClipTime& time, const std::shared_ptr<MeshStore>& meshes) {
+    auto moment = scene_at(*scene, time, lights, dfrs, settings.ground, &scene->world(), meshes);
     if (!moment || (*moment)->world().lines_and_points.empty()) return moment;
     const Camera then =
         camera_at(wanted.camera, settings.shutter.camera, scene->world(), (*moment)->world());
@@ -209,7 +219,8 @@ Playback::Pose Playback::posed(const Request& request) {
       pose.scene = unexpected(scene.error());
       return pose;
     }
-    pose.scene = prepared_pose(*scene, *request.from, request.lights, request.dfrs, request.ground);
+    pose.scene =
+        prepared_pose(*scene, *request.from, {request.lights, request.dfrs, request.ground});
     if (pose.scene && request.lines_and_points &&
         !(*pose.scene)->world().lines_and_points.empty()) {
       pose.lines_and_points = request.lines_and_points;

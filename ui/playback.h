@@ -81,11 +81,12 @@ class Playback {
     return std::exchange(drawn_lines_, std::nullopt);
   }
   /// Returns the scene of `from`'s file at another time, with edits; without them, as in the file.
-  /// `as`: see with_ground. Only if `available`. Thread-safe.
+  /// `as`: see with_ground. `meshes`: AnimationInvariants::meshes. Only if `available`.
+  /// Thread-safe.
   [[nodiscard]] static Result<std::shared_ptr<const RenderScene>> scene_at(
       const RenderScene& from, const std::optional<ClipTime>& time,
       const std::optional<std::vector<Light>>& lights, const std::optional<MaterialDfrs>& dfrs,
-      Ground ground, const World* as = nullptr);
+      Ground ground, const World* as = nullptr, const std::shared_ptr<MeshStore>& meshes = nullptr);
   /// Returns `scene`, made by `scene_at`, with the exposure that the settings' shutter asks for.
   /// Any thread.
   [[nodiscard]] static Result<std::shared_ptr<const RenderScene>> exposed_scene(

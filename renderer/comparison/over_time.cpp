@@ -43,6 +43,7 @@ class BlockOverTime {
 
   BlockResult run() {
     if (stands_still()) return row_.render(job_.at(steps_ / 2));
+    if (jumps()) return sampled();
     const Shot first = shot(0), last = shot(steps_);
     result_ = std::move(newest_);  // the latest shot has all arrays of the method
     sum_.assign(first.colours.size(), glm::dvec3(0.0));
@@ -90,6 +91,23 @@ class BlockOverTime {
       before = std::move(now);
     }
     return true;
+  }
+
+  // Returns whether a surface that may cross the block moves too far between moments.
+  [[nodiscard]] bool jumps() const {
+    return job_.motion->way(0, 1) > Exposure::longest_step &&
+           job_.motion->crosses(job_.block, 0, steps_) && job_.motion->rays();
+  }
+
+  // Renders the block by samples with times of their own.
+  [[nodiscard]] BlockResult sampled() const {
+    BlockResult block = row_of(Method::sobol_adaptive).render(job_);
+    const std::size_t pixels = block.tile.radiance.size();
+    block.tile.cause.assign(pixels, SplitCause::motion);
+    block.statistics.split_pixels = pixels;
+    block.statistics.pixels_by_cause = {};
+    block.statistics.pixels_by_cause[static_cast<std::size_t>(SplitCause::motion)] = pixels;
+    return block;
   }
 
   // Each moment has samples of its own, so that their errors average out.

@@ -11,7 +11,9 @@ struct MethodRow;
 /// time of other blocks is bisected until the deviation of an interval from a linear course, times
 /// its part of the exposure, is below 2 EPS: an edge then causes an error of up to EPS / 2. Blocks
 /// that a moving surface may cross are also bisected while it moves by more than half a block.
-/// The cause of pixels that change in between is SplitCause::motion.
+/// Where surfaces move by more than Exposure::longest_step pixels from one moment to the next,
+/// sobol_adaptive renders the block instead. The cause of pixels that change in between is
+/// SplitCause::motion.
 [[nodiscard]] BlockResult render_over_time(const BlockJob& job, const MethodRow& row);
 
 }  // namespace asos

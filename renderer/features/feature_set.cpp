@@ -48,9 +48,9 @@ void FeatureSet::find_placed(const World& world, TextureAt texture_at,
   auto placed = std::make_shared<PlacedFeatures>(world, texture_at, stop);
   if (!world.triangles.own().empty()) find(without_placements(world), texture_at, stop);
   for (const Placement& place : world.placements->places)
-    counts_ += placed->meshes[place.mesh].counts();
-  for (const FeatureSet& mesh : placed->meshes)
-    intersections_complete_ = intersections_complete_ && mesh.intersections_complete();
+    counts_ += placed->meshes[place.mesh]->counts();
+  for (const auto& mesh : placed->meshes)
+    intersections_complete_ = intersections_complete_ && mesh->intersections_complete();
   placed_ = placed;
   add(find_placed_intersections(world, IntersectionBudget::of(world), stop));
   FeatureHierarchy own =

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
@@ -172,6 +174,32 @@ World snapped(const World& mesh) {
   return rounded;
 }
 
+/// Returns the boundaries of a mesh. Worlds that exist at the same time and show the same mesh,
+/// such as the moments of an exposure, get the same.
+std::shared_ptr<const FeatureSet> features_of_mesh(const std::shared_ptr<const World>& mesh,
+                                                   TextureAt texture_at,
+                                                   const std::stop_token& stop) {
+  struct Known {
+    std::weak_ptr<const World> mesh;
+    TextureAt texture_at;
+    std::weak_ptr<const FeatureSet> features;
+  };
+  static std::mutex mutex;
+  static std::vector<Known> all;
+  const auto find = [&]() -> std::shared_ptr<const FeatureSet> {
+    const std::lock_guard lock(mutex);
+    std::erase_if(all, [](const Known& known) { return known.features.expired(); });
+    for (const Known& known : all)
+      if (known.texture_at == texture_at && known.mesh.lock() == mesh) return known.features.lock();
+    return nullptr;
+  };
+  if (auto features = find()) return features;
+  auto features = std::make_shared<const FeatureSet>(snapped(*mesh), texture_at, stop);
+  const std::lock_guard lock(mutex);
+  all.push_back({mesh, texture_at, features});
+  return features;
+}
+
 void move(std::uint32_t& number, std::uint32_t by) {
   if (number != FeatureEdge::none) number += by;
 }
@@ -181,9 +209,10 @@ void move(std::uint32_t& number, std::uint32_t by) {
 PlacedFeatures::PlacedFeatures(const World& world, TextureAt texture_at,
                                const std::stop_token& stop)
     : places(world.placements) {
-  for (const auto& mesh : places->meshes) meshes.emplace_back(snapped(*mesh), texture_at, stop);
+  for (const auto& mesh : places->meshes)
+    meshes.push_back(features_of_mesh(mesh, texture_at, stop));
   const auto ranges = [&](auto count) {
-    return ranges_of(*places, [&](std::uint32_t mesh) { return count(meshes[mesh]); });
+    return ranges_of(*places, [&](std::uint32_t mesh) { return count(*meshes[mesh]); });
   };
   by_node_ = ranges([](const FeatureSet& f) { return f.nodes().size(); });
   by_chains_ = ranges([](const FeatureSet& f) { return f.chains().size(); });
@@ -195,7 +224,7 @@ FeatureHierarchy PlacedFeatures::behind(FeatureHierarchy own, std::size_t edges,
                                         std::size_t positions) {
   std::vector<UpperItem> items;
   for (std::size_t i = 0; i < places->places.size(); ++i) {
-    if (!meshes[places->places[i].mesh].empty())
+    if (!meshes[places->places[i].mesh]->empty())
       items.push_back({box_of(i), static_cast<std::uint32_t>(i)});
   }
   FeatureHierarchy all;
@@ -217,14 +246,14 @@ FeatureHierarchy PlacedFeatures::behind(FeatureHierarchy own, std::size_t edges,
 }
 
 Box PlacedFeatures::box_of(std::size_t place) const {
-  const FeatureNode root = placed(meshes[places->places[place].mesh].nodes()[0], place);
+  const FeatureNode root = placed(meshes[places->places[place].mesh]->nodes()[0], place);
   return box_below(root);
 }
 
 FeatureNode PlacedFeatures::node(std::uint32_t number) const {
   const std::size_t place = by_node_.find(number - first_node_);
   const std::uint32_t local = number - first_node_ - by_node_.first(place);
-  return placed(meshes[places->places[place].mesh].nodes()[local], place);
+  return placed(meshes[places->places[place].mesh]->nodes()[local], place);
 }
 
 FeatureNode PlacedFeatures::placed(const FeatureNode& node, std::size_t at) const {
@@ -260,7 +289,7 @@ FeatureNode PlacedFeatures::placed(const FeatureNode& node, std::size_t at) cons
 NodeChains PlacedFeatures::chains(std::uint32_t number) const {
   const std::size_t at = by_chains_.find(number - first_chains_);
   const Placement& place = places->places[at];
-  NodeChains out = meshes[place.mesh].chains()[number - first_chains_ - by_chains_.first(at)];
+  NodeChains out = meshes[place.mesh]->chains()[number - first_chains_ - by_chains_.first(at)];
   for (int c = 0; c < FeatureNode::width; ++c) {
     for (auto& ends : out.end) move(ends[c], first_position_ + by_position_.first(at));
     out.deviation[c] *= static_cast<float>(place.most_growth);
@@ -271,7 +300,7 @@ NodeChains PlacedFeatures::chains(std::uint32_t number) const {
 FeatureEdge PlacedFeatures::edge(std::uint32_t number) const {
   const std::size_t at = by_edge_.find(number - first_edge_);
   const Placement& place = places->places[at];
-  FeatureEdge edge = meshes[place.mesh].edges()[number - first_edge_ - by_edge_.first(at)];
+  FeatureEdge edge = meshes[place.mesh]->edges()[number - first_edge_ - by_edge_.first(at)];
   for (std::uint32_t* vertex : {&edge.a, &edge.b, &edge.left, &edge.right})
     move(*vertex, first_position_ + by_position_.first(at));
   for (std::uint32_t* smooth_surface : {&edge.left_surface, &edge.right_surface})
@@ -283,26 +312,26 @@ glm::dvec3 PlacedFeatures::position(std::uint32_t number) const {
   const std::size_t at = by_position_.find(number - first_position_);
   const Placement& place = places->places[at];
   const glm::dvec3 local(
-      meshes[place.mesh].positions()[number - first_position_ - by_position_.first(at)]);
+      meshes[place.mesh]->positions()[number - first_position_ - by_position_.first(at)]);
   return glm::dvec3(place.world_from_mesh * glm::dvec4(local, 1.0)) - places->origin;
 }
 
 std::uint32_t PlacedFeatures::smooth_surface(std::uint32_t triangle) const {
   const Placement& place = places->of_triangle(triangle);
   const std::uint32_t first = places->own_triangles + place.first_triangle;
-  return first + meshes[place.mesh].smooth_surface(triangle - first);
+  return first + meshes[place.mesh]->smooth_surface(triangle - first);
 }
 
 float PlacedFeatures::deviation(std::uint32_t triangle) const {
   const Placement& place = places->of_triangle(triangle);
   const std::uint32_t local = triangle - places->own_triangles - place.first_triangle;
-  return static_cast<float>(place.most_growth) * meshes[place.mesh].deviation(local);
+  return static_cast<float>(place.most_growth) * meshes[place.mesh]->deviation(local);
 }
 
 std::size_t PlacedFeatures::memory_bytes() const {
   std::size_t bytes = by_node_.memory_bytes() + by_chains_.memory_bytes() +
                       by_edge_.memory_bytes() + by_position_.memory_bytes();
-  for (const FeatureSet& mesh : meshes) bytes += sizeof mesh + mesh.memory_bytes();
+  for (const auto& mesh : meshes) bytes += sizeof *mesh + mesh->memory_bytes();
   return bytes;
 }
 

@@ -36,7 +36,8 @@ struct PlacedFeatures {
   [[nodiscard]] std::size_t memory_bytes() const;
 
   std::shared_ptr<const Placements> places;
-  std::vector<FeatureSet> meshes;  ///< one for each mesh of `places`
+  /// One for each mesh of `places`. Worlds that show the same mesh share it.
+  std::vector<std::shared_ptr<const FeatureSet>> meshes;
 
  private:
   [[nodiscard]] FeatureNode placed(const FeatureNode& node, std::size_t place) const;

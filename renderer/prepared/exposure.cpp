@@ -1,13 +1,16 @@
 #include "renderer/prepared/exposure.h"
 
 #include "renderer/prepared/screen_motion.h"
+#include "renderer/scene/posable_scene.h"
 #include "renderer/world/placements.h"
+#include "renderer/world/shared_meshes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace asos {
@@ -18,6 +21,13 @@ using Shared = std::shared_ptr<const RenderScene>;
 constexpr int first_steps = 4;
 // For motion without moving vertices: lights and materials.
 constexpr int least_steps = 16;
+
+std::size_t triangles_of_meshes(const World& world) {
+  std::size_t triangles = 0;
+  if (!world.placements) return 0;
+  for (const auto& mesh : world.placements->meshes) triangles += mesh->triangles.size();
+  return triangles;
+}
 
 /// Builds moments on a grid of most_steps steps, from few to as many as are needed.
 class ExposureBuilder {
@@ -41,22 +51,15 @@ class ExposureBuilder {
   }
 
   Result<Shared> run() {
-    int steps = first_steps;
-    for (;;) {
-      if (const auto made = make(steps); !made) return unexpected(made.error());
-      if (steps == first_steps && stands_still()) break;
-      const int wanted = wanted_steps(steps);
-      exposure_.limited = wanted > steps && 2 * steps > allowed_steps();
-      if (wanted <= steps || exposure_.limited) {
-        take_moments(steps);
-        break;
-      }
-      steps *= 2;
+    if (const auto found = find_moments(); !found) return unexpected(found.error());
+    if (exposure_.limited && allowed_steps() < Exposure::most_steps) {
+      if (const auto found = share_meshes(); !found) return unexpected(found.error());
     }
     for (const Shared& moment : exposure_.moments) {
       if (!with_edges_) break;
       if (const auto known = with_boundaries(moment); !known) return unexpected(known.error());
     }
+    if (exposure_.moves()) exposure_.rays = std::make_shared<const MovingRays>(exposure_.moments);
     RenderScene with = *scene_;
     with.exposure = std::make_shared<const Exposure>(std::move(exposure_));
     return std::make_shared<const RenderScene>(std::move(with));
@@ -64,6 +67,38 @@ class ExposureBuilder {
 
  private:
   static constexpr double rounding = 1e-6;  // ends of clips are floats
+
+  Result<void> find_moments() {
+    exposure_.moments.clear();
+    for (int steps = first_steps;; steps *= 2) {
+      if (const auto made = make(steps); !made) return made;
+      if (meshes_ && meshes_->take_dropped()) return {};
+      if (steps == first_steps && !meshes_ && stands_still()) return {};
+      const int wanted = wanted_steps(steps);
+      exposure_.limited = wanted > steps && 2 * steps > allowed_steps();
+      if (wanted > steps && !exposure_.limited) continue;
+      take_moments(steps);
+      return {};
+    }
+  }
+
+  // Makes the moments again, with meshes that keep their shape stored once. Starts again whenever
+  // one turns out to change.
+  Result<void> share_meshes() {
+    const auto& rig = scene_->geometry->rig;
+    const Result<Scene> pose = rig ? rig->pose(time_) : Result<Scene>(Scene{});
+    if (!pose) return unexpected(pose.error());
+    meshes_ = std::make_shared<MeshStore>(*pose);
+    do {
+      // The moments so far will do if none keeps its shape.
+      if (meshes_->empty()) meshes_.reset();
+      grid_.fill(nullptr);
+      known_.reset();
+      if (!meshes_) grid_[grid_.size() / 2] = scene_;
+      if (const auto found = find_moments(); !found) return found;
+    } while (exposure_.moments.empty());
+    return {};
+  }
 
   Result<void> make(int steps) {
     const int stride = Exposure::most_steps / steps;
@@ -80,7 +115,7 @@ class ExposureBuilder {
       }
       // Limits the memory of concurrent searches for boundaries.
       if (known_ && with_edges_) (void)known_->geometry->boundaries.wait();
-      Result<Shared> made = at_(time);
+      Result<Shared> made = at_(time, meshes_);
       if (!made) return unexpected(made.error());
       moment = known_ = *std::move(made);
     }
@@ -114,16 +149,22 @@ class ExposureBuilder {
   [[nodiscard]] int wanted_steps(int steps) {
     const ScreenWay found = way(steps);
     exposure_.step_pixels = found.in_step;
-    if (!found.known) return Exposure::most_steps / 2;
+    if (!found.known) return Exposure::fine_steps / 2;
     if (found.in_all == 0.0) return least_steps;
+    const double way = steps * found.in_step;
+    const double fine = std::max(way / Exposure::finest_step, 16.0 * std::sqrt(found.in_all));
     return static_cast<int>(std::ceil(
-        std::max(steps * found.in_step / Exposure::finest_step, 16.0 * std::sqrt(found.in_all))));
+        std::max(std::min<double>(fine, Exposure::fine_steps),
+                 std::min<double>(way / Exposure::longest_step, 2.0 * Exposure::most_steps))));
   }
 
   [[nodiscard]] int allowed_steps() const {
-    const std::size_t triangles = std::max<std::size_t>(stored_triangles(scene_->world()), 1);
-    return static_cast<int>(
-        std::min<std::size_t>(Exposure::most_steps, Exposure::most_triangles / triangles));
+    const std::size_t most = with_edges_ ? Exposure::most_triangles : Exposure::most_ray_triangles;
+    const World& world = moment(0, first_steps).world();
+    const std::size_t once = meshes_ ? std::min(most, triangles_of_meshes(world)) : 0;
+    const std::size_t each = std::max<std::size_t>(
+        stored_triangles(world) - (meshes_ ? triangles_of_meshes(world) : 0), 1);
+    return static_cast<int>(std::min<std::size_t>(Exposure::most_steps, (most - once) / each));
   }
 
   void take_moments(int steps) {
@@ -141,17 +182,32 @@ class ExposureBuilder {
   double end_ = 0.0;
   Exposure exposure_;
   std::array<Shared, Exposure::most_steps + 1> grid_;
-  Shared known_;  // the latest moment made
+  Shared known_;                       // the latest moment made
+  std::shared_ptr<MeshStore> meshes_;  // null: each moment has its own copies
 };
 
 }  // namespace
 
+const RayScene* MovingRays::get() const {
+  std::call_once(once_, [this] {
+    const std::size_t steps = moments_.size() - 1;
+    const std::size_t stride = std::max<std::size_t>(1, steps / (RayScene::most_poses - 1));
+    std::vector<const World*> poses;
+    for (std::size_t i = 0; i <= steps; i += stride) poses.push_back(&moments_[i]->world());
+    const World& first = *poses.front();
+    if (!std::all_of(poses.begin(), poses.end(),
+                     [&](const World* pose) { return same_but_moved(first, *pose); }))
+      return;
+    auto built = RayScene::build_moving(poses, alpha_at, {}, moments_.front()->forced);
+    if (built) rays_ = *std::move(built);
+  });
+  return rays_ ? &*rays_ : nullptr;
+}
+
 std::size_t stored_triangles(const World& world) {
   constexpr std::size_t of_place = 4;  // an instance of a shared mesh takes as much memory
-  std::size_t triangles = world.triangles.own().size();
-  if (!world.placements) return triangles;
-  for (const auto& mesh : world.placements->meshes) triangles += mesh->triangles.size();
-  return triangles + of_place * world.placements->places.size();
+  const std::size_t triangles = world.triangles.own().size() + triangles_of_meshes(world);
+  return world.placements ? triangles + of_place * world.placements->places.size() : triangles;
 }
 
 Result<Shared> exposed(const Shared& scene, const Camera& camera, const RenderSettings& settings,

@@ -20,6 +20,7 @@
 
 namespace asos {
 
+class MeshStore;
 class Sky;
 
 /// The properties of a moving scene that do not change with time, so that neither light nor camera
@@ -33,6 +34,9 @@ struct AnimationInvariants {
   bool default_lighting_inside = false;
   MipChains mips;                  ///< of its images
   std::shared_ptr<const Sky> sky;  ///< the file's own surroundings; null: it has none
+  /// Stores the meshes that keep their shape for all moments of an exposure. Null: each has its own
+  /// copies.
+  std::shared_ptr<MeshStore> meshes;
 };
 
 /// The parts of a scene that take long to build: its surfaces, with the hierarchies for rays and

@@ -1,6 +1,7 @@
 #include "renderer/prepared/moving_picture.h"
 
 #include "renderer/prepared/screen_motion.h"
+#include "renderer/world/placements.h"
 
 #include <algorithm>
 #include <array>
@@ -41,6 +42,7 @@ MovingPicture::MovingPicture(const RenderScene& scene, const Camera& camera,
   }
   for (int i = 0; i < steps(); ++i) {
     const auto k = static_cast<std::size_t>(i);
+    camera_moves_ |= !same_view(cameras[k], cameras[k + 1]);
     if (!same_view(cameras[k], cameras[k + 1]) || camera.lens.blurs())
       mark_all(i);
     else
@@ -83,7 +85,7 @@ void MovingPicture::mark_box(int step, glm::dvec2 lo, glm::dvec2 hi) {
 void MovingPicture::mark(int step, const RenderScene& before, const RenderScene& after) {
   const World &a = before.world(), &b = after.world();
   const auto from = screen_points(a, view(step)), to = screen_points(b, view(step + 1));
-  if (from.size() != to.size() || a.triangles != b.triangles) return mark_all(step);
+  if (from.size() != to.size() || !same_but_moved(a, b)) return mark_all(step);
   // Marks the box around points at both moments.
   bool behind = false;
   const auto mark_points = [&](auto&& points) {
@@ -98,11 +100,21 @@ void MovingPicture::mark(int step, const RenderScene& before, const RenderScene&
     }
     mark_box(step, lo, hi);
   };
-  for (std::size_t i = 0; i < a.triangles.size() && !behind; ++i) {
-    const glm::uvec3 t = a.triangles[i];
+  const auto of_triangle = [&](glm::uvec3 t) {
+    mark_points(std::array<std::size_t, 3>{t.x, t.y, t.z});
+  };
+  for (std::size_t i = 0; i < a.triangles.own().size() && !behind; ++i) {
+    const glm::uvec3 t = a.triangles.own()[i];
     if (a.positions[t.x] != b.positions[t.x] || a.positions[t.y] != b.positions[t.y] ||
         a.positions[t.z] != b.positions[t.z])
-      mark_points(std::array<std::size_t, 3>{t.x, t.y, t.z});
+      of_triangle(t);
+  }
+  for (std::size_t i = 0; a.placements && i < a.placements->places.size() && !behind; ++i) {
+    const Placement& place = a.placements->places[i];
+    if (place.world_from_mesh == b.placements->places[i].world_from_mesh) continue;
+    const std::uint32_t first = a.placements->own_vertices + place.first_vertex;
+    for (const glm::uvec3 t : a.placements->mesh_of(place).triangles.own())
+      if (!behind) of_triangle(t + first);
   }
   std::vector<bool> moves(a.parts.size(), a.faces.size() != b.faces.size());
   for (std::size_t i = 0; i < a.faces.size() && i < b.faces.size(); ++i)

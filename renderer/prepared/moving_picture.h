@@ -28,6 +28,10 @@ class MovingPicture {
   /// Returns the moment nearest to a time, 0 to 1 from the shutter's opening to its closing. The
   /// first and the last moment thus have half the weight of the others.
   [[nodiscard]] int moment_at(double time) const;
+  /// Returns whether the camera moves while the shutter is open.
+  [[nodiscard]] bool camera_moves() const { return camera_moves_; }
+  /// Returns the rays at any time; null: see MovingRays.
+  [[nodiscard]] const RayScene* rays() const { return exposure_->rays->get(); }
 
   /// Returns whether a moving surface may cross a block of pixels from one moment to another.
   /// Conservative; ignores shadows and reflections.
@@ -44,6 +48,7 @@ class MovingPicture {
 
   const Exposure* exposure_;
   std::vector<View> views_;
+  bool camera_moves_ = false;
   double margin_;  // of filters, in pixels
   int tile_;       // side of the tiles below, in pixels
   int columns_, rows_;

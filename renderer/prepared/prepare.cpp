@@ -6,6 +6,7 @@
 #include "renderer/shading/cube_sky.h"
 #include "renderer/shading/sky.h"
 #include "renderer/world/ground.h"
+#include "renderer/world/shared_meshes.h"
 
 #include <fmt/format.h>
 
@@ -81,8 +82,10 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
                                                              const ChooseGround& choose) {
   const auto start = std::chrono::steady_clock::now();
   begin_stage(LoadStage::surfaces);
-  auto flattened =
-      stage ? flatten(scene, most_triangles, stage->origin) : flatten(scene, most_triangles);
+  auto flattened = stage && stage->meshes
+                       ? flatten(scene, most_triangles, stage->origin, *stage->meshes)
+                   : stage ? flatten(scene, most_triangles, stage->origin)
+                           : flatten(scene, most_triangles);
   if (!flattened) return unexpected(flattened.error());
 
   // Emissive meshes light every scene, except those that show a light of the file.

@@ -1,6 +1,7 @@
 #include "renderer/prepared/screen_motion.h"
 
 #include "renderer/world/placements.h"
+#include "renderer/world/surface_kind.h"
 
 #include <algorithm>
 #include <array>
@@ -125,6 +126,43 @@ bool same_surfaces(const World& a, const World& b) {
          a.texcoords[0] == b.texcoords[0] && a.texcoords[1] == b.texcoords[1] &&
          a.colors == b.colors && a.triangles == b.triangles && a.faces == b.faces &&
          a.materials == b.materials && a.cameras == b.cameras;
+}
+
+bool same_but_moved(const World& a, const World& b) {
+  const auto same_mesh = [](const auto& x, const auto& y) {
+    return x == y || (x->positions == y->positions && x->triangles == y->triangles);
+  };
+  const auto same_place = [](const Placement& x, const Placement& y) {
+    return x.mesh == y.mesh && x.part == y.part && x.first_triangle == y.first_triangle &&
+           x.mirrored == y.mirrored;
+  };
+  const auto same_face = [](const ShapeFace& x, const ShapeFace& y) {
+    return x.kind == y.kind && x.part == y.part;
+  };
+  const auto same_kind = [](const Material& x, const Material& y) {
+    return surface_kind(x) == surface_kind(y) && shows_both_sides(x) == shows_both_sides(y);
+  };
+  const auto same = [](const auto& x, const auto& y, auto equal) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), equal);
+  };
+  if (!a.placements != !b.placements) return false;
+  return a.positions.size() == b.positions.size() && a.triangles.own() == b.triangles.own() &&
+         a.triangle_part.own() == b.triangle_part.own() && same(a.faces, b.faces, same_face) &&
+         same(a.materials, b.materials, same_kind) &&
+         (!a.placements || (same(a.placements->meshes, b.placements->meshes, same_mesh) &&
+                            same(a.placements->places, b.placements->places, same_place)));
+}
+
+glm::dvec3 way_of_point(const World& from, const World& to, const Hit& hit) {
+  const auto b1 = static_cast<double>(hit.b1), b2 = static_cast<double>(hit.b2);
+  if (from.is_face(hit.triangle))
+    return face_point(to.face(hit.triangle), b1, b2).position -
+           face_point(from.face(hit.triangle), b1, b2).position;
+  const glm::uvec3 t = from.triangles[hit.triangle];
+  const auto way = [&](std::uint32_t i) {
+    return glm::dvec3(to.positions[i]) - glm::dvec3(from.positions[i]);
+  };
+  return (1.0 - b1 - b2) * way(t.x) + b1 * way(t.y) + b2 * way(t.z);
 }
 
 ScreenWay screen_way(std::span<const SeenMoment> moments) {

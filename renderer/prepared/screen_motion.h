@@ -49,6 +49,13 @@ class ScreenProjection {
 /// Returns whether two moments of a scene have the same surfaces, materials and cameras.
 [[nodiscard]] bool same_surfaces(const World& a, const World& b);
 
+/// Returns whether two moments of a scene differ by the motion of its surfaces, lights, cameras and
+/// materials only: every surface is the same and interacts with rays in the same way.
+[[nodiscard]] bool same_but_moved(const World& a, const World& b);
+
+/// Returns how far the surface point of a hit moves from one moment to another.
+[[nodiscard]] glm::dvec3 way_of_point(const World& from, const World& to, const Hit& hit);
+
 /// A moment of a scene, and how it is seen.
 struct SeenMoment {
   const RenderScene* scene;

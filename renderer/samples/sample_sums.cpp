@@ -1,5 +1,6 @@
 #include "renderer/samples/sample_sums.h"
 
+#include "renderer/prepared/screen_motion.h"
 #include "renderer/reflections/own_side.h"
 #include "renderer/samples/one_sample.h"
 
@@ -14,6 +15,15 @@
 
 namespace asos {
 namespace {
+
+/// Returns the ray at a fraction of the way from one to another.
+Ray between(const Ray& from, const Ray& to, double way) {
+  const auto part = static_cast<float>(way);
+  Ray ray = from;
+  ray.origin = glm::mix(from.origin, to.origin, part);
+  ray.direction = glm::normalize(glm::mix(from.direction, to.direction, part));
+  return ray;
+}
 
 /// A ray of a sample, with its hit and the weight of its radiance in the sample.
 struct SeenSample {
@@ -99,14 +109,18 @@ void SampleSums::note_layers(const RenderSettings& settings, const LayerTargets&
 bool SampleSums::add_moving(const PointSample& sample) {
   places_->start_pixel(sample.x, sample.y);
   places_->start_sample(sample.index);
-  const int moment = moving_->picture->moment_at(places_->in_time());
+  const double time = places_->in_time();
+  const int moment = moving_->picture->moment_at(time);
   std::unique_ptr<SampleSums>& at = moving_->at[static_cast<std::size_t>(moment)];
   if (!at) {
     at.reset(new SampleSums(moving_->picture->scene(moment), moving_->picture->view(moment),
                             *moving_->settings, *places_, &own_));
     at->widen_colours(colours_);
     if (layers_) at->note_layers(*layer_settings_, *layers_);
+    at->moment_ = moment;
+    if (moving_->picture->rays()) at->motion_ = moving_->picture;
   }
+  at->times_[at->used_] = static_cast<float>(time);
   return at->add(sample);
 }
 
@@ -155,11 +169,11 @@ void SampleSums::cast_rays() {
   const std::span rays = std::span(rays_).first(used_);
   const std::span hits = std::span(hits_).first(used_);
   const bool lens = viewer_.view.has_lens();
-  if (lens)
-    aim_through_lens();
+  aim(viewer_.view, rays);
+  if (motion_)
+    cast_in_motion();
   else
-    viewer_.view.rays(std::span(points_).first(used_), rays);
-  scene_->rays().closest(rays, hits, faces_);
+    scene_->rays().closest(rays, hits, faces_);
   if (viewer_.mirror)
     pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
   pass_own_side(viewer_.passage, scene_->world(), scene_->rays(), faces_, rays, hits);
@@ -177,15 +191,46 @@ void SampleSums::add_layers() {
 }
 
 // Each sample's ray starts at its own point of the lens.
-void SampleSums::aim_through_lens() {
-  const View& view = viewer_.view;
+void SampleSums::aim(const View& view, std::span<Ray> rays) {
+  if (!view.has_lens()) {
+    view.rays(std::span(points_).first(used_), rays);
+    return;
+  }
   for (std::size_t i = 0; i < used_; ++i) {
     const PointSample& sample = samples_[i];
     if (i == 0 || sample.x != samples_[i - 1].x || sample.y != samples_[i - 1].y)
       places_->start_pixel(sample.x, sample.y);
     places_->start_sample(sample.index);
     const ExposurePoint exposure{point_on_aperture(view.lens(), places_->on_lens())};
-    rays_[i] = view.ray(points_[i].x, points_[i].y, exposure);
+    rays[i] = view.ray(points_[i].x, points_[i].y, exposure);
+  }
+}
+
+// Each sample's ray meets the scene at its own time. The surface is then shaded as at the moment:
+// the ray is shifted by the way that its point moves until then.
+void SampleSums::cast_in_motion() {
+  const std::span rays = std::span(rays_).first(used_);
+  const int steps = motion_->steps();
+  const auto after = [&](std::size_t i) {
+    return static_cast<double>(times_[i]) * steps - moment_;
+  };
+  const auto neighbour = [&](std::size_t i) { return moment_ + (after(i) > 0.0 ? 1 : -1); };
+  if (motion_->camera_moves()) {
+    std::array<Ray, batch> others;
+    for (const int other : {moment_ - 1, moment_ + 1}) {
+      if (other < 0 || other > steps) continue;
+      aim(motion_->view(other), std::span(others).first(used_));
+      for (std::size_t i = 0; i < used_; ++i)
+        if (neighbour(i) == other) rays[i] = between(rays[i], others[i], std::abs(after(i)));
+    }
+  }
+  motion_->rays()->closest(rays, std::span(times_).first(used_), scene_->world(),
+                           std::span(hits_).first(used_), faces_);
+  for (std::size_t i = 0; i < used_; ++i) {
+    if (!hits_[i].valid() || after(i) == 0.0) continue;
+    const glm::dvec3 way =
+        way_of_point(motion_->scene(neighbour(i)).world(), scene_->world(), hits_[i]);
+    rays[i].origin += glm::vec3(std::abs(after(i)) * way);
   }
 }
 

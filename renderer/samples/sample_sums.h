@@ -134,7 +134,9 @@ class SampleSums {
              PixelSampler& places, Totals* totals);
   bool add_moving(const PointSample& sample);
   void cast_rays();
-  void aim_through_lens();
+  /// Computes the waiting samples' rays in a view.
+  void aim(const View& view, std::span<Ray> rays);
+  void cast_in_motion();
   void widen_footprints();
   void gather_lobes();
   void add_layers();
@@ -171,6 +173,10 @@ class SampleSums {
   std::vector<Hit>& hit_;
   RenderStatistics& statistics_;
   std::unique_ptr<Moving> moving_;  // null: one moment
+  // For the samples of one moment among others. Null: their rays are cast at that moment.
+  const MovingPicture* motion_ = nullptr;
+  int moment_ = 0;
+  std::array<float, batch> times_{};  // 0 to 1
   std::array<PointSample, batch> samples_{};
   std::array<glm::dvec2, batch> points_{};
   std::array<Ray, batch> rays_;

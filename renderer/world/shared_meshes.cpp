@@ -48,10 +48,10 @@ bool sharable(const Instance& instance) {
          distortion_of(glm::dmat3(instance.world_from_mesh)).anisotropy <= most_anisotropy;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> shared_instances(const Scene& scene, std::uint64_t fewest_copied) {
-  if (fewest_copied == never_shared) return {};
+/// Returns one flag per instance; `chosen` says of a mesh and the number of its instances whether
+/// it is stored once.
+template <typename Chosen>
+std::vector<std::uint8_t> choose_instances(const Scene& scene, Chosen chosen) {
   if (scene.instanced_segments() + scene.instanced_points() > 0) return {};
   std::map<int, std::uint64_t> instances;
   for (const Instance& instance : scene.instances) {
@@ -60,14 +60,60 @@ std::vector<std::uint8_t> shared_instances(const Scene& scene, std::uint64_t few
   }
   std::erase_if(instances, [&](const auto& counted) {
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(counted.first)];
-    return counted.second < 2 || counted.second * mesh.triangles.size() < fewest_copied ||
-           !sharable(scene, mesh);
+    return !chosen(counted.first, counted.second) || !sharable(scene, mesh);
   });
   if (instances.empty()) return {};
   std::vector<std::uint8_t> shared;
   for (const Instance& instance : scene.instances)
     shared.push_back(sharable(instance) && instances.contains(instance.mesh));
   return shared;
+}
+
+bool same_mesh(const Mesh& a, const Mesh& b) {
+  return a.material == b.material && a.triangles == b.triangles && a.positions == b.positions &&
+         a.normals == b.normals && a.tangents == b.tangents && a.texcoords[0] == b.texcoords[0] &&
+         a.texcoords[1] == b.texcoords[1] && a.colors == b.colors;
+}
+
+}  // namespace
+
+MeshStore::MeshStore(const Scene& pose)
+    : meshes_(pose.meshes), materials_(pose.materials), kept_(pose.meshes.size(), 1) {}
+
+bool MeshStore::empty() const {
+  return std::find(kept_.begin(), kept_.end(), 1) == kept_.end();
+}
+
+void MeshStore::compare(const Scene& pose) {
+  const bool same_lists =
+      pose.meshes.size() == meshes_.size() && pose.materials.size() == materials_.size();
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    if (!kept_[i]) continue;
+    const int material = meshes_[i].material;
+    const auto number = static_cast<std::size_t>(material);
+    kept_[i] = same_lists && same_mesh(meshes_[i], pose.meshes[i]) &&
+               (material < 0 || pose.materials[number] == materials_[number]);
+    dropped_ |= !kept_[i];
+  }
+  if (pose.meshes.size() > kept_.size()) kept_.resize(pose.meshes.size(), 0);
+}
+
+std::shared_ptr<const World> MeshStore::world_of(const Scene& scene, int mesh) {
+  std::shared_ptr<const World>& world = worlds_[mesh];
+  if (!world) world = shared_mesh(scene, mesh);
+  return world;
+}
+
+std::vector<std::uint8_t> shared_instances(const Scene& scene, std::uint64_t fewest_copied) {
+  if (fewest_copied == never_shared) return {};
+  return choose_instances(scene, [&](int mesh, std::uint64_t count) {
+    const auto triangles = scene.meshes[static_cast<std::size_t>(mesh)].triangles.size();
+    return count >= 2 && count * triangles >= fewest_copied;
+  });
+}
+
+std::vector<std::uint8_t> shared_instances(const Scene& scene, const MeshStore& meshes) {
+  return choose_instances(scene, [&](int mesh, std::uint64_t) { return meshes.keeps(mesh); });
 }
 
 std::shared_ptr<const World> shared_mesh(const Scene& scene, int mesh) {

@@ -33,6 +33,8 @@ class Flattener {
  public:
   Flattener(const Scene& scene, std::optional<glm::dvec3> origin, std::uint64_t fewest_copied)
       : scene_(scene), given_origin_(origin), fewest_copied_(fewest_copied) {}
+  Flattener(const Scene& scene, glm::dvec3 origin, MeshStore& meshes)
+      : scene_(scene), given_origin_(origin), meshes_(&meshes) {}
 
   Result<FlattenedScene> run(std::uint64_t max_triangles) {
     if (std::string fault = validate_scene(scene_); !fault.empty()) return refuse(scene_, fault);
@@ -89,7 +91,9 @@ class Flattener {
       if (shown[i]) placed_[i] = place(scene_.meshes[i]);
     }
     keep_ = find_attributes(scene_, shown);
-    shared_ = shared_instances(scene_, fewest_copied_);
+    if (meshes_) meshes_->compare(scene_);
+    shared_ =
+        meshes_ ? shared_instances(scene_, *meshes_) : shared_instances(scene_, fewest_copied_);
   }
 
   /// Decides whether a shape becomes faces or triangles. Emitters need triangles.
@@ -239,7 +243,9 @@ class Flattener {
     part.bounds.grow(glm::vec3(box.hi - world_.origin));
     world_.bounds.grow(part.bounds);
     const auto [mesh, added] = mesh_numbers_.try_emplace(instance.mesh, placements_.meshes.size());
-    if (added) placements_.meshes.push_back(shared_mesh(scene_, instance.mesh));
+    if (added)
+      placements_.meshes.push_back(meshes_ ? meshes_->world_of(scene_, instance.mesh)
+                                           : shared_mesh(scene_, instance.mesh));
     Placement place = placement_of(instance.world_from_mesh);
     place.mesh = static_cast<std::uint32_t>(mesh->second);
     place.part = static_cast<std::uint32_t>(world_.parts.size());
@@ -381,7 +387,8 @@ class Flattener {
 
   const Scene& scene_;
   const std::optional<glm::dvec3> given_origin_;
-  const std::uint64_t fewest_copied_;
+  const std::uint64_t fewest_copied_ = never_shared;
+  MeshStore* const meshes_ = nullptr;
   World world_;
   std::vector<std::uint8_t> shared_;         // by instance, 1: its mesh is stored once; or empty
   std::vector<PlacedBox> shared_boxes_;      // bounding boxes of the shared instances
@@ -399,6 +406,11 @@ class Flattener {
 Result<FlattenedScene> flatten(const Scene& scene, std::uint64_t max_triangles,
                                std::optional<glm::dvec3> origin, std::uint64_t fewest_copied) {
   return Flattener(scene, origin, fewest_copied).run(max_triangles);
+}
+
+Result<FlattenedScene> flatten(const Scene& scene, std::uint64_t max_triangles, glm::dvec3 origin,
+                               MeshStore& meshes) {
+  return Flattener(scene, origin, meshes).run(max_triangles);
 }
 
 }  // namespace asos

@@ -66,11 +66,13 @@ Result<Snapshot> exposed_snapshot(const std::string& source, PictureSize size, C
   if (!scene) return unexpected(scene.error());
   if (moves && !file->rig) return unexpected(Error{source, "has no animations"});
   const std::shared_ptr<const RenderScene> rest = *scene;
-  const auto posed = [&](const ClipTime& time) {
+  const auto posed = [&](const ClipTime& time, const std::shared_ptr<MeshStore>& meshes) {
+    AnimationInvariants stage = rest->geometry->stage;
+    stage.meshes = meshes;
     return file->rig->pose(time).and_then(
-        [&](const Scene& pose) { return prepare(pose, {}, &rest->geometry->stage); });
+        [&](const Scene& pose) { return prepare(pose, {}, &stage); });
   };
-  if (moves) scene = posed({exposure.animation, exposure.seconds});
+  if (moves) scene = posed({exposure.animation, exposure.seconds}, nullptr);
   if (scene) scene = with_boundaries(*scene);
   if (!scene) return unexpected(scene.error());
   if (exposure.f_stop > 0.0) camera.lens.f_stop = exposure.f_stop;

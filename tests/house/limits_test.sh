@@ -68,8 +68,9 @@ limit 'distance of cameras and lights' '1e15' renderer/geometry/coordinates.h \
 limit 'warnings' '100' $gltf/warnings.cpp 'most_warnings = 100;'
 limit 'warnings' '500 bytes' $gltf/warnings.cpp 'longest_remark = 500;'
 limit 'warnings' 'printed 10' app/render_warnings.cpp 'most_lines = 10;'
-limit 'steps of motion blur' '128' renderer/prepared/exposure.h 'most_steps = 128;'
-limit 'steps of motion blur' '4 million' renderer/prepared/exposure.h "most_triangles = 4'000'000;"
+limit 'steps of motion blur' '1024' renderer/prepared/exposure.h 'most_steps = 1024;'
+limit 'steps of motion blur' '4 million' renderer/prepared/exposure.h "most_triangles = 4'000'000,"
+limit 'steps of motion blur' '16 million' renderer/prepared/exposure.h "most_ray_triangles = 16'000'000;"
 limit 'picture side' '32768 pixels' renderer/settings/settings.cpp 'max_side = 32768;'
 
 # A row may have several numbers.

@@ -51,10 +51,12 @@ inline ExposedScene exposed_at(PosedBy& rig, double seconds, Camera camera,
                                const RenderSettings& settings) {
   const auto rest = prepare(*rig.pose(std::nullopt));
   EXPECT_TRUE(rest) << rest.error().message();
-  const auto at = [&](const ClipTime& time) {
-    return prepare(*rig.pose(time), {}, &(*rest)->geometry->stage);
+  const auto at = [&](const ClipTime& time, const std::shared_ptr<MeshStore>& meshes) {
+    AnimationInvariants stage = (*rest)->geometry->stage;
+    stage.meshes = meshes;
+    return prepare(*rig.pose(time), {}, &stage);
   };
-  const auto scene = at(ClipTime{0, seconds});
+  const auto scene = at(ClipTime{0, seconds}, nullptr);
   EXPECT_TRUE(scene) << scene.error().message();
   camera.world_from_camera[3] -= glm::dvec4((*scene)->world().origin, 0.0);
   const auto found = exposed(*scene, camera, settings, at);

@@ -395,7 +395,10 @@ TEST(MotionBlur, TakesAsManyStepsAsTheWayNeeds) {
   EXPECT_NEAR(steps(0.9)->step_pixels, 0.9 / 16.0, 1e-5);
   const auto fast = steps(-15.0);
   EXPECT_EQ(fast->steps(), 64);
-  const auto fastest = steps(60.0);
+  const auto faster = steps(200.0);
+  EXPECT_EQ(faster->steps(), 256) << "a pixel a step";
+  EXPECT_FALSE(faster->limited);
+  const auto fastest = steps(6000.0);
   EXPECT_EQ(fastest->steps(), Exposure::most_steps);
   EXPECT_TRUE(fastest->limited);
   EXPECT_EQ(exposure_remarks(*fastest).size(), 1u);
