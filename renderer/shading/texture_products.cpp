@@ -21,28 +21,57 @@ constexpr std::size_t few_places = 8, all_places = 16;  // places in a footprint
 /// Brightness of the surroundings, as a fraction of white.
 constexpr float surroundings = 0.5f;
 
-/// Returns the radiance of the layers that a material's coat and sheen leave, and of these, in
-/// uniform light as bright as white.
-glm::vec3 shown(const SurfaceMaterial& m, float n_dot_v, float roughest_mirror) {
+/// The radiance of a surface in uniform light as bright as white, by the side that the light comes
+/// from.
+struct Shown {
+  glm::vec3 front{0.0f}, behind{0.0f};
+
+  void add_layer(glm::vec3 radiance, float left) {
+    front = radiance + left * front;
+    behind *= left;
+  }
+  /// Returns the largest difference while both sides are dark up to white.
+  [[nodiscard]] float difference(const Shown& other) const {
+    const glm::vec3 a = front - other.front, b = behind - other.behind, none(0.0f);
+    return largest(
+        glm::max(glm::max(a, none) + glm::max(b, none), glm::max(-a, none) + glm::max(-b, none)));
+  }
+};
+
+/// Computes the radiance of coat, sheen and the layers below them.
+Shown shown(const SurfaceMaterial& m, float n_dot_v, float roughest_mirror) {
   const auto mirrored = [&](float roughness) {
     return roughness <= roughest_mirror ? 1.0f : mirrored_visibility(roughness);
   };
   const float open = 0.5f + 0.5f * m.occlusion;
-  const glm::vec3 scattered =
-      glm::mix(m.base_color, m.diffuse_transmission_color, m.diffuse_transmission);
-  const glm::vec3 matte = (1.0f - m.metallic) * ((1.0f - m.transmission) * open * scattered +
-                                                 m.transmission * m.base_color);
+  const float matte = 1.0f - m.metallic, scattered = (1.0f - m.transmission) * open;
   const glm::vec3 f0 = m.film.factor > 0.0f ? viewed(m, n_dot_v).specular : m.f0;
-  glm::vec3 sum = matte + mirrored(m.roughness) * f0 + m.emission;
+  Shown sum;
+  sum.front = matte * scattered * (1.0f - m.diffuse_transmission) * m.base_color +
+              mirrored(m.roughness) * f0 + m.emission;
+  sum.behind = matte * (scattered * m.diffuse_transmission * m.diffuse_transmission_color +
+                        m.transmission * m.base_color);
   if (m.sheen.color != glm::vec3(0.0f)) {
     const glm::vec3 sheen = viewed(m.sheen, n_dot_v).ambient;
-    sum = sheen + (1.0f - largest(sheen)) * sum;
+    sum.add_layer(sheen, 1.0f - largest(sheen));
   }
   if (m.coat.factor > 0.0f) {
     const glm::vec3 coat = viewed(m.coat, n_dot_v).f0;
-    sum = mirrored(m.coat.roughness) * coat + (1.0f - coat.x) * sum;
+    sum.add_layer(mirrored(m.coat.roughness) * coat, 1.0f - coat.x);
   }
-  return m.opacity * sum;
+  return {m.opacity * sum.front, m.opacity * sum.behind};
+}
+
+/// Returns the mean of what several materials show.
+Shown mean_shown(std::span<const SurfaceMaterial> materials, float n_dot_v, float roughest_mirror) {
+  Shown mean;
+  const float each = 1.0f / static_cast<float>(materials.size());
+  for (const SurfaceMaterial& m : materials) {
+    const Shown one = shown(m, n_dot_v, roughest_mirror);
+    mean.front += each * one.front;
+    mean.behind += each * one.behind;
+  }
+  return mean;
 }
 
 /// How reflections of a lobe are computed: as a mirror, by directions of its lobe, or from a
@@ -225,11 +254,8 @@ ProductError product_error(const World& world, const RenderFeatures& render_feat
   const float n_dot_v = viewed_point(point, from.to_viewer).n_dot_v;
   ProductError error{0.0f, of_reflections(materials), 0.0f};
   if (looks.differ()) {
-    glm::vec3 sum(0.0f);
-    for (const SurfaceMaterial& m : materials) sum += shown(m, n_dot_v, from.roughest_mirror);
-    const glm::vec3 of_means = shown(mean, n_dot_v, from.roughest_mirror);
-    error.shading =
-        surroundings * largest(glm::abs(sum / static_cast<float>(all_places) - of_means));
+    error.shading = surroundings * mean_shown(materials, n_dot_v, from.roughest_mirror)
+                                       .difference(shown(mean, n_dot_v, from.roughest_mirror));
   }
   if (!looks.differ_in_gloss()) return error;
   for (const PreparedLight& light : from.lights) {

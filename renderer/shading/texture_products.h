@@ -28,17 +28,17 @@ struct ViewedFrom {
 
 /// Errors of a footprint's display intensity if shading uses the mean of each texture.
 struct ProductError {
-  float shading = 0.0f;      ///< in uniform light
+  float shading = 0.0f;      ///< in light that is uniform on each side
   float reflections = 0.0f;  ///< of places that reflect in another way than their mean does
   float highlights = 0.0f;   ///< of unshadowed lights
 
   [[nodiscard]] float sum() const { return shading + reflections + highlights; }
 };
 
-/// Returns the errors. It compares 16 points of the footprint with their means. Uniform light is
-/// half as bright as white. Half of the diffuse light comes from the sky and is occluded. Surfaces
-/// rougher than `roughest_mirror` reflect a fraction of the sky, and others all of it. Returns 0 if
-/// the first eight points do not differ in two factors or in roughness.
+/// Returns the errors. It compares 16 points of the footprint with their means. The light of each
+/// side is up to half as bright as white. Half of the diffuse light comes from the sky and is
+/// occluded. Surfaces rougher than `roughest_mirror` reflect a fraction of the sky, and others all
+/// of it. Returns 0 if the first eight points do not differ in two factors or in roughness.
 [[nodiscard]] ProductError product_error(const World& world, const RenderFeatures& render_features,
                                          const Hit& hit, const Footprint& footprint,
                                          const ViewedFrom& from);

@@ -144,6 +144,17 @@ TEST(TextureProducts, ErrorForOtherFactorsOfColouredStripes) {
   EXPECT_GT(velvet.error(), 0.003f);
 }
 
+// White glass between black paint: the means would transmit half of a grey light. Light from the
+// front alone would hide that, since paint and glass together reflect as much as they transmit.
+TEST(TextureProducts, ErrorForGlassBetweenColouredStripes) {
+  Surface s;
+  s.material.specular = 0.0f;
+  s.material.base_color_texture.texture = s.colours();
+  s.material.transmission = 1.0f;
+  s.material.transmission_texture.texture = s.colours();
+  EXPECT_NEAR(s.error(), 0.5f * (0.5f - 0.25f), 1e-3f);
+}
+
 // A lamp in the mirrored direction: smooth stripes show its highlight, rough ones nearly none of
 // it. A dielectric is enough.
 TEST(TextureProducts, ErrorForHighlightsOfRoughStripes) {
