@@ -36,9 +36,11 @@ LeafChooser::LeafChooser(const EyeContext& eye, const EyeSamples& samples,
 LeafDecision LeafChooser::decide(SampleId sample, double weight, const LeafRegion& region,
                                  bool may_split) {
   const ErrorBudget& error_budget = eye_->error_budget;
-  if (!error_budget.refines_leaves() || !samples_->hit(sample).valid() ||
-      (eye_->mask && !eye_->mask->holds(samples_->at(sample))))
+  if (!error_budget.refines_leaves() || (eye_->mask && !eye_->mask->holds(samples_->at(sample))))
     return {};
+  // The background, too, may lie behind a hole.
+  if (samples_->cut_out(sample)) return {Estimator::samples, LeafVariation::layers};
+  if (!samples_->hit(sample).valid()) return {};
   // The parts of an evenly lit patch are right only as a whole, so none of them is sampled alone.
   const bool shared = terms_.soft_shadows() && even_around(sample, region);
   if (!eye_->mirrored() && !shared && samples_cost_least(error_budget, weight) && is_lit(sample))

@@ -22,6 +22,7 @@ namespace prices { int run(int argc, char** argv); }
 namespace primitives { int run(int argc, char** argv); }
 namespace rays_alone { int run(int argc, char** argv); }
 namespace render_ratios { int run(int argc, char** argv); }
+namespace slow_kinds { int run(int argc, char** argv); }
 
 }  // namespace asos::bench
 // clang-format on

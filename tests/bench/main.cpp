@@ -35,7 +35,8 @@ constexpr std::array benchmarks{
     Benchmark{"prices", prices::run, "exact answers of shadows, in the time of rays"},
     Benchmark{"primitives", primitives::run, "the papers' in-out tests beside rays"},
     Benchmark{"rays-alone", rays_alone::run, "sampling over its rays and nothing else"},
-    Benchmark{"render-ratios", render_ratios::run, "time over that of one sample a pixel"}};
+    Benchmark{"render-ratios", render_ratios::run, "time over that of one sample a pixel"},
+    Benchmark{"slow-kinds", slow_kinds::run, "kinds of models that ASOS is slow at"}};
 
 void print_usage(std::FILE* to) {
   fmt::print(to, "usage: bench NAME [--help] ...\n");

@@ -114,6 +114,34 @@ TEST(CutOutPictures, SampledErrorFallsWithMaxUnderSmallAreaLights) {
   for (const Light& light : small_area_lights()) expect_error_falls(light, Method::sobol, 1024);
 }
 
+// A lattice without known outlines before a dark board and the bright background. Pixels with the
+// board's border took the parts that show the background as all of it, and lost the lattice.
+TEST(CutOutPictures, WithoutOutlinesKeepTheLatticeBeforeTheBackground) {
+  World world;
+  add_quad(world, {-1.03f, -1.02f, -1}, {1.5f, 0.3f, 0}, {-0.2f, 1.3f, 0}, unlit(glm::vec3(0.1f)));
+  Material lattice = unlit(glm::vec3(0.3f));
+  lattice.alpha_mode = AlphaMode::mask;
+  lattice.base_color_texture.texture = add_texture(
+      world,
+      make_image(96, 96,
+                 [](int x, int y) -> Texel {
+                   return {255, 255, 255, static_cast<std::uint8_t>(x % 3 && y % 4 ? 0 : 255)};
+                 }),
+      Wrap::clamp_to_edge, Filter::nearest);
+  add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, lattice);
+  leave_cut_outs_to_samples(world);
+  const auto scene = make_render_scene(std::move(world), {});
+  EXPECT_TRUE(scene->features().cut_outs_unbounded());
+  RenderSettings settings;
+  settings.width = settings.height = 16;
+  settings.background.kind = BackgroundKind::colours;
+  settings.background.top = settings.background.bottom = glm::vec3(0.9f);
+  const Picture found = render_picture(*scene, orthographic(2.0), settings);
+  settings.method = Method::sobol;
+  settings.sampling.spp = 1024;
+  EXPECT_LT(rms(found, render_picture(*scene, orthographic(2.0), settings)), 0.006);
+}
+
 // Leaves in front of leaves, iron in front of its own shadow: many outlines per pixel.
 TEST(CutOutPictures, BuiltInScenesMatchManySamples) {
   for (const char* source : {"builtin:railing", "builtin:foliage"}) {
