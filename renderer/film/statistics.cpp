@@ -38,6 +38,9 @@ RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
   unresolved_area += other.unresolved_area;
   rejected_samples += other.rejected_samples;
   cut_stacks += other.cut_stacks;
+  for (std::size_t i = 0; i < samples_by_path.size(); ++i) {
+    samples_by_path[i] += other.samples_by_path[i];
+  }
   for (std::size_t i = 0; i < pixels_by_cause.size(); ++i) {
     pixels_by_cause[i] += other.pixels_by_cause[i];
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/sample_path.h"
 #include "renderer/film/split_cause.h"
 
 #include <array>
@@ -39,12 +40,19 @@ struct RenderStatistics {
   std::uint64_t rejected_samples = 0;  ///< samples that were not finite, dropped
   std::uint64_t cut_stacks = 0;        ///< rays that stopped at the limit of surfaces per ray
 
+  /// Number of rays of samples, from the eye or continued, by the way in which their ends were
+  /// shaded.
+  std::array<std::uint64_t, sample_path_count> samples_by_path{};
+
   /// ASOS: number of pixels by cause, without unsplit pixels.
   std::array<std::uint64_t, split_cause_count> pixels_by_cause{};
 
   /// Returns the number of rays of all kinds.
   [[nodiscard]] std::uint64_t rays() const {
     return eye_rays + shadow_rays + reflection_rays + sky_rays;
+  }
+  void count_sample(SamplePath path, std::uint64_t rays = 1) {
+    samples_by_path[static_cast<std::size_t>(path)] += rays;
   }
   /// Counts shadow rays to a light, in the total and for that light.
   void count_shadow_ray(std::uint32_t light, std::uint64_t rays = 1);

@@ -1,5 +1,6 @@
 #include "renderer/picture/picture_text.h"
 
+#include "renderer/film/sample_path.h"
 #include "renderer/film/split_cause.h"
 
 #include <nlohmann/json.hpp>
@@ -14,11 +15,15 @@ Json counts_json(const RenderStatistics& counts) {
   Json causes = Json::object();
   for (std::size_t i = 1; i < split_cause_count; ++i)
     causes[split_cause_names[i]] = counts.pixels_by_cause[i];
+  Json paths = Json::object();
+  for (std::size_t i = 0; i < sample_path_count; ++i)
+    paths[sample_path_names[i]] = counts.samples_by_path[i];
   return {{"rays",
            {{"eye", counts.eye_rays},
             {"shadow", counts.shadow_rays},
             {"reflection", counts.reflection_rays},
             {"sky", counts.sky_rays}}},
+          {"samples_by_path", std::move(paths)},
           {"shadow_pyrays", counts.shadow_pyrays},
           {"pyrays_by_level", counts.pyrays_by_level},
           {"split_pixels", counts.split_pixels},

@@ -44,6 +44,7 @@ void BouncedLight::follow(std::span<const SkyRay> rays, SampledLights& lights, R
   scene_->rays().closest(rays_, hits_);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const SkyRay& from = rays[i];
+    counts.count_sample(hits_[i].valid() ? SamplePath::bounce : SamplePath::background);
     places_->start_pixel(from.sample.x, from.sample.y);
     places_->start_sample(from.sample.index);
     ViewedRay seen{from.ray, hits_[i]};

@@ -254,8 +254,9 @@ void SampleSums::gather_lobes() {
   for (std::size_t i = 0; i < used_; ++i) {
     hit_[samples_[i].target] = hits_[i];
     count(samples_[i].target);
-    if (hits_[i].valid() && !simd_.add(i, rays_[i], hits_[i], samples_[i].side))
-      alone_[alone++] = i;
+    const SamplePath path = simd_.add(i, rays_[i], hits_[i], samples_[i].side);
+    statistics_.count_sample(path);
+    if (path != SamplePath::lanes && hits_[i].valid()) alone_[alone++] = i;
   }
   const Shader& shader = viewer_.shader;
   const auto gather = [&](std::size_t i, const auto& reflect) {
@@ -267,6 +268,7 @@ void SampleSums::gather_lobes() {
   };
   ShadingPoints& points = lights_.first_points().points;
   const bool plain = simd_.count() > 0 && simd_.shade(points);
+  if (!plain) count_lost_batch();
   for (std::size_t k = 0; k < simd_.count(); ++k) {
     if (!plain) {
       alone_[alone++] = simd_.index(k);
@@ -283,13 +285,24 @@ void SampleSums::gather_lobes() {
   }
 }
 
+// Counts the samples of a batch that is shaded one by one after all.
+void SampleSums::count_lost_batch() {
+  const auto count = [this](SamplePath path) -> std::uint64_t& {
+    return statistics_.samples_by_path[static_cast<std::size_t>(path)];
+  };
+  count(SamplePath::lanes) -= simd_.count();
+  count(SamplePath::not_finite) += simd_.count();
+}
+
 // Shades the hits of the waiting samples.
 void SampleSums::shade_batch() {
   simd_.clear();
   std::size_t alone = 0;
   for (std::size_t i = 0; i < used_; ++i) {
     hit_[samples_[i].target] = hits_[i];
-    if (simd_.add(i, rays_[i], hits_[i], samples_[i].side)) continue;
+    const SamplePath path = simd_.add(i, rays_[i], hits_[i], samples_[i].side);
+    statistics_.count_sample(path);
+    if (path == SamplePath::lanes) continue;
     if (!hits_[i].valid() && simd_.background()) {
       const glm::dvec3 background(*simd_.background());
       sums().add({samples_[i].target}, background, glm::dvec3(0.0), background);
@@ -302,6 +315,7 @@ void SampleSums::shade_batch() {
     return SeenSample{samples_[i], glm::vec3(1.0f), seen_by(i, samples_[i].side)};
   };
   if (simd_.count() > 0 && !shade_plain(seen_sample)) {
+    count_lost_batch();
     for (std::size_t i = 0; i < simd_.count(); ++i) alone_[alone++] = simd_.index(i);
   } else {
     for (std::size_t i = 0; i < simd_.count(); ++i) count(samples_[simd_.index(i)].target);
@@ -403,12 +417,17 @@ void SampleSums::shade_reflections(std::span<const ReflectedSample> samples) {
   };
   simd_.clear();
   std::size_t alone = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (!simd_.add_reflected(i, samples[i].viewed(hits_[i]))) alone_[alone++] = i;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const SamplePath path = simd_.add_reflected(i, samples[i].viewed(hits_[i]));
+    statistics_.count_sample(path);
+    if (path != SamplePath::lanes) alone_[alone++] = i;
+  }
   if (simd_.count() > 0) {
     lights_.trace(sums(), statistics_);  // makes room for the first points
-    if (!shade_plain(seen_sample))
+    if (!shade_plain(seen_sample)) {
+      count_lost_batch();
       for (std::size_t i = 0; i < simd_.count(); ++i) alone_[alone++] = simd_.index(i);
+    }
   }
   for (std::size_t k = 0; k < alone; ++k) {
     const ReflectedSample& next = samples[alone_[k]];

@@ -145,6 +145,7 @@ class SampleSums {
     ++count_[target];
     sums().count(target);
   }
+  void count_lost_batch();
   void shade_batch();
   template <typename Sample>
   [[nodiscard]] bool shade_plain(const Sample& sample);

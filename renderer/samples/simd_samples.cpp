@@ -9,6 +9,15 @@
 #include <numbers>
 
 namespace asos {
+namespace {
+
+bool usable(const World& world, const Shader& shader) {
+  const ShadingSettings& settings = shader.settings();
+  return SampledLights::takes_all(shader.lights(), settings.shadows) && !world.normals.empty() &&
+         settings.backdrop.shows_light();
+}
+
+}  // namespace
 
 SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
     : world_(scene.world()),
@@ -18,9 +27,11 @@ SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
       viewer_(viewer),
       mips_(viewer.shader.settings().mips),
       sky_(viewer.shader.settings().sky),
-      usable_(SampledLights::takes_all(viewer.shader.lights(), viewer.shader.settings().shadows) &&
-              !world_.normals.empty() && viewer.shader.settings().backdrop.shows_light()),
-      viewer_usable_(usable_ && !viewer.sees_bare_lights() && !viewer.passage.in_medium()),
+      path_(usable(world_, viewer.shader) ? SamplePath::lanes : SamplePath::lighting),
+      viewer_path_(path_ != SamplePath::lanes   ? path_
+                   : viewer.sees_bare_lights()  ? SamplePath::bare_light
+                   : viewer.passage.in_medium() ? SamplePath::volume
+                                                : SamplePath::lanes),
       reflections_(viewer.shader.reflections()),
       roughest_mirror_(viewer.shader.settings().roughest_mirror),
       picture_(sky_ ? sky_->picture_lobes() : Sky::PictureLobes{}),
@@ -35,27 +46,33 @@ SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
   sky_radiance_ = sky_ ? sky_->radiance(any) : background_radiance;
 }
 
-bool SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
-  return viewer_usable_ && add(index, ray, hit, side, viewer_.bounces, viewer_.hides_lights);
+SamplePath SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
+  if (!hit.valid()) return SamplePath::background;
+  if (viewer_path_ != SamplePath::lanes) return viewer_path_;
+  return add(index, ray, hit, side, viewer_.bounces, viewer_.hides_lights);
 }
 
-bool SimdSamples::add_reflected(std::size_t index, const ViewedRay& seen) {
-  if (!usable_ || seen.passage.in_medium()) return false;
+SamplePath SimdSamples::add_reflected(std::size_t index, const ViewedRay& seen) {
+  if (!seen.hit.valid()) return SamplePath::background;
+  if (path_ != SamplePath::lanes) return path_;
+  if (seen.passage.in_medium()) return SamplePath::volume;
   if (seen.reflected() && !seen.hides_lights && seen.hit.triangle < triangles_) {
     const auto light = viewer_.shader.nearest_light_without_geometry(seen.ray);
-    if (light && !(seen.hit.t < light->t)) return false;
+    if (light && !(seen.hit.t < light->t)) return SamplePath::bare_light;
   }
-  if (!add(index, seen.ray, seen.hit, seen.side, seen.bounces, seen.hides_lights)) return false;
+  const SamplePath path =
+      add(index, seen.ray, seen.hit, seen.side, seen.bounces, seen.hides_lights);
+  if (path != SamplePath::lanes) return path;
   own_spacings_ = true;
   arrays_->spacing.set(count() - 1, *seen.spacing);
-  return true;
+  return path;
 }
 
-bool SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side, int bounces,
-                      bool hides_lights) {
-  if (hit.triangle >= triangles_) return false;
+SamplePath SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side,
+                            int bounces, bool hides_lights) {
+  if (hit.triangle >= triangles_) return SamplePath::face;
   const SimdMaterial& material = table_.of(world_, hit.triangle);
-  if (!material.plain) return false;
+  if (material.path != SamplePath::lanes) return material.path;
   if (!arrays_) {
     arrays_ = ThreadLocalCache<Arrays>::make();
     clear();
@@ -83,7 +100,7 @@ bool SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float s
     arrays_->materials.set(i, material.surface);
     arrays_->emission[i] = shown(i, material.surface.emission);
   }
-  return true;
+  return SamplePath::lanes;
 }
 
 glm::vec3 SimdSamples::shown(std::size_t i, glm::vec3 emission) const {

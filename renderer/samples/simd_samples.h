@@ -27,12 +27,12 @@ class SimdSamples {
 
   /// See SampleSums.
   void widen_colours(float times) { colours_ = times; }
-  /// Adds the hit of the viewer's ray number `index` to the batch. Returns false if the hit needs
-  /// Shader.
-  [[nodiscard]] bool add(std::size_t index, const Ray& ray, const Hit& hit, float side);
+  /// Adds the hit of the viewer's ray number `index` to the batch. Returns the reason if the hit
+  /// needs Shader instead.
+  [[nodiscard]] SamplePath add(std::size_t index, const Ray& ray, const Hit& hit, float side);
   /// Adds the hit of another ray, with the spacing of its own picture. All points of a batch are of
   /// the same kind.
-  [[nodiscard]] bool add_reflected(std::size_t index, const ViewedRay& seen);
+  [[nodiscard]] SamplePath add_reflected(std::size_t index, const ViewedRay& seen);
   [[nodiscard]] std::size_t count() const { return arrays_ ? arrays_->hits.count : 0; }
   /// Returns the number of point i's ray.
   [[nodiscard]] std::size_t index(std::size_t i) const { return arrays_->index[i]; }
@@ -70,8 +70,8 @@ class SimdSamples {
                RenderStatistics& counts) const;
 
  private:
-  [[nodiscard]] bool add(std::size_t index, const Ray& ray, const Hit& hit, float side, int bounces,
-                         bool hides_lights);
+  [[nodiscard]] SamplePath add(std::size_t index, const Ray& ray, const Hit& hit, float side,
+                               int bounces, bool hides_lights);
   /// Returns the emission that the point's ray includes.
   [[nodiscard]] glm::vec3 shown(std::size_t i, glm::vec3 emission) const;
   struct Arrays {
@@ -101,8 +101,8 @@ class SimdSamples {
   const ViewContext& viewer_;
   const MipChains* mips_;
   const Sky* sky_;
-  bool usable_;         // for any ray
-  bool viewer_usable_;  // for the viewer's rays
+  SamplePath path_;         // of all rays: lanes, or the reason against them
+  SamplePath viewer_path_;  // of the viewer's rays
   bool own_spacings_ = false;
   int reflections_;
   float roughest_mirror_;

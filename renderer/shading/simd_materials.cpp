@@ -15,6 +15,19 @@ bool finite(const SurfaceMaterial& m) {
   return std::isfinite(sum.x + sum.y + sum.z + m.f90 + m.metallic + m.roughness);
 }
 
+SamplePath path_of(const Material& m, const SurfaceMaterial& surface) {
+  if (bounds_volume(m)) return SamplePath::volume;
+  if (surface_kind(m) == SurfaceKind::blended) return SamplePath::blended;
+  if (m.unlit) return SamplePath::unlit;
+  if (m.stroke) return SamplePath::line;
+  if (m.coat.factor > 0.0f) return SamplePath::coat;
+  if (m.sheen.used()) return SamplePath::sheen;
+  if (m.film.used()) return SamplePath::film;
+  if (m.anisotropy.used()) return SamplePath::anisotropy;
+  if (m.diffuse_transmission.used()) return SamplePath::diffuse_transmission;
+  return finite(surface) ? SamplePath::lanes : SamplePath::not_finite;
+}
+
 SimdMaterial plain_material(const World& world, const RenderFeatures& render_features,
                             const Material& m) {
   SimdMaterial plain;
@@ -26,10 +39,7 @@ SimdMaterial plain_material(const World& world, const RenderFeatures& render_fea
   plain.looked_up = used || (render_features.vertex_colors && !world.colors.empty());
   plain.normal_map = render_features.normal_maps && m.normal_texture.used();
   plain.shiny = m.roughness <= least_broad_roughness && render_features.lights();
-  const bool layered = m.coat.factor > 0.0f || m.sheen.used() || m.film.used() ||
-                       m.anisotropy.used() || m.diffuse_transmission.used();
-  plain.plain = !m.unlit && !m.stroke && !layered && surface_kind(m) != SurfaceKind::blended &&
-                finite(plain.surface);
+  plain.path = path_of(m, plain.surface);
   return plain;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/film/sample_path.h"
 #include "renderer/shading/surface.h"
 #include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
@@ -12,8 +13,8 @@ namespace asos {
 /// Data of a material for shading batches of points.
 struct SimdMaterial {
   SurfaceMaterial surface;  ///< without textures and vertex colours
-  bool plain = false;       ///< opaque at every hit, lit, of one layer, and finite
-  bool looked_up = false;   ///< textures or vertex colours change `surface`
+  SamplePath path = SamplePath::lanes;  ///< or the reason why Shader shades it
+  bool looked_up = false;               ///< textures or vertex colours change `surface`
   bool normal_map = false;
   bool textured = false;  ///< any texture is used: the patch matters
   bool shiny = false;     ///< with highlights so narrow that curvature matters

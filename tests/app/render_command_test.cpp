@@ -137,6 +137,7 @@ TEST_F(RenderCommand, WritesEveryStatisticWithItsType) {
       {"render_seconds", {Type::number_float}},
       {"memory_mb", {Type::number_float}},
       {"rays", {Type::object}},
+      {"samples_by_path", {Type::object}},
       {"shadow_pyrays", {Type::number_unsigned}},
       {"lights", {Type::array}},
       {"pyrays_by_level", {Type::array}},

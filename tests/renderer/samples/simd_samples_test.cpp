@@ -81,7 +81,8 @@ class Comparison {
       for (std::size_t i = 0; i < hits.size(); ++i) {
         seen.push_back(viewer_->viewed(rays[i], hits[i], 0.25f));
         if (!reflected) {
-          all.alone += hits[i].valid() && !plain.add(i, rays[i], hits[i], 0.25f);
+          all.alone +=
+              hits[i].valid() && plain.add(i, rays[i], hits[i], 0.25f) != SamplePath::lanes;
           continue;
         }
         spacings[i].right *= 1.0f + 0.1f * static_cast<float>(i);
@@ -89,7 +90,7 @@ class Comparison {
         seen[i].spacing = &spacings[i];
         seen[i].bounces = static_cast<int>(i % 3);
         seen[i].hides_lights = i % 2 == 0;
-        all.alone += hits[i].valid() && !plain.add_reflected(i, seen[i]);
+        all.alone += hits[i].valid() && plain.add_reflected(i, seen[i]) != SamplePath::lanes;
       }
       if (plain.count() == 0) continue;
       const auto points = std::make_unique<ShadingPoints>();
