@@ -72,9 +72,10 @@ HWY_INLINE void store_lobe(const Vectors& f0, Lanes f90, Lanes roughness, Shadin
   store(hn::Mul(floored, floored), points.alpha, i);
   store(zero, points.shows_lights, i);
   store(zero, points.sheen, i);
+  const Vectors none{zero, zero, zero};
+  store(none, points.stretch, i);
   // Broad highlights need no patch.
   const auto narrow = hn::Lt(roughness, all_lanes(least_broad_roughness));
-  const Vectors none{zero, zero, zero};
   const Vectors right = select(narrow, loaded(points.patch_right, i), none);
   const Vectors down = select(narrow, loaded(points.patch_down, i), none);
   store(right, points.patch_right, i);

@@ -57,28 +57,31 @@ void ShadingPoints::add(const LightingQuery& lit, glm::vec3 weight) {
   to_viewer.set(i, lit.view.to_viewer);
   n_dot_v[i] = lit.view.n_dot_v;
 
-  const glm::vec3 share = weight * lit.share;
-  diffuse.set(i, share * material.diffuse * std::numbers::inv_pi_v<float>);
-  falloff[i] = material.falloff;
-  f0.set(i, share * material.f0);
-  f90_less_f0.set(i, share * (material.f90 - material.f0));
-  const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
-  alpha[i] = roughness * roughness;
+  set_material(i, material, weight * lit.share);
   set_mirrored(i, lit.mirrored);
 
   const Patch& patch = lit.view.patch;
   const bool is_point = patch.right == glm::vec3(0.0f) && patch.down == glm::vec3(0.0f);
-  sheen[i] = material.sheen;
   const bool plain_lobe = !(material.sheen > 0.0f) && material.stretch.none();
   turns[i] = is_point && point.spread.flat() && plain_lobe ? 0.0f : 1.0f;
   if (turns[i] == 0.0f) return;
-  stretch.set(i, material.stretch.along);
   viewer_nearness[i] = 1.0f / lit.view.distance;
   patch_right.set(i, patch.right);
   patch_down.set(i, patch.down);
   spread_right.set(i, point.spread.right);
   spread_down.set(i, point.spread.down);
   spread_variance[i] = point.spread.variance;
+}
+
+void ShadingPoints::set_material(std::size_t i, const ViewedMaterial& material, glm::vec3 share) {
+  diffuse.set(i, share * material.diffuse * std::numbers::inv_pi_v<float>);
+  falloff[i] = material.falloff;
+  f0.set(i, share * material.f0);
+  f90_less_f0.set(i, share * (material.f90 - material.f0));
+  const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
+  alpha[i] = roughness * roughness;
+  sheen[i] = material.sheen;
+  stretch.set(i, material.stretch.along);
 }
 
 void ShadingPoints::add(const SurfacePoint& point) {

@@ -50,6 +50,8 @@ struct ShadingPoints {
   [[nodiscard]] bool full() const { return count == size; }
   /// Adds a point whose reflectance is multiplied by `weight`. The batch must not be full.
   void add(const LightingQuery& point, glm::vec3 weight);
+  /// Sets the material of a point of the batch, with reflectance multiplied by `share`.
+  void set_material(std::size_t i, const ViewedMaterial& material, glm::vec3 share);
   /// Multiplies the reflectance of a point of the batch.
   void weigh(std::size_t i, glm::vec3 weight) {
     for (Vectors* reflectance : {&diffuse, &f0, &f90_less_f0})

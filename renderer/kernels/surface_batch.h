@@ -55,17 +55,19 @@ struct SurfaceRest {
   ShadingPoints::Floats right_b1{}, right_b2{}, down_b1{}, down_b2{};  ///< of the Footprint
 };
 
-/// Fields of SurfaceMaterial, for lit opaque surfaces.
+/// Fields of SurfaceMaterial, for lit surfaces.
 struct MaterialBatch {
-  ShadingPoints::Vectors base_color;
+  ShadingPoints::Vectors base_color;  ///< of the part that is reflected
   ShadingPoints::Vectors f0;
   ShadingPoints::Floats f90{}, roughness{}, metallic{};
   ShadingPoints::Floats dielectric_f0{}, dielectric_f90{};
   ShadingPoints::Floats occlusion{};
   ShadingPoints::Vectors specular, ambient;  ///< outputs, as in ViewedMaterial
+  ShadingPoints::Floats below{};             ///< output, as in ViewedMaterial
 
   void set(std::size_t i, const SurfaceMaterial& material) {
-    base_color.set(i, material.base_color);
+    const float reflected = (1.0f - material.transmission) * (1.0f - material.diffuse_transmission);
+    base_color.set(i, reflected * material.base_color);
     f0.set(i, material.f0);
     f90[i] = material.f90;
     roughness[i] = material.roughness;

@@ -349,6 +349,7 @@ bool view(const LobeNormTable& table, const SurfaceRest& rest, MaterialBatch& ma
     const auto dielectric = loaded(materials.dielectric_f0, i);
     const auto dielectric_f90 = loaded(materials.dielectric_f90, i);
     const auto below = hn::Sub(one, environment_specular(norms, dielectric, dielectric_f90));
+    store(below, materials.below, i);
     const Vectors albedo =
         scaled(hn::Sub(one, loaded(materials.metallic, i)), loaded(materials.base_color, i));
     const Vectors ambient = scaled(hn::Mul(loaded(materials.occlusion, i), below), albedo);

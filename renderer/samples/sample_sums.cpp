@@ -1,38 +1,35 @@
 #include "renderer/samples/sample_sums.h"
 
-#include "renderer/prepared/screen_motion.h"
-#include "renderer/reflections/own_side.h"
 #include "renderer/samples/one_sample.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace asos {
-namespace {
 
-/// Returns the ray at a fraction of the way from one to another.
-Ray between(const Ray& from, const Ray& to, double way) {
-  const auto part = static_cast<float>(way);
-  Ray ray = from;
-  ray.origin = glm::mix(from.origin, to.origin, part);
-  ray.direction = glm::normalize(glm::mix(from.direction, to.direction, part));
-  return ray;
-}
+/// The samples whose eye rays wait.
+struct SampleSums::EyeRays {
+  static constexpr bool first = true;
+  const SampleSums& of;
 
-/// A ray of a sample, with its hit and the weight of its radiance in the sample.
-struct SeenSample {
-  const PointSample& sample;
-  glm::vec3 weight;
-  ViewedRay seen;
+  [[nodiscard]] const PointSample& sample(std::size_t i) const { return of.samples_[i]; }
+  [[nodiscard]] glm::vec3 weight(std::size_t /*i*/) const { return glm::vec3(1.0f); }
+  [[nodiscard]] ViewedRay seen(std::size_t i) const { return of.seen_by(i, of.samples_[i].side); }
 };
 
-}  // namespace
+/// Samples whose rays were continued.
+struct SampleSums::ContinuedRays {
+  static constexpr bool first = false;
+  const SampleSums& of;
+  std::span<const ReflectedSample> samples;
+
+  [[nodiscard]] const PointSample& sample(std::size_t i) const { return samples[i].sample; }
+  [[nodiscard]] glm::vec3 weight(std::size_t i) const { return samples[i].weight; }
+  [[nodiscard]] ViewedRay seen(std::size_t i) const { return samples[i].viewed(of.hits_[i]); }
+};
 
 /// One SampleSums per moment, made for the first sample at that moment.
 struct SampleSums::Moving {
@@ -91,6 +88,7 @@ SampleSums::SampleSums(const RenderScene& scene, const ViewContext& viewer,
       count_(own_.count),
       hit_(own_.hit),
       statistics_(own_.statistics) {
+  if (shows == SummedRadiance::lobes) simd_.leave_blended();
   if (viewer.view.has_lens()) places.use_lens();
 }
 
@@ -165,22 +163,6 @@ void SampleSums::trace() {
   used_ = 0;
 }
 
-void SampleSums::cast_rays() {
-  const std::span rays = std::span(rays_).first(used_);
-  const std::span hits = std::span(hits_).first(used_);
-  const bool lens = viewer_.view.has_lens();
-  aim(viewer_.view, rays);
-  if (motion_)
-    cast_in_motion();
-  else
-    scene_->rays().closest(rays, hits, faces_);
-  if (viewer_.mirror)
-    pass_mirror(*viewer_.mirror, scene_->world(), scene_->rays(), faces_, rays, hits);
-  pass_own_side(viewer_.passage, scene_->world(), scene_->rays(), faces_, rays, hits);
-  if (lens) widen_footprints();
-  (viewer_.bounces > 0 ? statistics_.reflection_rays : statistics_.eye_rays) += used_;
-}
-
 // Adds the layers of the waiting samples.
 void SampleSums::add_layers() {
   if (!probe_) probe_.emplace(*scene_, viewer_, *layer_settings_);
@@ -190,116 +172,62 @@ void SampleSums::add_layers() {
   }
 }
 
-// Each sample's ray starts at its own point of the lens.
-void SampleSums::aim(const View& view, std::span<Ray> rays) {
-  if (!view.has_lens()) {
-    view.rays(std::span(points_).first(used_), rays);
-    return;
-  }
-  for (std::size_t i = 0; i < used_; ++i) {
-    const PointSample& sample = samples_[i];
-    if (i == 0 || sample.x != samples_[i - 1].x || sample.y != samples_[i - 1].y)
-      places_->start_pixel(sample.x, sample.y);
-    places_->start_sample(sample.index);
-    const ExposurePoint exposure{point_on_aperture(view.lens(), places_->on_lens())};
-    rays[i] = view.ray(points_[i].x, points_[i].y, exposure);
-  }
-}
-
-// Each sample's ray meets the scene at its own time. The surface is then shaded as at the moment:
-// the ray is shifted by the way that its point moves until then.
-void SampleSums::cast_in_motion() {
-  const std::span rays = std::span(rays_).first(used_);
-  const int steps = motion_->steps();
-  const auto after = [&](std::size_t i) {
-    return static_cast<double>(times_[i]) * steps - moment_;
-  };
-  const auto neighbour = [&](std::size_t i) { return moment_ + (after(i) > 0.0 ? 1 : -1); };
-  if (motion_->camera_moves()) {
-    std::array<Ray, batch> others;
-    for (const int other : {moment_ - 1, moment_ + 1}) {
-      if (other < 0 || other > steps) continue;
-      aim(motion_->view(other), std::span(others).first(used_));
-      for (std::size_t i = 0; i < used_; ++i)
-        if (neighbour(i) == other) rays[i] = between(rays[i], others[i], std::abs(after(i)));
-    }
-  }
-  motion_->rays()->closest(rays, std::span(times_).first(used_), scene_->world(),
-                           std::span(hits_).first(used_), faces_);
-  for (std::size_t i = 0; i < used_; ++i) {
-    if (!hits_[i].valid() || after(i) == 0.0) continue;
-    const glm::dvec3 way =
-        way_of_point(motion_->scene(neighbour(i)).world(), scene_->world(), hits_[i]);
-    rays[i].origin += glm::vec3(std::abs(after(i)) * way);
-  }
-}
-
-// Widens the footprints, since the samples of a pixel share the pixel and its circle of confusion.
-void SampleSums::widen_footprints() {
-  const View& view = viewer_.view;
-  const double pixel = static_cast<double>(viewer_.pixel) * static_cast<double>(viewer_.pixel);
-  const double disk = std::numbers::pi * aperture_share(view.lens()) / pixel;
-  for (std::size_t i = 0; i < used_; ++i) {
-    const double depth = hits_[i].valid() ? view.depth(rays_[i], hits_[i].t)
-                                          : std::numeric_limits<double>::infinity();
-    const double radius = view.confusion(depth);
-    samples_[i].side *= static_cast<float>(std::sqrt(1.0 + disk * radius * radius));
-  }
-}
-
 // Collects the lobes' reflections at the hits of the waiting samples.
 void SampleSums::gather_lobes() {
   simd_.clear();
-  std::size_t alone = 0;
+  alone_count_ = 0;
   for (std::size_t i = 0; i < used_; ++i) {
     hit_[samples_[i].target] = hits_[i];
     count(samples_[i].target);
+    if (simd_.full_for(hits_[i])) gather_waiting_lobes();
     const SamplePath path = simd_.add(i, rays_[i], hits_[i], samples_[i].side);
     statistics_.count_sample(path);
-    if (path != SamplePath::lanes && hits_[i].valid()) alone_[alone++] = i;
+    if (path != SamplePath::lanes && hits_[i].valid()) alone_[alone_count_++] = i;
   }
-  const Shader& shader = viewer_.shader;
-  const auto gather = [&](std::size_t i, const auto& reflect) {
-    const PointSample& sample = samples_[i];
-    places_->start_pixel(sample.x, sample.y);
-    places_->start_sample(sample.index);
-    OneLobeSample transport(reflections_, shader, sample);
-    reflect(seen_by(i, sample.side), transport);
-  };
-  ShadingPoints& points = lights_.first_points().points;
-  const bool plain = simd_.count() > 0 && simd_.shade(points);
-  if (!plain) count_lost_batch();
-  for (std::size_t k = 0; k < simd_.count(); ++k) {
-    if (!plain) {
-      alone_[alone++] = simd_.index(k);
-    } else if (simd_.may_mirror(k)) {
-      gather(simd_.index(k), [&](const ViewedRay& seen, OneLobeSample& transport) {
-        (void)simd_.reflect(k, seen, points, transport, statistics_);
-      });
-    }
-  }
-  for (std::size_t k = 0; k < alone; ++k) {
-    gather(alone_[k], [&](const ViewedRay& seen, OneLobeSample& transport) {
-      (void)shader.radiance(seen, transport, statistics_);
-    });
+  gather_waiting_lobes();
+  for (std::size_t k = 0; k < alone_count_; ++k) {
+    const PointSample& sample = samples_[alone_[k]];
+    start_sample(sample);
+    OneLobeSample transport(reflections_, viewer_.shader, sample);
+    (void)viewer_.shader.radiance(seen_by(alone_[k], sample.side), transport, statistics_);
   }
 }
 
-// Counts the samples of a batch that is shaded one by one after all.
-void SampleSums::count_lost_batch() {
-  const auto count = [this](SamplePath path) -> std::uint64_t& {
-    return statistics_.samples_by_path[static_cast<std::size_t>(path)];
-  };
-  count(SamplePath::lanes) -= simd_.count();
-  count(SamplePath::not_finite) += simd_.count();
+// Collects the lobes' reflections at the points of the SIMD path.
+void SampleSums::gather_waiting_lobes() {
+  if (simd_.count() == 0) return;
+  ShadingPoints& points = lights_.first_points().points;
+  if (!simd_.shade(points)) return shade_alone_instead();
+  for (std::size_t k = 0; k < simd_.count(); ++k) {
+    if (!simd_.may_mirror(k)) continue;
+    const std::size_t i = simd_.index(k);
+    const PointSample& sample = samples_[i];
+    start_sample(sample);
+    OneLobeSample transport(reflections_, viewer_.shader, sample);
+    (void)simd_.reflect(k, seen_by(i, sample.side), points, transport, statistics_);
+  }
+  simd_.clear();
+}
+
+// Shades the samples of the SIMD path one by one after all, because a value is not finite.
+void SampleSums::shade_alone_instead() {
+  for (std::size_t i = 0; i < simd_.count(); ++i) {
+    if (!simd_.is_top(i)) continue;
+    alone_[alone_count_++] = simd_.index(i);
+    --statistics_.samples_by_path[static_cast<std::size_t>(SamplePath::lanes)];
+    statistics_.count_sample(SamplePath::not_finite);
+  }
+  simd_.clear();
 }
 
 // Shades the hits of the waiting samples.
 void SampleSums::shade_batch() {
+  const EyeRays waiting{*this};
   simd_.clear();
-  std::size_t alone = 0;
+  alone_count_ = 0;
   for (std::size_t i = 0; i < used_; ++i) {
     hit_[samples_[i].target] = hits_[i];
+    if (simd_.full_for(hits_[i])) shade_waiting_points(waiting);
     const SamplePath path = simd_.add(i, rays_[i], hits_[i], samples_[i].side);
     statistics_.count_sample(path);
     if (path == SamplePath::lanes) continue;
@@ -308,19 +236,11 @@ void SampleSums::shade_batch() {
       sums().add({samples_[i].target}, background, glm::dvec3(0.0), background);
       count(samples_[i].target);
     } else {
-      alone_[alone++] = i;
+      alone_[alone_count_++] = i;
     }
   }
-  const auto seen_sample = [this](std::size_t i) {
-    return SeenSample{samples_[i], glm::vec3(1.0f), seen_by(i, samples_[i].side)};
-  };
-  if (simd_.count() > 0 && !shade_plain(seen_sample)) {
-    count_lost_batch();
-    for (std::size_t i = 0; i < simd_.count(); ++i) alone_[alone++] = simd_.index(i);
-  } else {
-    for (std::size_t i = 0; i < simd_.count(); ++i) count(samples_[simd_.index(i)].target);
-  }
-  for (std::size_t k = 0; k < alone; ++k) {
+  shade_waiting_points(waiting);
+  for (std::size_t k = 0; k < alone_count_; ++k) {
     const PointSample& sample = samples_[alone_[k]];
     if (k == 0 || sample.x != samples_[alone_[k - 1]].x || sample.y != samples_[alone_[k - 1]].y)
       places_->start_pixel(sample.x, sample.y);
@@ -328,10 +248,21 @@ void SampleSums::shade_batch() {
   }
 }
 
-// Shades the points of the SIMD path; sample(i) is that of ray i. Returns false, without adding
-// anything, if any value is not finite.
-template <typename Sample>
-bool SampleSums::shade_plain(const Sample& sample) {
+// Shades the points of the SIMD path and empties it; sample(i) is that of ray i.
+template <typename Rays>
+void SampleSums::shade_waiting_points(const Rays& rays) {
+  if (simd_.count() == 0) return;
+  lights_.trace(sums(), statistics_);  // makes room for the first points
+  if (!shade_points(rays)) return shade_alone_instead();
+  for (std::size_t i = 0; Rays::first && i < simd_.count(); ++i)
+    if (simd_.is_top(i)) count(rays.sample(simd_.index(i)).target);
+  simd_.clear();
+}
+
+// Adds the points of the SIMD path. Returns false, without adding anything, if any value is not
+// finite.
+template <typename Rays>
+bool SampleSums::shade_points(const Rays& rays) {
   SampledLights::Gathered& gathered = lights_.first_points();
   ShadingPoints& points = gathered.points;
   if (!simd_.shade(points)) return false;
@@ -340,31 +271,56 @@ bool SampleSums::shade_plain(const Sample& sample) {
   lights_.gathered(simd_.count());
   const bool sky_rays = shader.settings().sky_shadows;
   for (std::size_t i = 0; i < simd_.count(); ++i) {
-    const SeenSample of = sample(simd_.index(i));
-    const PointSample& place = of.sample;
+    const std::size_t ray = simd_.index(i);
+    const PointSample& place = rays.sample(ray);
     gathered.samples[i] = {place.x, place.y, place.index};
     gathered.targets[i] = {place.target, place.part};
     bool mirrors = false;
-    if (sky_rays || lights_.picks_lights() || simd_.may_mirror(i)) {
-      places_->start_pixel(place.x, place.y);
-      places_->start_sample(place.index);
-    }
+    if (sky_rays || lights_.picks_lights() || simd_.may_mirror(i)) start_sample(place);
     if (lights_.picks_lights()) gathered.picks[i] = lights_.pick_place();
-    OneSample transport(lights_, reflections_, shader, place, of.weight);
-    if (simd_.may_mirror(i)) mirrors = simd_.reflect(i, of.seen, points, transport, statistics_);
+    OneSample transport(lights_, reflections_, shader, place, rays.weight(ray));
+    if (simd_.may_mirror(i))
+      mirrors = simd_.reflect(i, rays.seen(ray), points, transport, statistics_);
     simd_.set_mirrors(i, mirrors);
     if (sky_rays) simd_.add_sky(i, points, transport, statistics_);
   }
   if (!sky_rays) simd_.reflect_skies(points);
   for (std::size_t i = 0; i < simd_.count(); ++i) {
-    const glm::vec3 weight = sample(simd_.index(i)).weight;
+    const glm::vec3 weight = simd_.share(i) * rays.weight(simd_.index(i));
     const glm::dvec3 emission(weight * simd_.emission(i));
     const glm::dvec3 radiance =
         sky_rays ? emission : glm::dvec3(weight * simd_.unlit_radiance(i, points));
     sums().add(gathered.targets[i], radiance, emission, glm::dvec3(0.0));
     if (weight != glm::vec3(1.0f)) points.weigh(i, weight);
   }
+  pass_surfaces(rays, points);
   return true;
+}
+
+// Continues the rays behind the blended surfaces of the SIMD path.
+template <typename Rays>
+void SampleSums::pass_surfaces(const Rays& rays, const ShadingPoints& points) {
+  const Shader& shader = viewer_.shader;
+  for (const SimdSamples::Passage& passage : simd_.passages()) {
+    const std::size_t ray = simd_.index(passage.point);
+    const PointSample& sample = rays.sample(ray);
+    const ViewedRay seen = rays.seen(ray);
+    const SurfacePoint point = simd_.point(passage.point, points);
+    const VolumeBoundary* boundary = passage.boundary ? &*passage.boundary : nullptr;
+    glm::vec3 through = passage.through;
+    if (passage.bends) {
+      start_sample(sample);
+      OneSample transport(lights_, reflections_, shader, sample, rays.weight(ray));
+      const Shader::Layer layer{through, seen.passed.count.layers(), seen.hit,
+                                boundary ? passage.before : seen.passage, boundary};
+      glm::vec3 later(0.0f);
+      through = shader.add_refracted(seen, point, passage.roughness, layer, through, transport,
+                                     later, statistics_);
+    }
+    const SampledReflections::Rest rest{passage.beside + through, passage.clear,
+                                        boundary ? passage.behind : seen.passage};
+    reflections_.pass(seen, point, rest, sample, rays.weight(ray), shader, statistics_);
+  }
 }
 
 // Adds the radiance along a ray of the sample; `places_` must be at its pixel. Returns false,
@@ -387,49 +343,32 @@ bool SampleSums::shade(const PointSample& sample, glm::vec3 weight, const Viewed
   return false;
 }
 
-// Traces reflections bounce by bounce, a batch of rays at a time.
+// Traces continued rays one surface after the other, a batch of rays at a time.
 void SampleSums::follow_reflections() {
-  while (reflections_.waiting() > 0) {
+  while (reflections_.any()) {
     const std::vector<ReflectedSample> samples = reflections_.take();
     for (std::size_t first = 0; first < samples.size(); first += batch) {
       const std::size_t count = std::min(batch, samples.size() - first);
-      for (std::size_t i = 0; i < count; ++i) rays_[i] = samples[first + i].ray;
-      scene_->rays().closest(std::span(rays_).first(count), std::span(hits_).first(count), faces_);
-      statistics_.reflection_rays += count;
-      for (std::size_t i = 0; i < count; ++i) {
-        const ReflectedSample& next = samples[first + i];
-        if (next.mirror) {
-          pass_mirror(*next.mirror, scene_->world(), scene_->rays(), faces_, {&rays_[i], 1},
-                      {&hits_[i], 1});
-        }
-        pass_own_side(next.passage, scene_->world(), scene_->rays(), faces_, {&rays_[i], 1},
-                      {&hits_[i], 1});
-      }
-      shade_reflections(std::span(samples).subspan(first, count));
+      const std::span some = std::span(samples).subspan(first, count);
+      cast_continued(some);
+      shade_reflections(some);
     }
   }
 }
 
-// Shades the hits of reflected rays, at most a batch.
+// Shades the hits of continued rays, at most a batch.
 void SampleSums::shade_reflections(std::span<const ReflectedSample> samples) {
-  const auto seen_sample = [&](std::size_t i) {
-    return SeenSample{samples[i].sample, samples[i].weight, samples[i].viewed(hits_[i])};
-  };
+  const ContinuedRays waiting{*this, samples};
   simd_.clear();
-  std::size_t alone = 0;
+  alone_count_ = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (simd_.full_for(hits_[i])) shade_waiting_points(waiting);
     const SamplePath path = simd_.add_reflected(i, samples[i].viewed(hits_[i]));
     statistics_.count_sample(path);
-    if (path != SamplePath::lanes) alone_[alone++] = i;
+    if (path != SamplePath::lanes) alone_[alone_count_++] = i;
   }
-  if (simd_.count() > 0) {
-    lights_.trace(sums(), statistics_);  // makes room for the first points
-    if (!shade_plain(seen_sample)) {
-      count_lost_batch();
-      for (std::size_t i = 0; i < simd_.count(); ++i) alone_[alone++] = simd_.index(i);
-    }
-  }
-  for (std::size_t k = 0; k < alone; ++k) {
+  shade_waiting_points(waiting);
+  for (std::size_t k = 0; k < alone_count_; ++k) {
     const ReflectedSample& next = samples[alone_[k]];
     places_->start_pixel(next.sample.x, next.sample.y);
     (void)shade(next.sample, next.weight, next.viewed(hits_[alone_[k]]));

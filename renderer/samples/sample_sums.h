@@ -127,6 +127,8 @@ class SampleSums {
     std::vector<Hit> hit;
     RenderStatistics statistics;
   };
+  struct EyeRays;
+  struct ContinuedRays;
   /// The samples of each moment; their sums are those of the whole.
   struct Moving;
 
@@ -145,12 +147,22 @@ class SampleSums {
     ++count_[target];
     sums().count(target);
   }
-  void count_lost_batch();
   void shade_batch();
-  template <typename Sample>
-  [[nodiscard]] bool shade_plain(const Sample& sample);
+  template <typename Rays>
+  void shade_waiting_points(const Rays& rays);
+  template <typename Rays>
+  [[nodiscard]] bool shade_points(const Rays& rays);
+  template <typename Rays>
+  void pass_surfaces(const Rays& rays, const ShadingPoints& points);
+  void start_sample(const PointSample& sample) {
+    places_->start_pixel(sample.x, sample.y);
+    places_->start_sample(sample.index);
+  }
+  void shade_alone_instead();
+  void gather_waiting_lobes();
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
   void follow_reflections();
+  void cast_continued(std::span<const ReflectedSample> samples);
   void shade_reflections(std::span<const ReflectedSample> samples);
 
   std::optional<Shader> own_shader_;
@@ -183,6 +195,7 @@ class SampleSums {
   std::array<Ray, batch> rays_;
   std::array<Hit, batch> hits_;
   std::array<std::size_t, batch> alone_;  // indices of the samples that are shaded one by one
+  std::size_t alone_count_ = 0;
   std::size_t used_ = 0;
   bool hits_known_ = false;  // whether the waiting samples have hits already
 };

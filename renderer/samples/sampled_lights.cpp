@@ -23,9 +23,9 @@ std::uint32_t binary_fraction(double at) {
   return static_cast<std::uint32_t>(0x1p32 * std::clamp(at, 0.0, 1.0 - 0x1p-32));
 }
 
+// Unshadowed lights with an extent have a closed form by the published rule.
 bool taken(const PreparedLight& light, bool shadows) {
-  return (shadows && light.casts_shadows) ||
-         (light.extended() && light.rule == LightRule::physical);
+  return (shadows && light.casts_shadows) || !light.extended() || light.rule == LightRule::physical;
 }
 
 }  // namespace

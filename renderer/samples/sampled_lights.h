@@ -73,8 +73,8 @@ class SampledLights {
 
   /// Returns whether `gather` handles all of these lights.
   [[nodiscard]] static bool takes_all(std::span<const PreparedLight> lights, bool shadows);
-  /// Defers the lights of a point for a sample with this share: those that cast shadows, and of the
-  /// others those with an extent.
+  /// Defers the lights of a point for a sample with this share: all but those without shadows whose
+  /// extent has a closed form by the published rule.
   HandledLights gather(const LightingQuery& point, const SampleIndex& sample,
                        const SampleWeight& share);
   /// Adds one light by a shadow ray, for a sample with this share; the places must be at that

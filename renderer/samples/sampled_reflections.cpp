@@ -5,6 +5,7 @@
 #include "renderer/reflections/horizon.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/reflections/mirrored_pyray.h"
+#include "renderer/shading/layers.h"
 #include "renderer/shading/lobe_directions.h"
 #include "renderer/shading/viewed_point.h"
 
@@ -24,7 +25,8 @@ constexpr int lobe_of_roulette = 0x2000;
 }  // namespace
 
 ViewedRay ReflectedSample::viewed(const Hit& hit) const {
-  return {ray, hit, side, &spacing, width, bounces, throughput, hides_lights, {}, false, passage};
+  return {ray,          hit, side,  &spacing, width, bounces, throughput,
+          hides_lights, {},  false, passage,  {},    colours, passed};
 }
 
 // Replaces the direction of a smooth mirror by one sampled from the lobe. A lobe around a shading
@@ -73,6 +75,41 @@ void SampledReflections::add(const Reflection& reflection, const PointSample& sa
     colour[c] = 1.0f;
     add_ray(reflection, start, reflection.width[c], colour, shader);
   }
+}
+
+void SampledReflections::pass(const ViewedRay& seen, const SurfacePoint& point, const Rest& rest,
+                              const PointSample& sample, glm::vec3 weight, const Shader& shader,
+                              RenderStatistics& counts) {
+  PassedLayers passed = seen.passed;
+  passed.last = seen.hit.triangle;
+  passed.left *= largest(rest.left);
+  passed.distance = seen.hit.t;
+  if (rest.clear)
+    passed.count.pass_clear();
+  else
+    passed.count.add_layer();
+  if (invisible(passed.left, passed.count.layers())) return;
+  if (passed.count.full()) {
+    ++counts.cut_stacks;
+    return;
+  }
+  ReflectedSample next;
+  next.sample = sample;
+  next.weight = weight * rest.left;
+  next.ray = seen.ray;
+  next.ray.t_near = behind(seen.ray, point, seen.hit.t);
+  next.spacing = seen.spacing ? *seen.spacing : shader.spacing();
+  next.side = seen.side;
+  next.width = seen.width;
+  next.bounces = seen.bounces;
+  next.throughput = seen.throughput * largest(rest.left);
+  next.hides_lights = seen.hides_lights;
+  next.passage = rest.passage;
+  // A straight way is no bounce.
+  next.passage.refractions = seen.passage.refractions;
+  next.colours = seen.colours;
+  next.passed = passed;
+  passing_.push_back(next);
 }
 
 // Russian roulette (Arvo and Kirk 1990, "Particle transport and image synthesis"). Returns the

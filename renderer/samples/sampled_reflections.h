@@ -27,7 +27,7 @@ struct PointSample {
   LightPart part = LightPart::direct;
 };
 
-/// A ray that continues a sample after a reflection.
+/// A ray that continues a sample after a reflection or behind a transparent surface.
 struct ReflectedSample {
   PointSample sample;
   glm::vec3 weight{1.0f};  ///< weight of the ray's radiance in its sample
@@ -40,7 +40,11 @@ struct ReflectedSample {
   bool hides_lights = false;
   std::optional<MirrorPlane> mirror;  ///< the flat mirror that the ray leaves
   VolumePath passage;
+  float colours = 1.0f;  ///< see ViewedRay
+  PassedLayers passed;   ///< by this ray, before it was continued
 
+  /// Returns whether the ray goes on behind a surface in its direction.
+  [[nodiscard]] bool passes() const { return passed.last != Hit::none; }
   [[nodiscard]] ViewedRay viewed(const Hit& hit) const;
 };
 
@@ -57,10 +61,26 @@ class SampledReflections {
   void add(const Reflection& reflection, const PointSample& sample, glm::vec3 weight,
            const Shader& shader);
 
+  /// The rest of a ray behind a transparent surface.
+  struct Rest {
+    glm::vec3 left{1.0f};  ///< its weight in the ray's radiance
+    bool clear = false;    ///< the surface is invisible
+    VolumePath passage;
+  };
+  /// Adds the rest of a ray behind its hit at `point`, if it is visible.
+  void pass(const ViewedRay& seen, const SurfacePoint& point, const Rest& rest,
+            const PointSample& sample, glm::vec3 weight, const Shader& shader,
+            RenderStatistics& counts);
+
+  [[nodiscard]] bool any() const { return !pending_.empty() || !passing_.empty(); }
+  /// The number of waiting reflections; `forget_since` drops all later ones.
   [[nodiscard]] std::size_t waiting() const { return pending_.size(); }
   void forget_since(std::size_t count) { pending_.resize(count); }
-  /// Takes the waiting samples, in their order, and empties the queue.
-  [[nodiscard]] std::vector<ReflectedSample> take() { return std::exchange(pending_, {}); }
+  /// Takes the waiting rays that pass a surface, which are coherent, or else those that were
+  /// reflected, in their order.
+  [[nodiscard]] std::vector<ReflectedSample> take() {
+    return std::exchange(passing_.empty() ? pending_ : passing_, {});
+  }
 
  private:
   [[nodiscard]] static bool turn_by_lobe(const Reflection& reflection, glm::dvec2 place,
@@ -71,7 +91,8 @@ class SampledReflections {
 
   const World* world_;
   const LightSamplePoints* places_;
-  std::vector<ReflectedSample> pending_;
+  std::vector<ReflectedSample> pending_;  // reflected or refracted
+  std::vector<ReflectedSample> passing_;  // behind a transparent surface
 };
 
 }  // namespace asos

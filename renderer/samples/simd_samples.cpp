@@ -2,6 +2,7 @@
 
 #include "renderer/kernels/surface_kernel.h"
 #include "renderer/samples/sampled_lights.h"
+#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/sky.h"
 
@@ -11,9 +12,9 @@
 namespace asos {
 namespace {
 
-bool usable(const World& world, const Shader& shader) {
+bool usable(const Shader& shader) {
   const ShadingSettings& settings = shader.settings();
-  return SampledLights::takes_all(shader.lights(), settings.shadows) && !world.normals.empty() &&
+  return SampledLights::takes_all(shader.lights(), settings.shadows) &&
          settings.backdrop.shows_light();
 }
 
@@ -21,17 +22,16 @@ bool usable(const World& world, const Shader& shader) {
 
 SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
     : world_(scene.world()),
+      rays_(scene.rays()),
       triangles_(static_cast<std::uint32_t>(world_.triangles.size())),
       needs_(scene.render_features),
       table_(*scene.plain),
       viewer_(viewer),
       mips_(viewer.shader.settings().mips),
       sky_(viewer.shader.settings().sky),
-      path_(usable(world_, viewer.shader) ? SamplePath::lanes : SamplePath::lighting),
-      viewer_path_(path_ != SamplePath::lanes   ? path_
-                   : viewer.sees_bare_lights()  ? SamplePath::bare_light
-                   : viewer.passage.in_medium() ? SamplePath::volume
-                                                : SamplePath::lanes),
+      path_(usable(viewer.shader) ? SamplePath::lanes : SamplePath::lighting),
+      viewer_path_(path_ == SamplePath::lanes && viewer.sees_bare_lights() ? SamplePath::bare_light
+                                                                           : path_),
       reflections_(viewer.shader.reflections()),
       roughest_mirror_(viewer.shader.settings().roughest_mirror),
       picture_(sky_ ? sky_->picture_lobes() : Sky::PictureLobes{}),
@@ -46,61 +46,106 @@ SimdSamples::SimdSamples(const RenderScene& scene, const ViewContext& viewer)
   sky_radiance_ = sky_ ? sky_->radiance(any) : background_radiance;
 }
 
+void SimdSamples::clear() {
+  own_spacings_ = false;
+  if (!arrays_) return;
+  arrays_->hits.count = arrays_->looked_up_count = 0;
+  arrays_->volumes.clear();
+  arrays_->layered.clear();
+  arrays_->passages.clear();
+}
+
 SamplePath SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side) {
   if (!hit.valid()) return SamplePath::background;
   if (viewer_path_ != SamplePath::lanes) return viewer_path_;
-  return add(index, ray, hit, side, viewer_.bounces, viewer_.hides_lights);
+  return add(index, ray, hit, side,
+             {viewer_.bounces, viewer_.hides_lights, colours_, viewer_.passage, ray.t_near});
 }
 
 SamplePath SimdSamples::add_reflected(std::size_t index, const ViewedRay& seen) {
   if (!seen.hit.valid()) return SamplePath::background;
   if (path_ != SamplePath::lanes) return path_;
-  if (seen.passage.in_medium()) return SamplePath::volume;
+  if (seen.hit.triangle == seen.passed.last) return SamplePath::coplanar;
   if (seen.reflected() && !seen.hides_lights && seen.hit.triangle < triangles_) {
     const auto light = viewer_.shader.nearest_light_without_geometry(seen.ray);
     if (light && !(seen.hit.t < light->t)) return SamplePath::bare_light;
   }
+  const std::size_t first = count();
   const SamplePath path =
-      add(index, seen.ray, seen.hit, seen.side, seen.bounces, seen.hides_lights);
+      add(index, seen.ray, seen.hit, seen.side,
+          {seen.bounces, seen.hides_lights, seen.colours, seen.passage, seen.start()});
   if (path != SamplePath::lanes) return path;
   own_spacings_ = true;
-  arrays_->spacing.set(count() - 1, *seen.spacing);
+  for (std::size_t i = first; i < count(); ++i) arrays_->spacing.set(i, *seen.spacing);
   return path;
 }
 
 SamplePath SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, float side,
-                            int bounces, bool hides_lights) {
+                            const RayState& state) {
   if (hit.triangle >= triangles_) return SamplePath::face;
   const SimdMaterial& material = table_.of(world_, hit.triangle);
   if (material.path != SamplePath::lanes) return material.path;
+  if (material.blended) {
+    if (!takes_blended_) return SamplePath::blended;
+    if (rays_.is_coplanar(hit)) return SamplePath::coplanar;
+  }
   if (!arrays_) {
     arrays_ = ThreadLocalCache<Arrays>::make();
     clear();
   }
+  const std::size_t top = arrays_->hits.count;
+  for (std::size_t k = 0; k < material.lobe_count; ++k)
+    add_point(index, ray, hit, side, state, material);
+  if (material.blended || state.passage.in_medium()) meet_volume(top, ray, state);
+  if (material.looked_up || material.layered()) {
+    arrays_->looked_up[arrays_->looked_up_count++] = top;
+  } else {
+    set_material(top, material.surface);
+  }
+  return SamplePath::lanes;
+}
+
+void SimdSamples::add_point(std::size_t index, const Ray& ray, const Hit& hit, float side,
+                            const RayState& state, const SimdMaterial& material) {
   TriangleBatch& hits = arrays_->hits;
   const std::size_t i = hits.count++;
   const glm::uvec3 v = world_.triangles[hit.triangle];
   hits.corner_0.set(i, world_.positions[v.x]);
   hits.corner_1.set(i, world_.positions[v.y]);
   hits.corner_2.set(i, world_.positions[v.z]);
-  hits.normal_0.set(i, world_.normals[v.x]);
-  hits.normal_1.set(i, world_.normals[v.y]);
-  hits.normal_2.set(i, world_.normals[v.z]);
+  const bool flat = world_.normals.empty();
+  hits.normal_0.set(i, flat ? glm::vec3(0.0f) : world_.normals[v.x]);
+  hits.normal_1.set(i, flat ? glm::vec3(0.0f) : world_.normals[v.y]);
+  hits.normal_2.set(i, flat ? glm::vec3(0.0f) : world_.normals[v.z]);
   hits.set_hit(i, hit, ray, side);
   hits.textured[i] = material.textured ? 1.0f : 0.0f;
   hits.shiny[i] = material.shiny ? 1.0f : 0.0f;
   arrays_->material[i] = &material;
   arrays_->hit[i] = hit;
   arrays_->index[i] = index;
-  arrays_->bounces[i] = bounces;
-  arrays_->hides_lights[i] = hides_lights;
-  if (material.looked_up) {
-    arrays_->looked_up[arrays_->looked_up_count++] = i;
-  } else {
-    arrays_->materials.set(i, material.surface);
-    arrays_->emission[i] = shown(i, material.surface.emission);
+  arrays_->bounces[i] = state.bounces;
+  arrays_->hides_lights[i] = state.hides_lights;
+  arrays_->colours[i] = state.colours;
+  arrays_->share[i] = glm::vec3(1.0f);
+  arrays_->volume[i] = -1;
+}
+
+// Finds the boundary of a volume at a hit, and attenuates the hit's points in the medium in front.
+void SimdSamples::meet_volume(std::size_t top, const Ray& ray, const RayState& state) {
+  const VolumePath& passage = state.passage;
+  const SimdMaterial& material = *arrays_->material[top];
+  const Hit& hit = arrays_->hit[top];
+  const auto boundary =
+      material.blended ? VolumeBoundary::met(world_, hit, ray, passage) : std::nullopt;
+  // The inner side of a boundary gives the medium in front of it, wherever the ray started.
+  const VolumePath before = boundary && !boundary->entering ? boundary->incident(passage) : passage;
+  const glm::vec3 left =
+      before.in_medium() ? before.left_after(hit.t - state.start) : glm::vec3(1.0f);
+  if (boundary) arrays_->volumes.push_back({*boundary, before});
+  for (std::size_t k = 0; k < material.lobe_count; ++k) {
+    arrays_->share[top + k] = left;
+    if (boundary) arrays_->volume[top + k] = static_cast<int>(arrays_->volumes.size()) - 1;
   }
-  return SamplePath::lanes;
 }
 
 glm::vec3 SimdSamples::shown(std::size_t i, glm::vec3 emission) const {
@@ -116,40 +161,39 @@ bool SimdSamples::shade(ShadingPoints& points) {
     place_surfaces(arrays_->hits, mips_ ? &viewer_.spacing : nullptr, arrays_->rest, points);
   bool finite = true;
   for (std::size_t k = 0; k < arrays_->looked_up_count; ++k) {
-    const std::size_t i = arrays_->looked_up[k];
-    look_up_material(i, points);
-    const glm::vec3 emission = arrays_->emission[i];
+    const std::size_t top = arrays_->looked_up[k];
+    look_up_material(top, points);
+    const glm::vec3 emission = arrays_->emission[top + arrays_->material[top]->base()];
     finite = finite && std::isfinite(emission.x + emission.y + emission.z);
   }
-  return view_materials(arrays_->rest, arrays_->materials, points) && finite;
+  finite = view_materials(arrays_->rest, arrays_->materials, points) && finite;
+  for (const LayeredHit& hit : arrays_->layered) {
+    finite = view_layers(hit, points) && finite;
+    weigh_layers(hit, points);
+  }
+  for (std::size_t i = 0; i < count(); ++i) {
+    const glm::vec3 share = arrays_->share[i];
+    finite = finite && std::isfinite(share.x + share.y + share.z);
+  }
+  return finite;
 }
 
-void SimdSamples::look_up_material(std::size_t i, ShadingPoints& points) {
-  const SimdMaterial& plain = *arrays_->material[i];
-  const Hit& hit = arrays_->hit[i];
-  const MipChains* mips = arrays_->hits.side[i] > 0.0f ? mips_ : nullptr;
-  if (plain.normal_map) {
-    SurfacePoint point = surface_at(arrays_->hits, arrays_->rest, points, hit.triangle, i);
-    map_normal(world_, hit, mips, arrays_->rest.normal_side[i], point);
-    points.normal.set(i, point.shading_normal);
-    points.spread_variance[i] = point.spread.variance;
-  }
-  Footprint footprint = footprint_at(arrays_->hits, arrays_->rest, i);
-  footprint.colours = own_spacings_ ? 1.0f : colours_;
-  const SurfaceMaterial found = surface_material(world_, needs_, hit, footprint, mips);
-  arrays_->materials.set(i, found);
-  arrays_->emission[i] = shown(i, found.emission);
+SurfacePoint SimdSamples::point(std::size_t i, const ShadingPoints& points) const {
+  return surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
 }
 
 bool SimdSamples::reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& points,
                           LightTransport& transport, RenderStatistics& counts) const {
-  const float roughness = arrays_->materials.roughness[i];
-  const SurfacePoint point =
-      surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
+  const Shader& shader = viewer_.shader;
+  const Hit& hit = arrays_->hit[i];
+  const ViewedMaterial material = viewed_material(i, points);
+  const MetVolume* volume = volume_of(i);
+  const Shader::Layer layer{share(i), seen.passed.count.layers(), hit,
+                            volume ? volume->reflected() : seen.passage};
   glm::vec3 later(0.0f);
-  if (!viewer_.shader.reflect(seen, point, viewed_material(i, points), transport, later, counts))
+  if (!shader.reflect(seen, point(i, points), material, layer, transport, later, counts))
     return false;
-  points.set_mirrored(i, viewer_.shader.mirrored_lights(arrays_->hit[i].triangle, roughness));
+  points.set_mirrored(i, shader.mirrored_lights(hit.triangle, round_roughness(material)));
   return true;
 }
 
@@ -161,7 +205,8 @@ void SimdSamples::reflect_skies(const ShadingPoints& points) {
   if (!picture_.lobes) return;
   for (std::size_t i = 0; i < points.count; ++i) {
     const bool broad = arrays_->materials.roughness[i] >= SkyLobes::least_roughness;
-    arrays_->sky.lobe_reflects[i] = broad && lobe_reflects_sky(i) ? 1.0f : 0.0f;
+    const bool round = points.stretch.at(i) == glm::vec3(0.0f);
+    arrays_->sky.lobe_reflects[i] = broad && round && lobe_reflects_sky(i) ? 1.0f : 0.0f;
   }
   reflect_sky(picture_, arrays_->materials, points, arrays_->sky);
 }
@@ -182,6 +227,7 @@ glm::vec3 SimdSamples::unlit_radiance(std::size_t i, const ShadingPoints& points
   seen.ambient = ambient;
   seen.specular = specular;
   seen.roughness = roughness;
+  seen.stretch.along = points.stretch.at(i);
   return emission + reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
 }
 
@@ -194,17 +240,19 @@ ViewedMaterial SimdSamples::viewed_material(std::size_t i, const ShadingPoints& 
   seen.f0 = f0;
   seen.f90 = glm::vec3(points.f90_less_f0.x[i] + f0.x);
   seen.roughness = arrays_->materials.roughness[i];
+  seen.ambient = arrays_->materials.ambient.at(i);
+  seen.sheen = points.sheen[i];
+  seen.stretch.along = points.stretch.at(i);
   return seen;
 }
 
 void SimdSamples::add_sky(std::size_t i, const ShadingPoints& points, LightTransport& transport,
                           RenderStatistics& counts) const {
   const ViewedMaterial seen = viewed_material(i, points);
-  const SurfacePoint point =
-      surface_at(arrays_->hits, arrays_->rest, points, arrays_->hit[i].triangle, i);
-  const ViewedPoint view{point, points.to_viewer.at(i), points.n_dot_v[i]};
+  const SurfacePoint place = point(i, points);
+  const ViewedPoint view{place, points.to_viewer.at(i), points.n_dot_v[i]};
   glm::vec3 later(0.0f);
-  (void)transport.add_sky({sky_, view, seen, arrays_->mirrors[i]}, later, counts);
+  (void)transport.add_sky({sky_, view, seen, arrays_->mirrors[i], share(i)}, later, counts);
 }
 
 }  // namespace asos

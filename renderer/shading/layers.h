@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/ray.h"
 #include "renderer/rays/ray_scene.h"
+#include "renderer/shading/passed_layers.h"
 #include "renderer/shading/surface.h"
 
 #include <glm/glm.hpp>
@@ -53,23 +54,6 @@ inline constexpr int deep_stack = 64;
 [[nodiscard]] constexpr bool invisible(float share, int layers) {
   return share < (layers < deep_stack ? invisible_share : invisible_in_stack);
 }
-
-/// Counts the visible surfaces along a ray, up to `most`; the rest is dropped. Clear surfaces do
-/// not count, unless there are so many of them that the stack is endless.
-class LayerCount {
- public:
-  static constexpr int most = 1024;
-
-  [[nodiscard]] int layers() const { return layers_; }
-  [[nodiscard]] bool full() const { return layers_ >= most || passed_ >= most_passed; }
-  void add_layer() { ++layers_; }
-  void pass_clear() { ++passed_; }
-
- private:
-  static constexpr int most_passed = 1 << 16;
-  int layers_ = 0;
-  int passed_ = 0;
-};
 
 /// Returns where the ray continues behind a surface, beyond the error of the hit's distance.
 [[nodiscard]] inline float behind(const Ray& ray, const SurfacePoint& point, float t) {

@@ -6,6 +6,7 @@
 #include "renderer/lights/prepared_light.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shading/passed_layers.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/viewed_point.h"
 #include "renderer/shading/volume_path.h"
@@ -42,7 +43,12 @@ struct ViewedRay {
   /// `shape` is exact.
   std::span<const WeightedShape> parts = {};
   float colours = 1.0f;  ///< factor of the width over which colours are averaged
+  PassedLayers passed = {};
 
+  /// Returns the distance from which on its medium attenuates it.
+  [[nodiscard]] float start() const {
+    return passed.last == Hit::none ? ray.t_near : passed.distance;
+  }
   /// Returns whether any surface has reflected it, instead of only transmitting it.
   [[nodiscard]] bool reflected() const { return bounces > passage.refractions; }
 };

@@ -16,14 +16,6 @@
 namespace asos {
 namespace {
 
-/// The material of a volume's boundary at total reflection.
-SurfaceMaterial total_reflector(SurfaceMaterial material) {
-  material.f0 = glm::vec3(1.0f);
-  material.f90 = material.dielectric_f0 = material.dielectric_f90 = 1.0f;
-  material.film.factor = 0.0f;
-  return material;
-}
-
 /// Returns the footprint of a sample's whole square, whichever part of it the sample represents.
 Footprint square_footprint(const World& world, const SampleExtent& extent, const Ray& ray,
                            const Hit& hit, const SurfacePoint& point) {
@@ -113,14 +105,9 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
     transport.note(LightPart::emission, emission);
     radiance += emission;
   }
-  ViewedMaterial base{};
-  if (!layer.boundary) {
-    base = viewed(material, mirroring);
-  } else if (const auto cosine = layer.boundary->fresnel_cosine(mirroring, layer.passage)) {
-    base = viewed(material, *cosine);
-  } else {
-    base = viewed(total_reflector(material), mirroring);
-  }
+  const ViewedMaterial base = layer.boundary
+                                  ? layer.boundary->viewed(material, mirroring, layer.passage)
+                                  : viewed(material, mirroring);
   left *= base.below;
   add_lit(seen, view, seen.diffuse ? diffuse_part(base) : base, below, transport, radiance, counts);
   if (material.diffuse_transmission > 0.0f) {
@@ -142,12 +129,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   ViewedPoint view = viewed_point;
   const SurfacePoint& point = view.point;
   const glm::vec3 to_viewer = view.to_viewer;
-  // An anisotropic lobe is not followed as a mirror if its rougher direction is too rough for one.
-  const float blur = round_roughness(seen);
-  const bool drawn_out = !seen.stretch.none() && !own_dfr(point.triangle) &&
-                         widest_roughness(seen) > settings_.roughest_mirror;
-  const bool mirrors =
-      !drawn_out && add_mirrored(viewed_ray, point, seen, layer, transport, radiance, counts);
+  const bool mirrors = reflect(viewed_ray, point, seen, layer, transport, radiance, counts);
   const SkyQuery under_sky{settings_.sky, view, seen, mirrors, layer.share};
   if (!settings_.sky_shadows || !transport.add_sky(under_sky, radiance, counts)) {
     ViewedMaterial by_sky = seen;
@@ -164,7 +146,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
     view.distance = spacing.distance(layer.hit.t);
   }
   const MirroredLights mirrored =
-      mirrors ? mirrored_lights(point.triangle, blur) : MirroredLights::none;
+      mirrors ? mirrored_lights(point.triangle, round_roughness(seen)) : MirroredLights::none;
   const LightingQuery lit_point{lights_, view, seen, mirrored, layer.share, settings_.shadows};
   const HandledLights gathered = transport.gather(lit_point);
   if (gathered.all) return;
@@ -255,9 +237,9 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
   glm::vec3 left_out{0.0f};
   glm::vec3 share{1.0f};  // weight of the surfaces behind the layers so far
   SurfaceWalk walk(rays_, seen.ray, seen.hit, settings_.faces);
-  std::uint32_t last = Hit::none;
+  std::uint32_t last = seen.passed.last;
   VolumePath passage = seen.passage;
-  float passed = seen.ray.t_near;  // share has the attenuation up to here
+  float passed = seen.start();  // share has the attenuation up to here
   const glm::vec3 to_viewer = -seen.ray.direction;
   const auto cover = [&](const Hit& hit, glm::vec3 left) {
     if (covers) covers->push_back({hit, mean_of(left)});
@@ -266,8 +248,8 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
                          ? nearest_light_without_geometry(seen.ray)
                          : std::nullopt;
 
-  LayerCount count;
-  for (int layer = 0; !count.full(); ++layer) {
+  LayerCount count = seen.passed.count;
+  for (int layer = count.layers(); !count.full(); ++layer) {
     const Hit hit = walk.hit();
     const Ray& ray = walk.ray();
     if (light && !(hit.valid() && hit.t < light->t)) return {sum + share * light->radiance};
@@ -341,7 +323,7 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
         passage = boundary->refracted(passage);
         passage.straight = passage.in_medium();
       }
-      if (invisible(largest(share), count.layers())) return {sum};
+      if (invisible(seen.passed.left * largest(share), count.layers())) return {sum};
       last = hit.triangle;
     } else {
       count.add_layer();

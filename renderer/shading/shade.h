@@ -124,13 +124,29 @@ class Shader {
     return !(hides_lights && lighting_.shows_even_light[world_.triangle_part[triangle]] != 0);
   }
 
-  /// Passes the reflection of a ray's nearest surface to `transport`, if it is followed.
+  /// A surface along a ray, with its weight in the ray's radiance and the number of surfaces in
+  /// front of it.
+  struct Layer {
+    glm::vec3 share{1.0f};
+    int number = 0;
+    Hit hit;
+    VolumePath passage;  ///< the volumes at the start of its reflections
+    const VolumeBoundary* boundary = nullptr;
+  };
+  /// Passes a surface's reflection to `transport`, if it is followed. An anisotropic lobe is not
+  /// followed if its rougher direction is too rough for a mirror.
   [[nodiscard]] bool reflect(const ViewedRay& seen, const SurfacePoint& point,
-                             const ViewedMaterial& material, LightTransport& transport,
-                             glm::vec3& radiance, RenderStatistics& counts) const {
-    return add_mirrored(seen, point, material, {glm::vec3(1.0f), 0, seen.hit, seen.passage},
-                        transport, radiance, counts);
-  }
+                             const ViewedMaterial& material, const Layer& layer,
+                             LightTransport& transport, glm::vec3& radiance,
+                             RenderStatistics& counts) const;
+  /// Passes the refraction at a volume's boundary, or the transmission of a rough thin wall, to
+  /// `transport`, if it is followed. `through` is its weight in the ray's radiance. Returns the
+  /// weight that is left. A thin wall's lobe is the mirrored one on its other side
+  /// (KHR_materials_transmission, "Transmission BTDF").
+  [[nodiscard]] glm::vec3 add_refracted(const ViewedRay& seen, const SurfacePoint& point,
+                                        float roughness, const Layer& layer, glm::vec3 through,
+                                        LightTransport& transport, glm::vec3& radiance,
+                                        RenderStatistics& counts) const;
   /// Returns whether the reflection is blurred by the GGX lobe. A defocusing ratio uses a square of
   /// directions instead (CGF'98 section 5.1).
   [[nodiscard]] bool mirrors_by_lobe(std::uint32_t triangle, float roughness) const;
@@ -151,15 +167,6 @@ class Shader {
   [[nodiscard]] Layers look_along(const ViewedRay& seen, const SampleExtent& extent,
                                   LightTransport& transport, RenderStatistics& counts,
                                   std::vector<SurfaceCover>* covers = nullptr) const;
-  /// A surface along a ray, with its weight in the ray's radiance and the number of surfaces in
-  /// front of it.
-  struct Layer {
-    glm::vec3 share{1.0f};
-    int number = 0;
-    Hit hit;
-    VolumePath passage;  ///< the volumes at the start of its reflections
-    const VolumeBoundary* boundary = nullptr;
-  };
   /// Adds the emission and reflection of a material, layer by layer. A volume's boundary is one of
   /// the layers. Returns the fraction of light that passes the layers.
   float add_material(const ViewedRay& seen, const SurfacePoint& point,
@@ -169,18 +176,6 @@ class Shader {
   void add_lit(const ViewedRay& seen, const ViewedPoint& point, const ViewedMaterial& material,
                const Layer& layer, LightTransport& transport, glm::vec3& radiance,
                RenderStatistics& counts) const;
-  [[nodiscard]] bool add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
-                                  const ViewedMaterial& material, const Layer& layer,
-                                  LightTransport& transport, glm::vec3& radiance,
-                                  RenderStatistics& counts) const;
-  /// Passes the refraction at a volume's boundary, or the transmission of a rough thin wall, to
-  /// `transport`, if it is followed. `through` is its weight in the ray's radiance. Returns the
-  /// weight that is left. A thin wall's lobe is the mirrored one on its other side
-  /// (KHR_materials_transmission, "Transmission BTDF").
-  [[nodiscard]] glm::vec3 add_refracted(const ViewedRay& seen, const SurfacePoint& point,
-                                        float roughness, const Layer& layer, glm::vec3 through,
-                                        LightTransport& transport, glm::vec3& radiance,
-                                        RenderStatistics& counts) const;
   [[nodiscard]] bool follows(const ViewedRay& seen, glm::vec3 share) const;
   [[nodiscard]] const Dfr* own_dfr(std::uint32_t triangle) const;
 

@@ -55,11 +55,13 @@ bool Shader::mirrors_by_lobe(std::uint32_t triangle, float roughness) const {
          settings_.light_rule == LightRule::physical;
 }
 
-bool Shader::add_mirrored(const ViewedRay& seen, const SurfacePoint& point,
-                          const ViewedMaterial& material, const Layer& layer,
-                          LightTransport& transport, glm::vec3& radiance,
-                          RenderStatistics& counts) const {
+bool Shader::reflect(const ViewedRay& seen, const SurfacePoint& point,
+                     const ViewedMaterial& material, const Layer& layer, LightTransport& transport,
+                     glm::vec3& radiance, RenderStatistics& counts) const {
   if (settings_.reflections == 0) return false;
+  if (!material.stretch.none() && !own_dfr(point.triangle) &&
+      widest_roughness(material) > settings_.roughest_mirror)
+    return false;
   const float roughness = round_roughness(material);
   const glm::vec3 reflected = layer.share * material.specular;
   const auto width = mirror_width(seen, point, roughness, reflected);

@@ -16,16 +16,17 @@ bool finite(const SurfaceMaterial& m) {
 }
 
 SamplePath path_of(const Material& m, const SurfaceMaterial& surface) {
-  if (bounds_volume(m)) return SamplePath::volume;
-  if (surface_kind(m) == SurfaceKind::blended) return SamplePath::blended;
-  if (m.unlit) return SamplePath::unlit;
-  if (m.stroke) return SamplePath::line;
-  if (m.coat.factor > 0.0f) return SamplePath::coat;
-  if (m.sheen.used()) return SamplePath::sheen;
-  if (m.film.used()) return SamplePath::film;
-  if (m.anisotropy.used()) return SamplePath::anisotropy;
-  if (m.diffuse_transmission.used()) return SamplePath::diffuse_transmission;
+  if (m.stroke && !m.unlit) return SamplePath::line;
   return finite(surface) ? SamplePath::lanes : SamplePath::not_finite;
+}
+
+void add_lobes(const Material& m, SimdMaterial& plain) {
+  plain.lobe_count = 0;
+  const auto add = [&](SurfaceLobes lobes) { plain.all_lobes[plain.lobe_count++] = lobes; };
+  if (!m.unlit && m.coat.factor > 0.0f) add(SurfaceLobes::coat);
+  if (!m.unlit && m.sheen.used()) add(SurfaceLobes::sheen);
+  add(SurfaceLobes::base);
+  if (!m.unlit && m.diffuse_transmission.used()) add(SurfaceLobes::behind);
 }
 
 SimdMaterial plain_material(const World& world, const RenderFeatures& render_features,
@@ -35,10 +36,16 @@ SimdMaterial plain_material(const World& world, const RenderFeatures& render_fea
   const auto uses = texture_uses(m);
   const bool used =
       std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->used(); });
+  const bool maps = render_features.normal_maps && !world.normals.empty();
   plain.textured = render_features.textures && used;
   plain.looked_up = used || (render_features.vertex_colors && !world.colors.empty());
-  plain.normal_map = render_features.normal_maps && m.normal_texture.used();
-  plain.shiny = m.roughness <= least_broad_roughness && render_features.lights();
+  plain.normal_map = maps && m.normal_texture.used();
+  plain.coat_map = maps && m.coat.normal_texture.used();
+  const bool glossy = m.roughness <= least_broad_roughness || m.coat.factor > 0.0f;
+  plain.shiny = glossy && !m.unlit && render_features.lights();
+  plain.blended = render_features.alpha_blend && surface_kind(m) == SurfaceKind::blended;
+  plain.own_lobe = !m.unlit && (m.film.used() || m.anisotropy.used());
+  add_lobes(m, plain);
   plain.path = path_of(m, plain.surface);
   return plain;
 }

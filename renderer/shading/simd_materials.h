@@ -5,20 +5,49 @@
 #include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace asos {
 
+/// A layer of a surface that reflects light by itself, from the top down.
+enum class SurfaceLobes : std::uint8_t {
+  coat,    ///< KHR_materials_clearcoat
+  sheen,   ///< KHR_materials_sheen
+  base,    ///< the surface itself
+  behind,  ///< KHR_materials_diffuse_transmission
+};
+inline constexpr std::size_t most_surface_lobes = 4;
+
 /// Data of a material for shading batches of points.
 struct SimdMaterial {
-  SurfaceMaterial surface;  ///< without textures and vertex colours
+  SurfaceMaterial surface;              ///< without textures and vertex colours
   SamplePath path = SamplePath::lanes;  ///< or the reason why Shader shades it
-  bool looked_up = false;               ///< textures or vertex colours change `surface`
+  std::array<SurfaceLobes, most_surface_lobes> all_lobes{SurfaceLobes::base};
+  std::uint8_t lobe_count = 1;
+  bool looked_up = false;  ///< textures or vertex colours change `surface`
   bool normal_map = false;
+  bool coat_map = false;  ///< a normal map of its coat
   bool textured = false;  ///< any texture is used: the patch matters
   bool shiny = false;     ///< with highlights so narrow that curvature matters
   bool own_dfr = false;   ///< has its own defocusing ratio
+  bool blended = false;   ///< the ray continues behind it
+  bool own_lobe = false;  ///< the base has a thin film or an anisotropic lobe
+
+  [[nodiscard]] std::span<const SurfaceLobes> lobes() const {
+    return std::span(all_lobes).first(lobe_count);
+  }
+  /// Returns the number of layers above the surface itself.
+  [[nodiscard]] std::size_t base() const {
+    return static_cast<std::size_t>(
+        std::find(all_lobes.begin(), all_lobes.end(), SurfaceLobes::base) - all_lobes.begin());
+  }
+  /// Returns whether the surface needs more than its place, its textures and one lobe.
+  [[nodiscard]] bool layered() const { return lobe_count > 1 || blended || own_lobe; }
 };
 
 /// Compact copies of the materials on a world's triangles, for the SIMD path. Immutable.

@@ -70,17 +70,6 @@ bool shows_footprint(const World& world, const RenderFeatures& render_features,
          world.normals[t.v.x] != world.normals[t.v.z];
 }
 
-/// Turns the shading normal by a normal map; see map_normal.
-void turn_by_map(const World& world, const Hit& hit, const TextureUse& map, const MipChains* mips,
-                 float side, SurfacePoint& point) {
-  const MappedNormal mapped =
-      mapped_normal(world, hit, map, side * point.shading_normal, point.footprint, mips);
-  point.spread.variance = mapped.variance;
-  // A mapped normal that points below the surface is ignored.
-  if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
-    point.shading_normal = side * mapped.normal;
-}
-
 /// Computes the smooth surface above the triangle, if any. Must be called before a map turns the
 /// shading normal.
 void find_smooth_surface(const World& world, const Triangle& t,
@@ -108,7 +97,7 @@ void shade_normal(const World& world, const RenderFeatures& render_features, con
   if (!t.face) find_smooth_surface(world, t, normals, side, point);
   if (!point.footprint.point() && length > 0.0f)
     point.spread = interpolated_spread(normals, point.footprint, smooth, length);
-  if (render_features.normal_maps && map.used()) turn_by_map(world, hit, map, mips, side, point);
+  if (render_features.normal_maps && map.used()) map_normal(world, hit, map, mips, side, point);
 }
 
 /// Computes position and geometric normal on a triangle.
@@ -188,9 +177,14 @@ SurfacePoint surface_point(const World& world, const RenderFeatures& render_feat
   return point;
 }
 
-void map_normal(const World& world, const Hit& hit, const MipChains* mips, float side,
-                SurfacePoint& point) {
-  turn_by_map(world, hit, world.material_of(hit.triangle).normal_texture, mips, side, point);
+void map_normal(const World& world, const Hit& hit, const TextureUse& map, const MipChains* mips,
+                float side, SurfacePoint& point) {
+  const MappedNormal mapped =
+      mapped_normal(world, hit, map, side * point.shading_normal, point.footprint, mips);
+  point.spread.variance = mapped.variance;
+  // A mapped normal that points below the surface is ignored.
+  if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)
+    point.shading_normal = side * mapped.normal;
 }
 
 SurfacePoint coat_point(const World& world, const RenderFeatures& render_features, const Hit& hit,

@@ -139,11 +139,11 @@ void average_colours(const World& world, const RenderFeatures& render_features, 
 [[nodiscard]] SurfaceMaterial untextured_material(const Material& material,
                                                   const RenderFeatures& render_features);
 
-/// Turns the shading normal by the material's normal map, which must exist. With `mips` it uses the
-/// mean over the point's footprint. `side` is -1 where the shading normal is the interpolated one
-/// negated, to be on the geometric normal's side; else 1.
-void map_normal(const World& world, const Hit& hit, const MipChains* mips, float side,
-                SurfacePoint& point);
+/// Turns the shading normal by a normal map, which must exist. With `mips` it uses the mean over
+/// the point's footprint. `side` is -1 where the shading normal is the interpolated one negated, to
+/// be on the geometric normal's side; else 1.
+void map_normal(const World& world, const Hit& hit, const TextureUse& map, const MipChains* mips,
+                float side, SurfacePoint& point);
 
 /// Returns the point for the material's coat, with the coat's own normals.
 [[nodiscard]] SurfacePoint coat_point(const World& world, const RenderFeatures& render_features,

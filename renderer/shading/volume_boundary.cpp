@@ -68,6 +68,14 @@ glm::vec3 indices_in(const NestedVolumes& volumes, const World& world) {
   return indices_of(material_of(world, volumes.medium()));
 }
 
+/// The material of a volume's boundary at total reflection.
+SurfaceMaterial total_reflector(SurfaceMaterial material) {
+  material.f0 = glm::vec3(1.0f);
+  material.f90 = material.dielectric_f0 = material.dielectric_f90 = 1.0f;
+  material.film.factor = 0.0f;
+  return material;
+}
+
 float reflectance_between(float n1, float n2) {
   const float root = (n1 - n2) / (n1 + n2);
   return root * root;
@@ -136,6 +144,12 @@ void VolumeBoundary::set_reflectance(SurfaceMaterial& seen) const {
   }
   // A boundary between equal indices is invisible.
   if (n1 == n2) seen.f90 *= 1.0f - dielectric, seen.dielectric_f90 = 0.0f;
+}
+
+ViewedMaterial VolumeBoundary::viewed(const SurfaceMaterial& seen, float n_dot_v,
+                                      const VolumePath& passage) const {
+  const auto cosine = fresnel_cosine(n_dot_v, passage);
+  return cosine ? asos::viewed(seen, *cosine) : asos::viewed(total_reflector(seen), n_dot_v);
 }
 
 VolumePath VolumeBoundary::in(const VolumePath& passage, const NestedVolumes& volumes) const {

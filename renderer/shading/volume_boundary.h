@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/geometry/ray.h"
+#include "renderer/shading/brdf.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/volume_path.h"
 #include "renderer/world/world.h"
@@ -46,6 +47,10 @@ struct VolumeBoundary {
   [[nodiscard]] std::optional<float> fresnel_cosine(float n_dot_v, const VolumePath& passage) const;
   /// Sets the reflectance between the two media, if neither is air.
   void set_reflectance(SurfaceMaterial& seen) const;
+  /// Computes the values of a material with this reflectance for a viewer. At total reflection
+  /// everything is reflected.
+  [[nodiscard]] ViewedMaterial viewed(const SurfaceMaterial& seen, float n_dot_v,
+                                      const VolumePath& passage) const;
 
   /// Returns the path in the medium in front, after reflection, and after refraction.
   [[nodiscard]] VolumePath incident(const VolumePath& passage) const { return in(passage, before); }

@@ -190,7 +190,7 @@ TEST(Statistics, AddUp) {
   a.unresolved_area = 0.5;
   a.rejected_samples = 8;
   a.cut_stacks = 9;
-  a.count_sample(SamplePath::coat, 10);
+  a.count_sample(SamplePath::face, 10);
   a.pixels_by_cause[static_cast<std::size_t>(SplitCause::shadow)] = 9;
   RenderStatistics b = a;
   b += a;
@@ -204,7 +204,7 @@ TEST(Statistics, AddUp) {
   EXPECT_EQ(b.unresolved_area, 1.0);
   EXPECT_EQ(b.rejected_samples, 16u);
   EXPECT_EQ(b.cut_stacks, 18u);
-  EXPECT_EQ(b.samples_by_path[static_cast<std::size_t>(SamplePath::coat)], 20u);
+  EXPECT_EQ(b.samples_by_path[static_cast<std::size_t>(SamplePath::face)], 20u);
   EXPECT_EQ(b.pixels_by_cause[static_cast<std::size_t>(SplitCause::shadow)], 18u);
 }
 

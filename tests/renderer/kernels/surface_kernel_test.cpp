@@ -201,6 +201,7 @@ TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
   for (std::size_t i = 0; i < points_of_a_batch; ++i) {
     materials.push_back(random_material(space, i));
     found->materials.set(i, materials.back());
+    found->points.stretch.set(i, glm::vec3(9.0f));  // of points before these
   }
   EXPECT_TRUE(view_materials(found->rest, found->materials, found->points));
   const auto one = std::make_unique<ShadingPoints>();
@@ -225,6 +226,8 @@ TEST(SurfaceKernel, MaterialsAreTheOnesViewedOneByOne) {
                           glm::abs(found->materials.ambient.at(i) - seen.ambient) +
                           glm::abs(points.diffuse.at(i) - one->diffuse.at(0));
     EXPECT_LT(off.x + off.y + off.z, 3e-6f);
+    EXPECT_NEAR(found->materials.below[i], seen.below, 1e-6f);
+    EXPECT_EQ(points.stretch.at(i), glm::vec3(0.0f));
     sum += static_cast<double>(off.x + off.y + off.z);
     EXPECT_NEAR(points.falloff[i], one->falloff[0], 1e-6f);
     EXPECT_EQ(points.f0.at(i), one->f0.at(0));

@@ -1,3 +1,6 @@
+#include "renderer/samples/sampled_reflections.h"
+
+#include "renderer/samples/sobol_sampler.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -5,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 // Dim reflections are traced for some of the samples, with increased weight.
 
@@ -70,6 +74,52 @@ TEST(SampledReflections, ThatAreDimAreFollowedBySomeSamplesForAll) {
   // Independent selection would have an error of sqrt(3 / 64) of the mean; a sequence has less.
   EXPECT_LT(seen.error, std::sqrt(3.0 / 64.0) * static_cast<double>(wall) / 128.0);
   EXPECT_GT(seen.error, 0.0);
+}
+
+/// A pane in front of the viewer.
+World pane() {
+  World world;
+  Material glass = matte(glm::vec3(0.5f));
+  glass.alpha_mode = AlphaMode::blend;
+  add_quad(world, {-9, -9, 0}, {18, 0, 0}, {0, 18, 0}, glass);
+  return world;
+}
+
+TEST(SampledReflections, GoOnBehindTransparentSurfaces) {
+  const auto scene = make_render_scene(pane());
+  RenderSettings settings;
+  settings.width = settings.height = 16;
+  const View view(orthographic(4.0), 16, 16);
+  const Shader shader = shader_of(*scene, settings, view);
+  SobolSampler places(1);
+  SampledReflections rays(scene->world(), places);
+  const Ray ray = view.ray(8.5, 8.5);
+  const Hit hit = scene->rays().closest(ray);
+  ViewedRay seen = shader.eye_ray(ray, hit, 0.5f);
+  seen.bounces = 3;
+  seen.passage.refractions = 2;
+  const SurfacePoint point =
+      surface_point(scene->world(), scene->render_features, hit, -ray.direction);
+  VolumePath inside;
+  inside.refractions = 3;
+  RenderStatistics counts;
+  const auto pass = [&](glm::vec3 left) {
+    rays.pass(seen, point, {left, false, inside}, PointSample{}, glm::vec3(2.0f), shader, counts);
+    return rays.take();
+  };
+  EXPECT_TRUE(pass(glm::vec3(1e-6f)).empty()) << "the rest is invisible";
+  const std::vector<ReflectedSample> next = pass({0.5f, 0.25f, 0.125f});
+  ASSERT_EQ(next.size(), 1u);
+  const ViewedRay rest = next[0].viewed({});
+  EXPECT_EQ(next[0].weight, glm::vec3(1.0f, 0.5f, 0.25f));
+  EXPECT_TRUE(next[0].passes());
+  EXPECT_GT(rest.ray.t_near, hit.t);
+  EXPECT_EQ(rest.start(), hit.t);
+  EXPECT_EQ(rest.bounces, 3);
+  EXPECT_TRUE(rest.reflected()) << "a straight way is no refraction";
+  EXPECT_EQ(rest.throughput, 0.5f);
+  EXPECT_EQ(rest.passed.left, 0.5f);
+  EXPECT_EQ(rest.passed.count.layers(), 1);
 }
 
 }  // namespace

@@ -1,0 +1,184 @@
+#include "renderer/geometry/largest.h"
+#include "renderer/samples/simd_samples.h"
+#include "renderer/shading/anisotropy.h"
+
+#include <cmath>
+#include <numbers>
+
+// Materials of the points in a batch, and the layers of their surfaces.
+
+namespace asos {
+namespace {
+
+/// Returns a material whose light is all its emission.
+SurfaceMaterial black_material() {
+  SurfaceMaterial black;
+  black.base_color = black.f0 = glm::vec3(0.0f);
+  black.f90 = black.dielectric_f0 = black.dielectric_f90 = 0.0f;
+  return black;
+}
+
+bool finite(const ViewedMaterial& m) {
+  const glm::vec3 sum = m.diffuse + m.specular + m.f0 + m.f90 + m.ambient + m.stretch.along;
+  return std::isfinite(sum.x + sum.y + sum.z);
+}
+
+ViewedMaterial viewed_layer(SurfaceLobes lobes, const ViewedPoint& view,
+                            const SurfaceMaterial& material) {
+  switch (lobes) {
+    case SurfaceLobes::coat:
+      return viewed(material.coat, mirroring_cosine(view));
+    case SurfaceLobes::sheen:
+      return viewed(material.sheen, view.n_dot_v);
+    case SurfaceLobes::behind:
+      return viewed_from_behind(material, view.n_dot_v);
+    case SurfaceLobes::base:
+      break;
+  }
+  return viewed(material, mirroring_cosine(view));
+}
+
+}  // namespace
+
+void SimdSamples::map_normals(std::size_t i, const TextureUse& map, ShadingPoints& points) {
+  const MipChains* mips = arrays_->hits.side[i] > 0.0f ? mips_ : nullptr;
+  SurfacePoint turned = point(i, points);
+  map_normal(world_, arrays_->hit[i], map, mips, arrays_->rest.normal_side[i], turned);
+  points.normal.set(i, turned.shading_normal);
+  points.spread_variance[i] = turned.spread.variance;
+}
+
+// Looks up the material of the hit whose first point is `top`, and sets that of its points.
+void SimdSamples::look_up_material(std::size_t top, ShadingPoints& points) {
+  const SimdMaterial& plain = *arrays_->material[top];
+  const Hit& hit = arrays_->hit[top];
+  const Material& material = world_.material_of(hit.triangle);
+  for (std::size_t k = 0; k < plain.lobe_count; ++k) {
+    const bool coat = plain.all_lobes[k] == SurfaceLobes::coat;
+    if (coat ? plain.coat_map : plain.normal_map)
+      map_normals(top + k, coat ? material.coat.normal_texture : material.normal_texture, points);
+  }
+  SurfaceMaterial found = plain.surface;
+  if (plain.looked_up) {
+    Footprint footprint = footprint_at(arrays_->hits, arrays_->rest, top);
+    footprint.colours = arrays_->colours[top];
+    const MipChains* mips = arrays_->hits.side[top] > 0.0f ? mips_ : nullptr;
+    found = surface_material(world_, needs_, hit, footprint, mips);
+  }
+  if (found.anisotropy.strength > 0.0f)
+    found.stretch = lobe_stretch(world_, hit, found.anisotropy, found.roughness,
+                                 points.normal.at(top + plain.base()), points.to_viewer.at(top));
+  if (const MetVolume* volume = volume_of(top)) volume->boundary.set_reflectance(found);
+  set_material(top, found);
+  if (plain.layered()) arrays_->layered.push_back({top, found});
+}
+
+// Sets the material of a hit's points, as far as a batch views it.
+void SimdSamples::set_material(std::size_t top, const SurfaceMaterial& material) {
+  const SimdMaterial& plain = *arrays_->material[top];
+  if (plain.lobe_count == 1 && !material.unlit) {
+    arrays_->materials.set(top, material);
+    arrays_->emission[top] = shown(top, material.emission);
+    return;
+  }
+  for (std::size_t k = 0; k < plain.lobe_count; ++k) {
+    const bool own = k == plain.base() && !material.unlit;
+    SurfaceMaterial seen = own ? material : black_material();
+    if (plain.all_lobes[k] == SurfaceLobes::coat) seen.roughness = material.coat.roughness;
+    arrays_->materials.set(top + k, seen);
+    arrays_->emission[top + k] = glm::vec3(0.0f);
+  }
+  const std::size_t base = top + plain.base();
+  arrays_->emission[base] = material.unlit ? (1.0f - material.transmission) * material.base_color
+                                           : shown(base, material.emission);
+}
+
+// Turns a point to the other side of its surface, as for light that is transmitted diffusely.
+void SimdSamples::turn_behind(std::size_t i, ShadingPoints& points) {
+  const glm::vec3 normal = points.normal.at(i);
+  SurfaceRest& rest = arrays_->rest;
+  points.to_viewer.set(i, glm::reflect(points.to_viewer.at(i), normal));
+  points.normal.set(i, -normal);
+  points.position.set(i, rest.position.at(i));
+  rest.geometric.set(i, -rest.geometric.at(i));
+  points.geometric.set(i, rest.geometric.at(i));
+  rest.lift.set(i, glm::vec3(0.0f));
+  rest.smooth_normal.set(i, glm::vec3(0.0f));
+}
+
+// Views the layers of a hit that the batch has not viewed. Returns false if any value is not
+// finite.
+bool SimdSamples::view_layers(const LayeredHit& hit, ShadingPoints& points) {
+  const SimdMaterial& plain = *arrays_->material[hit.top];
+  bool all_finite = true;
+  for (std::size_t k = 0; k < plain.lobe_count; ++k) {
+    const SurfaceLobes lobes = plain.all_lobes[k];
+    const std::size_t i = hit.top + k;
+    const MetVolume* volume = lobes == SurfaceLobes::base ? volume_of(i) : nullptr;
+    if (lobes == SurfaceLobes::base && !plain.own_lobe && !volume) continue;
+    const float n_dot_v = points.n_dot_v[i];
+    if (lobes == SurfaceLobes::behind) turn_behind(i, points);
+    const SurfacePoint place = point(i, points);
+    const ViewedPoint view{place, points.to_viewer.at(i), n_dot_v};
+    const ViewedMaterial seen =
+        volume ? volume->boundary.viewed(hit.material, mirroring_cosine(view), volume->reflected())
+               : viewed_layer(lobes, view, hit.material);
+    all_finite = all_finite && finite(seen);
+    set_viewed(i, seen, points);
+  }
+  return all_finite;
+}
+
+void SimdSamples::set_viewed(std::size_t i, const ViewedMaterial& seen, ShadingPoints& points) {
+  points.set_material(i, seen, glm::vec3(1.0f));
+  if (seen.sheen > 0.0f || !seen.stretch.none()) points.turns[i] = 1.0f;
+  MaterialBatch& materials = arrays_->materials;
+  materials.specular.set(i, seen.specular);
+  materials.ambient.set(i, seen.ambient);
+  materials.below[i] = seen.below;
+  materials.roughness[i] = seen.roughness;
+}
+
+// Computes the weights of a hit's layers, as Shader::add_material does, and of the light behind it.
+void SimdSamples::weigh_layers(const LayeredHit& hit, const ShadingPoints& points) {
+  const SimdMaterial& plain = *arrays_->material[hit.top];
+  const MetVolume* volume = volume_of(hit.top);
+  const bool hidden = volume && volume->boundary.hidden();
+  const float opacity = hidden ? 0.0f : plain.blended ? hit.material.opacity : 1.0f;
+  const glm::vec3 weight = arrays_->share[hit.top];
+  float left = 1.0f;
+  for (std::size_t k = 0; k < plain.lobe_count; ++k) {
+    const std::size_t i = hit.top + k;
+    arrays_->share[i] = (opacity * left) * weight;
+    if (plain.all_lobes[k] == SurfaceLobes::coat) left = 1.0f - points.f0.x[i];
+    if (plain.all_lobes[k] == SurfaceLobes::sheen)
+      left *= 1.0f - largest(arrays_->materials.ambient.at(i));
+  }
+  if (plain.blended) add_passage(hit, weight, opacity, left);
+}
+
+// Adds the way behind a blended surface. `left` is the fraction of light that passes the layers
+// above it.
+void SimdSamples::add_passage(const LayeredHit& hit, glm::vec3 weight, float opacity, float left) {
+  const SurfaceMaterial& material = hit.material;
+  Passage next;
+  next.point = hit.top + arrays_->material[hit.top]->base();
+  if (!material.unlit) left *= arrays_->materials.below[next.point] * (1.0f - material.metallic);
+  next.beside = (1.0f - opacity) * weight;
+  next.through = (opacity * left * material.transmission) * material.base_color * weight;
+  next.roughness = material.roughness;
+  next.bends = material.transmission > 0.0f && material.roughness > 0.0f && !material.unlit;
+  next.clear = opacity == 0.0f;
+  if (const MetVolume* volume = volume_of(hit.top)) {
+    const VolumeBoundary& boundary = volume->boundary;
+    next.boundary = boundary;
+    next.before = volume->before;
+    next.bends = !boundary.hidden();
+    next.clear = next.clear && next.bends;
+    next.behind = next.bends ? boundary.refracted(volume->before) : boundary.passed(volume->before);
+    if (next.bends) next.behind.straight = next.behind.in_medium();
+  }
+  arrays_->passages.push_back(next);
+}
+
+}  // namespace asos
