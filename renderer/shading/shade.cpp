@@ -34,6 +34,12 @@ bool shows_only_unlit(PixelContent content) {
   return content == PixelContent::unlit_share || content == PixelContent::unlit_colour;
 }
 
+/// Returns whether an opaque surface contributes the same wherever it is hit.
+bool needs_no_point(PixelContent content, const Material& material) {
+  if (content == PixelContent::light) return false;
+  return !(content == PixelContent::unlit_colour && material.unlit);
+}
+
 /// Ignores all light.
 class NoTransport final : public LightTransport {
  public:
@@ -254,9 +260,13 @@ Shader::Layers Shader::look_along(const ViewedRay& seen, const SampleExtent& ext
     const Ray& ray = walk.ray();
     if (light && !(hit.valid() && hit.t < light->t)) return {sum + share * light->radiance};
     if (!hit.valid()) return {sum, share};
+    const Material& own = world_.material_of(hit.triangle);
+    const bool blended = needs_.alpha_blend && surface_kind(own) == SurfaceKind::blended;
+    if (!blended && needs_no_point(settings_.backdrop.content(), own)) {
+      cover(hit, glm::vec3(0.0f));
+      return {own.unlit && only_unlit ? sum + share : sum};
+    }
     const SurfacePoint point = surface_point(world_, needs_, hit, to_viewer, extent);
-    const bool blended = needs_.alpha_blend &&
-                         surface_kind(world_.material_of(hit.triangle)) == SurfaceKind::blended;
     const auto boundary = blended ? VolumeBoundary::met(world_, hit, ray, passage) : std::nullopt;
     // The inner side of a boundary gives the medium in front of it, wherever the ray started.
     if (boundary && !boundary->entering) passage = boundary->incident(passage);
