@@ -10,75 +10,12 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 namespace asos {
 namespace {
-
-// Means over a patch of a bilinear texture's finest level, by points half a texel apart. Used where
-// values between texels are no mixture of texels, or where the patch is oblique and covers few
-// texels.
-
-/// Visits a grid of points of a patch, half a texel apart and at least `fewest` along each edge. A
-/// point is its offset from the patch's centre, in the UV of a texture of `size` texels. Returns
-/// their number.
-template <typename Visit>
-int for_each_point(const TexelPatch& patch, int fewest, glm::vec2 size, const Visit& visit) {
-  const auto count = [fewest](glm::vec2 edge) {
-    return std::max(fewest, 1 + static_cast<int>(2.0f * glm::length(edge)));
-  };
-  const int across = count(patch.right), along = count(patch.down);
-  for (int y = 0; y < along; ++y) {
-    for (int x = 0; x < across; ++x) {
-      const auto middle = [](int i, int n) {
-        return (static_cast<float>(i) + 0.5f) / static_cast<float>(n) - 0.5f;
-      };
-      visit((middle(x, across) * patch.right + middle(y, along) * patch.down) / size);
-    }
-  }
-  return across * along;
-}
-
-// Returns the mean over the whole patch.
-glm::vec4 mean_of_points(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
-                         const Texture& texture) {
-  glm::vec4 sum(0.0f);
-  const int count = for_each_point(
-      patch, 1, glm::vec2(texels.width, texels.height),
-      [&](glm::vec2 off) { sum += bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v); });
-  return sum / static_cast<float>(count);
-}
-
-// Returns the mean colour of the visible part and the mean alpha; if nothing is visible, the mean
-// of all.
-glm::vec4 mean_of_seen(const Texels& texels, const TexelUse& use, glm::vec2 uv,
-                       const TexelPatch& patch, const Texture& texture) {
-  glm::vec4 sum(0.0f), seen(0.0f);
-  const int count =
-      for_each_point(patch, 2, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
-        const glm::vec4 texel = bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v);
-        const float share = use.cutoff ? (texel.a >= *use.cutoff ? 1.0f : 0.0f) : texel.a;
-        sum += texel;
-        seen += share * glm::vec4(glm::vec3(texel), 1.0f);
-      });
-  const float alpha = sum.a / static_cast<float>(count);
-  const glm::vec3 colour =
-      seen.a > 0.0f ? glm::vec3(seen) / seen.a : glm::vec3(sum) / static_cast<float>(count);
-  return {colour, alpha};
-}
-
-// Returns the mean of a map's unit normals and their variance.
-MeanNormal mean_of_normals(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
-                           const Texture& texture) {
-  glm::vec3 sum(0.0f);
-  const int count =
-      for_each_point(patch, 2, glm::vec2(texels.width, texels.height), [&](glm::vec2 off) {
-        sum += unit_normal(bilinear(texels, uv + off, texture.wrap_u, texture.wrap_v));
-      });
-  const glm::vec3 mean = sum / static_cast<float>(count);
-  return {0.5f + 0.5f * mean, std::max(0.0f, 1.0f - glm::dot(mean, mean))};
-}
 
 /// One axis of a level.
 struct Axis {
@@ -104,6 +41,117 @@ struct Axis {
     return within < size ? within : period - 1 - within;
   }
 };
+
+/// The finest level of a bilinear texture around a patch. Each texel is decoded once if there are
+/// few enough.
+class TexelBlock {
+ public:
+  TexelBlock(const Texels& texels, glm::vec2 uv, const TexelPatch& patch, const Texture& texture)
+      : texels_(texels),
+        u_{texels.width, texture.wrap_u},
+        v_{texels.height, texture.wrap_v},
+        centre_(u_.place(uv.x), v_.place(uv.y)) {
+    const glm::vec2 half = 0.5f * (glm::abs(patch.right) + glm::abs(patch.down));
+    x_ = static_cast<int>(floor_near(centre_.x - half.x));
+    y_ = static_cast<int>(floor_near(centre_.y - half.y));
+    across_ = static_cast<int>(floor_near(centre_.x + half.x)) + 2 - x_;
+    const int along = static_cast<int>(floor_near(centre_.y + half.y)) + 2 - y_;
+    decoded_ = across_ * along <= most;
+    if (!decoded_) return;
+    auto next = known_.begin();
+    for (int y = 0; y < along; ++y)
+      for (int x = 0; x < across_; ++x) *next++ = decode(x_ + x, y_ + y);
+  }
+
+  /// Returns the bilinear value at this offset from the patch's centre, in texels.
+  [[nodiscard]] glm::vec4 at(glm::vec2 off) const {
+    const glm::vec2 place = centre_ + off;
+    const float left = floor_near(place.x), top = floor_near(place.y);
+    const int x = static_cast<int>(left), y = static_cast<int>(top);
+    const float fx = place.x - left, fy = place.y - top;
+    return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), fx),
+                    glm::mix(texel(x, y + 1), texel(x + 1, y + 1), fx), fy);
+  }
+
+ private:
+  static constexpr int most = 64;
+
+  [[nodiscard]] glm::vec4 decode(int x, int y) const {
+    return texels_.at(u_.texel(x), v_.texel(y));
+  }
+  [[nodiscard]] glm::vec4 texel(int x, int y) const {
+    if (!decoded_) return decode(x, y);
+    return known_[static_cast<std::size_t>((y - y_) * across_ + x - x_)];
+  }
+
+  const Texels& texels_;
+  Axis u_, v_;
+  glm::vec2 centre_;  // in texels
+  int x_ = 0, y_ = 0, across_ = 0;
+  bool decoded_ = false;
+  std::array<glm::vec4, most> known_;
+};
+
+// Means over a patch of a bilinear texture's finest level, by points half a texel apart. Used where
+// values between texels are no mixture of texels, or where the patch is oblique and covers few
+// texels.
+
+/// Visits a grid of points of a patch, half a texel apart and at least `fewest` along each edge. A
+/// point is its offset from the patch's centre, in texels. Returns their number.
+template <typename Visit>
+int for_each_point(const TexelPatch& patch, int fewest, const Visit& visit) {
+  const auto count = [fewest](glm::vec2 edge) {
+    return std::max(fewest, 1 + static_cast<int>(2.0f * glm::length(edge)));
+  };
+  const int across = count(patch.right), along = count(patch.down);
+  for (int y = 0; y < along; ++y) {
+    for (int x = 0; x < across; ++x) {
+      const auto middle = [](int i, int n) {
+        return (static_cast<float>(i) + 0.5f) / static_cast<float>(n) - 0.5f;
+      };
+      visit(middle(x, across) * patch.right + middle(y, along) * patch.down);
+    }
+  }
+  return across * along;
+}
+
+// Returns the mean over the whole patch.
+glm::vec4 mean_of_points(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
+                         const Texture& texture) {
+  const TexelBlock block(texels, uv, patch, texture);
+  glm::vec4 sum(0.0f);
+  const int count = for_each_point(patch, 1, [&](glm::vec2 off) { sum += block.at(off); });
+  return sum / static_cast<float>(count);
+}
+
+// Returns the mean colour of the visible part and the mean alpha; if nothing is visible, the mean
+// of all.
+glm::vec4 mean_of_seen(const Texels& texels, const TexelUse& use, glm::vec2 uv,
+                       const TexelPatch& patch, const Texture& texture) {
+  const TexelBlock block(texels, uv, patch, texture);
+  glm::vec4 sum(0.0f), seen(0.0f);
+  const int count = for_each_point(patch, 2, [&](glm::vec2 off) {
+    const glm::vec4 texel = block.at(off);
+    const float share = use.cutoff ? (texel.a >= *use.cutoff ? 1.0f : 0.0f) : texel.a;
+    sum += texel;
+    seen += share * glm::vec4(glm::vec3(texel), 1.0f);
+  });
+  const float alpha = sum.a / static_cast<float>(count);
+  const glm::vec3 colour =
+      seen.a > 0.0f ? glm::vec3(seen) / seen.a : glm::vec3(sum) / static_cast<float>(count);
+  return {colour, alpha};
+}
+
+// Returns the mean of a map's unit normals and their variance.
+MeanNormal mean_of_normals(const Texels& texels, glm::vec2 uv, const TexelPatch& patch,
+                           const Texture& texture) {
+  const TexelBlock block(texels, uv, patch, texture);
+  glm::vec3 sum(0.0f);
+  const int count =
+      for_each_point(patch, 2, [&](glm::vec2 off) { sum += unit_normal(block.at(off)); });
+  const glm::vec3 mean = sum / static_cast<float>(count);
+  return {0.5f + 0.5f * mean, std::max(0.0f, 1.0f - glm::dot(mean, mean))};
+}
 
 bool aslant(const TexelPatch& patch) {
   const auto turned = [](glm::vec2 edge) {
