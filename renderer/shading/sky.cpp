@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -169,7 +170,9 @@ glm::vec3 Sky::around(glm::vec3 direction, float roughness) const {
     const glm::dvec3 mean = gradient_.around(middle.y, w);
     return sides_.none() ? mean : mean + sides_.around(middle, w);
   }
-  constexpr int parts = 3;
+  // A lobe within a texel of the picture needs no parts.
+  const int rows = map().rows_below(std::numeric_limits<int>::max()).rows();
+  const int parts = w * rows > std::numbers::pi ? 3 : 1;
   const glm::dvec3 right = any_perpendicular(middle);
   return mean_of_parts({middle, w * right, w * glm::cross(middle, right)}, parts, parts);
 }
