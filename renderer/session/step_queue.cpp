@@ -13,7 +13,7 @@ namespace {
 
 // Steps are planned for this fraction of the time so far: few enough that their order stays right,
 // and enough to fill packets of rays.
-constexpr double share_of_plan = 0.04;
+constexpr double share_of_plan = 0.1;
 // Longest step of samples in seconds. A change of the camera waits for it.
 constexpr double longest_step = 0.005;
 // A step of fewer samples would leave packets of rays empty.
@@ -27,16 +27,18 @@ constexpr float least_of_before = 1.0f / 12.0f;
 constexpr double share_of_eps = 0.5;
 // Single pixels of a block take samples for at most this fraction of the block's time, since they
 // end with the block: the picture is finished that much later.
-constexpr double share_of_block = 0.3;
-// Samples of each pixel that take as long as a block, before one was measured: about the median
-// over all test scenes.
-constexpr double samples_of_block = 64.0;
-// Blocks that only measure their kind take at most this fraction of the time so far.
-constexpr double share_of_measuring = 0.1;
-// One block of each kind is measured, so few kinds are enough for few blocks.
-constexpr std::size_t blocks_a_kind = 32;
-// Number of values in a running mean.
-constexpr int latest = 8;
+constexpr double share_of_block = 0.2;
+// The time of a block's first stage over that of its samples, before one was measured, and its
+// growth with the number of pixels that have an error. Fitted to 14 scenes.
+constexpr double usual_start = 3.0, power_of_pixels = 2.0 / 3.0;
+// So many blocks are rendered early to measure them, all but one in at most this fraction of the
+// time so far.
+constexpr int least_measured = 4;
+constexpr double share_of_measuring = 0.03;
+// The same for the second stage and its growth with the expected squared error.
+constexpr double usual_finish = 4e5, power_of_error = 2.0 / 3.0;
+// Weight of a finished block relative to the next one, since times fall along with gains.
+constexpr double weight_of_before = 0.98;
 
 double ratio_or(double a, double b, double otherwise) {
   return b > 0.0 ? a / b : otherwise;
@@ -49,9 +51,9 @@ std::size_t class_of(double gain) {
 
 }  // namespace
 
-void StepQueue::RunningMean::add(double value) {
-  count = std::min(count + 1, latest);
-  mean += (value - mean) / count;
+void StepQueue::Ratio::add(double seconds, double relative) {
+  measured = weight_of_before * measured + seconds;
+  expected = weight_of_before * expected + relative;
 }
 
 StepQueue::StepQueue(const WorkPlan& plan, double eps)
@@ -95,18 +97,20 @@ void StepQueue::begin(const SampleRounds& samples) {
   }
   for (int y = all.y; y < all.y + all.height; ++y)
     for (int x = all.x; x < all.x + all.width; ++x) pixel(x, y).expected = expected_error(x, y);
-  sort_into_kinds();
+  expect_seconds();
 }
 
-void StepQueue::sort_into_kinds() {
-  std::vector<double> errors;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) errors.push_back(error_of(b));
-  std::vector<std::size_t> order = spread_;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return errors[a] < errors[b]; });
-  const std::size_t count = std::clamp<std::size_t>(order.size() / blocks_a_kind, 1, kinds);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    blocks_[order[i]].kind = static_cast<std::uint8_t>(i * count / order.size());
+void StepQueue::expect_seconds() {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const PixelRect rect = visible(b);
+    int above = 0;
+    for (int y = rect.y; y < rect.y + rect.height; ++y)
+      for (int x = rect.x; x < rect.x + rect.width; ++x)
+        above += static_cast<double>(pixel(x, y).expected) > floor_;
+    const WorkPlan::Block& of = plan_->blocks[b];
+    blocks_[b].relative = of.rect.width * of.rect.height * seconds_a_sample_[of.group] *
+                          std::pow(1.0 + above, power_of_pixels);
+  }
 }
 
 // Returns the expected squared error of a pixel from its own change and those of its neighbours,
@@ -127,22 +131,17 @@ float StepQueue::expected_error(int x, int y) const {
   return share_of_neighbours * largest + (1.0f - share_of_neighbours) * own.moved;
 }
 
-// Returns the time of a block: that of its kind. Where none was measured, it is that of the next
-// kind with larger errors, or the usual one, if that is less.
 double StepQueue::start_seconds(std::size_t block) const {
-  if (!begun_) return 0.0;
-  const std::size_t own = blocks_[block].kind;
-  if (starts_[own].count > 0) return starts_[own].mean;
-  const PixelRect& rect = plan_->blocks[block].rect;
-  const double usual =
-      samples_of_block * rect.width * rect.height * seconds_a_sample_[plan_->blocks[block].group];
-  for (std::size_t kind = own; kind < kinds; ++kind)
-    if (starts_[kind].count > 0) return std::min(usual, starts_[kind].mean);
-  return usual;
+  return blocks_[block].relative * ratio_or(starts_.measured, starts_.expected, usual_start);
+}
+
+double StepQueue::relative_finish(std::size_t block, double squared_error) const {
+  return seconds_a_sample_[plan_->blocks[block].group] * std::pow(squared_error, power_of_error);
 }
 
 double StepQueue::finish_seconds(std::size_t block) const {
-  return blocks_[block].start_seconds * ratio_or(finishes_.measured, finishes_.expected, 1.0);
+  return blocks_[block].relative_finish *
+         ratio_or(finishes_.measured, finishes_.expected, usual_finish);
 }
 
 double StepQueue::sample_seconds(std::size_t block, const Pixel& of) const {
@@ -191,9 +190,9 @@ std::size_t StepQueue::least_class(bool blocks) {
     seconds_by_class_[class_of(gain)] += seconds;
   };
   left_ = 0.0;
-  // Seconds of second stages for each of a first stage.
+  // Seconds of second stages, if their errors are related to those before as the ones so far.
   const double finishes = ratio_or(opened_.measured, opened_.expected, 0.0) *
-                          ratio_or(finishes_.measured, finishes_.expected, 1.0);
+                          ratio_or(finishes_.measured, finishes_.expected, usual_finish);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Block& block = blocks_[b];
     if (block.state == State::open) {
@@ -203,7 +202,7 @@ std::size_t StepQueue::least_class(bool blocks) {
     }
     if (block.state != State::waiting) continue;
     const double seconds = start_seconds(b), gain = error_of(b) / seconds;
-    left_ += seconds * (1.0 + finishes);
+    left_ += seconds + finishes * relative_finish(b, gain * seconds);
     if (blocks) count(gain, seconds);
     double samples = 0.0;  // to expect before the block is rendered
     each_pixel(b, blocks, [&](const Pixel&, int, int, double gain_of_samples, double cost) {
@@ -228,23 +227,21 @@ void StepQueue::plan_step(Step::Kind kind, std::size_t block, double gain) {
   ready_.push_back(std::move(step));
 }
 
-// Plans a block of the next kind that was never measured, if there is time for it: the first one in
-// spread order, since those with the largest gain take longer than others.
-void StepQueue::measure_next_kind() {
-  for (std::size_t kind = kinds; kind-- > 0;) {
-    if (starts_[kind].count > 0) continue;
-    const auto block = std::find_if(spread_.begin(), spread_.end(), [&](std::size_t b) {
-      return blocks_[b].kind == kind && blocks_[b].state == State::waiting;
-    });
-    if (block == spread_.end()) continue;
-    if (measuring_ + start_seconds(*block) <= share_of_measuring * spent_)
-      plan_step(Step::Kind::start, *block, std::numeric_limits<double>::infinity());
+// Plans the first blocks in spread order that have an error: they tell the time of all.
+void StepQueue::measure_blocks() {
+  for (const std::size_t b : spread_) {
+    if (measured_ >= least_measured) return;
+    const bool first = measured_ == 0;
+    if (blocks_[b].state != State::waiting || !(error_of(b) > 0.0)) continue;
+    if (!first && start_seconds(b) > share_of_measuring * spent_) return;
+    plan_step(Step::Kind::start, b, std::numeric_limits<double>::infinity());
+    ++measured_;
     return;
   }
 }
 
 void StepQueue::plan(bool blocks) {
-  if (begun_ && blocks) measure_next_kind();
+  if (begun_ && blocks) measure_blocks();
   const std::size_t least = begun_ ? least_class(blocks) : 0;
   std::vector<PlannedPixel> pixels;
   int samples = 0;
@@ -340,29 +337,30 @@ void StepQueue::done(const Step& step, double seconds, std::span<const Sampled> 
   block.state = State::done;
   --blocks_left_;
   if (step.kind == Step::Kind::finish) {
-    finishes_.measured += seconds;
-    finishes_.expected += block.start_seconds;
+    finishes_.add(seconds, block.relative_finish);
     return;
   }
-  block.start_seconds = seconds;
-  if (std::isinf(step.gain)) measuring_ += seconds;
-  opened_.expected += seconds;
-  starts_[block.kind].add(seconds);
+  first_stages_ += seconds;
+  if (begun_) opened_.add(0.0, relative_finish(step.block, error_of(step.block)));
+  starts_.add(seconds, block.relative);
 }
 
 void StepQueue::open(std::size_t block, double squared_error) {
   blocks_[block].state = State::open;
   blocks_[block].error = squared_error;
   ++blocks_left_;
-  opened_.measured += blocks_[block].start_seconds;
+  if (!begun_) return;
+  blocks_[block].relative_finish =
+      seconds_a_sample_[plan_->blocks[block].group] * std::pow(squared_error, power_of_error);
+  opened_.measured += blocks_[block].relative_finish;
 }
 
 std::optional<double> StepQueue::seconds_left() const {
-  if (opened_.expected == 0.0) return std::nullopt;
+  if (first_stages_ == 0.0) return std::nullopt;
   if (begun_ && planned_) return std::max(0.0, left_);
   // Blocks in spread order: the mean of all predicts the others.
   const auto done = static_cast<double>(blocks_.size() - blocks_left_);
-  return opened_.expected / std::max(1.0, done) * static_cast<double>(blocks_left_);
+  return first_stages_ / std::max(1.0, done) * static_cast<double>(blocks_left_);
 }
 
 }  // namespace asos

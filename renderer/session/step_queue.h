@@ -35,9 +35,8 @@ struct Step {
 /// - The expected squared error of a pixel with n samples is a sixth of the squared change since it
 ///   had n / 4. Its neighbours' maximum counts for 0.6, since pixels may agree by chance. It is at
 ///   least a twelfth of what was expected before.
-/// - The expected time of a block is the mean of the latest blocks of its kind: those with an
-///   expected error of similar rank after the first samples. One block of each kind is measured
-///   early.
+/// - The expected time of a block grows with the time of its samples and with the number of its
+///   pixels with an error above the floor, by a power of 2/3. Finished blocks give the factor.
 ///
 /// Handles the order alone and renders nothing. One thread at a time.
 class StepQueue {
@@ -81,23 +80,18 @@ class StepQueue {
   enum class State : std::uint8_t { waiting, taken, open, done };
   struct Block {
     State state = State::waiting;
-    std::uint8_t kind = 0;
-    double error = 0.0;           // expected squared error of an open block
-    double sample_seconds = 0.0;  // of steps of its pixels
-    double start_seconds = 0.0;   // of its first stage
-  };
-  /// The mean of the latest values: costs fall along with gains.
-  struct RunningMean {
-    double mean = 0.0;
-    int count = 0;
-
-    void add(double value);
+    double relative = 0.0;         // expected time of the first stage, up to a common factor
+    double error = 0.0;            // expected squared error of an open block
+    double sample_seconds = 0.0;   // of steps of its pixels
+    double relative_finish = 0.0;  // expected time of the second stage, up to a common factor
   };
   struct Ratio {
     double measured = 0.0;
     double expected = 0.0;
+
+    /// Adds the latest block: its time, and its relative time.
+    void add(double seconds, double relative);
   };
-  static constexpr std::size_t kinds = 16;
   /// The costs of steps of similar gain.
   static constexpr std::size_t classes = 2048;
 
@@ -106,6 +100,7 @@ class StepQueue {
   [[nodiscard]] float expected_error(int x, int y) const;
   [[nodiscard]] PixelRect visible(std::size_t block) const;
   [[nodiscard]] double start_seconds(std::size_t block) const;
+  [[nodiscard]] double relative_finish(std::size_t block, double squared_error) const;
   [[nodiscard]] double finish_seconds(std::size_t block) const;
   [[nodiscard]] double sample_seconds(std::size_t block, const Pixel& pixel) const;
   [[nodiscard]] double error_of(std::size_t block) const;
@@ -116,8 +111,8 @@ class StepQueue {
   void plan(bool blocks);
   [[nodiscard]] std::size_t least_class(bool blocks);
   void plan_pixels(std::span<const PlannedPixel> pixels, bool blocks);
-  void sort_into_kinds();
-  void measure_next_kind();
+  void expect_seconds();
+  void measure_blocks();
   void plan_in_spread_order();
   void plan_step(Step::Kind kind, std::size_t block, double gain);
 
@@ -130,14 +125,15 @@ class StepQueue {
   std::vector<std::size_t> spread_;       // blocks in spread order
   std::size_t next_spread_ = 0;
   std::size_t blocks_left_;
-  std::array<RunningMean, kinds> starts_{};  // seconds, by kind
-  Ratio opened_;            // seconds of first stages that left a second one, and of all
-  Ratio finishes_;          // seconds of second stages, and of their first ones
-  Ratio samples_;           // seconds of sample steps, and those at the pace of the rounds
-  double spent_ = 0.0;      // seconds of all steps and rounds
-  double measuring_ = 0.0;  // those of blocks that only measured their kind
-  double left_ = 0.0;       // expected seconds
-  bool planned_ = false;    // left_ is known
+  Ratio starts_;    // seconds of the latest first stages, and their relative times
+  Ratio opened_;    // relative times of second stages by their errors, and by those before
+  Ratio finishes_;  // seconds of second stages, and their relative times
+  Ratio samples_;   // seconds of sample steps, and those at the pace of the rounds
+  double first_stages_ = 0.0;  // seconds
+  double spent_ = 0.0;         // seconds of all steps and rounds
+  int measured_ = 0;           // blocks that were rendered early
+  double left_ = 0.0;          // expected seconds
+  bool planned_ = false;       // left_ is known
   std::array<double, classes> seconds_by_class_{};
   std::vector<Step> ready_;  // the last is the next
 };
