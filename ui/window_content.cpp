@@ -213,7 +213,7 @@ void WindowContent::lay_out(const FrameInput& in) {
   picked_mark(inspector_.report(), state_, shown);
   if (state_.display.show_grid) grid_.draw(previewer_, state_.view, shown);
   if (!state_.display.show_split_map && !state_.show_error && !state_.shows_layer() &&
-      state_.frames.comparison == Comparison::none)
+      state_.frames.comparison != Comparison::wipe && !state_.frames.cover_picture())
     pixel_numbers(controls_, previewer_.render().film(), state_.display.transform(), state_.view,
                   shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);

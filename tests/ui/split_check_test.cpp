@@ -168,7 +168,7 @@ TEST_F(SplitCheckTest, TheRowOfMaxCountsThePixelsThatItEnded) {
     const auto count = std::count(film.cause.begin(), film.cause.end(), SplitCause::depth_limit);
     const double percent =
         100.0 * static_cast<double>(count) / static_cast<double>(film.cause.size());
-    EXPECT_EQ(rig.control("Ended by MAX").words, fmt::format("{:.2g} % of pixels", percent));
+    EXPECT_EQ(rig.control("At MAX").words, fmt::format("{:.2g} % of pixels", percent));
     return percent;
   };
   EXPECT_EQ(ended(), 0.0) << "an edge cuts exactly";

@@ -86,7 +86,7 @@ void ended_by_max_row(Controls& controls, const Film& film) {
     ended += film.cause[i] == SplitCause::depth_limit;
   }
   const double percent = 100.0 * static_cast<double>(ended) / static_cast<double>(finished);
-  controls.row("Ended by MAX",
+  controls.row("At MAX",
                finished == 0 ? std::string("-") : fmt::format("{:.2g} % of pixels", percent),
                "Finished pixels with edges left at MAX: a larger MAX divides them further. The map "
                "Cause shows where.");
