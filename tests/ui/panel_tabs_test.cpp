@@ -80,6 +80,13 @@ TEST_F(PanelTabsTest, SearchFindsControlsOfAllTabs) {
   EXPECT_EQ(state().search, "mx");
   EXPECT_FALSE(state().display.show_split_map) << "M is its shortcut";
   rig.key(Key::escape);
+  for (const auto& [word, control] :
+       {std::pair{"hdri", "section/Sky"}, std::pair{"gam", "section/Display"},
+        std::pair{"FOV", "Field of view"}, std::pair{"missed", "section/Check splits"}}) {
+    state().search = word;
+    EXPECT_TRUE(shows(control)) << word << ", a word of other programs";
+    EXPECT_FALSE(shows("section/Statistics")) << word;
+  }
   state().search = "no such thing";
   EXPECT_TRUE(shows("No match"));
   rig.click("Tab/Scene");

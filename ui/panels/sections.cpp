@@ -6,7 +6,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 
 namespace asos::ui {
 
@@ -35,6 +37,26 @@ void Controls::row(const char* label_text, const std::string& value, const char*
   ImGui::PopStyleVar();
   placed_words(label_text, value, tooltip);
 }
+
+namespace {
+
+/// A word of other programs for a control or a section.
+struct OtherWord {
+  std::string_view word;
+  std::string_view name;
+};
+constexpr std::array other_words{
+    OtherWord{"bokeh", "Depth of field"},   OtherWord{"brightness", "Exposure"},
+    OtherWord{"dof", "Depth of field"},     OtherWord{"envmap", "Sky"},
+    OtherWord{"fov", "Field of view"},      OtherWord{"fps", "Frames/s"},
+    OtherWord{"gamma", "Display"},          OtherWord{"hdri", "Sky"},
+    OtherWord{"missed", "Check splits"},    OtherWord{"noise", "Refinement"},
+    OtherWord{"quality", "Antialiasing"},   OtherWord{"samples", "Antialiasing"},
+    OtherWord{"threshold", "Antialiasing"}, OtherWord{"tolerance", "EPS"},
+};
+constexpr std::size_t least_letters = 3;  // of a search among these words
+
+}  // namespace
 
 bool Controls::section(const char* name, bool open_at_first) {
   section_ = name;
@@ -70,8 +92,14 @@ bool Controls::found(const std::string& name) const {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     return lower(a) == lower(b);
   };
-  return std::search(name.begin(), name.end(), searched_.begin(), searched_.end(), same) !=
-         name.end();
+  if (std::search(name.begin(), name.end(), searched_.begin(), searched_.end(), same) != name.end())
+    return true;
+  return std::any_of(other_words.begin(), other_words.end(), [&](const OtherWord& other) {
+    const std::string_view word = other.word;
+    return name == other.name && searched_.size() >= least_letters &&
+           searched_.size() <= word.size() &&
+           std::equal(searched_.begin(), searched_.end(), word.begin(), same);
+  });
 }
 
 void Controls::note_in_section(const std::string& name) {
