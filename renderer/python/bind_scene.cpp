@@ -50,6 +50,13 @@ api::Scene load(const std::string& path, const std::string& scene, const std::st
   return value_of(std::move(loaded));
 }
 
+api::Scene build(const api::SceneBuilder& builder) {
+  const py::gil_scoped_release others_go_on;
+  auto built = builder.build();
+  const py::gil_scoped_acquire again;
+  return value_of(std::move(built));
+}
+
 void bind_camera(py::module_& module) {
   using api::Camera;
   py::class_<Camera>(module, "Camera",
@@ -134,7 +141,7 @@ void bind_builder(py::module_& module) {
            })
       .def("add_light", [](SceneBuilder& b, const api::Light& l) { check(b.add_light(l)); })
       .def("add_camera", [](SceneBuilder& b, const api::Camera& c) { check(b.add_camera(c)); })
-      .def("build", [](const SceneBuilder& b) { return value_of(b.build()); });
+      .def("build", build);
 }
 
 }  // namespace
