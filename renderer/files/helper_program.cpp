@@ -13,7 +13,6 @@
 #include <fstream>
 #include <spawn.h>
 #include <sstream>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <thread>
@@ -106,15 +105,24 @@ Result<int> wait_for(pid_t child, const std::string& name, const std::function<b
   }
 }
 
-// The program may have run some instructions by then, which cannot take much.
-void limit(pid_t child, const ProgramLimits& limits) {
-  const auto set = [&](__rlimit_resource resource, std::uint64_t most) {
-    const rlimit both{most, most};
-    if (most > 0) prlimit(child, resource, &both, nullptr);
+// Returns the command that starts a program within limits: prlimit of util-linux, which each Debian
+// has, sets them and becomes the program.
+Result<std::vector<std::string>> within(const ProgramLimits& limits,
+                                        const std::vector<std::string>& command) {
+  std::vector<std::string> all;
+  const auto add = [&](const char* option, std::uint64_t most) {
+    if (most > 0) all.push_back(fmt::format("--{}={}", option, most));
   };
-  set(RLIMIT_CPU, limits.processor_seconds);
-  set(RLIMIT_AS, limits.memory_bytes);
-  set(RLIMIT_FSIZE, limits.file_bytes);
+  add("cpu", limits.processor_seconds);
+  add("as", limits.memory_bytes);
+  add("fsize", limits.file_bytes);
+  if (all.empty()) return command;
+  const std::string prlimit = find_program("prlimit");
+  if (prlimit.empty()) return unexpected(Error{"prlimit", "is not installed (util-linux)"});
+  all.insert(all.begin(), prlimit);
+  all.emplace_back("--");
+  all.insert(all.end(), command.begin(), command.end());
+  return all;
 }
 
 }  // namespace
@@ -136,9 +144,10 @@ Result<void> run_program(const std::vector<std::string>& arguments, const std::s
                          const std::function<bool()>& stop, const ProgramLimits& limits,
                          QuotedOutput quoted) {
   const std::string name = std::filesystem::path(arguments.front()).filename().string();
-  std::vector<std::string> copies = arguments;
+  Result<std::vector<std::string>> copies = within(limits, arguments);
+  if (!copies) return unexpected(copies.error());
   std::vector<char*> list;
-  for (std::string& argument : copies) list.push_back(argument.data());
+  for (std::string& argument : *copies) list.push_back(argument.data());
   list.push_back(nullptr);
   const Complaints complaints;
   const Actions actions(input_file, complaints.file(), quoted);
@@ -147,7 +156,6 @@ Result<void> run_program(const std::vector<std::string>& arguments, const std::s
           posix_spawn(&child, list.front(), actions.get(), nullptr, list.data(), environ);
       fault != 0)
     return unexpected(Error{name, std::strerror(fault)});
-  limit(child, limits);
   const Result<int> status = wait_for(child, name, stop);
   if (!status) return unexpected(status.error());
   if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0) return {};

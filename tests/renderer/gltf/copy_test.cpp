@@ -163,7 +163,7 @@ TEST_F(CopyGltf, TheShownVariantBecomesTheDefault) {
 
 TEST_F(CopyGltf, EmissiveNodesAreMarked) {
   GltfEdits edits;
-  edits.lights = std::vector<Light>{};
+  edits.lights.emplace();
   edits.light_nodes = {0};
   const Scene after = copy(edits);
   EXPECT_TRUE(after.instances.at(0).shows_light);
@@ -172,7 +172,7 @@ TEST_F(CopyGltf, EmissiveNodesAreMarked) {
 
 TEST_F(CopyGltf, TheMarkOfEditedLightsIsRead) {
   GltfEdits edits;
-  edits.lights = std::vector<Light>{};
+  edits.lights.emplace();
   for (const auto lighting :
        {AddedLighting::none, AddedLighting::environment, AddedLighting::automatic}) {
     edits.added_lighting = lighting;

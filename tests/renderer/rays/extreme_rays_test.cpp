@@ -41,7 +41,8 @@ std::vector<Ray> rays_with(float number) {
 TEST(ExtremeRays, NoNumberOfARayEndsTheProgram) {
   // Lengths in tiny and huge worlds are scaled for Embree.
   for (const float size : {1e-30f, 1e-6f, 1.0f, 1e6f, 5e14f}) {
-    RayScene scene = test::build(square_of(size));
+    const World world = square_of(size);
+    RayScene scene = test::build(world);
     for (const int width : {1, 4, 8, 16}) {
       scene.set_packet_width(width);
       for (const float number : {1e15f, 1.7e18f, 1.8e18f, 1.844e18f, 1.9e18f, 1e19f, 3e38f}) {
