@@ -26,9 +26,7 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   if (all == glm::vec3(0.0f)) return;
   const CountForLight count(counts, lit.index);
-  const LeafLight query{lit, *leaf_};
-  Visibility visibility(0.0);
-  light_visibilities(*shadows_, {&query, 1}, {&visibility, 1}, counts);
+  const Visibility visibility = light_visibility(*shadows_, lit, *leaf_, counts);
   const glm::vec3 seen(visibility);
   if (visibility != Visibility(0.0)) radiance += seen * all;
   unsure_highlights_ += unsure_share(lit, seen) * lit.highlight;

@@ -116,12 +116,6 @@ CountForLight::~CountForLight() {
   counts_.lights[light_] = now;
 }
 
-void light_visibilities(const ShadowContext& block, std::span<const LeafLight> batch,
-                        std::span<Visibility> visibilities, RenderStatistics& counts) {
-  for (std::size_t i = 0; i < batch.size(); ++i)
-    visibilities[i] = light_visibility(block, batch[i].lit, batch[i].leaf, counts);
-}
-
 Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
                             const LeafContext& leaf, RenderStatistics& counts) {
   // One ray is enough for lights so weak that all of them together stay below EPS. Without any ray

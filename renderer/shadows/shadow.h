@@ -4,7 +4,6 @@
 #include "renderer/shadows/shadow_context.h"
 
 #include <cstdint>
-#include <span>
 
 namespace asos {
 
@@ -27,20 +26,9 @@ class CountForLight {
   LightStatistics light_before_;
 };
 
-/// A light and a leaf that it illuminates. Stores references.
-struct LeafLight {
-  const Illumination& lit;
-  const LeafContext& leaf;
-};
-
-/// Computes the visibilities of lights from the patches of leaves, 0 to 1, by pyrays between light
-/// and patch (CGF'98 section 4); this is how ASOS finds shadows. If no boundary lies between a
-/// group of coplanar points and a light, one ray decides for all of them.
-///
-/// The entries of a batch are processed one by one, in order.
-void light_visibilities(const ShadowContext& block, std::span<const LeafLight> batch,
-                        std::span<Visibility> visibilities, RenderStatistics& counts);
-/// Returns the visibility for one leaf.
+/// Computes the visibility of a light from a leaf's patch, 0 to 1, by pyrays between light and patch
+/// (CGF'98 section 4); this is how ASOS finds shadows. If no boundary lies between a group of
+/// coplanar points and a light, one ray decides for all of them.
 [[nodiscard]] Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
                                           const LeafContext& leaf, RenderStatistics& counts);
 
