@@ -230,7 +230,9 @@ TEST(LeafShader, LobesOfAHairAreThoseOfItsOwnSurface) {
 // A mirror's viewer does not see the mirror; a viewer outside of glass does not see its inner side.
 TEST(EyeSamples, LookWhereTheyProbe) {
   World world;
-  add_quad(world, {-20, 20, 0}, {40, 0, 0}, {0, -40, 0}, matte(glm::vec3(0.5f)));
+  Material sheet = matte(glm::vec3(0.5f));
+  sheet.double_sided = true;
+  add_quad(world, {-20, 20, 0}, {40, 0, 0}, {0, -40, 0}, sheet);
   add_quad(world, {-20, -20, -5}, {40, 0, 0}, {0, 40, 0}, matte(glm::vec3(0.5f)));
   for (const bool glass : {false, true}) {
     EyeBlock block = block_of(world, {});
