@@ -158,13 +158,14 @@ void finish_fat_pyray(const BlockJob& job, StartedPyray& started, PixelWatch* wa
     samples += found[i].cost - open.parts[i].so_far.cost;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const OpenRegions::Part& part = open.parts[i];
-    RootSum& sum = started.pixels[started.pixel_of_root[part.root]].sum;
-    sum.add_samples(found[i], part.weight, part.layers);
+    RootSum& sum = started.pixels[started.pixel_of_root[part.leaf.root]].sum;
+    sum.add_samples(found[i], part.leaf);
     if (settings.layers.of_surfaces())
-      started.layers[started.pixel_of_root[part.root]].add(sampler.layers(i), part.weight);
+      started.layers[started.pixel_of_root[part.leaf.root]].add(sampler.layers(i),
+                                                                part.leaf.weight);
     const double more = found[i].cost - part.so_far.cost;
     if (samples > 0.0) sum.rays += static_cast<std::uint64_t>(std::llround(rays * more / samples));
-    if (watch) watch->observer.pixel.note(part.sample, glm::vec3(found[i].value));
+    if (watch) watch->observer.pixel.note(part.leaf.sample, glm::vec3(found[i].value));
   }
 }
 

@@ -14,18 +14,16 @@ namespace asos {
 
 /// A leaf's radiance, or a part of that radiance. The block determines it later.
 struct Contribution {
-  std::uint32_t root = 0;
-  SampleId sample = no_sample;  ///< the leaf's
-  double weight = 1.0;          ///< the leaf's
-  glm::dvec3 radiance{0.0};     ///< linear, times the weight
-  double rays = 0.0;            ///< number of rays cast to find it
+  const PyrayLeaf* leaf = nullptr;
+  glm::dvec3 radiance{0.0};  ///< linear, times the leaf's weight
+  double rays = 0.0;         ///< number of rays cast to find it
   bool dropped = false;
 
   /// Returns the radiance as direct light, for a weight of 1.
   [[nodiscard]] LightSum direct_light() const {
     LightSum light;
     light.weight = 1.0;
-    light.add(LightPart::direct, radiance / weight);
+    light.add(LightPart::direct, radiance / leaf->weight);
     return light;
   }
 };
@@ -35,9 +33,9 @@ struct Contribution {
 /// added, until they are taken.
 class BlockQueue {
  public:
-  /// Adds a contribution and returns its number.
-  std::uint32_t add(std::uint32_t root, SampleId sample, double weight) {
-    waiting_.push_back({root, sample, weight});
+  /// Adds a contribution to a leaf, which has to outlive it. Returns its number.
+  std::uint32_t add(const PyrayLeaf& leaf) {
+    waiting_.push_back({&leaf});
     return static_cast<std::uint32_t>(waiting_.size() - 1);
   }
   /// Drops a contribution, because its leaf is determined otherwise.

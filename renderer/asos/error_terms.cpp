@@ -1,6 +1,5 @@
 #include "renderer/asos/error_terms.h"
 
-#include "renderer/asos/footprint_shape.h"
 #include "renderer/asos/highlight_rays.h"
 #include "renderer/asos/textured_sight.h"
 #include "renderer/geometry/largest.h"
@@ -117,8 +116,7 @@ ErrorBound ErrorTerms::layers(const Leaf& leaf) const {
   if (!eye_->scene->render_features.alpha_blend || samples_->opaque(leaf.sample) ||
       surface_kind(*leaf.material) != SurfaceKind::blended)
     return ErrorBound::none();
-  const ViewedRay seen = eye_->viewer.viewed(leaf.ray, leaf.hit, eye_->side_of(leaf.weight),
-                                             footprint_shape(leaf.region, leaf.at));
+  const ViewedRay seen = eye_->viewed(leaf);
   const std::vector<SurfaceLayer> layers = eye_->viewer.shader.layers(seen, *eye_->counts);
   double through = 1.0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -150,11 +148,11 @@ bool ErrorTerms::varies_behind(const Leaf& leaf, const ViewedRay& seen, const Hi
 ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
   if (eye_->mirrored() || eye_->scene->world().is_face(leaf.hit.triangle))
     return ErrorBound::none();
-  return ErrorBound::unknown(textured_by_several(*eye_, leaf.hit, leaf.square) ||
-                             strays_beyond_edges(*eye_, *samples_, leaf) ||
-                             recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
-                             uneven_products(*eye_, leaf.ray, leaf.hit, leaf.square,
-                                             footprint_shape(leaf.region, leaf.at), leaf.weight));
+  return ErrorBound::unknown(
+      textured_by_several(*eye_, leaf.hit, leaf.square) ||
+      strays_beyond_edges(*eye_, *samples_, leaf) ||
+      recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
+      uneven_products(*eye_, leaf.ray, leaf.hit, leaf.square, leaf.shape, leaf.weight));
 }
 
 // A normal map scatters the lights' highlights all over a leaf, however small.

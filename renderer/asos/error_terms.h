@@ -2,7 +2,6 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
-#include "renderer/asos/leaf.h"
 #include "renderer/asos/normal_variation.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/shading/highlight_unevenness.h"

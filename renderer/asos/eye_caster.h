@@ -63,9 +63,8 @@ class EyeCaster final : public Caster {
   [[nodiscard]] bool samples_leaf(SampleId sample) const override {
     return samples_.cut_out(sample) && eye_.error_budget.refines();
   }
-  [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
-                                    bool may_split) override {
-    return chooser_.decide(sample, weight, region, may_split);
+  [[nodiscard]] LeafDecision decide(const PyrayLeaf& leaf, bool may_split) override {
+    return chooser_.decide(leaf, may_split);
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
     constexpr double contrast = 0.5;  // of parts with many surfaces, assumed

@@ -7,6 +7,7 @@
 #include "renderer/pyray/observer.h"
 #include "renderer/reflections/reflection_mask.h"
 #include "renderer/shadows/engine_variant.h"
+#include "renderer/shadows/leaf.h"
 
 #include <cmath>
 #include <cstdint>
@@ -45,6 +46,10 @@ struct EyeContext {
   /// shape.
   [[nodiscard]] float side_of(double weight) const {
     return viewer.pixel * static_cast<float>(std::sqrt(weight));
+  }
+  /// Returns the ray of a leaf's sample, with the extent of the leaf.
+  [[nodiscard]] ViewedRay viewed(const Leaf& leaf) const {
+    return viewer.viewed(leaf.ray, leaf.hit, side_of(leaf.weight), leaf.shape);
   }
   /// Returns the side of a root, in the frame.
   [[nodiscard]] float root_side() const { return viewer.pixel / static_cast<float>(block.width); }

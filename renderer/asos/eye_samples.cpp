@@ -1,5 +1,6 @@
 #include "renderer/asos/eye_samples.h"
 
+#include "renderer/asos/footprint_shape.h"
 #include "renderer/reflections/own_side.h"
 #include "renderer/sampling/random.h"
 #include "renderer/shading/volume_boundary.h"
@@ -109,6 +110,41 @@ Patch EyeSamples::patch(SampleId sample, double share) const {
   const glm::dvec3 normal = glm::normalize(hit_plane(eye_->scene->world(), hit).normal());
   return patch_on_plane(eye_->viewer.spacing, rays_[sample].direction, hit.t, glm::vec3(normal),
                         eye_->side_of(share));
+}
+
+Leaf EyeSamples::leaf(const PyrayLeaf& part) const {
+  Leaf leaf;
+  static_cast<PyrayLeaf&>(leaf) = part;
+  leaf.border.assign(part.region.border.begin(), part.region.border.end());
+  leaf.region.border = leaf.border;
+  leaf.at = at(part.sample);
+  leaf.seed = seed(part.sample);
+  leaf.root_side = eye_->root_side();
+  leaf.ray = ray(part.sample);
+  leaf.hit = hit(part.sample);
+  leaf.shape = footprint_shape(leaf.region, leaf.at);
+  if (eye_->observed.observer && leaf.root == eye_->observed_root) {
+    const Square& root = eye_->observed_square;
+    leaf.observed = eye_->observed;
+    leaf.observed.at = (leaf.at - glm::vec2(root.u, root.v)) / root.side;
+    leaf.observed.weight = leaf.weight;
+  }
+  if (!leaf.hit.valid()) return leaf;
+  leaf.material = &eye_->scene->world().material_of(leaf.hit.triangle);
+  leaf.point = point(part.sample);
+  leaf.distance = eye_->viewer.spacing.distance(leaf.hit.t);
+  // Compute the patch of a square with the leaf's area, and the patch of a square that reaches the
+  // leaf's farthest corner. A shadow's edge may lie at the far end of a long, thin leaf.
+  const Patch pixel = patch(part.sample, 1.0);
+  const auto side = static_cast<float>(std::sqrt(leaf.weight));
+  leaf.square = {side * pixel.right, side * pixel.down};
+  glm::vec2 farthest(0.0f);
+  leaf.region.for_each_edge([&](const BorderEdge& edge) {
+    farthest = glm::max(farthest, glm::abs(edge.from - leaf.at));
+  });
+  const glm::vec2 reach = 2.0f * static_cast<float>(eye_->block.width) * farthest;
+  leaf.around = {reach.x * pixel.right, reach.y * pixel.down};
+  return leaf;
 }
 
 void EyeSamples::look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,

@@ -3,6 +3,7 @@
 #include "renderer/asos/eye_context.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shadows/leaf.h"
 #include "renderer/shadows/patch_view.h"
 
 #include <glm/glm.hpp>
@@ -45,6 +46,9 @@ class EyeSamples final : public PatchView {
   /// Returns the patch of surface around the hit that a part of the root with the weight `share`
   /// covers.
   [[nodiscard]] Patch patch(SampleId sample, double share) const;
+
+  /// Returns a leaf with the surface at its sample, without views of the lights.
+  [[nodiscard]] Leaf leaf(const PyrayLeaf& part) const;
 
   void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
             RenderStatistics& counts) override;

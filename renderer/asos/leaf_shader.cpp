@@ -68,26 +68,28 @@ void LeafShader::shade(std::span<const PyrayLeaf> leaves) {
   }
 }
 
-void LeafShader::shade_one(const PyrayLeaf& leaf) {
-  if (eye_->mask && !eye_->mask->holds(samples_->at(leaf.sample))) return;
-  if (eye_->mirrored())
-    sums_[leaf.root].misplaced |=
-        chooser_->may_misplace_light(leaf.sample, leaf.weight, leaf.region);
-  sums_[leaf.root].note_error(leaf.decision.error, leaf.weight);
-  adds_planes_ = layers_ && layers_->sampled(leaf);
-  const bool one_sample = worth_one_sample(leaf);
-  if (layers_ && (one_sample || !adds_planes_)) layers_->add(leaf);
+void LeafShader::shade_one(const PyrayLeaf& part) {
+  if (eye_->mask && !eye_->mask->holds(samples_->at(part.sample))) return;
+  RootSum& sum = sums_[part.root];
+  sum.note_error(part.decision.error, part.weight);
+  adds_planes_ = adds_planes(part);
+  const bool one_sample = worth_one_sample(part);
+  if (layers_ && (one_sample || !adds_planes_)) layers_->add(part);
   if (one_sample) {
-    const double off = error_of_marginal * leaf.weight;
-    sums_[leaf.root].squared_error += off * off;
-    return single_.add(leaf);
+    const double off = error_of_marginal * part.weight;
+    sum.squared_error += off * off;
+    return single_.add(part);
   }
-  if (leaf.decision.sampled() && add_samples(leaf)) return;
+  const bool mirrored = eye_->mirrored();
+  if (!mirrored && part.decision.sampled() && add_samples(part)) return;
+  Leaf& leaf = chooser_->leaf(part);
+  if (mirrored) sum.misplaced |= chooser_->may_misplace_light(leaf);
+  if (mirrored && leaf.decision.sampled() && add_samples(leaf)) return;
 
   // Divide textured surfaces into TR x TR samples per pixel. Everything else is one leaf.
   if (add_texture_samples(leaf)) return;
-  const glm::vec3 radiance = add_leaf(leaf, chooser_->even_around(leaf.sample, leaf.region));
-  note_result(leaf.root, leaf.sample, radiance);
+  leaf.even = chooser_->even_around(leaf);
+  note_result(leaf.root, leaf.sample, add_leaf(leaf));
 }
 
 // Reflected leaves are never deferred as single samples.
@@ -97,25 +99,15 @@ bool LeafShader::worth_one_sample(const PyrayLeaf& leaf) const {
          (leaf.region.marginal || error_budget.most_samples(leaf.weight) < 2.0);
 }
 
-const Material& LeafShader::material_of(const PyrayLeaf& leaf) const {
-  return eye_->scene->world().material_of(samples_->hit(leaf.sample).triangle);
-}
-
 // Shades a leaf by its one sample and adds it to its root.
-glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) {
+glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   const ViewContext& viewer = eye_->viewer;
-  const Hit& hit = samples_->hit(leaf.sample);
-  const Ray& ray = samples_->ray(leaf.sample);
   RootSum& sum = sums_[leaf.root];
-  const LeafContext context = context_of(leaf, even);
-  const std::uint32_t share =
-      eye_->mirrored() ? 0 : selected_lights_->start(leaf.root, leaf.sample, leaf.weight);
-  const std::uint32_t sky_share =
-      eye_->mirrored() ? 0 : sky_.start(leaf.root, leaf.sample, leaf.weight);
-  LeafTransport transport(*eye_, *shadows_, context, *selected_lights_, share, sky_, sky_share);
-  ViewedRay seen =
-      viewer.viewed(ray, hit, eye_->side_of(leaf.weight), footprint_shape(leaf.region, context.at));
-  seen.parts = colour_parts(leaf, context.at);
+  const std::uint32_t share = eye_->mirrored() ? 0 : selected_lights_->start(leaf);
+  const std::uint32_t sky_share = eye_->mirrored() ? 0 : sky_.start(leaf);
+  LeafTransport transport(*eye_, *shadows_, leaf, *selected_lights_, share, sky_, sky_share);
+  ViewedRay seen = eye_->viewed(leaf);
+  seen.parts = colour_parts(leaf);
   sum.centre_error += leaf.weight * static_cast<double>(std::min(leaf.decision.error, 1.0f));
   glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
   radiance += transport.at_once();
@@ -129,12 +121,13 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) 
     return radiance;
   }
   const bool by_lobe = transport.lobes() != glm::vec3(0.0f);
-  if (by_lobe && eye_->mirrored()) radiance += lobes_.at_once(leaf, context.at, transport.lobes());
+  if (by_lobe && eye_->mirrored()) radiance += lobes_.at_once(leaf, transport.lobes());
   if (eye_->mask && eye_->mask->blur) {
-    const auto light = viewer.sees_bare_lights() ? viewer.shader.nearest_light_without_geometry(ray)
-                                                 : std::nullopt;
+    const auto light = viewer.sees_bare_lights()
+                           ? viewer.shader.nearest_light_without_geometry(leaf.ray)
+                           : std::nullopt;
     blurred_->add(leaf.region, 1.0, glm::dvec3(radiance),
-                  light ? std::min(light->t, hit.t) : hit.t);
+                  light ? std::min(light->t, leaf.hit.t) : leaf.hit.t);
     return radiance;
   }
   std::uint32_t fewest = 0;
@@ -151,31 +144,29 @@ glm::vec3 LeafShader::add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even) 
   if (adds_planes_) layers_->add(leaf);
   sum.add(glm::dvec3(radiance), leaf.weight);
   if (adds_light_) layers_->add_light(leaf.root, transport.light(radiance), leaf.weight);
-  if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, context.at, transport.lobes());
+  if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, transport.lobes());
   return radiance;
 }
 
 // The footprint of a cut leaf is approximated by a parallelogram. Where that reaches beyond the
 // boundary, the texture may differ, as at seams. The colour is therefore averaged over parts of the
 // leaf.
-std::span<const WeightedShape> LeafShader::colour_parts(const PyrayLeaf& leaf, glm::vec2 at) {
+std::span<const WeightedShape> LeafShader::colour_parts(const Leaf& leaf) {
   parts_.clear();
   const LeafRegion& region = leaf.region;
-  const Hit& hit = samples_->hit(leaf.sample);
-  if (region.border.empty() || !hit.valid() || leaf.weight < least_in_parts ||
+  if (region.border.empty() || !leaf.shows_surface() || leaf.weight < least_in_parts ||
       eye_->settings->texture.filter == TextureFilter::point)
     return {};
-  const Material& material = material_of(leaf);
   if (!eye_->scene->render_features.textures ||
-      !(material.base_color_texture.used() || material.emissive_texture.used()))
+      !(leaf.material->base_color_texture.used() || leaf.material->emissive_texture.used()))
     return {};
-  add_footprint_shapes(region, at, parts_along, parts_);
+  add_footprint_shapes(region, leaf.at, parts_along, parts_);
   return parts_;
 }
 
 // Returns whether the highlights of partially occluded lights may exceed the leaf's tolerance.
 // Their error is at most unsure_highlights(), since the whole highlight may be occluded.
-bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const {
+bool LeafShader::highlight_unsure(const Leaf& leaf, const LeafTransport& transport) const {
   const ErrorBudget& error_budget = eye_->error_budget;
   return !eye_->mirrored() && error_budget.refines_leaves() && !leaf.region.marginal &&
          !leaf.decision.sampled() && transport.unsure_highlights() > error_budget.tolerance;
@@ -183,14 +174,15 @@ bool LeafShader::highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& tr
 
 // Returns whether an edge crosses a defocused leaf. The lens kernel weights the parts of such a
 // leaf unequally.
-bool LeafShader::blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transport) const {
-  return leaf.defocused && (transport.met_shadow_edge() || transport.met_mirror_edge());
+bool LeafShader::blurs_edge(const Leaf& leaf, const LeafTransport& transport) const {
+  return leaf.defocused && !leaf.decision.sampled() &&
+         (transport.met_shadow_edge() || transport.met_mirror_edge());
 }
 
 // Returns the fewest samples of a leaf whose highlight is unsure: half of the number that it is
 // expected to need. With fewer, all may miss the visible part of the light, so that their variance
 // is wrongly zero.
-std::uint32_t LeafShader::enough_for(const PyrayLeaf& leaf, float highlights) const {
+std::uint32_t LeafShader::enough_for(const Leaf& leaf, float highlights) const {
   constexpr double most = 256.0;
   const double likely = eye_->error_budget.samples(
       leaf.weight, ErrorBudget::usual_contrast + static_cast<double>(highlights));
@@ -199,43 +191,24 @@ std::uint32_t LeafShader::enough_for(const PyrayLeaf& leaf, float highlights) co
 
 // Returns whether the reflection has to be sampled, because the pyray would show a bright light at
 // a wrong place.
-bool LeafShader::light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const {
+bool LeafShader::light_misplaced(const Leaf& leaf, const LeafTransport& transport) const {
   return !eye_->mirrored() && eye_->error_budget.refines_leaves() && !leaf.region.marginal &&
          !leaf.decision.sampled() && transport.misplaces_light();
-}
-
-LeafContext LeafShader::context_of(const PyrayLeaf& leaf, UniformShadowPatch* even) const {
-  LeafContext context;
-  context.region = leaf.region;
-  context.root_side = eye_->root_side();
-  context.weight = leaf.weight;
-  context.at = samples_->at(leaf.sample);
-  context.seed = samples_->seed(leaf.sample);
-  context.even = even;
-  context.views = &chooser_->views(leaf.decision);
-  if (eye_->observed.observer && leaf.root == eye_->observed_root) {
-    const Square& root = eye_->observed_square;
-    context.observed = eye_->observed;
-    context.observed.at = (context.at - glm::vec2(root.u, root.v)) / root.side;
-    context.observed.weight = leaf.weight;
-  }
-  return context;
 }
 
 // Divides a leaf of a textured surface without boundaries into TR x TR samples per pixel, each with
 // its own fraction of the area (CGF'98 section 3.2). Returns false if the leaf is not to be
 // divided.
-bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
+bool LeafShader::add_texture_samples(const Leaf& leaf) {
   // Decide whether to divide the leaf.
   const TextureSettings& settings = eye_->settings->texture;
   const LeafRegion& region = leaf.region;
   const double side = static_cast<double>(region.square.side) * eye_->block.width;
   const int n =
       texture_divisions(settings.resolution, side / static_cast<double>(eye_->viewer.pixel));
-  const Hit& hit = samples_->hit(leaf.sample);
   // Exclude leaves that a boundary has cut: the parts of their square would have wrong areas.
-  if (n == 1 || region.marginal || !region.border.empty() || !hit.valid() ||
-      !is_textured(eye_->scene->world().material_of(hit.triangle), eye_->scene->render_features))
+  if (n == 1 || region.marginal || !region.border.empty() || !leaf.shows_surface() ||
+      !is_textured(*leaf.material, eye_->scene->render_features))
     return false;
   // Sample the leaf's parts.
   const LeafPlace place{{eye_->block.x, eye_->block.y}, eye_->block.width};
@@ -246,14 +219,14 @@ bool LeafShader::add_texture_samples(const PyrayLeaf& leaf) {
   const SampleId first = samples_->probe(places);
 
   // Evaluate the lights once for all of the parts.
-  UniformShadowPatch whole =
-      chooser_->even_patch(leaf.sample, region, chooser_->views(leaf.decision));
+  UniformShadowPatch whole = chooser_->even_patch(leaf);
   const bool even = samples_->opaque(leaf.sample);
   const RootSum before = sums_[leaf.root];
   const double share = leaf.weight / static_cast<double>(parts.size());
   for (std::uint32_t i = 0; i < parts.size() && !eye_->stop.stop_requested(); ++i) {
-    const PyrayLeaf part{leaf.root, first + i, share, {parts[i].square, {}}};
-    (void)add_leaf(part, even ? &whole : chooser_->even_around(part.sample, part.region));
+    Leaf& part = chooser_->leaf({leaf.root, first + i, share, {parts[i].square, {}}});
+    part.even = even ? &whole : chooser_->even_around(part);
+    (void)add_leaf(part);
   }
   // Record the mean of the parts as the leaf's radiance.
   const double added = sums_[leaf.root].weight - before.weight;
@@ -276,22 +249,22 @@ void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint
   const float side = eye_->root_side();
   PyrayLeaf leaf{root, sample, 1.0, {{at.x - 0.5f * side, at.y - 0.5f * side, side}, {}}};
   leaf.decision = {Estimator::samples};
+  leaf.defocused = true;
   RegionSampler::Goal goal =
       sample_goal(eye_->defocus->error_budget(), 1.0, std::max(fewest, samples_of_blur));
   const double parts_of_lens =
       std::min(most_parts_of_lens, eye_->defocus->error_budget().finest_cells(1.0));
   if (goal.most > 1) goal.most *= static_cast<std::uint32_t>(parts_of_lens);
   sums_[root].defocused = true;
-  defer(leaf, goal, true);
+  defer(leaf, goal);
 }
 
-// Defers a leaf until `finish`. With `planes`, its samples also determine its surface layers.
-void LeafShader::defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal, bool planes) {
-  const bool adds = layers_ && planes;
-  const double samples = adds ? std::max(1.0, samples_of_planes * std::min(1.0, leaf.weight)) : 0.0;
+// Defers a leaf until `finish`.
+void LeafShader::defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal) {
+  const double samples =
+      adds_planes(leaf) ? std::max(1.0, samples_of_planes * std::min(1.0, leaf.weight)) : 0.0;
   sampler().add(leaf.region, goal, static_cast<std::uint32_t>(samples));
-  deferred_.push_back({leaf, adds});
-  PyrayLeaf& deferred = deferred_.back().leaf;
+  PyrayLeaf& deferred = deferred_.emplace_back(leaf);
   deferred.region.border = {};
   deferred.decision.estimator = Estimator::samples;  // never deferred again
 }
@@ -303,7 +276,7 @@ bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
   }
   const RegionSampler::Goal goal = sample_goal(eye_->error_budget, leaf.weight, fewest);
   if (!eye_->mirrored()) {
-    defer(leaf, goal, layers_ && layers_->sampled(leaf));
+    defer(leaf, goal);
     return true;
   }
   // Include the blur, since the samples follow its kernel. Sample 0 is that of the root's centre.
@@ -319,8 +292,7 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estima
   const bool blurred = eye_->mask && eye_->mask->blur;
   if (blurred)
     blurred_->add(leaf.region, 1.0 - found.masked_share, found.value, samples_->hit(0).t);
-  sums_[leaf.root].add_samples(found, blurred ? 0.0 : leaf.weight,
-                               leaf.decision.cause == LeafVariation::layers);
+  sums_[leaf.root].add_samples(found, leaf, blurred ? 0.0 : leaf.weight);
   note_result(leaf.root, leaf.sample, glm::vec3(found.value));
   return true;
 }
@@ -339,16 +311,17 @@ void LeafShader::add(std::span<const Contribution> contributions, bool whole_lea
                      const auto& light_of) {
   for (std::size_t i = 0; i < contributions.size(); ++i) {
     const Contribution& found = contributions[i];
-    RootSum& sum = sums_[found.root];
+    const PyrayLeaf& leaf = *found.leaf;
+    RootSum& sum = sums_[leaf.root];
     sum.rays += static_cast<std::uint64_t>(std::llround(found.rays));
     if (found.dropped) continue;
     sum.radiance += found.radiance;
-    if (whole_leaves) sum.weight += found.weight;
-    if (adds_light_ && whole_leaves) layers_->add_light(found.root, light_of(i), found.weight);
-    if (adds_light_ && !whole_leaves) layers_->add_radiance(found.root, light_of(i), found.weight);
-    glm::vec3 radiance(found.radiance / found.weight);
-    if (!whole_leaves) radiance += result(found.sample);
-    note_result(found.root, found.sample, radiance);
+    if (whole_leaves) sum.weight += leaf.weight;
+    if (adds_light_ && whole_leaves) layers_->add_light(leaf.root, light_of(i), leaf.weight);
+    if (adds_light_ && !whole_leaves) layers_->add_radiance(leaf.root, light_of(i), leaf.weight);
+    glm::vec3 radiance(found.radiance / leaf.weight);
+    if (!whole_leaves) radiance += result(leaf.sample);
+    note_result(leaf.root, leaf.sample, radiance);
   }
 }
 
@@ -370,25 +343,26 @@ void LeafShader::start_regions() {
   const std::uint64_t before = eye_->counts->rays();
   const auto found = sampler_->start(*eye_->counts, first_stage_error);
   const auto rays = static_cast<double>(eye_->counts->rays() - before);
-  const std::vector<Deferred> leaves = std::exchange(deferred_, {});
+  const std::vector<PyrayLeaf> leaves = std::exchange(deferred_, {});
   double samples = 0.0;
   for (const RegionSampler::Estimate& one : found) samples += one.cost;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    PyrayLeaf leaf = leaves[i].leaf;
+    PyrayLeaf leaf = leaves[i];
     if (samples > 0.0)
       sums_[leaf.root].rays +=
           static_cast<std::uint64_t>(std::llround(rays * found[i].cost / samples));
     if (sampler_->open(i)) {
-      open_.parts.push_back({leaf.root, leaf.sample, leaf.weight,
-                             leaf.decision.cause == LeafVariation::layers, found[i]});
+      open_.parts.push_back({leaf, found[i]});
       continue;
     }
     if (layers_) layers_->add(leaf.root, sampler_->layers(i), leaf.weight);
-    adds_planes_ = leaves[i].planes && !(sampler_->layers(i).weight > 0.0);
+    adds_planes_ = adds_planes(leaf) && !(sampler_->layers(i).weight > 0.0);
     if (add_estimate(leaf, found[i]) || !samples_->hit(leaf.sample).valid()) continue;
     // If a region is so thin that no sample hits it, shade the leaf's own sample.
     leaf.region = sampler_->region(i);
-    note_result(leaf.root, leaf.sample, add_leaf(leaf, nullptr));
+    Leaf& own = chooser_->leaf(leaf);
+    own.even = nullptr;
+    note_result(leaf.root, leaf.sample, add_leaf(own));
   }
   open_.samples = sampler_->take_open();
 }

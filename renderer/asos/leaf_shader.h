@@ -24,8 +24,7 @@
 namespace asos {
 
 /// Computes the radiance of a block's leaves and adds it to their roots. Leaves are shaded whole,
-/// divided for their textures, or sampled. Shadows and reflections get the current leaf as an
-/// argument (LeafContext).
+/// divided for their textures, or sampled.
 class LeafShader {
  public:
   /// All arguments have to outlive this.
@@ -51,24 +50,25 @@ class LeafShader {
   [[nodiscard]] glm::vec3 result(SampleId sample) const;
 
  private:
-  void shade_one(const PyrayLeaf& leaf);
+  void shade_one(const PyrayLeaf& part);
   [[nodiscard]] RegionSampler& sampler();
-  void defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal, bool planes);
+  void defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal);
+  [[nodiscard]] bool adds_planes(const PyrayLeaf& leaf) const {
+    return layers_ && layers_->sampled(leaf);
+  }
   void start_regions();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
   void drop(std::uint32_t selected_share, std::uint32_t sky_share);
   void add(std::span<const Contribution> contributions, bool whole_leaves, const auto& light_of);
-  [[nodiscard]] bool add_texture_samples(const PyrayLeaf& leaf);
-  glm::vec3 add_leaf(const PyrayLeaf& leaf, UniformShadowPatch* even);
+  [[nodiscard]] bool add_texture_samples(const Leaf& leaf);
+  glm::vec3 add_leaf(const Leaf& leaf);
   bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
   void note_result(std::uint32_t root, SampleId sample, glm::vec3 radiance);
-  [[nodiscard]] const Material& material_of(const PyrayLeaf& leaf) const;
-  [[nodiscard]] bool highlight_unsure(const PyrayLeaf& leaf, const LeafTransport& transport) const;
-  [[nodiscard]] std::uint32_t enough_for(const PyrayLeaf& leaf, float highlights) const;
-  [[nodiscard]] bool blurs_edge(const PyrayLeaf& leaf, const LeafTransport& transport) const;
-  [[nodiscard]] bool light_misplaced(const PyrayLeaf& leaf, const LeafTransport& transport) const;
-  [[nodiscard]] std::span<const WeightedShape> colour_parts(const PyrayLeaf& leaf, glm::vec2 at);
-  [[nodiscard]] LeafContext context_of(const PyrayLeaf& leaf, UniformShadowPatch* even) const;
+  [[nodiscard]] bool highlight_unsure(const Leaf& leaf, const LeafTransport& transport) const;
+  [[nodiscard]] std::uint32_t enough_for(const Leaf& leaf, float highlights) const;
+  [[nodiscard]] bool blurs_edge(const Leaf& leaf, const LeafTransport& transport) const;
+  [[nodiscard]] bool light_misplaced(const Leaf& leaf, const LeafTransport& transport) const;
+  [[nodiscard]] std::span<const WeightedShape> colour_parts(const Leaf& leaf);
 
   const EyeContext* eye_;
   EyeSamples* samples_;
@@ -81,14 +81,10 @@ class LeafShader {
   std::span<RootSum> sums_;
   BlurredSum* blurred_;
   std::unique_ptr<RegionSampler> sampler_;  // large, so made when first needed
-  struct Deferred {
-    PyrayLeaf leaf;       // without its border
-    bool planes = false;  // its samples determine its surface layers
-  };
-  std::vector<Deferred> deferred_;  // in the sampler's order
-  LeafLayers* layers_;              // null: no surface layer is asked for
-  bool adds_light_;                 // parts of the radiance are among them
-  bool adds_planes_ = false;        // the current leaf has no surface layers yet
+  std::vector<PyrayLeaf> deferred_;         // in the sampler's order, without borders
+  LeafLayers* layers_;                      // null: no surface layer is asked for
+  bool adds_light_;                         // parts of the radiance are among them
+  bool adds_planes_ = false;                // the current leaf has no surface layers yet
   OpenRegions open_;
   std::vector<WeightedShape> parts_;  // of the leaf that is shaded
   std::map<SampleId, glm::vec3> results_;

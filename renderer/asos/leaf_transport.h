@@ -12,7 +12,7 @@ namespace asos {
 class LeafTransport final : public LightTransport {
  public:
   /// `selected_share` and `sky_share` are the numbers of the leaf's contributions.
-  LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const LeafContext& leaf,
+  LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const Leaf& leaf,
                 SelectedLights& weak, std::uint32_t selected_share, SkyContributions& sky,
                 std::uint32_t sky_share)
       : eye_(&eye),
@@ -56,7 +56,7 @@ class LeafTransport final : public LightTransport {
 
   const EyeContext* eye_;
   const ShadowContext* shadows_;
-  const LeafContext* leaf_;
+  const Leaf* leaf_;
   SelectedLights* weak_;
   std::uint32_t selected_share_;
   SkyContributions* sky_;

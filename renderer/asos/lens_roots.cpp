@@ -68,11 +68,11 @@ bool LensRoots::shade_smooth(std::uint32_t root) {
   const SampleId sample = root;
   const double across = eye_->defocus->leaf_side(root) / static_cast<double>(eye_->viewer.pixel);
   PyrayLeaf leaf{root, sample, across * across, {widened_square(root), {}}};
-  leaf.decision = chooser_->decide(sample, leaf.weight, leaf.region, false);
+  leaf.defocused = true;
+  leaf.decision = chooser_->decide(leaf, false);
   if (leaf.decision.estimator != Estimator::centre ||
       leaf.decision.error > eye_->error_budget.tolerance)
     return false;
-  leaf.defocused = true;
   shader_->shade(std::span(&leaf, 1));
   return true;
 }

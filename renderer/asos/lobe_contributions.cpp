@@ -30,18 +30,18 @@ RegionSampler::Goal LobeContributions::goal_of(double weight, glm::vec3 reflecte
   return goal;
 }
 
-void LobeContributions::wait(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected) {
+void LobeContributions::wait(const Leaf& leaf, glm::vec3 reflected) {
   const std::size_t number = sampler().add(leaf.region, goal_of(leaf.weight, reflected));
-  sampler().set_inside(number, at);
+  sampler().set_inside(number, leaf.at);
 }
 
-void LobeContributions::add(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected) {
-  wait(leaf, at, reflected);
-  queue_.add(leaf.root, leaf.sample, leaf.weight);
+void LobeContributions::add(const Leaf& leaf, glm::vec3 reflected) {
+  wait(leaf, reflected);
+  queue_.add(leaf);
 }
 
-glm::vec3 LobeContributions::at_once(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected) {
-  wait(leaf, at, reflected);
+glm::vec3 LobeContributions::at_once(const Leaf& leaf, glm::vec3 reflected) {
+  wait(leaf, reflected);
   return glm::vec3(sampler().run(*eye_->counts).front().value);
 }
 
@@ -51,7 +51,7 @@ std::span<const Contribution> LobeContributions::run() {
   const auto found = sampler_->run(*eye_->counts);
   std::vector<double> samples;
   for (std::uint32_t i = 0; i < queue_.size(); ++i) {
-    queue_[i].radiance = queue_[i].weight * found[i].value;
+    queue_[i].radiance = queue_[i].leaf->weight * found[i].value;
     samples.push_back(found[i].cost);
   }
   queue_.share_rays(static_cast<double>(eye_->counts->rays() - before), samples);

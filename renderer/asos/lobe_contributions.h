@@ -2,8 +2,8 @@
 
 #include "renderer/asos/block_queue.h"
 #include "renderer/asos/eye_context.h"
-#include "renderer/pyray/caster.h"
 #include "renderer/samples/region_sampler.h"
+#include "renderer/shadows/leaf.h"
 
 #include <glm/glm.hpp>
 
@@ -24,11 +24,11 @@ class LobeContributions {
   /// `eye` has to outlive this.
   explicit LobeContributions(const EyeContext& eye) : eye_(&eye) {}
 
-  /// Defers a leaf until `run`. `at` is the place of its sample, which represents the leaf if no
-  /// other sample meets it. `reflected` is the largest reflectance of its lobes, by colour.
-  void add(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected);
+  /// Defers a leaf until `run`. Its own sample represents it if no other sample meets it.
+  /// `reflected` is the largest reflectance of its lobes, by colour.
+  void add(const Leaf& leaf, glm::vec3 reflected);
   /// Returns the lobe contribution of a leaf immediately.
-  [[nodiscard]] glm::vec3 at_once(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected);
+  [[nodiscard]] glm::vec3 at_once(const Leaf& leaf, glm::vec3 reflected);
 
   /// Samples the deferred leaves and empties the queue. The result is valid until the next leaf.
   std::span<const Contribution> run();
@@ -39,7 +39,7 @@ class LobeContributions {
 
  private:
   [[nodiscard]] RegionSampler& sampler();
-  void wait(const PyrayLeaf& leaf, glm::vec2 at, glm::vec3 reflected);
+  void wait(const Leaf& leaf, glm::vec3 reflected);
   [[nodiscard]] RegionSampler::Goal goal_of(double weight, glm::vec3 reflected) const;
 
   const EyeContext* eye_;

@@ -102,7 +102,7 @@ double brightest_in(const PyrayPicture& picture, const Reflection& reflection,
 // Returns the number of levels for the weight of this part of the root, and the EPS of the
 // reflection. A camera's part gets at least one level unless it is far too small.
 ErrorBudget reflected_allowance(const EyeContext& eye, const Reflection& reflection,
-                                const LeafContext& leaf, double brightest) {
+                                const Leaf& leaf, double brightest) {
   const glm::vec3 c = reflection.reflected;
   const double reflected =
       std::clamp(brightest * static_cast<double>(std::max({c.x, c.y, c.z})), 1e-6, 1.0);
@@ -172,8 +172,8 @@ std::vector<BorderEdge> outlines_in(const ReflectionMask& mask, const Frame& fra
 }
 
 // Traces the reflected pyray and reports it to observers. Returns whether it was split.
-bool trace_mirrored(EyeContext& eye, const ReflectedHit& sight, const LeafContext& leaf,
-                    EyeCaster& caster, int bounce) {
+bool trace_mirrored(EyeContext& eye, const ReflectedHit& sight, const Leaf& leaf, EyeCaster& caster,
+                    int bounce) {
   const std::vector<BorderEdge> outline = outlines_in(*eye.mask, *eye.frame, eye.viewer);
   Pyray pyray{*eye.frame};
   pyray.bounds.within = {&sight.pyray.picture.beyond, 1};
@@ -196,8 +196,8 @@ bool trace_mirrored(EyeContext& eye, const ReflectedHit& sight, const LeafContex
   return trace.outcome.deepest > 0;
 }
 
-ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection,
-                             const LeafContext& leaf, float width, RenderStatistics& counts) {
+ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection, const Leaf& leaf,
+                             float width, RenderStatistics& counts) {
   // Reflect the leaf's pyray.
   Bounds2 part = incident_part(eye, reflection, leaf.region);
   auto sight = reflected_hit(eye, reflection, part, is_whole(leaf.region), width, counts);
@@ -262,7 +262,7 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
 }  // namespace
 
 ReflectionResult trace_reflection(const EyeContext& eye, const Reflection& reflection,
-                                  const LeafContext& leaf, RenderStatistics& counts) {
+                                  const Leaf& leaf, RenderStatistics& counts) {
   ReflectionResult all;
   if (reflection.one_width()) {
     all = trace_width(eye, reflection, leaf, reflection.width.x, counts);

@@ -2,7 +2,7 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/shading/light_transport.h"
-#include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/leaf.h"
 
 #include <glm/glm.hpp>
 
@@ -19,6 +19,6 @@ struct ReflectionResult {
 /// Follows a leaf's reflection with the same engine in the reflected frame. Colours with different
 /// blur widths are followed separately (CGF'98 section 5).
 [[nodiscard]] ReflectionResult trace_reflection(const EyeContext& eye, const Reflection& reflection,
-                                                const LeafContext& leaf, RenderStatistics& counts);
+                                                const Leaf& leaf, RenderStatistics& counts);
 
 }  // namespace asos

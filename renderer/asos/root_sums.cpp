@@ -23,7 +23,8 @@ glm::vec3 BlurredSum::mean(const BlurByDepth& blur) const {
   return sum.mean();
 }
 
-void RootSum::add_samples(const RegionSampler::Estimate& found, double leaf_weight, bool layers) {
+void RootSum::add_samples(const RegionSampler::Estimate& found, const PyrayLeaf& leaf,
+                          double leaf_weight) {
   // Standard deviation of one sample from which a difference is visible.
   constexpr double visible = 0.25 * ErrorBudget::usual_contrast;
   const double held = 1.0 - found.masked_share;
@@ -33,7 +34,7 @@ void RootSum::add_samples(const RegionSampler::Estimate& found, double leaf_weig
   samples += static_cast<std::uint32_t>(found.cost);
   if (!found.one_round && found.error * std::sqrt(found.cost) > visible)
     varied += static_cast<std::uint32_t>(found.cost);
-  cut_out |= found.error > 0.0 && layers;
+  cut_out |= found.error > 0.0 && leaf.decision.cause == LeafVariation::layers;
 }
 
 }  // namespace asos

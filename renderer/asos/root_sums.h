@@ -18,10 +18,7 @@ namespace asos {
 /// Parts of pixels with an error above the allowance after a block's first stage.
 struct OpenRegions {
   struct Part {
-    std::uint32_t root = 0;
-    SampleId sample = no_sample;  ///< sample that represents the part
-    double weight = 1.0;          ///< fraction of the root's area
-    bool layers = false;          ///< the part is sampled because of texture cut-outs
+    PyrayLeaf leaf;  ///< without its border
     RegionSampler::Estimate so_far;
   };
   std::vector<Part> parts;
@@ -71,9 +68,11 @@ struct RootSum {
   double centre_error = 0.0;   ///< of leaves by their centres: the sum of their bounds, by area
   std::uint64_t rays = 0;      ///< of all kinds for the root's leaves, except for eye rays
 
-  /// Adds the estimate of a part of this weight by samples. `layers` says that it was sampled
-  /// because of texture cut-outs.
-  void add_samples(const RegionSampler::Estimate& found, double leaf_weight, bool layers);
+  /// Adds the estimate of a leaf by samples, with this weight.
+  void add_samples(const RegionSampler::Estimate& found, const PyrayLeaf& leaf, double leaf_weight);
+  void add_samples(const RegionSampler::Estimate& found, const PyrayLeaf& leaf) {
+    add_samples(found, leaf, leaf.weight);
+  }
   void add(glm::dvec3 leaf, double leaf_weight) {
     radiance += leaf_weight * leaf;
     weight += leaf_weight;

@@ -126,10 +126,10 @@ SelectedLights::Expected SelectedLights::expected_at(const LightingQuery& point)
   return here.intensity > expected_.intensity ? here : expected_;
 }
 
-std::uint32_t SelectedLights::start(std::uint32_t root, SampleId sample, double weight) {
+std::uint32_t SelectedLights::start(const Leaf& leaf) {
   if (queue_.empty()) sums_.clear();
   sums_.emplace_back(0.0);
-  return queue_.add(root, sample, weight);
+  return queue_.add(leaf);
 }
 
 // Returns the number of points whose rays reach the accuracy that the leaf's weight needs. Rays to
@@ -142,7 +142,7 @@ std::uint32_t SelectedLights::points_of(double weight, const Expected& expected)
 }
 
 // Finds the leaf's points and the surfaces there.
-void SelectedLights::look(const LightingQuery& lit, const LeafContext& leaf, std::uint32_t count) {
+void SelectedLights::look(const LightingQuery& lit, const Leaf& leaf, std::uint32_t count) {
   const SurfacePoint& point = lit.view.point;
   at_.clear();
   number_.clear();
@@ -182,7 +182,7 @@ void SelectedLights::look(const LightingQuery& lit, const LeafContext& leaf, std
   }
 }
 
-void SelectedLights::add(std::uint32_t number, const LightingQuery& lit, const LeafContext& leaf) {
+void SelectedLights::add(std::uint32_t number, const LightingQuery& lit, const Leaf& leaf) {
   const auto x = static_cast<int>(leaf.seed >> 32), y = static_cast<int>(leaf.seed);
   places_.start_pixel(x, y);
   look(lit, leaf, leaf.region.marginal ? 1 : points_of(leaf.weight, expected_at(lit)));
@@ -196,8 +196,8 @@ void SelectedLights::add(std::uint32_t number, const LightingQuery& lit, const L
   }
 }
 
-glm::vec3 SelectedLights::at_once(const LightingQuery& point, const LeafContext& leaf) {
-  add(start(0, 0, leaf.weight), point, leaf);
+glm::vec3 SelectedLights::at_once(const LightingQuery& point, const Leaf& leaf) {
+  add(start(leaf), point, leaf);
   return glm::vec3(run().front().radiance / leaf.weight);
 }
 

@@ -6,7 +6,7 @@
 #include "renderer/asos/unshadowed_contributions.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sobol_sampler.h"
-#include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/leaf.h"
 
 #include <glm/glm.hpp>
 
@@ -43,11 +43,11 @@ class SelectedLights {
   [[nodiscard]] bool holds(std::size_t light) const { return !weak_.empty() && weak_[light] != 0; }
 
   /// Begins the sampled lights' contribution to a leaf and returns its number.
-  std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
+  std::uint32_t start(const Leaf& leaf);
   /// Queues points on a surface of the leaf, to be shaded by `run`.
-  void add(std::uint32_t number, const LightingQuery& point, const LeafContext& leaf);
+  void add(std::uint32_t number, const LightingQuery& point, const Leaf& leaf);
   /// Returns the sampled lights' contribution to a surface of a leaf, immediately.
-  [[nodiscard]] glm::vec3 at_once(const LightingQuery& point, const LeafContext& leaf);
+  [[nodiscard]] glm::vec3 at_once(const LightingQuery& point, const Leaf& leaf);
   /// Drops a contribution.
   void drop(std::uint32_t number) { queue_.drop(number); }
 
@@ -64,7 +64,7 @@ class SelectedLights {
   [[nodiscard]] Expected expected(std::span<const double> carried) const;
   [[nodiscard]] Expected expected_at(const LightingQuery& point);
   [[nodiscard]] std::uint32_t points_of(double weight, const Expected& expected) const;
-  void look(const LightingQuery& point, const LeafContext& leaf, std::uint32_t count);
+  void look(const LightingQuery& point, const Leaf& leaf, std::uint32_t count);
 
   const EyeContext* eye_;
   EyeSamples* samples_;

@@ -25,7 +25,7 @@ std::span<const Contribution> SingleSamples::run() {
   }
   const PixelRect& block = eye_->block;
   for (std::uint32_t i = 0; i < queue_.size() && !eye_->stop.stop_requested(); ++i) {
-    const Contribution& leaf = queue_[i];
+    const PyrayLeaf& leaf = *queue_[i].leaf;
     const glm::dvec2 at = glm::dvec2(block.x, block.y) +
                           static_cast<double>(block.width) * glm::dvec2(samples_->at(leaf.sample));
     const auto x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
@@ -35,7 +35,7 @@ std::span<const Contribution> SingleSamples::run() {
   sums_->trace();
   for (std::uint32_t i = 0; i < queue_.size(); ++i) {
     const SampleSums::Sum sum = sums_->sum(i);
-    queue_[i].radiance = queue_[i].weight * sum.radiance;
+    queue_[i].radiance = queue_[i].leaf->weight * sum.radiance;
     queue_[i].dropped = sum.count == 0;
   }
   const RenderStatistics counts = std::exchange(sums_->statistics(), {});

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <span>
@@ -27,7 +28,7 @@ class SingleSamples {
   SingleSamples& operator=(const SingleSamples&) = delete;
 
   /// Defers a leaf until `run`.
-  void add(const PyrayLeaf& leaf) { queue_.add(leaf.root, leaf.sample, leaf.weight); }
+  void add(const PyrayLeaf& leaf) { queue_.add(leaves_.emplace_back(leaf)); }
   /// Shades the deferred leaves and empties the queue. Results that are not finite are dropped.
   /// Valid until the next `run`.
   [[nodiscard]] std::span<const Contribution> run();
@@ -41,6 +42,7 @@ class SingleSamples {
   std::unique_ptr<SampleSums> sums_;  // large, so made when first needed
   std::vector<LightSum> light_;       // of each leaf
   LayerTargets targets_;              // these
+  std::deque<PyrayLeaf> leaves_;
   BlockQueue queue_;
   std::map<std::uint32_t, int> taken_;  // leaves of each root so far
 };

@@ -89,27 +89,16 @@ SkyContributions::SkyContributions(const EyeContext& eye)
   packet_->count = 0;
 }
 
-std::uint32_t SkyContributions::start(std::uint32_t root, SampleId sample, double weight) {
-  return queue_.add(root, sample, weight);
-}
-
 // Returns the leaf's own Sobol sequence.
 SobolPixel SkyContributions::leaf_places(const SkyLeaf& lit) const {
-  return {static_cast<int>(lit.seed >> 32), static_cast<int>(lit.seed),
+  return {static_cast<int>(lit.leaf->seed >> 32), static_cast<int>(lit.leaf->seed),
           static_cast<std::uint32_t>(eye_->seed)};
 }
 
-void SkyContributions::add(std::uint32_t number, const SkyQuery& point, const LeafContext& leaf) {
+void SkyContributions::add(std::uint32_t number, const SkyQuery& point, const Leaf& leaf) {
   SkyLeaf& lit = lit_.emplace_back();
   lit.share = number;
-  lit.root = queue_[number].root;
-  lit.weight = queue_[number].weight;
-  lit.at = leaf.at;
-  lit.seed = leaf.seed;
-  lit.square = leaf.region.square;
-  lit.first_edge = borders_.size();
-  lit.edges = leaf.region.border.size();
-  borders_.insert(borders_.end(), leaf.region.border.begin(), leaf.region.border.end());
+  lit.leaf = &leaf;
   lit.point = point.view.point;
   lit.flat = !leaf.region.marginal && lit.point.triangle != Hit::none &&
              !(eye_->scene->features().deviation(lit.point.triangle) > 0.0f);
@@ -122,13 +111,13 @@ void SkyContributions::add(std::uint32_t number, const SkyQuery& point, const Le
   lit.factor = point.share;
   constexpr double share_of_error = 0.7;
   lit.open = unoccluded_sky_within(point, leaf_places(lit),
-                                   share_of_error * eye_->error_budget.standard_error(lit.weight));
+                                   share_of_error * eye_->error_budget.standard_error(leaf.weight));
   const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : point.material.specular;
   lit.unit = bounces_ ? point.share * (point.material.diffuse + specular) : lit.open;
 }
 
-glm::vec3 SkyContributions::at_once(const SkyQuery& point, const LeafContext& leaf) {
-  add(start(0, 0, leaf.weight), point, leaf);
+glm::vec3 SkyContributions::at_once(const SkyQuery& point, const Leaf& leaf) {
+  add(start(leaf), point, leaf);
   return glm::vec3(run().front().radiance / leaf.weight);
 }
 
@@ -138,7 +127,7 @@ glm::vec3 SkyContributions::beside(const SkyLeaf& lit, const Bounds2& box,
                                    const SobolPixel& leaf) const {
   constexpr std::uint32_t tries = 8;
   if (!lit.flat) return glm::vec3(0.0f);
-  const LeafRegion all = region(lit);
+  const LeafRegion& all = lit.leaf->region;
   const glm::dvec3 from(lit.point.position);
   const HalfSpace plane = HalfSpace::through(from, glm::dvec3(lit.point.geometric_normal));
   for (std::uint32_t i = 0; i < tries; ++i) {
@@ -159,7 +148,7 @@ void SkyContributions::send(std::size_t index, std::uint32_t end) {
   // Directions take the sequence's first two dimensions, and places the next ones.
   const SobolPixel leaf = leaf_places(lit);
   SobolPixelSampler places;
-  const Bounds2 box = bounds_of(region(lit));
+  const Bounds2 box = bounds_of(lit.leaf->region);
   for (; lit.rays < end; ++lit.rays) {
     const auto sample = sampler.at(places.at(leaf, lit.rays));
     if (!sample) continue;
@@ -193,7 +182,7 @@ void SkyContributions::trace_bounces() {
   sky_rays_.clear();
   for (std::size_t i = 0; i < count; ++i) {
     const Sent& sent = packet_->sent[i];
-    const std::uint64_t seed = lit_[sent.lit].seed;
+    const std::uint64_t seed = lit_[sent.lit].leaf->seed;
     const SampleIndex sample{static_cast<int>(seed >> 32), static_cast<int>(seed),
                              static_cast<int>(sent.number)};
     sky_rays_.push_back({packet_->rays[i], sent.weight, sample, {i}});
@@ -212,9 +201,10 @@ SkyFits::Expected SkyContributions::expected(const SkyLeaf& lit, double of_neigh
   const double variance =
       (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
   const double unit = std::min(1.0, static_cast<double>(largest(lit.unit)));
-  const double error = eye_->error_budget.standard_error(lit.weight) / unit;
+  const double error = eye_->error_budget.standard_error(lit.leaf->weight) / unit;
   const double rays = SkyLeaf::rays_for(variance, error * error);
-  const double most = std::min(eye_->error_budget.most_samples(lit.weight), double{most_rays});
+  const double most =
+      std::min(eye_->error_budget.most_samples(lit.leaf->weight), double{most_rays});
   return {variance, std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, most)))};
 }
 
@@ -223,7 +213,7 @@ SkyFits::Expected SkyContributions::expected(const SkyLeaf& lit, double of_neigh
 void SkyContributions::expect() {
   const int side = std::max(1, static_cast<int>(std::lround(1.0f / eye_->root_side())));
   const auto place = [&](const SkyLeaf& lit) {
-    return glm::clamp(glm::ivec2(lit.at * static_cast<float>(side)), 0, side - 1);
+    return glm::clamp(glm::ivec2(lit.leaf->at * static_cast<float>(side)), 0, side - 1);
   };
   const auto index = [side](int x, int y) { return static_cast<std::size_t>(y * side + x); };
   ErrorSums block{1.0, 0.5, 0.5};
@@ -263,7 +253,7 @@ void SkyContributions::share_surfaces() {
 
 std::span<const Contribution> SkyContributions::run() {
   for (std::size_t i = 0; i < lit_.size(); ++i) {
-    const auto part = static_cast<std::uint32_t>(first_rays * lit_[i].weight);
+    const auto part = static_cast<std::uint32_t>(first_rays * lit_[i].leaf->weight);
     if (held(lit_[i])) send(i, std::bit_ceil(std::max(fewest_rays, part)));
   }
   trace();
@@ -275,11 +265,10 @@ std::span<const Contribution> SkyContributions::run() {
   for (const SkyLeaf& lit : lit_) {
     if (!held(lit)) continue;
     Contribution& found = queue_[lit.share];
-    found.radiance += found.weight * lit.mean();
+    found.radiance += lit.leaf->weight * lit.mean();
     found.rays += lit.rays;
   }
   lit_.clear();
-  borders_.clear();
   return queue_.take();
 }
 

@@ -5,14 +5,13 @@
 #include "renderer/asos/eye_samples.h"
 #include "renderer/asos/sky_fits.h"
 #include "renderer/geometry/bounds2.h"
-#include "renderer/pyray/square.h"
 #include "renderer/samples/bounced_light.h"
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sobol_sampler.h"
 #include "renderer/samples/thread_local_cache.h"
 #include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/light_transport.h"
-#include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/leaf.h"
 
 #include <glm/glm.hpp>
 
@@ -40,14 +39,14 @@ class SkyContributions {
   SkyContributions& operator=(const SkyContributions&) = delete;
 
   /// Begins the sky's contribution to a leaf and returns its number.
-  std::uint32_t start(std::uint32_t root, SampleId sample, double weight);
+  std::uint32_t start(const Leaf& leaf) { return queue_.add(leaf); }
   /// Queues the sky rays of a surface of the leaf.
-  void add(std::uint32_t number, const SkyQuery& point, const LeafContext& leaf);
+  void add(std::uint32_t number, const SkyQuery& point, const Leaf& leaf);
   /// Drops a contribution.
   void drop(std::uint32_t number) { queue_.drop(number); }
 
   /// Returns the sky's contribution to a surface of a leaf, immediately.
-  [[nodiscard]] glm::vec3 at_once(const SkyQuery& point, const LeafContext& leaf);
+  [[nodiscard]] glm::vec3 at_once(const SkyQuery& point, const Leaf& leaf);
 
   /// Traces all deferred rays and empties the queue. The result is valid until the next leaf.
   std::span<const Contribution> run();
@@ -69,9 +68,6 @@ class SkyContributions {
   };
   [[nodiscard]] bool held(const SkyLeaf& lit) const { return !queue_[lit.share].dropped; }
   [[nodiscard]] SobolPixel leaf_places(const SkyLeaf& lit) const;
-  [[nodiscard]] LeafRegion region(const SkyLeaf& lit) const {
-    return {lit.square, std::span(borders_).subspan(lit.first_edge, lit.edges)};
-  }
   [[nodiscard]] glm::vec3 beside(const SkyLeaf& lit, const Bounds2& box,
                                  const SobolPixel& leaf) const;
   void send(std::size_t index, std::uint32_t end);
@@ -84,7 +80,6 @@ class SkyContributions {
   const EyeContext* eye_;
   BlockQueue queue_;
   std::vector<SkyLeaf> lit_;
-  std::vector<BorderEdge> borders_;
   std::vector<SkyFits::Expected> expected_;  // one per element of `lit_`
   CachedPtr<Packet> packet_ = ThreadLocalCache<Packet>::make();
   // Occluders of the sky contribute bounced light.

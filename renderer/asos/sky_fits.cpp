@@ -35,8 +35,8 @@ double sum(glm::dvec3 v) {
 Bounds2 box_of(std::span<const SkyLeaf> lits, const SkyFits::Cell& cell) {
   Bounds2 box{glm::vec2(1.0f), glm::vec2(0.0f)};
   for (const std::uint32_t i : cell.lits) {
-    box.lo = glm::min(box.lo, lits[i].at);
-    box.hi = glm::max(box.hi, lits[i].at);
+    box.lo = glm::min(box.lo, lits[i].leaf->at);
+    box.hi = glm::max(box.hi, lits[i].leaf->at);
   }
   return box;
 }
@@ -80,11 +80,11 @@ std::uint32_t SkyFits::rays_of_nodes(const Cell& cell) const {
   double weight = 0.0, variance = 0.0, unit = 0.0;
   std::uint32_t roots = 0, last = ~0u;
   for (const std::uint32_t i : cell.lits) {
-    weight += lits_[i].weight;
-    variance += lits_[i].weight * expected_[i].variance;
+    weight += lits_[i].leaf->weight;
+    variance += lits_[i].leaf->weight * expected_[i].variance;
     unit = std::max(unit, std::min(1.0, static_cast<double>(largest(lits_[i].unit))));
-    if (lits_[i].root != last) ++roots;
-    last = lits_[i].root;
+    if (lits_[i].leaf->root != last) ++roots;
+    last = lits_[i].leaf->root;
   }
   const double share = std::min(1.0, weight / roots);
   const double error = share_of_error * standard_error_ / (unit * std::sqrt(share));
@@ -101,7 +101,7 @@ bool SkyFits::choose_nodes(Cell& cell) const {
                           static_cast<float>(k / nodes_along) / (nodes_along - 1));
     const glm::vec2 place = glm::mix(box.lo, box.hi, share);
     const auto distance = [&](std::uint32_t i) {
-      const glm::vec2 off = lits_[i].at - place;
+      const glm::vec2 off = lits_[i].leaf->at - place;
       return glm::dot(off, off);
     };
     const std::uint32_t nearest =
@@ -133,7 +133,8 @@ bool SkyFits::tell(const Cell& cell) const {
   std::array<NoisyValue, static_cast<std::size_t>(nodes_along * nodes_along)> known;
   for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
     const SkyLeaf& node = lits_[cell.nodes[k]];
-    known[k] = {glm::dvec2(node.at), node.mean() / glm::dvec3(node.unit), variance(cell.nodes[k])};
+    known[k] = {glm::dvec2(node.leaf->at), node.mean() / glm::dvec3(node.unit),
+                variance(cell.nodes[k])};
   }
   const auto course = PolynomialFit::through(std::span(known).first(cell.nodes.size()));
   if (!course || course->misfit() > most_misfit) return false;
@@ -142,7 +143,8 @@ bool SkyFits::tell(const Cell& cell) const {
   std::vector<std::uint32_t> agreeing;
   for (const std::uint32_t i : cell.lits) {
     const SkyLeaf& lit = lits_[i];
-    const double by = sum(lit.mean() / glm::dvec3(lit.unit) - course->at(glm::dvec2(lit.at))) / 3.0;
+    const double by =
+        sum(lit.mean() / glm::dvec3(lit.unit) - course->at(glm::dvec2(lit.leaf->at))) / 3.0;
     const double noise = variance(i);
     off += by / noise;
     certainty += 1.0 / noise;
@@ -155,7 +157,7 @@ bool SkyFits::tell(const Cell& cell) const {
     return false;
   for (const std::uint32_t i : agreeing) {
     SkyLeaf& lit = lits_[i];
-    lit.told = glm::dvec3(lit.unit) * glm::max(course->at(glm::dvec2(lit.at)), 0.0);
+    lit.told = glm::dvec3(lit.unit) * glm::max(course->at(glm::dvec2(lit.leaf->at)), 0.0);
   }
   return true;
 }
@@ -165,7 +167,7 @@ void SkyFits::divide(const Cell& cell, std::vector<Cell>& quarters) const {
   const glm::vec2 middle = glm::mix(box.lo, box.hi, 0.5f);
   std::array<Cell, 4> parts;
   for (const std::uint32_t i : cell.lits) {
-    const glm::vec2 at = lits_[i].at;
+    const glm::vec2 at = lits_[i].leaf->at;
     parts[(at.x > middle.x ? 1u : 0u) + (at.y > middle.y ? 2u : 0u)].lits.push_back(i);
   }
   for (Cell& part : parts)

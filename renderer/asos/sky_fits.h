@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/geometry/largest.h"
-#include "renderer/pyray/square.h"
 #include "renderer/shading/light_transport.h"
+#include "renderer/shadows/leaf.h"
 
 #include <glm/glm.hpp>
 
@@ -20,13 +20,7 @@ namespace asos {
 /// the radiance without occlusion, divided by `unit`.
 struct SkyLeaf {
   std::uint32_t share = 0;  ///< number of the leaf's contribution
-  std::uint32_t root = 0;   ///< the leaf's root; below, its weight and sample's place
-  double weight = 1.0;
-  glm::vec2 at{0.0f};
-  std::uint64_t seed = 0;  ///< seed of the leaf
-  /// The leaf's region. The borders of all leaves are stored together; this one has `edges` edges.
-  Square square;
-  std::size_t first_edge = 0, edges = 0;
+  const Leaf* leaf = nullptr;
   bool flat = false;  ///< the surface within the leaf is a plane
   SurfacePoint point;
   std::uint32_t smooth_surface = 0;  ///< number of the connected surface

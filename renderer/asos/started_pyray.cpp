@@ -99,7 +99,7 @@ std::vector<LayerSum> layers_so_far(const StartedPyray& pyray) {
   std::vector<LayerSum> layers = pyray.layers;
   for (std::size_t i = 0; i < pyray.open.parts.size(); ++i) {
     const OpenRegions::Part& part = pyray.open.parts[i];
-    layers[pyray.pixel_of_root[part.root]].add(pyray.open.samples.layers(i), part.weight);
+    layers[pyray.pixel_of_root[part.leaf.root]].add(pyray.open.samples.layers(i), part.leaf.weight);
   }
   return layers;
 }
@@ -126,7 +126,7 @@ BlockResult StartedPyray::result(int max_level) const {
   sums.reserve(pixels.size());
   for (const Pixel& pixel : pixels) sums.push_back(pixel.sum);
   for (const OpenRegions::Part& part : open.parts)
-    sums[pixel_of_root[part.root]].add_samples(part.so_far, part.weight, part.layers);
+    sums[pixel_of_root[part.leaf.root]].add_samples(part.so_far, part.leaf);
   BlockResult result;
   result.tile.rect = block;
   result.statistics = statistics;
@@ -141,7 +141,7 @@ BlockResult StartedPyray::result(int max_level) const {
 double StartedPyray::squared_error() const {
   double sum = 0.0;
   for (const OpenRegions::Part& part : open.parts) {
-    const double off = part.weight * part.so_far.error;
+    const double off = part.leaf.weight * part.so_far.error;
     sum += off * off;
   }
   return sum;

@@ -1,6 +1,5 @@
 #include "renderer/asos/textured_sight.h"
 
-#include "renderer/asos/footprint_shape.h"
 #include "renderer/asos/texture_samples.h"
 #include "renderer/samples/light_selection.h"
 #include "renderer/shading/surface.h"
@@ -172,7 +171,7 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
                         world.parts[world.triangle_part[hit.triangle]].coloured;
   if (!(use || coloured) || world.is_face(hit.triangle) || eye.viewer.passage.in_medium())
     return false;
-  const FootprintShape part = footprint_shape(leaf.region, leaf.at);
+  const FootprintShape& part = leaf.shape;
   const Footprint square = footprint_on(world, hit, leaf.square);
   const Footprint seen = shaped(square, part);
   if (!crosses_edge(hit, seen)) return false;

@@ -2,7 +2,6 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/eye_samples.h"
-#include "renderer/asos/leaf.h"
 #include "renderer/shading/footprint.h"
 
 // Textures of a patch that neither its hit nor the footprint of that hit represents.

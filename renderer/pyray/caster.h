@@ -78,10 +78,9 @@ class Caster {
   /// Returns whether a leaf with this sample is sampled in any case, so that splitting is useless.
   [[nodiscard]] virtual bool samples_leaf(SampleId /*sample*/) const { return false; }
 
-  /// Returns how to determine a part of a root with this weight and sample. The engine then follows
-  /// the decision; it may be a split only if `may_split`.
-  [[nodiscard]] virtual LeafDecision decide(SampleId /*sample*/, double /*weight*/,
-                                            const LeafRegion& /*region*/, bool /*may_split*/) {
+  /// Returns how to determine a part of a root. The engine then follows the decision; it may be a
+  /// split only if `may_split`.
+  [[nodiscard]] virtual LeafDecision decide(const PyrayLeaf& /*leaf*/, bool /*may_split*/) {
     return {};
   }
 

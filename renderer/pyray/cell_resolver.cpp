@@ -202,22 +202,21 @@ void CellResolver::carry_out() {
 
 void CellResolver::finish_uniform(Cell& cell, const Plan& plan, SampleId first) {
   const SampleId sample = plan.points.count ? first : cell.middle;
-  const LeafRegion region{cell.square, {}};
-  const bool may_split = level_->number < state_->rules.error_budget.max_level;
-  const LeafDecision decision =
-      state_->caster->decide(sample, state_->weight(cell), region, may_split);
-  if (decision.splits()) {
-    cell.uneven = decision.cause;
+  PyrayLeaf leaf{state_->root(cell).id, sample, state_->weight(cell), {cell.square, {}}};
+  leaf.decision =
+      state_->caster->decide(leaf, level_->number < state_->rules.error_budget.max_level);
+  if (leaf.decision.splits()) {
+    cell.uneven = leaf.decision.cause;
     cell.middle = sample;
     cell.cover = state_->caster->cover(cell.middle);
     return;
   }
-  const CellFate fate = decision.sampled() ? CellFate::sampled : CellFate::uniform;
+  const CellFate fate = leaf.decision.sampled() ? CellFate::sampled : CellFate::uniform;
   if (TracedCell* traced = trace(cell, plan, fate)) {
     const glm::vec2 at = state_->root(cell).place(middle_of(cell.square));
-    traced->samples.push_back({sample, at, state_->weight(cell), {}, {}});
+    traced->samples.push_back({sample, at, leaf.weight, {}, {}});
   }
-  state_->add_leaf(cell, sample, state_->weight(cell), region, decision);
+  state_->add_leaf(cell, leaf);
   cell.done = true;
 }
 
@@ -233,18 +232,19 @@ void CellResolver::finish_cut(Cell& cell, const Plan& plan, SampleId first) {
   const std::size_t first_leaf = state_->leaves.size();
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
     const CellPart& part = parts_[plan.first_part + i];
-    const LeafRegion region{cell.square,
-                            std::span(borders_).subspan(part.first_edge, part.edge_count)};
-    const LeafDecision decision =
-        state_->caster->decide(first + i, whole * part.area, region, level_->number < finest);
-    if (decision.splits()) {
-      cell.uneven = decision.cause;
+    PyrayLeaf leaf{state_->root(cell).id,
+                   first + i,
+                   whole * part.area,
+                   {cell.square, std::span(borders_).subspan(part.first_edge, part.edge_count)}};
+    leaf.decision = state_->caster->decide(leaf, level_->number < finest);
+    if (leaf.decision.splits()) {
+      cell.uneven = leaf.decision.cause;
       state_->leaves.resize(first_leaf);
       // Without a sample at its centre, the cell has no cover for its children.
       if (cell.middle == no_sample) cell.cover = OccluderPlane::none();
       return;
     }
-    state_->add_leaf(cell, first + i, whole * part.area, region, decision);
+    state_->add_leaf(cell, leaf);
   }
   // Record the cut for observers.
   if (TracedCell* traced = trace(cell, plan, CellFate::cut)) {
@@ -275,7 +275,7 @@ void CellResolver::finish_saturated(Cell& cell, const Plan& plan, SampleId first
   for (std::uint32_t i = 0; i < plan.points.count; ++i) {
     const double share = whole / plan.points.count;
     const LeafRegion region{cell.square.part(static_cast<int>(n), static_cast<int>(i)), {}, true};
-    state_->add_leaf(cell, first + i, share, region);
+    state_->add_leaf(cell, {root.id, first + i, share, region});
     if (traced) {
       const glm::vec2 at = root.place(points_[plan.points.first + i]);
       traced->samples.push_back({first + i, at, share, {}, {}, root.placed_border(region)});

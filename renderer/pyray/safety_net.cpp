@@ -40,7 +40,7 @@ struct Splitter {
     if (differ) outcome.unresolved_area += 4.0 * weight;
     for (std::uint32_t i = 0; i < 4; ++i) {
       PyrayLeaf leaf{root.id, first + i, weight, {square.quarter(static_cast<int>(i)), {}, differ}};
-      if (!differ) leaf.decision = caster.decide(leaf.sample, weight, leaf.region, false);
+      if (!differ) leaf.decision = caster.decide(leaf, false);
       leaves.push_back(leaf);
     }
   }

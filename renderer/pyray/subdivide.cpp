@@ -141,7 +141,7 @@ void Subdivider::finish_marginal(CellLevel& level) {
       leaf = state_.caster->sample_saturated(state_.root(cell).id, cell.square, share);
     if (leaf == no_sample) {
       leaf = anew ? sample++ : cell.middle;
-      state_.add_leaf(cell, leaf, share, {cell.square, {}, true});
+      state_.add_leaf(cell, {state_.root(cell).id, leaf, share, {cell.square, {}, true}});
     }
     if (TracedCell* traced =
             state_.trace(level, cell, at_limit ? CellFate::finest : CellFate::stopped, visible_)) {

@@ -39,10 +39,9 @@ glm::vec2 SubdivisionState::jittered(std::uint32_t root, const Square& square) c
   return {square.u + square.side * du, square.v + square.side * dv};
 }
 
-void SubdivisionState::add_leaf(const Cell& cell, SampleId sample, double share,
-                                const LeafRegion& region, const LeafDecision& decision) {
-  outcome(cell).note_uneven(decision.cause);
-  leaves.push_back({root(cell).id, sample, share, region, decision});
+void SubdivisionState::add_leaf(const Cell& cell, const PyrayLeaf& leaf) {
+  outcome(cell).note_uneven(leaf.decision.cause);
+  leaves.push_back(leaf);
 }
 
 void SubdivisionState::hand_out() {

@@ -97,8 +97,7 @@ struct SubdivisionState {
   /// only.
   [[nodiscard]] glm::vec2 jittered(std::uint32_t root, const Square& square) const;
 
-  void add_leaf(const Cell& cell, SampleId sample, double share, const LeafRegion& region,
-                const LeafDecision& decision = {});
+  void add_leaf(const Cell& cell, const PyrayLeaf& leaf);
   /// Passes the leaves to the caster.
   void hand_out();
 

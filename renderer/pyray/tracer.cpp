@@ -179,20 +179,19 @@ void Tracer::finish_roots(const FatPyray& fat, const SubdivisionRules& rules, Ca
 
 bool Tracer::finish_clear_root(const Root& root, int max_level, Caster& caster) {
   const std::uint32_t i = root.id;
-  const LeafRegion whole{root.square, {}};
-  const LeafDecision decision = caster.decide(i, 1.0, whole, max_level > 0);
-  if (decision.splits()) return false;
+  PyrayLeaf leaf{i, i, 1.0, {root.square, {}}};
+  leaf.decision = caster.decide(leaf, max_level > 0);
+  if (leaf.decision.splits()) return false;
   if (root.traced) {
     TracedCell& cell = root.traced->cells.emplace_back();
-    if (caster.samples_leaf(i) || decision.sampled()) cell.fate = CellFate::sampled;
+    if (caster.samples_leaf(i) || leaf.decision.sampled()) cell.fate = CellFate::sampled;
     cell.samples.push_back({i, glm::vec2(0.5f), 1.0, {}, {}});
   }
-  const PyrayLeaf leaf{i, i, 1.0, whole, decision};
   caster.take(std::span(&leaf, 1));
   SubdivisionOutcome& outcome = traces_[i].outcome;
   outcome.pyrays_by_level[0] = 1;
   outcome.probes = 1;
-  outcome.note_uneven(decision.cause);
+  outcome.note_uneven(leaf.decision.cause);
   return true;
 }
 

@@ -36,7 +36,7 @@ Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
   const PreparedLight& light = query.lit.light;
   // Rays from the whole leaf are better than a pyray from its centre if it was not split for its
   // penumbra.
-  const LightView view = query.leaf.view_of(query.lit.index);
+  const LightView view = query.leaf.views.of(query.lit.index);
   const bool by_rays = block.rules.error_budget.samples_suffice(
                            query.leaf.weight, query.intensity(), LeafCosts::light_pyramid) ||
                        light.entered || view.too_detailed ||

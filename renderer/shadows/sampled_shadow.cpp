@@ -42,7 +42,7 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
                           RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
   const ErrorBudget& error_budget = block.rules.error_budget;
-  const LeafContext& leaf = query.leaf;
+  const Leaf& leaf = query.leaf;
   // Find the number of rays for the leaf, and the target error.
   const double intensity = query.intensity();
   const double worth = error_budget.samples(leaf.weight, intensity);

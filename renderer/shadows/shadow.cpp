@@ -33,7 +33,7 @@ std::optional<Visibility> told_visibility(const KnownVisibility& known,
 
 // Returns the visibility that the block knows for the passage to a light, or else that of one ray.
 Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
-                            const LeafContext& leaf, RenderStatistics& counts) {
+                            const Leaf& leaf, RenderStatistics& counts) {
   Box around;
   around.grow(lit.point.lit_position());
   const KnownVisibility known =
@@ -43,7 +43,7 @@ Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
 }
 
 Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
-                           const LeafContext& leaf, RenderStatistics& counts) {
+                           const Leaf& leaf, RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
   // A marginal or tiny leaf is worth one ray.
   const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.error_budget.max_level);
@@ -76,22 +76,23 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
 // patch's centre holds for the whole patch. For a point light that is true if the shadow has no
 // boundaries, so the patch is either fully lit or fully in shadow.
 Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
-                           const LeafContext& leaf, RenderStatistics& counts) {
+                           const Leaf& leaf, RenderStatistics& counts) {
   UniformShadowPatch& even = *leaf.even;
   Visibility& visibility = even.visibilities[lit.index];
   const auto holds_for_all = [&] {
     return lit.light.extended() || visibility == Visibility(0.0) || visibility == Visibility(1.0);
   };
   if (visibility.x < 0.0) {
-    const glm::vec3 there = unshadowed_irradiance(lit.light, receiver_at(even.middle));
+    const glm::vec3 there = unshadowed_irradiance(lit.light, receiver_at(even.whole.point));
     // The light is below the horizon of the patch's centre, but not of this leaf.
     if (there == glm::vec3(0.0f)) return leaf_visibility(block, lit, leaf, counts);
-    LeafContext middle = leaf;
-    middle.region = {even.square, {}};
-    middle.weight = std::pow(even.square.side / leaf.root_side, 2.0f);
-    middle.views = &even.views;
+    Leaf middle = even.whole;
+    middle.weight = std::pow(middle.region.square.side / middle.root_side, 2.0f);
+    middle.at = leaf.at;
+    middle.seed = leaf.seed;
+    middle.observed = leaf.observed;
     // The lobe is that of the leaf, which is nearby.
-    const Illumination of_middle{lit.light,     lit.index, even.middle, there,
+    const Illumination of_middle{lit.light,     lit.index, middle.point, there,
                                  lit.reflected, lit.layer, lit.lit,     lit.highlight};
     visibility = leaf_visibility(block, of_middle, middle, counts);
   }
@@ -117,7 +118,7 @@ CountForLight::~CountForLight() {
 }
 
 Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
-                            const LeafContext& leaf, RenderStatistics& counts) {
+                            const Leaf& leaf, RenderStatistics& counts) {
   // One ray is enough for lights so weak that all of them together stay below EPS. Without any ray
   // they would shine through walls.
   const glm::vec3 all = lit.reflected * lit.unshadowed;

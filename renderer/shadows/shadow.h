@@ -30,7 +30,7 @@ class CountForLight {
 /// (CGF'98 section 4); this is how ASOS finds shadows. If no boundary lies between a group of
 /// coplanar points and a light, one ray decides for all of them.
 [[nodiscard]] Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
-                                          const LeafContext& leaf, RenderStatistics& counts);
+                                          const Leaf& leaf, RenderStatistics& counts);
 
 /// Returns the visibility by one ray to a random point of the light: 0 or 1, or the transmittance
 /// along the ray.

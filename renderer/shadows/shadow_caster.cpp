@@ -49,9 +49,8 @@ std::uint32_t ShadowCaster::surface(SampleId sample) const {
   return s.blocker.hit.valid() ? scene_->features.smooth_surface(s.blocker.hit.triangle) : lit;
 }
 
-LeafDecision ShadowCaster::decide(SampleId sample, double /*weight*/, const LeafRegion& /*region*/,
-                                  bool may_split) {
-  const bool varies = may_split && see_through_ && samples_[sample].blocker.see_through;
+LeafDecision ShadowCaster::decide(const PyrayLeaf& leaf, bool may_split) {
+  const bool varies = may_split && see_through_ && samples_[leaf.sample].blocker.see_through;
   return varies ? LeafDecision{Estimator::split, LeafVariation::shadow} : LeafDecision{};
 }
 

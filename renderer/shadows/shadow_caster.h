@@ -2,7 +2,7 @@
 
 #include "renderer/film/statistics.h"
 #include "renderer/pyray/caster.h"
-#include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/leaf.h"
 #include "renderer/shadows/shadow_scene.h"
 
 #include <glm/glm.hpp>
@@ -27,8 +27,7 @@ class ShadowCaster : public Caster {
   [[nodiscard]] std::uint32_t surface(SampleId sample) const override;
   /// Splits leaves on transparent surfaces, and on some cut-outs, since their outlines are not
   /// boundaries.
-  [[nodiscard]] LeafDecision decide(SampleId sample, double weight, const LeafRegion& region,
-                                    bool may_split) override;
+  [[nodiscard]] LeafDecision decide(const PyrayLeaf& leaf, bool may_split) override;
   void take(std::span<const PyrayLeaf> leaves) override;
   /// Returns the visibility of the light from a sample.
   [[nodiscard]] glm::vec3 result(SampleId sample) const override {

@@ -56,7 +56,7 @@ SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query
   return shadow;
 }
 
-int levels_left(const ShadowRules& rules, const LeafContext& leaf) {
+int levels_left(const ShadowRules& rules, const Leaf& leaf) {
   return rules.error_budget.nested(leaf.level(), 1.0, 1).max_level;
 }
 

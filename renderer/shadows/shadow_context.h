@@ -7,7 +7,7 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/settings/settings.h"
 #include "renderer/shading/light_transport.h"
-#include "renderer/shadows/leaf_context.h"
+#include "renderer/shadows/leaf.h"
 #include "renderer/shadows/light_pyramid_caster.h"
 #include "renderer/shadows/patch_caster.h"
 #include "renderer/shadows/patch_points.h"
@@ -72,7 +72,7 @@ struct ShadowContext {
 /// A query for the visibility of a light from a leaf.
 struct ShadowQuery {
   const Illumination& lit;
-  const LeafContext& leaf;
+  const Leaf& leaf;
   SearchBounds found;  ///< where boundaries between the leaf and the light may be
 
   /// Returns the light's unshadowed contribution in display units, at most 1.
@@ -91,7 +91,7 @@ struct ShadowQuery {
 [[nodiscard]] SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query);
 
 /// Returns the levels that a leaf leaves to its shadow pyrays, at least 1.
-[[nodiscard]] int levels_left(const ShadowRules& rules, const LeafContext& leaf);
+[[nodiscard]] int levels_left(const ShadowRules& rules, const Leaf& leaf);
 
 /// Returns the length of a hit list above which samples cost less than the search.
 [[nodiscard]] std::size_t most_entries_for_samples(int levels);

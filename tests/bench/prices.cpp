@@ -52,7 +52,7 @@ struct AllCosts {
 /// Computes the light at one point of a block, exactly and by rays.
 class PointLights final : public LightTransport {
  public:
-  PointLights(ShadowContext& block, const LeafContext& leaf, const Patch& patch, AllCosts& costs)
+  PointLights(ShadowContext& block, const Leaf& leaf, const Patch& patch, AllCosts& costs)
       : block_(block), leaf_(leaf), patch_(patch), costs_(costs) {}
 
   void add(const Illumination& lit, glm::vec3& /*radiance*/,
@@ -96,7 +96,7 @@ class PointLights final : public LightTransport {
   }
 
   ShadowContext& block_;
-  const LeafContext& leaf_;
+  const Leaf& leaf_;
   const Patch& patch_;
   AllCosts& costs_;
 };
@@ -142,7 +142,7 @@ void measure_block(const Snapshot& snapshot, const View& view, const Shader& sha
   // Measure the light at each pixel centre.
   for (SampleId i = 0; i < middles.size(); ++i) {
     if (!samples.hit(i).valid()) continue;
-    LeafContext leaf;
+    Leaf leaf;
     leaf.root_side = eye.root_side();
     leaf.region = {{middles[i].x - 0.5f * leaf.root_side, middles[i].y - 0.5f * leaf.root_side,
                     leaf.root_side},

@@ -3,7 +3,6 @@
 #include "renderer/asos/error_terms.h"
 #include "renderer/asos/eye_caster.h"
 #include "renderer/asos/eye_samples.h"
-#include "renderer/asos/leaf.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/prepared/view_context.h"
@@ -74,8 +73,8 @@ class EyeBlock {
     const glm::vec2 centre = (glm::vec2(x, y) + 0.5f) * pixel;
     const float width = part * pixel;
     const LeafRegion region{{centre.x - 0.5f * width, centre.y - 0.5f * width, width}, {}};
-    return Leaf::of(eye_, *samples_, static_cast<SampleId>(y * side + x),
-                    static_cast<double>(part * part), region);
+    const auto number = static_cast<std::uint32_t>(y * side + x);
+    return samples_->leaf({number, number, static_cast<double>(part * part), region});
   }
 
  private:

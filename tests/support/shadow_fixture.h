@@ -15,8 +15,8 @@
 
 namespace asos::test {
 
-inline LeafContext leaf_of(const LeafRegion& region, float root_side, std::uint64_t seed) {
-  LeafContext leaf;
+inline Leaf leaf_of(const LeafRegion& region, float root_side, std::uint64_t seed) {
+  Leaf leaf;
   leaf.region = region;
   leaf.root_side = root_side;
   leaf.seed = seed;
@@ -67,7 +67,7 @@ class ShadowFixture {
   /// Visibility for a leaf of the pyray through `eye` that shows `point`. `layer` 0: the leaf's
   /// square is on the point's plane; 1: only the point is known, because it is on no triangle.
   [[nodiscard]] double visibility(const SurfacePoint& point, const Frame& eye,
-                                  const LeafContext& leaf, int layer = 0) {
+                                  const Leaf& leaf, int layer = 0) {
     const ShadowScene scene{world_, features_, rays_};
     ShadowGroups groups(scene);
     groups.reset(1);

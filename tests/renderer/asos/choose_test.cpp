@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 
 namespace asos::test::choose_test {
 namespace {
@@ -14,13 +15,18 @@ ErrorBudget allowance_of(int max_level, double eps = 1.0 / 256.0) {
   return ErrorBudget::of(settings);
 }
 
-LeafChoice leaf_of(double error, double weight = 1.0) {
-  LeafChoice leaf;
-  leaf.weight = weight;
-  leaf.bound = ErrorBound::of(error);
-  leaf.price = 3.0;
-  leaf.may_split = true;
-  return leaf;
+struct Choice {
+  ErrorBound centre;
+  double weight = 1.0;
+  std::optional<double> price = 3.0;
+};
+
+Choice leaf_of(double error) {
+  return {ErrorBound::of(error)};
+}
+
+Estimator choose(const ErrorBudget& error_budget, const Choice& leaf) {
+  return asos::choose(error_budget, leaf.weight, leaf.centre, leaf.price);
 }
 
 TEST(Choose, ChoosesCentreWithinTheAllowance) {
@@ -31,16 +37,16 @@ TEST(Choose, ChoosesCentreWithinTheAllowance) {
 }
 
 TEST(Choose, SamplesWithoutABound) {
-  LeafChoice leaf = leaf_of(0.0);
-  leaf.bound += ErrorBound::unknown();
+  Choice leaf = leaf_of(0.0);
+  leaf.centre += ErrorBound::unknown();
   EXPECT_EQ(choose(allowance_of(3), leaf), Estimator::samples);
-  leaf.may_split = false;
+  leaf.price.reset();
   EXPECT_EQ(choose(allowance_of(3), leaf), Estimator::samples);
 }
 
 TEST(Choose, ChoosesCheaperOfSplitAndSamples) {
   // An error of twice the tolerance; a split costs four leaves.
-  LeafChoice leaf = leaf_of(2.0 / 256.0);
+  Choice leaf = leaf_of(2.0 / 256.0);
   const double samples = allowance_of(4).samples(1.0, ErrorBudget::usual_contrast);
   leaf.price = 0.99 * samples / 4.0;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::split);
@@ -54,25 +60,24 @@ TEST(Choose, ChoosesCheaperOfSplitAndSamples) {
 }
 
 TEST(Choose, ChoosesLeastErrorAtMax) {
-  LeafChoice leaf = leaf_of(1.0);
-  leaf.may_split = false;
+  Choice leaf = leaf_of(1.0);
+  leaf.price.reset();
   leaf.weight = 1.0 / 256.0;  // a cell at level MAX 4: four samples
   const double of_samples = ErrorBudget::error_of_samples(4.0, ErrorBudget::usual_contrast);
-  leaf.bound.error = 1.02 * of_samples;
+  leaf.centre.error = 1.02 * of_samples;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::samples);
-  leaf.bound.error = 0.98 * of_samples;
+  leaf.centre.error = 0.98 * of_samples;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::centre);
-  leaf.bound.contrast = 4.0;
-  leaf.bound.error = 1.02 * of_samples;
+  leaf.centre.contrast = 4.0;
+  leaf.centre.error = 1.02 * of_samples;
   EXPECT_EQ(choose(allowance_of(4), leaf), Estimator::centre) << "highlights make samples noisy";
 }
 
 TEST(Choose, InfiniteErrorIsNeverTheCentre) {
-  LeafChoice leaf = leaf_of(std::numeric_limits<double>::infinity());
-  for (const bool may_split : {false, true}) {
-    leaf.may_split = may_split;
-    EXPECT_NE(choose(allowance_of(3), leaf), Estimator::centre);
-  }
+  Choice leaf = leaf_of(std::numeric_limits<double>::infinity());
+  EXPECT_NE(choose(allowance_of(3), leaf), Estimator::centre);
+  leaf.price.reset();
+  EXPECT_NE(choose(allowance_of(3), leaf), Estimator::centre);
 }
 
 TEST(Choose, SmallMaxLeavesAllToSamples) {

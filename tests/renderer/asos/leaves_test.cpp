@@ -70,10 +70,11 @@ TEST(LeafChooser, ChoosesCentreForEvenLight) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun()});
   LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
   chooser.learn_normals(EyeBlock::side);
-  const LeafDecision decision = chooser.decide(5, 1.0, block.leaf(1, 1).region, true);
+  const PyrayLeaf leaf = pixel_leaf(block, 1, 1);
+  const LeafDecision decision = chooser.decide(leaf, true);
   EXPECT_EQ(decision.estimator, Estimator::centre);
   EXPECT_EQ(decision.cause, LeafVariation::none);
-  EXPECT_EQ(chooser.even_around(5, block.leaf(1, 1).region), nullptr);
+  EXPECT_EQ(chooser.even_around(leaf), nullptr);
 }
 
 // A bulb 0.1 units in front of a wall, with pixels of 1 unit: its light falls off within a pixel.
@@ -82,10 +83,10 @@ TEST(LeafChooser, SplitsOrSamplesUnevenLight) {
   LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
   chooser.learn_normals(EyeBlock::side);
   // Pixel (2, 1) of the block covers x and y from 0 to 1.
-  const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
+  const LeafDecision decision = chooser.decide(pixel_leaf(block, 2, 1), true);
   EXPECT_NE(decision.estimator, Estimator::centre);
   EXPECT_EQ(decision.cause, LeafVariation::shading);
-  const LeafDecision last = chooser.decide(6, 1.0, block.leaf(2, 1).region, false);
+  const LeafDecision last = chooser.decide(pixel_leaf(block, 2, 1), false);
   EXPECT_NE(last.estimator, Estimator::split) << "it may not";
 }
 
@@ -93,7 +94,7 @@ TEST(LeafChooser, ChoosesCentreAtMax0) {
   EyeBlock block =
       block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb({0.5, 0.5, 0.1}, 0.01f)}, at_max(0));
   LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
-  const LeafDecision decision = chooser.decide(6, 1.0, block.leaf(2, 1).region, true);
+  const LeafDecision decision = chooser.decide(pixel_leaf(block, 2, 1), true);
   EXPECT_EQ(decision.estimator, Estimator::centre);
   EXPECT_EQ(decision.cause, LeafVariation::none);
 }
@@ -136,8 +137,8 @@ TEST(LeafShader, LeavesRegionsOpen) {
   shader.finish();
   const OpenRegions open = shader.take_open();
   ASSERT_EQ(open.parts.size(), 1u);
-  EXPECT_EQ(open.parts[0].root, leaf.root);
-  EXPECT_EQ(open.parts[0].weight, 1.0);
+  EXPECT_EQ(open.parts[0].leaf.root, leaf.root);
+  EXPECT_EQ(open.parts[0].leaf.weight, 1.0);
   EXPECT_GT(open.parts[0].so_far.cost, 0.0);
   EXPECT_GT(open.parts[0].so_far.error, 0.0);
   EXPECT_EQ(sums[leaf.root].weight, 0.0);
@@ -264,14 +265,14 @@ TEST(SingleSamples, ShadeByOneSampleEach) {
   samples.add(pixel_leaf(block, 3, 2, 0.25));
   const auto found = samples.run();
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].root, 0u);
-  EXPECT_EQ(found[1].root, 11u);
-  EXPECT_EQ(found[1].weight, 0.25);
+  EXPECT_EQ(found[0].leaf->root, 0u);
+  EXPECT_EQ(found[1].leaf->root, 11u);
+  EXPECT_EQ(found[1].leaf->weight, 0.25);
   for (const Contribution& one : found) {
     EXPECT_FALSE(one.dropped);
-    EXPECT_NEAR(one.radiance.r, 0.25 * one.weight, 1e-6);
-    EXPECT_NEAR(one.radiance.g, 0.5 * one.weight, 1e-6);
-    EXPECT_NEAR(one.radiance.b, 1.0 * one.weight, 1e-6);
+    EXPECT_NEAR(one.radiance.r, 0.25 * one.leaf->weight, 1e-6);
+    EXPECT_NEAR(one.radiance.g, 0.5 * one.leaf->weight, 1e-6);
+    EXPECT_NEAR(one.radiance.b, 1.0 * one.leaf->weight, 1e-6);
   }
   EXPECT_TRUE(samples.run().empty()) << "none waits";
 }

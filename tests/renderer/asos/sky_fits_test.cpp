@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace asos::test::sky_courses_test {
@@ -19,16 +20,19 @@ class Leaves {
   template <typename Value>
   explicit Leaves(Value&& value) {
     for (int i = 0; i < side * side; ++i) {
+      Leaf& leaf = leaves.emplace_back();
+      leaf.root = static_cast<std::uint32_t>(i);
+      leaf.at = (glm::vec2(i % side, i / side) + 0.5f) / static_cast<float>(side);
       SkyLeaf lit;
-      lit.share = lit.root = static_cast<std::uint32_t>(i);
-      lit.at = (glm::vec2(i % side, i / side) + 0.5f) / static_cast<float>(side);
+      lit.share = leaf.root;
+      lit.leaf = &leaf;
       lit.smooth_surface = 1;
-      lit.point.position = {lit.at.x, lit.at.y, 0.0f};
+      lit.point.position = {lit.leaf->at.x, lit.leaf->at.y, 0.0f};
       lit.point.shading_normal = lit.point.geometric_normal = {0, 0, 1};
       lit.material.diffuse = glm::vec3(1.0f);
       lit.open = lit.unit = glm::vec3(1.0f);
       lits.push_back(lit);
-      set_rays(static_cast<std::uint32_t>(i), 8, value(lit.at));
+      set_rays(static_cast<std::uint32_t>(i), 8, value(lit.leaf->at));
     }
     expected.assign(lits.size(), {0.04, 2048});
   }
@@ -39,6 +43,7 @@ class Leaves {
     lits[lit].arrived = glm::dvec3(rays * value);
   }
 
+  std::deque<Leaf> leaves;
   std::vector<SkyLeaf> lits;
   std::vector<SkyFits::Expected> expected;
 };
@@ -57,7 +62,7 @@ bool interpolated(Leaves& leaves, Value&& value) {
   EXPECT_EQ(cells.size(), 1u);
   EXPECT_TRUE(sky_fits.choose_nodes(cells.front()));
   for (const std::uint32_t node : cells.front().nodes)
-    leaves.set_rays(node, cells.front().node_rays, value(leaves.lits[node].at));
+    leaves.set_rays(node, cells.front().node_rays, value(leaves.lits[node].leaf->at));
   return sky_fits.tell(cells.front());
 }
 
@@ -66,7 +71,7 @@ TEST(SkyFits, InterpolateSmoothVariation) {
   ASSERT_TRUE(interpolated(leaves, ramp));
   for (const SkyLeaf& lit : leaves.lits) {
     ASSERT_TRUE(lit.told.has_value());
-    EXPECT_NEAR(lit.told->x, ramp(lit.at), 1e-6);
+    EXPECT_NEAR(lit.told->x, ramp(lit.leaf->at), 1e-6);
   }
 }
 

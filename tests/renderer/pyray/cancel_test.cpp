@@ -24,8 +24,8 @@ class ImpatientCaster final : public BruteForceCaster {
   [[nodiscard]] std::uint32_t surface(SampleId id) const override {
     return known(id) ? BruteForceCaster::surface(id) : Hit::none;
   }
-  [[nodiscard]] LeafDecision decide(SampleId id, double, const LeafRegion&, bool) override {
-    (void)known(id);
+  [[nodiscard]] LeafDecision decide(const PyrayLeaf& leaf, bool) override {
+    (void)known(leaf.sample);
     return {};
   }
   void take(std::span<const PyrayLeaf> leaves) override {

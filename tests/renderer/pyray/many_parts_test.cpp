@@ -22,9 +22,8 @@ class PricedCaster final : public BruteForceCaster {
         largest_sampled_(largest_sampled),
         largest_even_(largest_even) {}
 
-  [[nodiscard]] LeafDecision decide(SampleId, double weight, const LeafRegion&,
-                                    bool may_split) override {
-    if (!may_split || weight <= largest_even_) return {};
+  [[nodiscard]] LeafDecision decide(const PyrayLeaf& leaf, bool may_split) override {
+    if (!may_split || leaf.weight <= largest_even_) return {};
     return {Estimator::split, LeafVariation::shading};
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {

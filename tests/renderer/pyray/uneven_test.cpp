@@ -16,9 +16,8 @@ class PickyCaster final : public BruteForceCaster {
   PickyCaster(const World& world, const FeatureSet& features, const Frame& frame, double most)
       : BruteForceCaster(world, features, frame), most_(most) {}
 
-  [[nodiscard]] LeafDecision decide(SampleId, double weight, const LeafRegion&,
-                                    bool may_split) override {
-    if (!may_split || weight <= most_) return {};
+  [[nodiscard]] LeafDecision decide(const PyrayLeaf& leaf, bool may_split) override {
+    if (!may_split || leaf.weight <= most_) return {};
     return {Estimator::split, LeafVariation::shading};
   }
   void take(std::span<const PyrayLeaf> leaves) override {

@@ -65,7 +65,7 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
                         pixel};
     if (point.triangle == Hit::none) continue;
     if (!(unshadowed_irradiance(fixture.light(), receiver_at(point)).x > 0.0f)) continue;
-    const LeafContext leaf = leaf_of({square, {}}, pixel, 3);
+    const Leaf leaf = leaf_of({square, {}}, pixel, 3);
     const Visibility seen = light_visibility(
         context, {fixture.light(), 0, point, glm::vec3(1.0f), glm::vec3(1.0f), 0}, leaf, counts);
     shares.push_back(seen.x);
