@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace asos {
@@ -37,6 +38,8 @@ constexpr double samples_of_planes = 256.0;
 
 // Expected error of a part that boundaries cross although one sample represents it.
 constexpr double error_of_marginal = 0.25;
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // A block's first stage samples regions until their error is within this many times the allowance.
 constexpr double first_stage_error = 4.0;
@@ -83,7 +86,7 @@ void LeafShader::shade_one(const PyrayLeaf& part) {
   const bool mirrored = eye_->mirrored();
   if (!mirrored && part.decision.sampled() && add_samples(part)) return;
   Leaf& leaf = chooser_->leaf(part);
-  if (mirrored) sum.misplaced |= chooser_->may_misplace_light(leaf);
+  if (mirrored && chooser_->may_misplace_light(leaf)) sum.centre_error = unbounded;
   if (mirrored && leaf.decision.sampled() && add_samples(leaf)) return;
 
   // Divide textured surfaces into TR x TR samples per pixel. Everything else is one leaf.
@@ -111,9 +114,10 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   sum.centre_error += leaf.weight * static_cast<double>(std::min(leaf.decision.error, 1.0f));
   glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
   radiance += transport.at_once();
-  sum.shadow_cut |= transport.met_shadow_edge();
-  sum.mirror_cut |= transport.met_mirror_edge();
-  sum.misplaced |= transport.misplaces_light();
+  const Estimate centre = transport.centre(radiance);
+  if (eye_->mirrored() && centre.error == unbounded) sum.centre_error = unbounded;
+  sum.shadow_cut |= transport.shadow_cut();
+  sum.mirror_cut |= transport.mirror_cut();
   if (!finite(radiance)) {
     if (adds_planes_) layers_->add(leaf);
     ++eye_->counts->rejected_samples;
@@ -130,14 +134,8 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
                   light ? std::min(light->t, leaf.hit.t) : leaf.hit.t);
     return radiance;
   }
-  std::uint32_t fewest = 0;
-  if (light_misplaced(leaf, transport)) {
-    const auto samples = static_cast<std::uint32_t>(samples_of_light * leaf.weight);
-    fewest = std::bit_ceil(std::max(1u, samples));
-  }
-  if (highlight_unsure(leaf, transport)) fewest = enough_for(leaf, transport.unsure_highlights());
-  if (blurs_edge(leaf, transport)) fewest = std::max(fewest, 1u);
-  if (fewest > 0 && add_samples(leaf, fewest)) {
+  if (!suffices(leaf, centre) &&
+      add_samples(leaf, enough_for(leaf, transport.unsure_highlights()))) {
     drop(share, sky_share);
     return radiance;
   }
@@ -164,36 +162,27 @@ std::span<const WeightedShape> LeafShader::colour_parts(const Leaf& leaf) {
   return parts_;
 }
 
-// Returns whether the highlights of partially occluded lights may exceed the leaf's tolerance.
-// Their error is at most unsure_highlights(), since the whole highlight may be occluded.
-bool LeafShader::highlight_unsure(const Leaf& leaf, const LeafTransport& transport) const {
-  const ErrorBudget& error_budget = eye_->error_budget;
-  return !eye_->mirrored() && error_budget.refines_leaves() && !leaf.region.marginal &&
-         !leaf.decision.sampled() && transport.unsure_highlights() > error_budget.tolerance;
+// Returns whether the error of a leaf's centre is within the allowance, or samples would not reduce
+// it.
+bool LeafShader::suffices(const Leaf& leaf, const Estimate& centre) const {
+  const bool refines = eye_->error_budget.refines_leaves();
+  if (eye_->mirrored() || leaf.region.marginal || leaf.decision.sampled() ||
+      !(refines || leaf.defocused))
+    return true;
+  return centre.within(refines ? static_cast<double>(eye_->error_budget.tolerance) : unbounded);
 }
 
-// Returns whether an edge crosses a defocused leaf. The lens kernel weights the parts of such a
-// leaf unequally.
-bool LeafShader::blurs_edge(const Leaf& leaf, const LeafTransport& transport) const {
-  return leaf.defocused && !leaf.decision.sampled() &&
-         (transport.met_shadow_edge() || transport.met_mirror_edge());
-}
-
-// Returns the fewest samples of a leaf whose highlight is unsure: half of the number that it is
-// expected to need. With fewer, all may miss the visible part of the light, so that their variance
-// is wrongly zero.
+// Returns the fewest samples of a leaf whose centre does not suffice. For an unsure highlight, it
+// is half of the number that is expected to be needed. With fewer, all may miss the visible part of
+// the light, so that their variance is wrongly zero.
 std::uint32_t LeafShader::enough_for(const Leaf& leaf, float highlights) const {
   constexpr double most = 256.0;
-  const double likely = eye_->error_budget.samples(
+  const ErrorBudget& error_budget = eye_->error_budget;
+  if (!(highlights > error_budget.tolerance))
+    return std::bit_ceil(std::max(1u, static_cast<std::uint32_t>(samples_of_light * leaf.weight)));
+  const double likely = error_budget.samples(
       leaf.weight, ErrorBudget::usual_contrast + static_cast<double>(highlights));
   return std::bit_floor(static_cast<std::uint32_t>(std::clamp(0.5 * likely, 1.0, most)));
-}
-
-// Returns whether the reflection has to be sampled, because the pyray would show a bright light at
-// a wrong place.
-bool LeafShader::light_misplaced(const Leaf& leaf, const LeafTransport& transport) const {
-  return !eye_->mirrored() && eye_->error_budget.refines_leaves() && !leaf.region.marginal &&
-         !leaf.decision.sampled() && transport.misplaces_light();
 }
 
 // Divides a leaf of a textured surface without boundaries into TR x TR samples per pixel, each with
@@ -287,7 +276,7 @@ bool LeafShader::add_samples(const PyrayLeaf& leaf, std::uint32_t fewest) {
 }
 
 // Adds the mean of a part to its root, with the weight of the part in the mask.
-bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found) {
+bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Mean& found) {
   if (found.cost == 0.0) return false;
   const bool blurred = eye_->mask && eye_->mask->blur;
   if (blurred)
@@ -345,7 +334,7 @@ void LeafShader::start_regions() {
   const auto rays = static_cast<double>(eye_->counts->rays() - before);
   const std::vector<PyrayLeaf> leaves = std::exchange(deferred_, {});
   double samples = 0.0;
-  for (const RegionSampler::Estimate& one : found) samples += one.cost;
+  for (const RegionSampler::Mean& one : found) samples += one.cost;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     PyrayLeaf leaf = leaves[i];
     if (samples > 0.0)

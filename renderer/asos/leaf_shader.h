@@ -62,12 +62,10 @@ class LeafShader {
   void add(std::span<const Contribution> contributions, bool whole_leaves, const auto& light_of);
   [[nodiscard]] bool add_texture_samples(const Leaf& leaf);
   glm::vec3 add_leaf(const Leaf& leaf);
-  bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Estimate& found);
+  bool add_estimate(const PyrayLeaf& leaf, const RegionSampler::Mean& found);
   void note_result(std::uint32_t root, SampleId sample, glm::vec3 radiance);
-  [[nodiscard]] bool highlight_unsure(const Leaf& leaf, const LeafTransport& transport) const;
+  [[nodiscard]] bool suffices(const Leaf& leaf, const Estimate& centre) const;
   [[nodiscard]] std::uint32_t enough_for(const Leaf& leaf, float highlights) const;
-  [[nodiscard]] bool blurs_edge(const Leaf& leaf, const LeafTransport& transport) const;
-  [[nodiscard]] bool light_misplaced(const Leaf& leaf, const LeafTransport& transport) const;
   [[nodiscard]] std::span<const WeightedShape> colour_parts(const Leaf& leaf);
 
   const EyeContext* eye_;

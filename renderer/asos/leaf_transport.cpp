@@ -7,6 +7,7 @@
 #include "renderer/shadows/shadow.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace asos {
 
@@ -26,12 +27,12 @@ void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStat
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   if (all == glm::vec3(0.0f)) return;
   const CountForLight count(counts, lit.index);
-  const Visibility visibility = light_visibility(*shadows_, lit, *leaf_, counts);
-  const glm::vec3 seen(visibility);
-  if (visibility != Visibility(0.0)) radiance += seen * all;
+  const Estimate visibility = light_visibility(*shadows_, lit, *leaf_, counts);
+  const glm::vec3 seen(visibility.value);
+  if (visibility.value != Visibility(0.0)) radiance += seen * all;
   unsure_highlights_ += unsure_share(lit, seen) * lit.highlight;
   const bool in_part = radiance != without && radiance != without + all;
-  met_shadow_edge_ |= in_part && count.rays() > 1 && !lit.light.extended();
+  shadow_cut_ |= in_part && visibility.cost > 1.0 && !lit.light.extended();
 }
 
 // Returns the bound on a highlight's visibility error when it is approximated by the light's
@@ -66,14 +67,21 @@ bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
     lobes_ = glm::max(lobes_, reflection.reflected);
     return true;
   }
-  const ReflectionResult mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
-  if (!mirrored.followed) return false;
-  radiance += mirrored.radiance;
-  note(reflection.ratio > 0.0f ? LightPart::transmission : LightPart::reflection,
-       mirrored.radiance);
-  met_mirror_edge_ |= mirrored.split;
-  misplaces_light_ |= mirrored.misplaces;
+  const auto mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);
+  if (!mirrored) return false;
+  const glm::vec3 reflected(mirrored->value);
+  radiance += reflected;
+  note(reflection.ratio > 0.0f ? LightPart::transmission : LightPart::reflection, reflected);
+  reflection_error_ += mirrored->error;
+  mirror_cut_ |= mirrored->cut;
   return true;
+}
+
+Estimate LeafTransport::centre(glm::vec3 radiance) const {
+  const bool blurs_edge = leaf_->defocused && (shadow_cut_ || mirror_cut_);
+  const double error = blurs_edge ? std::numeric_limits<double>::infinity()
+                                  : static_cast<double>(unsure_highlights_) + reflection_error_;
+  return {glm::dvec3(radiance), error, 1.0};
 }
 
 LightSum LeafTransport::light(glm::vec3 radiance) const {

@@ -34,13 +34,16 @@ class LeafTransport final : public LightTransport {
   [[nodiscard]] LightSum light(glm::vec3 radiance) const;
   /// Returns the sampled lights' radiance in a reflected leaf.
   [[nodiscard]] glm::vec3 at_once() const { return at_once_; }
-  /// Returns whether a point light took more than one ray and was partially occluded.
-  [[nodiscard]] bool met_shadow_edge() const { return met_shadow_edge_; }
+  /// Returns whether the edge of a hard shadow cuts the leaf. Such a light took more than one ray
+  /// and was partially occluded.
+  [[nodiscard]] bool shadow_cut() const { return shadow_cut_; }
   /// Returns whether a boundary divided the leaf's reflection.
-  [[nodiscard]] bool met_mirror_edge() const { return met_mirror_edge_; }
-  /// Returns whether curved mirrors that reflect each other may show a bright light at a wrong
-  /// place.
-  [[nodiscard]] bool misplaces_light() const { return misplaces_light_; }
+  [[nodiscard]] bool mirror_cut() const { return mirror_cut_; }
+
+  /// Returns the estimate of the leaf by its centre, with this radiance. Its error is that of its
+  /// lights and reflections. It is infinite if a bright light may be misplaced, or if an edge cuts
+  /// a defocused leaf, whose parts the lens kernel weights unequally.
+  [[nodiscard]] Estimate centre(glm::vec3 radiance) const;
 
   /// Returns the largest reflectance of the lobes whose reflection has to be sampled; 0 if there
   /// are none.
@@ -65,9 +68,9 @@ class LeafTransport final : public LightTransport {
   glm::vec3 lobes_{0.0f};
   LightSum light_;  // parts other than direct light
   float unsure_highlights_ = 0.0f;
-  bool met_shadow_edge_ = false;
-  bool met_mirror_edge_ = false;
-  bool misplaces_light_ = false;
+  double reflection_error_ = 0.0;
+  bool shadow_cut_ = false;
+  bool mirror_cut_ = false;
 };
 
 }  // namespace asos

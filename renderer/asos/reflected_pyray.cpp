@@ -196,8 +196,9 @@ bool trace_mirrored(EyeContext& eye, const ReflectedHit& sight, const Leaf& leaf
   return trace.outcome.deepest > 0;
 }
 
-ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection, const Leaf& leaf,
-                             float width, RenderStatistics& counts) {
+std::optional<ReflectionEstimate> trace_width(const EyeContext& eye, const Reflection& reflection,
+                                              const Leaf& leaf, float width,
+                                              RenderStatistics& counts) {
   // Reflect the leaf's pyray.
   Bounds2 part = incident_part(eye, reflection, leaf.region);
   auto sight = reflected_hit(eye, reflection, part, is_whole(leaf.region), width, counts);
@@ -206,7 +207,7 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
     part = part_about_sample(leaf.region, leaf.at);
     sight = reflected_hit(eye, reflection, part, false, width, counts);
   }
-  if (!sight) return {{}, false, false, false};
+  if (!sight) return std::nullopt;
   const View view(sight->pyray.picture);
   const Frame frame = view.frame(0, 0, 1, 1);
   const ReflectionMask mask = mask_of(*sight, leaf.region, part, view.start());
@@ -255,29 +256,36 @@ ReflectionResult trace_width(const EyeContext& eye, const Reflection& reflection
   // Count the pyray's eye rays as reflection rays of the picture.
   own.reflection_rays += std::exchange(own.eye_rays, 0);
   counts += own;
-  const bool misplaces = !sight->exact && caster.sum(0).misplaced;
-  return {caster.colour(0), split || caster.sum(0).mirror_cut, misplaces};
+  const RootSum& sum = caster.sum(0);
+  const bool misplaces = !sight->exact && !std::isfinite(sum.centre_error);
+  const double error = misplaces ? sum.centre_error : 0.0;
+  return ReflectionEstimate{{glm::dvec3(caster.colour(0)), error, static_cast<double>(own.rays())},
+                            split || sum.mirror_cut};
 }
 
 }  // namespace
 
-ReflectionResult trace_reflection(const EyeContext& eye, const Reflection& reflection,
-                                  const Leaf& leaf, RenderStatistics& counts) {
-  ReflectionResult all;
+std::optional<ReflectionEstimate> trace_reflection(const EyeContext& eye,
+                                                   const Reflection& reflection, const Leaf& leaf,
+                                                   RenderStatistics& counts) {
   if (reflection.one_width()) {
-    all = trace_width(eye, reflection, leaf, reflection.width.x, counts);
-  } else {
-    for (int c = 0; c < 3; ++c) {
-      if (!(reflection.reflected[c] > 0.0f)) continue;
-      const ReflectionResult one = trace_width(eye, reflection, leaf, reflection.width[c], counts);
-      all.radiance[c] = one.radiance[c];
-      all.split |= one.split;
-      all.misplaces |= one.misplaces;
-      all.followed &= one.followed;
-    }
+    auto found = trace_width(eye, reflection, leaf, reflection.width.x, counts);
+    if (found) found->value = glm::dvec3(glm::vec3(found->value) * reflection.reflected);
+    return found;
   }
-  all.radiance *= reflection.reflected;
-  return all;
+  ReflectionEstimate all{Estimate::exact(glm::dvec3(0.0))};
+  bool followed = true;
+  for (int c = 0; c < 3; ++c) {
+    if (!(reflection.reflected[c] > 0.0f)) continue;
+    const auto one = trace_width(eye, reflection, leaf, reflection.width[c], counts);
+    followed &= one.has_value();
+    if (!one) continue;
+    all.value[c] = static_cast<double>(static_cast<float>(one->value[c]) * reflection.reflected[c]);
+    all.error += one->error;
+    all.cost += one->cost;
+    all.cut |= one->cut;
+  }
+  return followed ? std::optional(all) : std::nullopt;
 }
 
 }  // namespace asos

@@ -6,19 +6,22 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 namespace asos {
 
-/// The radiance that a leaf reflects to the viewer.
-struct ReflectionResult {
-  glm::vec3 radiance{0.0f};
-  bool split = false;      ///< a boundary divided the reflection
-  bool misplaces = false;  ///< curved mirrors that reflect each other may misplace a bright light
-  bool followed = true;    ///< false: the reflected pyray has no extent or is not finite
+/// The radiance that a leaf reflects to the viewer. Its error is infinite where curved mirrors that
+/// reflect each other may misplace a bright light, else within the reflection's allowance: 0.
+struct ReflectionEstimate : Estimate {
+  bool cut = false;  ///< a boundary divided the reflection
 };
 
 /// Follows a leaf's reflection with the same engine in the reflected frame. Colours with different
-/// blur widths are followed separately (CGF'98 section 5).
-[[nodiscard]] ReflectionResult trace_reflection(const EyeContext& eye, const Reflection& reflection,
-                                                const Leaf& leaf, RenderStatistics& counts);
+/// blur widths are followed separately (CGF'98 section 5). Returns nothing if a reflected pyray has
+/// no extent or is not finite.
+[[nodiscard]] std::optional<ReflectionEstimate> trace_reflection(const EyeContext& eye,
+                                                                 const Reflection& reflection,
+                                                                 const Leaf& leaf,
+                                                                 RenderStatistics& counts);
 
 }  // namespace asos

@@ -23,7 +23,7 @@ glm::vec3 BlurredSum::mean(const BlurByDepth& blur) const {
   return sum.mean();
 }
 
-void RootSum::add_samples(const RegionSampler::Estimate& found, const PyrayLeaf& leaf,
+void RootSum::add_samples(const RegionSampler::Mean& found, const PyrayLeaf& leaf,
                           double leaf_weight) {
   // Standard deviation of one sample from which a difference is visible.
   constexpr double visible = 0.25 * ErrorBudget::usual_contrast;

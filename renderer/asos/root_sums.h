@@ -19,7 +19,7 @@ namespace asos {
 struct OpenRegions {
   struct Part {
     PyrayLeaf leaf;  ///< without its border
-    RegionSampler::Estimate so_far;
+    RegionSampler::Mean so_far;
   };
   std::vector<Part> parts;
   RegionSampler::Open samples;  ///< in the order of `parts`
@@ -54,23 +54,23 @@ class BlurredSum {
 struct RootSum {
   glm::dvec3 radiance{0.0};
   double weight = 0.0;
-  bool shadow_cut = false;  ///< the edge of a hard shadow cut one of its leaves
-  bool cut_out = false;     ///< samples found cut-outs, or several transparent layers
-  bool mirror_cut = false;  ///< a boundary split the reflection of a leaf
-  /// Curved mirrors that reflect each other may show a bright light at a wrong place.
-  bool misplaced = false;
+  bool shadow_cut = false;    ///< the edge of a hard shadow cut one of its leaves
+  bool cut_out = false;       ///< samples found cut-outs, or several transparent layers
+  bool mirror_cut = false;    ///< a boundary split the reflection of a leaf
   bool defocused = false;     ///< the root was sampled over the camera's lens
   std::uint32_t samples = 0;  ///< of parts that were sampled as a whole
   /// Samples of parts whose samples differ visibly and need more than one round.
   std::uint32_t varied = 0;
   float error = 0.0f;          ///< error bound of the root's centre, from the bounds of its leaves
   double squared_error = 0.0;  ///< of sampled parts: the sum of their squared standard errors
-  double centre_error = 0.0;   ///< of leaves by their centres: the sum of their bounds, by area
-  std::uint64_t rays = 0;      ///< of all kinds for the root's leaves, except for eye rays
+  /// Of leaves by their centres: the sum of their bounds, by area. Infinite in a mirror that may
+  /// show a bright light at a wrong place.
+  double centre_error = 0.0;
+  std::uint64_t rays = 0;  ///< of all kinds for the root's leaves, except for eye rays
 
   /// Adds the estimate of a leaf by samples, with this weight.
-  void add_samples(const RegionSampler::Estimate& found, const PyrayLeaf& leaf, double leaf_weight);
-  void add_samples(const RegionSampler::Estimate& found, const PyrayLeaf& leaf) {
+  void add_samples(const RegionSampler::Mean& found, const PyrayLeaf& leaf, double leaf_weight);
+  void add_samples(const RegionSampler::Mean& found, const PyrayLeaf& leaf) {
     add_samples(found, leaf, leaf.weight);
   }
   void add(glm::dvec3 leaf, double leaf_weight) {

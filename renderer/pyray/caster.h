@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/pyray/estimate.h"
 #include "renderer/pyray/occluder_plane.h"
 #include "renderer/pyray/square.h"
 
@@ -16,13 +17,6 @@ inline constexpr SampleId no_sample = 0xffffffffu;
 
 /// The property that varies over a leaf, so that its centre differs from its mean.
 enum class LeafVariation : std::uint8_t { none, shading, shadow, layers };
-
-/// How a leaf is determined (design section 14).
-enum class Estimator : std::uint8_t {
-  centre,   ///< one sample represents it
-  samples,  ///< the mean of samples distributed over it
-  split,    ///< its four quarters
-};
 
 /// A caster's choice for a leaf. The engine passes it on with the leaf; `record` identifies the
 /// data that the caster collected for it.

@@ -83,16 +83,15 @@ std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal,
   return waiting_.size() - 1;
 }
 
-std::span<const RegionSampler::Estimate> RegionSampler::run(RenderStatistics& counts,
-                                                            const BlurKernel* kernel) {
+std::span<const RegionSampler::Mean> RegionSampler::run(RenderStatistics& counts,
+                                                        const BlurKernel* kernel) {
   make_room();
   sample_stage(1.0, counts, kernel);
   forget();
   return found_;
 }
 
-std::span<const RegionSampler::Estimate> RegionSampler::start(RenderStatistics& counts,
-                                                              double times) {
+std::span<const RegionSampler::Mean> RegionSampler::start(RenderStatistics& counts, double times) {
   make_room();
   sample_stage(times, counts, nullptr);
   add_samples_for_layers(counts);
@@ -124,8 +123,7 @@ RegionSampler::Open RegionSampler::take_open() {
   return open;
 }
 
-std::span<const RegionSampler::Estimate> RegionSampler::resume(Open&& open,
-                                                               RenderStatistics& counts) {
+std::span<const RegionSampler::Mean> RegionSampler::resume(Open&& open, RenderStatistics& counts) {
   waiting_ = std::move(open.waiting_);
   finished_ = std::move(open.finished_);
   borders_ = std::move(open.borders_);
@@ -137,7 +135,7 @@ std::span<const RegionSampler::Estimate> RegionSampler::resume(Open&& open,
     const Waiting& waiting = waiting_[i];
     for (std::uint32_t k = 0; k < waiting.taken / waiting.per_sum; ++k)
       sums_.continue_from(waiting.first_sum + k, open.sums_[next++]);
-    found_[i] = estimate(waiting);
+    found_[i] = mean_of(waiting);
     found_[i].error = standard_error(waiting, found_[i].value);
   }
   sample_stage(1.0, counts, nullptr);
@@ -205,7 +203,7 @@ void RegionSampler::sample_stage(double times, RenderStatistics& counts, const B
     sums_.trace();
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
       if (waiting_[i].rests) continue;
-      found_[i] = estimate(waiting_[i]);
+      found_[i] = mean_of(waiting_[i]);
       found_[i].error = standard_error(waiting_[i], found_[i].value);
     }
     // Decide for all regions before any of them ends, since they use their neighbours' errors.
@@ -323,11 +321,11 @@ void RegionSampler::sample_inside() {
   if (!any) return;
   sums_.trace();
   for (std::size_t i = 0; i < waiting_.size(); ++i)
-    if (alone(i)) found_[i] = estimate(waiting_[i]);
+    if (alone(i)) found_[i] = mean_of(waiting_[i]);
 }
 
-RegionSampler::Estimate RegionSampler::estimate(const Waiting& waiting) const {
-  Estimate all;
+RegionSampler::Mean RegionSampler::mean_of(const Waiting& waiting) const {
+  Mean all;
   for (std::uint32_t k = 0; k < waiting.taken / waiting.per_sum; ++k) {
     const SampleSums::Sum sum = sums_.sum(waiting.first_sum + k);
     all.value += sum.radiance;

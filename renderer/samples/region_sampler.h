@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/pyray/error_budget.h"
+#include "renderer/pyray/estimate.h"
 #include "renderer/pyray/square.h"
 #include "renderer/reflections/reflection_mask.h"
 #include "renderer/samples/sample_sums.h"
@@ -11,21 +12,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
 
 namespace asos {
-
-/// A value, with its error and cost (design section 14).
-struct Estimate {
-  glm::dvec3 value{0.0};
-  /// A proven bound on the value's error, or its standard error, in display intensity (1 is white).
-  double error = std::numeric_limits<double>::infinity();
-  double cost = 0.0;  ///< in samples
-};
 
 /// Estimates parts of pixels by samples that are well distributed over the part and each light, in
 /// packets. Used where so many boundaries or lights affect a part that an exact result would cost
@@ -46,9 +38,9 @@ class RegionSampler {
   struct Goal : SamplingGoal {
     double share = 0.0;  ///< weight in its pixel; 0: too little to make it white
   };
-  /// Mean in linear radiance. `error` is its standard error. `cost` is the number of samples that
-  /// count; 0: there is no mean.
-  struct Estimate : asos::Estimate {
+  /// Mean of a region in linear radiance. `error` is its standard error. `cost` is the number of
+  /// samples that count; 0: there is no mean.
+  struct Mean : Estimate {
     double masked_share = 0.0;  ///< fraction of the samples in the region that the mask excludes
     bool one_round = false;     ///< the first round was enough
   };
@@ -68,12 +60,12 @@ class RegionSampler {
   /// of all regions in a round share packets. Samples depend only on the region and on the pixel in
   /// which its square starts; squares within a pixel use different samples of one sequence. With a
   /// `kernel`, samples are distributed by it.
-  std::span<const Estimate> run(RenderStatistics& counts, const BlurKernel* kernel = nullptr);
+  std::span<const Mean> run(RenderStatistics& counts, const BlurKernel* kernel = nullptr);
   /// Runs the first of two stages: samples all waiting regions until their errors are within
   /// `times` their goals' errors. Then `take_open` returns the regions that have not met their
   /// goals, and `resume` continues with them. The bits are the same for any sampler with the same
   /// arguments.
-  std::span<const Estimate> start(RenderStatistics& counts, double times);
+  std::span<const Mean> start(RenderStatistics& counts, double times);
   /// Returns a waiting region. Its border is valid until the next `add`, `take_open` or `run`.
   [[nodiscard]] LeafRegion region(std::size_t number) const { return region(waiting_[number]); }
   /// Returns whether `start` left region `number` open.
@@ -84,10 +76,10 @@ class RegionSampler {
   class Open;
   [[nodiscard]] Open take_open();
   /// Runs the second stage. Returns the estimates of the open regions, in order.
-  std::span<const Estimate> resume(Open&& open, RenderStatistics& counts);
+  std::span<const Mean> resume(Open&& open, RenderStatistics& counts);
   /// Samples one region.
-  [[nodiscard]] Estimate sample(const LeafRegion& region, const Goal& goal,
-                                RenderStatistics& counts, const BlurKernel* kernel = nullptr) {
+  [[nodiscard]] Mean sample(const LeafRegion& region, const Goal& goal, RenderStatistics& counts,
+                            const BlurKernel* kernel = nullptr) {
     add(region, goal);
     return run(counts, kernel).front();
   }
@@ -128,7 +120,7 @@ class RegionSampler {
   [[nodiscard]] bool suffices(std::size_t number, double times) const;
   [[nodiscard]] bool near(const Square& a, const Square& b) const;
   [[nodiscard]] double expected_error(std::size_t number) const;
-  [[nodiscard]] Estimate estimate(const Waiting& waiting) const;
+  [[nodiscard]] Mean mean_of(const Waiting& waiting) const;
   [[nodiscard]] double standard_error(const Waiting& waiting, glm::dvec3 mean) const;
 
   PixelRect block_;
@@ -146,7 +138,7 @@ class RegionSampler {
   std::vector<Waiting> waiting_;
   std::vector<Finished> finished_;  // in the first stage, if this is the second
   std::vector<BorderEdge> borders_;
-  std::vector<Estimate> found_;
+  std::vector<Mean> found_;
   std::vector<bool> suffices_;
 };
 

@@ -1,5 +1,6 @@
 #include "renderer/shadows/area_shadow.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/pyray/leaf_costs.h"
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shadows/sampled_shadow.h"
@@ -7,21 +8,18 @@
 #include "renderer/shadows/shadow_context.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace asos {
 namespace {
 
-// Returns whether a lobe is so broad that it matters visibly which part of the light is visible,
-// and not only its fraction `seen`. The highlight of a broad lobe, such as that of rough metal,
-// extends over the whole light.
-bool lobe_tells_apart(const ShadowContext& block, const Illumination& lit, const Visibility& seen) {
-  const ErrorBudget& error_budget = block.rules.error_budget;
-  if (!error_budget.refines_leaves() || !is_broad(lit)) return false;
-  const Visibility both = seen * (1.0 - seen);
-  const auto share = static_cast<float>(std::max({both.x, both.y, both.z}));
-  const float tolerance = error_budget.tolerance;
-  return share * lit.highlight > tolerance && share * spread_over(lit) > tolerance;
+// Returns the error of a highlight that is scaled by the light's visibility, if the lobe is so
+// broad that it matters which part of the light is visible. The highlight of such a lobe, as of
+// rough metal, extends over the whole light.
+double lobe_error(const ShadowContext& block, const Illumination& lit, const Visibility& seen) {
+  if (!block.rules.error_budget.refines_leaves() || !is_broad(lit)) return 0.0;
+  const auto share = static_cast<float>(largest(seen * (1.0 - seen)));
+  return static_cast<double>(share * std::min(lit.highlight, spread_over(lit)));
 }
 
 // If neither a light nor its quarters can be cut along their boundaries, the light is sampled. More
@@ -30,42 +28,15 @@ constexpr int window_levels = 1;
 // A light whose square contains more groups of boundaries is not resolved.
 constexpr std::size_t most_entries = 400;
 
-// Uses rays where they cost less, or represent the patch better, than a pyray from its centre.
-Visibility refined_shadow(const ShadowContext& block, const ShadowQuery& query,
-                          const Receiver& middle, RenderStatistics& counts) {
-  const PreparedLight& light = query.lit.light;
-  // Rays from the whole leaf are better than a pyray from its centre if it was not split for its
-  // penumbra.
-  const LightView view = query.leaf.views.of(query.lit.index);
-  const bool by_rays = block.rules.error_budget.samples_suffice(
-                           query.leaf.weight, query.intensity(), LeafCosts::light_pyramid) ||
-                       light.entered || view.too_detailed ||
-                       view.penumbra > static_cast<double>(block.rules.error_budget.tolerance);
-  if (by_rays) return sampled_shadow(block, query, counts);
-  const Visibility seen = point_area_shadow(block, query, middle, counts);
-  return lobe_tells_apart(block, query.lit, seen) ? sampled_shadow(block, query, counts) : seen;
-}
-
-}  // namespace
-
-Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                       RenderStatistics& counts) {
-  const Receiver middle = receiver_above(query.lit.point, query.lit.light);
-  const AreaShadows* published = block.rules.area_shadows;
-  if (query.lit.layer > 0) {
-    // There is no data on how evenly a surface behind another one is lit.
-    return !published && has_patch(block, query.lit)
-               ? sampled_shadow(block, query, counts)
-               : point_area_shadow(block, query, middle, counts);
-  }
-  return published ? published->of_patch(block, query, counts)
-                   : refined_shadow(block, query, middle, counts);
-}
-
-Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                             const Receiver& receiver, RenderStatistics& counts) {
+// Returns the visibility from one point by a pyray through the light's square, between the surface
+// and the light. The error is infinite where that does not resolve the occluders.
+Estimate window_shadow(const ShadowContext& block, const ShadowQuery& query,
+                       const Receiver& receiver, RenderStatistics& counts) {
+  const auto seen = [&](const Visibility& visibility) -> Estimate {
+    return {visibility, lobe_error(block, query.lit, visibility)};
+  };
   const auto window = LightPyramid::of(query.lit.light, receiver);
-  if (!window) return ray_visibility(block, query, counts);
+  if (!window) return seen(ray_visibility(block, query, counts).value);
 
   // Make the pyray: through the light's square, between the surface and the light.
   SubdivisionRules rules = shadow_rules(block.rules, query);
@@ -87,8 +58,52 @@ Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& quer
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);
   const bool too_detailed = trace.timed_out || caster.gives_up() ||
                             trace.outcome.unresolved_area > rules.error_budget.eps;
-  return too_detailed ? sampled_shadow(block, query, counts)
-                      : caster.visibility().value_or(Visibility(0.0));
+  return too_detailed ? Estimate{} : seen(caster.visibility().value_or(Visibility(0.0)));
+}
+
+// Returns the visibility from one point, or of the patch by rays where the former's error exceeds
+// the allowance.
+Estimate resolved_shadow(const ShadowContext& block, const ShadowQuery& query,
+                         const Receiver& receiver, double allowed, RenderStatistics& counts) {
+  const Estimate seen = window_shadow(block, query, receiver, counts);
+  return seen.within(allowed) ? seen : sampled_shadow(block, query, counts);
+}
+
+// Uses rays where they cost less, or represent the patch better, than a pyray from its centre.
+Estimate refined_shadow(const ShadowContext& block, const ShadowQuery& query,
+                        const Receiver& middle, RenderStatistics& counts) {
+  const ErrorBudget& error_budget = block.rules.error_budget;
+  const auto tolerance = static_cast<double>(error_budget.tolerance);
+  // Rays from the whole leaf are better than a pyray from its centre if it was not split for its
+  // penumbra.
+  const LightView view = query.leaf.views.of(query.lit.index);
+  const bool by_rays = error_budget.samples_suffice(query.leaf.weight, query.intensity(),
+                                                    LeafCosts::light_pyramid) ||
+                       query.lit.light.entered || view.too_detailed || view.penumbra > tolerance;
+  return by_rays ? sampled_shadow(block, query, counts)
+                 : resolved_shadow(block, query, middle, tolerance, counts);
+}
+
+}  // namespace
+
+Estimate area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                     RenderStatistics& counts) {
+  const Receiver middle = receiver_above(query.lit.point, query.lit.light);
+  const AreaShadows* published = block.rules.area_shadows;
+  if (query.lit.layer > 0) {
+    // There is no data on how evenly a surface behind another one is lit.
+    return !published && has_patch(block, query.lit)
+               ? sampled_shadow(block, query, counts)
+               : Estimate::exact(point_area_shadow(block, query, middle, counts));
+  }
+  return published ? Estimate::exact(published->of_patch(block, query, counts))
+                   : refined_shadow(block, query, middle, counts);
+}
+
+Visibility point_area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                             const Receiver& receiver, RenderStatistics& counts) {
+  return resolved_shadow(block, query, receiver, std::numeric_limits<double>::infinity(), counts)
+      .value;
 }
 
 }  // namespace asos

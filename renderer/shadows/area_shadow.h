@@ -14,8 +14,8 @@ class AreaShadows {
 
 /// Returns the mean visibility of an extended light over the leaf's patch, by the method in the
 /// rules.
-[[nodiscard]] Visibility area_shadow(const ShadowContext& block, const ShadowQuery& query,
-                                     RenderStatistics& counts);
+[[nodiscard]] Estimate area_shadow(const ShadowContext& block, const ShadowQuery& query,
+                                   RenderStatistics& counts);
 
 /// Returns the visibility of an extended light from one point, by a pyray from the point through a
 /// rectangle around the light (CGF'98 section 4.2).

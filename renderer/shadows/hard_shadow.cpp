@@ -20,8 +20,8 @@ bool bent(const ShadowPatch& patch, double deviation) {
 
 }  // namespace
 
-Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowPatch patch,
-                       RenderStatistics& counts) {
+Estimate hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowPatch patch,
+                     RenderStatistics& counts) {
   // Frame the patch as seen from the light.
   const Illumination& lit = query.lit;
   const bool parallel = lit.light.shape == PreparedLight::Shape::distant;
@@ -79,7 +79,7 @@ Visibility hard_shadow(const ShadowContext& block, const ShadowQuery& query, Sha
   if (refined && trace.outcome.unresolved_area > rules.error_budget.eps)
     return sampled_shadow(block, query, counts);
   const auto visibility = caster.visibility();
-  return visibility ? *visibility : ray_visibility(block, query, counts);
+  return visibility ? Estimate::exact(*visibility) : ray_visibility(block, query, counts);
 }
 
 }  // namespace asos

@@ -20,8 +20,8 @@ std::optional<Frame> strip_around(const PreparedLight& light, const Receiver& re
                         2.0 * half_v);
 }
 
-Visibility linear_shadow(const ShadowContext& block, const ShadowQuery& query,
-                         RenderStatistics& counts) {
+Estimate linear_shadow(const ShadowContext& block, const ShadowQuery& query,
+                       RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
   const Receiver receiver = receiver_above(query.lit.point, query.lit.light);
   const glm::dvec3 middle = light.position - receiver.position;
@@ -78,7 +78,7 @@ Visibility linear_shadow(const ShadowContext& block, const ShadowQuery& query,
         part * Visibility(block.scene->rays.transmittance(
                    shadow_ray(query.lit.point, {to / distance, distance, {}}), light.own_part));
   }
-  return all > 0.0 ? lit_parts / all : Visibility(0.0);
+  return Estimate::exact(all > 0.0 ? lit_parts / all : Visibility(0.0));
 }
 
 }  // namespace asos

@@ -38,8 +38,8 @@ LightConstants constants_of(const PreparedLight& light) {
 
 // Estimates the visibility by rays from the whole patch, in rounds until the mean has the accuracy
 // that the leaf's weight needs.
-Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
-                          RenderStatistics& counts) {
+Estimate sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
+                        RenderStatistics& counts) {
   const PreparedLight& light = query.lit.light;
   const ErrorBudget& error_budget = block.rules.error_budget;
   const Leaf& leaf = query.leaf;
@@ -63,6 +63,7 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   const SamplingGoal goal{error_budget.standard_error(leaf.weight, intensity), first_round, most,
                           false};
   SequentialMean found;
+  double error = 0.0;
   std::uint32_t drawn = 0;
   for (std::uint32_t wanted = goal.least;; wanted = goal.after_next_round(wanted)) {
     // Send the round's rays, with replacements for those that miss the patch or the light. Without
@@ -80,10 +81,11 @@ Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
     }
     // End once the mean is converged, or if too few points hit. Samples that agree by chance would
     // end it too early, biased towards the majority, so the error is at least that of two samples.
-    const double error = std::max(found.standard_error(), 2.0 / std::max(1u, found.count()));
+    error = std::max(found.standard_error(), 2.0 / std::max(1u, found.count()));
     if (goal.met(wanted, error) || found.count() < wanted) break;
   }
-  return found.weight() > 0.0 ? found.mean() : ray_visibility(block, query, counts);
+  return found.weight() > 0.0 ? Estimate{found.mean(), intensity * error}
+                              : ray_visibility(block, query, counts);
 }
 
 void SampledRays::trace(const RayScene& scene, std::int32_t own_part) {

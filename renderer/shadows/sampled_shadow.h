@@ -11,7 +11,7 @@ namespace asos {
 
 /// Returns the mean visibility of a light over the leaf's patch. The light has an extent, or it is
 /// a point light and the patch is curved.
-[[nodiscard]] Visibility sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
-                                        RenderStatistics& counts);
+[[nodiscard]] Estimate sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
+                                      RenderStatistics& counts);
 
 }  // namespace asos

@@ -1,5 +1,6 @@
 #include "renderer/shadows/shadow.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/shading/shadow_ray.h"
 #include "renderer/shadows/area_shadow.h"
 #include "renderer/shadows/hard_shadow.h"
@@ -24,16 +25,15 @@ Box box_of(const ShadowPatch& patch) {
 
 // Returns the visibility if it is known for the whole passage. A passage without boundaries does
 // not exclude objects that touch the light itself.
-std::optional<Visibility> told_visibility(const KnownVisibility& known,
-                                          const PreparedLight& light) {
+std::optional<Estimate> told_visibility(const KnownVisibility& known, const PreparedLight& light) {
   if (known.passage == KnownVisibility::Passage::open || !light.intersections.empty())
     return std::nullopt;
-  return Visibility(known.passage == KnownVisibility::Passage::lit ? 1.0 : 0.0);
+  return Estimate::exact(Visibility(known.passage == KnownVisibility::Passage::lit ? 1.0 : 0.0));
 }
 
 // Returns the visibility that the block knows for the passage to a light, or else that of one ray.
-Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
-                            const Leaf& leaf, RenderStatistics& counts) {
+Estimate known_visibility(const ShadowContext& block, const Illumination& lit, const Leaf& leaf,
+                          RenderStatistics& counts) {
   Box around;
   around.grow(lit.point.lit_position());
   const KnownVisibility known =
@@ -42,8 +42,8 @@ Visibility known_visibility(const ShadowContext& block, const Illumination& lit,
   return ray_visibility(block, {lit, leaf, {}}, counts);
 }
 
-Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
-                           const Leaf& leaf, RenderStatistics& counts) {
+Estimate leaf_visibility(const ShadowContext& block, const Illumination& lit, const Leaf& leaf,
+                         RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
   // A marginal or tiny leaf is worth one ray.
   const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.error_budget.max_level);
@@ -75,8 +75,8 @@ Visibility leaf_visibility(const ShadowContext& block, const Illumination& lit,
 // Returns the visibility for a leaf in an evenly lit patch. An extended light's visibility from the
 // patch's centre holds for the whole patch. For a point light that is true if the shadow has no
 // boundaries, so the patch is either fully lit or fully in shadow.
-Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
-                           const Leaf& leaf, RenderStatistics& counts) {
+Estimate even_visibility(const ShadowContext& block, const Illumination& lit, const Leaf& leaf,
+                         RenderStatistics& counts) {
   UniformShadowPatch& even = *leaf.even;
   Visibility& visibility = even.visibilities[lit.index];
   const auto holds_for_all = [&] {
@@ -93,10 +93,10 @@ Visibility even_visibility(const ShadowContext& block, const Illumination& lit,
     middle.observed = leaf.observed;
     // The lobe is that of the leaf, which is nearby.
     const Illumination of_middle{lit.light,     lit.index, middle.point, there,
-                                 lit.reflected, lit.layer, lit.lit,     lit.highlight};
-    visibility = leaf_visibility(block, of_middle, middle, counts);
+                                 lit.reflected, lit.layer, lit.lit,      lit.highlight};
+    visibility = leaf_visibility(block, of_middle, middle, counts).value;
   }
-  return holds_for_all() ? visibility : leaf_visibility(block, lit, leaf, counts);
+  return holds_for_all() ? Estimate::exact(visibility) : leaf_visibility(block, lit, leaf, counts);
 }
 
 }  // namespace
@@ -117,21 +117,24 @@ CountForLight::~CountForLight() {
   counts_.lights[light_] = now;
 }
 
-Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
-                            const Leaf& leaf, RenderStatistics& counts) {
+Estimate light_visibility(const ShadowContext& block, const Illumination& lit, const Leaf& leaf,
+                          RenderStatistics& counts) {
+  const std::uint64_t before = counts.shadow_rays;
   // One ray is enough for lights so weak that all of them together stay below EPS. Without any ray
   // they would shine through walls.
   const glm::vec3 all = lit.reflected * lit.unshadowed;
   const double weakest = block.rules.error_budget.eps / static_cast<double>(block.lights);
-  if (!(static_cast<double>(std::max({all.x, all.y, all.z})) > weakest))
-    return known_visibility(block, lit, leaf, counts);
+  const bool weak = !(static_cast<double>(largest(all)) > weakest);
   const bool even = leaf.even && lit.layer == 0;
-  return even ? even_visibility(block, lit, leaf, counts)
-              : leaf_visibility(block, lit, leaf, counts);
+  Estimate seen = weak   ? known_visibility(block, lit, leaf, counts)
+                  : even ? even_visibility(block, lit, leaf, counts)
+                         : leaf_visibility(block, lit, leaf, counts);
+  seen.cost = static_cast<double>(counts.shadow_rays - before);
+  return seen;
 }
 
-Visibility ray_visibility(const ShadowContext& block, const ShadowQuery& query,
-                          RenderStatistics& counts) {
+Estimate ray_visibility(const ShadowContext& block, const ShadowQuery& query,
+                        RenderStatistics& counts) {
   // Skip points of the light below the horizon, since they say nothing about occlusion.
   constexpr int most_points = 32;
   const Illumination& lit = query.lit;
@@ -142,10 +145,11 @@ Visibility ray_visibility(const ShadowContext& block, const ShadowQuery& query,
     const LightSample sample = sample_light(lit.light, receiver, at.x, at.y);
     if (sample.irradiance == glm::vec3(0.0f)) continue;
     ++counts.shadow_rays;
-    return Visibility(
-        block.scene->rays.transmittance(shadow_ray(lit.point, sample), lit.light.own_part));
+    const glm::vec3 passed =
+        block.scene->rays.transmittance(shadow_ray(lit.point, sample), lit.light.own_part);
+    return {Visibility(passed), query.intensity(), 1.0};
   }
-  return Visibility(1.0);
+  return Estimate::exact(Visibility(1.0));
 }
 
 }  // namespace asos

@@ -15,9 +15,6 @@ class CountForLight {
   CountForLight(const CountForLight&) = delete;
   CountForLight& operator=(const CountForLight&) = delete;
 
-  /// Shadow rays so far.
-  [[nodiscard]] std::uint64_t rays() const { return counts_.shadow_rays - rays_before_; }
-
  private:
   RenderStatistics& counts_;
   std::uint32_t light_;
@@ -26,15 +23,15 @@ class CountForLight {
   LightStatistics light_before_;
 };
 
-/// Computes the visibility of a light from a leaf's patch, 0 to 1, by pyrays between light and patch
-/// (CGF'98 section 4); this is how ASOS finds shadows. If no boundary lies between a group of
-/// coplanar points and a light, one ray decides for all of them.
-[[nodiscard]] Visibility light_visibility(const ShadowContext& block, const Illumination& lit,
-                                          const Leaf& leaf, RenderStatistics& counts);
+/// Computes the visibility of a light from a leaf's patch, 0 to 1, by pyrays between light and
+/// patch (CGF'98 section 4); this is how ASOS finds shadows. Its cost is in shadow rays. If no
+/// boundary lies between a group of coplanar points and a light, one ray decides for all of them.
+[[nodiscard]] Estimate light_visibility(const ShadowContext& block, const Illumination& lit,
+                                        const Leaf& leaf, RenderStatistics& counts);
 
 /// Returns the visibility by one ray to a random point of the light: 0 or 1, or the transmittance
 /// along the ray.
-[[nodiscard]] Visibility ray_visibility(const ShadowContext& block, const ShadowQuery& query,
-                                        RenderStatistics& counts);
+[[nodiscard]] Estimate ray_visibility(const ShadowContext& block, const ShadowQuery& query,
+                                      RenderStatistics& counts);
 
 }  // namespace asos

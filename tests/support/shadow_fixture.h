@@ -66,8 +66,8 @@ class ShadowFixture {
 
   /// Visibility for a leaf of the pyray through `eye` that shows `point`. `layer` 0: the leaf's
   /// square is on the point's plane; 1: only the point is known, because it is on no triangle.
-  [[nodiscard]] double visibility(const SurfacePoint& point, const Frame& eye,
-                                  const Leaf& leaf, int layer = 0) {
+  [[nodiscard]] double visibility(const SurfacePoint& point, const Frame& eye, const Leaf& leaf,
+                                  int layer = 0) {
     const ShadowScene scene{world_, features_, rays_};
     ShadowGroups groups(scene);
     groups.reset(1);
@@ -80,7 +80,7 @@ class ShadowFixture {
     block.work = &work_;
     return light_visibility(block, {light_, 0, point, glm::vec3(1.0f), glm::vec3(1.0f), layer},
                             leaf, counts_)
-        .x;
+        .value.x;
   }
 
  private:

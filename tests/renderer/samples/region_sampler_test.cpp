@@ -62,8 +62,8 @@ class TwoColours : public testing::Test {
     viewer_.emplace(ViewContext::camera(*view_, *shader_));
   }
 
-  [[nodiscard]] RegionSampler::Estimate sample(const LeafRegion& region,
-                                               const RegionSampler::Goal& goal) {
+  [[nodiscard]] RegionSampler::Mean sample(const LeafRegion& region,
+                                           const RegionSampler::Goal& goal) {
     RegionSampler sampler(*scene_, *viewer_, settings_, {0, 0, 8, 8}, settings_.seed);
     return sampler.sample(region, goal, counts_);
   }
@@ -95,7 +95,7 @@ TEST_F(TwoColours, StopOnceTheGoalIsMet) {
   const auto rough = sample({crossed, {}}, goal_of(0.05, 1024));
   const auto fine = sample({crossed, {}}, goal_of(0.005, 1024));
   EXPECT_LT(rough.cost, fine.cost);
-  const auto allowed = [](double goal, const RegionSampler::Estimate& found) {
+  const auto allowed = [](double goal, const RegionSampler::Mean& found) {
     return goal * std::sqrt(found.cost / 16.0);
   };
   EXPECT_LE(rough.error, allowed(0.05, rough));
@@ -354,7 +354,7 @@ TEST_F(TwoColours, TwoStagesMatchAcrossSamplers) {
     EXPECT_GT(second[0].cost, taken);
     return second[0];
   };
-  const RegionSampler::Estimate kept = both_stages(false), anew = both_stages(true);
+  const RegionSampler::Mean kept = both_stages(false), anew = both_stages(true);
   EXPECT_EQ(kept.value, anew.value);
   EXPECT_EQ(kept.error, anew.error);
   EXPECT_EQ(kept.cost, anew.cost);

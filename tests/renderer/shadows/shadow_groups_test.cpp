@@ -66,9 +66,9 @@ std::vector<double> shares_of(const ShadowFixture& fixture, const Block& block, 
     if (point.triangle == Hit::none) continue;
     if (!(unshadowed_irradiance(fixture.light(), receiver_at(point)).x > 0.0f)) continue;
     const Leaf leaf = leaf_of({square, {}}, pixel, 3);
-    const Visibility seen = light_visibility(
+    const Estimate seen = light_visibility(
         context, {fixture.light(), 0, point, glm::vec3(1.0f), glm::vec3(1.0f), 0}, leaf, counts);
-    shares.push_back(seen.x);
+    shares.push_back(seen.value.x);
   }
   return shares;
 }

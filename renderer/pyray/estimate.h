@@ -1,0 +1,58 @@
+#pragma once
+
+#include "renderer/pyray/error_budget.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace asos {
+
+/// How a leaf is determined (design section 14).
+enum class Estimator : std::uint8_t {
+  centre,   ///< one sample represents it
+  samples,  ///< the mean of samples distributed over it
+  split,    ///< its four quarters
+};
+
+/// A value, with its error and cost (design section 14): of a leaf, of what it reflects, or of the
+/// visible fraction of a light.
+struct Estimate {
+  glm::dvec3 value{0.0};
+  /// A bound on the value's error, or its standard error, in display intensity (1 is white).
+  double error = std::numeric_limits<double>::infinity();
+  double cost = 0.0;  ///< in samples or rays
+
+  [[nodiscard]] static Estimate exact(glm::dvec3 value) { return {value, 0.0}; }
+  /// Returns whether the error is bounded, and within an allowance.
+  [[nodiscard]] bool within(double allowed) const {
+    return error <= allowed && error < std::numeric_limits<double>::infinity();
+  }
+};
+
+/// Bound on the error of a leaf's centre as the mean of the leaf, in display intensity, and on the
+/// contrast of the leaf's samples (design section 14). Bounds of independent causes add up, in any
+/// order.
+struct ErrorBound {
+  double error = 0.0;
+  /// Contrast of the leaf's samples beyond the usual, such as that of highlights.
+  double contrast = 0.0;
+  /// The error has no bound: only samples determine the leaf.
+  bool unbounded = false;
+
+  [[nodiscard]] static ErrorBound of(double error) { return {error, 0.0, false}; }
+  [[nodiscard]] static ErrorBound none() { return {}; }
+  [[nodiscard]] static ErrorBound unknown(bool is = true) { return {0.0, 0.0, is}; }
+
+  ErrorBound& operator+=(const ErrorBound& other) {
+    error += other.error;
+    contrast += other.contrast;
+    unbounded |= other.unbounded;
+    return *this;
+  }
+  friend ErrorBound operator+(ErrorBound a, const ErrorBound& b) { return a += b; }
+};
+
+}  // namespace asos
