@@ -68,9 +68,9 @@ class EyeCaster final : public Caster {
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
     constexpr double contrast = 0.5;  // of parts with many surfaces, assumed
-    return shades_parts_ &&
-           eye_.error_budget.samples_suffice(weight, contrast,
-                                             chooser_.part_price() * static_cast<double>(parts));
+    const double cost = chooser_.part_price() * static_cast<double>(parts);
+    return shades_parts_ && choose(eye_.error_budget, weight, ErrorBound::none(),
+                                   {cost, {}, contrast}) == Estimator::samples;
   }
   [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
                                           double weight) override;

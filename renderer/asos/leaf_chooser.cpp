@@ -7,24 +7,6 @@
 
 namespace asos {
 
-bool samples_cost_least(const ErrorBudget& error_budget, double weight) {
-  return error_budget.samples_suffice(weight, ErrorBudget::usual_contrast, LeafCosts::exact_leaf);
-}
-
-Estimator choose(const ErrorBudget& error_budget, double weight, const ErrorBound& centre,
-                 std::optional<double> price) {
-  if (centre.unbounded) return Estimator::samples;
-  if (centre.error <= static_cast<double>(error_budget.tolerance)) return Estimator::centre;
-  const double contrast = ErrorBudget::usual_contrast + centre.contrast;
-  const double samples = error_budget.samples(weight, contrast);
-  if (price) {
-    return samples <= error_budget.leaves(centre.error) * *price ? Estimator::samples
-                                                                 : Estimator::split;
-  }
-  return ErrorBudget::error_of_samples(samples, contrast) < centre.error ? Estimator::samples
-                                                                         : Estimator::centre;
-}
-
 LeafChooser::LeafChooser(const EyeContext& eye, const EyeSamples& samples,
                          const SelectedLights& selected_lights, const ShadowContext& shadows)
     : eye_(&eye),
@@ -43,8 +25,10 @@ LeafDecision LeafChooser::decide(const PyrayLeaf& part, bool may_split) {
   if (!samples_->hit(sample).valid()) return {};
   // The parts of an evenly lit patch are right only as a whole, so none of them is sampled alone.
   const bool shared = terms_.soft_shadows() && even_around(part);
-  if (!eye_->mirrored() && !shared && samples_cost_least(error_budget, part.weight) &&
-      is_lit(sample))
+  // MAX or EPS may allow so few samples that they cost no more than one exact leaf.
+  if (!eye_->mirrored() && !shared && is_lit(sample) &&
+      choose(error_budget, part.weight, ErrorBound::none(), {LeafCosts::exact_leaf}) ==
+          Estimator::samples)
     return {Estimator::samples};
   Leaf leaf = samples_->leaf(part);
   LeafDecision decision = decide(leaf, shared, may_split);
@@ -59,9 +43,9 @@ LeafDecision LeafChooser::decide(Leaf& leaf, bool shared, bool may_split) {
   const ErrorBudget& error_budget = eye_->error_budget;
   if (terms_.layers(leaf).unbounded) return {Estimator::samples, LeafVariation::layers};
   ErrorBound bound = terms_.shading(leaf);
-  const auto chosen = [&](double price) {
+  const auto chosen = [&](double leaf_cost) {
     return choose(error_budget, leaf.weight, bound,
-                  may_split ? std::optional(price) : std::nullopt);
+                  {0.0, may_split ? std::optional(leaf_cost) : std::nullopt});
   };
   LeafDecision decision{chosen(LeafCosts::leaf)};
   decision.error = static_cast<float>(bound.error);

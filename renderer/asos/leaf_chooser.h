@@ -11,20 +11,9 @@
 #include "renderer/shadows/shadow_context.h"
 
 #include <deque>
-#include <optional>
 #include <vector>
 
 namespace asos {
-
-/// Returns whether MAX or EPS allows so few samples for a part of this weight that sampling it
-/// costs no more than shading one leaf exactly.
-[[nodiscard]] bool samples_cost_least(const ErrorBudget& error_budget, double weight);
-
-/// Returns the cheapest estimator with an error within the allowance: the leaf's centre, samples of
-/// a leaf of this weight, or its four quarters for `price` each, in samples. Without a price, it
-/// may not be split. If none qualifies, returns the one with the least error (design section 14).
-[[nodiscard]] Estimator choose(const ErrorBudget& error_budget, double weight,
-                               const ErrorBound& centre, std::optional<double> price);
 
 /// Chooses the estimator of each leaf of a block and stores the leaves and the evenly lit patches.
 class LeafChooser {

@@ -12,14 +12,14 @@
 namespace asos {
 
 HandledLights LeafTransport::gather(const LightingQuery& point) {
-  if (weak_->lights().empty()) return {};
+  if (selected_->lights().empty()) return {};
   // Inside a mirror, contributions are added immediately.
   if (eye_->mirrored()) {
-    at_once_ += weak_->at_once(point, *leaf_);
+    at_once_ += selected_->at_once(point, *leaf_);
   } else {
-    weak_->add(selected_share_, point, *leaf_);
+    selected_->add(selected_share_, point, *leaf_);
   }
-  return {weak_->lights()};
+  return {selected_->lights()};
 }
 
 void LeafTransport::add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) {

@@ -13,12 +13,12 @@ class LeafTransport final : public LightTransport {
  public:
   /// `selected_share` and `sky_share` are the numbers of the leaf's contributions.
   LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const Leaf& leaf,
-                SelectedLights& weak, std::uint32_t selected_share, SkyContributions& sky,
+                SelectedLights& selected, std::uint32_t selected_share, SkyContributions& sky,
                 std::uint32_t sky_share)
       : eye_(&eye),
         shadows_(&shadows),
         leaf_(&leaf),
-        weak_(&weak),
+        selected_(&selected),
         selected_share_(selected_share),
         sky_(&sky),
         sky_share_(sky_share) {}
@@ -60,7 +60,7 @@ class LeafTransport final : public LightTransport {
   const EyeContext* eye_;
   const ShadowContext* shadows_;
   const Leaf* leaf_;
-  SelectedLights* weak_;
+  SelectedLights* selected_;
   std::uint32_t selected_share_;
   SkyContributions* sky_;
   std::uint32_t sky_share_;

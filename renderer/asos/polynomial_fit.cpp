@@ -43,36 +43,35 @@ PolynomialFit::Terms PolynomialFit::terms_at(glm::dvec2 place) const {
 
 std::optional<PolynomialFit> PolynomialFit::through(std::span<const NoisyValue> values) {
   if (values.size() < fewest) return std::nullopt;
-  PolynomialFit course;
-  course.count_ = values.size() < fewest_bent ? plane_terms : most_terms;
+  PolynomialFit fit;
+  fit.count_ = values.size() < fewest_bent ? plane_terms : most_terms;
   // Centre and scale the places, for numerical stability.
   for (const NoisyValue& known : values)
-    course.middle_ += known.at / static_cast<double>(values.size());
+    fit.middle_ += known.at / static_cast<double>(values.size());
   double size = 0.0;
-  for (const NoisyValue& known : values)
-    size = std::max(size, glm::length(known.at - course.middle_));
+  for (const NoisyValue& known : values) size = std::max(size, glm::length(known.at - fit.middle_));
   if (!(size > 0.0)) return std::nullopt;
-  course.scale_ = size;
+  fit.scale_ = size;
 
   // Add up the normal equations.
   std::array<std::array<double, most_terms>, most_terms> products{};
   for (const NoisyValue& known : values) {
-    const Terms terms = course.terms_at(known.at);
-    for (std::size_t i = 0; i < course.count_; ++i) {
-      for (std::size_t j = 0; j < course.count_; ++j)
+    const Terms terms = fit.terms_at(known.at);
+    for (std::size_t i = 0; i < fit.count_; ++i) {
+      for (std::size_t j = 0; j < fit.count_; ++j)
         products[i][j] += terms[i] * terms[j] / known.variance;
-      course.factors_[i] += terms[i] / known.variance * known.value;
+      fit.factors_[i] += terms[i] / known.variance * known.value;
     }
   }
-  if (!solve(products, course.factors_, course.count_)) return std::nullopt;
+  if (!solve(products, fit.factors_, fit.count_)) return std::nullopt;
 
   glm::dvec3 off(0.0);
   for (const NoisyValue& known : values) {
-    const glm::dvec3 by = known.value - course.at(known.at);
+    const glm::dvec3 by = known.value - fit.at(known.at);
     off += by * by / known.variance;
   }
-  course.misfit_ = largest(off) / static_cast<double>(values.size() - course.count_);
-  return course;
+  fit.misfit_ = largest(off) / static_cast<double>(values.size() - fit.count_);
+  return fit;
 }
 
 glm::dvec3 PolynomialFit::at(glm::dvec2 place) const {

@@ -61,9 +61,9 @@ bool SelectedLights::sought() const {
 void SelectedLights::take_all() {
   if (!sought()) return;
   for (const PreparedLight& light : eye_->viewer.shader.lights())
-    weak_.push_back(light.casts_shadows ? 1 : 0);
+    sampled_.push_back(light.casts_shadows ? 1 : 0);
   expected_ = {1.0, static_cast<double>(rays_a_point)};
-  lights_.restrict_to(weak_, rays_a_point);
+  lights_.restrict_to(sampled_, rays_a_point);
 }
 
 void SelectedLights::find(int side) {
@@ -103,18 +103,18 @@ void SelectedLights::find(int side) {
     rest -= carried[order[k]];
   }
   if (strong == order.size()) return;
-  weak_.assign(lights.size(), 0);
-  for (std::size_t k = strong; k < order.size(); ++k) weak_[order[k]] = 1;
+  sampled_.assign(lights.size(), 0);
+  for (std::size_t k = strong; k < order.size(); ++k) sampled_[order[k]] = 1;
   expected_ = expected(carried);
-  lights_.restrict_to(weak_, rays_a_point);
+  lights_.restrict_to(sampled_, rays_a_point);
 }
 
 SelectedLights::Expected SelectedLights::expected(std::span<const double> carried) const {
-  std::vector<double> of_weak;
+  std::vector<double> of_sampled;
   for (std::size_t i = 0; i < carried.size(); ++i)
-    if (weak_[i] != 0) of_weak.push_back(carried[i]);
-  const double all = std::accumulate(of_weak.begin(), of_weak.end(), 0.0);
-  return {std::clamp(all, 0.0, 1.0), rays_of_point(of_weak)};
+    if (sampled_[i] != 0) of_sampled.push_back(carried[i]);
+  const double all = std::accumulate(of_sampled.begin(), of_sampled.end(), 0.0);
+  return {std::clamp(all, 0.0, 1.0), rays_of_point(of_sampled)};
 }
 
 // Sampled lights may be far brighter at a leaf than at any pixel's centre.

@@ -39,8 +39,10 @@ class SelectedLights {
   void take_all();
 
   /// Returns for each light whether it is sampled. Empty: none is.
-  [[nodiscard]] std::span<const std::uint8_t> lights() const { return weak_; }
-  [[nodiscard]] bool holds(std::size_t light) const { return !weak_.empty() && weak_[light] != 0; }
+  [[nodiscard]] std::span<const std::uint8_t> lights() const { return sampled_; }
+  [[nodiscard]] bool holds(std::size_t light) const {
+    return !sampled_.empty() && sampled_[light] != 0;
+  }
 
   /// Begins the sampled lights' contribution to a leaf and returns its number.
   std::uint32_t start(const Leaf& leaf);
@@ -57,7 +59,7 @@ class SelectedLights {
  private:
   /// The expected contribution of the sampled lights.
   struct Expected {
-    double intensity = 0.0;      ///< of all weak lights together, where they are brightest
+    double intensity = 0.0;      ///< of all sampled lights together, where they are brightest
     double rays_of_point = 1.0;  ///< average rays per point, where they are brightest
   };
   [[nodiscard]] bool sought() const;
@@ -68,7 +70,7 @@ class SelectedLights {
 
   const EyeContext* eye_;
   EyeSamples* samples_;
-  std::vector<std::uint8_t> weak_;
+  std::vector<std::uint8_t> sampled_;
   std::optional<UnshadowedContributions> carried_;
   Expected expected_;  // from each light's brightest pixel centre
   SobolSampler places_;

@@ -246,7 +246,7 @@ void SkyContributions::share_surfaces() {
     trace();
     parts.clear();
     for (const SkyFits::Cell& cell : cells)
-      if (!sky_fits.tell(cell)) sky_fits.divide(cell, parts);
+      if (!sky_fits.assign(cell)) sky_fits.divide(cell, parts);
     cells.swap(parts);
   }
 }
@@ -260,7 +260,7 @@ std::span<const Contribution> SkyContributions::run() {
   expect();
   if (!eye_->mirrored()) share_surfaces();
   for (std::size_t i = 0; i < lit_.size(); ++i)
-    if (held(lit_[i]) && !lit_[i].told) send(i, expected_[i].rays);
+    if (held(lit_[i]) && !lit_[i].fitted) send(i, expected_[i].rays);
   trace();
   for (const SkyLeaf& lit : lit_) {
     if (!held(lit)) continue;

@@ -129,22 +129,22 @@ double SkyFits::variance(std::uint32_t lit) const {
   return SkyLeaf::variance_of_mean(expected_[lit].variance, lits_[lit].rays) + unseen * unseen;
 }
 
-bool SkyFits::tell(const Cell& cell) const {
+bool SkyFits::assign(const Cell& cell) const {
   std::array<NoisyValue, static_cast<std::size_t>(nodes_along * nodes_along)> known;
   for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
     const SkyLeaf& node = lits_[cell.nodes[k]];
     known[k] = {glm::dvec2(node.leaf->at), node.mean() / glm::dvec3(node.unit),
                 variance(cell.nodes[k])};
   }
-  const auto course = PolynomialFit::through(std::span(known).first(cell.nodes.size()));
-  if (!course || course->misfit() > most_misfit) return false;
+  const auto fit = PolynomialFit::through(std::span(known).first(cell.nodes.size()));
+  if (!fit || fit->misfit() > most_misfit) return false;
   // Compare the other leaves with the fit.
   double off = 0.0, certainty = 0.0;
   std::vector<std::uint32_t> agreeing;
   for (const std::uint32_t i : cell.lits) {
     const SkyLeaf& lit = lits_[i];
     const double by =
-        sum(lit.mean() / glm::dvec3(lit.unit) - course->at(glm::dvec2(lit.leaf->at))) / 3.0;
+        sum(lit.mean() / glm::dvec3(lit.unit) - fit->at(glm::dvec2(lit.leaf->at))) / 3.0;
     const double noise = variance(i);
     off += by / noise;
     certainty += 1.0 / noise;
@@ -157,7 +157,7 @@ bool SkyFits::tell(const Cell& cell) const {
     return false;
   for (const std::uint32_t i : agreeing) {
     SkyLeaf& lit = lits_[i];
-    lit.told = glm::dvec3(lit.unit) * glm::max(course->at(glm::dvec2(lit.leaf->at)), 0.0);
+    lit.fitted = glm::dvec3(lit.unit) * glm::max(fit->at(glm::dvec2(lit.leaf->at)), 0.0);
   }
   return true;
 }

@@ -39,7 +39,7 @@ struct SkyLeaf {
   glm::dvec3 sent{0.0};     ///< the rays' sum without occlusion
   double error = 0.0;       ///< sums of the rays' errors and squared errors
   double error2 = 0.0;
-  std::optional<glm::dvec3> told{};  ///< mean radiance from the fit through other leaves
+  std::optional<glm::dvec3> fitted{};  ///< mean radiance from the fit through other leaves
 
   [[nodiscard]] SkyQuery lit_point(const ViewedPoint& view) const {
     return {sky, view, material, mirrors, factor};
@@ -51,7 +51,7 @@ struct SkyLeaf {
   /// Returns the mean radiance. Where most of the sky is visible, the rays estimate the hidden part
   /// instead.
   [[nodiscard]] glm::dvec3 mean() const {
-    if (told) return *told;
+    if (fitted) return *fitted;
     const double all = rays;
     if (seen() < 0.5) return arrived / all;
     return glm::max(glm::dvec3(open) - (sent - arrived) / all, 0.0);
@@ -113,7 +113,7 @@ class SkyFits {
   [[nodiscard]] bool choose_nodes(Cell& cell) const;
   /// Assigns the fit to all leaves that do not contradict it, after the nodes were sampled. Returns
   /// false if the nodes do not fit, or too many leaves contradict the fit.
-  [[nodiscard]] bool tell(const Cell& cell) const;
+  [[nodiscard]] bool assign(const Cell& cell) const;
   /// Adds a cell's quarters.
   void divide(const Cell& cell, std::vector<Cell>& quarters) const;
 

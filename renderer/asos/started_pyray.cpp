@@ -13,14 +13,14 @@ namespace {
 // Rays of the block that belong to no pixel are distributed over its pixels. An example are rays
 // that test whether a patch is evenly lit.
 void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
-  std::uint64_t told = 0;
+  std::uint64_t known = 0;
   for (const std::uint64_t of_pixel : rays) {
-    told += of_pixel;
+    known += of_pixel;
     result.tile.rays.push_back(static_cast<float>(of_pixel));
   }
   const std::uint64_t all = result.statistics.rays();
-  if (all <= told) return;
-  const float shared = static_cast<float>(all - told) / static_cast<float>(rays.size());
+  if (all <= known) return;
+  const float shared = static_cast<float>(all - known) / static_cast<float>(rays.size());
   for (float& of_pixel : result.tile.rays) of_pixel += shared;
 }
 

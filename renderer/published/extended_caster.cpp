@@ -31,10 +31,10 @@ Ratio ratio_of(glm::dvec3 first, glm::dvec3 second, glm::dvec3 unit_first, glm::
 
 }  // namespace
 
-std::optional<ExtendedPyray> ExtendedPyray::of(const LightPyramid& window, const ShadowPatch& patch,
-                                               Fit fit) {
-  const glm::dvec3 m = window.towards({0.5, 0.5});
-  const glm::dvec3 a = window.frame().base_u(), b = window.frame().base_v();
+std::optional<ExtendedPyray> ExtendedPyray::of(const LightPyramid& pyramid,
+                                               const ShadowPatch& patch, Fit fit) {
+  const glm::dvec3 m = pyramid.towards({0.5, 0.5});
+  const glm::dvec3 a = pyramid.frame().base_u(), b = pyramid.frame().base_v();
   const auto& p = patch.corners;
   const glm::dvec3 right = 0.5 * (p[1] - p[0] + p[3] - p[2]);
   const glm::dvec3 down = 0.5 * (p[2] - p[0] + p[3] - p[1]);
@@ -49,14 +49,14 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightPyramid& window, const
 
   // Place the pyray's apex that far behind the surface, and bound the pyray by surface and light.
   ExtendedPyray pyray{
-      Frame::pyramid(window.frame().apex() - back * m, (1.0 + back) * m - 0.5 * (a + b), a, b),
+      Frame::pyramid(pyramid.frame().apex() - back * m, (1.0 + back) * m - 0.5 * (a + b), a, b),
       {},
       {},
       {},
       fit};
   pyray.surface = {patch.plane.normal, patch.plane.offset + patch.lift};
   pyray.between[0] = pyray.surface;
-  const auto between = window.between();
+  const auto between = pyramid.between();
   pyray.between[1] = between.size() > 1 ? between[1] : pyray.surface;
   // Project the patch's outline into the pyray's square.
   static constexpr std::size_t around[4] = {0, 1, 3, 2};
@@ -71,17 +71,17 @@ std::optional<ExtendedPyray> ExtendedPyray::of(const LightPyramid& window, const
 }
 
 void ExtendedCaster::start(const ShadowScene& scene, bool see_through, const ExtendedPyray& pyray,
-                           const LightPyramid& window, std::int32_t ignored_part) {
+                           const LightPyramid& pyramid, std::int32_t ignored_part) {
   ShadowCaster::start(scene, see_through, pyray.frame, ignored_part);
   pyray_ = &pyray;
-  window_ = &window;
+  pyramid_ = &pyramid;
 }
 
 std::optional<Ray> ExtendedCaster::ray_at(glm::vec2 p) const {
   if (pyray_->fit == ExtendedPyray::Fit::around && !winds_around(pyray_->outline, p))
     return std::nullopt;
-  if (!window_->holds(p)) return std::nullopt;
-  if (window_->round() && glm::length(p - 0.5f) > 0.5f) return std::nullopt;
+  if (!pyramid_->holds(p)) return std::nullopt;
+  if (pyramid_->round() && glm::length(p - 0.5f) > 0.5f) return std::nullopt;
   const auto start = pyray_->frame.on_plane(glm::dvec2(p), pyray_->surface);
   if (!start) return std::nullopt;
   const glm::dvec3 on_light =
@@ -91,7 +91,7 @@ std::optional<Ray> ExtendedCaster::ray_at(glm::vec2 p) const {
   ray.origin = glm::vec3(*start);
   ray.direction = glm::vec3(on_light) - ray.origin;
   ray.t_far = most_of_the_way;
-  if (window_->infinitely_far()) ray.t_far = std::numeric_limits<float>::infinity();
+  if (pyramid_->infinitely_far()) ray.t_far = std::numeric_limits<float>::infinity();
   return ray;
 }
 

@@ -24,12 +24,12 @@ struct ExtendedPyray {
   std::array<BorderEdge, 4> outline;  ///< around: the leaf's patch in the frame's square
   Fit fit = Fit::inside;
 
-  /// Makes the pyray; `window` is the light's pyramid from the patch's centre. Returns nothing if
+  /// Makes the pyray; `pyramid` is the light's pyramid from the patch's centre. Returns nothing if
   /// the light sees the patch edge-on. For `around`, also returns nothing if the patch is not
   /// inside the light's projection onto the surface. A light whose projection is smaller than the
   /// patch would need a source behind the light ("we may have to move the source"). Then the pyray
   /// is nearly as narrow as the light and samples only its part of the patch.
-  [[nodiscard]] static std::optional<ExtendedPyray> of(const LightPyramid& window,
+  [[nodiscard]] static std::optional<ExtendedPyray> of(const LightPyramid& pyramid,
                                                        const ShadowPatch& patch, Fit fit);
 };
 
@@ -38,7 +38,7 @@ class ExtendedCaster final : public ShadowCaster {
  public:
   /// All arguments have to outlive the pyray.
   void start(const ShadowScene& scene, bool see_through, const ExtendedPyray& pyray,
-             const LightPyramid& window, std::int32_t ignored_part);
+             const LightPyramid& pyramid, std::int32_t ignored_part);
 
  protected:
   [[nodiscard]] std::optional<Ray> ray_at(glm::vec2 p) const override;
@@ -46,7 +46,7 @@ class ExtendedCaster final : public ShadowCaster {
 
  private:
   const ExtendedPyray* pyray_ = nullptr;
-  const LightPyramid* window_ = nullptr;
+  const LightPyramid* pyramid_ = nullptr;
 };
 
 }  // namespace asos

@@ -20,9 +20,9 @@ std::optional<Visibility> trace_extended(const ShadowContext& block, const Shado
   middle.position =
       0.25 * (patch->corners[0] + patch->corners[1] + patch->corners[2] + patch->corners[3]) +
       (middle.position - glm::dvec3(lit.point.position));
-  const auto window = LightPyramid::of(lit.light, middle);
-  if (!window) return std::nullopt;
-  const auto extended = ExtendedPyray::of(*window, *patch, fit);
+  const auto pyramid = LightPyramid::of(lit.light, middle);
+  if (!pyramid) return std::nullopt;
+  const auto extended = ExtendedPyray::of(*pyramid, *patch, fit);
   if (!extended) return std::nullopt;
 
   // Trace the pyray.
@@ -30,12 +30,12 @@ std::optional<Visibility> trace_extended(const ShadowContext& block, const Shado
   pyray.bounds = query.found;
   pyray.bounds.within = extended->between;
   pyray.seed = query.leaf.seed;
-  std::vector<BorderEdge> outline(window->boundaries().begin(), window->boundaries().end());
+  std::vector<BorderEdge> outline(pyramid->boundaries().begin(), pyramid->boundaries().end());
   if (fit == ExtendedPyray::Fit::around)
     outline.insert(outline.end(), extended->outline.begin(), extended->outline.end());
   pyray.outline = outline;
   thread_local ExtendedCaster caster;
-  caster.start(*block.scene, block.rules.see_through, *extended, *window, lit.light.own_part);
+  caster.start(*block.scene, block.rules.see_through, *extended, *pyramid, lit.light.own_part);
   (void)trace_shadow(block, query, pyray, shadow_rules(block.rules, query), caster, counts);
   return caster.visibility();
 }

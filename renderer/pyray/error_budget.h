@@ -82,10 +82,6 @@ struct ErrorBudget {
   [[nodiscard]] static double error_of_samples(double samples, double contrast) {
     return error_of_one_sample * contrast * std::pow(samples, -0.75);
   }
-  /// Returns whether sampling a part of this contrast costs no more than `price`, in samples.
-  [[nodiscard]] bool samples_suffice(double part, double contrast, double price) const {
-    return refines() && samples(part, contrast) <= price;
-  }
   /// Returns the number of samples of the pilot, the first round of a sampled part, which gives its
   /// variance. It is half of what usual contrast needs, but at most one for each finest cell. A
   /// power of two.

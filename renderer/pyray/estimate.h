@@ -55,4 +55,17 @@ struct ErrorBound {
   friend ErrorBound operator+(ErrorBound a, const ErrorBound& b) { return a += b; }
 };
 
+/// The costs of a part's estimators, in samples of the part, and what its samples meet.
+struct EstimatorCosts {
+  double centre = 0.0;                 ///< samples replace it if they cost no more
+  std::optional<double> quarter = {};  ///< without, the part may not be split
+  double contrast = ErrorBudget::usual_contrast;
+};
+
+/// Returns the cheapest estimator with an error within the allowance, for a part of this weight
+/// whose centre has this error. If none qualifies, returns the one with the least error (design
+/// section 14).
+[[nodiscard]] Estimator choose(const ErrorBudget& error_budget, double weight,
+                               const ErrorBound& centre, const EstimatorCosts& costs);
+
 }  // namespace asos

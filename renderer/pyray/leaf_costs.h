@@ -3,7 +3,7 @@
 namespace asos {
 
 /// Measured costs of the ways to determine a leaf, each with the benchmark that sets it. Samples or
-/// rays replace an estimator that costs more (ErrorBudget::samples_suffice, choose).
+/// rays replace an estimator that costs as much (choose).
 ///
 /// - light_pyramid: quartiles 4 and 20 rays, mean 8 to 46 over nine scenes (bench prices)
 /// - patch: quartiles 25 and 70 rays, mean 50 to 150 (bench prices)

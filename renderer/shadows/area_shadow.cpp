@@ -24,37 +24,37 @@ double lobe_error(const ShadowContext& block, const Illumination& lit, const Vis
 
 // If neither a light nor its quarters can be cut along their boundaries, the light is sampled. More
 // levels of pyrays cost more than rays from all over the patch.
-constexpr int window_levels = 1;
+constexpr int pyramid_levels = 1;
 // A light whose square contains more groups of boundaries is not resolved.
 constexpr std::size_t most_entries = 400;
 
 // Returns the visibility from one point by a pyray through the light's square, between the surface
 // and the light. The error is infinite where that does not resolve the occluders.
-Estimate window_shadow(const ShadowContext& block, const ShadowQuery& query,
-                       const Receiver& receiver, RenderStatistics& counts) {
+Estimate pyramid_shadow(const ShadowContext& block, const ShadowQuery& query,
+                        const Receiver& receiver, RenderStatistics& counts) {
   const auto seen = [&](const Visibility& visibility) -> Estimate {
     return {visibility, lobe_error(block, query.lit, visibility)};
   };
-  const auto window = LightPyramid::of(query.lit.light, receiver);
-  if (!window) return seen(ray_visibility(block, query, counts).value);
+  const auto pyramid = LightPyramid::of(query.lit.light, receiver);
+  if (!pyramid) return seen(ray_visibility(block, query, counts).value);
 
   // Make the pyray: through the light's square, between the surface and the light.
   SubdivisionRules rules = shadow_rules(block.rules, query);
   rules.most_entries = most_entries;
   const bool refined = !block.rules.area_shadows;
   if (refined || !block.rules.see_through)
-    rules.error_budget.max_level = std::min(rules.error_budget.max_level, window_levels);
-  Pyray pyray{window->frame()};
+    rules.error_budget.max_level = std::min(rules.error_budget.max_level, pyramid_levels);
+  Pyray pyray{pyramid->frame()};
   pyray.bounds = query.found;
-  pyray.bounds.within = window->between();
+  pyray.bounds.within = pyramid->between();
   pyray.bounds.most_entries = most_entries_for_samples(levels_left(block.rules, query.leaf));
-  pyray.outline = window->boundaries();
+  pyray.outline = pyramid->boundaries();
   pyray.seed = query.leaf.seed;
 
   // Visibility that varies between outlines is sampled. The paper's qualities split the light
   // instead.
-  LightPyramidCaster& caster = block.work->window_caster;
-  caster.start(*block.scene, block.rules.see_through, query.lit.light, *window, refined);
+  LightPyramidCaster& caster = block.work->pyramid_caster;
+  caster.start(*block.scene, block.rules.see_through, query.lit.light, *pyramid, refined);
   const Trace trace = trace_shadow(block, query, pyray, rules, caster, counts);
   const bool too_detailed = trace.timed_out || caster.gives_up() ||
                             trace.outcome.unresolved_area > rules.error_budget.eps;
@@ -65,7 +65,7 @@ Estimate window_shadow(const ShadowContext& block, const ShadowQuery& query,
 // the allowance.
 Estimate resolved_shadow(const ShadowContext& block, const ShadowQuery& query,
                          const Receiver& receiver, double allowed, RenderStatistics& counts) {
-  const Estimate seen = window_shadow(block, query, receiver, counts);
+  const Estimate seen = pyramid_shadow(block, query, receiver, counts);
   return seen.within(allowed) ? seen : sampled_shadow(block, query, counts);
 }
 
@@ -77,11 +77,11 @@ Estimate refined_shadow(const ShadowContext& block, const ShadowQuery& query,
   // Rays from the whole leaf are better than a pyray from its centre if it was not split for its
   // penumbra.
   const LightView view = query.leaf.views.of(query.lit.index);
-  const bool by_rays = error_budget.samples_suffice(query.leaf.weight, query.intensity(),
-                                                    LeafCosts::light_pyramid) ||
-                       query.lit.light.entered || view.too_detailed || view.penumbra > tolerance;
-  return by_rays ? sampled_shadow(block, query, counts)
-                 : resolved_shadow(block, query, middle, tolerance, counts);
+  const auto bound = ErrorBound::unknown(query.lit.light.entered || view.too_detailed ||
+                                         view.penumbra > tolerance);
+  return query.takes_rays(error_budget, LeafCosts::light_pyramid, bound)
+             ? sampled_shadow(block, query, counts)
+             : resolved_shadow(block, query, middle, tolerance, counts);
 }
 
 }  // namespace

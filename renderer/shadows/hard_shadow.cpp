@@ -38,10 +38,8 @@ Estimate hard_shadow(const ShadowContext& block, const ShadowQuery& query, Shado
   // less than a search for boundaries.
   const ErrorBudget& error_budget = block.rules.error_budget;
   const bool refined = !block.rules.area_shadows;
-  const auto rays_suffice = [&](double price) {
-    return refined && error_budget.samples_suffice(query.leaf.weight, query.intensity(), price);
-  };
-  if (rays_suffice(LeafCosts::search)) return sampled_shadow(block, query, counts);
+  if (refined && query.takes_rays(error_budget, LeafCosts::search))
+    return sampled_shadow(block, query, counts);
 
   // Search between the patch and the light.
   const double off_plane = deviation(block, lit.point, patch);
@@ -56,7 +54,8 @@ Estimate hard_shadow(const ShadowContext& block, const ShadowQuery& query, Shado
   // The shadow has no boundaries, so the visibility from the leaf's sample is that of the whole
   // leaf.
   if (!bounded && !block.rules.see_through) return ray_visibility(block, query, counts);
-  if (rays_suffice(LeafCosts::patch) || (refined && bent(patch, off_plane)))
+  const ErrorBound cut = ErrorBound::unknown(bent(patch, off_plane));
+  if (refined && query.takes_rays(error_budget, LeafCosts::patch, cut))
     return sampled_shadow(block, query, counts);
 
   // Trace, with the leaf's own border.

@@ -13,7 +13,7 @@ class LightPyramidCaster final : public ShadowCaster {
   /// All arguments have to outlive the pyray. `gives_up`: gives up once a sample hits a surface
   /// with varying transmittance.
   void start(const ShadowScene& scene, bool see_through, const PreparedLight& light,
-             const LightPyramid& window, bool gives_up);
+             const LightPyramid& pyramid, bool gives_up);
 
   [[nodiscard]] bool gives_up() const override { return may_give_up_ && met_see_through(); }
 
@@ -22,7 +22,7 @@ class LightPyramidCaster final : public ShadowCaster {
   [[nodiscard]] double measure(double weight, const LeafRegion& region) const override;
 
  private:
-  const LightPyramid* window_ = nullptr;
+  const LightPyramid* pyramid_ = nullptr;
   const PreparedLight* light_ = nullptr;
   bool may_give_up_ = false;
 };

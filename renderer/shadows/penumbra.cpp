@@ -36,10 +36,10 @@ PatchInWindow patch_in_window(const Frame& window, const Patch& patch) {
 // shade the patch.
 std::optional<Frame> window_frame(const PreparedLight& light, const Receiver& receiver,
                                   double reach) {
-  const auto window = LightPyramid::of(light, receiver);
-  if (!window) return std::nullopt;
-  const double scale = window->infinitely_far() ? reach : 1.0;
-  const Frame& frame = window->frame();
+  const auto pyramid = LightPyramid::of(light, receiver);
+  if (!pyramid) return std::nullopt;
+  const double scale = pyramid->infinitely_far() ? reach : 1.0;
+  const Frame& frame = pyramid->frame();
   return Frame::pyramid(receiver.position, scale * frame.base_corner(), scale * frame.base_u(),
                         scale * frame.base_v());
 }
@@ -276,8 +276,8 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   const float intensity =
       std::min(1.0f, query.reflected * std::max({unshadowed.x, unshadowed.y, unshadowed.z}));
   if (!(intensity > tolerance)) return {};
-  if (block.rules.error_budget.samples_suffice(query.weight, static_cast<double>(intensity),
-                                               LeafCosts::penumbra_test))
+  if (choose(block.rules.error_budget, query.weight, ErrorBound::none(),
+             {LeafCosts::penumbra_test, {}, static_cast<double>(intensity)}) == Estimator::samples)
     return {};
 
   // Find all boundaries in the pyray around the patch.

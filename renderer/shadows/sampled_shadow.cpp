@@ -48,7 +48,7 @@ Estimate sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   const double worth = error_budget.samples(leaf.weight, intensity);
   const auto most_rays = std::bit_floor(static_cast<std::uint32_t>(
       std::min(error_budget.most_samples(leaf.weight), static_cast<double>(1u << 20))));
-  const bool few = error_budget.samples_suffice(leaf.weight, intensity, LeafCosts::light_pyramid);
+  const bool few = query.takes_rays(error_budget, LeafCosts::light_pyramid);
   const double first_rays = few ? rays_for_one * worth : first_rays_a_root * leaf.weight;
   const std::uint32_t first_round =
       std::min(most_rays, std::bit_ceil(std::max(few ? fewest_rays : least_rays,

@@ -25,7 +25,7 @@ Box box_of(const ShadowPatch& patch) {
 
 // Returns the visibility if it is known for the whole passage. A passage without boundaries does
 // not exclude objects that touch the light itself.
-std::optional<Estimate> told_visibility(const KnownVisibility& known, const PreparedLight& light) {
+std::optional<Estimate> visibility_of(const KnownVisibility& known, const PreparedLight& light) {
   if (known.passage == KnownVisibility::Passage::open || !light.intersections.empty())
     return std::nullopt;
   return Estimate::exact(Visibility(known.passage == KnownVisibility::Passage::lit ? 1.0 : 0.0));
@@ -38,7 +38,7 @@ Estimate known_visibility(const ShadowContext& block, const Illumination& lit, c
   around.grow(lit.point.lit_position());
   const KnownVisibility known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
-  if (const auto told = told_visibility(known, lit.light)) return *told;
+  if (const auto visibility = visibility_of(known, lit.light)) return *visibility;
   return ray_visibility(block, {lit, leaf, {}}, counts);
 }
 
@@ -62,7 +62,7 @@ Estimate leaf_visibility(const ShadowContext& block, const Illumination& lit, co
   }
   const KnownVisibility known =
       block.groups->ask(lit.light, lit.index, lit.point, around, counts.shadow_rays);
-  if (const auto told = told_visibility(known, lit.light)) return *told;
+  if (const auto visibility = visibility_of(known, lit.light)) return *visibility;
 
   // Trace, by the kind of light.
   query.found = own_part_ignored(block.scene->world, lit.light);

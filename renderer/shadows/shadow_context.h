@@ -50,7 +50,7 @@ struct ShadowRules {
 /// Scratch memory of shadow pyrays. Holds no result.
 struct ShadowWorkspace {
   Tracer tracer;
-  LightPyramidCaster window_caster;
+  LightPyramidCaster pyramid_caster;
   PatchCaster patch_caster;
   std::vector<BorderEdge> border;
   std::vector<double> ends;
@@ -77,6 +77,12 @@ struct ShadowQuery {
 
   /// Returns the light's unshadowed contribution in display units, at most 1.
   [[nodiscard]] double intensity() const;
+  /// Returns whether rays from all over the patch replace an exact shadow with this error, at this
+  /// cost in rays.
+  [[nodiscard]] bool takes_rays(const ErrorBudget& error_budget, double cost,
+                                const ErrorBound& exact = {}) const {
+    return choose(error_budget, leaf.weight, exact, {cost, {}, intensity()}) == Estimator::samples;
+  }
 };
 
 /// Returns the receiver of a light: a point clear of the surface. For a distant light it is on the

@@ -8,7 +8,7 @@
 #include <deque>
 #include <vector>
 
-namespace asos::test::sky_courses_test {
+namespace asos::test::sky_fits_test {
 namespace {
 
 /// The leaves of a block on one plane, side x side of them, whose first rays found the fraction
@@ -63,15 +63,15 @@ bool interpolated(Leaves& leaves, Value&& value) {
   EXPECT_TRUE(sky_fits.choose_nodes(cells.front()));
   for (const std::uint32_t node : cells.front().nodes)
     leaves.set_rays(node, cells.front().node_rays, value(leaves.lits[node].leaf->at));
-  return sky_fits.tell(cells.front());
+  return sky_fits.assign(cells.front());
 }
 
 TEST(SkyFits, InterpolateSmoothVariation) {
   Leaves leaves(ramp);
   ASSERT_TRUE(interpolated(leaves, ramp));
   for (const SkyLeaf& lit : leaves.lits) {
-    ASSERT_TRUE(lit.told.has_value());
-    EXPECT_NEAR(lit.told->x, ramp(lit.leaf->at), 1e-6);
+    ASSERT_TRUE(lit.fitted.has_value());
+    EXPECT_NEAR(lit.fitted->x, ramp(lit.leaf->at), 1e-6);
   }
 }
 
@@ -80,7 +80,7 @@ TEST(SkyFits, RefuseToInterpolateAcrossAnEdge) {
   const auto edge = [](glm::vec2 at) { return at.x + 0.3f * at.y < 0.6f ? 0.9 : 0.55; };
   Leaves leaves(edge);
   EXPECT_FALSE(interpolated(leaves, edge));
-  for (const SkyLeaf& lit : leaves.lits) EXPECT_FALSE(lit.told.has_value());
+  for (const SkyLeaf& lit : leaves.lits) EXPECT_FALSE(lit.fitted.has_value());
 }
 
 // A leaf whose own rays contradict the fit is sampled instead.
@@ -89,8 +89,8 @@ TEST(SkyFits, ExcludeLeavesThatContradictTheFit) {
   const std::uint32_t odd = Leaves::side + 1;  // not a node: see choose_nodes
   leaves.set_rays(odd, 8, 0.05);
   ASSERT_TRUE(interpolated(leaves, ramp));
-  EXPECT_FALSE(leaves.lits[odd].told.has_value());
-  EXPECT_TRUE(leaves.lits[odd + 1].told.has_value());
+  EXPECT_FALSE(leaves.lits[odd].fitted.has_value());
+  EXPECT_TRUE(leaves.lits[odd + 1].fitted.has_value());
 }
 
 TEST(SkyFits, KeepSurfacesApart) {
@@ -123,4 +123,4 @@ TEST(SkyFits, DivideIntoQuarters) {
 }
 
 }  // namespace
-}  // namespace asos::test::sky_courses_test
+}  // namespace asos::test::sky_fits_test

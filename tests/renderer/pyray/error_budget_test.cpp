@@ -100,18 +100,6 @@ TEST(ErrorBudget, PilotLeavesLittleToChance) {
   }
 }
 
-TEST(ErrorBudget, SamplesSufficeWhereTheyCostNoMoreThanThePrice) {
-  const ErrorBudget error_budget = allowance_of(3);
-  const double samples = error_budget.samples(1.0 / 16.0, 0.5);
-  EXPECT_TRUE(error_budget.samples_suffice(1.0 / 16.0, 0.5, 1.01 * samples));
-  EXPECT_FALSE(error_budget.samples_suffice(1.0 / 16.0, 0.5, 0.99 * samples));
-  EXPECT_TRUE(allowance_of(1).samples_suffice(1.0, 1.0, 16.0)) << "MAX allows no more";
-  RenderSettings settings;
-  settings.asos.refine_shading = false;
-  EXPECT_FALSE(ErrorBudget::of(settings).samples_suffice(1.0, 0.5, 1e9)) << "nothing is sampled";
-  EXPECT_FALSE(ErrorBudget::of(settings).refines());
-}
-
 // Each level leaves a quarter of the centre's error.
 TEST(ErrorBudget, LeavesGrowWithTheError) {
   const ErrorBudget error_budget = allowance_of(4);

@@ -1,4 +1,5 @@
-#include "renderer/asos/leaf_chooser.h"
+#include "renderer/pyray/estimate.h"
+#include "renderer/pyray/leaf_costs.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ Choice leaf_of(double error) {
 }
 
 Estimator choose(const ErrorBudget& error_budget, const Choice& leaf) {
-  return asos::choose(error_budget, leaf.weight, leaf.centre, leaf.price);
+  return asos::choose(error_budget, leaf.weight, leaf.centre, {0.0, leaf.price});
 }
 
 TEST(Choose, ChoosesCentreWithinTheAllowance) {
@@ -80,11 +81,29 @@ TEST(Choose, InfiniteErrorIsNeverTheCentre) {
   EXPECT_NE(choose(allowance_of(3), leaf), Estimator::centre);
 }
 
+bool samples_cost_least(const ErrorBudget& error_budget, double weight,
+                        const EstimatorCosts& costs = {LeafCosts::exact_leaf}) {
+  return asos::choose(error_budget, weight, ErrorBound::none(), costs) == Estimator::samples;
+}
+
 TEST(Choose, SmallMaxLeavesAllToSamples) {
   EXPECT_TRUE(samples_cost_least(allowance_of(1), 1.0));
   EXPECT_FALSE(samples_cost_least(allowance_of(2), 1.0));
   EXPECT_TRUE(samples_cost_least(allowance_of(2), 1.0 / 8.0));
   EXPECT_TRUE(samples_cost_least(allowance_of(8, 1.0 / 8.0), 1.0)) << "EPS needs no more samples";
+}
+
+TEST(Choose, SamplesReplaceACentreThatCostsAsMuch) {
+  const ErrorBudget error_budget = allowance_of(3);
+  const double samples = error_budget.samples(1.0 / 16.0, 0.5);
+  EXPECT_TRUE(samples_cost_least(error_budget, 1.0 / 16.0, {1.01 * samples, {}, 0.5}));
+  EXPECT_FALSE(samples_cost_least(error_budget, 1.0 / 16.0, {0.99 * samples, {}, 0.5}));
+  EXPECT_TRUE(samples_cost_least(allowance_of(1), 1.0, {16.0, {}, 1.0})) << "MAX allows no more";
+  RenderSettings settings;
+  settings.asos.refine_shading = false;
+  EXPECT_FALSE(samples_cost_least(ErrorBudget::of(settings), 1.0, {1e9, {}, 0.5}))
+      << "nothing is sampled";
+  EXPECT_FALSE(ErrorBudget::of(settings).refines());
 }
 
 TEST(ErrorBound, AddsUpInAnyOrder) {
