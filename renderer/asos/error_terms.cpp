@@ -4,7 +4,7 @@
 #include "renderer/asos/textured_sight.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
-#include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
@@ -23,10 +23,6 @@
 
 namespace asos {
 namespace {
-
-/// A pyray reflected by a mesh has to be this many times narrower than one reflected by an analytic
-/// shape, since a triangle gives only its own curvature.
-constexpr double strictness_of_meshes = 8.0;
 
 bool any_light(const EyeContext& eye, const auto& holds) {
   const auto lights = eye.viewer.shader.lights();
@@ -82,10 +78,9 @@ ErrorBound ErrorTerms::bumps_with(const Leaf& leaf, const auto& gloss_of) const 
   if (!soft_shadows_) return ErrorBound::unknown(sparkles(leaf));
   if (scene.render_features.normal_maps && has_normal_map(*leaf.material))
     return ErrorBound::unknown();
-  constexpr double bright = 0.25;
   return ErrorBound::unknown(scene.features().deviation(leaf.hit.triangle) > 0.0f &&
                              (reaches_beyond_triangle(scene.world(), leaf.hit, leaf.square) ||
-                              gloss_of().contrast <= bright));
+                              gloss_of().contrast <= LeafTuning::bright_highlight));
 }
 
 ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
@@ -316,7 +311,7 @@ double ErrorTerms::mirrored_width(const Leaf& leaf) const {
   if (!surface.bent()) return strayed;
   if (settings.curved == CurvedMirror::supersample) return std::numeric_limits<double>::infinity();
   const double widest = glm::radians(settings.widest_angle_deg);
-  const double strictness = world.is_face(hit.triangle) ? 1.0 : strictness_of_meshes;
+  const double strictness = world.is_face(hit.triangle) ? 1.0 : LeafTuning::strictness_of_meshes;
   const double mirrored = mirror ? strictness * reflected_angle(pyray, surface) / widest : 0.0;
   if (!refracts) return std::max(strayed, mirrored);
   const auto boundary = VolumeBoundary::met(world, hit, leaf.ray, viewer.passage);
@@ -328,13 +323,12 @@ double ErrorTerms::mirrored_width(const Leaf& leaf) const {
 // in units of a negligible deviation. One triangle does not represent the curvature where triangles
 // are smaller than the patch.
 double ErrorTerms::strayed_width(const Leaf& leaf, const MirrorSurface& mirror, float side) const {
-  constexpr double negligible = 0.02;
   if (eye_->scene->world().is_face(leaf.hit.triangle)) return 0.0;
   const glm::ivec2 pixel = pixel_of(leaf.region);
   const auto across = static_cast<double>(side);
   const float strays = normals_.strays(pixel.x, pixel.y, glm::vec3(mirror.turn_right / across),
                                        glm::vec3(mirror.turn_down / across));
-  return static_cast<double>(strays) * across / negligible;
+  return static_cast<double>(strays) * across / LeafTuning::negligible_strays;
 }
 
 // Returns the root that contains a region's centre, in the numbering of NormalVariation.
@@ -353,13 +347,13 @@ bool ErrorTerms::casts_soft_shadow(std::uint32_t light) const {
 // Each bound is for a shadow's edge along the whole patch at the worst place; half of it is
 // expected. The loop ends once the sum exceeds the allowance.
 ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
-  constexpr double expected = 0.5;
   if (!leaf.is_lit() || !(leaf.albedo() > 0.0f)) return ErrorBound::none();
   const float reflected = leaf.albedo() * std::numbers::inv_pi_v<float>;
   const auto level =
       static_cast<int>(std::lround(std::log2(eye_->root_side() / leaf.region.square.side)));
   const auto lights = eye_->viewer.shader.lights();
-  const double most = static_cast<double>(eye_->error_budget.tolerance) / expected;
+  const double most =
+      static_cast<double>(eye_->error_budget.tolerance) / LeafTuning::expected_penumbra;
   double error = 0.0;
   for (std::uint32_t i = 0; i < lights.size() && !(error > most); ++i) {
     if (!casts_soft_shadow(i)) continue;
@@ -368,9 +362,10 @@ ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
         *shadows_, {lights[i], i, leaf.point, leaf.around, reflected, level, leaf.weight},
         *eye_->counts);
     error += static_cast<double>(found.error);
-    views.add({i, expected * static_cast<double>(found.error), found.too_detailed});
+    views.add(
+        {i, LeafTuning::expected_penumbra * static_cast<double>(found.error), found.too_detailed});
   }
-  return ErrorBound::of(expected * error);
+  return ErrorBound::of(LeafTuning::expected_penumbra * error);
 }
 
 double ErrorTerms::cost_of_shadows() const {
@@ -381,7 +376,6 @@ double ErrorTerms::cost_of_shadows() const {
 }
 
 bool ErrorTerms::may_misplace_light(const Leaf& leaf) const {
-  constexpr double wider = 8.0;  // than the corner rays: another mirror's pyray starts elsewhere
   const ViewContext& viewer = eye_->viewer;
   if (!leaf.shows_surface() || viewer.shader.lights_without_geometry().empty()) return false;
   const double spread =
@@ -392,7 +386,8 @@ bool ErrorTerms::may_misplace_light(const Leaf& leaf) const {
   const auto bare = viewer.shader.lights_without_geometry();
   return std::any_of(bare.begin(), bare.end(), [&](std::uint32_t i) {
     const PreparedLight& light = viewer.shader.lights()[i];
-    return largest(light.power) > 1.0f && may_show(light, from, towards, wider * spread);
+    return largest(light.power) > 1.0f &&
+           may_show(light, from, towards, LeafTuning::wider_mirrored * spread);
   });
 }
 

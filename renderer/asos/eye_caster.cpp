@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
+#include "renderer/pyray/tuning.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,11 +11,6 @@
 
 namespace asos {
 namespace {
-
-// Number of samples of a root that may contain a sliver much brighter than white. With fewer, all
-// samples may miss it, or its weight is overestimated.
-constexpr double samples_of_glare = 1024.0;
-constexpr float glaring = 4.0f;
 
 // Returns whether a part of a perspective frame may show a surface that glares.
 bool may_glare(const EyeContext& eye, const Square& square) {
@@ -28,7 +24,7 @@ bool may_glare(const EyeContext& eye, const Square& square) {
   const double half_angle = 1.5 * std::acos(std::min(1.0, glm::dot(middle, corner)));
   const auto lights = eye.viewer.shader.lights();
   return std::any_of(lights.begin(), lights.end(), [&](const PreparedLight& light) {
-    return light.own_part >= 0 && largest(light.power) > glaring &&
+    return light.own_part >= 0 && largest(light.power) > EnoughSamples::glare &&
            may_show(light, eye.frame->apex(), middle, half_angle);
   });
 }
@@ -102,7 +98,7 @@ SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, d
   const std::uint64_t before = eye_.counts->rays();
   std::uint32_t fewest = 1;
   if (may_glare(eye_, square))
-    fewest = std::bit_ceil(static_cast<std::uint32_t>(samples_of_glare * weight));
+    fewest = std::bit_ceil(static_cast<std::uint32_t>(EnoughSamples::of_glare * weight));
   const PyrayLeaf leaf{root, sample, weight, {square, {}}, {Estimator::samples}};
   const bool sampled = leaf_shader_.add_samples(leaf, fewest);
   sums_[root].rays += eye_.counts->rays() - before;

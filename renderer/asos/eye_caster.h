@@ -9,8 +9,8 @@
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/pyray/caster.h"
-#include "renderer/pyray/leaf_costs.h"
 #include "renderer/pyray/tracer.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shadows/shadow_context.h"
 
 #include <glm/glm.hpp>
@@ -67,10 +67,9 @@ class EyeCaster final : public Caster {
     return chooser_.decide(leaf, may_split);
   }
   [[nodiscard]] bool samples_suffice(double weight, std::size_t parts) const override {
-    constexpr double contrast = 0.5;  // of parts with many surfaces, assumed
     const double cost = chooser_.part_price() * static_cast<double>(parts);
     return shades_parts_ && choose(eye_.error_budget, weight, ErrorBound::none(),
-                                   {cost, {}, contrast}) == Estimator::samples;
+                                   {cost, {}, LeafTuning::contrast_of_many}) == Estimator::samples;
   }
   [[nodiscard]] SampleId sample_saturated(std::uint32_t root, const Square& square,
                                           double weight) override;

@@ -1,6 +1,6 @@
 #include "renderer/asos/leaf_chooser.h"
 
-#include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tuning.h"
 
 #include <algorithm>
 #include <utility>

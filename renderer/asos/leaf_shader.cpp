@@ -5,6 +5,7 @@
 #include "renderer/asos/leaf_transport.h"
 #include "renderer/asos/texture_samples.h"
 #include "renderer/geometry/finite.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/gloss.h"
 
@@ -17,32 +18,7 @@
 namespace asos {
 namespace {
 
-// The colour of a cut leaf is averaged over this many parts along each side. Leaves of less weight
-// than `least_in_parts` are not divided.
-constexpr int parts_along = 3;
-constexpr double least_in_parts = 1.0 / 64.0;
-
-// Samples of a root whose mirrors may show a bright light at another place than pyrays do. With few
-// samples, all may miss the light, so that their variance is wrongly zero.
-constexpr double samples_of_light = 256.0;
-
-// Fewest samples of a defocused pixel. With fewer, all may miss a bright object that is blurred
-// over many pixels, so that their variance is wrongly zero.
-constexpr std::uint32_t samples_of_blur = 16;
-// MAX divides the lens as it divides the pixel, into 4^MAX parts, but into no more than this. It
-// allows that many times more samples for pixel and lens together than for a pixel.
-constexpr double most_parts_of_lens = 16.0;
-
-// Samples of a pixel for its surface layers, where one sample cannot represent a part of it.
-constexpr double samples_of_planes = 256.0;
-
-// Expected error of a part that boundaries cross although one sample represents it.
-constexpr double error_of_marginal = 0.25;
-
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-// A block's first stage samples regions until their error is within this many times the allowance.
-constexpr double first_stage_error = 4.0;
 
 }  // namespace
 
@@ -79,7 +55,7 @@ void LeafShader::shade_one(const PyrayLeaf& part) {
   const bool one_sample = worth_one_sample(part);
   if (layers_ && (one_sample || !adds_planes_)) layers_->add(part);
   if (one_sample) {
-    const double off = error_of_marginal * part.weight;
+    const double off = LeafTuning::error_of_marginal * part.weight;
     sum.squared_error += off * off;
     return single_.add(part);
   }
@@ -152,13 +128,13 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
 std::span<const WeightedShape> LeafShader::colour_parts(const Leaf& leaf) {
   parts_.clear();
   const LeafRegion& region = leaf.region;
-  if (region.border.empty() || !leaf.shows_surface() || leaf.weight < least_in_parts ||
+  if (region.border.empty() || !leaf.shows_surface() || leaf.weight < LeafTuning::least_in_parts ||
       eye_->settings->texture.filter == TextureFilter::point)
     return {};
   if (!eye_->scene->render_features.textures ||
       !(leaf.material->base_color_texture.used() || leaf.material->emissive_texture.used()))
     return {};
-  add_footprint_shapes(region, leaf.at, parts_along, parts_);
+  add_footprint_shapes(region, leaf.at, LeafTuning::colour_parts, parts_);
   return parts_;
 }
 
@@ -176,13 +152,14 @@ bool LeafShader::suffices(const Leaf& leaf, const Estimate& centre) const {
 // is half of the number that is expected to be needed. With fewer, all may miss the visible part of
 // the light, so that their variance is wrongly zero.
 std::uint32_t LeafShader::enough_for(const Leaf& leaf, float highlights) const {
-  constexpr double most = 256.0;
   const ErrorBudget& error_budget = eye_->error_budget;
   if (!(highlights > error_budget.tolerance))
-    return std::bit_ceil(std::max(1u, static_cast<std::uint32_t>(samples_of_light * leaf.weight)));
+    return std::bit_ceil(
+        std::max(1u, static_cast<std::uint32_t>(EnoughSamples::of_rare_light * leaf.weight)));
   const double likely = error_budget.samples(
       leaf.weight, ErrorBudget::usual_contrast + static_cast<double>(highlights));
-  return std::bit_floor(static_cast<std::uint32_t>(std::clamp(0.5 * likely, 1.0, most)));
+  return std::bit_floor(
+      static_cast<std::uint32_t>(std::clamp(0.5 * likely, 1.0, EnoughSamples::of_rare_light)));
 }
 
 // Divides a leaf of a textured surface without boundaries into TR x TR samples per pixel, each with
@@ -240,9 +217,9 @@ void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint
   leaf.decision = {Estimator::samples};
   leaf.defocused = true;
   RegionSampler::Goal goal =
-      sample_goal(eye_->defocus->error_budget(), 1.0, std::max(fewest, samples_of_blur));
+      sample_goal(eye_->defocus->error_budget(), 1.0, std::max(fewest, EnoughSamples::of_blur));
   const double parts_of_lens =
-      std::min(most_parts_of_lens, eye_->defocus->error_budget().finest_cells(1.0));
+      std::min(LeafTuning::most_parts_of_lens, eye_->defocus->error_budget().finest_cells(1.0));
   if (goal.most > 1) goal.most *= static_cast<std::uint32_t>(parts_of_lens);
   sums_[root].defocused = true;
   defer(leaf, goal);
@@ -251,7 +228,8 @@ void LeafShader::sample_defocused(std::uint32_t root, SampleId sample, std::uint
 // Defers a leaf until `finish`.
 void LeafShader::defer(const PyrayLeaf& leaf, const RegionSampler::Goal& goal) {
   const double samples =
-      adds_planes(leaf) ? std::max(1.0, samples_of_planes * std::min(1.0, leaf.weight)) : 0.0;
+      adds_planes(leaf) ? std::max(1.0, EnoughSamples::of_rare_light * std::min(1.0, leaf.weight))
+                        : 0.0;
   sampler().add(leaf.region, goal, static_cast<std::uint32_t>(samples));
   PyrayLeaf& deferred = deferred_.emplace_back(leaf);
   deferred.region.border = {};
@@ -330,7 +308,7 @@ void LeafShader::finish() {
 void LeafShader::start_regions() {
   if (deferred_.empty() || eye_->stop.stop_requested()) return;
   const std::uint64_t before = eye_->counts->rays();
-  const auto found = sampler_->start(*eye_->counts, first_stage_error);
+  const auto found = sampler_->start(*eye_->counts, LeafTuning::first_stage_error);
   const auto rays = static_cast<double>(eye_->counts->rays() - before);
   const std::vector<PyrayLeaf> leaves = std::exchange(deferred_, {});
   double samples = 0.0;

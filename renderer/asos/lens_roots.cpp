@@ -3,6 +3,7 @@
 #include "renderer/asos/texture_samples.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/lights_without_geometry.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shading/gloss.h"
 
 #include <algorithm>
@@ -13,10 +14,6 @@
 
 namespace asos {
 namespace {
-
-// Expected number of a pixel's samples on a visible light. With fewer, all may miss it, so that
-// their variance is wrongly zero: with this many, that happens to one pixel of 55.
-constexpr double samples_on_light = 4.0;
 
 // Returns the solid angle of a light that a surface shows; for small lights.
 double solid_angle(const PreparedLight& light, glm::dvec3 to_light) {
@@ -116,7 +113,7 @@ std::uint32_t LensRoots::samples_for_lights(std::uint32_t root) const {
     const double share = std::min(1.0, solid_angle(light, to_light) / cone);
     if (share * static_cast<double>(largest(light.power)) >
         static_cast<double>(eye_->error_budget.tolerance))
-      samples = std::max(samples, samples_on_light / share);
+      samples = std::max(samples, EnoughSamples::on_light / share);
   }
   return std::bit_ceil(static_cast<std::uint32_t>(std::min(samples, most)));
 }

@@ -1,6 +1,7 @@
 #include "renderer/asos/predicted_level.h"
 
 #include "renderer/pyray/error_budget.h"
+#include "renderer/pyray/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,8 @@ LevelPrediction::LevelPrediction(const RenderSettings& rendered, const RenderSet
   tolerance_before_ = static_cast<double>(before.tolerance);
   tolerance_ = static_cast<double>(after.tolerance);
   most_samples_ = after.most_samples(1.0);
-  constexpr double contrast = 0.5;  // of parts with many surfaces, assumed
-  tangle_samples_ =
-      std::max(after.samples(1.0, contrast), static_cast<double>(after.pilot_samples(1.0)));
+  tangle_samples_ = std::max(after.samples(1.0, LeafTuning::contrast_of_many),
+                             static_cast<double>(after.pilot_samples(1.0)));
   const double one = before.samples(1.0, ErrorBudget::usual_contrast);
   more_samples_ = after.samples(1.0, ErrorBudget::usual_contrast) / std::max(one, 1.0);
 }

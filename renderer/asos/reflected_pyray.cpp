@@ -3,6 +3,7 @@
 #include "renderer/asos/eye_caster.h"
 #include "renderer/asos/reflected_hit.h"
 #include "renderer/lights/lights_without_geometry.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/reflections/mirror_surface.h"
 
 #include <algorithm>
@@ -16,9 +17,6 @@ namespace asos {
 namespace {
 
 constexpr Square whole_square{0.0f, 0.0f, 1.0f};
-
-// Blur width, in leaf widths, above which the leaf's own outline does not matter.
-constexpr double outline_matters = 0.25;
 
 std::optional<Segment> projected(const Frame& frame, glm::dvec3 a, glm::dvec3 b) {
   glm::dvec3 p = frame.homogeneous(a), q = frame.homogeneous(b);
@@ -126,7 +124,7 @@ Bounds2 incident_part(const EyeContext& eye, const Reflection& reflection,
 // Returns whether the leaf's outline is still recognizable in the reflection, despite its blur.
 bool shows_outline(const ReflectedHit& sight) {
   const double sharp = std::min(sight.pyray.sharp_share.x, sight.pyray.sharp_share.y);
-  return 1.0 - sharp < outline_matters * sharp;
+  return 1.0 - sharp < LeafTuning::blurred_outline * sharp;
 }
 
 // Returns a rectangle around the sample with the leaf's area, which represents a leaf whose outline

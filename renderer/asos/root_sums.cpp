@@ -1,6 +1,7 @@
 #include "renderer/asos/root_sums.h"
 
 #include "renderer/pyray/error_budget.h"
+#include "renderer/pyray/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ glm::vec3 BlurredSum::mean(const BlurByDepth& blur) const {
 void RootSum::add_samples(const RegionSampler::Mean& found, const PyrayLeaf& leaf,
                           double leaf_weight) {
   // Standard deviation of one sample from which a difference is visible.
-  constexpr double visible = 0.25 * ErrorBudget::usual_contrast;
+  constexpr double visible = LeafTuning::visible_contrast * ErrorBudget::usual_contrast;
   const double held = 1.0 - found.masked_share;
   add(found.value, held * leaf_weight);
   if (std::isfinite(found.error))

@@ -1,6 +1,6 @@
 #include "renderer/asos/selected_lights.h"
 
-#include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shadows/patch_view.h"
 
 #include <algorithm>
@@ -11,10 +11,6 @@
 
 namespace asos {
 namespace {
-
-// Shadow rays per point. Weighing a hundred lights takes about as long.
-constexpr float rays_a_point = 8.0f;
-constexpr std::uint32_t most_points = 128;
 
 /// Collects the points that lights illuminate, and evaluates no light.
 class LitPoints final : public LightTransport {
@@ -42,7 +38,8 @@ double rays_of_point(std::span<const double> carried) {
   const double all = std::accumulate(carried.begin(), carried.end(), 0.0);
   double rays = 0.0;
   for (const double one : carried)
-    if (one > 0.0) rays += std::min(1.0, static_cast<double>(rays_a_point) * one / all);
+    if (one > 0.0)
+      rays += std::min(1.0, static_cast<double>(ShadowTuning::rays_a_point) * one / all);
   return std::max(1.0, rays);
 }
 
@@ -62,8 +59,8 @@ void SelectedLights::take_all() {
   if (!sought()) return;
   for (const PreparedLight& light : eye_->viewer.shader.lights())
     sampled_.push_back(light.casts_shadows ? 1 : 0);
-  expected_ = {1.0, static_cast<double>(rays_a_point)};
-  lights_.restrict_to(sampled_, rays_a_point);
+  expected_ = {1.0, static_cast<double>(ShadowTuning::rays_a_point)};
+  lights_.restrict_to(sampled_, ShadowTuning::rays_a_point);
 }
 
 void SelectedLights::find(int side) {
@@ -106,7 +103,7 @@ void SelectedLights::find(int side) {
   sampled_.assign(lights.size(), 0);
   for (std::size_t k = strong; k < order.size(); ++k) sampled_[order[k]] = 1;
   expected_ = expected(carried);
-  lights_.restrict_to(sampled_, rays_a_point);
+  lights_.restrict_to(sampled_, ShadowTuning::rays_a_point);
 }
 
 SelectedLights::Expected SelectedLights::expected(std::span<const double> carried) const {
@@ -135,10 +132,11 @@ std::uint32_t SelectedLights::start(const Leaf& leaf) {
 // Returns the number of points whose rays reach the accuracy that the leaf's weight needs. Rays to
 // selected lights have a higher variance than rays to one light.
 std::uint32_t SelectedLights::points_of(double weight, const Expected& expected) const {
-  constexpr double of_picks = 2.0;
-  const double rays = eye_->error_budget.samples(weight, of_picks * expected.intensity);
-  return std::bit_ceil(static_cast<std::uint32_t>(
-      std::clamp(std::ceil(rays / expected.rays_of_point), 1.0, static_cast<double>(most_points))));
+  const double rays =
+      eye_->error_budget.samples(weight, ShadowTuning::contrast_of_selection * expected.intensity);
+  return std::bit_ceil(
+      static_cast<std::uint32_t>(std::clamp(std::ceil(rays / expected.rays_of_point), 1.0,
+                                            static_cast<double>(ShadowTuning::most_points))));
 }
 
 // Finds the leaf's points and the surfaces there.

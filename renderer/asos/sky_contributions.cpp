@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/finite.h"
 #include "renderer/geometry/largest.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/sampling/sequential_mean.h"
 #include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/light_transport.h"
@@ -20,10 +21,6 @@
 namespace asos {
 namespace {
 
-// With too few samples, sampling ends early where they miss a bright spot: with 16, the mean of a
-// picture is 2.5e-4 too dark. An allowed error above `coarse` needs only `few` samples.
-constexpr std::uint32_t few = 16, enough = 128, most = 1024;
-constexpr double coarse = 1.0 / 64.0;
 // A light number whose dimensions of the sequence are hardly ever used.
 constexpr std::uint32_t other_places = 0x100;
 
@@ -36,7 +33,9 @@ glm::vec3 unoccluded_sky_within(const SkyQuery& point, const SobolPixel& leaf, d
   const SkySampler sampler(point);
   // Matte reflection has a closed form under more skies. Samples determine the rest.
   const std::optional<glm::vec3> matte = open_sky_of_matte(point);
-  const SamplingGoal goal{error, error > coarse ? few : enough, most, false};
+  const SamplingGoal goal{
+      error, error > SkyTuning::coarse ? SkyTuning::few_samples : SkyTuning::enough_samples,
+      SkyTuning::most_samples, false};
   SequentialMean mean;
   std::uint32_t taken = 0;
   for (std::uint32_t end = goal.least;; end = goal.after_next_round(end)) {
@@ -51,16 +50,6 @@ glm::vec3 unoccluded_sky_within(const SkyQuery& point, const SobolPixel& leaf, d
       return glm::max(glm::vec3(mean.mean()) + matte.value_or(glm::vec3(0.0f)), 0.0f);
   }
 }
-
-// First rays of a whole pixel. Parts of a pixel get a proportional number, but at least
-// `fewest_rays`.
-constexpr double first_rays = 8.0;
-constexpr std::uint32_t fewest_rays = 2;
-constexpr std::uint32_t most_rays = 8192;
-// Weights of the prior variances: the neighbouring pixels' variance counts as much as this many
-// rays of the leaf, and the whole block's as much as this many rays of the neighbours.
-constexpr double rays_of_neighbours = 8.0;
-constexpr double rays_of_block = 8.0;
 
 /// Sums of the rays' errors and squared errors.
 struct ErrorSums {
@@ -109,9 +98,9 @@ void SkyContributions::add(std::uint32_t number, const SkyQuery& point, const Le
   lit.sky = point.sky;
   lit.mirrors = point.mirrors;
   lit.factor = point.share;
-  constexpr double share_of_error = 0.7;
-  lit.open = unoccluded_sky_within(point, leaf_places(lit),
-                                   share_of_error * eye_->error_budget.standard_error(leaf.weight));
+  lit.open = unoccluded_sky_within(
+      point, leaf_places(lit),
+      SkyTuning::share_of_unoccluded * eye_->error_budget.standard_error(leaf.weight));
   const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : point.material.specular;
   lit.unit = bounces_ ? point.share * (point.material.diffuse + specular) : lit.open;
 }
@@ -198,13 +187,13 @@ void SkyContributions::trace_bounces() {
 // rays that brings the mean's error within the allowance of its weight.
 SkyFits::Expected SkyContributions::expected(const SkyLeaf& lit, double of_neighbours) const {
   if (lit.rays == 0 || (!bounces_ && !(largest(lit.sent) > 0.0))) return {};
-  const double variance =
-      (lit.squares() + rays_of_neighbours * of_neighbours) / (lit.rays - 1.0 + rays_of_neighbours);
+  const double variance = (lit.squares() + SkyTuning::rays_of_prior * of_neighbours) /
+                          (lit.rays - 1.0 + SkyTuning::rays_of_prior);
   const double unit = std::min(1.0, static_cast<double>(largest(lit.unit)));
   const double error = eye_->error_budget.standard_error(lit.leaf->weight) / unit;
   const double rays = SkyLeaf::rays_for(variance, error * error);
   const double most =
-      std::min(eye_->error_budget.most_samples(lit.leaf->weight), double{most_rays});
+      std::min(eye_->error_budget.most_samples(lit.leaf->weight), double{SkyTuning::most_rays});
   return {variance, std::bit_ceil(static_cast<std::uint32_t>(std::clamp(rays, 1.0, most)))};
 }
 
@@ -227,7 +216,7 @@ void SkyContributions::expect() {
   expected_.clear();
   for (const SkyLeaf& lit : lit_) {
     const glm::ivec2 at = place(lit);
-    const double rays = rays_of_block / block.rays;
+    const double rays = SkyTuning::rays_of_prior / block.rays;
     ErrorSums around{rays * block.rays, rays * block.error, rays * block.error2};
     for (int y = std::max(0, at.y - 1); y <= std::min(side - 1, at.y + 1); ++y)
       for (int x = std::max(0, at.x - 1); x <= std::min(side - 1, at.x + 1); ++x)
@@ -253,8 +242,8 @@ void SkyContributions::share_surfaces() {
 
 std::span<const Contribution> SkyContributions::run() {
   for (std::size_t i = 0; i < lit_.size(); ++i) {
-    const auto part = static_cast<std::uint32_t>(first_rays * lit_[i].leaf->weight);
-    if (held(lit_[i])) send(i, std::bit_ceil(std::max(fewest_rays, part)));
+    const auto part = static_cast<std::uint32_t>(SkyTuning::first_rays * lit_[i].leaf->weight);
+    if (held(lit_[i])) send(i, std::bit_ceil(std::max(SkyTuning::fewest_rays, part)));
   }
   trace();
   expect();

@@ -2,6 +2,7 @@
 
 #include "renderer/asos/polynomial_fit.h"
 #include "renderer/geometry/bounds2.h"
+#include "renderer/pyray/tuning.h"
 
 #include <algorithm>
 #include <array>
@@ -12,21 +13,6 @@
 
 namespace asos {
 namespace {
-
-// Fewest leaves that share a fit.
-constexpr std::size_t fewest_lits = 14;
-// Least ratio of rays for all leaves alone to rays for the nodes.
-constexpr double least_gain = 1.3;
-constexpr int nodes_along = 3;
-// The nodes' error is common to all leaves of a cell, so it has to be smaller than the allowed
-// error of one pixel, by this factor.
-constexpr double share_of_error = 0.5;
-// Largest misfit of a cell's nodes. It rejects one of twenty fits whose nodes deviate by noise
-// alone.
-constexpr double most_misfit = 2.5;
-// Largest deviation from the fit, in standard errors, of a leaf's few rays and of all leaves
-// together.
-constexpr double most_off = 4.0, most_off_together = 3.0;
 
 double sum(glm::dvec3 v) {
   return v.x + v.y + v.z;
@@ -46,15 +32,15 @@ Bounds2 box_of(std::span<const SkyLeaf> lits, const SkyFits::Cell& cell) {
 // Returns whether both belong to one connected surface, bent by 25 degrees at most, and whether the
 // line between them is not too steep, as at a step.
 bool SkyFits::alike(const SkyLeaf& a, const SkyLeaf& b) const {
-  constexpr float least_cosine = 0.9f, steepest = 0.5f;
   if (a.smooth_surface != b.smooth_surface || a.mirrors != b.mirrors) return false;
-  if (glm::dot(a.point.shading_normal, b.point.shading_normal) < least_cosine) return false;
+  if (glm::dot(a.point.shading_normal, b.point.shading_normal) < SkyTuning::least_cosine)
+    return false;
   const glm::vec3 between = b.point.position - a.point.position;
-  return std::abs(glm::dot(between, a.point.geometric_normal)) <= steepest * glm::length(between);
+  return std::abs(glm::dot(between, a.point.geometric_normal)) <=
+         SkyTuning::steepest * glm::length(between);
 }
 
 std::vector<SkyFits::Cell> SkyFits::cells() const {
-  constexpr std::size_t most_cells = 32;
   std::vector<Cell> cells;
   for (std::uint32_t i = 0; i < lits_.size(); ++i) {
     const SkyLeaf& lit = lits_[i];
@@ -66,11 +52,12 @@ std::vector<SkyFits::Cell> SkyFits::cells() const {
     });
     if (found != cells.end()) {
       found->lits.push_back(i);
-    } else if (cells.size() < most_cells) {
+    } else if (cells.size() < SkyTuning::most_surfaces) {
       cells.push_back({{i}, {}, 0});
     }
   }
-  std::erase_if(cells, [](const Cell& cell) { return cell.lits.size() < fewest_lits; });
+  std::erase_if(cells,
+                [](const Cell& cell) { return cell.lits.size() < SkyTuning::fewest_leaves; });
   return cells;
 }
 
@@ -87,18 +74,19 @@ std::uint32_t SkyFits::rays_of_nodes(const Cell& cell) const {
     last = lits_[i].leaf->root;
   }
   const double share = std::min(1.0, weight / roots);
-  const double error = share_of_error * standard_error_ / (unit * std::sqrt(share));
+  const double error = SkyTuning::share_of_nodes * standard_error_ / (unit * std::sqrt(share));
   const double rays = SkyLeaf::rays_for(variance / weight, error * error);
   return static_cast<std::uint32_t>(std::clamp(std::ceil(rays), 1.0, 1e4));
 }
 
 bool SkyFits::choose_nodes(Cell& cell) const {
   cell.nodes.clear();
-  if (cell.lits.size() < fewest_lits) return false;
+  if (cell.lits.size() < SkyTuning::fewest_leaves) return false;
   const Bounds2 box = box_of(lits_, cell);
-  for (int k = 0; k < nodes_along * nodes_along; ++k) {
-    const glm::vec2 share(static_cast<float>(k % nodes_along) / (nodes_along - 1),
-                          static_cast<float>(k / nodes_along) / (nodes_along - 1));
+  for (int k = 0; k < SkyTuning::nodes_along * SkyTuning::nodes_along; ++k) {
+    const glm::vec2 share(
+        static_cast<float>(k % SkyTuning::nodes_along) / (SkyTuning::nodes_along - 1),
+        static_cast<float>(k / SkyTuning::nodes_along) / (SkyTuning::nodes_along - 1));
     const glm::vec2 place = glm::mix(box.lo, box.hi, share);
     const auto distance = [&](std::uint32_t i) {
       const glm::vec2 off = lits_[i].leaf->at - place;
@@ -119,7 +107,7 @@ bool SkyFits::choose_nodes(Cell& cell) const {
   double alone = 0.0, shared = 0.0;
   for (const std::uint32_t i : cell.lits) alone += missing(i, expected_[i].rays);
   for (const std::uint32_t i : cell.nodes) shared += missing(i, cell.node_rays);
-  return alone > least_gain * shared;
+  return alone > SkyTuning::least_gain * shared;
 }
 
 // Returns the variance of a node's mean, from its own rays and from an invisible deviation of the
@@ -130,14 +118,15 @@ double SkyFits::variance(std::uint32_t lit) const {
 }
 
 bool SkyFits::assign(const Cell& cell) const {
-  std::array<NoisyValue, static_cast<std::size_t>(nodes_along * nodes_along)> known;
+  std::array<NoisyValue, static_cast<std::size_t>(SkyTuning::nodes_along * SkyTuning::nodes_along)>
+      known;
   for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
     const SkyLeaf& node = lits_[cell.nodes[k]];
     known[k] = {glm::dvec2(node.leaf->at), node.mean() / glm::dvec3(node.unit),
                 variance(cell.nodes[k])};
   }
   const auto fit = PolynomialFit::through(std::span(known).first(cell.nodes.size()));
-  if (!fit || fit->misfit() > most_misfit) return false;
+  if (!fit || fit->misfit() > SkyTuning::most_misfit) return false;
   // Compare the other leaves with the fit.
   double off = 0.0, certainty = 0.0;
   std::vector<std::uint32_t> agreeing;
@@ -148,12 +137,11 @@ bool SkyFits::assign(const Cell& cell) const {
     const double noise = variance(i);
     off += by / noise;
     certainty += 1.0 / noise;
-    if (by * by <= most_off * most_off * noise) agreeing.push_back(i);
+    if (by * by <= SkyTuning::most_off * SkyTuning::most_off * noise) agreeing.push_back(i);
   }
-  constexpr double most_contradict = 0.1;
   const auto count = static_cast<double>(cell.lits.size());
-  if (off * off > most_off_together * most_off_together * certainty ||
-      static_cast<double>(agreeing.size()) < (1.0 - most_contradict) * count)
+  if (off * off > SkyTuning::most_off_together * SkyTuning::most_off_together * certainty ||
+      static_cast<double>(agreeing.size()) < (1.0 - SkyTuning::most_contradicting) * count)
     return false;
   for (const std::uint32_t i : agreeing) {
     SkyLeaf& lit = lits_[i];
@@ -171,7 +159,7 @@ void SkyFits::divide(const Cell& cell, std::vector<Cell>& quarters) const {
     parts[(at.x > middle.x ? 1u : 0u) + (at.y > middle.y ? 2u : 0u)].lits.push_back(i);
   }
   for (Cell& part : parts)
-    if (part.lits.size() >= fewest_lits) quarters.push_back(std::move(part));
+    if (part.lits.size() >= SkyTuning::fewest_leaves) quarters.push_back(std::move(part));
 }
 
 }  // namespace asos

@@ -1,6 +1,7 @@
 #include "renderer/asos/started_pyray.h"
 
 #include "renderer/asos/split_causes.h"
+#include "renderer/pyray/tuning.h"
 
 #include <algorithm>
 #include <bit>
@@ -58,9 +59,8 @@ SplitPredictionData outlook_of(const SubdivisionOutcome& outcome, const RootSum&
 // Returns the expected error of a pixel in display intensity: the root of the summed squares of the
 // errors of sampled parts, of leaves shaded at their centres, and of a fraction of the tolerance.
 double error_estimate(const RootSum& sum, double tolerance) {
-  // Fitted to built-in scenes; errors seldom reach their bounds.
-  constexpr double share_of_tolerance = 1.0 / 12.0, share_of_bound = 0.6;
-  const double usual = share_of_tolerance * tolerance, centres = share_of_bound * sum.centre_error;
+  const double usual = LeafTuning::share_of_tolerance * tolerance,
+               centres = LeafTuning::share_of_bound * sum.centre_error;
   return std::sqrt(sum.squared_error + centres * centres + usual * usual);
 }
 

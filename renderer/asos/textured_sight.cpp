@@ -1,6 +1,7 @@
 #include "renderer/asos/textured_sight.h"
 
 #include "renderer/asos/texture_samples.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/samples/light_selection.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
@@ -140,12 +141,11 @@ Places places_near_border(const LeafRegion& region, const FootprintShape& part, 
 }  // namespace
 
 bool reaches_beyond_triangle(const World& world, const Hit& hit, const Patch& patch) {
-  constexpr float far = 0.5f;  // of the triangle's sides
   const Footprint seen = footprint_on(world, hit, patch);
   const auto reach = [](glm::vec2 edge) {
     return std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.x + edge.y)});
   };
-  return std::max(reach(seen.right), reach(seen.down)) > far;
+  return std::max(reach(seen.right), reach(seen.down)) > LeafTuning::far_beyond_triangle;
 }
 
 bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& patch) {
@@ -157,10 +157,6 @@ bool textured_by_several(const EyeContext& eye, const Hit& hit, const Patch& pat
 }
 
 bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const Leaf& leaf) {
-  constexpr float negligible = 0.5f, slightly = 0.1f;  // in texels; in extents of the leaf
-  // The mean's error is this fraction of the error at a corner, if the surface bends at an edge
-  // within the leaf.
-  constexpr float share_of_corner = 0.25f;
   const RenderScene& scene = *eye.scene;
   const World& world = scene.world();
   const Hit& hit = leaf.hit;
@@ -188,7 +184,8 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
   // Compare these hits with the footprint. Skip hits on other surfaces, which belong to other
   // leaves.
   const TexturePlane plane(world, hit.triangle, use);
-  const float allowed = std::max(negligible, slightly * plane.extent(seen));
+  const float allowed =
+      std::max(LeafTuning::negligible_texels, LeafTuning::negligible_extent * plane.extent(seen));
   for (std::size_t i = 0; i < places.count; ++i) {
     const Hit& met = hits[i];
     if (!met.valid() || met.triangle == hit.triangle ||
@@ -199,7 +196,7 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
     const glm::vec2 b =
         glm::vec2(hit.b1, hit.b2) + square.offset + away.x * square.right + away.y * square.down;
     if (plane.distance(b, met) > allowed) return true;
-    if (coloured && share_of_corner * colour_difference(world, hit.triangle, b, met) >
+    if (coloured && LeafTuning::share_of_corner * colour_difference(world, hit.triangle, b, met) >
                         eye.error_budget.tolerance)
       return true;
   }
@@ -207,7 +204,6 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
 }
 
 bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch& patch) {
-  constexpr float much = 0.1f;  // of the hit's distance
   const RenderScene& scene = *eye.scene;
   const Material& material = scene.world().material_of(hit.triangle);
   if (eye.settings->texture.filter == TextureFilter::point ||
@@ -215,7 +211,7 @@ bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch&
     return false;
   const float depth = std::abs(glm::dot(patch.right, ray.direction)) +
                       std::abs(glm::dot(patch.down, ray.direction));
-  return depth > much * eye.viewer.spacing.distance(hit.t);
+  return depth > LeafTuning::receding * eye.viewer.spacing.distance(hit.t);
 }
 
 bool uneven_products(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch& square,

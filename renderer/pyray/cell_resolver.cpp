@@ -1,12 +1,11 @@
 #include "renderer/pyray/cell_resolver.h"
 
+#include "renderer/pyray/tuning.h"
+
 #include <algorithm>
 
 namespace asos {
 namespace {
-
-// This many parts are worth a cut, whatever samples cost.
-constexpr std::size_t few_parts = 4;
 
 glm::vec2 middle_of(const Square& s) {
   return {s.centre_u(), s.centre_v()};
@@ -87,7 +86,7 @@ bool CellResolver::plan_cut(std::uint32_t cell_index, const CellOccluder& hiding
   boundaries = cut.boundaries;
   if (cut.parts.empty()) return false;
   // Many parts may cost more than samples of all of them.
-  if (cut.parts.size() > few_parts && better_sampled(cell, cut.parts.size())) {
+  if (cut.parts.size() > LeafTuning::few_parts && better_sampled(cell, cut.parts.size())) {
     boundaries = std::max(boundaries, cut.parts.size());
     return false;
   }

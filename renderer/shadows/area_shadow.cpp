@@ -1,7 +1,7 @@
 #include "renderer/shadows/area_shadow.h"
 
 #include "renderer/geometry/largest.h"
-#include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shadows/sampled_shadow.h"
 #include "renderer/shadows/shadow.h"
@@ -22,12 +22,6 @@ double lobe_error(const ShadowContext& block, const Illumination& lit, const Vis
   return static_cast<double>(share * std::min(lit.highlight, spread_over(lit)));
 }
 
-// If neither a light nor its quarters can be cut along their boundaries, the light is sampled. More
-// levels of pyrays cost more than rays from all over the patch.
-constexpr int pyramid_levels = 1;
-// A light whose square contains more groups of boundaries is not resolved.
-constexpr std::size_t most_entries = 400;
-
 // Returns the visibility from one point by a pyray through the light's square, between the surface
 // and the light. The error is infinite where that does not resolve the occluders.
 Estimate pyramid_shadow(const ShadowContext& block, const ShadowQuery& query,
@@ -40,10 +34,11 @@ Estimate pyramid_shadow(const ShadowContext& block, const ShadowQuery& query,
 
   // Make the pyray: through the light's square, between the surface and the light.
   SubdivisionRules rules = shadow_rules(block.rules, query);
-  rules.most_entries = most_entries;
+  rules.most_entries = ShadowTuning::most_groups;
   const bool refined = !block.rules.area_shadows;
   if (refined || !block.rules.see_through)
-    rules.error_budget.max_level = std::min(rules.error_budget.max_level, pyramid_levels);
+    rules.error_budget.max_level =
+        std::min(rules.error_budget.max_level, ShadowTuning::pyramid_levels);
   Pyray pyray{pyramid->frame()};
   pyray.bounds = query.found;
   pyray.bounds.within = pyramid->between();

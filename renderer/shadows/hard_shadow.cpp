@@ -1,6 +1,6 @@
 #include "renderer/shadows/hard_shadow.h"
 
-#include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shadows/sampled_shadow.h"
 #include "renderer/shadows/shadow.h"
 

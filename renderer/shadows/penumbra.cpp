@@ -1,6 +1,6 @@
 #include "renderer/shadows/penumbra.h"
 
-#include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shadows/linear_shadow.h"
 
 #include <algorithm>
@@ -289,11 +289,10 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   pyray.bounds.within = around_patch->between;
   pyray.bounds.most_entries =
       most_entries_for_samples(block.rules.error_budget.nested(query.level, 1.0, 1).max_level);
-  constexpr float finest_side = 1.0f / 64.0f;
-  constexpr std::size_t most = 64;
   const bool line = query.light.shape == PreparedLight::Shape::segment;
   const auto boundaries =
-      block.work->tracer.boundaries(block.scene->features, pyray, finest_side, most);
+      block.work->tracer.boundaries(block.scene->features, pyray, ShadowTuning::finest_in_penumbra,
+                                    ShadowTuning::most_in_penumbra);
   // Linear lights have no samples to fall back on.
   if (!boundaries) return line ? Penumbra{1.0f, false} : Penumbra{0.0f, true};
 

@@ -1,7 +1,7 @@
 #include "renderer/shadows/sampled_shadow.h"
 
 #include "renderer/geometry/largest.h"
-#include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/sampling/sequential_mean.h"
 #include "renderer/shadows/patch_points.h"
 #include "renderer/shadows/shadow.h"
@@ -15,16 +15,6 @@
 namespace asos {
 namespace {
 
-// Number of rays in the first round. Each further round doubles it, up to a maximum.
-constexpr double first_rays_a_root = 16.0;
-constexpr std::uint32_t least_rays = 8;
-// Rays of a leaf that needs only few: their least number, and the factor over the number needed.
-// Setting up origins and targets costs more than such rays, so additional ones are almost free.
-constexpr std::uint32_t fewest_rays = 4;
-constexpr double rays_for_one = 4.0;
-// Largest number of points drawn per requested ray. Where leaves and lights fill less of their
-// bounding boxes, the result uses fewer rays.
-constexpr std::uint32_t most_points_a_ray = 16;
 constexpr std::uint32_t most_at_a_time = ShadingPoints::size;
 
 // Returns the light's constants, with its power scaled to a maximum of 1, so that sums are safe.
@@ -49,10 +39,11 @@ Estimate sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   const auto most_rays = std::bit_floor(static_cast<std::uint32_t>(
       std::min(error_budget.most_samples(leaf.weight), static_cast<double>(1u << 20))));
   const bool few = query.takes_rays(error_budget, LeafCosts::light_pyramid);
-  const double first_rays = few ? rays_for_one * worth : first_rays_a_root * leaf.weight;
-  const std::uint32_t first_round =
-      std::min(most_rays, std::bit_ceil(std::max(few ? fewest_rays : least_rays,
-                                                 static_cast<std::uint32_t>(first_rays))));
+  const double first_rays =
+      few ? ShadowTuning::rays_for_one * worth : ShadowTuning::first_rays * leaf.weight;
+  const std::uint32_t first_round = std::min(
+      most_rays, std::bit_ceil(std::max(few ? ShadowTuning::fewest_rays : ShadowTuning::least_rays,
+                                        static_cast<std::uint32_t>(first_rays))));
   // So few rays are never stopped early, since stopping when they agree would be biased towards the
   // majority.
   const std::uint32_t most = few ? first_round : most_rays;
@@ -68,7 +59,7 @@ Estimate sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   for (std::uint32_t wanted = goal.least;; wanted = goal.after_next_round(wanted)) {
     // Send the round's rays, with replacements for those that miss the patch or the light. Without
     // replacements, parts that are hit reliably would have too much weight.
-    while (found.count() < wanted && drawn < most_points_a_ray * wanted) {
+    while (found.count() < wanted && drawn < ShadowTuning::most_points_a_ray * wanted) {
       const std::uint32_t first = drawn;
       drawn += std::min(wanted - found.count(), most_at_a_time);
       const ShadingPoints& points = patch.look(block, query, first, drawn, counts);

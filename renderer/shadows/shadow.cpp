@@ -1,6 +1,7 @@
 #include "renderer/shadows/shadow.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shading/shadow_ray.h"
 #include "renderer/shadows/area_shadow.h"
 #include "renderer/shadows/hard_shadow.h"
@@ -12,10 +13,6 @@
 
 namespace asos {
 namespace {
-
-// Leaves below this fraction of a finest cell are served by a single ray, as marginal leaves are,
-// since they represent less area than any marginal leaf.
-constexpr double small_leaf = 0.25;
 
 Box box_of(const ShadowPatch& patch) {
   Box box;
@@ -46,7 +43,8 @@ Estimate leaf_visibility(const ShadowContext& block, const Illumination& lit, co
                          RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
   // A marginal or tiny leaf is worth one ray.
-  const double least_weight = small_leaf * std::ldexp(1.0, -2 * block.rules.error_budget.max_level);
+  const double least_weight =
+      ShadowTuning::small_leaf * std::ldexp(1.0, -2 * block.rules.error_budget.max_level);
   if (leaf.region.marginal || leaf.weight < least_weight)
     return ray_visibility(block, query, counts);
 

@@ -1,24 +1,13 @@
 #include "renderer/shadows/shadow_context.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/sampling/random.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace asos {
-namespace {
-
-// Limits for cutting a light or a patch: each part costs a ray, and the result is exact.
-constexpr int most_boundaries = 24;
-constexpr int most_pieces = 64;
-// Number of groups of boundaries in a light's square beyond which no part of it is free of
-// boundaries.
-constexpr int most_groups = 400;
-// Outlines are at least as detailed as in a pixel at MAX 3, so that lights can be cut along them.
-constexpr int finest_detail = 3;
-
-}  // namespace
 
 double ShadowQuery::intensity() const {
   return std::min(1.0, static_cast<double>(largest(lit.reflected * lit.unshadowed)));
@@ -48,10 +37,10 @@ SubdivisionRules shadow_rules(const ShadowRules& rules, const ShadowQuery& query
   shadow.error_budget = rules.error_budget.nested(query.leaf.level(), query.intensity(), 1);
   shadow.variant = rules.variant;
   shadow.jitter = true;
-  shadow.finest_detail = finest_detail;
-  shadow.limits.most_groups = most_groups;
-  shadow.limits.most_boundaries = most_boundaries;
-  shadow.limits.most_pieces = most_pieces;
+  shadow.finest_detail = ShadowTuning::finest_detail;
+  shadow.limits.most_groups = ShadowTuning::most_groups;
+  shadow.limits.most_boundaries = ShadowTuning::most_boundaries;
+  shadow.limits.most_pieces = ShadowTuning::most_pieces;
   shadow.limits.tolerance = std::ldexp(shadow.finest_side(), -6);
   return shadow;
 }
@@ -61,8 +50,7 @@ int levels_left(const ShadowRules& rules, const Leaf& leaf) {
 }
 
 std::size_t most_entries_for_samples(int levels) {
-  constexpr std::size_t least = 48;
-  return std::max(least, (std::size_t{1} << 2 * levels) / 2);
+  return std::max(ShadowTuning::least_entries_for_samples, (std::size_t{1} << 2 * levels) / 2);
 }
 
 bool has_patch(const ShadowContext& block, const Illumination& lit) {

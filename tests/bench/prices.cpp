@@ -5,8 +5,8 @@
 //   bench prices [--size WxH] SCENE...
 
 #include "renderer/asos/eye_samples.h"
-#include "renderer/pyray/leaf_costs.h"
 #include "renderer/pyray/tracer.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/shadows/penumbra.h"
 #include "renderer/shadows/shadow.h"
 #include "tests/bench/bench_support.h"

@@ -1,5 +1,5 @@
 #include "renderer/pyray/estimate.h"
-#include "renderer/pyray/leaf_costs.h"
+#include "renderer/pyray/tuning.h"
 
 #include <gtest/gtest.h>
 

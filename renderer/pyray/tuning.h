@@ -1,0 +1,181 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// The constants that trade error for time in the search for boundaries, the shadows and the leaves.
+// Each has its unit and, in brackets, what sets it: a benchmark, an entry of docs/log, a test, or
+// "assumed" where nothing was measured.
+
+namespace asos {
+
+/// Costs of the ways to determine a leaf. Samples or rays replace an estimator that costs as much
+/// (choose).
+struct LeafCosts {
+  // In shadow rays of a small packet.
+  /// A light cut along its occluders [bench prices: quartiles 4 and 20, mean 8 to 46].
+  static constexpr double light_pyramid = 20.0;
+  /// The boundaries of a patch's hard shadow, 2 to 8 [bench every-scene: primitives, house].
+  static constexpr double search = 4.0;
+  /// The edges of a soft shadow on a patch; at 5, office takes a fifth longer [bench every-scene].
+  static constexpr double penumbra_test = 20.0;
+  /// A patch cut along the edges of a hard shadow [bench prices: quartiles 25 and 70].
+  static constexpr double patch = 60.0;
+  // In samples of a part of the same weight.
+  /// A leaf's centre with exact shadows; MAX 1 takes as long as 16 samples [bench every-scene].
+  static constexpr double exact_leaf = 16.0;
+  /// One of the leaves of a part that is split; at 8, the same errors and times
+  /// [bench every-scene].
+  static constexpr double leaf = 3.0;
+  /// One light's soft shadow on a leaf; at 0, three panels take twice as long [bench every-scene].
+  static constexpr double soft_shadow = 8.0;
+  /// One of the parts of a cell that is cut into many; at 20, trees and roofs have a tenth more
+  /// error [bench every-scene].
+  static constexpr double part = 10.0;
+};
+
+/// Numbers of samples, of which fewer may all miss something small. Their variance would be wrongly
+/// zero.
+struct EnoughSamples {
+  /// Of a pixel, for a light in a mirror or behind an occluder, and for its surface layers
+  /// [mirrors-and-glass: At least 256 samples; lights-and-shadows: First samples].
+  static constexpr double of_rare_light = 256.0;
+  /// Of a pixel of unresolved detail beside glare [estimate: Bright neighbours].
+  static constexpr double of_glare = 1024.0;
+  /// Radiance from which a surface glares [estimate: Bright neighbours].
+  static constexpr float glare = 4.0f;
+  /// Of a defocused pixel [assumed].
+  static constexpr std::uint32_t of_blur = 16;
+  /// Of a defocused pixel, on each visible light [lens-and-motion: Samples on visible lights].
+  static constexpr double on_light = 4.0;
+};
+
+/// What leaves assume and allow.
+struct LeafTuning {
+  /// Contrast of a part with many surfaces [assumed].
+  static constexpr double contrast_of_many = 0.5;
+  /// Number of parts that are cut whatever samples cost [assumed].
+  static constexpr std::size_t few_parts = 4;
+  /// Error of a part by one sample that boundaries cross, in display intensity [rounds: layer
+  /// error].
+  static constexpr double error_of_marginal = 0.25;
+  /// Error at which the first stage of a block ends, in allowances [rounds: Samples first].
+  static constexpr double first_stage_error = 4.0;
+  /// Parts along a side over which the colour of a cut leaf is averaged, and the least weight of
+  /// such a leaf in a pixel [estimate: Rules left out].
+  static constexpr int colour_parts = 3;
+  static constexpr double least_in_parts = 1.0 / 64.0;
+  /// Most parts of the lens [lens-and-motion: MAX 1].
+  static constexpr double most_parts_of_lens = 16.0;
+  /// Standard deviation of a sample that is visible, in usual contrasts [assumed].
+  static constexpr double visible_contrast = 0.25;
+  /// Fractions of the allowance and of the bounds of centres that are expected as errors, fitted to
+  /// the built-in scenes [estimate: Dropped, layer error].
+  static constexpr double share_of_tolerance = 1.0 / 12.0;
+  static constexpr double share_of_bound = 0.6;
+
+  /// Times that a pyray mirrored by a mesh is narrower than by a shape [mirrors-and-glass: Narrower
+  /// mirrored pyrays].
+  static constexpr double strictness_of_meshes = 8.0;
+  /// Deviation of the neighbours' normals that does not matter, in radians [mirrors-and-glass:
+  /// Curved mirrors].
+  static constexpr double negligible_strays = 0.02;
+  /// Width of the search for lights in mirrors of mirrors, in spreads of the corner rays
+  /// [mirrors-and-glass: Mirrors in mirrors].
+  static constexpr double wider_mirrored = 8.0;
+  /// Width of a mirror's blur, in leaves, at which the leaf's outline vanishes [assumed].
+  static constexpr double blurred_outline = 0.25;
+  /// Contrast from which a highlight is integrated and not sampled [estimate: Curved meshes].
+  static constexpr double bright_highlight = 0.25;
+  /// Fraction of the bound of a penumbra that is expected [estimate: Penumbrae to twice the
+  /// tolerance].
+  static constexpr double expected_penumbra = 0.5;
+
+  /// Reach beyond a leaf's triangle, in the triangle's sides, from which the triangle does not
+  /// represent it [estimate: Beyond the triangle].
+  static constexpr float far_beyond_triangle = 0.5f;
+  /// Distance of textures at edges that does not matter, in texels and in extents of the leaf
+  /// [textures-and-materials: Textures beyond their triangle].
+  static constexpr float negligible_texels = 0.5f;
+  static constexpr float negligible_extent = 0.1f;
+  /// Error of the mean, in errors at a corner [textures-and-materials: Vertex colours at edges].
+  static constexpr float share_of_corner = 0.25f;
+  /// Depth of a receding patch, in distances [textures-and-materials: Receding patches].
+  static constexpr float receding = 0.1f;
+};
+
+/// Shadow rays and pyrays.
+struct ShadowTuning {
+  /// Weight of a leaf that takes one ray, in finest cells [assumed].
+  static constexpr double small_leaf = 0.25;
+  /// Limits for cutting a light or a patch: boundaries, and parts with a ray each [assumed].
+  static constexpr int most_boundaries = 24;
+  static constexpr int most_pieces = 64;
+  /// Groups of boundaries in a light's square beyond which it is not resolved [assumed].
+  static constexpr int most_groups = 400;
+  /// Levels of a light's pyray. More cost more than rays [estimate: Measured prices].
+  static constexpr int pyramid_levels = 1;
+  /// Level of a pixel whose detail outlines have at least [assumed].
+  static constexpr int finest_detail = 3;
+  /// Least length of a hit list above which samples cost less than the search [assumed].
+  static constexpr std::size_t least_entries_for_samples = 48;
+  /// Boundaries around a patch that are searched for penumbrae, and the finest detail of these, in
+  /// sides of the light's square [assumed].
+  static constexpr std::size_t most_in_penumbra = 64;
+  static constexpr float finest_in_penumbra = 1.0f / 64.0f;
+
+  /// Rays of the first round: of a whole pixel, and at least [lights-and-shadows: Up to 512 shadow
+  /// rays].
+  static constexpr double first_rays = 16.0;
+  static constexpr std::uint32_t least_rays = 8;
+  /// Rays of a leaf that needs only few: at least, and in rays that are needed [lights-and-shadows:
+  /// Four times the rays].
+  static constexpr std::uint32_t fewest_rays = 4;
+  static constexpr double rays_for_one = 4.0;
+  /// Points drawn for each ray, at most [assumed].
+  static constexpr std::uint32_t most_points_a_ray = 16;
+
+  /// Rays of a point to selected lights [lights-and-shadows: Light estimates].
+  static constexpr float rays_a_point = 8.0f;
+  /// Points of a leaf for selected lights [lights-and-shadows: Twice the points].
+  static constexpr std::uint32_t most_points = 128;
+  /// Contrast of rays to selected lights, in contrasts of one light [assumed].
+  static constexpr double contrast_of_selection = 2.0;
+};
+
+/// Rays to the sky [sky: Ambient occlusion stays off, unless a line says otherwise].
+struct SkyTuning {
+  /// Rays of the first round: of a whole pixel, and of any leaf at least; and most rays.
+  static constexpr double first_rays = 8.0;
+  static constexpr std::uint32_t fewest_rays = 2;
+  static constexpr std::uint32_t most_rays = 8192;
+  /// Rays that the variance of neighbouring pixels counts as; that of the block, in turn, as many
+  /// of theirs.
+  static constexpr double rays_of_prior = 8.0;
+  /// Samples of an unoccluded sky: where the allowed error is above `coarse`, elsewhere, and most.
+  /// With 16, the mean of a picture is 2.5e-4 too dark [sky: Open skies are integrated].
+  static constexpr std::uint32_t few_samples = 16, enough_samples = 128, most_samples = 1024;
+  static constexpr double coarse = 1.0 / 64.0;
+  /// Fraction of the allowed error for it.
+  static constexpr double share_of_unoccluded = 0.7;
+
+  // Fits through leaves of one surface [estimate: Rules left out].
+  /// Fewest leaves of a fit, and most surfaces of a block.
+  static constexpr std::size_t fewest_leaves = 14, most_surfaces = 32;
+  /// Nodes along a side.
+  static constexpr int nodes_along = 3;
+  /// Least rays of all leaves alone, in rays of the nodes.
+  static constexpr double least_gain = 1.3;
+  /// Error of the nodes, in allowed errors of one pixel: all leaves share it.
+  static constexpr double share_of_nodes = 0.5;
+  /// Largest reduced chi-squared of the nodes; noise alone exceeds it once in twenty fits.
+  static constexpr double most_misfit = 2.5;
+  /// Largest deviations of a leaf, and of all leaves together, in standard errors.
+  static constexpr double most_off = 4.0, most_off_together = 3.0;
+  /// Largest fraction of leaves that deviate by more.
+  static constexpr double most_contradicting = 0.1;
+  /// Least cosine between normals, and steepest slope between two leaves.
+  static constexpr float least_cosine = 0.9f, steepest = 0.5f;
+};
+
+}  // namespace asos
