@@ -112,8 +112,7 @@ Patch EyeSamples::patch(SampleId sample, double share) const {
                         eye_->side_of(share));
 }
 
-Leaf EyeSamples::leaf(const PyrayLeaf& part) const {
-  Leaf leaf;
+void EyeSamples::show(const PyrayLeaf& part, Leaf& leaf) const {
   static_cast<PyrayLeaf&>(leaf) = part;
   leaf.border.assign(part.region.border.begin(), part.region.border.end());
   leaf.region.border = leaf.border;
@@ -123,13 +122,17 @@ Leaf EyeSamples::leaf(const PyrayLeaf& part) const {
   leaf.ray = ray(part.sample);
   leaf.hit = hit(part.sample);
   leaf.shape = footprint_shape(leaf.region, leaf.at);
+  leaf.material = nullptr;
+  leaf.views.clear();
+  leaf.even = nullptr;
+  leaf.observed = {};
   if (eye_->observed.observer && leaf.root == eye_->observed_root) {
     const Square& root = eye_->observed_square;
     leaf.observed = eye_->observed;
     leaf.observed.at = (leaf.at - glm::vec2(root.u, root.v)) / root.side;
     leaf.observed.weight = leaf.weight;
   }
-  if (!leaf.hit.valid()) return leaf;
+  if (!leaf.hit.valid()) return;
   leaf.material = &eye_->scene->world().material_of(leaf.hit.triangle);
   leaf.point = point(part.sample);
   leaf.distance = eye_->viewer.spacing.distance(leaf.hit.t);
@@ -144,7 +147,6 @@ Leaf EyeSamples::leaf(const PyrayLeaf& part) const {
   });
   const glm::vec2 reach = 2.0f * static_cast<float>(eye_->block.width) * farthest;
   leaf.around = {reach.x * pixel.right, reach.y * pixel.down};
-  return leaf;
 }
 
 void EyeSamples::look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,

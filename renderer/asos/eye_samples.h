@@ -47,8 +47,9 @@ class EyeSamples final : public PatchView {
   /// covers.
   [[nodiscard]] Patch patch(SampleId sample, double share) const;
 
-  /// Returns a leaf with the surface at its sample, without views of the lights.
-  [[nodiscard]] Leaf leaf(const PyrayLeaf& part) const;
+  /// Fills a leaf with a part of a root and the surface at its sample, without views of the
+  /// lights.
+  void show(const PyrayLeaf& part, Leaf& leaf) const;
 
   void look(std::span<const glm::vec2> at, std::vector<SurfacePoint>& seen,
             RenderStatistics& counts) override;

@@ -30,11 +30,13 @@ LeafDecision LeafChooser::decide(const PyrayLeaf& part, bool may_split) {
       choose(error_budget, part.weight, ErrorBound::none(), {LeafCosts::exact_leaf}) ==
           Estimator::samples)
     return {Estimator::samples};
-  Leaf leaf = samples_->leaf(part);
+  Leaf& leaf = add(part);
   LeafDecision decision = decide(leaf, shared, may_split);
-  if (decision.splits()) return decision;
-  leaves_.push_back(std::move(leaf));
-  decision.record = static_cast<std::uint32_t>(leaves_.size());
+  if (decision.splits()) {
+    --count_;
+  } else {
+    decision.record = count_;
+  }
   return decision;
 }
 
@@ -73,9 +75,16 @@ LeafDecision LeafChooser::decide(Leaf& leaf, bool shared, bool may_split) {
   return decision;
 }
 
+Leaf& LeafChooser::add(const PyrayLeaf& part) {
+  if (count_ == leaves_->size()) leaves_->push_back(std::make_unique<Leaf>());
+  Leaf& leaf = *(*leaves_)[count_++];
+  samples_->show(part, leaf);
+  return leaf;
+}
+
 Leaf& LeafChooser::leaf(const PyrayLeaf& part) {
-  if (part.decision.record == 0) return leaves_.emplace_back(samples_->leaf(part));
-  Leaf& leaf = leaves_[part.decision.record - 1];
+  if (part.decision.record == 0) return add(part);
+  Leaf& leaf = *(*leaves_)[part.decision.record - 1];
   leaf.decision = part.decision;
   return leaf;
 }

@@ -6,11 +6,13 @@
 #include "renderer/asos/selected_lights.h"
 #include "renderer/pyray/caster.h"
 #include "renderer/pyray/error_budget.h"
+#include "renderer/samples/thread_local_cache.h"
 #include "renderer/shadows/leaf.h"
 #include "renderer/shadows/light_view.h"
 #include "renderer/shadows/shadow_context.h"
 
-#include <deque>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace asos {
@@ -47,6 +49,7 @@ class LeafChooser {
 
  private:
   [[nodiscard]] LeafDecision decide(Leaf& leaf, bool shared, bool may_split);
+  Leaf& add(const PyrayLeaf& part);
   [[nodiscard]] bool is_lit(SampleId sample) const;
   [[nodiscard]] bool nearly_flat(const Leaf& leaf) const;
 
@@ -54,8 +57,11 @@ class LeafChooser {
   const EyeSamples* samples_;
   ErrorTerms terms_;
   double shadows_price_, part_price_;
-  std::deque<Leaf> leaves_;
-  std::deque<UniformShadowPatch> even_;
+  /// Leaves by record, from 1. Only the first `count_` belong to this block.
+  using Leaves = std::vector<std::unique_ptr<Leaf>>;
+  CachedPtr<Leaves> leaves_ = ThreadLocalCache<Leaves>::make();
+  std::uint32_t count_ = 0;
+  std::vector<UniformShadowPatch> even_;
 };
 
 }  // namespace asos

@@ -34,7 +34,7 @@ class LeafTransport final : public LightTransport {
   [[nodiscard]] LightSum light(glm::vec3 radiance) const;
   /// Returns the sampled lights' radiance in a reflected leaf.
   [[nodiscard]] glm::vec3 at_once() const { return at_once_; }
-  /// Returns whether the edge of a hard shadow cuts the leaf. Such a light took more than one ray
+  /// Returns whether the edge of a hard shadow cuts the leaf: a point light took more than one ray
   /// and was partially occluded.
   [[nodiscard]] bool shadow_cut() const { return shadow_cut_; }
   /// Returns whether a boundary divided the leaf's reflection.

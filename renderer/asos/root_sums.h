@@ -63,7 +63,7 @@ struct RootSum {
   std::uint32_t varied = 0;
   float error = 0.0f;          ///< error bound of the root's centre, from the bounds of its leaves
   double squared_error = 0.0;  ///< of sampled parts: the sum of their squared standard errors
-  /// Of leaves by their centres: the sum of their bounds, by area. Infinite in a mirror that may
+  /// The summed error bounds of leaves by their centres, by area. Infinite in a mirror that may
   /// show a bright light at a wrong place.
   double centre_error = 0.0;
   std::uint64_t rays = 0;  ///< of all kinds for the root's leaves, except for eye rays

@@ -9,7 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <map>
 #include <memory>
 #include <span>
@@ -42,7 +42,7 @@ class SingleSamples {
   std::unique_ptr<SampleSums> sums_;  // large, so made when first needed
   std::vector<LightSum> light_;       // of each leaf
   LayerTargets targets_;              // these
-  std::deque<PyrayLeaf> leaves_;
+  std::list<PyrayLeaf> leaves_;
   BlockQueue queue_;
   std::map<std::uint32_t, int> taken_;  // leaves of each root so far
 };

@@ -17,8 +17,8 @@ enum class Estimator : std::uint8_t {
   split,    ///< its four quarters
 };
 
-/// A value, with its error and cost (design section 14): of a leaf, of what it reflects, or of the
-/// visible fraction of a light.
+/// A value with its error and cost (design section 14). The value is the radiance of a leaf or of
+/// its reflection, or the visible fraction of a light.
 struct Estimate {
   glm::dvec3 value{0.0};
   /// A bound on the value's error, or its standard error, in display intensity (1 is white).

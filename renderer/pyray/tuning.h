@@ -34,19 +34,18 @@ struct LeafCosts {
   static constexpr double part = 10.0;
 };
 
-/// Numbers of samples, of which fewer may all miss something small. Their variance would be wrongly
-/// zero.
+/// Numbers of samples. Fewer may all miss something small, so that their variance is wrongly zero.
 struct EnoughSamples {
-  /// Of a pixel, for a light in a mirror or behind an occluder, and for its surface layers
+  /// Samples per pixel for lights in mirrors, partly occluded lights, and surface layers
   /// [mirrors-and-glass: At least 256 samples; lights-and-shadows: First samples].
   static constexpr double of_rare_light = 256.0;
-  /// Of a pixel of unresolved detail beside glare [estimate: Bright neighbours].
+  /// Samples per pixel for unresolved detail next to glare [estimate: Bright neighbours].
   static constexpr double of_glare = 1024.0;
   /// Radiance from which a surface glares [estimate: Bright neighbours].
   static constexpr float glare = 4.0f;
-  /// Of a defocused pixel [assumed].
+  /// Samples per defocused pixel [assumed].
   static constexpr std::uint32_t of_blur = 16;
-  /// Of a defocused pixel, on each visible light [lens-and-motion: Samples on visible lights].
+  /// Samples per visible light in a defocused pixel [lens-and-motion: Samples on visible lights].
   static constexpr double on_light = 4.0;
 };
 

@@ -24,7 +24,7 @@ using Visibility = glm::dvec3;
 struct UniformShadowPatch;
 
 /// A leaf of an eye pyray or a reflected one, with the surface at its sample. It is made once
-/// (EyeSamples::leaf), lives in its block, and holds its own border.
+/// (EyeSamples::show), lives in its block, and holds its own border.
 struct Leaf : PyrayLeaf {
   glm::vec2 at{0.5f};      ///< place of its sample, in the viewer's frame
   std::uint64_t seed = 0;  ///< of its random numbers

@@ -74,7 +74,9 @@ class EyeBlock {
     const float width = part * pixel;
     const LeafRegion region{{centre.x - 0.5f * width, centre.y - 0.5f * width, width}, {}};
     const auto number = static_cast<std::uint32_t>(y * side + x);
-    return samples_->leaf({number, number, static_cast<double>(part * part), region});
+    Leaf leaf;
+    samples_->show({number, number, static_cast<double>(part * part), region}, leaf);
+    return leaf;
   }
 
  private:

@@ -159,6 +159,27 @@ std::array<BorderEdge, 4> hair_of(const Square& pixel) {
   return border;
 }
 
+// The engine's borders are gone once it has passed on its leaves.
+TEST(LeafChooser, KeepsTheLeafOfItsDecisionWithItsBorder) {
+  EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun()});
+  LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
+  PyrayLeaf part = pixel_leaf(block, 1, 1, 1.0 / 64.0);
+  const auto sides = hair_of(part.region.square);
+  auto border = sides;
+  part.region.border = border;
+  part.decision = chooser.decide(part, false);
+  ASSERT_GT(part.decision.record, 0u);
+  border.fill({});
+  part.region.border = {};
+  const Leaf& leaf = chooser.leaf(part);
+  ASSERT_EQ(leaf.region.border.size(), sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    EXPECT_EQ(leaf.region.border[i].from, sides[i].from) << i;
+  EXPECT_EQ(leaf.point.position, block.samples().point(part.sample).position);
+  (void)chooser.leaf(pixel_leaf(block, 2, 2));
+  EXPECT_EQ(&chooser.leaf(part), &leaf) << "it is made once";
+}
+
 Material metal(glm::vec3 color, float roughness) {
   Material m;
   m.base_color = glm::vec4(color, 1.0f);

@@ -106,6 +106,15 @@ TEST(Choose, SamplesReplaceACentreThatCostsAsMuch) {
   EXPECT_FALSE(ErrorBudget::of(settings).refines());
 }
 
+TEST(Estimate, IsWithinAnAllowanceIfItsErrorIsBounded) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(Estimate::exact(glm::dvec3(1.0)).within(0.0));
+  EXPECT_TRUE((Estimate{glm::dvec3(1.0), 0.5}.within(0.5)));
+  EXPECT_FALSE((Estimate{glm::dvec3(1.0), 0.5}.within(0.25)));
+  EXPECT_TRUE((Estimate{glm::dvec3(1.0), 0.5}.within(infinity)));
+  EXPECT_FALSE(Estimate{}.within(infinity)) << "nothing is known of its error";
+}
+
 TEST(ErrorBound, AddsUpInAnyOrder) {
   const ErrorBound a = ErrorBound::of(0.25), b{0.5, 2.0, false}, c = ErrorBound::unknown();
   const ErrorBound one = a + b + c, other = c + b + a;
