@@ -163,7 +163,7 @@ std::array<BorderEdge, 4> hair_of(const Square& pixel) {
 TEST(LeafChooser, KeepsTheLeafOfItsDecisionWithItsBorder) {
   EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun()});
   LeafChooser chooser(block.eye(), block.samples(), block.selected_lights(), block.shadows());
-  PyrayLeaf part = pixel_leaf(block, 1, 1, 1.0 / 64.0);
+  PyrayLeaf part = pixel_leaf(block, 1, 1);
   const auto sides = hair_of(part.region.square);
   auto border = sides;
   part.region.border = border;
