@@ -3,7 +3,7 @@
 //
 //   bench anytime [--size WxH] [--reference N] [--cache DIR] [--method NAME] [--curves]
 //                 [--strips DIR] [--f-stop N] [--focus M] [--animation N] [--time S] [--shutter S]
-//                 [SCENE...]
+//                 [--replay] [--search P] [--dearer P] [SCENE...]
 //
 // Times are CPU seconds of one worker since the first ray; the scene's hierarchy and its edges are
 // computed before. Errors are RMSE of linear radiance clipped to 0..1 against halves of --reference
@@ -27,6 +27,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
 #include "renderer/study/progress_curve.h"
+#include "tests/bench/anytime_replay.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/halved_reference.h"
@@ -54,6 +55,8 @@ struct Settings {
   std::string method = "asos";
   bool curves = false;
   std::string strips;
+  bool replay = false;
+  SinglePixelCost single_pixel;
   ExposureChoice exposure;
   std::vector<std::string> scenes;
 };
@@ -153,36 +156,48 @@ struct Row {
   TimeLeft time_left;
 };
 
-Result<Row> measure(const Settings& settings, const NamedScene& named) {
+/// A picture of a scene with its reference.
+struct Subject {
+  std::string name;
+  Snapshot snapshot;
+  HalvedReference reference;
+};
+
+Result<Subject> opened(const Settings& settings, const NamedScene& named) {
   const std::string label = settings.exposure.label();
-  const auto taken = label.empty()
-                         ? open_scene(named.source).map([&](const SharedScene& scene) {
-                             return snapshot_of(scene, settings.size.width, settings.size.height);
-                           })
-                         : exposed_snapshot(named.source, settings.size, {}, settings.exposure);
-  if (!taken) return unexpected(taken.error());
-  Snapshot snapshot = *taken;
-  (void)snapshot.scene->features();
-  snapshot.settings.threads = 1;
+  auto snapshot = label.empty()
+                      ? open_scene(named.source).map([&](const SharedScene& scene) {
+                          return snapshot_of(scene, settings.size.width, settings.size.height);
+                        })
+                      : exposed_snapshot(named.source, settings.size, {}, settings.exposure);
+  if (!snapshot) return unexpected(snapshot.error());
+  (void)snapshot->scene->features();
+  snapshot->settings.threads = 1;
   const std::string path =
       kept_path(settings.cache, named.name + label, settings.size, settings.reference, false);
-  const auto reference = settings.keep ? HalvedReference::kept(path, snapshot, settings.reference)
-                                       : HalvedReference::rendered(snapshot, settings.reference);
+  auto reference = settings.keep ? HalvedReference::kept(path, *snapshot, settings.reference)
+                                 : HalvedReference::rendered(*snapshot, settings.reference);
   if (!reference) return unexpected(reference.error());
+  for (const MethodRow& row : method_table())
+    if (settings.method == row.name) snapshot->settings.method = row.value;
+  return Subject{named.name, *std::move(snapshot), *std::move(reference)};
+}
+
+Result<Row> measure(const Settings& settings, const Subject& subject) {
+  Snapshot snapshot = subject.snapshot;
+  const HalvedReference& reference = subject.reference;
   const auto last_of = [&](Snapshot of) {
     of.progressive = false;
     const std::vector<TimedPicture> seen = watched(of);
-    return CurvePoint{seen.back().seconds, reference->error_of(seen.back().film).rmse};
+    return CurvePoint{seen.back().seconds, reference.error_of(seen.back().film).rmse};
   };
 
-  for (const MethodRow& row : method_table())
-    if (settings.method == row.name) snapshot.settings.method = row.value;
   const CurvePoint direct = last_of(snapshot);
   snapshot.progressive = true;
   std::vector<CurvePoint> curve;
   const std::vector<TimedPicture> own = watched(snapshot);
   for (const TimedPicture& seen : own) {
-    curve.push_back({seen.seconds, reference->error_of(seen.film).rmse});
+    curve.push_back({seen.seconds, reference.error_of(seen.film).rmse});
     if (settings.curves)
       fmt::print(
           "{:>10.4f} s  {:.2e}  {:>4} samples, {:.2f} final, {:>3.0f} %, {:.2f} s left of {:.2f}\n",
@@ -191,7 +206,7 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
           own.back().progress.seconds - seen.progress.seconds);
   }
 
-  Row row{named.name, {}, curve.back().seconds / direct.seconds, 1.0, 0.0, judge_time_left(own)};
+  Row row{subject.name, {}, curve.back().seconds / direct.seconds, 1.0, 0.0, judge_time_left(own)};
   double least = curve.front().error;
   for (const CurvePoint& point : curve) {
     // Changes of smaller errors are the reference's noise.
@@ -205,18 +220,26 @@ Result<Row> measure(const Settings& settings, const NamedScene& named) {
     const CurvePoint sobol = last_of(snapshot);
     if (settings.curves)
       fmt::print("{:>10.4f} s  {:.2e}  sobol {}\n", sobol.seconds, sobol.error, samples);
-    if (samples == 16) row.good_over_sobol = good_from(own, *reference) / sobol.seconds;
+    if (samples == 16) row.good_over_sobol = good_from(own, reference) / sobol.seconds;
     if (samples == 16 && !settings.strips.empty()) {
       Snapshot rounds = snapshot;
       rounds.settings.sampling.spp = 256;
       const auto written = write_strip(
-          settings.strips + "/" + named.name.substr(named.name.find_last_of("/:") + 1) + ".png",
-          own, watched(rounds), sobol.seconds);
+          settings.strips + "/" + row.name.substr(row.name.find_last_of("/:") + 1) + ".png", own,
+          watched(rounds), sobol.seconds);
       if (!written) return unexpected(written.error());
     }
     row.over_sobol.push_back(error_at(curve, sobol.seconds) / std::max(sobol.error, 1e-6));
   }
   return row;
+}
+
+void print_row(const Row& row) {
+  fmt::print("{:<28}", row.name);
+  for (const double ratio : row.over_sobol) fmt::print("{:>8.2f}", ratio);
+  fmt::print("{:>12.2f}{:>8.2f}{:>8.2f}{:>8.2f}{:>8.2f}\n", row.over_direct, row.rise,
+             row.good_over_sobol, row.time_left.share_wrong, row.time_left.largest_factor);
+  std::fflush(stdout);
 }
 
 void print_summary(const std::vector<Row>& rows, const std::string& what, const auto& value) {
@@ -256,28 +279,39 @@ int run(int argc, char** argv) {
     return {};
   });
   options.flag("--curves", settings.curves, "each picture, too");
+  options.flag("--replay", settings.replay, "judge schedules that are not built");
+  options.number("--search", settings.single_pixel.search, 0, 100,
+                 "percent of a block's time for each of its single pixels' visits");
+  options.number("--dearer", settings.single_pixel.dearer, 100, 1000,
+                 "percent of a pixel's time when it is rendered alone");
   options.texts("SCENE", settings.scenes);
   if (const auto code = options.end(argc, argv)) return *code;
 
   fmt::print("{}x{}, error of {} over that of sobol at the moment of\n{:<28}", settings.size.width,
              settings.size.height, settings.method, "");
-  for (const int samples : moments) fmt::print("{:>8}", samples);
-  fmt::print("{:>12}{:>8}{:>8}{:>8}{:>8}\n", "over direct", "rise", "p99/16", "left", "factor");
+  if (settings.replay) {
+    fmt::print("{:>22}{:>8}{:>12}\n", 16, 64, "over direct");
+  } else {
+    for (const int samples : moments) fmt::print("{:>8}", samples);
+    fmt::print("{:>12}{:>8}{:>8}{:>8}{:>8}\n", "over direct", "rise", "p99/16", "left", "factor");
+  }
   std::vector<Row> rows;
   int code = 0;
   for (const NamedScene& scene : chosen_scenes(settings.scenes)) {
-    const auto row = measure(settings, scene);
-    if (!row) {
+    const auto subject = opened(settings, scene);
+    if (!subject) {
+      code = fail(subject.error());
+    } else if (settings.replay) {
+      fmt::print("{}\n", subject->name);
+      print_replays(subject->snapshot, subject->reference, settings.single_pixel);
+    } else if (const auto row = measure(settings, *subject); !row) {
       code = fail(row.error());
-      continue;
+    } else {
+      print_row(*row);
+      rows.push_back(*row);
     }
-    fmt::print("{:<28}", row->name);
-    for (const double ratio : row->over_sobol) fmt::print("{:>8.2f}", ratio);
-    fmt::print("{:>12.2f}{:>8.2f}{:>8.2f}{:>8.2f}{:>8.2f}\n", row->over_direct, row->rise,
-               row->good_over_sobol, row->time_left.share_wrong, row->time_left.largest_factor);
-    std::fflush(stdout);
-    rows.push_back(*row);
   }
+  if (rows.empty()) return code;
   for (std::size_t i = 0; i < moments.size(); ++i)
     print_summary(rows, fmt::format("error at {} samples", moments[i]),
                   [&](const Row& row) { return row.over_sobol[i]; });

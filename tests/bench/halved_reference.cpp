@@ -63,6 +63,16 @@ Result<void> HalvedReference::write(const std::string& path) const {
   return {};
 }
 
+std::vector<double> HalvedReference::squared_errors(const Film& film) const {
+  std::vector<double> squares(film.radiance.size());
+  for (std::size_t pixel = 0; pixel < squares.size(); ++pixel) {
+    const glm::dvec3 first = clipped_difference(film.radiance[pixel], halves_[0].radiance[pixel]);
+    const glm::dvec3 second = clipped_difference(film.radiance[pixel], halves_[1].radiance[pixel]);
+    squares[pixel] = glm::dot(first, second) / 3.0;
+  }
+  return squares;
+}
+
 KnownError HalvedReference::error_of(const Film& film) const {
   double sum = 0.0;
   double variance = 0.0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace asos::bench {
 
@@ -40,6 +41,9 @@ class HalvedReference {
 
   /// Returns the error; if it is uncertain, the smallest certain one.
   [[nodiscard]] KnownError error_of(const Film& film) const;
+  /// Returns the expected squared error of each pixel, mean over the channels: below 0 where the
+  /// reference's noise exceeds it.
+  [[nodiscard]] std::vector<double> squared_errors(const Film& film) const;
   /// The 99th percentile over pixels (nearest rank) of the displayed error (sRGB, 0 to 1) against
   /// the mean of both halves: the root mean square over the channels.
   [[nodiscard]] double display_p99(const Film& film) const;
