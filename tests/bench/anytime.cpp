@@ -3,7 +3,7 @@
 //
 //   bench anytime [--size WxH] [--reference N] [--cache DIR] [--method NAME] [--curves]
 //                 [--strips DIR] [--f-stop N] [--focus M] [--animation N] [--time S] [--shutter S]
-//                 [--replay] [--search P] [--dearer P] [SCENE...]
+//                 [--replay] [--single-samples P] [--search P] [--dearer P] [SCENE...]
 //
 // Times are CPU seconds of one worker since the first ray; the scene's hierarchy and its edges are
 // computed before. Errors are RMSE of linear radiance clipped to 0..1 against halves of --reference
@@ -22,7 +22,9 @@
 //
 // --curves also prints each picture's time, error and pass, the finished work, and the remaining
 // time, estimated and true. --strips writes a picture per scene: the method and Sobol sampling side
-// by side, at 1/4, 1/2, 1, 2, 4 and 8 times the time of 16 samples.
+// by side, at 1/4, 1/2, 1, 2, 4 and 8 times the time of 16 samples. --replay judges schedules that
+// are not built, from measured pictures (print_replays). --single-samples, --search and --dearer are
+// the assumed costs of work for single pixels (SinglePixelCost).
 
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
@@ -280,6 +282,8 @@ int run(int argc, char** argv) {
   });
   options.flag("--curves", settings.curves, "each picture, too");
   options.flag("--replay", settings.replay, "judge schedules that are not built");
+  options.number("--single-samples", settings.single_pixel.samples, 100, 1000,
+                 "percent of a sample's time when single pixels take it");
   options.number("--search", settings.single_pixel.search, 0, 100,
                  "percent of a block's time for each of its single pixels' visits");
   options.number("--dearer", settings.single_pixel.dearer, 100, 1000,

@@ -1,5 +1,6 @@
 #include "tests/bench/anytime_replay.h"
 
+#include "renderer/study/progress_curve.h"
 #include "tests/bench/schedule_replay.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,6 @@ namespace {
 constexpr std::array rounds{1, 4, 16, 64, 256};
 
 TimedRender rendered(Snapshot snapshot, Method method, int samples) {
-  snapshot.progressive = false;
   snapshot.settings.method = method;
   snapshot.settings.sampling.spp = samples;
   return timed_render(std::move(snapshot)).value();
@@ -59,7 +59,16 @@ struct Sobol {
   std::array<double, rounds.size()> seconds{}, error{};
 };
 
-MeasuredPicture measured(const Snapshot& snapshot, const HalvedReference& reference, Sobol& sobol) {
+/// Returns the time of a progressive render to its second round.
+double seconds_of_rounds(Snapshot snapshot) {
+  snapshot.progressive = true;
+  snapshot.settings.method = Method::sobol;
+  snapshot.settings.sampling.spp = rounds[1];
+  return watch_render(snapshot, 1e6).pictures.back().seconds;
+}
+
+MeasuredPicture measured(const Snapshot& snapshot, const HalvedReference& reference,
+                         const SinglePixelCost& cost, Sobol& sobol) {
   MeasuredPicture picture;
   picture.width = snapshot.settings.width;
   picture.height = snapshot.settings.height;
@@ -74,10 +83,11 @@ MeasuredPicture measured(const Snapshot& snapshot, const HalvedReference& refere
     if (i > 0) round.changed = changes(render.film, before);
     before = std::move(render.film);
   }
-  picture.seconds = sobol.seconds[1];
+  picture.seconds = seconds_of_rounds(snapshot);
   // The last picture's times contain the least overhead per sample.
   for (const float seconds : before.seconds)
-    picture.sample_seconds.push_back(static_cast<double>(seconds) / rounds.back());
+    picture.sample_seconds.push_back(0.01 * cost.samples * static_cast<double>(seconds) /
+                                     rounds.back());
   return picture;
 }
 
@@ -86,7 +96,7 @@ MeasuredPicture measured(const Snapshot& snapshot, const HalvedReference& refere
 void print_replays(Snapshot snapshot, const HalvedReference& reference,
                    const SinglePixelCost& cost) {
   Sobol sobol;
-  MeasuredPicture even = measured(snapshot, reference, sobol);
+  MeasuredPicture even = measured(snapshot, reference, cost, sobol);
   const TimedRender direct = rendered(snapshot, snapshot.settings.method, 1);
   even.exact_squared_error = reference.squared_errors(direct.film);
   even.exact_seconds = seconds_of_pixels(direct.film, false);
@@ -100,6 +110,8 @@ void print_replays(Snapshot snapshot, const HalvedReference& reference,
   blocks_alone.samples = false;
   Schedule limited = blocks;
   limited.most_samples = limit;
+  Schedule expected = limited;
+  expected.times_known = false;
   pixels.exact = Schedule::Exact::pixels;
   pixels.search = 0.01 * cost.search;
   pixels.dearer = 0.01 * cost.dearer;
@@ -117,6 +129,7 @@ void print_replays(Snapshot snapshot, const HalvedReference& reference,
        {Line{"exact blocks", even, blocks_alone}, Line{"samples", even, samples},
         Line{"samples, exact blocks", even, blocks},
         Line{"  samples at most 0.2 of a block", even, limited},
+        Line{"  and with expected times", even, expected},
         Line{"samples, exact pixels at the mean cost", even, free_pixels},
         Line{"  with a search for each visit", even, pixels},
         Line{"  and costs by rays", by_rays, pixels},

@@ -5,10 +5,11 @@
 
 namespace asos::bench {
 
-/// The assumed cost of exact work for single pixels of a block, in percent.
+/// The assumed costs of work for single pixels, in percent.
 struct SinglePixelCost {
-  int search = 4;    ///< of a block's time, for each visit
-  int dearer = 120;  ///< time of a pixel relative to its part of the block
+  int samples = 130;  ///< time of a single pixel's sample, relative to one of a whole picture
+  int search = 2;     ///< of a block's time, for each visit
+  int dearer = 110;   ///< time of an exact pixel relative to its part of the block
 };
 
 /// Measures a picture by Sobol sampling with 1 to 256 samples and by the snapshot's method, and

@@ -28,6 +28,7 @@ class Replay {
       block.seconds += of_.exact_seconds[i];
       squared_error_ += pixels_[i].error;
     }
+    expect_seconds();
   }
 
   std::vector<CurvePoint> run() {
@@ -53,6 +54,7 @@ class Replay {
   struct Block {
     std::vector<std::size_t> pixels;
     double seconds = 0.0;          // exact
+    double expected = 0.0;         // seconds
     double sampled_seconds = 0.0;  // of its pixels' samples
     int visits = 0;
   };
@@ -73,6 +75,23 @@ class Replay {
     return (0.6 * largest + 0.4 * changed[pixel]) / 6.0;
   }
 
+  // As StepQueue does, whose squared errors are sums over three channels.
+  void expect_seconds() {
+    double all = 0.0, relative = 0.0;
+    for (Block& block : blocks_) {
+      double samples = 0.0, roots = 0.0;
+      for (const std::size_t i : block.pixels) {
+        samples += of_.sample_seconds[i];
+        roots += std::sqrt(std::sqrt(3.0 * pixels_[i].expected));
+      }
+      block.expected = samples * (1.0 + roots);
+      all += block.seconds;
+      relative += block.expected;
+    }
+    for (Block& block : blocks_)
+      block.expected = schedule_.times_known ? block.seconds : block.expected * all / relative;
+  }
+
   // Returns the time from n to 4n samples.
   [[nodiscard]] double sample_seconds(std::size_t pixel) const {
     return 3.0 * of_.rounds[pixels_[pixel].round].samples * of_.sample_seconds[pixel];
@@ -90,7 +109,7 @@ class Replay {
         highest = std::max(
             {highest, gain_of_samples(i), pixels_[i].expected / std::max(1e-12, pixel_seconds(i))});
       }
-      highest = std::max(highest, error / std::max(1e-12, block.seconds));
+      highest = std::max(highest, error / std::max(1e-12, block.expected));
     }
     return highest;
   }
@@ -105,7 +124,7 @@ class Replay {
     Pixel& pixel = pixels_[i];
     while (!pixel.exact && pixel.round + 1 < of_.rounds.size() && gain_of_samples(i) > threshold) {
       const double seconds = sample_seconds(i);
-      if (block.sampled_seconds + seconds > schedule_.most_samples * block.seconds) return;
+      if (block.sampled_seconds + seconds > schedule_.most_samples * block.expected) return;
       block.sampled_seconds += seconds;
       seconds_ += seconds;
       ++pixel.round;
@@ -123,7 +142,7 @@ class Replay {
     if (block.visits > 0) return;
     double error = 0.0;
     for (const std::size_t i : block.pixels) error += pixels_[i].expected;
-    if (threshold > 0.0 && !(error > threshold * block.seconds)) return;
+    if (threshold > 0.0 && !(error > threshold * block.expected)) return;
     ++block.visits;
     seconds_ += block.seconds;
     for (const std::size_t i : block.pixels) make_exact(i);

@@ -32,6 +32,9 @@ struct Schedule {
   enum class Exact { none, blocks, pixels };
   bool samples = true;          ///< pixels go from n to 4n samples
   Exact exact = Exact::blocks;  ///< the unit of the method's own work
+  /// Blocks are ordered by their true times. Otherwise by those that StepQueue would expect, with
+  /// the right sum over the picture.
+  bool times_known = true;
   /// Samples of a block's pixels take at most this fraction of the block's time.
   double most_samples = std::numeric_limits<double>::infinity();
   // With Exact::pixels, a block is visited several times, each for some of its pixels.

@@ -61,6 +61,17 @@ TEST(ScheduleReplay, LimitsSamplesByTheTimeOfTheirBlock) {
   EXPECT_NEAR(curve.back().seconds, 2.0 + 2 * 12 * 0.01, 1e-9);
 }
 
+// The left block's expected time is 12.8 s * (1 + r) / (2 + r). r, the sum of its errors' roots, is
+// 0.38^(1/4) + 8 * 0.23^(1/4) = 6.3.
+TEST(ScheduleReplay, ExpectsMoreTimeOfABlockWithErrors) {
+  Schedule schedule;
+  schedule.exact = Schedule::Exact::none;
+  schedule.times_known = false;
+  schedule.most_samples = 0.05;  // 0.56 s of the left block: four pixels
+  const auto curve = replayed(one_noisy_pixel(), schedule);
+  EXPECT_NEAR(curve.back().seconds, 2.0 + 4 * 12 * 0.01, 1e-9);
+}
+
 TEST(ScheduleReplay, RendersTheBlockWithTheErrorFirst) {
   Schedule schedule;
   schedule.samples = false;
