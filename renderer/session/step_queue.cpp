@@ -28,11 +28,11 @@ constexpr double share_of_eps = 0.5;
 // Single pixels of a block take samples for at most this fraction of the block's time, since they
 // end with the block: the picture is finished that much later.
 constexpr double share_of_block = 0.2;
-// The time of a block's first stage over that of its samples, before one was measured, and its
-// growth with the number of pixels that have an error. Fitted to 14 scenes.
-constexpr double usual_start = 3.0, power_of_pixels = 2.0 / 3.0;
-// So many blocks are rendered early to measure them, all but one in at most this fraction of the
-// time so far.
+// The time of a block's first stage relative to the expected one, before one was measured; the
+// median of 12 scenes.
+constexpr double usual_start = 8.0;
+// So many blocks are rendered early to measure them, each in at most this fraction of the time so
+// far.
 constexpr int least_measured = 4;
 constexpr double share_of_measuring = 0.03;
 // The same for the second stage and its growth with the expected squared error.
@@ -101,16 +101,19 @@ void StepQueue::begin(const SampleRounds& samples) {
 }
 
 void StepQueue::expect_seconds() {
+  double mean = 0.0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const PixelRect rect = visible(b);
-    int above = 0;
+    double roots = 0.0;
     for (int y = rect.y; y < rect.y + rect.height; ++y)
       for (int x = rect.x; x < rect.x + rect.width; ++x)
-        above += static_cast<double>(pixel(x, y).expected) > floor_;
+        roots += std::sqrt(std::sqrt(static_cast<double>(pixel(x, y).expected)));
     const WorkPlan::Block& of = plan_->blocks[b];
-    blocks_[b].relative = of.rect.width * of.rect.height * seconds_a_sample_[of.group] *
-                          std::pow(1.0 + above, power_of_pixels);
+    blocks_[b].relative =
+        of.rect.width * of.rect.height * seconds_a_sample_[of.group] * (1.0 + roots);
+    mean += blocks_[b].relative / static_cast<double>(blocks_.size());
   }
+  starts_.add(usual_start * mean, mean);  // as if one block had been measured
 }
 
 // Returns the expected squared error of a pixel from its own change and those of its neighbours,
@@ -231,9 +234,8 @@ void StepQueue::plan_step(Step::Kind kind, std::size_t block, double gain) {
 void StepQueue::measure_blocks() {
   for (const std::size_t b : spread_) {
     if (measured_ >= least_measured) return;
-    const bool first = measured_ == 0;
     if (blocks_[b].state != State::waiting || !(error_of(b) > 0.0)) continue;
-    if (!first && start_seconds(b) > share_of_measuring * spent_) return;
+    if (start_seconds(b) > share_of_measuring * spent_) return;
     plan_step(Step::Kind::start, b, std::numeric_limits<double>::infinity());
     ++measured_;
     return;

@@ -35,8 +35,9 @@ struct Step {
 /// - The expected squared error of a pixel with n samples is a sixth of the squared change since it
 ///   had n / 4. Its neighbours' maximum counts for 0.6, since pixels may agree by chance. It is at
 ///   least a twelfth of what was expected before.
-/// - The expected time of a block grows with the time of its samples and with the number of its
-///   pixels with an error above the floor, by a power of 2/3. Finished blocks give the factor.
+/// - The expected time of a block grows with the time of its samples and with the sum of its
+///   pixels' expected errors, each as the root of the absolute error. Finished blocks give the
+///   factor.
 ///
 /// Handles the order alone and renders nothing. One thread at a time.
 class StepQueue {
