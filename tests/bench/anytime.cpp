@@ -23,8 +23,8 @@
 // --curves also prints each picture's time, error and pass, the finished work, and the remaining
 // time, estimated and true. --strips writes a picture per scene: the method and Sobol sampling side
 // by side, at 1/4, 1/2, 1, 2, 4 and 8 times the time of 16 samples. --replay judges schedules that
-// are not built, from measured pictures (print_replays). --single-samples, --search and --dearer are
-// the assumed costs of work for single pixels (SinglePixelCost).
+// are not built, from measured pictures (print_replays). --single-samples, --search and --dearer
+// are the assumed costs of work for single pixels (SinglePixelCost).
 
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
