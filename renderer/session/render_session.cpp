@@ -1,7 +1,12 @@
 #include "renderer/session/render_session.h"
 
 #include "renderer/comparison/method.h"
-#include "renderer/session/render_run.h"
+#include "renderer/session/coarse_passes.h"
+#include "renderer/session/planned_render.h"
+#include "renderer/session/render_steps.h"
+#include "renderer/session/run_clock.h"
+#include "renderer/session/sample_rounds.h"
+#include "renderer/session/tile_collector.h"
 
 #include <algorithm>
 #include <functional>
@@ -26,6 +31,96 @@ void give_way_to_window() {
 }
 
 }  // namespace
+
+/// The render of one snapshot: the remaining work, the finished tiles, and the speed. Workers call
+/// `work` and share nothing else. A session creates one for each restart and drops it after its
+/// workers have ended, so that no tile can outlive its snapshot.
+class RenderRun {
+ public:
+  RenderRun(Snapshot snapshot, std::function<void()> on_tiles);
+
+  /// Takes work until none is left or `stop` is requested. Any number of threads.
+  void work(const std::stop_token& stop);
+
+  [[nodiscard]] PixelRect visible() const { return render_.plan.visible; }
+  [[nodiscard]] std::vector<FinishedTile> take_finished() { return tiles_.take_finished(); }
+  [[nodiscard]] Progress progress() const { return clock_.progress(); }
+  [[nodiscard]] Reached reached() const;
+  [[nodiscard]] RenderStatistics statistics() const { return tiles_.statistics(); }
+  /// Pauses all but the coarse passes after the current pieces of work, and resumes them.
+  void pause() { clock_.pause(); }
+  void resume() { clock_.resume(); }
+  /// Called after the workers have ended: stops the clock.
+  void close() { clock_.close(); }
+
+ private:
+  void work_rounds(std::size_t first, const std::stop_token& stop);
+  void count(bool finished_picture);
+
+  const PlannedRender render_;
+  TileCollector tiles_;
+  CoarsePasses coarse_;
+  SampleRounds samples_;
+  RenderSteps steps_;
+  RunClock clock_;
+};
+
+RenderRun::RenderRun(Snapshot snapshot, std::function<void()> on_tiles)
+    : render_(std::move(snapshot)),
+      tiles_(render_.plan, std::move(on_tiles)),
+      samples_(render_),
+      steps_(render_, samples_) {}
+
+void RenderRun::work(const std::stop_token& stop) {
+  if (render_.snapshot.progressive) coarse_.work(render_, tiles_, stop);
+  (void)steps_.blocks_can_start(render_);  // begins the search after the first picture
+  clock_.begin_forecast();
+  const bool own = samples_.make_the_picture();
+  if (render_.snapshot.progressive) {
+    work_rounds(0, stop);
+  } else if (own) {
+    work_rounds(samples_.rounds().size() - 1, stop);
+  }
+  if (own || stop.stop_requested()) return;
+  if (render_.snapshot.progressive) {
+    if (!samples_.wait_for_rounds(samples_.rounds().size(), stop)) return;
+    steps_.begin();
+  }
+  count(steps_.work(render_, tiles_, clock_, stop));
+}
+
+Reached RenderRun::reached() const {
+  Reached reached = tiles_.reached();
+  if (!render_.snapshot.progressive || reached.pass != Reached::Pass::samples) return reached;
+  const std::vector<int>& rounds = samples_.rounds();
+  const auto done = std::count_if(rounds.begin(), rounds.end(),
+                                  [&](int samples) { return samples <= reached.samples; });
+  reached.rounds = static_cast<int>(rounds.size());
+  const auto running = static_cast<int>(done) + 1;
+  if (running <= reached.rounds)
+    reached.round = running;
+  else if (samples_.make_the_picture())
+    reached.round = reached.rounds;
+  return reached;
+}
+
+// Once the last tile is published, the picture is complete, and its user is notified.
+void RenderRun::count(bool finished_picture) {
+  if (!finished_picture) return;
+  clock_.complete();
+  tiles_.notify();
+}
+
+// Steps continue the samples of the rounds, so a worker finds the right order only after the
+// others. A picture of samples alone ends soonest without waiting.
+void RenderRun::work_rounds(std::size_t first, const std::stop_token& stop) {
+  const bool ordered = !samples_.make_the_picture();
+  for (std::size_t round = first; round < samples_.rounds().size(); ++round) {
+    if (ordered && !samples_.put_what_moves_first(round, stop)) return;
+    count(samples_.work(render_, round, tiles_, clock_, stop));
+    if (stop.stop_requested()) return;
+  }
+}
 
 int worker_count(int threads, bool beside_window) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());

@@ -3,6 +3,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/prepared/exposure.h"
 #include "renderer/session/thread_seconds.h"
+#include "renderer/session/tuning.h"
 
 #include <algorithm>
 #include <utility>
@@ -35,7 +36,7 @@ std::vector<const BoundaryFeatures*> boundaries_of(const PlannedRender& render) 
 
 RenderSteps::RenderSteps(const PlannedRender& render, SampleRounds& samples)
     : samples_(samples),
-      most_bytes_(bytes_a_pixel * static_cast<std::size_t>(render.plan.visible.width) *
+      most_bytes_(tuning::bytes_a_pixel * static_cast<std::size_t>(render.plan.visible.width) *
                   static_cast<std::size_t>(render.plan.visible.height)),
       started_(render.plan.blocks.size()),
       queue_(render.plan, render.snapshot.settings.asos.eps) {}
@@ -121,7 +122,7 @@ bool RenderSteps::perform(const PlannedRender& render, const Step& step, TileCol
   queue_.done(step, seconds, sampled);
   if (step.kind == Step::Kind::start && started_[step.block].rest)
     queue_.open(step.block, started_[step.block].rest->squared_error());
-  clock.count_step(seconds, queue_.seconds_left());
+  clock.count(seconds, queue_.seconds_left());
   return finished_picture;
 }
 

@@ -23,10 +23,6 @@ namespace asos {
 /// A method with one stage finishes its blocks at once. Any number of threads.
 class RenderSteps {
  public:
-  /// Memory limit for started blocks, per pixel of the picture. Blocks beyond it are finished at
-  /// once.
-  static constexpr std::size_t bytes_a_pixel = 400;
-
   RenderSteps(const PlannedRender& render, SampleRounds& samples);
 
   /// Orders the steps by the samples so far; only the first call counts. To be called after the

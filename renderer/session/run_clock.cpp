@@ -1,14 +1,13 @@
 #include "renderer/session/run_clock.h"
 
+#include "renderer/session/tuning.h"
+
 #include <algorithm>
 
 namespace asos {
 namespace {
 
-constexpr std::chrono::milliseconds pace_step{100};
-constexpr std::chrono::milliseconds forecast_step{50};
-constexpr std::chrono::seconds pace_window{10};
-constexpr std::chrono::milliseconds pace_enough{250};
+using namespace tuning;
 
 double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
@@ -16,32 +15,20 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 }  // namespace
 
-void RunClock::leave_out(std::size_t pass) {
-  const std::lock_guard lock(mutex_);
-  forecast_.leave_out(pass);
-  made_.reset();
-}
-
-void RunClock::guess(std::size_t pass) {
-  const std::lock_guard lock(mutex_);
-  forecast_.guess(pass);
-}
-
 void RunClock::begin_forecast() {
   const std::lock_guard lock(mutex_);
   if (pace_.empty()) pace_.push_back({Clock::now(), 0.0});
 }
 
-void RunClock::count_block(std::size_t pass, std::size_t block, double seconds) {
+void RunClock::count(double seconds, std::optional<double> left, bool guess) {
   const std::lock_guard lock(mutex_);
-  forecast_.add(pass, block, seconds);
-  record_pace();
-}
-
-void RunClock::count_step(double seconds, std::optional<double> left) {
-  const std::lock_guard lock(mutex_);
-  forecast_.add(seconds);
-  left_ = left;
+  done_ += seconds;
+  if (left) {
+    left_ = left;
+    guess_ = guess;
+  } else if (left_) {
+    left_ = std::max(0.0, *left_ - seconds);
+  }
   record_pace();
 }
 
@@ -50,7 +37,7 @@ void RunClock::count_step(double seconds, std::optional<double> left) {
 void RunClock::record_pace() {
   const Clock::time_point now = Clock::now();
   if (now - pace_.back().time < pace_step) return;
-  pace_.push_back({now, forecast_.seconds_done()});
+  pace_.push_back({now, done_});
   while (pace_.size() > 2 && now - pace_[1].time > pace_window) pace_.pop_front();
 }
 
@@ -102,29 +89,14 @@ bool RunClock::wait_while_paused(const std::stop_token& stop) {
   return !stop.stop_requested();
 }
 
-// The caller holds the mutex. Subtracts the work done since the latest forecast. Forecasts again
-// after forecast_step, or once a quarter of the forecast work is done.
-std::optional<double> RunClock::work_left(Clock::time_point now) const {
-  constexpr double most_of_it = 0.25;
-  if (left_) return left_;
-  const double done = forecast_.seconds_done();
-  const bool holds = made_ && made_->left && now - made_->time < forecast_step &&
-                     done - made_->done <= most_of_it * *made_->left;
-  if (!holds) made_ = Forecast{forecast_.seconds_left(), done, now};
-  if (!made_->left) return std::nullopt;
-  return *made_->left - (done - made_->done);
-}
-
-// The caller holds the mutex. A guessed growth is good enough for the order of a percentage, but
-// not for a time.
+// The caller holds the mutex.
 double RunClock::seconds_left(Clock::time_point now) const {
   if (complete_) return 0.0;
-  if (pace_.empty() || closed_ || (!left_ && forecast_.guesses())) return -1.0;
-  const std::optional<double> left = work_left(now);
+  if (pace_.empty() || closed_ || !left_ || guess_) return -1.0;
   const double passed = seconds(now - pace_.front().time);
-  const double done = forecast_.seconds_done() - pace_.front().seconds;
-  if (!left || passed < seconds(pace_enough) || done <= 0.0) return -1.0;
-  return *left * passed / done;
+  const double done = done_ - pace_.front().seconds;
+  if (passed < seconds(least_pace) || done <= 0.0) return -1.0;
+  return *left_ * passed / done;
 }
 
 Progress RunClock::progress() const {
@@ -137,12 +109,10 @@ Progress RunClock::progress() const {
   progress.failed = failed_;
   progress.paused = paused_ && !complete_ && !closed_;
   progress.running = !complete_ && !closed_ && !paused_;
-  const double done = forecast_.seconds_done();
-  if (complete_) {
+  if (complete_)
     fraction_ = 1.0;
-  } else if (const std::optional<double> left = work_left(now); left && done > 0.0) {
-    fraction_ = std::max(fraction_, done / (done + *left));
-  }
+  else if (left_ && done_ > 0.0)
+    fraction_ = std::max(fraction_, done_ / (done_ + *left_));
   progress.fraction = fraction_;
   progress.seconds = std::max(0.0, seconds(now - start_ - rested_));
   progress.seconds_left = seconds_left(now);

@@ -2,6 +2,7 @@
 
 #include "renderer/comparison/method.h"
 #include "renderer/session/thread_seconds.h"
+#include "renderer/session/tuning.h"
 
 #include <algorithm>
 #include <memory>
@@ -24,7 +25,9 @@ RenderSettings by_sobol(RenderSettings settings, int samples) {
 // Samples of a pixel in the rounds before the blocks of a method, or only 1 if blocks take no more
 // themselves.
 int first_samples(const RenderSettings& settings) {
-  return in_object_space(settings.method) && settings.asos.max_level == 0 ? 1 : 4;
+  return in_object_space(settings.method) && settings.asos.max_level == 0
+             ? 1
+             : tuning::samples_before_steps;
 }
 
 std::vector<int> rounds_of(int most) {
@@ -39,7 +42,7 @@ std::vector<int> rounds_of(int most) {
 SampleRounds::SampleRounds(const PlannedRender& render)
     : settings_(ends_with_samples(render.snapshot.settings)
                     ? render.snapshot.settings
-                    : by_sobol(render.snapshot.settings, most_samples)),
+                    : by_sobol(render.snapshot.settings, tuning::most_samples)),
       own_(ends_with_samples(render.snapshot.settings)),
       rounds_(
           rounds_of(own_ ? samples_a_pixel(settings_) : first_samples(render.snapshot.settings))),
@@ -109,8 +112,29 @@ std::size_t SampleRounds::bytes() const {
   return sum;
 }
 
-bool SampleRounds::work(const PlannedRender& render, std::size_t round, std::size_t pass,
-                        TileCollector& tiles, RunClock& clock, const std::stop_token& stop) {
+// Counts a group's work. Its further rounds are expected at the pace of the latest one, and groups
+// without a round at the mean pace.
+void SampleRounds::count(std::size_t group, std::size_t round, double seconds, RunClock& clock) {
+  double left = 0.0;
+  {
+    const std::lock_guard lock(mutex_);
+    Group& own = groups_[group];
+    if (own.pace < 0.0) ++paced_;
+    pace_ -= std::max(0.0, own.pace);
+    left_ -= std::max(0.0, own.pace) * (rounds_.back() - own.taken);
+    own.pace = seconds / std::max(1, rounds_[round] - own.taken);
+    own.taken = rounds_[round];
+    pace_ += own.pace;
+    left_ += own.pace * (rounds_.back() - own.taken);
+    const double mean = pace_ / static_cast<double>(paced_);
+    left = left_ + mean * rounds_.back() * static_cast<double>(groups_.size() - paced_);
+    if (!own_) left += tuning::blocks_over_sample * mean * static_cast<double>(groups_.size());
+  }
+  clock.count(seconds, left, !own_);
+}
+
+bool SampleRounds::work(const PlannedRender& render, std::size_t round, TileCollector& tiles,
+                        RunClock& clock, const std::stop_token& stop) {
   const WorkPlan& plan = render.plan;
   const bool last = own_ && round + 1 == rounds_.size();
   bool finished_picture = false;
@@ -122,9 +146,7 @@ bool SampleRounds::work(const PlannedRender& render, std::size_t round, std::siz
     double seconds = 0.0;
     std::optional<BlockResult> result = advance(render, at, rounds_[round], seconds, stop);
     if (stop.stop_requested()) break;
-    for (std::size_t k = 0; k < group.block_count; ++k)
-      clock.count_block(pass, group.first_block + k,
-                        seconds / static_cast<double>(group.block_count));
+    if (result) count(at, round, seconds, clock);
     if (result && last) {
       finished_picture |= tiles.finish_block(group.first_block, *std::move(result));
     } else if (result) {

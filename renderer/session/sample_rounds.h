@@ -23,9 +23,6 @@ namespace asos {
 /// few rounds, of Sobol points; then single pixels continue. Any number of threads.
 class SampleRounds {
  public:
-  /// Maximal number of samples of a pixel of the other methods.
-  static constexpr int most_samples = 1 << 10;
-
   explicit SampleRounds(const PlannedRender& render);
 
   /// Returns whether the rounds produce the final pixels.
@@ -39,9 +36,9 @@ class SampleRounds {
   /// change what the others use.
   [[nodiscard]] bool put_what_moves_first(std::size_t round, const std::stop_token& stop);
   /// Renders groups of a round, given by its index in `rounds`, until none is left or `stop` is
-  /// requested. Times count for pass `pass`. Returns true if this finished the picture.
-  bool work(const PlannedRender& render, std::size_t round, std::size_t pass, TileCollector& tiles,
-            RunClock& clock, const std::stop_token& stop);
+  /// requested. Returns true if this finished the picture.
+  bool work(const PlannedRender& render, std::size_t round, TileCollector& tiles, RunClock& clock,
+            const std::stop_token& stop);
   /// Waits until all groups have finished the rounds before this one; false once `stop` is
   /// requested.
   [[nodiscard]] bool wait_for_rounds(std::size_t before, const std::stop_token& stop);
@@ -70,6 +67,8 @@ class SampleRounds {
     std::optional<PixelSamples> pixels;
     std::optional<PixelSamples> unlit_share, unlit_colour;
     double seconds = 0.0;
+    double pace = -1.0;  // of its latest round: seconds for each sample per pixel; negative: none
+    int taken = 0;       // samples per pixel that the pace counts; both under SampleRounds::mutex_
   };
   using PassOfGroup = std::optional<PixelSamples> Group::*;
   /// Pixels that continue their samples of one pass.
@@ -91,6 +90,7 @@ class SampleRounds {
                                                    int samples, double& seconds,
                                                    const std::stop_token& stop);
   static void drop_samples(Group& group);
+  void count(std::size_t group, std::size_t round, double seconds, RunClock& clock);
 
   RenderSettings settings_;
   bool own_;
@@ -100,6 +100,9 @@ class SampleRounds {
   mutable std::mutex mutex_;
   std::condition_variable_any finished_;
   std::size_t done_ = 0;            // groups of all rounds
+  std::size_t paced_ = 0;           // groups with a pace
+  double pace_ = 0.0;               // sum of all paces
+  double left_ = 0.0;               // seconds of their further rounds, at their paces
   std::size_t ordered_round_ = 0;   // the latest round that changed order_
   std::vector<std::size_t> order_;  // of groups
 };

@@ -1,6 +1,7 @@
 #include "renderer/session/step_queue.h"
 
 #include "renderer/session/sample_rounds.h"
+#include "renderer/session/tuning.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,34 +12,7 @@
 namespace asos {
 namespace {
 
-// Steps are planned for this fraction of the time so far: few enough that their order stays right,
-// and enough to fill packets of rays.
-constexpr double share_of_plan = 0.1;
-// Longest step of samples in seconds. A change of the camera waits for it.
-constexpr double longest_step = 0.005;
-// A step of fewer samples would leave packets of rays empty.
-constexpr int least_samples = 256;
-// The error of n samples over that of 4n.
-constexpr float error_ratio = 8.0f;
-// The neighbours' maximum counts for this fraction of a pixel's expected error.
-constexpr float share_of_neighbours = 0.6f;
-constexpr float least_of_before = 1.0f / 12.0f;
-// Pixels with an error below this fraction of EPS take no more samples.
-constexpr double share_of_eps = 0.5;
-// Single pixels of a block take samples for at most this fraction of the block's time, since they
-// end with the block: the picture is finished that much later.
-constexpr double share_of_block = 0.2;
-// The time of a block's first stage relative to the expected one, before one was measured; the
-// median of 12 scenes.
-constexpr double usual_start = 8.0;
-// So many blocks are rendered early to measure them, each in at most this fraction of the time so
-// far.
-constexpr int least_measured = 4;
-constexpr double share_of_measuring = 0.03;
-// The same for the second stage and its growth with the expected squared error.
-constexpr double usual_finish = 4e5, power_of_error = 2.0 / 3.0;
-// Weight of a finished block relative to the next one, since times fall along with gains.
-constexpr double weight_of_before = 0.98;
+using namespace tuning;
 
 double ratio_or(double a, double b, double otherwise) {
   return b > 0.0 ? a / b : otherwise;
@@ -58,7 +32,7 @@ void StepQueue::Ratio::add(double seconds, double relative) {
 
 StepQueue::StepQueue(const WorkPlan& plan, double eps)
     : plan_(&plan),
-      floor_(share_of_eps * eps * share_of_eps * eps),
+      floor_(fraction_of_eps * eps * fraction_of_eps * eps),
       blocks_(plan.blocks.size()),
       spread_(plan.spread_blocks()),
       blocks_left_(plan.blocks.size()) {}
@@ -131,7 +105,7 @@ float StepQueue::expected_error(int x, int y) const {
       largest = std::max(largest, there);
     }
   }
-  return share_of_neighbours * largest + (1.0f - share_of_neighbours) * own.moved;
+  return weight_of_neighbours * largest + (1.0f - weight_of_neighbours) * own.moved;
 }
 
 double StepQueue::start_seconds(std::size_t block) const {
@@ -139,7 +113,7 @@ double StepQueue::start_seconds(std::size_t block) const {
 }
 
 double StepQueue::relative_finish(std::size_t block, double squared_error) const {
-  return seconds_a_sample_[plan_->blocks[block].group] * std::pow(squared_error, power_of_error);
+  return seconds_a_sample_[plan_->blocks[block].group] * std::pow(squared_error, power_of_finish);
 }
 
 double StepQueue::finish_seconds(std::size_t block) const {
@@ -163,7 +137,7 @@ double StepQueue::error_of(std::size_t block) const {
 
 // Returns the time that the samples of a block's pixels may still take.
 double StepQueue::most_seconds(std::size_t block) const {
-  return share_of_block * start_seconds(block) - blocks_[block].sample_seconds;
+  return fraction_of_block * start_seconds(block) - blocks_[block].sample_seconds;
 }
 
 template <typename See>
@@ -174,8 +148,7 @@ void StepQueue::each_pixel(std::size_t block, bool blocks, const See& see) const
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     for (int x = rect.x; x < rect.x + rect.width; ++x) {
       const Pixel& of = pixel(x, y);
-      if (of.busy || static_cast<double>(of.expected) <= floor ||
-          of.taken >= SampleRounds::most_samples)
+      if (of.busy || static_cast<double>(of.expected) <= floor || of.taken >= most_samples)
         continue;
       const double seconds = sample_seconds(block, of);
       if (seconds > most) continue;
@@ -216,7 +189,7 @@ std::size_t StepQueue::least_class(bool blocks) {
   }
   std::size_t least = classes - 1;
   double seconds = seconds_by_class_[least];
-  while (least > 1 && seconds < share_of_plan * spent_) seconds += seconds_by_class_[--least];
+  while (least > 1 && seconds < fraction_of_plan * spent_) seconds += seconds_by_class_[--least];
   return least;
 }
 
@@ -233,9 +206,9 @@ void StepQueue::plan_step(Step::Kind kind, std::size_t block, double gain) {
 // Plans the first blocks in spread order that have an error: they tell the time of all.
 void StepQueue::measure_blocks() {
   for (const std::size_t b : spread_) {
-    if (measured_ >= least_measured) return;
+    if (measured_ >= early_blocks) return;
     if (blocks_[b].state != State::waiting || !(error_of(b) > 0.0)) continue;
-    if (start_seconds(b) > share_of_measuring * spent_) return;
+    if (start_seconds(b) > fraction_of_early_block * spent_) return;
     plan_step(Step::Kind::start, b, std::numeric_limits<double>::infinity());
     ++measured_;
     return;
@@ -298,7 +271,7 @@ void StepQueue::plan_in_spread_order() {
   double seconds = 0.0;
   for (; next_spread_ < spread_.size(); ++next_spread_) {
     if (blocks_[spread_[next_spread_]].state != State::waiting) continue;
-    if (!ready_.empty() && (!begun_ || seconds >= share_of_plan * spent_)) return;
+    if (!ready_.empty() && (!begun_ || seconds >= fraction_of_plan * spent_)) return;
     plan_step(Step::Kind::start, spread_[next_spread_], 0.0);
     seconds += ready_.back().seconds;
   }
@@ -353,7 +326,7 @@ void StepQueue::open(std::size_t block, double squared_error) {
   ++blocks_left_;
   if (!begun_) return;
   blocks_[block].relative_finish =
-      seconds_a_sample_[plan_->blocks[block].group] * std::pow(squared_error, power_of_error);
+      seconds_a_sample_[plan_->blocks[block].group] * std::pow(squared_error, power_of_finish);
   opened_.measured += blocks_[block].relative_finish;
 }
 

@@ -110,14 +110,4 @@ std::vector<std::size_t> WorkPlan::spread_groups() const {
   return spread_over(groups, group_size);
 }
 
-std::vector<std::size_t> WorkPlan::blocks_of(const std::vector<std::size_t>& order) const {
-  std::vector<std::size_t> of_groups;
-  of_groups.reserve(blocks.size());
-  for (const std::size_t at : order) {
-    for (std::size_t k = 0; k < groups[at].block_count; ++k)
-      of_groups.push_back(groups[at].first_block + k);
-  }
-  return of_groups;
-}
-
 }  // namespace asos

@@ -37,11 +37,9 @@ struct WorkPlan {
   explicit WorkPlan(const RenderSettings& settings);
 
   /// Returns the indices of all blocks, or groups, in an order whose beginnings are evenly spread
-  /// over the picture, so that finished work predicts the remaining work (CostForecast).
+  /// over the picture, so that finished work predicts the remaining work (StepQueue).
   [[nodiscard]] std::vector<std::size_t> spread_blocks() const;
   [[nodiscard]] std::vector<std::size_t> spread_groups() const;
-  /// Returns the blocks of the groups, in the groups' order `order`.
-  [[nodiscard]] std::vector<std::size_t> blocks_of(const std::vector<std::size_t>& order) const;
 };
 
 /// A pixel of the picture, in a block of a plan.

@@ -37,12 +37,12 @@ struct Sampled {
   PlannedRender render{fence(1)};
   TileCollector tiles{render.plan, {}};
   SampleRounds samples{render};
-  RunClock clock{render.plan.blocks.size(), std::vector<double>(3, 1.0)};
+  RunClock clock;
 
   Sampled() {
     clock.begin_forecast();
     for (const std::size_t round : {0, 1, 2})
-      EXPECT_FALSE(samples.work(render, round, round, tiles, clock, {}));
+      EXPECT_FALSE(samples.work(render, round, tiles, clock, {}));
     EXPECT_TRUE(samples.wait_for_rounds(3, {}));
   }
 };

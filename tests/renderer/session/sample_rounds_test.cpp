@@ -38,12 +38,12 @@ TEST(SampleRounds, FreeTheirSumsOnceNobodyNeedsThem) {
   const PlannedRender render(snapshot);
   TileCollector tiles(render.plan, {});
   SampleRounds samples(render);
-  RunClock clock(render.plan.blocks.size(), std::vector<double>(samples.rounds().size(), 1.0));
+  RunClock clock;
   clock.begin_forecast();
   for (const std::size_t round : {0, 1})
-    EXPECT_FALSE(samples.work(render, round, round, tiles, clock, {}));
+    EXPECT_FALSE(samples.work(render, round, tiles, clock, {}));
   EXPECT_GT(samples.bytes(), sizeof(SampleSums::Sum) * width * height);
-  EXPECT_TRUE(samples.work(render, 2, 2, tiles, clock, {}));
+  EXPECT_TRUE(samples.work(render, 2, tiles, clock, {}));
   EXPECT_EQ(samples.bytes(), 0u);
 }
 
@@ -115,7 +115,7 @@ TEST(SampleRounds, ALateWorkerLeavesTheOrderOfALaterRoundAlone) {
     while (!entered.load(relaxed)) std::this_thread::yield();
   });
   SampleRounds samples(render);
-  RunClock clock(render.plan.blocks.size(), std::vector<double>(samples.rounds().size(), 1.0));
+  RunClock clock;
   clock.begin_forecast();
   std::jthread late([&] {
     while (!enters.load(relaxed)) std::this_thread::yield();
@@ -124,7 +124,7 @@ TEST(SampleRounds, ALateWorkerLeavesTheOrderOfALaterRoundAlone) {
   });
   for (std::size_t round = 0; round < samples.rounds().size(); ++round) {
     ASSERT_TRUE(samples.put_what_moves_first(round, {}));
-    EXPECT_EQ(samples.work(render, round, round, tiles, clock, {}), round == 4);
+    EXPECT_EQ(samples.work(render, round, tiles, clock, {}), round == 4);
   }
   EXPECT_TRUE(entered);
   EXPECT_EQ(seen.size(), render.plan.groups.size());

@@ -3,6 +3,7 @@
 #include "renderer/session/step_queue.h"
 
 #include "renderer/session/render_steps.h"
+#include "renderer/session/tuning.h"
 #include "tests/renderer/session/fence_picture.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
@@ -92,7 +93,7 @@ TEST(StepQueue, TakesSamplesWhileBlocksCannotBeRendered) {
     ASSERT_EQ(step->kind, Step::Kind::samples);
     std::vector<StepQueue::Sampled> sampled;
     for (std::size_t i = 0; i < step->pixels.size(); ++i)
-      sampled.push_back({SampleRounds::most_samples, 0.0f});
+      sampled.push_back({tuning::most_samples, 0.0f});
     samples += step->pixels.size();
     queue.done(*step, step->seconds, sampled);
   }
@@ -119,7 +120,7 @@ TEST(RenderSteps, OfAnUnlitSurfaceComeInTwoStages) {
   TileCollector tiles(render.plan, {});
   SampleRounds samples(render);
   RenderSteps steps(render, samples);
-  RunClock clock(render.plan.blocks.size(), {1.0});
+  RunClock clock;
   clock.begin_forecast();
   EXPECT_TRUE(steps.work(render, tiles, clock, {}));
   std::size_t started = 0, partly_unlit = 0;
