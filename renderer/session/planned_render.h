@@ -24,7 +24,6 @@ struct PlannedRender {
                               viewed_camera(*snapshot.scene, snapshot.camera, snapshot.settings),
                               snapshot.settings)),
         plan(snapshot.settings),
-        group_order(plan.spread_groups()),
         unlit(has_unlit(snapshot.scene->world())) {}
 
   /// The job of a block.
@@ -37,7 +36,6 @@ struct PlannedRender {
   View view;
   std::optional<MovingPicture> motion;  ///< while the shutter is open; none: one moment
   WorkPlan plan;
-  std::vector<std::size_t> group_order;  ///< of rounds of samples
   /// Some surface may be unlit: tiles hold the unlit part of pixels.
   bool unlit = false;
 };

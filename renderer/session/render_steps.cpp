@@ -46,11 +46,6 @@ void RenderSteps::begin() {
   if (!queue_.begun()) queue_.begin(samples_);
 }
 
-bool RenderSteps::begun() const {
-  const std::lock_guard lock(mutex_);
-  return queue_.begun();
-}
-
 bool RenderSteps::work(const PlannedRender& render, TileCollector& tiles, RunClock& clock,
                        const std::stop_token& stop) {
   bool finished_picture = false;

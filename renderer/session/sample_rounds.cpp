@@ -48,7 +48,7 @@ SampleRounds::SampleRounds(const PlannedRender& render)
           rounds_of(own_ ? samples_a_pixel(settings_) : first_samples(render.snapshot.settings))),
       groups_(render.plan.groups.size()),
       next_(rounds_.size()),
-      order_(render.group_order) {
+      order_(render.plan.spread_groups()) {
   if (shows_coverage(settings_)) settings_ = with_coverage(settings_);
 }
 
@@ -113,22 +113,24 @@ std::size_t SampleRounds::bytes() const {
 }
 
 // Counts a group's work. Its further rounds are expected at the pace of the latest one, and groups
-// without a round at the mean pace.
-void SampleRounds::count(std::size_t group, std::size_t round, double seconds, RunClock& clock) {
-  double left = 0.0;
+// without a round at the mean pace. Another thread may have counted a later round.
+void SampleRounds::count(std::size_t group, int samples, double seconds, RunClock& clock) {
+  std::optional<double> left;
   {
     const std::lock_guard lock(mutex_);
     Group& own = groups_[group];
-    if (own.pace < 0.0) ++paced_;
-    pace_ -= std::max(0.0, own.pace);
-    left_ -= std::max(0.0, own.pace) * (rounds_.back() - own.taken);
-    own.pace = seconds / std::max(1, rounds_[round] - own.taken);
-    own.taken = rounds_[round];
-    pace_ += own.pace;
-    left_ += own.pace * (rounds_.back() - own.taken);
-    const double mean = pace_ / static_cast<double>(paced_);
-    left = left_ + mean * rounds_.back() * static_cast<double>(groups_.size() - paced_);
-    if (!own_) left += tuning::blocks_over_sample * mean * static_cast<double>(groups_.size());
+    if (samples > own.taken) {
+      if (own.taken == 0) ++paced_;
+      pace_ -= own.pace;
+      left_ -= own.pace * (rounds_.back() - own.taken);
+      own.pace = seconds / (samples - own.taken);
+      own.taken = samples;
+      pace_ += own.pace;
+      left_ += own.pace * (rounds_.back() - own.taken);
+      const double mean = pace_ / static_cast<double>(paced_);
+      left = left_ + mean * rounds_.back() * static_cast<double>(groups_.size() - paced_);
+      if (!own_) *left += tuning::blocks_over_sample * mean * static_cast<double>(groups_.size());
+    }
   }
   clock.count(seconds, left, !own_);
 }
@@ -146,7 +148,7 @@ bool SampleRounds::work(const PlannedRender& render, std::size_t round, TileColl
     double seconds = 0.0;
     std::optional<BlockResult> result = advance(render, at, rounds_[round], seconds, stop);
     if (stop.stop_requested()) break;
-    if (result) count(at, round, seconds, clock);
+    if (result) count(at, rounds_[round], seconds, clock);
     if (result && last) {
       finished_picture |= tiles.finish_block(group.first_block, *std::move(result));
     } else if (result) {

@@ -67,8 +67,10 @@ class SampleRounds {
     std::optional<PixelSamples> pixels;
     std::optional<PixelSamples> unlit_share, unlit_colour;
     double seconds = 0.0;
-    double pace = -1.0;  // of its latest round: seconds for each sample per pixel; negative: none
-    int taken = 0;       // samples per pixel that the pace counts; both under SampleRounds::mutex_
+    // Under SampleRounds::mutex_: samples per pixel that are counted, and seconds for each of the
+    // latest ones.
+    int taken = 0;
+    double pace = 0.0;
   };
   using PassOfGroup = std::optional<PixelSamples> Group::*;
   /// Pixels that continue their samples of one pass.
@@ -90,7 +92,7 @@ class SampleRounds {
                                                    int samples, double& seconds,
                                                    const std::stop_token& stop);
   static void drop_samples(Group& group);
-  void count(std::size_t group, std::size_t round, double seconds, RunClock& clock);
+  void count(std::size_t group, int samples, double seconds, RunClock& clock);
 
   RenderSettings settings_;
   bool own_;

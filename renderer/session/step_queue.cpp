@@ -325,8 +325,7 @@ void StepQueue::open(std::size_t block, double squared_error) {
   blocks_[block].error = squared_error;
   ++blocks_left_;
   if (!begun_) return;
-  blocks_[block].relative_finish =
-      seconds_a_sample_[plan_->blocks[block].group] * std::pow(squared_error, power_of_finish);
+  blocks_[block].relative_finish = relative_finish(block, squared_error);
   opened_.measured += blocks_[block].relative_finish;
 }
 

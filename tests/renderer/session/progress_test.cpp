@@ -72,6 +72,21 @@ TEST(SampleRounds, ExpectTheOtherGroupsAtTheMeanPace) {
   EXPECT_NEAR(fractions.back(), 1.0, 1e-9);
 }
 
+// A worker may finish an early round of a group after others took it further.
+TEST(SampleRounds, ExpectTheSameAfterALateRound) {
+  Snapshot snapshot = fence(1, Method::sobol);
+  snapshot.settings.sampling.spp = 64;
+  const PlannedRender render(snapshot);
+  TileCollector tiles(render.plan, {});
+  SampleRounds samples(render);
+  RunClock clock;
+  clock.begin_forecast();
+  EXPECT_FALSE(samples.work(render, 2, tiles, clock, {}));
+  EXPECT_NEAR(clock.progress().fraction, 4.0 / 64.0, 1e-9);
+  EXPECT_FALSE(samples.work(render, 0, tiles, clock, {}));
+  EXPECT_LT(clock.progress().fraction, 0.5) << "60 of 64 samples are left";
+}
+
 TEST(SampleRounds, GuessTheTimeOfTheBlocksThatFollow) {
   EXPECT_NEAR(fraction_after(1, fence(1)),
               1.0 / (tuning::samples_before_steps + tuning::blocks_over_sample), 1e-9);
