@@ -6,6 +6,7 @@
 #include "renderer/work_counts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -71,40 +72,71 @@ double full_emission(const Material& material) {
   return largest(material.emissive) * material.emissive_strength;
 }
 
-/// Returns false if a triangle's emissive texture is black all over it, without a sample.
-bool may_emit(const World& world, std::uint32_t triangle, const LitTexels& lit) {
-  const TextureUse& use = world.material_of(triangle).emissive_texture;
-  if (!use.used() || use.texcoord < 0 || use.texcoord > 1 || world.is_face(triangle)) return true;
-  const auto& uv = world.texcoords[use.texcoord];
-  if (uv.empty()) return true;
-  const glm::uvec3 t = world.triangles[triangle];
-  glm::vec2 low(std::numeric_limits<float>::infinity()), high(-low);
-  for (int k = 0; k < 3; ++k) {
-    const glm::vec2 corner(use.uv_transform * glm::vec3(uv[t[k]], 1.0f));
-    if (!std::isfinite(corner.x + corner.y)) return true;
-    low = glm::min(low, corner), high = glm::max(high, corner);
+/// The places of a triangle where its emissive texture is not black.
+class LitPlaces {
+ public:
+  LitPlaces(const World& world, std::uint32_t triangle, const LitTexels& lit) : lit_(lit) {
+    const TextureUse& use = world.material_of(triangle).emissive_texture;
+    if (!use.used() || use.texcoord < 0 || use.texcoord > 1 || world.is_face(triangle)) return;
+    const auto& uv = world.texcoords[use.texcoord];
+    if (uv.empty()) return;
+    const glm::uvec3 t = world.triangles[triangle];
+    known_ = true;
+    for (int k = 0; k < 3; ++k) {
+      corners_[k] = glm::vec2(use.uv_transform * glm::vec3(uv[t[k]], 1.0f));
+      known_ = known_ && std::isfinite(corners_[k].x + corners_[k].y);
+    }
   }
-  return lit.any(low, high);
-}
+
+  /// Returns false if the texture is black all over the triangle, without a sample.
+  [[nodiscard]] bool any() const {
+    return !known_ || lit_.any(glm::min(corners_[0], glm::min(corners_[1], corners_[2])),
+                               glm::max(corners_[0], glm::max(corners_[1], corners_[2])));
+  }
+  /// Does so for the part with second and third barycentric coordinates from `low` to `high`.
+  [[nodiscard]] bool any(glm::vec2 low, glm::vec2 high) const {
+    if (!known_) return true;
+    const glm::vec2 a = corners_[1] - corners_[0], b = corners_[2] - corners_[0];
+    const glm::vec2 first = corners_[0] + low.x * a + low.y * b, more = high - low;
+    const glm::vec2 along_a = more.x * a, along_b = more.y * b;
+    return lit_.any(first + glm::min(along_a, 0.0f) + glm::min(along_b, 0.0f),
+                    first + glm::max(along_a, 0.0f) + glm::max(along_b, 0.0f));
+  }
+
+ private:
+  const LitTexels& lit_;
+  bool known_ = false;  // which places are black
+  glm::vec2 corners_[3]{};
+};
 
 /// Returns the mean over the centroids of the steps^2 equal triangles that divide a triangle.
-glm::dvec3 mean_emission(const World& world, std::uint32_t triangle, int steps,
-                         EmissionAt emission) {
+/// Groups of them where the texture is black are not read.
+glm::dvec3 mean_emission(const World& world, std::uint32_t triangle, int steps, EmissionAt emission,
+                         const LitPlaces& lit) {
+  constexpr int group = 4;  // steps
   const double least = dark_share * full_emission(world.material_of(triangle));
   glm::dvec3 sum(0.0);
+  std::uint64_t lookups = 0;
   const auto add = [&](double i, double j) {
     const glm::dvec3 at(
         emission(world, triangle, static_cast<float>(i / steps), static_cast<float>(j / steps)));
+    ++lookups;
     if (!(largest(at) < least)) sum += at;
   };
+  std::array<bool, most_steps / group> black{};
   for (int i = 0; i < steps; ++i) {
+    for (int j = 0; i % group == 0 && steps > group && i + j < steps; j += group) {
+      const glm::vec2 low(i, j), size(static_cast<float>(steps));
+      black[static_cast<std::size_t>(j / group)] =
+          !lit.any(low / size, (low + static_cast<float>(group)) / size);
+    }
     for (int j = 0; i + j < steps; ++j) {
+      if (black[static_cast<std::size_t>(j / group)]) continue;
       add(i + 1.0 / 3.0, j + 1.0 / 3.0);
       if (i + j + 1 < steps) add(i + 2.0 / 3.0, j + 2.0 / 3.0);
     }
   }
-  WorkDone::add(Work::emission_lookups,
-                static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(steps));
+  WorkDone::add(Work::emission_lookups, lookups);
   return sum / (static_cast<double>(steps) * steps);
 }
 
@@ -210,9 +242,10 @@ std::vector<EmitterTriangle> emitting_triangles(const World& world, std::uint32_
     t.triangle = of.first_triangle + i;
     t.area = 0.5 * length;
     t.normal = across / length;
-    if (!may_emit(world, t.triangle, lit)) continue;
+    const LitPlaces places(world, t.triangle, lit);
+    if (!places.any()) continue;
     const int n = std::max(1, static_cast<int>(fewer * steps[i]));
-    t.radiance = mean_emission(world, of.first_triangle + i, n, emission);
+    t.radiance = mean_emission(world, t.triangle, n, emission, places);
     if (finite(t.radiance) && largest(t.radiance) > least) triangles.push_back(t);
   }
   if (world.materials[of.material].emissive_texture.used()) leave_out_dimmest(triangles);
