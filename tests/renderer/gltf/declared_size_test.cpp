@@ -56,13 +56,15 @@ TEST(DeclaredSize, HasTheFirstCamera) {
 
 TEST(DeclaredSize, LeavesOutUnusableBounds) {
   EXPECT_FALSE(preview_of(GltfBuilder::square())) << "none are declared";
-  for (const json& most : {json{-1, 1, 0}, json{1, 1}, json{1e300, 1, 0}, json{0, 0, 0}}) {
+  // The square lies in z = 0, so each axis needs a case of its own.
+  for (const json& most : {json{-1, 1, 0}, json{1, -1, 0}, json{1, 1, -1}, json{1, 1},
+                           json{1e300, 1, 0}, json{0, 0, 0}}) {
     GltfBuilder b = bounded_square();
     b.json["accessors"][0]["max"] = most;
     EXPECT_FALSE(preview_of(b)) << most.dump();
   }
   GltfBuilder b = bounded_square();
-  b.json["accessors"][0]["max"] = {-1, 1, 0};
+  b.json["accessors"][0]["max"] = {9, -1, 0};
   const int p = b.vec3({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
   b.json["accessors"][static_cast<std::size_t>(p)]["min"] = {0, 0, 0};
   b.json["accessors"][static_cast<std::size_t>(p)]["max"] = {4, 4, 0};
@@ -115,7 +117,10 @@ TEST(DeclaredSize, FollowsTheFirstJointOfASkin) {
 // A progress receives the box before any geometry is decoded, and no warning comes twice.
 TEST(DeclaredSize, IsPublishedBeforeDecoding) {
   GltfBuilder b = bounded_square();
-  b.node()["rotation"] = {0, 0, 0, 2};  // not of unit length, which gives a warning
+  // Not of unit length, which gives a warning wherever it is read.
+  const int rotations = b.vec4({{0, 0, 0, 2}});
+  b.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  b.node()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["ROTATION"] = rotations;
   const TemporaryFolder folder;
   const std::string path = folder.write("test.glb", b.glb());
   const std::vector<std::string> usual = import_gltf(path).value().notes.warnings;
