@@ -1,6 +1,7 @@
 #include "renderer/gltf/accessors.h"
 
 #include "renderer/gltf/compressed.h"
+#include "renderer/load_progress.h"
 
 #include <fmt/format.h>
 
@@ -303,7 +304,9 @@ Checked<std::vector<Out>> Accessors::read(int index, int components, const Selec
                       index));
   }
   std::vector<Out> values((all ? accessor.count : selection->size()) * n);
+  constexpr std::size_t between_stops = std::size_t{1} << 16;
   for (std::size_t i = 0; i * n < values.size(); ++i) {
+    if (i % between_stops == 0) stop_point();
     element_at(all ? i : (*selection)[i], values.data() + i * n);
   }
   if (!accessor.sparse.isSparse) return values;

@@ -54,6 +54,37 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// Iterates over a text, with stop points.
+class StoppableText {
+ public:
+  using value_type = std::uint8_t;
+  using difference_type = std::ptrdiff_t;
+  using reference = const std::uint8_t&;
+  using pointer = const std::uint8_t*;
+  using iterator_category = std::input_iterator_tag;
+
+  explicit StoppableText(pointer at) : at_(at) {}
+  [[nodiscard]] reference operator*() const { return *at_; }
+  StoppableText& operator++() {
+    if (++passed_ % between_stops == 0) stop_point();
+    ++at_;
+    return *this;
+  }
+  StoppableText operator++(int) {
+    const StoppableText before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const StoppableText& other) const { return at_ == other.at_; }
+  bool operator!=(const StoppableText& other) const { return at_ != other.at_; }
+
+ private:
+  static constexpr std::size_t between_stops = std::size_t{1} << 17;
+
+  pointer at_;
+  std::size_t passed_ = 0;
+};
+
 Checked<json> parse(Bytes text, Warnings& warnings) {
   if (text.size() > largest_json) return fault("the JSON is larger than 1 GiB");
   if (nesting_depth(text) > deepest_nesting) {
@@ -63,7 +94,7 @@ Checked<json> parse(Bytes text, Warnings& warnings) {
     warnings.add("the JSON begins with a byte order mark, which glTF does not allow");
   }
   try {
-    json root = json::parse(text.begin(), text.end());
+    json root = json::parse(StoppableText(text.data()), StoppableText(text.data() + text.size()));
     if (!root.is_object()) return fault("the JSON is not an object");
     return root;
   } catch (const json::exception& e) {
@@ -225,6 +256,7 @@ Checked<void> read_model(json root, Document& doc) {
   std::string error, warning;
   bool good = false;
   try {
+    stop_point();
     good = reader.LoadASCIIFromString(&doc.model, &error, &warning, text.data(),
                                       static_cast<unsigned>(text.size()), "", tinygltf::NO_REQUIRE);
   } catch (const std::exception& e) {

@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/direction.h"
 #include "renderer/geometry/finite.h"
+#include "renderer/load_progress.h"
 
 #include <fmt/format.h>
 
@@ -74,8 +75,10 @@ void make_tangents(VertexData& data, const std::vector<glm::uvec3>& triangles,
                    const TextureUse& use) {
   const std::vector<glm::vec2>& uv = data.texcoords[use.texcoord];
   std::vector<UvFrame> frames(data.positions.size());
-  for (const glm::uvec3 t : triangles) {
-    if (uv.empty()) break;
+  constexpr std::size_t between_stops = std::size_t{1} << 14;
+  for (std::size_t i = 0; i < triangles.size() && !uv.empty(); ++i) {
+    if (i % between_stops == 0) stop_point();
+    const glm::uvec3 t = triangles[i];
     const UvFrame face = uv_frame(data, uv, use.uv_transform, t);
     for (const std::uint32_t v : {t.x, t.y, t.z}) {
       frames[v].along_u += face.along_u;
@@ -85,6 +88,7 @@ void make_tangents(VertexData& data, const std::vector<glm::uvec3>& triangles,
   data.tangents.clear();
   data.tangents.reserve(frames.size());
   for (std::size_t v = 0; v < frames.size(); ++v) {
+    if (v % between_stops == 0) stop_point();
     const glm::dvec3 n(data.normals[v]);
     const glm::dvec3 t = frames[v].along_u - n * glm::dot(n, frames[v].along_u);
     const double side = glm::dot(glm::cross(n, t), frames[v].against_v);

@@ -3,6 +3,7 @@
 #include "renderer/geometry/view.h"
 #include "renderer/lights/emitters.h"
 #include "renderer/lights/studio_lighting.h"
+#include "renderer/load_progress.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/surface.h"
@@ -48,6 +49,7 @@ std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, con
   const View view(camera, width, height);
   std::vector<SeenPoint> seen;
   for (int y = 0; y < height; ++y) {
+    stop_point();
     for (int x = 0; x < width; ++x) {
       const Ray ray = view.ray(x + 0.5, y + 0.5);
       const Hit hit = rays.closest(ray, Culling::as_material_says);
@@ -61,6 +63,7 @@ std::vector<SeenPoint> look_around(const World& world, const RayScene& rays, con
 
 double free_distance(const World& world, const RayScene& rays, glm::dvec3 from,
                      glm::dvec3 direction) {
+  stop_point();
   Ray ray;
   ray.origin = from;
   ray.direction = direction;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -84,6 +85,67 @@ TEST(LoadProgress, EndsTheLoadAtEveryStopPoint) {
   LoadProgress again;
   EXPECT_FALSE(stops(path, again));
   EXPECT_GE(stages.size(), load_stage_count - 1);
+}
+
+/// Opens a file, and returns the number of stop points in each stage.
+std::array<std::uint64_t, load_stage_count> points_by_stage(const std::string& path) {
+  std::array<std::uint64_t, load_stage_count> points{};
+  LoadProgress* watched = nullptr;
+  std::uint64_t before = 0;
+  std::size_t stage = 0;
+  const auto end_stage = [&] {
+    points[stage] += watched->points() - before;
+    before = watched->points();
+    stage = static_cast<std::size_t>(watched->stage());
+  };
+  LoadProgress progress(end_stage);
+  watched = &progress;
+  EXPECT_FALSE(stops(path, progress));
+  end_stage();
+  return points;
+}
+
+// One accessor, its tangents, the JSON, and the search for default lights are long by themselves.
+TEST(LoadProgress, HasStopPointsWithinLargeParts) {
+  GltfBuilder b = GltfBuilder::square();
+  constexpr int side = 600;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec2> uv;
+  std::vector<std::uint32_t> indices;
+  for (int y = 0; y <= side; ++y) {
+    for (int x = 0; x <= side; ++x) {
+      positions.emplace_back(x, y, 0);
+      uv.emplace_back(static_cast<float>(x) / side, static_cast<float>(y) / side);
+      if (x == side || y == side) continue;
+      const auto i = static_cast<std::uint32_t>(y * (side + 1) + x);
+      for (const std::uint32_t corner : {0u, 1u, side + 2u, 0u, side + 2u, side + 1u})
+        indices.push_back(i + corner);
+    }
+  }
+  const TemporaryFolder folder;
+  const auto small = points_by_stage(folder.write("small.glb", b.glb()));
+  const int p = b.vec3(positions), t = b.vec2(uv);
+  const int n = b.vec3(std::vector<glm::vec3>(positions.size(), glm::vec3(0, 0, 1)));
+  const int i = b.accessor(b.view(indices), 5125, "SCALAR", indices.size());
+  nlohmann::json& primitive = b.primitive({{"POSITION", p}, {"NORMAL", n}, {"TEXCOORD_0", t}});
+  primitive["indices"] = i;
+  const auto flat = points_by_stage(folder.write("flat.glb", b.glb()));
+  primitive["material"] = 0;
+  b.json["images"] = {{{"uri", small_png}}};
+  b.json["textures"] = {{{"source", 0}}};
+  b.json["materials"] = {{{"normalTexture", {{"index", 0}}}}};
+  b.json["extras"] = std::string(1u << 20, 'x');
+  const auto large = points_by_stage(folder.write("large.glb", b.glb()));
+  const auto of = [](const auto& points, LoadStage stage) {
+    return points[static_cast<std::size_t>(stage)];
+  };
+  constexpr std::uint64_t vertices = (side + 1) * (side + 1), triangles = 2 * side * side;
+  EXPECT_GE(of(flat, LoadStage::meshes), of(small, LoadStage::meshes) + vertices / 65536);
+  EXPECT_GE(of(large, LoadStage::meshes),
+            of(flat, LoadStage::meshes) + (vertices + triangles) / 16384);
+  EXPECT_GE(of(large, LoadStage::reading), of(flat, LoadStage::reading) + 8)
+      << "a megabyte of JSON";
+  EXPECT_GE(of(small, LoadStage::finishing), 18u) << "rows of the search for default lights";
 }
 
 // Whatever a file contains, no stage is long without a stop point.
