@@ -9,13 +9,15 @@ namespace asos {
 
 /// Kinds of work for opening a scene.
 enum class Work : std::uint8_t {
-  geometries,         ///< worlds with a ray hierarchy
-  boundary_searches,  ///< begun
-  coplanar_pairs,     ///< pairs of triangles that the search compared
-  emission_lookups,   ///< places where the emission of a surface was read
-  decoded_bytes,      ///< of textures, 4 or 8 bytes a texel
+  geometries,          ///< worlds with a ray hierarchy
+  boundary_searches,   ///< begun
+  coplanar_pairs,      ///< pairs of triangles that the search compared
+  emission_lookups,    ///< places where the emission of a surface was read
+  decoded_bytes,       ///< of textures, 4 or 8 bytes a texel
+  hierarchy_surfaces,  ///< triangles and faces of new ray hierarchies; a shared mesh counts once
+  files_read,          ///< models, buffers and pictures
 };
-inline constexpr std::size_t work_kinds = 5;
+inline constexpr std::size_t work_kinds = 7;
 
 /// The work that this process has done, for tests and benchmarks. Thread-safe.
 class WorkDone {

@@ -1,6 +1,7 @@
 #include "renderer/files/read_file.h"
 
 #include "renderer/load_progress.h"
+#include "renderer/work_counts.h"
 
 #include <fmt/format.h>
 
@@ -64,6 +65,7 @@ tl::expected<FileBytes, std::string> read_file(const std::filesystem::path& path
   if (size > rules.most_bytes) {
     return unexpected(fmt::format("has {} bytes; the limit is {}", size, rules.most_bytes));
   }
+  WorkDone::add(Work::files_read);
   FileBytes bytes;
   const auto whole = static_cast<std::size_t>(size);
   if (auto read = read_up_to(std::min(whole, FileHead::length), file.descriptor, bytes); !read)

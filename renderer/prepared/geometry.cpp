@@ -40,7 +40,8 @@ double Geometry::memory_mb() const {
 
 Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Light> lights,
                                                  const RenderFeatures& forced,
-                                                 const MipChains* known, BvhPurpose use) {
+                                                 const MipChains* known, BvhPurpose use,
+                                                 const RayScene* known_rays) {
   WorkDone::add(Work::geometries);
   auto geometry = std::make_shared<Geometry>();
   geometry->render_features =
@@ -51,7 +52,8 @@ Result<std::shared_ptr<Geometry>> build_geometry(World world, std::span<const Li
 
   geometry->mips = MipChains(geometry->world, geometry->render_features.with(forced), known);
   geometry->object_spheres = object_spheres(geometry->world);
-  auto rays = RayScene::build(geometry->world, alpha_at, lights, forced, passage_at, use);
+  auto rays =
+      RayScene::build(geometry->world, alpha_at, lights, forced, passage_at, use, known_rays);
   if (!rays) return unexpected(rays.error());
   geometry->rays = std::move(*rays);
 

@@ -26,8 +26,10 @@ class Sky;
 /// The properties of a moving scene that do not change with time, so that neither light nor camera
 /// jumps. They follow from the scene at rest.
 struct AnimationInvariants {
-  glm::dvec3 origin{0.0};             ///< World::origin
-  std::optional<double> floor;        ///< height of the lowest point; none: no surfaces
+  glm::dvec3 origin{0.0};       ///< World::origin
+  std::optional<double> floor;  ///< height of the lowest point; none: no surfaces
+  Box whole;  ///< bounds of the scene with its hidden objects, for the ground; empty: none is
+              ///< hidden
   bool has_default_lighting = false;  ///< the scene itself has almost no light
   std::vector<Light> rig;             ///< default lights in that case; relative to `origin`
   /// Walls block a studio's lights, so the default lights are inside.
@@ -70,9 +72,10 @@ struct Geometry {
 
 /// Builds everything from a world, except the boundaries, whose search begins on demand. The caller
 /// sets notes, names and the time. `lights`, `forced` and errors: as in RayScene::build; `known`:
-/// as in MipChains; `use`: as in RayScene::build.
+/// as in MipChains; `use`, `known_rays`: as in RayScene::build.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> build_geometry(
     World world, std::span<const Light> lights, const RenderFeatures& forced,
-    const MipChains* known = nullptr, BvhPurpose use = BvhPurpose::lasting);
+    const MipChains* known = nullptr, BvhPurpose use = BvhPurpose::lasting,
+    const RayScene* known_rays = nullptr);
 
 }  // namespace asos

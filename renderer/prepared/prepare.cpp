@@ -73,7 +73,7 @@ void add_ground(World& world, const ChooseGround& choose, const AnimationInvaria
   const GroundChoice choice = choose(world, own.has_default_lighting);
   if (choice.ground == Ground::off) return;
   if (own.has_default_lighting && !has_stage && !looks_from_above(world)) return;
-  put_on_ground(world, choice.ground, own.floor, choice.as);
+  put_on_ground(world, choice.ground, own.floor, choice.as, own.whole);
 }
 
 Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
@@ -100,7 +100,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   std::move(emissive.begin(), emissive.end(), std::back_inserter(lights));
   const Box bounds = flattened->world.bounds;
   if (stage)
-    own.floor = stage->floor;
+    own.floor = stage->floor, own.whole = stage->whole;
   else if (!bounds.empty())
     own.floor = static_cast<double>(bounds.lo.y);
   add_ground(flattened->world, choose, own, stage != nullptr);

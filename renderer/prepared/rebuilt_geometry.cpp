@@ -4,11 +4,12 @@
 
 namespace asos {
 
-Result<std::shared_ptr<Geometry>> rebuilt_geometry(const RenderScene& scene, World world) {
+Result<std::shared_ptr<Geometry>> rebuilt_geometry(const RenderScene& scene, World world,
+                                                   std::span<const Light> lights) {
   const Geometry& before = *scene.geometry;
   auto geometry =
-      build_geometry(std::move(world), scene.own_lighting->lights, scene.forced, &before.mips,
-                     before.time ? BvhPurpose::moment : BvhPurpose::lasting);
+      build_geometry(std::move(world), lights, scene.forced, &before.mips,
+                     before.time ? BvhPurpose::moment : BvhPurpose::lasting, &before.rays);
   if (!geometry) return unexpected(Error{before.source, geometry.error().message()});
   Geometry& built = **geometry;
   built.name = before.name;

@@ -4,12 +4,15 @@
 #include "renderer/result.h"
 
 #include <memory>
+#include <span>
 
 namespace asos {
 
-/// Returns the geometry of `scene` with other surfaces: newly built, with the same description.
-/// Errors have the scene's file name.
+/// Returns the geometry of `scene` with other surfaces and the same description. Surfaces
+/// that stay (Part::surfaces) keep their hierarchies and marks. `lights`: the scene's own ones,
+/// whose own parts are those of `world`. Errors have the scene's file name.
 [[nodiscard]] Result<std::shared_ptr<Geometry>> rebuilt_geometry(const RenderScene& scene,
-                                                                 World world);
+                                                                 World world,
+                                                                 std::span<const Light> lights);
 
 }  // namespace asos

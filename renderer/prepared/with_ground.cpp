@@ -22,12 +22,13 @@ Result<std::shared_ptr<const RenderScene>> in_memory(const RenderScene& scene, G
                                                      const World* as) {
   World world = scene.world();
   if (world.lines_and_points.drawn()) draw_lines(world, {{}, 1, 0.0});  // removes the lines
-  put_on_ground(world, ground, scene.geometry->stage.floor, as);
+  const AnimationInvariants& stage = scene.geometry->stage;
+  put_on_ground(world, ground, stage.floor, as, stage.whole);
   if (world.triangles.size() > most_triangles)
     return unexpected(Error{scene.geometry->source,
                             fmt::format("has {} triangles with its ground; the limit is {}",
                                         world.triangles.size(), most_triangles)});
-  auto geometry = rebuilt_geometry(scene, std::move(world));
+  auto geometry = rebuilt_geometry(scene, std::move(world), scene.own_lighting->lights);
   if (!geometry) return unexpected(geometry.error());
   RenderScene grounded = scene;
   grounded.exposure.reset();

@@ -26,7 +26,7 @@ Result<std::shared_ptr<const RenderScene>> draw_in_memory(const RenderScene& sce
                                                           const LinePicture& picture) {
   World world = scene.world();
   draw_lines(world, picture);
-  auto geometry = rebuilt_geometry(scene, std::move(world));
+  auto geometry = rebuilt_geometry(scene, std::move(world), scene.own_lighting->lights);
   if (!geometry) return unexpected(geometry.error());
   RenderScene drawn = scene;
   drawn.exposure.reset();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/rays/coplanar_pairs.h"
 #include "renderer/rays/filters.h"
 #include "renderer/world/world.h"
 
@@ -21,6 +22,9 @@ namespace asos::tracing {
 struct Coplanar {
   std::vector<std::uint8_t> by_triangle;
   std::vector<std::uint8_t> by_place;
+  /// For each triangle that the search marked, one that it is coplanar with. A world without that
+  /// one has to search again for this triangle only.
+  std::vector<Partner> partners;
   std::size_t compared = 0;  ///< pairs of triangles that the search compared
 
   [[nodiscard]] bool empty() const { return by_triangle.empty() && by_place.empty(); }
@@ -31,8 +35,11 @@ struct Coplanar {
   }
 };
 
-/// Finds the coplanar triangles.
-[[nodiscard]] Coplanar find_coplanar(const World& world);
+/// Finds the coplanar triangles. `known`: those of another world, `known_world`, whose marks hold
+/// for the surfaces of both (Part::surfaces); null: none. Only pairs with other surfaces are
+/// compared then. It changes no mark.
+[[nodiscard]] Coplanar find_coplanar(const World& world, const World* known_world = nullptr,
+                                     const Coplanar* known = nullptr);
 
 /// Returns the distance along a ray within which other hits count as at the same place as a hit on
 /// a triangle.

@@ -119,8 +119,8 @@ class Query {
 class PairSearch {
  public:
   PairSearch(const World& world, std::vector<BoxedTriangle> triangles,
-             std::vector<std::uint8_t>& marks)
-      : world_(world), marks_(marks), items_(std::move(triangles)) {
+             std::vector<std::uint8_t>& marks, std::vector<Partner>& partners)
+      : world_(world), marks_(marks), partners_(partners), items_(std::move(triangles)) {
     const glm::dvec3 origin = glm::abs(world.origin);
     least_ = static_cast<float>(2.0 * rounding_share * std::max({origin.x, origin.y, origin.z}));
   }
@@ -144,6 +144,7 @@ class PairSearch {
     std::uint32_t child = none;  // the first of two; none: not split
     std::uint32_t part = none;   // none: several
     bool marked = false;         // all its triangles are
+    bool open = false;           // some of its triangles are
 
     [[nodiscard]] bool is_leaf() const { return count <= leaf_size; }
     [[nodiscard]] float size() const {
@@ -164,6 +165,7 @@ class PairSearch {
       node.box.grow(item.box);
       node.diameter = std::max(node.diameter, item.diameter);
       if (item.part != node.part) node.part = none;
+      node.open = node.open || item.open;
     }
     return node;
   }
@@ -200,15 +202,16 @@ class PairSearch {
     nodes_.push_back(node_of(node.first + first, node.count - first));
   }
 
-  /// Returns false for triangles, or nodes, that are apart or too small to overlap by more than the
-  /// rounding errors. Far from the origin, these may be larger than most triangles.
+  /// Returns false for triangles, or nodes, that are not open, apart, or too small to overlap by
+  /// more than the rounding errors. Far from the origin, these may be larger than most triangles.
   template <typename One, typename Other>
   [[nodiscard]] bool may_overlap(const One& one, const Other& other) const {
-    return meet(one.box, other.box) && one.diameter + other.diameter > least_;
+    return (one.open || other.open) && meet(one.box, other.box) &&
+           one.diameter + other.diameter > least_;
   }
 
   void compare_within(std::uint32_t index) {
-    if (nodes_[index].part != none) return;
+    if (nodes_[index].part != none || !nodes_[index].open) return;
     if (nodes_[index].is_leaf()) {
       const std::span<BoxedTriangle> items = items_of(nodes_[index]);
       for (std::size_t i = 0; i < items.size(); ++i)
@@ -266,7 +269,15 @@ class PairSearch {
     if (s.part == t.part || (marks_[s.triangle] && marks_[t.triangle]) || !may_overlap(s, t))
       return;
     ++compared_;
-    if (coplanar(world_, s.triangle, t.triangle)) marks_[s.triangle] = marks_[t.triangle] = 1;
+    if (!coplanar(world_, s.triangle, t.triangle)) return;
+    mark(s.triangle, t.triangle);
+    mark(t.triangle, s.triangle);
+  }
+
+  void mark(std::uint32_t triangle, std::uint32_t other) {
+    if (marks_[triangle]) return;
+    marks_[triangle] = 1;
+    partners_.push_back({triangle, other});
   }
 
   void note_marks(std::uint32_t index) {
@@ -285,6 +296,7 @@ class PairSearch {
 
   const World& world_;
   std::vector<std::uint8_t>& marks_;
+  std::vector<Partner>& partners_;
   float least_ = 0.0f;  // a lower bound on the overlap of coplanar triangles
   std::vector<BoxedTriangle> items_;
   std::vector<Node> nodes_;
@@ -337,8 +349,8 @@ Box enlarged(const Box& box, glm::dvec3 origin) {
 }
 
 std::size_t mark_coplanar(const World& world, std::vector<BoxedTriangle> triangles,
-                          std::vector<std::uint8_t>& marks) {
-  return PairSearch(world, std::move(triangles), marks).run();
+                          std::vector<std::uint8_t>& marks, std::vector<Partner>& partners) {
+  return PairSearch(world, std::move(triangles), marks, partners).run();
 }
 
 }  // namespace asos::tracing

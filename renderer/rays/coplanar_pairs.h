@@ -35,6 +35,7 @@ struct BoxedTriangle {
   float diameter = 0.0f;  ///< an upper bound on its longest side
   std::uint32_t triangle = 0;
   std::uint32_t part = 0;
+  bool open = true;  ///< false: it is not compared with others of this kind
 };
 [[nodiscard]] BoxedTriangle boxed(const World& world, std::uint32_t triangle);
 /// Returns a box that is enlarged in the same way: it contains the enlarged boxes of its triangles.
@@ -44,13 +45,20 @@ struct BoxedTriangle {
   return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
 }
 
+/// A marked triangle, and one of another part that it is coplanar with.
+struct Partner {
+  std::uint32_t triangle = 0;
+  std::uint32_t other = 0;
+};
+
 /// Marks the triangles that are coplanar with one of another part. `marks` has an entry for each
-/// of the world's own triangles. Returns the number of pairs that it compared.
+/// of the world's own triangles. Adds the newly marked ones to `partners`. Returns the number of
+/// pairs that it compared.
 ///
 /// Finds the pairs by a hierarchy of boxes, which is traversed against itself. Nodes are split when
 /// they are first visited, and nodes of one part are not compared with themselves. Triangles are
 /// tested exactly against the boxes of others, since the box of a long triangle meets many others.
 std::size_t mark_coplanar(const World& world, std::vector<BoxedTriangle> triangles,
-                          std::vector<std::uint8_t>& marks);
+                          std::vector<std::uint8_t>& marks, std::vector<Partner>& partners);
 
 }  // namespace asos::tracing

@@ -25,13 +25,13 @@ ShapeFace between(const ShapeFace& a, const ShapeFace& b, double way) {
 
 /// Returns a face at a time from 0 to 1; `room` is for one in between two poses.
 const ShapeFace& face_at(const Group& group, unsigned primitive, float time, ShapeFace& room) {
-  const std::uint32_t surface = group.triangle(primitive);
-  const std::size_t steps = group.poses.size() - 1;
-  if (steps == 0) return group.poses.front()->face(surface);
+  const std::size_t face = group.face_of(primitive);
+  const std::size_t steps = group.faces.size() - 1;
+  if (steps == 0) return group.faces.front()[face];
   const double at = static_cast<double>(time) * static_cast<double>(steps);
   const auto step = std::min(static_cast<std::size_t>(std::max(at, 0.0)), steps - 1);
-  room = between(group.poses[step]->face(surface), group.poses[step + 1]->face(surface),
-                 at - static_cast<double>(step));
+  room =
+      between(group.faces[step][face], group.faces[step + 1][face], at - static_cast<double>(step));
   return room;
 }
 
@@ -46,8 +46,8 @@ float above(double x) {
 void bound_face(const RTCBoundsFunctionArguments* args) {
   const TaskOrder::Task task;
   const auto& group = *static_cast<const Group*>(args->geometryUserPtr);
-  const std::size_t pose = std::min<std::size_t>(args->timeStep, group.poses.size() - 1);
-  const FaceBounds box = bounds_of(group.poses[pose]->face(group.triangle(args->primID)));
+  const std::size_t pose = std::min<std::size_t>(args->timeStep, group.faces.size() - 1);
+  const FaceBounds box = bounds_of(group.faces[pose][group.face_of(args->primID)]);
   const double scale = group.scale;
   // Embree computes distances to boxes in single precision, so a flat face needs a box with some
   // thickness.
@@ -150,7 +150,7 @@ void occlude_face(const RTCOccludedFunctionNArguments* args) {
 }  // namespace
 
 void set_faces(RTCGeometry geometry, Group& group) {
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.triangles.size()));
+  rtcSetGeometryUserPrimitiveCount(geometry, group.count);
   rtcSetGeometryUserData(geometry, &group);
   rtcSetGeometryBoundsFunction(geometry, bound_face, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersect_face);

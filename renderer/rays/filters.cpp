@@ -50,6 +50,10 @@ void filter(const RTCFilterFunctionNArguments& args, Keeps keeps) {
   for (unsigned i = 0; i < args.N; ++i) {
     if (args.valid[i] != -1) continue;
     const Candidate candidate{args, group, i};
+    if (!candidate.hit().valid()) {
+      args.valid[i] = 0;  // hidden
+      continue;
+    }
     if (passes_all || candidate.ignored(ignored_part) || !keeps(candidate)) args.valid[i] = 0;
   }
 }
@@ -126,12 +130,19 @@ void shadow_filter(const RTCFilterFunctionNArguments* args) {
   });
 }
 
+void hiding_filter(const RTCFilterFunctionNArguments* args) {
+  const Geometries& geometries = context_of(*args).geometries;
+  for (unsigned i = 0; i < args->N; ++i)
+    if (args->valid[i] == -1 && !geometries.hit(*args, i).valid()) args->valid[i] = 0;
+}
+
 void back_filter(const RTCFilterFunctionNArguments* args) {
   const Context& context = context_of(*args);
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
     const Hit hit = context.geometries.hit(*args, i);
-    if (context.sides.culled(hit, context.geometries.direction(*args, i))) args->valid[i] = 0;
+    if (!hit.valid() || context.sides.culled(hit, context.geometries.direction(*args, i)))
+      args->valid[i] = 0;
   }
 }
 

@@ -34,23 +34,37 @@ inline constexpr std::size_t most_lanes = 16;
 struct Transparency {
   AlphaAt alpha = nullptr;
   TransmissionAt passage = nullptr;  ///< for blended surfaces; null: by alpha
+
+  bool operator==(const Transparency&) const = default;
 };
 
-/// The triangles, or faces of analytic shapes, of one of Embree's geometries. `triangles` maps its
-/// primitives to the world's numbers for them (World::is_face). It is empty if the geometry has all
-/// triangles in order.
+/// The world's numbers of a geometry's primitives.
+struct Numbers {
+  const std::uint32_t* list = nullptr;  ///< by primitive; Hit::none: hidden. Null: consecutive
+  std::uint32_t first = 0;
+
+  [[nodiscard]] std::uint32_t of(unsigned primitive) const {
+    return list ? list[primitive] : first + primitive;
+  }
+};
+
+/// The triangles, or faces of analytic shapes, of one of Embree's geometries, as numbered in the
+/// world that it was built from. It may be used by other worlds, which number them otherwise.
 struct Group {
-  /// One world, or those of a motion at even times. Geometries of triangles do not use them.
-  std::span<const World* const> poses;
   Transparency open;
   SurfaceKind kind = SurfaceKind::opaque;
-  bool owned = false;  ///< holds the surfaces of lights
-  std::vector<std::uint32_t> triangles;
-  float scale = 1.0f;       ///< EmbreeScene::scale
-  bool shadowless = false;  ///< lines and points, which shadow queries ignore
+  bool owned = false;               ///< holds the surfaces of lights
+  bool shadowless = false;          ///< lines and points, which shadow queries ignore
+  float scale = 1.0f;               ///< EmbreeScene::scale
+  std::vector<std::uint32_t> list;  ///< empty: consecutive numbers
+  std::uint32_t first = 0, count = 0;
+  /// The faces of one world, or of each pose of a motion at even times.
+  std::span<const std::vector<ShapeFace>> faces;
+  std::uint32_t first_face = 0;  ///< number of the first face in the world
 
-  [[nodiscard]] std::uint32_t triangle(unsigned primitive) const {
-    return triangles.empty() ? primitive : triangles[primitive];
+  [[nodiscard]] Numbers numbers() const { return {list.empty() ? nullptr : list.data(), first}; }
+  [[nodiscard]] std::size_t face_of(unsigned primitive) const {
+    return numbers().of(primitive) - first_face;
   }
 };
 
@@ -91,17 +105,17 @@ struct Lanes {
 /// Embree's geometries by id, followed by the instances. Groups of surfaces that stand still come
 /// before the same groups of those that move.
 struct Geometries {
-  static constexpr unsigned still_count = 15;
+  static constexpr unsigned still_count = 16;
   static constexpr unsigned group_count = 2 * still_count;
 
-  const Group* groups = nullptr;
+  const Numbers* numbers = nullptr;    ///< by geometry
   const Placements* placed = nullptr;  ///< null: there are no instances
 
   /// Returns the hit on the world's surfaces for Embree's numbers. The corners of mirrored
   /// instances have another order in the world.
   [[nodiscard]] Hit hit(unsigned geometry, unsigned primitive, unsigned instance, float t, float u,
                         float v) const {
-    if (instance == RTC_INVALID_GEOMETRY_ID) return {groups[geometry].triangle(primitive), t, u, v};
+    if (instance == RTC_INVALID_GEOMETRY_ID) return {numbers[geometry].of(primitive), t, u, v};
     const Placement& place = placed->places[instance - group_count];
     const std::uint32_t triangle = placed->own_triangles + place.first_triangle + primitive;
     return place.mirrored ? Hit{triangle, t, v, u} : Hit{triangle, t, u, v};
@@ -128,6 +142,9 @@ struct Sides {
   [[nodiscard]] bool culled(const Hit& hit, glm::vec3 direction) const;
 };
 
+/// The filter of a context, so that only queries with it are slower: drops hidden surfaces.
+void hiding_filter(const RTCFilterFunctionNArguments* args);
+
 /// Embree's context with the filters' data for the query.
 struct Context {
   RTCIntersectContext base;
@@ -143,7 +160,8 @@ struct Context {
   std::span<const float> times;                 ///< of the rays, 0 to 1; empty: all 0
 
   Context(RTCIntersectContextFlags flags, Geometries all, const Sides& sides_of_parts,
-          std::int32_t part_to_ignore, float scale_of_scene, std::span<const float> times_of_rays)
+          std::int32_t part_to_ignore, float scale_of_scene, std::span<const float> times_of_rays,
+          bool hides)
       : geometries(all),
         sides(sides_of_parts),
         ignored_part(part_to_ignore),
@@ -151,6 +169,7 @@ struct Context {
         times(times_of_rays) {
     rtcInitIntersectContext(&base);
     base.flags = flags;
+    if (hides) base.filter = hiding_filter;
   }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -169,8 +188,7 @@ void closest_filter(const RTCFilterFunctionNArguments* args);
 /// while light remains. Needs lanes.
 void shadow_filter(const RTCFilterFunctionNArguments* args);
 
-/// The filter of a context, so that only queries with it are slower: drops the backs of
-/// single-sided surfaces.
+/// The filter of a context: drops hidden surfaces, and the backs of single-sided ones.
 void back_filter(const RTCFilterFunctionNArguments* args);
 
 }  // namespace asos::tracing

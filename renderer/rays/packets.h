@@ -92,10 +92,36 @@ void load(Rays& rays, std::size_t lane, const Ray& ray, float scale, float time)
   lane_of(rays.flags, lane) = 0u;
 }
 
+/// Traces a packet through the layers of a scene in turn: each one shortens the rays.
+template <int width>
+void intersect_layers(const int* valid, std::span<const RTCScene> layers, Context& context,
+                      typename Packet<width>::RayHits& query) {
+  for (const RTCScene layer : layers) Packet<width>::intersect(valid, layer, &context.base, &query);
+}
+
+/// Embree's mark of a blocked ray: its far end.
+inline constexpr float far_end_of_blocked = -std::numeric_limits<float>::infinity();
+
+/// Does so for occlusion. Blocked rays are not traced further; `valid` is changed.
+template <int width>
+void occlude_layers(int* valid, std::span<const RTCScene> layers, Context& context,
+                    typename Packet<width>::Rays& query) {
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    bool any = false;
+    for (std::size_t i = 0; i < width; ++i) {
+      if (k > 0 && lane_of(query.tfar, i) == far_end_of_blocked) valid[i] = 0;
+      any = any || valid[i] != 0;
+    }
+    if (!any) return;
+    Packet<width>::occluded(valid, layers[k], &context.base, &query);
+  }
+}
+
 /// Finds the nearest hits. Calls `store(i, lane, hit)` for each ray i, after its packet is done and
 /// before the next packet uses the context's lanes.
 template <int width, typename Store>
-void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> rays, Store store) {
+void intersect_packets(std::span<const RTCScene> layers, Context& context,
+                       std::span<const Ray> rays, Store store) {
   constexpr std::size_t lanes = width;
   for (std::size_t first = 0; first < rays.size(); first += lanes) {
     const std::size_t count = std::min(lanes, rays.size() - first);
@@ -108,9 +134,7 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
       lane_of(query.hit.geomID, i) = RTC_INVALID_GEOMETRY_ID;
     }
     if (context.lanes) context.lanes->reset();
-    if (width > 1 || valid[0]) {
-      Packet<width>::intersect(valid.data(), scene, &context.base, &query);
-    }
+    if (width > 1 || valid[0]) intersect_layers<width>(valid.data(), layers, context, query);
     for (std::size_t i = 0; i < count; ++i) {
       const unsigned geometry = lane_of(query.hit.geomID, i);
       if (!valid[i] || geometry == RTC_INVALID_GEOMETRY_ID) {
@@ -129,9 +153,9 @@ void intersect_packets(RTCScene scene, Context& context, std::span<const Ray> ra
 /// Tests whether anything blocks the rays. Calls `store(i, lane, blocked)`, as intersect_packets
 /// does.
 template <int width, typename Store>
-void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays, Store store) {
+void occlude_packets(std::span<const RTCScene> layers, Context& context, std::span<const Ray> rays,
+                     Store store) {
   constexpr std::size_t lanes = width;
-  constexpr float far_end_of_blocked = -std::numeric_limits<float>::infinity();  // Embree's mark
   for (std::size_t first = 0; first < rays.size(); first += lanes) {
     const std::size_t count = std::min(lanes, rays.size() - first);
     alignas(64) std::array<int, lanes> valid{};
@@ -143,7 +167,8 @@ void occlude_packets(RTCScene scene, Context& context, std::span<const Ray> rays
       load(query, i, ray, context.scale, context.time_of(first + i));
     }
     if (context.lanes) context.lanes->reset();
-    if (width > 1 || valid[0]) Packet<width>::occluded(valid.data(), scene, &context.base, &query);
+    alignas(64) auto asked = valid;
+    occlude_layers<width>(asked.data(), layers, context, query);
     for (std::size_t i = 0; i < count; ++i) {
       store(first + i, i, valid[i] != 0 && lane_of(query.tfar, i) == far_end_of_blocked);
     }
@@ -189,16 +214,17 @@ void load(Rays& query, std::array<int, lanes>& valid, const RayArrays& rays, std
 
 /// Does so for rays in arrays.
 template <int width, typename Store>
-void occlude_packets(RTCScene scene, Context& context, const RayArrays& rays, Store store) {
+void occlude_packets(std::span<const RTCScene> layers, Context& context, const RayArrays& rays,
+                     Store store) {
   constexpr std::size_t lanes = width;
-  constexpr float far_end_of_blocked = -std::numeric_limits<float>::infinity();  // Embree's mark
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = std::min(lanes, rays.count - first);
     alignas(64) std::array<int, lanes> valid;
     alignas(64) typename Packet<width>::Rays query;
     load(query, valid, rays, first, context.scale);
     if (context.lanes) context.lanes->reset();
-    if (width > 1 || valid[0]) Packet<width>::occluded(valid.data(), scene, &context.base, &query);
+    alignas(64) auto asked = valid;
+    occlude_layers<width>(asked.data(), layers, context, query);
     for (std::size_t i = 0; i < count; ++i)
       store(first + i, i, valid[i] != 0 && lane_of(query.tfar, i) == far_end_of_blocked);
   }

@@ -46,14 +46,14 @@ struct RayScene::Impl {
   [[nodiscard]] Context context(RTCIntersectContextFlags flags, Seen seen,
                                 std::int32_t ignored_part) const {
     return Context(flags, embree.geometries(seen.world), embree.sides(seen.world), ignored_part,
-                   embree.scale(), seen.times);
+                   embree.scale(), seen.times, embree.hides());
   }
   [[nodiscard]] Seen still() const { return {embree.world(), {}}; }
 
   template <typename Store>
   void intersect(Context& context, std::span<const Ray> rays, Store store) const {
     tracing::with_width(width, rays.size(), [&](auto lanes) {
-      tracing::intersect_packets<lanes()>(embree.scene(), context, rays, store);
+      tracing::intersect_packets<lanes()>(embree.scenes(), context, rays, store);
     });
   }
 
@@ -68,7 +68,7 @@ struct RayScene::Impl {
     occluding.lanes = &left;
     tracing::with_width(width, count, [&](auto lanes) {
       tracing::occlude_packets<lanes()>(
-          embree.scene(), occluding, rays, [&](std::size_t i, std::size_t lane, bool blocked) {
+          embree.scenes(), occluding, rays, [&](std::size_t i, std::size_t lane, bool blocked) {
             shares[i] = blocked ? glm::vec3(0.0f) : left.left(lane, way_of(rays, i));
           });
     });
@@ -97,17 +97,26 @@ RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 Result<RayScene> RayScene::build(const World& world, AlphaAt alpha, std::span<const Light> lights,
                                  const RenderFeatures& forced, TransmissionAt passage,
-                                 BvhPurpose use) {
+                                 BvhPurpose use, const RayScene* known) {
   const World* const pose = &world;
-  return build_moving({&pose, 1}, alpha, lights, forced, passage, use);
+  return build_from({&pose, 1}, {alpha, passage}, lights, forced, use, known);
 }
 
 Result<RayScene> RayScene::build_moving(std::span<const World* const> poses, AlphaAt alpha,
                                         std::span<const Light> lights, const RenderFeatures& forced,
                                         TransmissionAt passage, BvhPurpose use) {
+  return build_from(poses, {alpha, passage}, lights, forced, use, nullptr);
+}
+
+Result<RayScene> RayScene::build_from(std::span<const World* const> poses,
+                                      const tracing::Transparency& open,
+                                      std::span<const Light> lights, const RenderFeatures& forced,
+                                      BvhPurpose use, const RayScene* known) {
   RayScene built;
   built.impl_ = std::make_unique<Impl>();
-  if (auto done = built.impl_->embree.build(poses, {alpha, passage}, lights, forced, use); !done)
+  const tracing::EmbreeScene* const before =
+      known && known->impl_ ? &known->impl_->embree : nullptr;
+  if (auto done = built.impl_->embree.build(poses, open, lights, forced, use, before); !done)
     return unexpected(done.error());
   // Measured (tests/bench/rays_bench.cpp): the processor's widest packets are the fastest for eye
   // rays and for shadow rays; packets that Embree has to emulate are slower.

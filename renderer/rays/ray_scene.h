@@ -14,6 +14,10 @@
 
 namespace asos {
 
+namespace tracing {
+struct Transparency;
+}
+
 /// Returns the opacity of `triangle` at (b1, b2), 0 to 1, for a ray's alpha test.
 using AlphaAt = float (*)(const World& world, std::uint32_t triangle, float b1, float b2);
 
@@ -94,11 +98,14 @@ class RayScene {
   /// - `forced`: tests that are made even if no surface needs them; they change no result.
   /// - `passage`: for blended surfaces; null: they transmit all colours equally, by their opacity.
   /// - `use`: changes no result, except which of several touching surfaces is hit.
+  /// - `known`: the scene of a world with some of the same surfaces (Part::surfaces), which shares
+  ///   what depends on these; null: none. It changes no result.
   [[nodiscard]] static Result<RayScene> build(const World& world, AlphaAt alpha,
                                               std::span<const Light> lights = {},
                                               const RenderFeatures& forced = {},
                                               TransmissionAt passage = nullptr,
-                                              BvhPurpose use = BvhPurpose::lasting);
+                                              BvhPurpose use = BvhPurpose::lasting,
+                                              const RayScene* known = nullptr);
 
   /// The largest number of poses in a motion.
   static constexpr std::size_t most_poses = 129;
@@ -156,6 +163,12 @@ class RayScene {
 
  private:
   struct Impl;
+  [[nodiscard]] static Result<RayScene> build_from(std::span<const World* const> poses,
+                                                   const tracing::Transparency& open,
+                                                   std::span<const Light> lights,
+                                                   const RenderFeatures& forced, BvhPurpose use,
+                                                   const RayScene* known);
+
   std::unique_ptr<Impl> impl_;
 };
 

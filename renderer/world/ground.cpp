@@ -61,8 +61,8 @@ void shift_lines(World& world, std::uint32_t parts) {
 }
 
 /// Returns the plate's centre, followed by its corners.
-std::vector<glm::vec3> plate_vertices(const World& world, std::optional<double> floor) {
-  const glm::dvec3 lo(world.bounds.lo), hi(world.bounds.hi);
+std::vector<glm::vec3> plate_vertices(const Box& around, std::optional<double> floor) {
+  const glm::dvec3 lo(around.lo), hi(around.hi);
   const double scene_radius = 0.5 * glm::length(hi - lo);
   const double height = floor.value_or(lo.y) - below_in_radii * scene_radius;
   const glm::dvec3 middle(0.5 * (lo.x + hi.x), height, 0.5 * (lo.z + hi.z));
@@ -143,27 +143,30 @@ MaterialDfrs dfrs_without_ground(const World& world) {
   return dfrs;
 }
 
-void put_on_ground(World& world, Ground ground, std::optional<double> floor, const World* as) {
+void put_on_ground(World& world, Ground ground, std::optional<double> floor, const World* as,
+                   const Box& around) {
   take_ground_away(world);
-  if (ground == Ground::off || world.bounds.empty()) return;
-  if (!(glm::length(glm::dvec3(world.bounds.hi) - glm::dvec3(world.bounds.lo)) > 0.0)) return;
+  const Box bounds = around.empty() ? world.bounds : around;
+  if (ground == Ground::off || bounds.empty()) return;
+  if (!(glm::length(glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo)) > 0.0)) return;
 
   Part part;
   part.name = ground_name;
-  part.first_triangle = static_cast<std::uint32_t>(world.triangles.own().size());
+  part.first_triangle = static_cast<std::uint32_t>(world.triangles.own_size());
   part.triangle_count = plate_corners;
-  part.first_vertex = static_cast<std::uint32_t>(world.positions.own().size());
+  part.first_vertex = static_cast<std::uint32_t>(world.positions.own_size());
   part.vertex_count = plate_corners + 1;
   part.material = static_cast<std::uint32_t>(world.materials.size());
+  part.surfaces = new_surfaces_id();
   world.materials.push_back(ground_material(ground));
 
   // Make a fan, so that no triangle is longer than the plate is wide.
   const Part* other = as ? plate_of(*as) : nullptr;
-  const auto vertices = other ? present_vertices(*as, *other) : plate_vertices(world, floor);
+  const auto vertices = other ? present_vertices(*as, *other) : plate_vertices(bounds, floor);
   for (const glm::vec3 vertex : vertices) add_vertex(world, vertex);
   for (std::size_t i = 1; i < vertices.size(); ++i) part.bounds.grow(vertices[i]);
   const auto index = static_cast<std::uint32_t>(world.solid_parts());
-  const auto first = static_cast<std::ptrdiff_t>(world.triangles.own().size());
+  const auto first = static_cast<std::ptrdiff_t>(world.triangles.own_size());
   world.triangle_part.insert(world.triangle_part.begin() + first, plate_corners, index);
   for (std::uint32_t i = 0; i < plate_corners; ++i)
     world.triangles.push_back(part.first_vertex +

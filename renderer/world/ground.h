@@ -13,9 +13,10 @@ namespace asos {
 /// not coplanar with it. A reflecting plate blurs by a defocusing ratio: sharp at grazing angles.
 /// It is the last part before those of lines and points, and its material is the last one. A world
 /// without extent stays as it is. `floor` is a height to use instead of the lowest point's. If `as`
-/// has a ground, this one gets its place and width; both worlds have the same origin.
+/// has a ground, this one gets its place and width; both worlds have the same origin. `around` are
+/// bounds to use instead of the world's; empty: none.
 void put_on_ground(World& world, Ground ground, std::optional<double> floor = std::nullopt,
-                   const World* as = nullptr);
+                   const World* as = nullptr, const Box& around = {});
 
 inline constexpr double ground_radii = 10.0;
 

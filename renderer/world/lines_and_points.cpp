@@ -203,6 +203,7 @@ void clear_lines(World& world) {
   for (std::size_t p = lines_and_points.first_part; p < world.parts.size(); ++p) {
     Part& part = world.parts[p];
     part.triangle_count = part.vertex_count = 0;
+    part.surfaces = 0;
     part.bounds = Box();
   }
   world.bounds = lines_and_points.others;

@@ -285,7 +285,7 @@ void release_unused_images(World& world) {
 }
 
 void fill_forced_attributes(World& world, const RenderFeatures& forced) {
-  const std::size_t vertices = world.positions.own().size();
+  const std::size_t vertices = world.positions.own_size();
   if (forced.normal_maps && world.tangents.empty())
     world.tangents.assign(vertices, glm::vec4(0.0f));
   if (forced.vertex_colors && world.colors.empty()) world.colors.assign(vertices, glm::vec4(1.0f));

@@ -174,7 +174,10 @@ class Flattener {
       vertices += placed.vertex_count();
       triangles += placed.triangles().size();
     }
-    world_.positions.reserve(vertices + 1);  // see World::positions
+    // A ground may follow.
+    constexpr std::size_t more = Attribute<glm::vec3>::room_to_grow;
+    vertices += more, triangles += more;
+    world_.positions.reserve(vertices);
     world_.normals.reserve(vertices);
     if (keep_.tangents) world_.tangents.reserve(vertices);
     for (int set = 0; set < 2; ++set) {
@@ -227,11 +230,12 @@ class Flattener {
     const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
     Part part;
     part.name = instance.name.empty() ? mesh.name : instance.name;
-    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.own().size());
-    part.first_vertex = static_cast<std::uint32_t>(world_.positions.own().size());
+    part.first_triangle = static_cast<std::uint32_t>(world_.triangles.own_size());
+    part.first_vertex = static_cast<std::uint32_t>(world_.positions.own_size());
     part.material = world_material(mesh.material);
     part.shows_light = instance.shows_light;
     part.node = instance.node;
+    part.surfaces = new_surfaces_id();
     return part;
   }
 
@@ -254,15 +258,7 @@ class Flattener {
   }
 
   [[nodiscard]] std::shared_ptr<const Placements> finished(Placements placed) const {
-    std::vector<std::uint32_t> triangles, vertices;
-    for (Placement& place : placed.places) {
-      triangles.push_back(place.first_triangle = placed.triangle_count);
-      vertices.push_back(place.first_vertex = placed.vertex_count);
-      placed.triangle_count += world_.parts[place.part].triangle_count;
-      placed.vertex_count += world_.parts[place.part].vertex_count;
-    }
-    placed.by_triangle = RangeIndex(std::move(triangles), placed.triangle_count);
-    placed.by_vertex = RangeIndex(std::move(vertices), placed.vertex_count);
+    number_places(placed, world_.parts);
     placed.origin = world_.origin;
     placed.has_tangents = keep_.tangents;
     placed.has_colors = keep_.colors;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace asos {
@@ -30,11 +31,16 @@ struct Part {
   std::uint32_t face_count = 0;   ///< faces of an analytic shape; such a part has no triangles
   bool lines_and_points = false;  ///< of lines or points, which are drawn for each picture
   int node = -1;                  ///< index into SceneContents::nodes; -1: it has none
+  /// The same number in all worlds that have these surfaces, in the same places; 0: in no other.
+  std::uint64_t surfaces = 0;
 
   [[nodiscard]] bool shows_nothing() const {
     return triangle_count == 0 && face_count == 0 && !lines_and_points;
   }
 };
+
+/// Returns a number that no other part has: see Part::surfaces. Thread-safe.
+[[nodiscard]] std::uint64_t new_surfaces_id();
 
 /// A scene's surfaces flattened into one indexed triangle soup, placed in the world and recentred
 /// in double precision (design section 10): `position + origin` is the author's coordinate.
@@ -87,7 +93,7 @@ struct World {
 
   /// Returns whether a triangle belongs to a mesh that is stored once for several instances.
   [[nodiscard]] bool is_placed(std::uint32_t triangle) const {
-    return placements && triangle >= triangles.own().size();
+    return placements && triangle >= triangles.own_size();
   }
   /// Adds placed meshes after everything that the world has of its own, which may have grown since
   /// the last call. Null: none.
@@ -117,6 +123,14 @@ struct FlattenedScene {
 
 /// Returns the memory of a world's geometry, without textures.
 [[nodiscard]] std::size_t geometry_bytes(const World& world);
+
+/// Numbers the triangles and vertices of places, whose parts have sizes.
+void number_places(Placements& placed, const std::vector<Part>& parts);
+
+/// Returns the world without the parts whose flags are set; `hidden` has one for each of the first
+/// parts, which have surfaces. The others keep their surfaces (Part::surfaces). Lines and points
+/// must not be drawn.
+[[nodiscard]] World without_parts(const World& world, std::span<const std::uint8_t> hidden);
 
 /// Returns the world without the parts of placed meshes, whose entries stay and are empty.
 [[nodiscard]] World without_placements(const World& world);
