@@ -1,6 +1,8 @@
 #include "ui/hidden_objects.h"
 
+#include "renderer/prepared/without_objects.h"
 #include "renderer/scene/posable_scene.h"
+#include "renderer/world/ground.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -70,6 +72,18 @@ std::vector<ObjectId> objects_of(const SceneContents& contents, std::size_t coun
         counter.next(at(contents.object_nodes, i), at(contents.object_primitives, i)));
   for (ObjectId& object : objects) object.copies = counter.count(object);
   return objects;
+}
+
+Result<std::shared_ptr<const RenderScene>> scene_without(
+    const std::shared_ptr<const RenderScene>& whole, const std::vector<ObjectId>& hidden) {
+  if (hidden.empty()) return whole;
+  const Geometry& geometry = *whole->geometry;
+  std::vector<std::uint8_t> flags;
+  for (const ObjectId& object :
+       objects_of(geometry.contents, objects_without_ground(geometry.world)))
+    flags.push_back(among(hidden, object));
+  auto rig = geometry.rig ? std::make_shared<RigWithout>(geometry.rig, hidden) : nullptr;
+  return without_objects(whole, flags, std::move(rig));
 }
 
 void leave_out(Scene& scene, const std::vector<ObjectId>& hidden) {

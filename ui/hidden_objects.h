@@ -1,10 +1,13 @@
 #pragma once
 
+#include "renderer/prepared/render_scene.h"
+#include "renderer/result.h"
 #include "renderer/scene/scene.h"
 
 #include <array>
 #include <compare>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace asos::ui {
@@ -25,6 +28,11 @@ struct ObjectId {
 /// Returns the first `count` objects of a pose, in the order of World::parts. Scenes without nodes
 /// have no SceneContents::object_nodes.
 [[nodiscard]] std::vector<ObjectId> objects_of(const SceneContents& contents, std::size_t count);
+
+/// Returns a prepared scene without these objects (without_objects). `whole` hides nothing;
+/// `hidden`: as in leave_out. The remaining objects still move.
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> scene_without(
+    const std::shared_ptr<const RenderScene>& whole, const std::vector<ObjectId>& hidden);
 
 /// Removes objects from a loaded scene. `hidden` is ascending; objects that the scene does not have
 /// are ignored. The remaining objects still move.

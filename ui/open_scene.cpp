@@ -1,6 +1,8 @@
 #include "ui/open_scene.h"
 
 #include "renderer/gltf/load.h"
+#include "renderer/prepared/with_images.h"
+#include "renderer/prepared/without_objects.h"
 #include "renderer/world/ground.h"
 #include "ui/hidden_objects.h"
 
@@ -17,7 +19,8 @@ LoadFunction load_or_default(LoadFunction load) {
     return load_scene(source.path, {.keep_posable = true,
                                     .variant = source.variant,
                                     .scene = source.scene,
-                                    .asset_root = source.asset_root});
+                                    .asset_root = source.asset_root,
+                                    .images_only = source.images_only});
   };
 }
 
@@ -37,10 +40,12 @@ void OpenScene::ask_for(SceneSource source) {
   reload_failed_ = false;
   asked_for_ = source.path;
   asked_ = source;
+  asked_.known.reset();
   outer_root_.clear();
   reloading_ = same_file_ = false;
   textures_missing_ = 0;
   if (expected_ground_) source.ground = expected_ground_();
+  images_.reset();
   loader_.open(std::move(source));
 }
 
@@ -57,14 +62,40 @@ void OpenScene::reload() {
 }
 
 void OpenScene::load_textures() {
-  if (textures_missing_ == 0 || loading()) return;
+  if (textures_missing_ == 0 || images_ || loading()) return;
   const std::size_t missing = textures_missing_;
-  reload();
+  SceneSource source = shown_source();
+  source.images_only = true;
+  ask_for(std::move(source));
+  reloading_ = same_file_ = true;
   textures_missing_ = missing;
 }
 
+std::optional<OpenScene::Opened> OpenScene::put_images() {
+  const std::shared_ptr<const Scene> images = std::exchange(images_, nullptr);
+  if (!images) return std::nullopt;
+  textures_missing_ = 0;
+  if (!scene_ || !has_images_for(*images, *scene_)) {
+    reload();
+    return std::nullopt;
+  }
+  const std::shared_ptr<const Lighting> lighting = scene_->own_lighting;
+  for (std::shared_ptr<const RenderScene>* scene : {&whole_, &scene_}) {
+    if (!*scene) continue;
+    auto with = with_images(*scene, *images);
+    if (!with) {
+      error_ = with.error();
+      return std::nullopt;
+    }
+    *scene = *std::move(with);
+  }
+  if (scene_->own_lighting == lighting) return std::nullopt;
+  ++times_opened_;
+  return Opened{true, true, glm::dvec3(0.0), std::nullopt};
+}
+
 void OpenScene::show_variant(const std::string& variant) {
-  if (scene_) load_again(variant, hidden_);
+  if (scene_) load_again(variant);
 }
 
 SceneSource OpenScene::shown_source() const {
@@ -75,16 +106,26 @@ SceneSource OpenScene::shown_source() const {
           {},
           hidden_,
           asset_root_,
-          true,
-          std::nullopt};
+          true};
 }
 
-void OpenScene::load_again(const std::string& variant, std::vector<ObjectId> hidden) {
+void OpenScene::load_again(const std::string& variant) {
   SceneSource source = shown_source();
   source.variant = variant;
-  source.hidden = std::move(hidden);
   ask_for(std::move(source));
   reloading_ = same_file_ = true;
+}
+
+void OpenScene::show_all_but(std::vector<ObjectId> hidden) {
+  const std::size_t missing = textures_missing_;
+  std::string outer_root = outer_root_;
+  SceneSource source = shown_source();
+  source.hidden = std::move(hidden);
+  source.known = whole_ ? whole_ : without_edits(scene_);
+  ask_for(std::move(source));
+  reloading_ = same_file_ = true;
+  textures_missing_ = missing;
+  outer_root_ = std::move(outer_root);
 }
 
 void OpenScene::widen_asset_root() {
@@ -138,7 +179,7 @@ void OpenScene::show_without(std::vector<int> places) {
   std::set_difference(hidden_.begin(), hidden_.end(), all.begin(), all.end(),
                       std::back_inserter(hidden));
   std::sort(hidden.begin(), hidden.end());
-  load_again(scene_->geometry->contents.variant, std::move(hidden));
+  show_all_but(std::move(hidden));
 }
 
 void OpenScene::show_only(int part) {
@@ -150,20 +191,14 @@ void OpenScene::show_only(int part) {
 }
 
 void OpenScene::show_all() {
-  if (scene_) load_again(scene_->geometry->contents.variant, {});
+  if (scene_) show_all_but({});
 }
 
 void OpenScene::show_scene(int index) {
   if (!scene_) return;
   const SceneContents& contents = scene_->geometry->contents;
-  ask_for({scene_->geometry->source,
-           contents.variant,
-           name_of(contents, index),
-           {},
-           {},
-           asset_root_,
-           false,
-           std::nullopt});
+  ask_for(
+      {scene_->geometry->source, contents.variant, name_of(contents, index), {}, {}, asset_root_});
   same_file_ = true;
 }
 
@@ -176,26 +211,39 @@ std::optional<OpenScene::Opened> OpenScene::take_opened() {
   if (!outcome) return std::nullopt;
   const bool reloaded = std::exchange(reloading_, false);
   const bool same_file = std::exchange(same_file_, false);
-  outer_root_ = outcome->outer_root;
-  textures_missing_ = 0;
+  if (outcome->images) {
+    // The file may have changed since its surfaces were read.
+    if (outcome->files == files_)
+      images_ = std::move(outcome->images);
+    else
+      reload();
+    return std::nullopt;
+  }
+  if (outcome->read) {
+    outer_root_ = outcome->outer_root;
+    textures_missing_ = 0;
+  }
   if (!outcome->scene) {
     error_ = outcome->scene.error();
     reload_failed_ = reloaded;
-    if (reload_failed_) files_ = std::move(outcome->files);
+    if (reload_failed_ && outcome->read) files_ = std::move(outcome->files);
     return std::nullopt;
   }
-  files_ = std::move(outcome->files);
   hidden_ = asked_.hidden;
   asset_root_ = asked_.asset_root;
   const glm::dvec3 before = scene_ ? scene_->world().origin : glm::dvec3(0.0);
   scene_ = std::move(*outcome->scene);
+  whole_ = std::move(outcome->whole);
   find_hidden_places();
-  load_seconds_ = outcome->load_seconds;
   ++times_opened_;
   if (outcome->picture) opened_display_ = outcome->picture->display;
   const glm::dvec3 moved = same_file ? before - scene_->world().origin : glm::dvec3(0.0);
-  textures_missing_ = outcome->textures_missing;
-  preview_ = std::move(outcome->preview);
+  if (outcome->read) {
+    files_ = std::move(outcome->files);
+    load_seconds_ = outcome->load_seconds;
+    textures_missing_ = outcome->textures_missing;
+    preview_ = std::move(outcome->preview);
+  }
   return Opened{reloaded, same_file, moved, std::move(outcome->picture)};
 }
 

@@ -19,6 +19,13 @@ namespace asos::ui {
 /// scene; null before the first one. All members must be called from one thread.
 class OpenScene {
  public:
+  /// Results of opening a scene.
+  struct Opened {
+    bool reloaded = false;   ///< the same scene was loaded again
+    bool same_file = false;  ///< or another scene of the same file: edits stay
+    glm::dvec3 moved{0.0};   ///< change of coordinates in the same file, by that of World::origin
+    std::optional<PictureDescription> picture;  ///< if the source was a saved picture
+  };
   /// An empty `load` means load_scene. `wake` is called from the loader's thread when `take_opened`
   /// has a result. `forced`: see prepare.
   OpenScene(LoadFunction load, std::function<void()> wake, const RenderFeatures& forced);
@@ -39,10 +46,10 @@ class OpenScene {
   /// Loads another scene of the file with its own camera; `index` is into SceneContents::scenes.
   void show_scene(int index);
 
-  /// Reloads without one object, with only that object, or with all; the view stays. `part` is an
-  /// index into World::parts. The last visible part cannot be hidden.
+  /// Shows the scene without one object, with only that object, or with all; the view stays. `part`
+  /// is an index into World::parts. The last visible part cannot be hidden.
   void hide(int part);
-  /// Reloads without these objects only: ascending indices among all objects.
+  /// Shows the scene without these objects only: ascending indices among all objects.
   void show_without(std::vector<int> places);
   void show_only(int part);
   void show_all();
@@ -74,8 +81,12 @@ class OpenScene {
   /// The number of textures that the open scene lacks; 0: none. The factors of their materials
   /// show until it is loaded again.
   [[nodiscard]] std::size_t textures_missing() const { return textures_missing_; }
-  /// Loads the open scene again with the textures that it lacks.
+  /// Starts loading the textures that the open scene lacks.
   void load_textures();
+  /// Puts loaded textures into the open scene, whose lights and materials must not be replaced at
+  /// the time. Its surfaces, hierarchies and edits stay. Returns the facts of a scene that has
+  /// other lights now.
+  [[nodiscard]] std::optional<Opened> put_images();
   /// The declared size of the open scene; null: unknown.
   [[nodiscard]] const std::shared_ptr<const ScenePreview>& preview() const { return preview_; }
   /// The files that the open scene was read from, as they were at the last attempt.
@@ -98,13 +109,6 @@ class OpenScene {
   /// Whether the error is that the open scene's file could not be reloaded; the scene stays.
   [[nodiscard]] bool reload_failed() const { return reload_failed_; }
 
-  /// Results of opening a scene.
-  struct Opened {
-    bool reloaded = false;   ///< the same scene was loaded again
-    bool same_file = false;  ///< or another scene of the same file: edits stay
-    glm::dvec3 moved{0.0};   ///< change of coordinates in the same file, by that of World::origin
-    std::optional<PictureDescription> picture;  ///< if the source was a saved picture
-  };
   /// Makes a loaded scene the open one and returns its facts, once. Returns none if no load has
   /// finished, or if loading failed: then `error` has the reason.
   [[nodiscard]] std::optional<Opened> take_opened();
@@ -113,10 +117,12 @@ class OpenScene {
 
  private:
   void ask_for(SceneSource source);
-  void load_again(const std::string& variant, std::vector<ObjectId> hidden);
+  void load_again(const std::string& variant);
+  void show_all_but(std::vector<ObjectId> hidden);
   void find_hidden_places();
 
   std::shared_ptr<const RenderScene> scene_;
+  std::shared_ptr<const RenderScene> whole_;  // with the hidden objects; null: none is hidden
   std::function<std::optional<Ground>()> expected_ground_;
   std::uint64_t times_opened_ = 0;
   std::string asked_for_;
@@ -127,6 +133,7 @@ class OpenScene {
   bool same_file_ = false;  // or another scene of its file
   bool reload_failed_ = false;
   std::size_t textures_missing_ = 0;
+  std::shared_ptr<const Scene> images_;  // loaded, to be put into the scene; null: none
   std::shared_ptr<const ScenePreview> preview_;
   std::vector<ObjectId> hidden_;    // ascending; in any pose
   std::vector<int> hidden_places_;  // of those in the present pose

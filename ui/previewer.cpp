@@ -31,6 +31,10 @@ void Previewer::update(double now_seconds) {
   if (const std::optional<OpenScene::Opened> opened = scene_.take_opened())
     take_over(*opened, before.get());
   edits_.relight();
+  if (!edits_.relighting()) {
+    const std::shared_ptr<const RenderScene> plain = scene_.shared();
+    if (const auto opened = scene_.put_images()) take_over(*opened, plain.get());
+  }
   // The next pose is computed while the last one is displayed.
   const double posing_seconds = playback_.pose_seconds() + playback_.prepare_seconds();
   playback_.update(has_shown(view_seconds - posing_seconds, now_seconds), now_seconds,

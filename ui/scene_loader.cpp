@@ -37,7 +37,7 @@ Result<PictureDescription> read_picture(const std::string& source) {
 
 SceneSource source_of(const PictureDescription& picture, const std::string& asset_root) {
   const LoadOptions options = picture.load_options();
-  return {picture.scene, options.variant, options.scene, {}, {}, asset_root, true, std::nullopt};
+  return {picture.scene, options.variant, options.scene, {}, {}, asset_root, true};
 }
 
 ChooseGround ground_of_source(const SceneSource& source) {
@@ -60,9 +60,20 @@ Result<std::shared_ptr<const RenderScene>> prepare_at(const Scene& scene, const 
   return prepare_on_ground(*posed, forced, &(*at_rest)->geometry->stage, choose);
 }
 
+/// Hides the objects of the source in a prepared scene.
+void hide_in(LoadOutcome& outcome, std::shared_ptr<const RenderScene> whole,
+             const SceneSource& source) {
+  outcome.scene = scene_without(whole, source.hidden);
+  if (outcome.scene && !source.hidden.empty()) outcome.whole = std::move(whole);
+}
+
 void load_into(LoadOutcome& outcome, const LoadFunction& load, const RenderFeatures& forced,
                const SceneSource& asked) {
   const auto start = std::chrono::steady_clock::now();
+  if (asked.known) {
+    outcome.read = false;
+    return hide_in(outcome, asked.known, asked);
+  }
   if (is_picture(outcome.source)) {
     Result<PictureDescription> picture = read_picture(outcome.source);
     if (!picture) {
@@ -78,14 +89,18 @@ void load_into(LoadOutcome& outcome, const LoadFunction& load, const RenderFeatu
   Result<Scene> scene = load(source);
   if (!scene || !scene->notes.warnings.empty())
     outcome.outer_root = outer_asset_root(source, source.asset_root);
-  if (scene) leave_out(*scene, source.hidden);
   outcome.load_seconds = seconds_since(start);
+  if (scene && source.images_only) {
+    outcome.images = std::make_shared<const Scene>(*std::move(scene));
+    return;
+  }
   if (!scene) {
     outcome.scene = unexpected(
         outcome.picture ? scene_of_picture_error(outcome.source, scene.error()) : scene.error());
   } else {
     outcome.scene =
         outcome.picture ? prepare(*scene, *outcome.picture) : prepare_at(*scene, source, forced);
+    if (outcome.scene && !source.hidden.empty()) hide_in(outcome, *outcome.scene, source);
     // Paints the environment on this thread; the window's thread would stall.
     if (outcome.scene) (void)default_look(**outcome.scene);
   }
@@ -95,7 +110,7 @@ LoadOutcome load_and_prepare(const LoadFunction& load, const RenderFeatures& for
                              const SceneSource& source, LoadProgress& progress) {
   const LoadProgress::Scope scope(&progress);
   if (!source.whole && !is_picture(source.path)) progress.allow_missing_textures();
-  LoadOutcome outcome{source.path, std::shared_ptr<const RenderScene>(), 0.0, std::nullopt, {}};
+  LoadOutcome outcome{source.path, std::shared_ptr<const RenderScene>()};
   // A large scene can run out of memory anywhere. This is reported as an error and does not end the
   // program.
   try {

@@ -25,10 +25,13 @@ struct SceneSource {
   std::string variant{};           ///< material variant; empty: none
   std::string scene{};             ///< scene of the file: see LoadOptions
   ClipChoice clip{};               ///< the animation and time to show first
-  std::vector<ObjectId> hidden{};  ///< objects to remove: see leave_out
+  std::vector<ObjectId> hidden{};  ///< objects to remove: see scene_without
   std::string asset_root{};        ///< see LoadOptions
   bool whole = false;              ///< with all textures, even if they delay the first picture
   std::optional<Ground> ground{};  ///< to build the scene with; none: that of its default look
+  bool images_only = false;        ///< only the images are needed, for with_images
+  /// The same scene, prepared without hiding anything. Null: the file is read.
+  std::shared_ptr<const RenderScene> known{};
 
   operator const std::string&() const { return path; }
 };
@@ -40,11 +43,15 @@ using LoadFunction = std::function<Result<Scene>(const SceneSource& source)>;
 struct LoadOutcome {
   std::string source;  ///< as asked for
   Result<std::shared_ptr<const RenderScene>> scene;
+  /// The scene with its hidden objects; null: none is hidden.
+  std::shared_ptr<const RenderScene> whole{};
+  std::shared_ptr<const Scene> images{};  ///< SceneSource::images_only: in place of `scene`
+  bool read = true;  ///< false: SceneSource::known was used, and the next members are unset
   double load_seconds = 0.0;  ///< time to read the file, without building the hierarchies
   /// For a saved picture: its description, with the sky loaded. `scene` is its scene with its
   /// lights.
-  std::optional<PictureDescription> picture;
-  std::vector<FileStamp> files;      ///< the files of the scene, as they were before it was read
+  std::optional<PictureDescription> picture{};
+  std::vector<FileStamp> files{};    ///< the files of the scene, as they were before it was read
   std::string outer_root{};          ///< see outer_asset_root
   std::size_t textures_missing = 0;  ///< number of textures that plain texels stand for
   std::shared_ptr<const ScenePreview> preview{};  ///< null: unknown

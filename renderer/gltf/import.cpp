@@ -134,6 +134,13 @@ class OpenFile final : public PosableScene, public std::enable_shared_from_this<
     return scene;
   }
 
+  /// Returns the scene without anything that is placed.
+  Scene images() {
+    Scene scene = std::move(base_);
+    scene.notes.warnings = doc_.warnings.take();
+    return scene;
+  }
+
   /// Ends loading: later warnings concern single poses.
   void end_of_loading() { said_at_load_ = doc_.warnings; }
 
@@ -205,6 +212,7 @@ Checked<Scene> import_at_rest(const std::string& path, const LoadOptions& option
   }
   const auto file = std::make_shared<OpenFile>(path, std::move(*document), options);
   if (auto opened = file->open(); !opened) return fault(opened.error());
+  if (options.images_only) return file->images();
   Checked<Scene> scene = file->import(std::nullopt);
   if (!scene || !file->keeps_posable()) return scene;
   file->end_of_loading();

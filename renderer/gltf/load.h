@@ -18,6 +18,8 @@ struct LoadOptions {
   /// Folder from which buffers and images may come, at any depth; empty: at most three levels above
   /// the file (see gltf::asset_folders).
   std::string asset_root = {};
+  /// Read materials, textures and images only: the scene has no meshes, lights or cameras.
+  bool images_only = false;
 };
 
 /// Opens "builtin:NAME", the path of a .gltf or .glb file, or that of a model that assimp converts

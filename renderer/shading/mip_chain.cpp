@@ -83,6 +83,7 @@ MipChains::MipChains(const World& world, const RenderFeatures& render_features,
   for (const auto& [image, kind] : uses) {
     const auto i = static_cast<std::size_t>(image), k = static_cast<std::size_t>(kind);
     if (known && i < known->chains_.size()) chains_[i][k] = known->chains_[i][k];
+    if (chains_[i][k] && !chains_[i][k]->is_of(world.images[i])) chains_[i][k].reset();
     if (!chains_[i][k]) chains_[i][k] = std::make_shared<const MipChain>(world.images[i], kind);
   }
 }

@@ -25,6 +25,11 @@ class MipChain {
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
+  /// Returns whether it is that of an image: of the same bytes in memory.
+  [[nodiscard]] bool is_of(const Image& image) const {
+    return image_.rgba.data() == image.rgba.data() && image_.width == image.width &&
+           image_.height == image.height;
+  }
   /// Returns the level after `finer` ones, the image not included.
   [[nodiscard]] const MipLevel& operator[](std::size_t finer) const {
     if (!made_.load(std::memory_order_acquire)) make();
@@ -48,7 +53,7 @@ class MipChain {
 class MipChains {
  public:
   MipChains() = default;
-  /// `known`: the chains of a world with the same images, which are reused; null: none.
+  /// `known`: the chains of a world whose images may be the same, which are reused; null: none.
   MipChains(const World& world, const RenderFeatures& render_features,
             const MipChains* known = nullptr);
 

@@ -1,9 +1,12 @@
 #include "renderer/film/image_io.h"
+#include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/work_counts.h"
 #include "renderer/world/ground.h"
 #include "tests/renderer/gltf/gltf_builder.h"
+#include "tests/support/render_picture.h"
 #include "tests/ui/previewer_fixture.h"
 #include "tests/ui/ui_rig.h"
+#include "ui/edit_history.h"
 
 // Scenes replace each other; scenes that cannot be opened leave the old one.
 
@@ -202,9 +205,9 @@ GltfBuilder large_picture() {
 }
 
 /// Writes the large picture next to the scene, with texels that do not compress well.
-void write_large_picture(const std::string& scene) {
-  RgbImage image{2048, 2049, {}, {}};
-  image.rgb.resize(std::size_t{3} * 2048 * 2049);
+void write_large_picture(const std::string& scene, int height = 2049) {
+  RgbImage image{2048, height, {}, {}};
+  image.rgb.resize(std::size_t{3} * 2048 * static_cast<std::size_t>(height));
   std::uint32_t noise = 1;
   for (std::uint8_t& byte : image.rgb) {
     noise = noise * 1664525u + 1013904223u;
@@ -251,6 +254,105 @@ TEST(LateTextures, FollowTheFirstPicture) {
   EXPECT_EQ(previewer.scene()->geometry->notes.warnings, whole.notes.warnings);
 }
 
+// Pictures that are decoded within some 20 ms come with the first picture.
+TEST(LateTextures, AreNoSmallOnes) {
+  for (const int height : {2047, 2049}) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("square.glb", large_picture().glb());
+    write_large_picture(path, height);
+    LoadProgress progress;
+    progress.allow_missing_textures();
+    const LoadProgress::Scope scope(&progress);
+    EXPECT_EQ(load_scene(path).value().images[0].width, height < 2048 ? 2048 : 1);
+    EXPECT_EQ(progress.missing_textures(), height < 2048 ? 0u : 1u);
+  }
+}
+
+// Textures that arrive change no edit, and build nothing again.
+TEST(LateTextures, KeepEditsAndHierarchies) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("square.glb", large_picture().glb());
+  write_large_picture(path);
+  Previewer previewer({{}, {}}, small_picture());
+  EditHistory history;
+  DisplaySettings display;
+  double now = 0.0;
+  previewer.viewpoint().set_picture_size(48, 32, now);
+  const auto update = [&] {
+    previewer.update(now);
+    history.update(previewer, display, false, now);
+    now += 0.01;
+  };
+  const auto update_until = [&](const std::function<bool()>& done) {
+    for (int i = 0; i < 20000 && !done(); ++i) {
+      update();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return done();
+  };
+  previewer.scene().open(path);
+  ASSERT_TRUE(update_until([&] { return previewer.scene().get() != nullptr; }));
+  ASSERT_EQ(previewer.scene().textures_missing(), 1u);
+  update();
+  const std::uint64_t opened = previewer.scene().times_opened();
+  previewer.edits().settings().asos.max_level = 2;
+  previewer.edits().edit_dfrs()[0] = Dfr{};
+  for (int i = 0; i < 100; ++i) update();
+  ASSERT_TRUE(history.can_undo());
+
+  ASSERT_TRUE(update_until([&] { return previewer.scene().loading().has_value(); }));
+  const std::uint64_t surfaces = WorkDone::of(Work::hierarchy_surfaces);
+  const std::uint64_t pairs = WorkDone::of(Work::coplanar_pairs);
+  const std::uint64_t lookups = WorkDone::of(Work::emission_lookups);
+  ASSERT_TRUE(update_until([&] { return previewer.scene().textures_missing() == 0; }));
+  EXPECT_EQ(previewer.scene()->world().images[0].width, 2048);
+  EXPECT_EQ(WorkDone::of(Work::hierarchy_surfaces), surfaces);
+  EXPECT_EQ(WorkDone::of(Work::coplanar_pairs), pairs);
+  EXPECT_EQ(WorkDone::of(Work::emission_lookups), lookups);
+  EXPECT_EQ(previewer.scene().times_opened(), opened) << "a selection stays";
+  EXPECT_EQ(previewer.scene()->dfrs().at(0), Dfr{});
+  EXPECT_EQ(previewer.edits().settings().asos.max_level, 2);
+  update();
+  ASSERT_TRUE(history.undo(previewer, display));
+  EXPECT_EQ(previewer.edits().settings().asos.max_level, small_picture().asos.max_level);
+  // The picture is that of a program that waits for all textures.
+  ASSERT_TRUE(update_until([&] { return !previewer.edits().relighting(); }));
+  const auto whole =
+      prepare_on_ground(load_scene(path).value(), {}, nullptr, [&](const World&, bool) {
+        return GroundChoice{previewer.edits().settings().ground};
+      }).value();
+  RenderSettings settings = small_picture();
+  settings.width = 24, settings.height = 16, settings.method = Method::sobol;
+  const Camera camera = previewer.viewpoint().camera().camera();
+  EXPECT_EQ(render_picture(*previewer.scene(), camera, settings).film.radiance,
+            render_picture(*whole, camera, settings).film.radiance);
+}
+
+// The lists of textures differ if a picture is broken; then the file is read as a whole.
+TEST(LateTextures, OfABrokenPictureAreLeftOut) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("square.glb", large_picture().glb());
+  write_large_picture(path);
+  const auto picture = std::filesystem::path(path).parent_path() / "large.png";
+  std::filesystem::resize_file(picture, 4096);
+  Previewer previewer({{}, {}}, small_picture());
+  previewer.viewpoint().set_picture_size(48, 32, 0.0);
+  previewer.scene().open(path);
+  const Scene whole = load_scene(path).value();
+  bool done = false;
+  for (int i = 0; i < 20000 && !done; ++i) {
+    previewer.update(0.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    done = previewer.scene() && previewer.scene().textures_missing() == 0 &&
+           !previewer.scene().loading();
+  }
+  ASSERT_TRUE(done);
+  EXPECT_EQ(previewer.scene()->world().images.size(), whole.images.size());
+  EXPECT_EQ(previewer.scene()->world().textures.size(), whole.textures.size());
+  EXPECT_EQ(previewer.scene()->geometry->notes.warnings, whole.notes.warnings);
+  EXPECT_FALSE(previewer.scene().error());
+}
+
 TEST(LateTextures, DoNotDelayGeometryThatTakesAsLong) {
   GltfBuilder b = large_picture();
   for (int i = 0; i < 8000; ++i) b.json["scenes"][0]["nodes"].push_back(i + 1);
@@ -263,6 +365,76 @@ TEST(LateTextures, DoNotDelayGeometryThatTakesAsLong) {
   const LoadProgress::Scope scope(&progress);
   EXPECT_EQ(load_scene(path).value().images[0].width, 2048);
   EXPECT_EQ(progress.missing_textures(), 0u);
+}
+
+/// Counts of work for opening.
+struct Counts {
+  std::uint64_t files = WorkDone::of(Work::files_read);
+  std::uint64_t surfaces = WorkDone::of(Work::hierarchy_surfaces);
+  std::uint64_t pairs = WorkDone::of(Work::coplanar_pairs);
+  std::uint64_t lookups = WorkDone::of(Work::emission_lookups);
+  std::uint64_t bytes = WorkDone::of(Work::decoded_bytes);
+  bool operator==(const Counts&) const = default;
+};
+
+// They read the file and built everything again.
+TEST(HiddenObjects, AreHiddenWithoutReadingOrBuilding) {
+  GltfBuilder b = GltfBuilder::square();
+  b.json["nodes"].push_back({{"mesh", 0}, {"translation", {0.5, 0, 0}}});
+  b.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 3, 1}}});
+  b.json["scenes"][0]["nodes"] = {0, 1, 2};
+  const TemporaryFolder folder;
+  const std::string path = folder.write("squares.glb", b.glb());
+  Previewer previewer({{}, {}}, small_picture());
+  previewer.viewpoint().set_picture_size(48, 32, 0.0);
+  const auto settled = [&] {
+    for (int i = 0; i < 20000; ++i) {
+      previewer.update(0.0);
+      if (previewer.scene() && !previewer.scene().loading() &&
+          ground_of(previewer.scene()->world()) == previewer.edits().settings().ground &&
+          !previewer.render().first_picture_pending())
+        return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  };
+  const auto picture = [&] {
+    RenderSettings settings = small_picture();
+    settings.width = 24, settings.height = 16, settings.method = Method::sobol;
+    return render_picture(*previewer.scene(), previewer.viewpoint().camera().camera(), settings)
+        .film.radiance;
+  };
+  previewer.scene().open(path);
+  ASSERT_TRUE(settled());
+  ASSERT_NE(ground_of(previewer.scene()->world()), Ground::off);
+  const auto all = picture();
+  Counts before;
+  previewer.scene().hide(2);
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(Counts(), before);
+  EXPECT_EQ(objects_without_ground(previewer.scene()->world()), 2u);
+  const auto two = picture();
+  EXPECT_NE(two, all);
+  previewer.scene().show_only(0);
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(objects_without_ground(previewer.scene()->world()), 1u);
+  previewer.scene().show_without({2});
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(picture(), two);
+  EXPECT_EQ(Counts(), before);
+
+  // A file that is read again has the same picture with the same objects hidden.
+  previewer.scene().reload();
+  ASSERT_TRUE(settled());
+  EXPECT_GT(Counts().files, before.files);
+  EXPECT_EQ(objects_without_ground(previewer.scene()->world()), 2u);
+  EXPECT_EQ(picture(), two);
+  before = Counts();
+  previewer.scene().show_all();
+  ASSERT_TRUE(settled());
+  EXPECT_FALSE(previewer.scene().hides());
+  EXPECT_EQ(picture(), all);
+  EXPECT_EQ(Counts(), before);
 }
 
 // A scene without lights stands on a ground, which is not added to a hierarchy without it.
