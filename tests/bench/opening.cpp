@@ -8,6 +8,7 @@
 //   picture   one Sobol sample per pixel.
 //   edges     the search for boundaries, which only methods with edges need.
 //   block     the first exact block.
+//   hide      hiding every second object.
 //
 // Seconds are processor time of all threads; "wall" is the time until the picture, and until the
 // block. The last columns are the peak memory until the picture, and of all stages, with bytes per
@@ -20,8 +21,10 @@
 #include "renderer/prepared/own_lights.h"
 #include "renderer/prepared/prepare_on_ground.h"
 #include "renderer/prepared/with_ground.h"
+#include "renderer/prepared/without_objects.h"
 #include "renderer/render_block.h"
 #include "renderer/session/film_render.h"
+#include "renderer/world/ground.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
@@ -50,7 +53,7 @@ struct Settings {
 
 /// The stages of one scene. Plain data: it passes through a pipe.
 struct Opened {
-  enum Stage { read, rays, look, picture, edges, block, stages };
+  enum Stage { read, rays, look, picture, edges, block, hide, stages };
   std::array<double, stages> cpu{};
   std::array<double, 2> wall{};        // until the picture, until the block
   std::array<double, 2> peak_bytes{};  // the same
@@ -126,6 +129,12 @@ Result<Opened> measure(const std::string& source, const Settings& settings) {
   (void)render_block(**ready, view, snapshot.settings, middle);
   end(Opened::block);
   reach(1);
+  std::vector<std::uint8_t> hidden(objects_without_ground((*ready)->world()), 0);
+  for (std::size_t i = 1; i < hidden.size(); i += 2) hidden[i] = 1;
+  before = cpu_seconds();
+  if (const auto left = without_objects(*ready, hidden, nullptr); !left)
+    return unexpected(left.error());
+  end(Opened::hide);
   opened.triangles = static_cast<double>((*ready)->world().triangles.size());
   return opened;
 }
@@ -153,7 +162,7 @@ std::optional<Opened> measure_apart(const std::string& source, const Settings& s
 }
 
 std::string slow_stages(const std::string& name, const Opened& opened) {
-  constexpr std::array names{"read", "rays", "look", "picture", "edges", "block"};
+  constexpr std::array names{"read", "rays", "look", "picture", "edges", "block", "hide"};
   static_assert(names.size() == Opened::stages);
   constexpr double least_seconds = 0.05;
   std::string slow;
@@ -173,9 +182,10 @@ int run(int argc, char** argv) {
   options.size(settings.size);
   options.number("--threads", settings.threads, 1, 1024);
   if (const auto code = options.end(argc, argv)) return *code;
-  fmt::print("{:<30} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8} {:>6} {:>10} {:>6}\n",
-             "processor seconds", "read", "rays", "look", "picture", "wall", "edges", "block",
-             "wall", "peak MB", "B/tri", "with edges", "B/tri");
+  fmt::print(
+      "{:<30} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8} {:>6} {:>10} {:>6}\n",
+      "processor seconds", "read", "rays", "look", "picture", "wall", "edges", "block", "wall",
+      "hide", "peak MB", "B/tri", "with edges", "B/tri");
   std::string slow;
   bool all = true;
   for (const NamedScene& scene : chosen_scenes(settings.scenes)) {
@@ -186,11 +196,11 @@ int run(int argc, char** argv) {
     const auto& [first, all_stages] = opened->peak_bytes;
     const double triangles = std::max(1.0, opened->triangles);
     fmt::print(
-        "{:<30} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:8.0f} {:6.0f} "
-        "{:10.0f} {:6.0f}\n",
+        "{:<30} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:7.3f} {:8.0f} "
+        "{:6.0f} {:10.0f} {:6.0f}\n",
         scene.name, cpu[Opened::read], cpu[Opened::rays], cpu[Opened::look], cpu[Opened::picture],
-        opened->wall[0], cpu[Opened::edges], cpu[Opened::block], opened->wall[1], 1e-6 * first,
-        first / triangles, 1e-6 * all_stages, all_stages / triangles);
+        opened->wall[0], cpu[Opened::edges], cpu[Opened::block], opened->wall[1], cpu[Opened::hide],
+        1e-6 * first, first / triangles, 1e-6 * all_stages, all_stages / triangles);
     slow += slow_stages(scene.name, *opened);
   }
   if (!slow.empty()) slow.resize(slow.size() - 2);
