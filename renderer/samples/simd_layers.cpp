@@ -2,7 +2,9 @@
 #include "renderer/samples/simd_samples.h"
 #include "renderer/shading/anisotropy.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 // Materials of the points in a batch, and the layers of their surfaces.
@@ -40,10 +42,76 @@ ViewedMaterial viewed_layer(SurfaceLobes lobes, const ViewedPoint& view,
 
 }  // namespace
 
-void SimdSamples::map_normals(std::size_t i, const TextureUse& map, ShadingPoints& points) {
-  const MipChains* mips = arrays_->hits.side[i] > 0.0f ? mips_ : nullptr;
-  SurfacePoint turned = point(i, points);
-  map_normal(world_, arrays_->hit[i], map, mips, arrays_->rest.normal_side[i], turned);
+// Looks up the textures of all hits whose materials have some, one material after the other.
+void SimdSamples::look_up_textures() {
+  arrays_->texels.clear();
+  auto& sorted = arrays_->by_material;
+  const auto end = std::copy_if(
+      arrays_->looked_up.begin(), arrays_->looked_up.begin() + arrays_->looked_up_count,
+      sorted.begin(), [&](std::size_t top) { return arrays_->material[top]->has_textures(); });
+  const auto material = [&](std::size_t top) { return arrays_->material[top]; };
+  std::sort(sorted.begin(), end, [&](std::size_t a, std::size_t b) {
+    return material(a) == material(b) ? a < b : std::less<>()(material(a), material(b));
+  });
+  for (auto first = sorted.begin(); first != end;) {
+    const auto last = std::find_if(
+        first, end, [&](std::size_t top) { return material(top) != material(*first); });
+    look_up_textures({first, last});
+    first = last;
+  }
+}
+
+// Looks up the textures at hits of one material: its normal maps, and those of surface_material.
+void SimdSamples::look_up_textures(std::span<const std::size_t> tops) {
+  const SimdMaterial& plain = *arrays_->material[tops.front()];
+  BatchTextures::Points& points = arrays_->textures.points();
+  const SurfaceRest& rest = arrays_->rest;
+  points.count = tops.size();
+  points.masked = plain.masked;
+  for (std::size_t k = 0; k < tops.size(); ++k) {
+    const std::size_t top = tops[k];
+    const Hit& hit = arrays_->hit[top];
+    points.triangle[k] = hit.triangle;
+    points.b1[k] = hit.b1, points.b2[k] = hit.b2;
+    points.footprint.right_x[k] = rest.right_b1[top],
+    points.footprint.right_y[k] = rest.right_b2[top];
+    points.footprint.down_x[k] = rest.down_b1[top], points.footprint.down_y[k] = rest.down_b2[top];
+    points.side[k] = arrays_->hits.side[top];
+    points.colours[k] = arrays_->colours[top];
+    if (plain.masked) points.cutoff[k] = *texel_cutoff(world_, needs_, hit);
+  }
+  arrays_->textures.start(world_, mips_);
+  std::size_t next = arrays_->texels.size();
+  for (std::size_t k = 0; k < tops.size(); ++k) {
+    arrays_->first_texel[tops[k]] = next + k;
+    arrays_->texel_stride[tops[k]] = tops.size();
+  }
+  arrays_->texels.resize(next + tops.size() * plain.texels());
+  const auto look_up = [&](const TextureUse& use, TexelKind kind) {
+    arrays_->textures.look_up(use, kind, std::span(arrays_->texels).subspan(next, tops.size()));
+    next += tops.size();
+  };
+  const Material& material = world_.material_of(arrays_->hit[tops.front()].triangle);
+  if (plain.normal_map) look_up(material.normal_texture, TexelKind::normal);
+  if (plain.coat_map) look_up(material.coat.normal_texture, TexelKind::normal);
+  for (const TextureLookUp& texture : plain.look_ups) look_up(texture.use, texture.kind);
+}
+
+// Returns the values of a hit's textures.
+LookedUpTexels SimdSamples::texels(std::size_t top) const {
+  const SimdMaterial& plain = *arrays_->material[top];
+  if (!plain.has_textures()) return {};
+  return {&arrays_->texels[arrays_->first_texel[top]], arrays_->texel_stride[top],
+          mips_ && arrays_->hits.side[top] > 0.0f};
+}
+
+void SimdSamples::map_normals(std::size_t i, const TextureUse& map, glm::vec4 mean,
+                              ShadingPoints& points) {
+  SurfacePoint turned;
+  turned.shading_normal = points.normal.at(i);
+  turned.geometric_normal = arrays_->rest.geometric.at(i);
+  map_normal(world_, arrays_->hit[i], map, MeanNormal{glm::vec3(mean), mean.w},
+             arrays_->rest.normal_side[i], turned);
   points.normal.set(i, turned.shading_normal);
   points.spread_variance[i] = turned.spread.variance;
 }
@@ -53,17 +121,18 @@ void SimdSamples::look_up_material(std::size_t top, ShadingPoints& points) {
   const SimdMaterial& plain = *arrays_->material[top];
   const Hit& hit = arrays_->hit[top];
   const Material& material = world_.material_of(hit.triangle);
+  LookedUpTexels values = texels(top);
+  const glm::vec4* const normals = values.first;
   for (std::size_t k = 0; k < plain.lobe_count; ++k) {
     const bool coat = plain.all_lobes[k] == SurfaceLobes::coat;
-    if (coat ? plain.coat_map : plain.normal_map)
-      map_normals(top + k, coat ? material.coat.normal_texture : material.normal_texture, points);
+    if (!(coat ? plain.coat_map : plain.normal_map)) continue;
+    map_normals(top + k, coat ? material.coat.normal_texture : material.normal_texture,
+                normals[coat && plain.normal_map ? values.stride : 0], points);
   }
   SurfaceMaterial found = plain.surface;
   if (plain.looked_up) {
-    Footprint footprint = footprint_at(arrays_->hits, arrays_->rest, top);
-    footprint.colours = arrays_->colours[top];
-    const MipChains* mips = arrays_->hits.side[top] > 0.0f ? mips_ : nullptr;
-    found = surface_material(world_, needs_, hit, footprint, mips);
+    values.first += values.stride * plain.maps();
+    found = surface_material(world_, needs_, hit, values);
   }
   if (found.anisotropy.strength > 0.0f)
     found.stretch = lobe_stretch(world_, hit, found.anisotropy, found.roughness,

@@ -160,6 +160,7 @@ bool SimdSamples::shade(ShadingPoints& points) {
   else
     place_surfaces(arrays_->hits, mips_ ? &viewer_.spacing : nullptr, arrays_->rest, points);
   bool finite = true;
+  look_up_textures();
   for (std::size_t k = 0; k < arrays_->looked_up_count; ++k) {
     const std::size_t top = arrays_->looked_up[k];
     look_up_material(top, points);

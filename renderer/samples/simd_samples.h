@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/kernels/batch_textures.h"
 #include "renderer/kernels/sky_kernel.h"
 #include "renderer/kernels/surface_batch.h"
 #include "renderer/prepared/render_scene.h"
@@ -142,6 +143,12 @@ class SimdSamples {
     std::array<std::size_t, ShadingPoints::size> index;
     std::array<std::size_t, ShadingPoints::size> looked_up;  // tops whose materials are looked up
     std::size_t looked_up_count = 0;
+    // Tops of one material after the other, and the values of their textures.
+    std::array<std::size_t, ShadingPoints::size> by_material;
+    std::array<std::size_t, ShadingPoints::size> first_texel;  // of a top
+    std::array<std::size_t, ShadingPoints::size> texel_stride;
+    std::vector<glm::vec4> texels;
+    BatchTextures textures;
     std::vector<MetVolume> volumes;
     std::vector<LayeredHit> layered;
     std::vector<Passage> passages;
@@ -160,9 +167,12 @@ class SimdSamples {
   [[nodiscard]] glm::vec3 shown(std::size_t i, glm::vec3 emission) const;
   [[nodiscard]] ViewedMaterial viewed_material(std::size_t i, const ShadingPoints& points) const;
   [[nodiscard]] bool lobe_reflects_sky(std::size_t i) const;
+  void look_up_textures();
+  void look_up_textures(std::span<const std::size_t> tops);
+  [[nodiscard]] LookedUpTexels texels(std::size_t top) const;
   void look_up_material(std::size_t top, ShadingPoints& points);
   void set_material(std::size_t top, const SurfaceMaterial& material);
-  void map_normals(std::size_t i, const TextureUse& map, ShadingPoints& points);
+  void map_normals(std::size_t i, const TextureUse& map, glm::vec4 mean, ShadingPoints& points);
   void turn_behind(std::size_t i, ShadingPoints& points);
   [[nodiscard]] bool view_layers(const LayeredHit& hit, ShadingPoints& points);
   void set_viewed(std::size_t i, const ViewedMaterial& seen, ShadingPoints& points);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/scene.h"
+#include "renderer/shading/channels.h"
 
 #include <glm/glm.hpp>
 
@@ -70,11 +71,19 @@ struct BilinearTexels {
   }
 };
 
+/// Returns the bilinear value of a level whose `at` returns Channels.
+template <typename Level>
+Channels bilinear_channels(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
+  const BilinearTexels p(level.width, level.height, uv, wrap_u, wrap_v);
+  return mixed(mixed(level.at(p.left, p.top), level.at(p.right, p.top), p.fx),
+               mixed(level.at(p.left, p.bottom), level.at(p.right, p.bottom), p.fx), p.fy);
+}
 template <typename Level>
 glm::vec4 bilinear(const Level& level, glm::vec2 uv, Wrap wrap_u, Wrap wrap_v) {
   const BilinearTexels p(level.width, level.height, uv, wrap_u, wrap_v);
-  return glm::mix(glm::mix(level.at(p.left, p.top), level.at(p.right, p.top), p.fx),
-                  glm::mix(level.at(p.left, p.bottom), level.at(p.right, p.bottom), p.fx), p.fy);
+  const auto at = [&](int x, int y) { return channels_of(level.at(x, y)); };
+  return vec4_of(mixed(mixed(at(p.left, p.top), at(p.right, p.top), p.fx),
+                       mixed(at(p.left, p.bottom), at(p.right, p.bottom), p.fx), p.fy));
 }
 
 /// Decodes a normal map's unsigned value to a unit direction; 0 where it has none.

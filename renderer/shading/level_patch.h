@@ -17,16 +17,31 @@ namespace asos {
 struct TexelBudget {
   float across = 8.0f;   ///< smallest width in texels, if the finest level has that many
   float most = 1024.0f;  ///< largest number of texels; longer footprints use coarser levels
+  static constexpr float fewest = 16.0f;  ///< `most` is at least this
 
   /// Returns the budget for a footprint that a square of `side` pixels covers.
   [[nodiscard]] static TexelBudget of(float side) {
     const TexelBudget whole;
     const float share = side < 1.0f ? side : 1.0f;
-    return {std::max(1.0f, share * whole.across), std::max(16.0f, share * share * whole.most)};
+    return {std::max(1.0f, share * whole.across), std::max(fewest, share * share * whole.most)};
   }
 };
 /// Up to this size, in texels, the footprint of a bilinear texture is treated as a point.
 inline constexpr float least_footprint = 0.25f;
+/// The same of nearest texels, which have sharp borders, however large they appear in the picture.
+/// Places closer than this do not differ in large textures.
+inline constexpr float least_nearest_footprint = 1e-4f;
+/// Shorter edges are invisible; this length keeps areas above 0.
+inline constexpr float thinnest_patch = 1.0f / 32.0f;
+/// Longer edges make no difference, since every texture repeats along them. Their fourth powers are
+/// still finite.
+inline constexpr float longest_patch_edge = 1e9f;
+
+/// Returns the size of a level of an image, relative to the image.
+[[nodiscard]] inline glm::vec2 scale_of_level(std::size_t level, int width, int height) {
+  return {static_cast<float>(side_of_level(width, level)) / static_cast<float>(width),
+          static_cast<float>(side_of_level(height, level)) / static_cast<float>(height)};
+}
 
 /// A level, 0 being the image itself, and a patch of its texels.
 struct LevelPatch {

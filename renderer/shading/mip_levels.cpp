@@ -1,5 +1,6 @@
 #include "renderer/shading/mip_levels.h"
 
+#include "renderer/shading/channels.h"
 #include "renderer/shading/normal_rows.h"
 #include "renderer/shading/texture.h"
 #include "renderer/tasks.h"
@@ -13,17 +14,7 @@
 namespace asos {
 namespace {
 
-/// A texel's channels, in a register.
-using Channels [[gnu::vector_size(16)]] = float;
 using Integers [[gnu::vector_size(16)]] = int;
-
-Channels channels_of(const float* p) {
-  return Channels{p[0], p[1], p[2], p[3]};
-}
-
-Channels channels_of(glm::vec4 v) {
-  return Channels{v.x, v.y, v.z, v.w};
-}
 
 /// The texels of a row of `from` texels that fall into texel `i` of a row of `to`, and their
 /// fractions of it. There are up to three, since an odd size is halved and rounded down.

@@ -38,8 +38,10 @@ SimdMaterial plain_material(const World& world, const RenderFeatures& render_fea
       std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->used(); });
   const bool maps = render_features.normal_maps && !world.normals.empty();
   plain.textured = render_features.textures && used;
+  plain.look_ups = texture_look_ups(m, render_features);
   plain.looked_up = used || (render_features.vertex_colors && !world.colors.empty());
   plain.normal_map = maps && m.normal_texture.used();
+  plain.masked = m.alpha_mode == AlphaMode::mask;
   plain.coat_map = maps && m.coat.normal_texture.used();
   const bool glossy = m.roughness <= least_broad_roughness || m.coat.factor > 0.0f;
   plain.shiny = glossy && !m.unlit && render_features.lights();

@@ -29,15 +29,21 @@ struct SimdMaterial {
   SamplePath path = SamplePath::lanes;  ///< or the reason why Shader shades it
   std::array<SurfaceLobes, most_surface_lobes> all_lobes{SurfaceLobes::base};
   std::uint8_t lobe_count = 1;
-  bool looked_up = false;  ///< textures or vertex colours change `surface`
+  bool looked_up = false;               ///< textures or vertex colours change `surface`
+  std::vector<TextureLookUp> look_ups;  ///< textures at a point, as texture_look_ups
   bool normal_map = false;
   bool coat_map = false;  ///< a normal map of its coat
+  bool masked = false;    ///< texels have a cut-off
   bool textured = false;  ///< any texture is used: the patch matters
   bool shiny = false;     ///< with highlights so narrow that curvature matters
   bool own_dfr = false;   ///< has its own defocusing ratio
   bool blended = false;   ///< the ray continues behind it
   bool own_lobe = false;  ///< the base has a thin film or an anisotropic lobe
 
+  /// Returns the number of its normal maps, and that of all values that textures have at a point.
+  [[nodiscard]] std::size_t maps() const { return (normal_map ? 1u : 0u) + (coat_map ? 1u : 0u); }
+  [[nodiscard]] std::size_t texels() const { return maps() + look_ups.size(); }
+  [[nodiscard]] bool has_textures() const { return texels() > 0; }
   [[nodiscard]] std::span<const SurfaceLobes> lobes() const {
     return std::span(all_lobes).first(lobe_count);
   }

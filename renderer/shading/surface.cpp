@@ -27,13 +27,17 @@ struct MappedNormal {
   float variance = 0.0f;
 };
 
+MeanNormal mean_of_map(const World& world, const Hit& hit, const TextureUse& use,
+                       const Footprint& footprint, const MipChains* mips) {
+  return mips ? filtered_normal(world, *mips, use, {hit.triangle, hit.b1, hit.b2, footprint})
+              : MeanNormal{
+                    sample_texture(world, use, hit.triangle, hit.b1, hit.b2, Encoding::linear)};
+}
+
 MappedNormal mapped_normal(const World& world, const Hit& hit, const TextureUse& use,
-                           glm::vec3 normal, const Footprint& footprint, const MipChains* mips) {
+                           glm::vec3 normal, const MeanNormal& mean) {
   const TangentFrame frame = tangent_frame(world, hit, use, normal);
   if (!frame.known()) return {normal};
-  const MeanNormal mean =
-      mips ? filtered_normal(world, *mips, use, {hit.triangle, hit.b1, hit.b2, footprint})
-           : MeanNormal{sample_texture(world, use, hit.triangle, hit.b1, hit.b2, Encoding::linear)};
   glm::vec3 local = 2.0f * mean.texel - 1.0f;
   local.x *= use.scale;
   local.y *= use.scale;
@@ -179,8 +183,12 @@ SurfacePoint surface_point(const World& world, const RenderFeatures& render_feat
 
 void map_normal(const World& world, const Hit& hit, const TextureUse& map, const MipChains* mips,
                 float side, SurfacePoint& point) {
-  const MappedNormal mapped =
-      mapped_normal(world, hit, map, side * point.shading_normal, point.footprint, mips);
+  map_normal(world, hit, map, mean_of_map(world, hit, map, point.footprint, mips), side, point);
+}
+
+void map_normal(const World& world, const Hit& hit, const TextureUse& map, const MeanNormal& mean,
+                float side, SurfacePoint& point) {
+  const MappedNormal mapped = mapped_normal(world, hit, map, side * point.shading_normal, mean);
   point.spread.variance = mapped.variance;
   // A mapped normal that points below the surface is ignored.
   if (glm::dot(side * mapped.normal, point.geometric_normal) > 0.0f)

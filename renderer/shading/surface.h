@@ -4,6 +4,7 @@
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/mip_chain.h"
 #include "renderer/shading/normal_spread.h"
+#include "renderer/shading/texel_means.h"
 #include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
@@ -12,7 +13,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace asos {
 
@@ -129,6 +134,29 @@ struct SampleExtent {
                                                const Hit& hit, const Footprint& footprint = {},
                                                const MipChains* mips = nullptr);
 
+/// A texture that a material looks up.
+struct TextureLookUp {
+  TextureUse use;
+  TexelKind kind = TexelKind::data;
+};
+/// Returns the textures that surface_material looks up, in its order.
+[[nodiscard]] std::vector<TextureLookUp> texture_look_ups(const Material& material,
+                                                          const RenderFeatures& render_features);
+/// Values of those textures at a point, `stride` apart.
+struct LookedUpTexels {
+  const glm::vec4* first = nullptr;
+  std::size_t stride = 1;
+  bool averaged = false;  ///< over a footprint
+};
+/// Returns the material at a hit from its textures' values.
+[[nodiscard]] SurfaceMaterial surface_material(const World& world,
+                                               const RenderFeatures& render_features,
+                                               const Hit& hit, const LookedUpTexels& texels);
+/// Returns the cut-off of surface_material's look-ups at a hit, if the material has one.
+[[nodiscard]] std::optional<float> texel_cutoff(const World& world,
+                                                const RenderFeatures& render_features,
+                                                const Hit& hit);
+
 /// Replaces the material's base colour and emission by their means over the parts of a square's
 /// footprint.
 void average_colours(const World& world, const RenderFeatures& render_features, const Hit& hit,
@@ -143,6 +171,10 @@ void average_colours(const World& world, const RenderFeatures& render_features, 
 /// the point's footprint. `side` is -1 where the shading normal is the interpolated one negated, to
 /// be on the geometric normal's side; else 1.
 void map_normal(const World& world, const Hit& hit, const TextureUse& map, const MipChains* mips,
+                float side, SurfacePoint& point);
+
+/// Does so with the map's mean already known.
+void map_normal(const World& world, const Hit& hit, const TextureUse& map, const MeanNormal& mean,
                 float side, SurfacePoint& point);
 
 /// Returns the point for the material's coat, with the coat's own normals.

@@ -120,6 +120,33 @@ SurfaceMaterial material_with(const Material& material, const RenderFeatures& re
   return surface;
 }
 
+/// Returns the least alpha of the texture at which a mask is opaque.
+std::optional<float> cutoff_of(const Material& material, glm::vec4 tint) {
+  if (material.alpha_mode != AlphaMode::mask) return std::nullopt;
+  return material.alpha_cutoff / (material.base_color.a * tint.a);
+}
+
+/// Makes the material at a hit with its vertex colour, if any; as `material_with`.
+template <typename Sample>
+SurfaceMaterial tinted_material(const World& world, const RenderFeatures& render_features,
+                                const Hit& hit, const glm::vec4* tint, bool averaged,
+                                const Sample& sample) {
+  const Material& material = world.material_of(hit.triangle);
+  glm::vec4 base = material.base_color;
+  if (render_features.textures && material.base_color_texture.used()) {
+    glm::vec4 texel = sample(material.base_color_texture, base_color_kind(material));
+    // The cut-off is tested at a point, as rays do.
+    if (averaged && material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
+      texel.a = sample_texture(world, material.base_color_texture, hit.triangle, hit.b1, hit.b2,
+                               Encoding::srgb)
+                    .a;
+    }
+    base *= texel;
+  }
+  if (tint) base *= *tint;
+  return material_with(material, render_features, base, sample);
+}
+
 }  // namespace
 
 SurfaceMaterial surface_material(const World& world, const RenderFeatures& render_features,
@@ -129,10 +156,7 @@ SurfaceMaterial surface_material(const World& world, const RenderFeatures& rende
   const bool tinted = render_features.vertex_colors && !world.colors.empty();
   const glm::vec4 tint =
       tinted ? vertex_color(world, hit.triangle, hit.b1, hit.b2) : glm::vec4(1.0f);
-  // The least alpha of the texture at which a mask is opaque.
-  std::optional<float> seen_from;
-  if (material.alpha_mode == AlphaMode::mask)
-    seen_from = material.alpha_cutoff / (material.base_color.a * tint.a);
+  const std::optional<float> seen_from = cutoff_of(material, tint);
   const auto sample = [&](const TextureUse& use, TexelKind kind) {
     // The footprint of textures with alpha is not widened: otherwise, each layer would show the
     // holes of others.
@@ -144,20 +168,45 @@ SurfaceMaterial surface_material(const World& world, const RenderFeatures& rende
                           kind == TexelKind::data ? Encoding::linear : Encoding::srgb);
   };
 
-  glm::vec4 base = material.base_color;
-  if (render_features.textures && material.base_color_texture.used()) {
-    glm::vec4 texel = sample(material.base_color_texture, base_color_kind(material));
-    // The cut-off is tested at a point, as rays do.
-    if (mips && material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
-      texel.a = sample_texture(world, material.base_color_texture, hit.triangle, hit.b1, hit.b2,
-                               Encoding::srgb)
-                    .a;
-    }
-    base *= texel;
-  }
-  if (tinted) base *= tint;
+  return tinted_material(world, render_features, hit, tinted ? &tint : nullptr, mips != nullptr,
+                         sample);
+}
 
-  return material_with(material, render_features, base, sample);
+std::vector<TextureLookUp> texture_look_ups(const Material& material,
+                                            const RenderFeatures& render_features) {
+  std::vector<TextureLookUp> found;
+  const auto note = [&](const TextureUse& use, TexelKind kind) {
+    found.push_back({use, kind});
+    return glm::vec4(1.0f);
+  };
+  if (render_features.textures && material.base_color_texture.used())
+    note(material.base_color_texture, base_color_kind(material));
+  (void)material_with(material, render_features, material.base_color, note);
+  return found;
+}
+
+SurfaceMaterial surface_material(const World& world, const RenderFeatures& render_features,
+                                 const Hit& hit, const LookedUpTexels& texels) {
+  const bool tinted = render_features.vertex_colors && !world.colors.empty();
+  const glm::vec4 tint =
+      tinted ? vertex_color(world, hit.triangle, hit.b1, hit.b2) : glm::vec4(1.0f);
+  const glm::vec4* next = texels.first;
+  const auto sample = [&](const TextureUse&, TexelKind) {
+    const glm::vec4 texel = *next;
+    next += texels.stride;
+    return texel;
+  };
+  return tinted_material(world, render_features, hit, tinted ? &tint : nullptr, texels.averaged,
+                         sample);
+}
+
+std::optional<float> texel_cutoff(const World& world, const RenderFeatures& render_features,
+                                  const Hit& hit) {
+  const Material& material = world.material_of(hit.triangle);
+  if (material.alpha_mode != AlphaMode::mask) return std::nullopt;
+  const bool tinted = render_features.vertex_colors && !world.colors.empty();
+  return cutoff_of(material,
+                   tinted ? vertex_color(world, hit.triangle, hit.b1, hit.b2) : glm::vec4(1.0f));
 }
 
 MaterialMean::MaterialMean(const World& world, const RenderFeatures& render_features,

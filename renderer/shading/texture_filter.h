@@ -2,6 +2,7 @@
 
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/mip_chain.h"
+#include "renderer/shading/texel_means.h"
 
 #include <glm/glm.hpp>
 
@@ -37,13 +38,7 @@ struct TexelUse {
                                          const TextureUse& use, const TexelUse& texels,
                                          const TexturePlace& place);
 
-/// A normal map's mean over a footprint and the variance that the mean leaves out. The mean is
-/// encoded like the texels and has any length. The variance is the mean squared distance of the
-/// unit normals from their mean, 0 to 1; 0 if the footprint is a point.
-struct MeanNormal {
-  glm::vec3 texel{0.5f, 0.5f, 1.0f};
-  float variance = 0.0f;
-};
+/// Returns a normal map's mean over a footprint.
 [[nodiscard]] MeanNormal filtered_normal(const World& world, const MipChains& mips,
                                          const TextureUse& use, const TexturePlace& place);
 
