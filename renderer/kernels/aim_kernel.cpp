@@ -14,7 +14,7 @@ namespace {
 
 template <LightConstants::Shape shape>
 HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes& receiver,
-                                const ArcPlaces& arc, const LightPointBatch& places,
+                                const LightArcs& arc, const LightPointBatch& places,
                                 std::size_t i) {
   const Vectors middle =
       (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
@@ -29,7 +29,7 @@ HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes
 }
 
 template <LightConstants::Shape shape>
-void aim_at(const ShadingPoints& points, const LightConstants& light, const ArcPlaces& arc,
+void aim_at(const ShadingPoints& points, const LightConstants& light, const LightArcs& arc,
             const LightPointBatch& places, RayWeighting by, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
@@ -62,7 +62,7 @@ void aim(const ShadingPoints& points, const LightConstants& light, const LightPo
   using Shape = LightConstants::Shape;
   rays.count = 0;
   rays.rejected = 0;
-  ArcPlaces arc;
+  LightArcs arc;
   switch (light.shape) {
     case Shape::point:
       return aim_at<Shape::point>(points, light, arc, places, by, rays);

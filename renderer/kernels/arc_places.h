@@ -19,11 +19,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// Up to four numbers per point; their meaning depends on the light's shape.
-struct ArcPlaces {
-  ShadingPoints::Floats first, second, third, fourth;
-};
-
 /// Converts 32-bit binary fractions to 0 to 1, exactly.
 HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
   const DoubleTag d;
@@ -64,14 +59,14 @@ HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& 
 }
 
 /// The formulas of SphericalRectangle, with sums of angles as products of unit complex numbers.
-/// First: the rectangle's solid angle, 0 where it is sampled by area. Second: the place along
-/// half_u as 1 / (x / z)^2, with the sign of x. Third and fourth: the ends, along half_v, of the
-/// part that may be above the point's horizons, measured from the foot of the point's
-/// perpendicular.
-inline void rectangle_places(const ShadingPoints& points, const PreparedLight& light,
-                             const LightPointBatch& places, ArcPlaces& found) {
+/// First: the rectangle's solid angle, 0 where it is sampled by area. Third and fourth: the ends,
+/// along half_v, of the part that may be above the point's horizons, measured from the foot of the
+/// point's perpendicular.
+inline void rectangle_arcs(const ShadingPoints& points, const PreparedLight& light,
+                           LightArcs& found) {
+  if (found.known) return;
+  found.known = true;
   const DoubleTag d;
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const auto u_length = hn::Set(d, glm::length(light.half_u));
   const auto v_length = hn::Set(d, glm::length(light.half_v));
   const glm::dvec3 u_axis = glm::normalize(light.half_u);
@@ -117,11 +112,27 @@ inline void rectangle_places(const ShadingPoints& points, const PreparedLight& l
     const auto by_angle = hn::And(seen, hn::Gt(solid_angle, hn::Set(d, 1e-5)));
     solid_angle = hn::IfThenElseZero(by_angle, solid_angle);
     store_floats(solid_angle, &found.first[i]);
-    if (hn::AllFalse(d, by_angle)) continue;
+    hn::Store(solid_angle, d, &found.solid_angle[i]);
+    hn::Store(hn::Neg(second.sin), d, &found.sine[i]);
+    hn::Store(second.cos, d, &found.cosine[i]);
+    hn::Store(n0, d, &found.normal_0[i]);
+    hn::Store(n2, d, &found.normal_2[i]);
+  }
+}
 
+/// Second, for rectangle_arcs: the place along half_u as 1 / (x / z)^2, with the sign of x.
+inline void rectangle_places(const ShadingPoints& points, const PreparedLight& light,
+                             const LightPointBatch& places, LightArcs& found) {
+  rectangle_arcs(points, light, found);
+  const DoubleTag d;
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const auto solid_angle = hn::Load(d, &found.solid_angle[i]);
+    if (hn::AllFalse(d, hn::Gt(solid_angle, zero))) continue;
+    const auto n0 = hn::Load(d, &found.normal_0[i]), n2 = hn::Load(d, &found.normal_2[i]);
     const auto u = fractions(&places.u[i]);
     const auto turn = sin_cos(d, hn::Mul(u, solid_angle));
-    const auto angle = sum(turn, {hn::Neg(second.sin), second.cos});
+    const auto angle = sum(turn, {hn::Load(d, &found.sine[i]), hn::Load(d, &found.cosine[i])});
     const auto quotient = hn::Div(hn::Sub(hn::Mul(angle.cos, n0), n2), angle.sin);
     // At the end of a rectangle that fills half of all directions, the quotient would be 0 / 0.
     const auto at_end = hn::IfThenElse(hn::Lt(u, hn::Set(d, 0.5)), hn::Set(d, -0.0), zero);
@@ -135,7 +146,7 @@ inline void rectangle_places(const ShadingPoints& points, const PreparedLight& l
 /// along the segment from the foot of the point's perpendicular. Second: the measure ds / du there.
 /// Third: the perpendicular's length.
 inline void segment_places(const ShadingPoints& points, const PreparedLight& light,
-                           const LightPointBatch& places, ArcPlaces& found) {
+                           const LightPointBatch& places, LightArcs& found) {
   const DoubleTag d;
   const double half = glm::length(light.half_u);
   const auto length = hn::Set(d, 2.0 * half);
@@ -169,7 +180,7 @@ inline void segment_places(const ShadingPoints& points, const PreparedLight& lig
 
 /// First and second: the place on a polygon that is no rectangle, relative to its centre.
 inline void polygon_places(const ShadingPoints& points, const PreparedLight& light,
-                           const LightPointBatch& places, ArcPlaces& found) {
+                           const LightPointBatch& places, LightArcs& found) {
   constexpr double scale = 1.0 / 4294967296.0;
   for (std::size_t i = 0; i < points.count; ++i) {
     const glm::dvec2 p = light.rows.point(scale * places.u[i], scale * places.v[i]);

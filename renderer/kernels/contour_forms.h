@@ -81,7 +81,7 @@ inline DoubleLanes cut_form(const ShadingPoints& points, const std::vector<glm::
 
 /// First: the projected solid angle, as polygon_form.
 inline void rectangle_forms(const ShadingPoints& points, const PreparedLight& light,
-                            ArcPlaces& found) {
+                            LightArcs& found) {
   const DoubleTag d;
   const auto zero = hn::Zero(d);
   const std::vector<glm::dvec3>& outline = light.outlines.front();

@@ -48,7 +48,7 @@ HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants
 }
 
 template <LightConstants::Shape shape>
-void shade_shape(const ShadingPoints& points, const LightConstants& light, const ArcPlaces& arc,
+void shade_shape(const ShadingPoints& points, const LightConstants& light, const LightArcs& arc,
                  const LightPointBatch& places, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d);
@@ -74,7 +74,7 @@ void shade_shape(const ShadingPoints& points, const LightConstants& light, const
 /// Computes the unshadowed contribution of samples of the lobe that hit the light.
 template <LightConstants::Shape shape>
 void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
-                   const ArcPlaces& arc, ShadowRayBatch& rays) {
+                   const LightArcs& arc, ShadowRayBatch& rays) {
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
@@ -130,12 +130,11 @@ bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& ligh
 }
 
 void shade_lobe(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
-                ShadowRayBatch& rays) {
+                LightArcs& arc, ShadowRayBatch& rays) {
   using Shape = LightConstants::Shape;
   rays.count = 0;
   rays.rejected = 0;
   if (light.representative) return;
-  ArcPlaces arc;
   switch (light.shape) {
     case Shape::ball:
       return shade_lobe_of<Shape::ball>(points, light, lobes, arc, rays);
@@ -145,7 +144,7 @@ void shade_lobe(const ShadingPoints& points, const LightConstants& light, const 
       return shade_lobe_of<Shape::disk>(points, light, lobes, arc, rays);
     case Shape::rectangle:
       if (!any_meets_rectangle(points, light, lobes)) return;
-      rectangle_places(points, *light.light, {}, arc);
+      rectangle_arcs(points, *light.light, arc);
       return shade_lobe_of<Shape::rectangle>(points, light, lobes, arc, rays);
     case Shape::polygon:
       return shade_lobe_of<Shape::polygon>(points, light, lobes, arc, rays);
@@ -168,7 +167,7 @@ void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
   const auto zero = hn::Zero(d);
   rays.count = 0;
   rays.rejected = 0;
-  ArcPlaces forms, arc;
+  LightArcs forms, arc;
   rectangle_forms(points, *light.light, forms);
   rectangle_places(points, *light.light, places, arc);
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
@@ -187,11 +186,10 @@ void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
 }
 
 void shade(const ShadingPoints& points, const LightConstants& light, const LightPointBatch& places,
-           ShadowRayBatch& rays) {
+           LightArcs& arc, ShadowRayBatch& rays) {
   using Shape = LightConstants::Shape;
   rays.count = 0;
   rays.rejected = 0;
-  ArcPlaces arc;
   switch (light.shape) {
     case Shape::point:
       return shade_shape<Shape::point>(points, light, arc, places, rays);
@@ -229,7 +227,13 @@ HWY_EXPORT(choose_lobes);
 
 void shade_batch(const ShadingPoints& points, const LightConstants& light,
                  const LightPointBatch& places, ShadowRayBatch& rays) {
-  HWY_DYNAMIC_DISPATCH(shade)(points, light, places, rays);
+  LightArcs arcs;
+  shade_batch(points, light, places, arcs, rays);
+}
+
+void shade_batch(const ShadingPoints& points, const LightConstants& light,
+                 const LightPointBatch& places, LightArcs& arcs, ShadowRayBatch& rays) {
+  HWY_DYNAMIC_DISPATCH(shade)(points, light, places, arcs, rays);
 }
 
 void shade_unshadowed(const ShadingPoints& points, const LightConstants& light,
@@ -242,8 +246,8 @@ void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, Lo
 }
 
 void shade_lobe(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
-                ShadowRayBatch& rays) {
-  HWY_DYNAMIC_DISPATCH(shade_lobe)(points, light, lobes, rays);
+                LightArcs& arcs, ShadowRayBatch& rays) {
+  HWY_DYNAMIC_DISPATCH(shade_lobe)(points, light, lobes, arcs, rays);
 }
 
 }  // namespace asos

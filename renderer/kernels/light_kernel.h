@@ -38,6 +38,17 @@ struct LobeBatch {
   ShadingPoints::Vectors direction;
 };
 
+/// Numbers of a light at each point of a batch; their meaning depends on the light's shape.
+struct LightArcs {
+  struct alignas(64) Doubles : std::array<double, ShadingPoints::size> {};
+
+  ShadingPoints::Floats first, second, third, fourth;
+  /// Of a rectangle, the same for all samples on it: whether they are known, and the solid angle,
+  /// sine and cosine of the angle at its first side, and the normals of two sides.
+  bool known = false;
+  Doubles solid_angle, sine, cosine, normal_0, normal_2;
+};
+
 /// Computes the shadow rays from points to samples of a light, as sample_light, reflected_towards
 /// (or reflected_share, by the published rule) and shadow_ray do in double precision. For a light
 /// with an area and a narrow lobe, the highlight has its weight by multiple importance sampling;
@@ -45,6 +56,10 @@ struct LobeBatch {
 /// depend only on the point and the light, not on its place in the batch or the instruction set.
 void shade_batch(const ShadingPoints& points, const LightConstants& light,
                  const LightPointBatch& places, ShadowRayBatch& rays);
+/// Does so with the `arcs` of an earlier call for the same points and light. If they are not known,
+/// they are set.
+void shade_batch(const ShadingPoints& points, const LightConstants& light,
+                 const LightPointBatch& places, LightArcs& arcs, ShadowRayBatch& rays);
 
 /// Computes the contribution of a rectangle that casts no shadow. The diffuse part uses the closed
 /// form of unshadowed_irradiance, and the highlight one sample. `rays` then holds contributions
@@ -60,6 +75,6 @@ void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, Lo
 /// highlight's weight. There are none to other lights, from points with broad lobes, or by the
 /// published rule.
 void shade_lobe(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
-                ShadowRayBatch& rays);
+                LightArcs& arcs, ShadowRayBatch& rays);
 
 }  // namespace asos

@@ -185,7 +185,7 @@ HWY_INLINE SampleLanes ball_sample(const LightConstants& light, const ReceiverLa
 
 /// `arc`: from segment_places.
 HWY_INLINE SampleLanes segment_sample(const LightConstants& light, const ReceiverLanes& receiver,
-                                      const Vectors& middle, const ArcPlaces& arc, std::size_t i) {
+                                      const Vectors& middle, const LightArcs& arc, std::size_t i) {
   const Vectors along = all_lanes(light.u_axis);
   const Vectors foot = middle - scaled(dot(middle, along), along);
   Offset at = towards_point(foot + scaled(loaded(arc.first, i), along));
@@ -197,7 +197,7 @@ HWY_INLINE SampleLanes segment_sample(const LightConstants& light, const Receive
 
 /// `arc`: from rectangle_places.
 HWY_INLINE SampleLanes rectangle_sample(const LightConstants& light, const ReceiverLanes& receiver,
-                                        const Vectors& middle, const ArcPlaces& arc,
+                                        const Vectors& middle, const LightArcs& arc,
                                         const LightPointBatch& places, std::size_t i) {
   const FloatTag d;
   const auto one = all_lanes(1.0f);
@@ -241,7 +241,7 @@ HWY_INLINE SampleLanes rectangle_sample(const LightConstants& light, const Recei
 
 template <LightConstants::Shape shape>
 HWY_INLINE SampleLanes light_sample(const LightConstants& light, const ReceiverLanes& receiver,
-                                    const Vectors& middle, const ArcPlaces& arc,
+                                    const Vectors& middle, const LightArcs& arc,
                                     const LightPointBatch& places, std::size_t i) {
   using Shape = LightConstants::Shape;
   if constexpr (shape == Shape::point) return point_sample(light, receiver, middle);

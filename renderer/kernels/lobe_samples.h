@@ -187,7 +187,7 @@ HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLane
 
 template <LightConstants::Shape shape>
 HWY_INLINE LightHitLanes met_light(const LightConstants& light, const ReceiverLanes& receiver,
-                                   const Vectors& middle, const ArcPlaces& arc,
+                                   const Vectors& middle, const LightArcs& arc,
                                    const Vectors& direction, std::size_t i) {
   using Shape = LightConstants::Shape;
   if constexpr (shape == Shape::sun) {

@@ -240,7 +240,8 @@ void SampledLights::trace_lobes(const Gathered& batch, RadianceSums sums,
   ShadowRayBatch& rays = work_->rays;
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     if (taken_[light] == 0 || wide_.holds(light)) continue;
-    shade_lobe(points, lights_[light], lobe_, rays);
+    LightArcs arcs;
+    shade_lobe(points, lights_[light], lobe_, arcs, rays);
     counts.rejected_samples += rays.rejected;
     trace(batch, light, rays, sums, counts);
   }

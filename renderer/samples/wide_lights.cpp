@@ -108,11 +108,12 @@ std::span<const ShadowRayBatch> WideLights::shade(const ShadingPoints& points,
                                                   std::uint32_t light,
                                                   const LightConstants& constants,
                                                   LightSamplePoints& places) {
-  auto& [lobes, on_light, part, rays, picked, walked] = *work_;
+  auto& [lobes, on_light, part, arcs, rays, picked, walked] = *work_;
+  arcs.known = false;
   places.on_light(light, on_light);
   for (std::uint32_t k = 0; k < candidates; ++k) {
-    shade_batch(points, constants, part_of_places(k, points.count), rays[k]);
-    shade_lobe(points, constants, lobes[k], rays[candidates + k]);
+    shade_batch(points, constants, part_of_places(k, points.count), arcs, rays[k]);
+    shade_lobe(points, constants, lobes[k], arcs, rays[candidates + k]);
   }
   for (std::size_t i = 0; i < points.count; ++i) part.u[i] = chance(samples[i], light);
   for (std::size_t half = 0; half < picked.size(); ++half) {

@@ -50,6 +50,7 @@ class WideLights {
     std::array<LobeBatch, candidates> lobes;
     LightPointBatch places;
     LightPointBatch part;
+    LightArcs arcs;                                   ///< of the present light
     std::array<ShadowRayBatch, 2 * candidates> rays;  ///< to places, then along the lobe
     std::array<ShadowRayBatch, 2> picked;
     std::vector<float> walked;

@@ -169,7 +169,8 @@ Means means_of(const PreparedLight& light, const LitSubject& s) {
       means.both += static_cast<double>(rays.carried[0][i]);
     LobeBatch lobes;
     choose_lobes(points, places, lobes);
-    shade_lobe(points, constants, lobes, rays);
+    LightArcs arcs;
+    shade_lobe(points, constants, lobes, arcs, rays);
     for (std::size_t i = 0; i < rays.count; ++i)
       means.by_lobe += static_cast<double>(rays.carried[0][i]);
   }
