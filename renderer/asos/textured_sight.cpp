@@ -1,8 +1,8 @@
 #include "renderer/asos/textured_sight.h"
 
 #include "renderer/asos/texture_samples.h"
+#include "renderer/kernels/light_selection.h"
 #include "renderer/pyray/tuning.h"
-#include "renderer/samples/light_selection.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
 #include "renderer/shading/texture_products.h"

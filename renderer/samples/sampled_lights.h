@@ -1,9 +1,9 @@
 #pragma once
 
 #include "renderer/kernels/light_kernel.h"
+#include "renderer/kernels/light_selection.h"
 #include "renderer/rays/ray_scene.h"
 #include "renderer/samples/light_sample_points.h"
-#include "renderer/samples/light_selection.h"
 #include "renderer/samples/radiance_sums.h"
 #include "renderer/samples/thread_local_cache.h"
 #include "renderer/samples/wide_lights.h"

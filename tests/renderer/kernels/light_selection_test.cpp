@@ -1,6 +1,8 @@
-#include "renderer/samples/light_selection.h"
+#include "renderer/kernels/light_selection.h"
 
+#include "tests/support/every_target.h"
 #include "tests/support/lit_subjects.h"
+#include "tests/support/sample_lights.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace asos::test::light_picks_test {
@@ -96,6 +99,68 @@ TEST_F(Picked, AreNoneWhereAllIsDark) {
   picks_.pick(table_, *points_, numbers_->u, rays_a_point);
   for (std::size_t light = 0; light < light_count; ++light)
     EXPECT_TRUE(picks_.of(light).point.empty()) << light;
+}
+
+/// The picks of one point: walks along the lights, one by one.
+std::vector<std::pair<std::size_t, float>> picks_of_point(const std::vector<float>& weights,
+                                                          float all, float number, float a_point) {
+  std::vector<std::pair<std::size_t, float>> picks;
+  if (!(all > 1e-30f)) return picks;
+  float share = all / a_point;
+  for (int round = 0; round < 2; ++round) {
+    float rest = 0.0f, taken = 0.0f;
+    for (const float weight : weights)
+      (weight < share ? rest : taken) += weight < share ? weight : 1.0f;
+    if (taken == 0.0f || rest == 0.0f) break;
+    share = std::min(share, rest / std::max(1.0f, a_point - taken));
+  }
+  const float per_share = 1.0f / share;
+  for (std::size_t light = 0; light < weights.size(); ++light) {
+    if (weights[light] >= share) {
+      picks.emplace_back(light, 1.0f);
+      continue;
+    }
+    const float probability = weights[light] * per_share;
+    number += probability;
+    if (number < 1.0f) continue;
+    number -= 1.0f;
+    picks.emplace_back(light, 1.0f / probability);
+  }
+  return picks;
+}
+
+// Points in lanes have the bits of lights in lanes, and of a walk along them.
+TEST(LightSelection, PicksForABatchAsForItsPointsOneByOne) {
+  const LitSubjects batch(21, 1.0, {0, 0, 0});
+  const std::vector<NamedLight> all = lights(1.0, {0, 0, 0});
+  LightTable table;
+  std::vector<LightConstants> constants;
+  for (const int copies : {1, 3}) {
+    table.clear();
+    constants.clear();
+    for (int k = 0; k < copies; ++k)
+      for (const NamedLight& light : all) constants.emplace_back(light.prepared);
+    for (std::uint32_t i = 0; i < constants.size(); ++i) table.add(constants[i], i);
+    for_every_target([&] {
+      LightSelection picks;
+      picks.pick(table, batch.points, batch.places.u, rays_a_point);
+      std::vector<std::vector<std::pair<std::size_t, float>>> found(batch.points.count);
+      for (std::size_t light = 0; light < table.size(); ++light) {
+        const LightSelection::Points by = picks.of(light);
+        for (std::size_t k = 0; k < by.point.size(); ++k)
+          found[by.point[k]].emplace_back(light, by.weight[k]);
+      }
+      std::vector<float> weights(table.padded_size());
+      std::size_t picked = 0;
+      for (std::size_t i = 0; i < batch.points.count; ++i) {
+        const float sum = weigh_lights(table, batch.points, i, weights);
+        const float number = static_cast<float>(batch.places.u[i] >> 8) * 0x1p-24f;
+        EXPECT_EQ(found[i], picks_of_point(weights, sum, number, rays_a_point)) << "point " << i;
+        picked += found[i].size();
+      }
+      EXPECT_GT(picked, batch.points.count);
+    });
+  }
 }
 
 }  // namespace

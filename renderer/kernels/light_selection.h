@@ -23,7 +23,9 @@ class LightSelection {
   /// Largest average number of shadow rays per point if there are more lights.
   static constexpr float rays_a_point = 4.0f;
 
-  /// Picks lights for all points. `at` is each point's random number, a 32-bit fraction.
+  /// Picks lights for all points. `at` is each point's random number, a 32-bit fraction. The bits
+  /// of a point's picks depend only on the point, its number and the lights, not on its place in
+  /// the batch or the instruction set.
   void pick(const LightTable& lights, const ShadingPoints& points,
             const LightPointBatch::Fractions& at, float a_point = rays_a_point);
 
@@ -38,18 +40,22 @@ class LightSelection {
     return {std::span(point_).subspan(first, count), std::span(weight_).subspan(first, count)};
   }
 
- private:
-  struct Pick {
-    std::uint32_t light, point;
-    float weight;
+  /// For the kernel: arrays to which a light's points are appended.
+  struct Room {
+    std::uint32_t* point;
+    float* weight;
   };
-  [[nodiscard]] float share_of_ray(float all, float a_point) const;
-  void pick_for(std::uint32_t point, float share, float walked);
-  void sort_by_light(std::size_t lights);
+  [[nodiscard]] Room next_light() {
+    // A kernel may write a whole vector beyond the end.
+    const std::size_t first = first_.back(), room = first + ShadingPoints::size + 16;
+    if (point_.size() < room) point_.resize(2 * room), weight_.resize(2 * room);
+    return {&point_[first], &weight_[first]};
+  }
+  void picked(std::size_t points) { first_.push_back(first_.back() + points); }
 
-  std::vector<float> worth_;  // of each light, at one point
-  std::vector<Pick> picks_;   // point by point
-  // Picks sorted by light: the first index of each light, and the picks.
+ private:
+  std::vector<ShadingPoints::Floats> weights_;  // by light, at all points
+  // Picks light by light: the first index of each light, and the picks.
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> point_;
   std::vector<float> weight_;
