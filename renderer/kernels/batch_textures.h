@@ -15,8 +15,8 @@
 namespace asos {
 
 /// Looks up textures at the points of a batch, with the bits of filtered_texture and
-/// filtered_normal: patches and weights in lanes, texels by channels. Those of nearest texels, and
-/// of patches longer than longest_in_lanes, are filtered one by one.
+/// filtered_normal: patches and weights in lanes, texels by channels. Nearest texels are filtered
+/// one by one, and so are patches longer than longest_in_lanes.
 class BatchTextures {
  public:
   /// The points, to be filled before the first look-up.

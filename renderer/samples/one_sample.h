@@ -2,9 +2,12 @@
 
 #include "renderer/samples/sampled_lights.h"
 #include "renderer/samples/sampled_reflections.h"
+#include "renderer/shading/background_along.h"
 #include "renderer/shading/shade.h"
 
 #include <glm/glm.hpp>
+
+#include <cmath>
 
 namespace asos {
 
@@ -82,5 +85,20 @@ class OneLobeSample final : public LightTransport {
   const Shader& shader_;
   const PointSample& sample_;
 };
+
+/// Adds the background to a sample whose ray hits nothing. Returns false, without adding anything,
+/// if the ray needs Shader, which also counts radiance that is not finite.
+[[nodiscard]] inline bool add_background(const Shader& shader, const PointSample& sample,
+                                         glm::vec3 weight, const ViewedRay& seen,
+                                         RadianceSums sums) {
+  if (seen.hit.valid() || !shader.settings().backdrop.shows_light()) return false;
+  if (seen.reflected() && !seen.hides_lights && shader.nearest_light_without_geometry(seen.ray))
+    return false;
+  const glm::vec3 radiance = weight * background_along(shader.settings(), seen);
+  if (!std::isfinite(radiance.x + radiance.y + radiance.z)) return false;
+  sums.add({sample.target, sample.part}, glm::dvec3(radiance), glm::dvec3(0.0),
+           glm::dvec3(radiance));
+  return true;
+}
 
 }  // namespace asos

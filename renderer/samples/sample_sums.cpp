@@ -242,9 +242,13 @@ void SampleSums::shade_batch() {
   shade_waiting_points(waiting);
   for (std::size_t k = 0; k < alone_count_; ++k) {
     const PointSample& sample = samples_[alone_[k]];
-    if (k == 0 || sample.x != samples_[alone_[k - 1]].x || sample.y != samples_[alone_[k - 1]].y)
-      places_->start_pixel(sample.x, sample.y);
-    if (shade(sample, glm::vec3(1.0f), seen_by(alone_[k], sample.side))) count(sample.target);
+    const ViewedRay seen = seen_by(alone_[k], sample.side);
+    if (add_background(viewer_.shader, sample, glm::vec3(1.0f), seen, sums())) {
+      count(sample.target);
+      continue;
+    }
+    places_->start_pixel(sample.x, sample.y);
+    if (shade(sample, glm::vec3(1.0f), seen)) count(sample.target);
   }
 }
 
@@ -370,8 +374,10 @@ void SampleSums::shade_reflections(std::span<const ReflectedSample> samples) {
   shade_waiting_points(waiting);
   for (std::size_t k = 0; k < alone_count_; ++k) {
     const ReflectedSample& next = samples[alone_[k]];
+    const ViewedRay seen = next.viewed(hits_[alone_[k]]);
+    if (add_background(viewer_.shader, next.sample, next.weight, seen, sums())) continue;
     places_->start_pixel(next.sample.x, next.sample.y);
-    (void)shade(next.sample, next.weight, next.viewed(hits_[alone_[k]]));
+    (void)shade(next.sample, next.weight, seen);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
+#include "renderer/shading/background_along.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/layers.h"
 #include "renderer/shading/reflected_light.h"
@@ -202,12 +203,17 @@ glm::vec3 Shader::radiance(const ViewedRay& seen, LightTransport& transport,
   }
   const Layers met = look_along(seen, extent, transport, counts);
   if (met.behind == glm::vec3(0.0f)) return met.radiance;
-  const PixelSpacing* spacing = extent.point() ? nullptr : extent.spacing;
-  const glm::vec3 beyond =
-      seen.bounces == 0 ? settings_.backdrop.radiance(settings_.sky, seen.ray, spacing, seen.side)
-                        : background(settings_.sky, seen.ray.direction, spacing, seen.side);
+  const glm::vec3 beyond = background_along(settings_, seen);
   transport.note(LightPart::background, met.behind * beyond);
   return met.radiance + met.behind * beyond;
+}
+
+glm::vec3 background_along(const ShadingSettings& settings, const ViewedRay& seen) {
+  const SampleExtent extent{seen.spacing ? seen.spacing : &settings.spacing, settings.mips,
+                            seen.side};
+  const PixelSpacing* spacing = extent.point() ? nullptr : extent.spacing;
+  return seen.bounces == 0 ? settings.backdrop.radiance(settings.sky, seen.ray, spacing, seen.side)
+                           : background(settings.sky, seen.ray.direction, spacing, seen.side);
 }
 
 CoveredRay Shader::covered(const ViewedRay& seen, RenderStatistics& counts) const {
