@@ -1,8 +1,12 @@
 #include "tests/bench/bench_support.h"
 
+#include "renderer/prepared/default_look.h"
+#include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/exposure.h"
+#include "renderer/prepared/with_ground.h"
 #include "renderer/scene/builtin.h"
 #include "renderer/scene/posable_scene.h"
+#include "renderer/world/ground.h"
 
 #include <fmt/format.h>
 
@@ -29,10 +33,17 @@ RenderResult Times::render(const Snapshot& snapshot) {
   return result;
 }
 
+Result<SharedScene> as_rendered(SharedScene scene) {
+  const DefaultLook look = default_look(*scene);
+  return lit_under(std::move(scene), look.sky.get()).and_then([&](SharedScene lit) {
+    return with_ground(std::move(lit), look.ground);
+  });
+}
+
 Result<SharedScene> open_scene(const std::string& source) {
   const Result<Scene> scene = load_scene(source);
   if (!scene) return unexpected(scene.error());
-  return prepare(*scene).and_then(with_boundaries);
+  return prepare(*scene).and_then(as_rendered).and_then(with_boundaries);
 }
 
 Snapshot snapshot_of(SharedScene scene, int width, int height) {
@@ -41,6 +52,9 @@ Snapshot snapshot_of(SharedScene scene, int width, int height) {
   snapshot.camera = world.cameras.empty()
                         ? default_camera(world, static_cast<double>(width) / height)
                         : world.cameras.front();
+  snapshot.settings.sky = default_look(*scene, snapshot.camera).sky;
+  snapshot.settings.ground = ground_of(world);
+  snapshot.settings.background = default_background(snapshot.settings.sky.get());
   snapshot.scene = std::move(scene);
   snapshot.progressive = false;
   snapshot.settings.width = width;
@@ -73,7 +87,7 @@ Result<Snapshot> exposed_snapshot(const std::string& source, PictureSize size, C
         [&](const Scene& pose) { return prepare(pose, {}, &stage); });
   };
   if (moves) scene = posed({exposure.animation, exposure.seconds}, nullptr);
-  if (scene) scene = with_boundaries(*scene);
+  if (scene) scene = as_rendered(*scene).and_then(with_boundaries);
   if (!scene) return unexpected(scene.error());
   if (exposure.f_stop > 0.0) camera.lens.f_stop = exposure.f_stop;
   if (exposure.focus > 0.0) camera.lens.focus = exposure.focus;

@@ -47,6 +47,9 @@ struct NamedScene {
 /// models in $ASOS_SHARED/scenes.
 [[nodiscard]] std::vector<NamedScene> chosen_scenes(const std::vector<std::string>& chosen);
 
+/// Returns a scene as `asos render` renders it: in the light and on the ground of its default look.
+[[nodiscard]] Result<SharedScene> as_rendered(SharedScene scene);
+/// Opens such a scene, with its boundaries.
 [[nodiscard]] Result<SharedScene> open_scene(const std::string& source);
 
 /// How a benchmark's picture is exposed: by the camera's lens, and over the time of an animation.
@@ -68,7 +71,7 @@ struct ExposureChoice {
                                                 const ExposureChoice& exposure);
 
 /// Returns the inputs of a render of the whole picture, without coarse passes. The camera is the
-/// scene's first, or else one that frames the scene.
+/// scene's first, or else one that frames the scene. Sky and background are those of `asos render`.
 [[nodiscard]] Snapshot snapshot_of(SharedScene scene, int width, int height);
 
 /// A camera at `eye` that looks at `target`, both in the author's coordinates.

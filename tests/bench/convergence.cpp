@@ -208,7 +208,8 @@ Result<void> study(const std::string& source, const Settings& settings) {
   const auto scene = load_scene(source);
   if (!scene) return unexpected(scene.error());
   for (const bool lit : {true, false}) {
-    const auto prepared = prepare(lit ? *scene : unlit(*scene)).and_then(with_boundaries);
+    const auto prepared =
+        prepare(lit ? *scene : unlit(*scene)).and_then(as_rendered).and_then(with_boundaries);
     if (!prepared) return unexpected(prepared.error());
     RenderSettings beam;
     beam.method = Method::beam;

@@ -158,7 +158,7 @@ Result<SharedScene> prepared_scene(const Settings& settings) {
   auto scene = load_scene(settings.scene);
   if (!scene) return unexpected(scene.error());
   if (settings.matte) make_matte(*scene);
-  if (!settings.key_light) return prepare(*scene).and_then(with_boundaries);
+  if (!settings.key_light) return prepare(*scene).and_then(as_rendered).and_then(with_boundaries);
   // The default lighting is made for the camera.
   const auto flattened = flatten(*scene);
   if (!flattened) return unexpected(flattened.error());
@@ -176,7 +176,7 @@ Result<SharedScene> prepared_scene(const Settings& settings) {
     light.position += (*lit)->world().origin;
     light.own_part = -1;
     scene->lights = {light};
-    return prepare(*scene).and_then(with_boundaries);
+    return prepare(*scene).and_then(as_rendered).and_then(with_boundaries);
   }
   return unexpected(Error{settings.scene, "gets no rectangular light"});
 }

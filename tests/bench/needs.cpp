@@ -55,7 +55,7 @@ struct Cost {
 /// Prepares and renders once, and adds the costs.
 Result<void> measure(const Scene& scene, const RenderFeatures& forced, const Settings& settings,
                      Cost& cost) {
-  const auto prepared = prepare(scene, forced).and_then(with_boundaries);
+  const auto prepared = prepare(scene, forced).and_then(as_rendered).and_then(with_boundaries);
   if (!prepared) return unexpected(prepared.error());
   cost.build.push_back((*prepared)->geometry->build_seconds +
                        (*prepared)->geometry->boundaries.seconds());

@@ -17,10 +17,8 @@
 
 #include "app/large_blocks.h"
 #include "renderer/prepared/default_look.h"
-#include "renderer/prepared/environment_lights.h"
 #include "renderer/prepared/own_lights.h"
 #include "renderer/prepared/prepare_on_ground.h"
-#include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/without_objects.h"
 #include "renderer/render_block.h"
 #include "renderer/session/film_render.h"
@@ -74,16 +72,6 @@ double cpu_seconds() {
   return seconds(now.ru_utime) + seconds(now.ru_stime);
 }
 
-/// Puts the scene on its default ground, under its default sky.
-Result<SharedScene> with_look(SharedScene scene, RenderSettings& settings) {
-  const DefaultLook look = default_look(*scene);
-  settings.sky = look.sky;
-  settings.background = default_background(look.sky.get());
-  auto lit = lit_under(std::move(scene), look.sky.get());
-  if (!lit) return lit;
-  return with_ground(*std::move(lit), look.ground);
-}
-
 Result<Opened> measure(const std::string& source, const Settings& settings) {
   Opened opened;
   double before = cpu_seconds();
@@ -102,14 +90,11 @@ Result<Opened> measure(const std::string& source, const Settings& settings) {
   if (!ready) return unexpected(ready.error());
   *scene = Scene{};  // as the program does
   end(Opened::rays);
-  RenderSettings look;
-  ready = with_look(*std::move(ready), look);
+  ready = as_rendered(*std::move(ready));
   if (!ready) return unexpected(ready.error());
   end(Opened::look);
 
   Snapshot snapshot = snapshot_of(*ready, settings.size.width, settings.size.height);
-  snapshot.settings.sky = look.sky;
-  snapshot.settings.background = look.background;
   snapshot.settings.threads = settings.threads;
   snapshot.settings.method = Method::sobol;
   snapshot.settings.sampling.spp = 1;

@@ -86,7 +86,7 @@ Result<Row> measure(const std::string& source, const Settings& settings) {
   const Result<Scene> scene = load_scene(source);
   if (!scene) return tl::unexpected(scene.error());
   row.load_seconds = seconds_since(started);
-  const auto prepared = prepare(*scene);
+  const auto prepared = prepare(*scene).and_then(as_rendered);
   if (!prepared) return tl::unexpected(prepared.error());
   row.triangles = (*prepared)->world().triangles.size();
 

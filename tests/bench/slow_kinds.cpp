@@ -224,7 +224,7 @@ constexpr Kind kinds[]{{"avatar", avatar},
                        {"frosted-pane", frosted_pane}};
 
 int measure(const Kind& kind, PictureSize size, int reference) {
-  const auto scene = prepare(kind.make());
+  const auto scene = prepare(kind.make()).and_then(as_rendered);
   if (!scene) return fail(scene.error());
   if (const auto whole = with_boundaries(*scene); !whole) return fail(whole.error());
   Snapshot snapshot = snapshot_of(*scene, size.width, size.height);
