@@ -50,7 +50,12 @@ HWY_INLINE SinCos<DoubleLanes> sum(const SinCos<DoubleLanes>& a, const SinCos<Do
 /// nothing would be left.
 HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& low,
                               DoubleLanes& high) {
-  const auto zero = hn::Zero(DoubleTag());
+  const DoubleTag d;
+  const auto zero = hn::Zero(d);
+  // Most intervals lie on one side of the line's root.
+  const auto low_above = hn::Gt(hn::Add(hn::Mul(slope, low), rest), zero);
+  const auto high_above = hn::Gt(hn::Add(hn::Mul(slope, high), rest), zero);
+  if (hn::AllFalse(d, hn::Xor(low_above, high_above))) return;
   const auto end = hn::Neg(hn::Div(rest, slope));
   const auto within = hn::And(hn::Gt(end, low), hn::Lt(end, high));
   const auto rises = hn::Gt(slope, zero);

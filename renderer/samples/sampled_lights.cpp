@@ -149,10 +149,18 @@ void SampledLights::trace(RadianceSums sums) {
 void SampledLights::trace(const Gathered& batch, RadianceSums sums, RenderStatistics& counts) {
   places_->start_batch(std::span(batch.samples).first(batch.points.count));
   const bool many = picks_lights();
+  work_->arcs.resize(many ? 1 : lights_.size());
+  for (LightArcs& known : work_->arcs) known.known = false;
   wide_.find(batch.points, lights_, many ? std::span<const std::uint8_t>() : shadowed_, *places_);
   trace_lobes(batch, sums, counts);
   trace_each(batch, sums, counts);
   if (many) trace_picked(batch, sums, counts);
+}
+
+LightArcs& SampledLights::arcs(std::uint32_t light) {
+  if (!picks_lights()) return work_->arcs[light];
+  work_->arcs.front().known = false;
+  return work_->arcs.front();
 }
 
 // Traces the lights that every point samples.
@@ -176,7 +184,10 @@ void SampledLights::trace_each(const Gathered& batch, RadianceSums sums, RenderS
 // Traces the stochastically selected lights.
 void SampledLights::trace_picked(const Gathered& batch, RadianceSums sums,
                                  RenderStatistics& counts) {
-  auto& [rays, picks, picked, places] = *work_;
+  ShadowRayBatch& rays = work_->rays;
+  LightSelection& picks = work_->picks;
+  ShadingPoints& picked = work_->picked;
+  LightPointBatch& places = work_->places;
   picks.pick(many_, batch.points, batch.picks, rays_a_point_);
   // A pixel's rays to a light use its first places on that light, which are well distributed
   // together.
@@ -218,7 +229,7 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
     rays.count = rays.rejected = 0;
   } else if (sends_rays(light)) {
     if (prepared.extended()) places_->on_light(light, on_light_);
-    shade_batch(batch.points, lights_[light], on_light_, rays);
+    shade_batch(batch.points, lights_[light], on_light_, arcs(light), rays);
   } else {
     places_->on_light(light, on_light_);
     if (prepared.rectangle) {
@@ -240,8 +251,7 @@ void SampledLights::trace_lobes(const Gathered& batch, RadianceSums sums,
   ShadowRayBatch& rays = work_->rays;
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {
     if (taken_[light] == 0 || wide_.holds(light)) continue;
-    LightArcs arcs;
-    shade_lobe(points, lights_[light], lobe_, arcs, rays);
+    shade_lobe(points, lights_[light], lobe_, arcs(light), rays);
     counts.rejected_samples += rays.rejected;
     trace(batch, light, rays, sums, counts);
   }

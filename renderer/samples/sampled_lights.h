@@ -148,7 +148,9 @@ class SampledLights {
     LightSelection picks;
     ShadingPoints picked;
     LightPointBatch places;
+    std::vector<LightArcs> arcs;  // of each light at the batch's points; one for many lights
   };
+  [[nodiscard]] LightArcs& arcs(std::uint32_t light);
   CachedPtr<Work> work_;  // while rays are traced
   std::vector<Pending> pending_;
   std::vector<SkyRay> sky_rays_;
