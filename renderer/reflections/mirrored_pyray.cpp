@@ -114,7 +114,8 @@ std::optional<MirroredPyray> diverging(const MirroredEdges& edges, double apex_d
   PyrayPicture& p = out.picture;
   const glm::dvec3 right = widened(edges.right, lobe.right, lobe.width);
   const glm::dvec3 down = widened(edges.down, lobe.down, lobe.width);
-  out.sharp_share = {share_of(edges.right, right), share_of(edges.down, down)};
+  if (lobe.width > 0.0)
+    out.sharp_share = {share_of(edges.right, right), share_of(edges.down, down)};
   out.apex_distance = apex_distance;
   const glm::dvec3 face = glm::cross(right, down);
   p.forward = glm::normalize(glm::dot(face, edges.axis) < 0.0 ? -face : face);

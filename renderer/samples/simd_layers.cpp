@@ -50,9 +50,10 @@ void SimdSamples::look_up_textures() {
       arrays_->looked_up.begin(), arrays_->looked_up.begin() + arrays_->looked_up_count,
       sorted.begin(), [&](std::size_t top) { return arrays_->material[top]->has_textures(); });
   const auto material = [&](std::size_t top) { return arrays_->material[top]; };
-  std::sort(sorted.begin(), end, [&](std::size_t a, std::size_t b) {
+  const auto before = [&](std::size_t a, std::size_t b) {
     return material(a) == material(b) ? a < b : std::less<>()(material(a), material(b));
-  });
+  };
+  if (!std::is_sorted(sorted.begin(), end, before)) std::sort(sorted.begin(), end, before);
   for (auto first = sorted.begin(); first != end;) {
     const auto last = std::find_if(
         first, end, [&](std::size_t top) { return material(top) != material(*first); });

@@ -149,6 +149,7 @@ void SimdSamples::meet_volume(std::size_t top, const Ray& ray, const RayState& s
 }
 
 glm::vec3 SimdSamples::shown(std::size_t i, glm::vec3 emission) const {
+  if (emission == glm::vec3(0.0f)) return emission;
   const std::uint32_t triangle = arrays_->hit[i].triangle;
   return viewer_.shader.shows_emission(arrays_->hides_lights[i], triangle) ? emission
                                                                            : glm::vec3(0.0f);

@@ -225,6 +225,7 @@ NormalSpread normal_turn(const World& world, const Hit& hit, const Patch& patch,
   if (world.normals.empty() && !world.is_face(hit.triangle)) return {};
   const Triangle t(world, hit);
   const std::array<glm::vec3, 3> normals = corner_normals(world, hit);
+  if (normals[0] == normals[1] && normals[0] == normals[2]) return {};
   const glm::vec3 mixed = t.mix(normals[0], normals[1], normals[2]);
   const float length = glm::length(mixed);
   if (!(length > 0.0f)) return {};
