@@ -105,13 +105,17 @@ Result<Snapshot> exposed_snapshot(const std::string& source, PictureSize size, C
 
 namespace {
 
-std::vector<NamedScene> all_scenes() {
+std::vector<NamedScene> builtin_set() {
   std::vector<NamedScene> scenes;
   for (const BuiltinScene& scene : builtin_scenes())
     scenes.push_back({scene.name, "builtin:" + scene.name});
+  return scenes;
+}
+
+std::vector<NamedScene> models() {
+  std::vector<NamedScene> scenes;
   const char* shared = std::getenv("ASOS_SHARED");
   if (!shared) return scenes;
-  const auto first_model = static_cast<std::ptrdiff_t>(scenes.size());
   std::error_code unreadable;
   for (const auto& file : std::filesystem::recursive_directory_iterator(
            std::filesystem::path(shared) / "scenes", unreadable)) {
@@ -119,7 +123,7 @@ std::vector<NamedScene> all_scenes() {
     if (ending != ".glb" && ending != ".gltf") continue;
     scenes.push_back({file.path().parent_path().filename().string(), file.path().string()});
   }
-  std::sort(scenes.begin() + first_model, scenes.end(),
+  std::sort(scenes.begin(), scenes.end(),
             [](const NamedScene& a, const NamedScene& b) { return a.name < b.name; });
   return scenes;
 }
@@ -127,13 +131,20 @@ std::vector<NamedScene> all_scenes() {
 }  // namespace
 
 std::vector<NamedScene> chosen_scenes(const std::vector<std::string>& chosen) {
-  const std::vector<NamedScene> all = all_scenes();
-  if (chosen.empty()) return all;
+  const std::vector<NamedScene> built_in = builtin_set(), files = models();
+  if (chosen.empty()) return files.empty() ? built_in : files;
   std::vector<NamedScene> scenes;
   for (const std::string& text : chosen) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const NamedScene& scene) { return scene.name == text; });
-    scenes.push_back(found != all.end() ? *found : NamedScene{text, text});
+    if (text == "builtin" || text == "models") {
+      const std::vector<NamedScene>& set = text == "builtin" ? built_in : files;
+      scenes.insert(scenes.end(), set.begin(), set.end());
+      continue;
+    }
+    NamedScene found{text, text};
+    for (const std::vector<NamedScene>* set : {&files, &built_in})
+      for (const NamedScene& scene : *set)
+        if (scene.name == text) found = scene;
+    scenes.push_back(std::move(found));
   }
   return scenes;
 }

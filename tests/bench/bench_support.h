@@ -43,8 +43,9 @@ struct NamedScene {
   std::string name;
   std::string source;
 };
-/// Scenes by name, or by an argument of `asos render`. Without names: all built-in scenes and all
-/// models in $ASOS_SHARED/scenes.
+/// Scenes by name, or by an argument of `asos render`; "models" and "builtin" are sets. Without
+/// names: all models in $ASOS_SHARED/scenes, which are those that people open, or the built-in
+/// scenes if there are none.
 [[nodiscard]] std::vector<NamedScene> chosen_scenes(const std::vector<std::string>& chosen);
 
 /// Returns a scene as `asos render` renders it: in the light and on the ground of its default look.

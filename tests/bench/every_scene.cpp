@@ -6,14 +6,14 @@
 //                     [--only asos|sobol] [--adaptive] [--fresh] [--sky-shadows] [--threads N]
 //                     [SCENE...]
 //
-// SCENE is a name from the table or an argument of `asos render`; without any, all built-in scenes
-// and all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance clipped to 0..1 against
-// --reference Sobol samples of two other seeds, without their noise (HalvedReference). Times are
-// CPU times, medians of alternating runs. "x" is the ratio of Sobol sampling's time to that of ASOS
-// at the same error, interpolated on its ladder (log-log): `e` marks an extrapolation beyond the
-// ladder, `*` an uncertain error of ASOS, where x is a lower bound. Scenes with features that
-// are far brighter than white and smaller than a pixel need references of thousands of samples: the
-// clipped halves of smaller ones agree by chance.
+// SCENE is a name from the table, "builtin" for all built-in scenes, or an argument of `asos
+// render`; without any, all models in $ASOS_SHARED/scenes. Errors are RMSE of linear radiance
+// clipped to 0..1 against --reference Sobol samples of two other seeds, without their noise
+// (HalvedReference). Times are CPU times, medians of alternating runs. "x" is the ratio of Sobol
+// sampling's time to that of ASOS at the same error, interpolated on its ladder (log-log): `e`
+// marks an extrapolation beyond the ladder, `*` an uncertain error of ASOS, where x is a lower
+// bound. Scenes with features that are far brighter than white and smaller than a pixel need
+// references of thousands of samples: the clipped halves of smaller ones agree by chance.
 //
 // --adaptive adds a second rival, sobol-adaptive with its ladder of EPS (renderer/study/ladders.h).
 // If ASOS's error exceeds that of its first step, the time of that step counts, marked `e`.
