@@ -1,10 +1,10 @@
 #pragma once
 
-#include "app/values.h"
 #include "renderer/geometry/camera_fit.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/result.h"
 #include "renderer/settings/settings.h"
+#include "renderer/settings/value_text.h"
 #include "renderer/world/world.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "app/clip_choice.h"
 
 #include "app/turntable.h"
-#include "app/values.h"
+#include "renderer/settings/value_text.h"
 
 #include <fmt/format.h>
 

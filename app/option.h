@@ -2,6 +2,8 @@
 
 #include "renderer/result.h"
 #include "renderer/settings/names.h"
+#include "renderer/settings/setting_table.h"
+#include "renderer/settings/value_text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,15 +34,8 @@ CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std
 
 /// Returns a parser of the names in a table such as leaf_names, which must outlive it.
 template <typename Named, std::size_t N>
-auto parse_name(std::span<const Named, N> known) {
-  return [known](const std::string& text) -> Result<decltype(Named::value)> {
-    std::string names;
-    for (const Named& one : known) {
-      if (text == one.name) return one.value;
-      names += (names.empty() ? "" : ", ") + std::string(one.name);
-    }
-    return tl::unexpected(Error{fmt::format("\"{}\"", text), "not one of " + names});
-  };
+auto name_parser(std::span<const Named, N> known) {
+  return [known](const std::string& text) { return parse_name(text, known); };
 }
 
 /// Adds an option with one of the names in a table as its value; the default is the current
@@ -48,9 +43,13 @@ auto parse_name(std::span<const Named, N> known) {
 template <typename Names, typename T>
 CLI::Option* add_choice(CLI::App& app, const char* option, const char* kind, const char* help,
                         const Names& known, T& value) {
-  return add_parsed_option(app, option, kind, help, parse_name(std::span(known)),
+  return add_parsed_option(app, option, kind, help, name_parser(std::span(known)),
                            [&value](T chosen) { value = chosen; })
       ->default_str(name_in(known, value));
 }
+
+/// Adds the option of a setting, with its help, range and default; `more` follows the help.
+CLI::Option* add_setting(CLI::App& app, const char* option, const char* shape,
+                         RenderSettings& settings, const std::string& more = {});
 
 }  // namespace asos

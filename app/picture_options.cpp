@@ -35,61 +35,14 @@ auto number(double lo, double hi, bool open = false) {
 }
 
 void add_mirror_options(CLI::App& app, RenderSettings& settings) {
-  add_parsed_option(
-      app, "--reflections", "N", "Maximum mirror and refraction bounces, 0 (none) to 64",
-      whole(0, MirrorSettings::max_bounces), [&](int n) { settings.mirror.bounces = n; })
-      ->default_str(std::to_string(settings.mirror.bounces));
-  add_parsed_option(
-      app, "--roughest-mirror", "R",
-      "Largest roughness that reflects the scene, 0 to 1; rougher surfaces reflect the mean sky",
-      number(0, 1), [&](double r) { settings.mirror.roughest = r; })
-      ->default_str(fmt::format("{}", settings.mirror.roughest));
+  add_setting(app, "reflections", "N", settings);
+  add_setting(app, "roughest-mirror", "R", settings);
   add_parsed_option(
       app, "--dfr", "MIN,MAX,N",
       "One DFR for all mirrors: DFR = MIN + (MAX - MIN) sin(alpha)^N at the angle of incidence "
       "alpha (CGF'98 section 5.1)",
       [](const std::string& text) { return parse_dfr(text); },
       [&](const Dfr& dfr) { settings.mirror.dfr = dfr; });
-}
-
-void add_curved_mirror_options(CLI::App& app, RenderSettings& settings) {
-  add_choice(
-      app, "--curved-mirror", "NAME",
-      "Reflection on curved mirrors: approximate (nearest pyramid), tangent (tangent plane), "
-      "supersample (split to MAX first) or adaptive (split where rays diverge; CGF'98 section 5.2)",
-      curved_mirror_names, settings.mirror.curved);
-  add_parsed_option(app, "--mirror-angle", "DEG",
-                    "Largest angle of a reflected pyramid on curved shapes, 0 to 180 degrees; "
-                    "meshes use an eighth of it",
-                    number(0, 180), [&](double a) { settings.mirror.widest_angle_deg = a; })
-      ->default_str(fmt::format("{}", settings.mirror.widest_angle_deg));
-}
-
-void add_texture_resolution(CLI::App& app, RenderSettings& settings) {
-  add_parsed_option(
-      app, "--tr", "N",
-      "TR, 1 to 8: N x N texture samples per pixel without edges (CGF'98 section 3.2)",
-      whole(1, TextureSettings::max_resolution), [&](int n) { settings.texture.resolution = n; })
-      ->default_str(std::to_string(settings.texture.resolution));
-}
-
-// Options of the methods that ASOS is compared with.
-void add_rival_options(CLI::App& app, RenderSettings& settings) {
-  add_parsed_option(app, "--contrast", "C",
-                    "whitted: contrast above which a square is split, display intensity 0 to 1",
-                    number(0, 1), [&](double c) { settings.sampling.contrast = c; })
-      ->default_str(fmt::format("{}", settings.sampling.contrast));
-  add_parsed_option(app, "--depth", "K", "whitted: deepest level, 0 to 8",
-                    whole(0, max_level_limit), [&](int k) { settings.sampling.depth = k; })
-      ->default_str(std::to_string(settings.sampling.depth));
-  app.add_flag("--spheres", settings.sampling.spheres,
-               "whitted: also split where a ray misses an object but hits its enlarged sphere");
-  add_parsed_option(app, "--contrast-scale", "S",
-                    "mitchell: scale of the contrast thresholds 0.4, 0.3, 0.6 (red, green, blue); "
-                    "0 (high density everywhere) to 4 (nowhere)",
-                    number(0, SamplingSettings::max_contrast_scale),
-                    [&](double s) { settings.sampling.contrast_scale = s; })
-      ->default_str(fmt::format("{}", settings.sampling.contrast_scale));
 }
 
 // Lists each method's name and hint.
@@ -119,85 +72,38 @@ std::string listed(bool (*wanted)(const MethodRow& row)) {
 
 void add_method_options(CLI::App& app, RenderSettings& settings) {
   add_choice(app, "--method", "NAME", method_words().c_str(), method_table(), settings.method);
-  add_parsed_option(app, "--max", "K",
-                    "MAX, the deepest level, 0 to 8: cells of 1/2^K pixel with at most 4 samples "
-                    "each; sobol-adaptive: at most 4^(K+1) samples per pixel",
-                    whole(0, max_level_limit), [&](int k) { settings.asos.max_level = k; })
-      ->default_str(std::to_string(settings.asos.max_level));
-  add_parsed_option(app, "--eps", "E",
-                    "EPS, the allowed error of a pixel's display intensity, 0 to 1; "
-                    "sobol-adaptive: the standard error",
-                    number(0, 1), [&](double e) { settings.asos.eps = e; })
-      ->default_str(fmt::format("{}", settings.asos.eps));
-  add_choice(app, "--leaf", "KIND", "Cell shading: exact (cut along edges) or point (one sample)",
-             leaf_names, settings.asos.leaf);
-  add_choice(app, "--rule", "NAME",
-             "When to stop splitting: unresolved (unresolved area <= EPS) or published (L / 2^2K "
-             "<= EPS for each object)",
-             rule_names, settings.asos.rule);
-  add_choice(app, "--detect", "KIND", "Edge test: square (the pixel) or cone (the cone around it)",
-             detection_names, settings.asos.detect);
-  add_parsed_option(app, "--fat", "N", "Block size for the edge search in pixels: 2, 4, 8 or 16",
-                    whole(2, 16), [&](int n) { settings.asos.fat = n; })
-      ->default_str(std::to_string(settings.asos.fat));
-  add_parsed_option(
-      app, "--filter-width", "W",
-      "Width of the box filter in pixels, 1 to 4; for " + listed([](const MethodRow& row) {
-        return row.takes_filter_width;
-      }) + " (CGF'98 section 3)",
-      number(1, RenderSettings::max_filter_width), [&](double w) { settings.filter_width = w; })
-      ->default_str(fmt::format("{}", settings.filter_width));
-  add_parsed_option(
-      app, "--line-width", "W", "Width of lines and points in pixels, 0 (hidden) to 16",
-      number(0, RenderSettings::max_line_width), [&](double w) { settings.line_width = w; })
-      ->default_str(fmt::format("{}", settings.line_width));
-  app.add_flag("--jitter", settings.asos.jitter, "Jitter the samples of cells unresolved at MAX");
-  add_parsed_option(app, "--spp", "N",
-                    "Samples per pixel of sobol and, at high contrast, mitchell; rounded up to a "
-                    "square for uniform, stochastic and ray-bound",
-                    whole(1, 65536), [&](int n) { settings.sampling.spp = n; })
-      ->default_str(std::to_string(settings.sampling.spp));
-  add_rival_options(app, settings);
-  add_choice(app, "--texture-filter", "KIND",
-             "Texture filter: footprint (averages textures and highlights over the area of a "
-             "sample) or point (single points)",
-             texture_filter_names, settings.texture.filter);
-  add_texture_resolution(app, settings);
+  add_setting(app, "max", "K", settings);
+  add_setting(app, "eps", "E", settings);
+  add_setting(app, "leaf", "KIND", settings);
+  add_setting(app, "rule", "NAME", settings);
+  add_setting(app, "detect", "KIND", settings);
+  add_setting(app, "fat", "N", settings);
+  add_setting(app, "filter-width", "W", settings,
+              "; for " + listed([](const MethodRow& row) { return row.takes_filter_width; }));
+  add_setting(app, "line-width", "W", settings);
+  app.add_flag("--jitter", settings.asos.jitter, setting_of_option("jitter").about);
+  add_setting(app, "spp", "N", settings);
+  add_setting(app, "contrast", "C", settings);
+  add_setting(app, "depth", "K", settings);
+  app.add_flag("--spheres", settings.sampling.spheres, setting_of_option("spheres").about);
+  add_setting(app, "contrast-scale", "S", settings);
+  add_setting(app, "texture-filter", "KIND", settings);
+  add_setting(app, "tr", "N", settings);
   app.add_flag("!--no-shading-refinement", settings.asos.refine_shading,
                "Split at edges only, not for varying shading");
   app.add_flag("!--no-culling", settings.cull,
                "Show the backs of single-sided materials, which glTF hides");
   app.add_flag("!--no-shadows", settings.shadow.cast, "Turn shadows off");
-  add_choice(app, "--sky-shadows", "ON|OFF", "Ambient occlusion: objects block sky light (slower)",
-             on_off_names, settings.shadow.sky);
-  add_parsed_option(
-      app, "--bounces", "N",
-      "Bounces of indirect diffuse light, 0 or 1; includes ambient occlusion (slower)", whole(0, 1),
-      [&](int n) { settings.shadow.bounces = n; })
-      ->default_str(std::to_string(settings.shadow.bounces));
-  add_choice(app, "--shadow-quality", "NAME",
-             "Method for soft shadows: refined (one look at the light, split where it varies), "
-             "centre, supersampling, forced, extended, extended-divided or extended-adaptive "
-             "(CGF'98 sections 4.2 to 4.3.4)",
-             shadow_quality_names, settings.shadow.quality);
-  add_parsed_option(app, "--shadow-divisions", "N",
-                    "Divisions of a patch per side, for the qualities that divide it: 1 to 16",
-                    whole(1, 16), [&](int n) { settings.shadow.divisions = n; })
-      ->default_str(std::to_string(settings.shadow.divisions));
-  add_choice(app, "--light-rule", "NAME",
-             "Light of area lights: physical (closed forms) or published (I A cos theta with "
-             "inverse square at each cell)",
-             light_rule_names, settings.shadow.light_rule);
+  add_setting(app, "sky-shadows", "ON|OFF", settings);
+  add_setting(app, "bounces", "N", settings);
+  add_setting(app, "shadow-quality", "NAME", settings);
+  add_setting(app, "shadow-divisions", "N", settings);
+  add_setting(app, "light-rule", "NAME", settings);
   add_mirror_options(app, settings);
-  add_curved_mirror_options(app, settings);
-  add_parsed_option(app, "--seed", "N",
-                    "Seed of the noise of sobol, sobol-adaptive, mitchell, whitted and average",
-                    whole(0, std::numeric_limits<int>::max()),
-                    [&](int seed) { settings.seed = seed; })
-      ->default_str("0");
-  add_parsed_option(app, "--threads", "N", "Worker threads, 1 to 1024; 0: one for each core",
-                    whole(0, 1024), [&](int n) { settings.threads = n; })
-      ->default_str("0");
+  add_setting(app, "curved-mirror", "NAME", settings);
+  add_setting(app, "mirror-angle", "DEG", settings);
+  add_setting(app, "seed", "N", settings);
+  add_setting(app, "threads", "N", settings);
 }
 
 std::string environment_words() {
@@ -245,7 +151,7 @@ void add_stage_options(CLI::App& app, PictureArguments& arguments) {
       ->default_str("environment; a grey gradient for softboxes and windows");
   add_parsed_option(app, "--ground", "WHAT",
                     "Ground plane: off, on (catches shadows) or mirror (also reflects)",
-                    parse_name(std::span(ground_names)),
+                    name_parser(std::span(ground_names)),
                     [&](Ground ground) {
                       arguments.settings.ground = ground;
                       arguments.ground_chosen = true;
@@ -368,7 +274,7 @@ void add_look_options(CLI::App& app, PictureArguments& arguments) {
   add_camera_choice(app, arguments.camera);
   add_sky_options(app, arguments, "neutral");
   add_mirror_options(app, arguments.settings);
-  add_texture_resolution(app, arguments.settings);
+  add_setting(app, "tr", "N", arguments.settings);
   add_needs_option(app, arguments.render_features);
   add_asset_root_option(app, arguments.asset_root);
 }

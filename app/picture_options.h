@@ -2,11 +2,11 @@
 
 #include "app/camera_choice.h"
 #include "app/clip_choice.h"
-#include "app/values.h"
 #include "renderer/gltf/load.h"
 #include "renderer/picture/picture_description.h"
 #include "renderer/result.h"
 #include "renderer/settings/settings.h"
+#include "renderer/settings/value_text.h"
 #include "renderer/world/render_features.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "app/shutter_option.h"
 
 #include "app/option.h"
-#include "app/values.h"
 #include "renderer/comparison/method.h"
+#include "renderer/settings/value_text.h"
 
 #include <fmt/format.h>
 

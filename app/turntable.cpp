@@ -1,6 +1,6 @@
 #include "app/turntable.h"
 
-#include "app/values.h"
+#include "renderer/settings/value_text.h"
 
 #include <fmt/format.h>
 

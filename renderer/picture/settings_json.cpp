@@ -5,6 +5,7 @@
 #include "renderer/picture/json_fields.h"
 #include "renderer/picture/path_text.h"
 #include "renderer/settings/names.h"
+#include "renderer/settings/setting_table.h"
 #include "renderer/shading/environments.h"
 
 #include <algorithm>
@@ -12,52 +13,69 @@
 namespace asos {
 namespace {
 
-/// Visits the settings that every picture has. Crop, DFR, sky and newer settings are written
-/// separately.
-template <typename Fields, typename Settings>
-void each_setting(Fields& fields, Settings& s) {
-  fields("width", s.width);
-  fields("height", s.height);
-  fields.named("method", method_table(), s.method);
-  fields("max_level", s.asos.max_level);
-  fields("eps", s.asos.eps);
-  fields.named("leaf", leaf_names, s.asos.leaf);
-  fields.named("rule", rule_names, s.asos.rule);
-  fields.named("detect", detection_names, s.asos.detect);
-  fields("fat", s.asos.fat);
-  fields("refine_shading", s.asos.refine_shading);
-  fields("filter_width", s.filter_width);
-  fields("jitter", s.asos.jitter);
-  fields("spp", s.sampling.spp);
-  fields("contrast", s.sampling.contrast);
-  fields("depth", s.sampling.depth);
-  fields("spheres", s.sampling.spheres);
-  fields("contrast_scale", s.sampling.contrast_scale);
-  fields.named("texture_filter", texture_filter_names, s.texture.filter);
-  fields("texture_resolution", s.texture.resolution);
-  fields("shadows", s.shadow.cast);
-  fields.named("shadow_quality", shadow_quality_names, s.shadow.quality);
-  fields("shadow_divisions", s.shadow.divisions);
-  fields.named("light_rule", light_rule_names, s.shadow.light_rule);
-  fields("reflections", s.mirror.bounces);
-  fields("roughest_mirror", s.mirror.roughest);
-  fields.named("curved_mirror", curved_mirror_names, s.mirror.curved);
-  fields("mirror_angle", s.mirror.widest_angle_deg);
-  fields("cull", s.cull);
-  fields("seed", s.seed);
+void write_setting(FieldWriter& fields, const SettingRow& row, double value) {
+  switch (row.kind) {
+    case SettingKind::flag:
+      return fields(row.key, value != 0.0);
+    case SettingKind::whole:
+      return fields(row.key, static_cast<int>(value));
+    case SettingKind::number:
+      return fields(row.key, value);
+    case SettingKind::choice:
+      return fields(row.key, row.text_of(value));
+  }
+}
+
+template <typename T>
+double read_as(FieldReader& fields, const SettingRow& row) {
+  T value{};
+  fields(row.key, value);
+  return static_cast<double>(value);
+}
+
+double read_choice(FieldReader& fields, const SettingRow& row) {
+  const OrderedJson* at = fields.take(row.key);
+  if (!at) return row.usual();
+  const Result<double> value =
+      at->is_string() ? row.parse(at->get<std::string>()) : unexpected(Error{});
+  if (!value) fields.refuse(row.key, "is none of the names that this version knows");
+  return value.value_or(row.usual());
+}
+
+double read_setting(FieldReader& fields, const SettingRow& row) {
+  switch (row.kind) {
+    case SettingKind::flag:
+      return read_as<bool>(fields, row);
+    case SettingKind::whole:
+      return read_as<int>(fields, row);
+    case SettingKind::number:
+      return read_as<double>(fields, row);
+    case SettingKind::choice:
+      break;
+  }
+  return read_choice(fields, row);
+}
+
+void write_table(FieldWriter& fields, const RenderSettings& settings, Saved saved) {
+  for (const SettingRow& row : setting_table()) {
+    const double value = row.get(settings);
+    if (row.saved != saved) continue;
+    if (saved == Saved::always || value != row.usual()) write_setting(fields, row, value);
+  }
+}
+
+void read_table(FieldReader& fields, RenderSettings& settings) {
+  for (const SettingRow& row : setting_table())
+    if (row.saved == Saved::always || (row.saved == Saved::unless_usual && fields.has(row.key)))
+      row.set(settings, read_setting(fields, row));
 }
 
 // Written only if not the default, since older pictures do not have them.
-constexpr const char* sky_shadows_key = "sky_shadows";
-constexpr const char* bounces_key = "bounces";
 constexpr const char* sky_turn_key = "turn_deg";
 constexpr const char* sky_brightness_key = "brightness";
 constexpr const char* environment_key = "environment";
-constexpr const char* line_width_key = "line_width";
 constexpr const char* background_key = "background";
-constexpr const char* ground_key = "ground";
 constexpr const char* judged_tone_key = "judged_tone";
-constexpr const char* shutter_key = "shutter_seconds";
 constexpr const char* shutter_camera_key = "shutter_camera";
 constexpr const char* layers_key = "layers";
 
@@ -167,23 +185,18 @@ OrderedJson settings_json(const RenderSettings& settings) {
 
 OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) {
   FieldWriter fields;
-  each_setting(fields, settings);
+  fields.named("method", method_table(), settings.method);
+  write_table(fields, settings, Saved::always);
   fields.other("crop", crop_json(settings.crop));
   fields.other("dfr", dfr_json(settings.mirror.dfr));
   fields.other("sky", sky_json(sky));
-  if (settings.shadow.sky) fields(sky_shadows_key, true);
-  if (settings.shadow.bounces > 0) fields(bounces_key, settings.shadow.bounces);
-  if (settings.line_width != RenderSettings{}.line_width)
-    fields(line_width_key, settings.line_width);
+  write_table(fields, settings, Saved::unless_usual);
   if (settings.background != Background{})
     fields.other(background_key, background_json(settings.background));
-  if (settings.ground != Ground::off) fields.named(ground_key, ground_names, settings.ground);
   if (settings.judged_tone != ToneCurve::none)
     fields.named(judged_tone_key, tone_names, settings.judged_tone);
-  if (settings.shutter.blurs()) {
-    fields(shutter_key, settings.shutter.seconds);
-    if (settings.shutter.camera >= 0) fields(shutter_camera_key, settings.shutter.camera);
-  }
+  if (settings.shutter.blurs() && settings.shutter.camera >= 0)
+    fields(shutter_camera_key, settings.shutter.camera);
   if (!settings.layers.empty()) fields(layers_key, text_of(settings.layers));
   return fields.take();
 }
@@ -191,27 +204,16 @@ OrderedJson settings_json(const RenderSettings& settings, const SkyChoice& sky) 
 Result<DescribedSettings> settings_from_json(const OrderedJson& json) {
   DescribedSettings read;
   FieldReader fields(json, "settings");
-  each_setting(fields, read.settings);
+  fields.named("method", method_table(), read.settings.method);
+  read_table(fields, read.settings);
   read_crop(fields, read.settings.crop);
   read_dfr(fields, read.settings.mirror.dfr);
   read_sky_choice(fields, read.sky);
-  if (json.is_object() && json.contains(sky_shadows_key))
-    fields(sky_shadows_key, read.settings.shadow.sky);
-  if (json.is_object() && json.contains(bounces_key))
-    fields(bounces_key, read.settings.shadow.bounces);
-  if (json.is_object() && json.contains(line_width_key))
-    fields(line_width_key, read.settings.line_width);
-  if (json.is_object() && json.contains(background_key))
-    read_background(fields, read.settings.background);
-  if (json.is_object() && json.contains(ground_key))
-    fields.named(ground_key, ground_names, read.settings.ground);
-  if (json.is_object() && json.contains(judged_tone_key))
+  if (fields.has(background_key)) read_background(fields, read.settings.background);
+  if (fields.has(judged_tone_key))
     fields.named(judged_tone_key, tone_names, read.settings.judged_tone);
-  if (json.is_object() && json.contains(shutter_key))
-    fields(shutter_key, read.settings.shutter.seconds);
-  if (json.is_object() && json.contains(shutter_camera_key))
-    fields(shutter_camera_key, read.settings.shutter.camera);
-  if (json.is_object() && json.contains(layers_key)) read_layers(fields, read.settings.layers);
+  if (fields.has(shutter_camera_key)) fields(shutter_camera_key, read.settings.shutter.camera);
+  if (fields.has(layers_key)) read_layers(fields, read.settings.layers);
   if (std::string fault = fields.fault(); !fault.empty())
     return unexpected(Error{"settings", std::move(fault)});
   if (const auto valid = validated(read.settings); !valid)

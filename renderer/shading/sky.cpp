@@ -1,6 +1,7 @@
 #include "renderer/shading/sky.h"
 
 #include "renderer/lights/light_math.h"
+#include "renderer/settings/value_text.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/dfr.h"
 #include "renderer/shading/environment.h"
@@ -222,6 +223,24 @@ glm::vec3 Sky::ambient(glm::vec3 normal) const {
   glm::dvec3 irradiance = gradient_.irradiance_over_pi(normal);
   if (!sides_.none()) irradiance += sides_.irradiance_over_pi(normal);
   return sky_visibility * glm::vec3(irradiance);
+}
+
+Result<SkyChoice> parse_sky(std::string_view text) {
+  if (text == "neutral") return SkyChoice{};
+  for (const EnvironmentRow& row : environments) {
+    if (text != row.name) continue;
+    SkyChoice sky;
+    sky.environment = row.value;
+    return sky;
+  }
+  if (text.ends_with(".hdr") || text.ends_with(".exr"))
+    return SkyChoice{{}, std::string(text), 0.0};
+  const auto colours = parse_colours(text,
+                                     "not neutral, softboxes, windows, studio, daylight, dusk, "
+                                     "white, grey, R,G,B such as 0.3,0.5,0.9, R,G,B:R,G,B (zenith "
+                                     "and horizon) or a file that ends in .hdr or .exr");
+  if (!colours) return unexpected(colours.error());
+  return SkyChoice{SkyChoice::Colours{colours->first, colours->second}, "", 0.0};
 }
 
 Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice) {

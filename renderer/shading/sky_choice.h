@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace asos {
 
@@ -34,6 +35,10 @@ struct SkyChoice {
 
   bool operator==(const SkyChoice&) const = default;
 };
+
+/// Reads "neutral", an environment's name, "R,G,B", "R,G,B:R,G,B" (zenith and horizon; linear, 0 to
+/// 1e6) or the name of a file that ends in .hdr or .exr, which is not opened.
+[[nodiscard]] Result<SkyChoice> parse_sky(std::string_view text);
 
 /// Makes the chosen sky, null for the neutral one. Reads the file if there is one; errors name it.
 [[nodiscard]] Result<std::shared_ptr<const Sky>> make_sky(const SkyChoice& choice);

@@ -1,4 +1,4 @@
-#include "app/values.h"
+#include "renderer/settings/value_text.h"
 
 #include <gtest/gtest.h>
 

@@ -16,9 +16,9 @@
 // --levels ends the ladder of ASOS at MAX K. --causes prints the distribution of time and error at
 // one MAX: by the outcome of pixels, and by the kind of surface.
 
-#include "app/values.h"
 #include "renderer/comparison/method.h"
 #include "renderer/settings/names.h"
+#include "renderer/settings/value_text.h"
 #include "renderer/study/curves.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"

@@ -22,9 +22,9 @@
 // renders only ASOS; --fresh measures the ladder again, as on another machine. --only asos never
 // renders the ladder, --only sobol fills the cache.
 
-#include "app/values.h"
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
+#include "renderer/settings/value_text.h"
 #include "renderer/study/ladders.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"

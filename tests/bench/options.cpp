@@ -1,6 +1,6 @@
 #include "tests/bench/options.h"
 
-#include "app/values.h"
+#include "renderer/settings/value_text.h"
 
 #include <CLI/CLI.hpp>
 

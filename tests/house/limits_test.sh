@@ -71,7 +71,7 @@ limit 'warnings' 'printed 10' app/render_warnings.cpp 'most_lines = 10;'
 limit 'steps of motion blur' '1024' renderer/prepared/exposure.h 'most_steps = 1024;'
 limit 'steps of motion blur' '4 million' renderer/prepared/exposure.h "most_triangles = 4'000'000,"
 limit 'steps of motion blur' '16 million' renderer/prepared/exposure.h "most_ray_triangles = 16'000'000;"
-limit 'picture side' '32768 pixels' renderer/settings/settings.cpp 'max_side = 32768;'
+limit 'picture side' '32768 pixels' renderer/settings/setting_table.cpp 'max_side = 32768;'
 
 # A row may have several numbers.
 rows=$(wc -l <<<"$table")
