@@ -51,13 +51,19 @@ class ASOS_API Scene {
   /// `invalid_argument` where a light is not finite or has no size.
   [[nodiscard]] Result<Scene> with_lights(std::span<const Light> lights) const;
 
+  /// Returns the scene at a moment of one of its file's animations, as LoadOptions selects it. Only
+  /// what moves is built again, and the file is not read again. Its lights are those of this scene
+  /// after `with_lights`. Fails with `invalid_argument` where there is no such animation, or the
+  /// time is not 0 or more.
+  [[nodiscard]] Result<Scene> at(double seconds, const std::string& animation = {}) const;
+
   [[nodiscard]] std::string name() const;
   /// Repaired or ignored parts of the file, each as a sentence.
   [[nodiscard]] std::vector<std::string> warnings() const;
   /// The scene's cameras, in the file's order.
   [[nodiscard]] std::vector<Camera> cameras() const;
-  /// Returns the first camera, or one that frames the scene in a picture of this aspect ratio
-  /// (width over height, above 0).
+  /// Returns the first camera (`fitted`), or one that frames the scene, for a picture of this
+  /// aspect ratio (width over height, above 0).
   [[nodiscard]] Camera default_camera(double aspect_ratio) const;
   /// The file's animations.
   [[nodiscard]] std::vector<AnimationInfo> animations() const;

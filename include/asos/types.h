@@ -49,7 +49,30 @@ struct Camera {
   std::optional<double> far_depth = {};
   double aperture_radius = 0.0;      ///< of a thin lens, in metres; 0: a pinhole
   std::optional<double> focus = {};  ///< depth of the focus plane; none: automatic
+  int blades = 0;                    ///< corners of the aperture, 3 to 32; 0: a disk
+  double blade_turn_rad = 0.0;       ///< counter-clockwise turn of the first corner from the right
+  /// Width over height of the picture that the author had in mind; none: any. See `fitted`.
+  std::optional<double> aspect_ratio = {};
+  /// Number of the scene's camera whose motion it follows while the shutter is open; -1: it stands
+  /// still. `Scene::cameras` sets it.
+  int follows = -1;
 };
+
+/// How a camera with an aspect ratio is shown in a picture with another one (glTF 2.0, section
+/// 3.10.3).
+enum class CameraFit {
+  crop,  ///< by height: a wider camera loses its sides
+  fit,   ///< all of its view, and more
+  fill   ///< nothing outside its view
+};
+
+/// Returns the camera for a picture of this aspect ratio (width over height): only `fov_y_rad`, or
+/// `height`, changes.
+[[nodiscard]] ASOS_API Camera fitted(const Camera& camera, double aspect_ratio,
+                                     CameraFit fit = CameraFit::fit);
+
+/// Returns `aperture_radius` of a scene in metres at f/`f_stop`, on a sensor that is 24 mm high.
+[[nodiscard]] ASOS_API double aperture_of_f_stop(double f_stop, double fov_y_rad);
 
 /// Returns a camera at `eye` that looks at `target`, with +Y up; for a vertical view -Z is up.
 /// `fov_y_rad`: full vertical angle. Two equal points give a camera that `render` refuses.

@@ -2,10 +2,12 @@
 
 #include "asos/asos.h"
 #include "renderer/files/printable.h"
+#include "renderer/geometry/camera_fit.h"
 #include "renderer/geometry/finite.h"
 #include "renderer/gltf/validate_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asos::api {
@@ -65,6 +67,9 @@ asos::Camera camera_of(const Camera& camera, glm::dvec3 origin) {
   of.far_depth = camera.far_depth;
   of.lens.radius = camera.aperture_radius;
   of.lens.focus = camera.focus;
+  of.lens.blades = camera.blades;
+  of.lens.turn_rad = camera.blade_turn_rad;
+  of.aspect_ratio = camera.aspect_ratio;
   return of;
 }
 
@@ -83,7 +88,24 @@ Camera camera_of(const asos::Camera& camera, glm::dvec3 origin) {
   of.far_depth = camera.far_depth;
   of.aperture_radius = camera.lens.radius;
   of.focus = camera.lens.focus;
+  of.blades = camera.lens.blades;
+  of.blade_turn_rad = camera.lens.turn_rad;
+  of.aspect_ratio = camera.aspect_ratio;
   return of;
+}
+
+Camera fitted(const Camera& camera, double aspect_ratio, CameraFit fit) {
+  constexpr std::array fits{asos::CameraFit::crop, asos::CameraFit::fit, asos::CameraFit::fill};
+  const asos::Camera shown = fitted_camera(camera_of(camera, glm::dvec3(0.0)), aspect_ratio,
+                                           fits.at(static_cast<std::size_t>(fit)));
+  Camera of = camera;
+  of.fov_y_rad = shown.fov_y_rad;
+  of.height = shown.height;
+  return of;
+}
+
+double aperture_of_f_stop(double f_stop, double fov_y_rad) {
+  return asos::aperture_of_f_stop(f_stop, fov_y_rad);
 }
 
 Camera look_at(Double3 eye, Double3 target, double fov_y_rad) {

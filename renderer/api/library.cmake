@@ -2,7 +2,7 @@
 # with BUILD_SHARED_LIBS. asos_exports is the shared library for the test of its symbols.
 set(objects)
 foreach(library files geometry sampling film scene gltf settings world features rays lights shading kernels
-    pyray shadows published reflections prepared samples asos comparison picture session api)
+    pyray shadows published reflections prepared samples asos comparison picture session stability study api)
   list(APPEND objects "$<TARGET_OBJECTS:asos_${library}>")
 endforeach()
 

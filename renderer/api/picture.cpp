@@ -2,10 +2,16 @@
 
 #include "renderer/api/convert.h"
 #include "renderer/api/picture_impl.h"
+#include "renderer/api/ready_picture.h"
 #include "renderer/film/image_io.h"
+#include "renderer/picture/exr_picture.h"
 #include "renderer/picture/picture_text.h"
+#include "renderer/study/measures.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -14,35 +20,11 @@
 namespace asos::api {
 namespace {
 
-/// A layer of a film: how many values a pixel has, and where they are.
-struct FilmLayer {
-  LayerInfo info;
-  bool (*present)(const Film& film);
-  float (*value)(const Film& film, std::size_t pixel, int channel);
-};
-
-bool always(const Film& /*film*/) {
-  return true;
-}
-
-const std::vector<FilmLayer>& film_layers() {
-  static const std::vector<FilmLayer> layers{
-      {{"beauty", 3, "radiance"},
-       always,
-       [](const Film& f, std::size_t i, int c) { return f.radiance[i][c]; }},
-      {{"alpha", 1, "share of the pixel"},
-       [](const Film& f) { return !f.coverage.empty(); },
-       [](const Film& f, std::size_t i, int) { return f.coverage[i]; }},
-      {{"level", 1, "level"},
-       always,
-       [](const Film& f, std::size_t i, int) { return static_cast<float>(f.split_level[i]); }},
-      {{"cause", 1, "number"},
-       always,
-       [](const Film& f, std::size_t i, int) { return static_cast<float>(f.cause[i]); }},
-      {{"rays", 1, "rays"}, always, [](const Film& f, std::size_t i, int) { return f.rays[i]; }},
-      {{"time", 1, "s"}, always, [](const Film& f, std::size_t i, int) { return f.seconds[i]; }},
-  };
-  return layers;
+/// The text that renders the picture again; empty: the scene is in no file.
+ImageText text_of(const Picture::Impl& picture, const PictureDisplay& display) {
+  if (!picture.from_file) return {};
+  const Snapshot& of = picture.snapshot;
+  return picture_text(describe(*of.scene, of.camera, of.settings, display));
 }
 
 std::string lower_extension(const std::string& path) {
@@ -78,32 +60,6 @@ std::uint64_t Picture::rays() const {
   return impl_->result.statistics.rays();
 }
 
-std::vector<LayerInfo> Picture::layers() const {
-  std::vector<LayerInfo> infos;
-  for (const FilmLayer& layer : film_layers())
-    if (layer.present(impl_->result.film)) infos.push_back(layer.info);
-  return infos;
-}
-
-Result<Layer> Picture::layer(const std::string& name) const {
-  return guarded("layer", [&]() -> Result<Layer> {
-    const Film& film = impl_->result.film;
-    const auto& all = film_layers();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const FilmLayer& layer) {
-      return layer.info.name == name && layer.present(film);
-    });
-    if (found == all.end())
-      return failure(ErrorCode::invalid_argument, "layer '" + name + "'",
-                     "the picture has no layer of this name");
-    Layer layer{found->info, film.width, film.height, {}};
-    layer.values.reserve(film.radiance.size() * static_cast<std::size_t>(layer.info.channels));
-    for (std::size_t i = 0; i < film.radiance.size(); ++i)
-      for (int c = 0; c < layer.info.channels; ++c)
-        layer.values.push_back(found->value(film, i, c));
-    return layer;
-  });
-}
-
 Result<void> Picture::save(const std::string& path, const SaveOptions& options) const {
   return guarded("picture", [&]() -> Result<void> {
     const std::string extension = lower_extension(path);
@@ -111,21 +67,50 @@ Result<void> Picture::save(const std::string& path, const SaveOptions& options) 
       return failure(ErrorCode::invalid_argument, path, "does not end in .png or .exr");
     if (!std::isfinite(options.exposure_ev))
       return failure(ErrorCode::invalid_argument, "exposure_ev", "is not finite");
+    const Result<ToneCurve> tone = options.tone ? curve_of(*options.tone) : impl_->tone;
+    if (!tone) return tone.error();
+    const PictureDisplay display{options.exposure_ev, false, {}, 0.0f, *tone};
+    const ImageText text = text_of(*impl_, display);
     const Snapshot& of = impl_->snapshot;
-    const ToneCurve tone = impl_->tone;
-    ImageText text;
-    if (impl_->from_file)
-      text = picture_text(describe(*of.scene, of.camera, of.settings,
-                                   {options.exposure_ev, false, {}, 0.0f, tone}));
     const Film& film = impl_->result.film;
-    const PixelRect part = of.settings.visible();
-    ExrOptions exr;
-    exr.window = {of.settings.width, of.settings.height, part.x, part.y};
     const asos::Result<void> written =
-        extension == ".exr" ? write_exr(path, film, text, exr)
-                            : write_png(path, film, {options.exposure_ev, tone}, text);
+        extension == ".exr"
+            ? write_exr(path, film, text, exr_options(*of.scene, of.camera, of.settings))
+            : write_png(path, film, display.transform(), text);
     if (!written) return failure(ErrorCode::cannot_write, written.error());
     return {};
+  });
+}
+
+Result<void> Picture::save_split_map(const std::string& path, SplitMapKind kind) const {
+  return guarded("split map", [&]() -> Result<void> {
+    if (lower_extension(path) != ".png")
+      return failure(ErrorCode::invalid_argument, path, "does not end in .png");
+    if (kind < SplitMapKind::level || kind > SplitMapKind::time)
+      return failure(ErrorCode::invalid_argument, "kind", "there is no such map");
+    constexpr std::array kinds{SplitMapColours::level, SplitMapColours::cause,
+                               SplitMapColours::rays, SplitMapColours::time};
+    const SplitMapColours colours = kinds[static_cast<std::size_t>(kind)];
+    const PictureDisplay display{0.0f, true, colours, 1.0f, impl_->tone};
+    const asos::Result<void> written =
+        write_split_map_png(path, impl_->result.film, {colours}, text_of(*impl_, display));
+    if (!written) return failure(ErrorCode::cannot_write, written.error());
+    return {};
+  });
+}
+
+Result<Difference> compare(const Picture& picture, const Picture& reference) {
+  return guarded("pictures", [&]() -> Result<Difference> {
+    const Film& film = picture.impl().result.film;
+    const Film& truth = reference.impl().result.film;
+    if (film.width != truth.width || film.height != truth.height)
+      return failure(ErrorCode::invalid_argument, "pictures",
+                     fmt::format("have other sizes: {}x{} and {}x{}", film.width, film.height,
+                                 truth.width, truth.height));
+    const Measures of = measure(film, truth);
+    return Difference{
+        of.rmse,      -20.0 * std::log10(of.rmse), of.mae, of.p99, of.max, of.rmse_display,
+        of.perceptual};
   });
 }
 

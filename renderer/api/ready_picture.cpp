@@ -6,10 +6,13 @@
 #include "renderer/geometry/validate_camera.h"
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
+#include "renderer/prepared/exposure.h"
 #include "renderer/prepared/with_ground.h"
 #include "renderer/prepared/with_lines.h"
 #include "renderer/session/film_render.h"
-#include "renderer/shading/environments.h"
+#include "renderer/settings/setting_table.h"
+#include "renderer/settings/value_text.h"
+#include "renderer/shading/sky_choice.h"
 
 #include <fmt/format.h>
 
@@ -23,11 +26,6 @@ namespace {
 
 Error wrong_setting(std::string name, std::string reason) {
   return failure(ErrorCode::invalid_argument, std::move(name), std::move(reason));
-}
-
-ToneCurve curve_of(Tone tone) {
-  constexpr std::array curves{ToneCurve::none, ToneCurve::neutral, ToneCurve::agx};
-  return curves[static_cast<std::size_t>(tone)];
 }
 
 Result<Method> method_of(const std::string& name) {
@@ -48,6 +46,35 @@ std::string set_crop(const Settings& from, RenderSettings& to) {
   return {};
 }
 
+/// Sets the named layers. "all" is all of them.
+Result<void> set_layers(const std::vector<std::string>& names, RenderSettings& to) {
+  for (const std::string& name : names) {
+    const auto layer = parse_layers(name);
+    if (!layer) return failure(ErrorCode::invalid_argument, layer.error());
+    for (const asos::Layer one : layer->layers()) to.layers.insert(one);
+  }
+  return {};
+}
+
+constexpr const char* dfr_name = "dfr";
+
+Result<void> set_more(const std::map<std::string, std::string>& more, RenderSettings& to) {
+  for (const auto& [name, text] : more) {
+    if (name == dfr_name) {
+      const auto dfr = parse_dfr(text);
+      if (!dfr) return wrong_setting(name, dfr.error().message());
+      to.mirror.dfr = *dfr;
+      continue;
+    }
+    const SettingRow* row = find_setting(name);
+    if (!row) return wrong_setting(name, "there is no such setting");
+    const auto value = row->parse(text);
+    if (!value) return wrong_setting(name, value.error().message());
+    row->set(to, *value);
+  }
+  return {};
+}
+
 Result<RenderSettings> settings_of(const Settings& from) {
   RenderSettings to;
   const Result<Method> method = method_of(from.method);
@@ -63,11 +90,14 @@ Result<RenderSettings> settings_of(const Settings& from) {
   to.shadow.sky = from.sky_shadows;
   to.shadow.bounces = from.bounces;
   to.mirror.bounces = from.reflections;
+  to.shutter.seconds = from.shutter_seconds;
   to.seed = from.seed;
   to.threads = from.threads;
-  if (from.tone < Tone::none || from.tone > Tone::agx)
-    return wrong_setting("tone", "there is no such curve");
-  to = judged_by(to, curve_of(from.tone));
+  const Result<ToneCurve> curve = curve_of(from.tone);
+  if (!curve) return curve.error();
+  if (auto set = set_layers(from.layers, to); !set) return set.error();
+  if (auto set = set_more(from.more, to); !set) return set.error();
+  to = judged_by(to, *curve);
   if (auto valid = validated(to); !valid)
     return failure(ErrorCode::invalid_argument, valid.error());
   if (std::string fault = set_crop(from, to); !fault.empty())
@@ -92,24 +122,18 @@ Result<void> set_surroundings(const Settings& from, const Scene::Impl& scene,
                                asos::Ground::mirror};
   to.ground = grounds[static_cast<std::size_t>(from.ground)];
   if (from.sky.empty()) {
-    const DefaultLook look = scene.relit ? DefaultLook{} : default_look(*scene.scene, camera);
+    const DefaultLook look = scene.relit() ? DefaultLook{} : default_look(*scene.scene, camera);
     if (look.sky)
       to.sky = std::make_shared<const Sky>(
           look.sky->turned(from.sky_turn_deg).brightened(from.sky_brightness));
     if (from.ground == Ground::automatic) to.ground = look.ground;
     return {};
   }
-  if (from.sky == "neutral") return {};
-  SkyChoice choice;
-  choice.turn_deg = from.sky_turn_deg;
-  choice.brightness = from.sky_brightness;
-  const auto known = std::find_if(environments.begin(), environments.end(),
-                                  [&](const EnvironmentRow& row) { return from.sky == row.name; });
-  if (known != environments.end())
-    choice.environment = known->value;
-  else
-    choice.file = from.sky;
-  auto sky = make_sky(choice);
+  auto choice = parse_sky(from.sky);
+  if (!choice) return wrong_setting("sky", choice.error().message());
+  choice->turn_deg = from.sky_turn_deg;
+  choice->brightness = from.sky_brightness;
+  auto sky = make_sky(*choice);
   if (!sky) return failure(ErrorCode::cannot_open, sky.error());
   to.sky = *std::move(sky);
   return {};
@@ -122,6 +146,9 @@ Result<void> set_background(const Settings& from, RenderSettings& to) {
       break;
     case Background::environment:
       to.background.kind = BackgroundKind::environment;
+      break;
+    case Background::blurred:
+      to.background.kind = BackgroundKind::blurred;
       break;
     case Background::transparent:
       to.background.kind = BackgroundKind::transparent;
@@ -139,7 +166,69 @@ Result<void> set_background(const Settings& from, RenderSettings& to) {
   return {};
 }
 
+/// Gives a scene the light, ground and lines of a picture. `as`: another moment of it, which stands
+/// on its ground.
+asos::Result<std::shared_ptr<const RenderScene>> completed(std::shared_ptr<const RenderScene> scene,
+                                                           bool relit, const asos::Camera& camera,
+                                                           const RenderSettings& settings,
+                                                           const World* as = nullptr) {
+  asos::Result<std::shared_ptr<const RenderScene>> lit = std::move(scene);
+  if (!relit) lit = lit_under(*lit, settings.sky.get());
+  if (lit) lit = with_ground(*std::move(lit), settings.ground, as);
+  if (lit) lit = with_lines(*std::move(lit), line_picture(camera, settings));
+  return lit;
+}
+
+/// The scene while the shutter is open.
+asos::Result<std::shared_ptr<const RenderScene>> in_motion(
+    const std::shared_ptr<const RenderScene>& scene, const Scene::Impl& of,
+    const asos::Camera& camera, const RenderSettings& settings) {
+  if (!settings.shutter.blurs() || !row_of(settings.method).takes_motion) return scene;
+  const auto at = [&](const ClipTime& time, const std::shared_ptr<MeshStore>& meshes) {
+    const auto ground = [&](const World&, bool) {
+      return GroundChoice{settings.ground, &scene->world()};
+    };
+    auto moment = scene_at(of, time, ground, meshes);
+    if (!moment) return moment;
+    const asos::Camera then =
+        camera_at(camera, settings.shutter.camera, scene->world(), (*moment)->world());
+    return completed(*std::move(moment), of.relit(), then, settings, &scene->world());
+  };
+  return exposed(scene, camera, settings, at, needs_boundaries(settings.method));
+}
+
+/// The scene at the picture's moment.
+Result<std::shared_ptr<const RenderScene>> at_its_moment(const Scene& scene,
+                                                         const RenderSettings& settings) {
+  const std::shared_ptr<const RenderScene>& ready = scene.impl().scene;
+  if (!settings.shutter.blurs() || ready->geometry->time) return ready;
+  Result<Scene> beginning = scene.at(0.0);
+  if (!beginning)
+    return wrong_setting("shutter_seconds", "the scene has no animations, so nothing moves");
+  return beginning->impl().scene;
+}
+
+SettingInfo info_of(const SettingRow& row) {
+  SettingInfo info{row.key, row.about, row.text_of(row.usual()), {}, row.lo, row.hi};
+  if (row.kind == SettingKind::flag) info.choices = {"on", "off"};
+  if (row.kind == SettingKind::choice) info.choices.assign(row.names.begin(), row.names.end());
+  return info;
+}
+
 }  // namespace
+
+std::vector<SettingInfo> setting_list() {
+  std::vector<SettingInfo> list;
+  for (const SettingRow& row : setting_table()) list.push_back(info_of(row));
+  list.push_back({dfr_name,
+                  "One DFR for all mirrors, as MIN,MAX,N: DFR = MIN + (MAX - MIN) sin(alpha)^N at "
+                  "the angle of incidence alpha (CGF'98 section 5.1)",
+                  "",
+                  {},
+                  0.0,
+                  0.0});
+  return list;
+}
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
@@ -151,20 +240,29 @@ Result<ReadyPicture> ready_picture(const Scene& scene, const Camera& camera,
                                    const Settings& settings) {
   Result<RenderSettings> wanted = settings_of(settings);
   if (!wanted) return wanted.error();
-  std::shared_ptr<const RenderScene> ready = scene.impl().scene;
+  Result<std::shared_ptr<const RenderScene>> at = at_its_moment(scene, *wanted);
+  if (!at) return at.error();
+  const std::shared_ptr<const RenderScene>& ready = *at;
+  if (camera.follows >= static_cast<int>(ready->world().cameras.size()))
+    return wrong_setting("camera.follows", "the scene has no such camera");
+  wanted->shutter.camera = std::max(camera.follows, -1);
   const asos::Camera seen = camera_of(camera, ready->world().origin);
   if (std::string fault = validate_camera(seen); !fault.empty())
     return failure(ErrorCode::invalid_argument, "camera '" + camera.name + "'", std::move(fault));
   if (auto set = set_surroundings(settings, scene.impl(), seen, *wanted); !set) return set.error();
   if (auto set = set_background(settings, *wanted); !set) return set.error();
-  asos::Result<std::shared_ptr<const RenderScene>> lit = ready;
-  if (!scene.impl().relit) lit = lit_under(ready, wanted->sky.get());
-  if (lit) lit = with_ground(*std::move(lit), wanted->ground);
-  if (lit) lit = with_lines(*std::move(lit), line_picture(seen, *wanted));
+  auto lit = completed(ready, scene.impl().relit(), seen, *wanted);
+  if (lit) lit = in_motion(*lit, scene.impl(), seen, *wanted);
   if (!lit) return failure(ErrorCode::out_of_memory, lit.error());
   if (const auto able = check_method(**lit, *wanted); !able)
     return failure(ErrorCode::unsupported, able.error());
-  return ReadyPicture{{*std::move(lit), seen, *std::move(wanted)}, curve_of(settings.tone)};
+  return ReadyPicture{{*std::move(lit), seen, *std::move(wanted)}, *curve_of(settings.tone)};
+}
+
+Result<ToneCurve> curve_of(Tone tone) {
+  constexpr std::array curves{ToneCurve::none, ToneCurve::neutral, ToneCurve::agx};
+  if (tone < Tone::none || tone > Tone::agx) return wrong_setting("tone", "there is no such curve");
+  return curves[static_cast<std::size_t>(tone)];
 }
 
 Progress progress_of(const asos::Progress& progress) {

@@ -15,6 +15,9 @@ struct ReadyPicture {
 [[nodiscard]] Result<ReadyPicture> ready_picture(const Scene& scene, const Camera& camera,
                                                  const Settings& settings);
 
+/// Fails for no curve of the interface.
+[[nodiscard]] Result<ToneCurve> curve_of(Tone tone);
+
 [[nodiscard]] Progress progress_of(const asos::Progress& progress);
 
 }  // namespace asos::api

@@ -209,37 +209,9 @@ TEST(ApiVersion, HasThreeNumbers) {
   EXPECT_EQ(std::sscanf(version(), "%d.%d.%d", numbers, numbers + 1, numbers + 2), 3);
 }
 
-// A file with one triangle that moves along x, from 0 to 4 m in 2 s.
-std::string moving_triangle() {
-  const std::vector<float> numbers{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 4, 0, 0};
-  std::string bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float));
-  std::string base64;
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (int shift = 18; shift >= 0; shift -= 6) base64 += digits[group >> shift & 63u];
-  }
-  base64.resize((bytes.size() * 4 + 2) / 3);
-  base64.resize((base64.size() + 3) / 4 * 4, '=');
-  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
-    "nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-    "animations":[{"name":"slide","samplers":[{"input":1,"output":2}],
-      "channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}]}],
-    "accessors":[
-      {"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
-      {"bufferView":1,"componentType":5126,"count":2,"type":"SCALAR","min":[0],"max":[2]},
-      {"bufferView":2,"componentType":5126,"count":2,"type":"VEC3"}],
-    "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},
-      {"buffer":0,"byteOffset":36,"byteLength":8},{"buffer":0,"byteOffset":44,"byteLength":24}],
-    "buffers":[{"byteLength":68,"uri":"data:application/octet-stream;base64,)" +
-         base64 + "\"}]}";
-}
-
 TEST(ApiScene, LoadsAMomentOfAnAnimation) {
   const asos::test::TemporaryFolder folder;
-  const std::string path = folder.write("slide.gltf", moving_triangle());
+  const std::string path = folder.write("slide.gltf", test::moving_triangle());
   const Result<Scene> at_rest = Scene::load(path);
   ASSERT_TRUE(at_rest) << at_rest.error().message();
   ASSERT_EQ(at_rest->animations().size(), 1u);
@@ -259,7 +231,7 @@ TEST(ApiScene, LoadsAMomentOfAnAnimation) {
 
 TEST(ApiScene, RefusesTimesThatThereAreNot) {
   const asos::test::TemporaryFolder folder;
-  const std::string path = folder.write("slide.gltf", moving_triangle());
+  const std::string path = folder.write("slide.gltf", test::moving_triangle());
   LoadOptions options;
   options.seconds = -1.0;
   expect_invalid(Scene::load(path, options), "seconds");
