@@ -3,6 +3,7 @@
 #include <array>
 #include <asos/asos.h>
 #include <cstddef>
+#include <map>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -34,10 +35,20 @@ void check(const api::Result<void>& result);
 [[nodiscard]] api::Matrix4 matrix_of(const Array<double>& rows);
 [[nodiscard]] Array<double> rows_of(const api::Matrix4& matrix);
 
+/// Returns the value of a name. Raises ValueError for another name.
+template <typename Enum>
+Enum named(const std::string& name, const std::map<std::string, Enum>& names) {
+  const auto found = names.find(name);
+  if (found == names.end()) throw py::value_error("no such choice: '" + name + "'");
+  return found->second;
+}
+[[nodiscard]] const std::map<std::string, api::Tone>& tone_names();
+
 /// Reads settings by their names in `Scene.render`. Raises TypeError for another name, or another
 /// type.
 [[nodiscard]] api::Settings settings_of(const py::dict& values);
 
+void bind_lists(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_render(py::module_& module);
 

@@ -11,16 +11,49 @@ namespace asos::python {
 
 namespace {
 
-/// Hands a layer's values to numpy, which then owns them: shape (height, width), or (height, width,
-/// channels).
-py::array_t<float> array_of(api::Layer layer) {
-  auto values = std::make_unique<std::vector<float>>(std::move(layer.values));
+/// (height, width), or (height, width, channels) of a Layer or a LayerView.
+template <typename Values>
+std::vector<py::ssize_t> shape_of(const Values& layer) {
   std::vector<py::ssize_t> shape{layer.height, layer.width};
   if (layer.info.channels > 1) shape.push_back(layer.info.channels);
+  return shape;
+}
+
+/// Hands a layer's values to numpy, which then owns them.
+py::array_t<float> array_of(api::Layer layer) {
+  auto values = std::make_unique<std::vector<float>>(std::move(layer.values));
   float* data = values->data();
   const py::capsule owner(values.release(),
                           [](void* held) { delete static_cast<std::vector<float>*>(held); });
-  return py::array_t<float>(shape, data, owner);
+  return py::array_t<float>(shape_of(layer), data, owner);
+}
+
+/// Shows numpy the values that the picture holds, for reading. The array keeps the picture.
+py::array_t<float> array_of(const api::LayerView& view, const api::Picture& picture) {
+  py::array_t<float> array(shape_of(view), view.values.data(), py::cast(api::Picture(picture)));
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
+py::array_t<float> layer(const api::Picture& picture, const std::string& name) {
+  if (const auto view = picture.view(name)) return array_of(*view, picture);
+  return array_of(value_of(picture.layer(name)));
+}
+
+/// Columns of the parts of pixels: index of the pixel, id, share.
+py::tuple id_shares(const api::Picture& picture, const std::string& name) {
+  const std::vector<api::IdShare> shares = value_of(picture.id_shares(name));
+  const auto count = static_cast<py::ssize_t>(shares.size());
+  py::array_t<std::uint32_t> pixels(count);
+  py::array_t<std::int32_t> ids(count);
+  py::array_t<float> parts(count);
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const api::IdShare& share = shares[static_cast<std::size_t>(i)];
+    pixels.mutable_at(i) = share.pixel;
+    ids.mutable_at(i) = share.id;
+    parts.mutable_at(i) = share.share;
+  }
+  return py::make_tuple(pixels, ids, parts);
 }
 
 // Tells Python about a render, and stops it by a signal (Ctrl+C) or an exception of the callback.
@@ -122,11 +155,34 @@ void bind_picture(py::module_& module) {
              for (const api::LayerInfo& info : picture.layers()) names.push_back(info.name);
              return names;
            })
-      .def("layer", [](const Picture& picture,
-                       const std::string& name) { return array_of(value_of(picture.layer(name))); })
-      .def("save", [](const Picture& picture, const std::string& path, float exposure_ev) {
-        check(picture.save(path, {exposure_ev}));
-      });
+      .def("layer", layer)
+      .def("id_shares", id_shares)
+      .def("id_names", [](const Picture& picture,
+                          const std::string& name) { return value_of(picture.id_names(name)); })
+      .def("predicted_level",
+           [](const Picture& picture, double eps, int max) {
+             return array_of(value_of(picture.predicted_level(eps, max)));
+           })
+      .def("save",
+           [](const Picture& picture, const std::string& path, float exposure_ev,
+              const std::optional<std::string>& tone) {
+             api::SaveOptions options{exposure_ev, std::nullopt};
+             if (tone) options.tone = named(*tone, tone_names());
+             check(picture.save(path, options));
+           })
+      .def("save_split_map",
+           [](const Picture& picture, const std::string& path, const std::string& kind) {
+             using Kind = api::SplitMapKind;
+             check(picture.save_split_map(path, named<Kind>(kind, {{"level", Kind::level},
+                                                                   {"cause", Kind::cause},
+                                                                   {"rays", Kind::rays},
+                                                                   {"time", Kind::time}})));
+           });
+  module.def("compare", [](const Picture& picture, const Picture& reference) {
+    const api::Difference d = value_of(api::compare(picture, reference));
+    return py::make_tuple(d.rmse, d.psnr_db, d.mean_absolute, d.p99, d.worst, d.rmse_display,
+                          d.delta_e);
+  });
 }
 
 std::vector<std::array<int, 4>> take_tiles(api::Session& session, py::array_t<float>& rgb) {

@@ -73,7 +73,23 @@ void bind_camera(py::module_& module) {
       .def_readwrite("near_depth", &Camera::near_depth)
       .def_readwrite("far_depth", &Camera::far_depth)
       .def_readwrite("aperture_radius", &Camera::aperture_radius, "0: a pinhole.")
-      .def_readwrite("focus", &Camera::focus, "Depth of the focus plane; None: automatic.");
+      .def_readwrite("focus", &Camera::focus, "Depth of the focus plane; None: automatic.")
+      .def_readwrite("blades", &Camera::blades, "Corners of the aperture; 0: a disk.")
+      .def_readwrite("blade_turn_rad", &Camera::blade_turn_rad)
+      .def_readwrite("aspect_ratio", &Camera::aspect_ratio, "Width over height; None: any.")
+      .def_readwrite("follows", &Camera::follows,
+                     "The scene's camera whose motion it follows; -1: none.");
+  using Fit = api::CameraFit;
+  module.def(
+      "fitted",
+      [](const Camera& camera, double aspect_ratio, const std::string& fit) {
+        return api::fitted(
+            camera, aspect_ratio,
+            named<Fit>(fit, {{"crop", Fit::crop}, {"fit", Fit::fit}, {"fill", Fit::fill}}));
+      },
+      py::arg("camera"), py::arg("aspect_ratio"), py::arg("fit") = "fit");
+  module.def("aperture_of_f_stop", &api::aperture_of_f_stop, py::arg("f_stop"),
+             py::arg("fov_y_rad"));
   module.def("look_at", &api::look_at, py::arg("eye"), py::arg("target"),
              py::arg("fov_y_rad") = 0.87266462);
 }
@@ -162,6 +178,15 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("animations", &Scene::animations)
       .def_property_readonly("triangles", &Scene::triangles)
       .def("default_camera", &Scene::default_camera)
+      .def("at",
+           [](const Scene& scene, double seconds, const std::string& animation) {
+             std::optional<api::Result<Scene>> moved;
+             {
+               const py::gil_scoped_release others_go_on;
+               moved.emplace(scene.at(seconds, animation));
+             }
+             return value_of(*std::move(moved));
+           })
       .def("with_lights", [](const Scene& scene, const std::vector<api::Light>& lights) {
         return value_of(scene.with_lights(lights));
       });

@@ -1,7 +1,9 @@
 #include "renderer/python/bind.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
+#include <vector>
 
 namespace asos::python {
 
@@ -50,10 +52,7 @@ Setter sets(T api::Settings::*member) {
 template <typename Enum>
 Setter sets_by_name(Enum api::Settings::*member, std::map<std::string, Enum> names) {
   return [member, names = std::move(names)](api::Settings& settings, const py::handle& value) {
-    const auto name = value.cast<std::string>();
-    const auto found = names.find(name);
-    if (found == names.end()) throw py::value_error("no such choice: '" + name + "'");
-    settings.*member = found->second;
+    settings.*member = named(value.cast<std::string>(), names);
   };
 }
 
@@ -88,26 +87,73 @@ const std::map<std::string, Setter>& setters() {
       {"background",
        sets_by_name<Background>(&Settings::background, {{"auto", Background::automatic},
                                                         {"environment", Background::environment},
+                                                        {"blurred", Background::blurred},
                                                         {"colours", Background::colours},
                                                         {"transparent", Background::transparent}})},
       {"background_top", sets(&Settings::background_top)},
       {"background_bottom", sets(&Settings::background_bottom)},
-      {"tone",
-       sets_by_name<Tone>(&Settings::tone,
-                          {{"none", Tone::none}, {"neutral", Tone::neutral}, {"agx", Tone::agx}})},
+      {"tone", sets_by_name<Tone>(&Settings::tone, tone_names())},
+      {"shutter_seconds", sets(&Settings::shutter_seconds)},
+      {"layers", sets(&Settings::layers)},
       {"seed", sets(&Settings::seed)},
       {"threads", sets(&Settings::threads)}};
   return all;
 }
 
+/// Whether the interface lists a setting of this name.
+bool is_listed(const std::string& name) {
+  static const std::vector<api::SettingInfo> list = api::setting_list();
+  return std::any_of(list.begin(), list.end(),
+                     [&](const api::SettingInfo& info) { return info.name == name; });
+}
+
+/// The text of a value: "on", "0.5", "exact", or "0.05,1,32" for a sequence.
+std::string text_of(const py::handle& value) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "on" : "off";
+  if (py::isinstance<py::str>(value) || !py::isinstance<py::sequence>(value)) return py::str(value);
+  std::string text;
+  for (const py::handle& one : value) text += (text.empty() ? "" : ",") + text_of(one);
+  return text;
+}
+
+py::list setting_list() {
+  py::list list;
+  for (const api::SettingInfo& info : api::setting_list())
+    list.append(
+        py::make_tuple(info.name, info.about, info.usual, info.choices, info.least, info.most));
+  return list;
+}
+
+py::list layer_list() {
+  py::list list;
+  for (const api::LayerInfo& info : api::layer_list())
+    list.append(py::make_tuple(info.name, info.channels, info.unit, info.about, info.ids));
+  return list;
+}
+
 }  // namespace
+
+const std::map<std::string, api::Tone>& tone_names() {
+  static const std::map<std::string, api::Tone> names{
+      {"none", api::Tone::none}, {"neutral", api::Tone::neutral}, {"agx", api::Tone::agx}};
+  return names;
+}
+
+void bind_lists(py::module_& module) {
+  module.def("setting_list", setting_list);
+  module.def("layer_list", layer_list);
+}
 
 api::Settings settings_of(const py::dict& values) {
   api::Settings settings;
   for (const auto& [key, value] : values) {
     const auto name = key.cast<std::string>();
     const auto found = setters().find(name);
-    if (found == setters().end()) throw py::type_error("there is no setting '" + name + "'");
+    if (found == setters().end()) {
+      if (!is_listed(name)) throw py::type_error("there is no setting '" + name + "'");
+      settings.more[name] = text_of(value);
+      continue;
+    }
     try {
       found->second(settings, value);
     } catch (const py::cast_error&) {
@@ -124,6 +170,7 @@ PYBIND11_MODULE(_asos, module) {
   module.def("version", &asos::api::version);
   module.def("method_names", &asos::api::method_names);
   module.def("cause_name", &asos::api::cause_name);
+  asos::python::bind_lists(module);
   asos::python::bind_scene(module);
   asos::python::bind_render(module);
 }

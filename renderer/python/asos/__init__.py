@@ -11,6 +11,8 @@ Conventions are glTF's: right-handed, +Y up, metres, radians; colours are linear
 
 from __future__ import annotations
 
+import contextlib
+import importlib
 import os
 import tempfile
 from dataclasses import dataclass
@@ -19,7 +21,17 @@ from typing import Any, Callable, Iterator, NamedTuple, Optional, Sequence
 import numpy as np
 
 from . import _asos
-from ._asos import AnimationInfo, Camera, Light, LightType, Material, Progress, look_at
+from ._asos import (
+    AnimationInfo,
+    Camera,
+    Light,
+    LightType,
+    Material,
+    Progress,
+    aperture_of_f_stop,
+    fitted,
+    look_at,
+)
 from .errors import (
     CannotOpen,
     CannotWrite,
@@ -34,15 +46,56 @@ from .trace import Cell, Edge, PixelTrace, Sample, trace_from
 __version__ = _asos.version()
 __all__ = [
     "AnimationInfo", "Camera", "CannotOpen", "CannotWrite", "Cancelled", "Cell", "Comparison",
-    "Edge", "Error", "InvalidArgument", "Light", "LightType", "Material", "Mesh", "OutOfMemory",
-    "Picture", "PixelTrace", "Progress", "Sample", "Scene", "SplitMap", "Unsupported", "Update",
-    "compare", "load", "look_at", "methods", "trace",
+    "Edge", "Error", "IdShares", "InvalidArgument", "LayerInfo", "Light", "LightType", "Material",
+    "Mesh", "OutOfMemory", "Picture", "PixelTrace", "Progress", "Sample", "Scene", "Setting",
+    "SplitMap", "Unsupported", "Update", "aperture_of_f_stop", "compare", "fitted", "layers", "load",
+    "look_at", "methods", "settings", "trace",
 ]  # fmt: skip
 
 
 def methods() -> list[str]:
     """Return the names of all methods, "asos" first."""
     return _asos.method_names()
+
+
+class Setting(NamedTuple):
+    """A setting that `Scene.render` takes by its name."""
+
+    name: str
+    about: str
+    usual: str  #: its default
+    choices: list[str]  #: its values; empty: a number, or a sequence of them
+    least: float  #: a number's range
+    most: float
+
+
+def settings() -> list[Setting]:
+    """Return the settings beyond those that the help of `Scene.render` lists."""
+    return [Setting(*row) for row in _asos.setting_list()]
+
+
+class LayerInfo(NamedTuple):
+    """A layer that a picture may have."""
+
+    name: str
+    channels: int
+    unit: str
+    about: str
+    ids: bool  #: its values are numbers of objects or materials
+
+
+def layers() -> list[LayerInfo]:
+    """Return all layers. `Scene.render(layers=["depth", ...])` asks for others than the usual."""
+    return [LayerInfo(*row) for row in _asos.layer_list()]
+
+
+class IdShares(NamedTuple):
+    """Which parts of pixels show which object or material. Arrays have one entry a part."""
+
+    pixel: np.ndarray  #: y * width + x, uint32
+    id: np.ndarray  #: index into `names`, or -1 for the background, int32
+    share: np.ndarray  #: of the pixel's area, above 0 to 1, float32
+    names: list[str]
 
 
 class SplitMap(NamedTuple):
@@ -92,9 +145,22 @@ class Picture:
     def __getitem__(self, layer: str) -> np.ndarray:
         """Return a layer, row by row from the top: (height, width) or (height, width, channels).
 
-        "beauty" is linear radiance. Raises `InvalidArgument` where there is no such layer.
+        "beauty" is linear radiance. The array is the picture's own memory, for reading; "level",
+        "cause" and ids are copies. Ids are those of the largest share of a pixel; -1: background.
+        Raises `InvalidArgument` where there is no such layer.
         """
         return self._handle.layer(layer)
+
+    def id_shares(self, layer: str) -> IdShares:
+        """Return all shares of "object" or "material". Raises `InvalidArgument` for others."""
+        return IdShares(*self._handle.id_shares(layer), self._handle.id_names(layer))
+
+    def predicted_level(self, eps: float, max: int) -> np.ndarray:
+        """Return the level of each pixel, uint8, as it would be for another EPS and MAX.
+
+        Takes 20 ns a pixel. Raises `InvalidArgument` for pictures by other methods than ASOS.
+        """
+        return self._handle.predicted_level(eps, max).astype(np.uint8)
 
     def split_map(self) -> SplitMap:
         """Return the level and the cause of each pixel. Only pictures by ASOS are split."""
@@ -104,9 +170,18 @@ class Picture:
             names.append(name)
         return SplitMap(self["level"].astype(np.uint8), causes, names)
 
-    def save(self, path: str | os.PathLike, exposure_ev: float = 0.0) -> None:
-        """Write display values (.png) or linear radiance (.exr). `exposure_ev`: in stops."""
-        self._handle.save(os.fspath(path), exposure_ev)
+    def save(
+        self, path: str | os.PathLike, exposure_ev: float = 0.0, tone: Optional[str] = None
+    ) -> None:
+        """Write display values (.png), or linear radiance with all layers (.exr).
+
+        `exposure_ev`: in stops. `tone`: "none", "neutral" or "agx"; None: that of the render.
+        """
+        self._handle.save(os.fspath(path), exposure_ev, tone)
+
+    def save_split_map(self, path: str | os.PathLike, by: str = "level") -> None:
+        """Write a map of the splits (.png) by "level", "cause", "rays" or "time"."""
+        self._handle.save_split_map(os.fspath(path), by)
 
     def _repr_png_(self) -> bytes:
         with tempfile.TemporaryDirectory() as folder:
@@ -132,6 +207,23 @@ class Mesh:
     material: int = 0  #: index into the scene's materials
     world_from_mesh: Sequence[np.ndarray] = ()  #: none: once, at its own place
     name: str = ""
+
+
+@contextlib.contextmanager
+def _bar_of(progress: Any) -> Iterator[Optional[Callable[[Progress], None]]]:
+    """Yield the callback of `Scene.render`'s `progress`. True: that of a bar, if there is tqdm."""
+    if not isinstance(progress, bool):
+        yield progress
+        return
+    try:
+        bar = importlib.import_module("tqdm.auto").tqdm(total=100, unit="%") if progress else None
+    except ImportError:
+        bar = None
+    if bar is None:
+        yield None
+        return
+    with bar:
+        yield lambda state: bar.update(max(0, round(100 * state.fraction) - bar.n))
 
 
 class Update(NamedTuple):
@@ -214,6 +306,13 @@ class Scene:
         """Return the same scene in other light. Geometry and materials are shared."""
         return Scene._of(self._handle.with_lights(list(lights)))
 
+    def at(self, seconds: float, animation: str = "") -> Scene:
+        """Return the scene at a moment of an animation, by number or name; "": the first.
+
+        The file is not read again. Raises `InvalidArgument` where there is no such animation.
+        """
+        return Scene._of(self._handle.at(seconds, animation))
+
     def _camera(self, camera: Optional[Camera], settings: dict[str, Any]) -> Camera:
         if camera is not None:
             return camera
@@ -223,29 +322,31 @@ class Scene:
         self,
         camera: Optional[Camera] = None,
         *,
-        progress: Optional[Callable[[Progress], None]] = None,
+        progress: bool | Callable[[Progress], None] | None = None,
         time_limit: Optional[float] = None,
         **settings: Any,
     ) -> Picture:
         """Render a picture and wait for it. Other threads go on; Ctrl+C stops it.
 
-        `progress` is called about ten times a second. `time_limit`: seconds, for the best picture
-        of that time.
+        `progress` is called about ten times a second; True shows a bar, if `tqdm` is installed.
+        `time_limit`: seconds, for the best picture of that time.
 
         Settings and their defaults: width=1280, height=720, crop=None (x, y, width, height),
         method="asos" (see `methods`), max=4, eps=1/256, samples=16 (of sampling methods),
         texture_resolution=1, shadows=True, sky_shadows=False, bounces=0, reflections=4, sky="",
         sky_turn_deg=0, sky_brightness=1, ground="auto" ("off", "on", "mirror"), background="auto"
-        ("environment", "colours", "transparent"), background_top, background_bottom (r, g, b),
-        tone="neutral" ("none", "agx"), seed=0, threads=0 (one for each core).
+        ("environment", "blurred", "colours", "transparent"), background_top, background_bottom
+        (r, g, b), tone="neutral" ("none", "agx"), shutter_seconds=0, layers=() (see `layers`),
+        seed=0, threads=0 (one for each core). `settings` lists all others.
 
         Raises `InvalidArgument`, `CannotOpen` (the sky's file), `Unsupported` or `OutOfMemory`.
         """
-        return Picture(
-            _asos.render(
-                self._handle, self._camera(camera, settings), settings, progress, time_limit
+        with _bar_of(progress) as listener:
+            return Picture(
+                _asos.render(
+                    self._handle, self._camera(camera, settings), settings, listener, time_limit
+                )
             )
-        )
 
     def session(self, camera: Optional[Camera] = None, **settings: Any) -> Iterator[Update]:
         """Render in the background and yield the picture as it comes, coarse pixels first.
@@ -302,16 +403,21 @@ def trace(
 
 
 class Comparison(NamedTuple):
-    """The difference of two pictures, of linear values clipped to 0 to 1."""
+    """The difference of two pictures, of linear values clipped to 0 to 1.
+
+    A pixel's own error is the root mean square of its channels.
+    """
 
     rmse: float
     psnr: float  #: dB for a peak of 1; infinite for equal pictures
+    mean_absolute: float
+    p99: float  #: 99th percentile of the pixels' errors
+    worst: float  #: the largest pixel's error
+    rmse_display: float  #: after the sRGB curve
+    delta_e: float  #: mean CIEDE2000
 
 
-def compare(a: Picture, b: Picture) -> Comparison:
-    """Return the difference of two pictures. Raises ValueError where their sizes differ."""
-    first, second = (np.clip(p["beauty"].astype(np.float64), 0, 1) for p in (a, b))
-    if first.shape != second.shape:
-        raise ValueError(f"the pictures have other sizes: {first.shape} and {second.shape}")
-    rmse = float(np.sqrt(np.mean((first - second) ** 2)))
-    return Comparison(rmse, float("inf") if rmse == 0 else -20 * float(np.log10(rmse)))
+def compare(picture: Picture, reference: Picture) -> Comparison:
+    """Compare a picture with a reference. Raises `InvalidArgument` where their sizes differ."""
+    # pylint: disable=protected-access
+    return Comparison(*_asos.compare(picture._handle, reference._handle))

@@ -6,7 +6,9 @@ import signal
 import sys
 import tempfile
 import threading
+import types
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -49,7 +51,7 @@ class Pictures(unittest.TestCase):
         self.assertGreater((split.cause == split.names.index("outline")).sum(), 50)
 
     def test_compare_measures_display_range(self):
-        self.assertEqual(asos.compare(self.picture, self.picture), (0.0, float("inf")))
+        self.assertEqual(asos.compare(self.picture, self.picture)[:2], (0.0, float("inf")))
         sampled = self.scene.render(**SMALL, method="sobol", samples=64)
         difference = asos.compare(self.picture, sampled)
         self.assertGreater(difference.rmse, 0)
@@ -57,6 +59,97 @@ class Pictures(unittest.TestCase):
         self.assertAlmostEqual(difference.psnr, -20 * np.log10(difference.rmse))
         with self.assertRaises(ValueError):
             asos.compare(self.picture, self.scene.render(width=32, height=36))
+
+    def test_arrays_are_the_pictures_own_memory(self):
+        first, second = self.picture["beauty"], self.picture["beauty"]
+        self.assertTrue(np.shares_memory(first, second))
+        self.assertFalse(first.flags.writeable)
+        with self.assertRaises(ValueError):
+            first[0, 0] = 1
+        self.assertFalse(np.shares_memory(self.picture["level"], self.picture["level"]))
+
+    def test_layers_that_are_asked_for(self):
+        names = [layer.name for layer in asos.layers()]
+        picture = self.scene.render(**SMALL, layers=["depth", "object"])
+        self.assertEqual(set(picture.layers) - set(self.picture.layers), {"depth", "object"})
+        self.assertLess(set(picture.layers), set(names))
+        np.testing.assert_array_equal(picture["beauty"], self.picture["beauty"])
+        self.assertTrue((picture["depth"] > 0).all())
+        shares = picture.id_shares("object")
+        area = np.zeros(64 * 36)
+        np.add.at(area, shares.pixel, shares.share)
+        np.testing.assert_allclose(area, 1, atol=1e-5)
+        largest = picture["object"].astype(int)
+        self.assertIn(largest[18, 32], range(len(shares.names)))
+
+    def test_the_split_map_can_be_predicted(self):
+        level = self.picture.split_map().level
+        same = self.picture.predicted_level(1 / 256, 4)
+        self.assertEqual(same.dtype, np.uint8)
+        self.assertGreater((same == level).mean(), 0.9)
+        self.assertEqual(self.picture.predicted_level(1, 0).max(), 0)
+        with self.assertRaises(asos.InvalidArgument):
+            self.picture.predicted_level(2, 4)
+
+    def test_other_settings_by_their_names(self):
+        names = {setting.name for setting in asos.settings()}
+        self.assertIn("filter_width", names)
+        wide = self.scene.render(**SMALL, filter_width=2, refine_shading=False)
+        self.assertGreater(asos.compare(wide, self.picture).rmse, 0.005)
+        with self.assertRaises(TypeError):
+            self.scene.render(**SMALL, no_such_setting=1)
+        with self.assertRaises(asos.InvalidArgument) as raised:
+            self.scene.render(**SMALL, filter_width=5)
+        self.assertEqual(raised.exception.subject, "filter_width")
+        mirrors = self.scene.render(**SMALL, dfr=(0.5, 0.5, 1))
+        self.assertTrue(mirrors.finished)
+
+    def test_cameras_are_fitted_and_have_a_lens(self):
+        camera = asos.look_at((0, 1, 4), (0, 0, 0), fov_y_rad=0.8)
+        camera.aspect_ratio = 2
+        self.assertEqual(asos.fitted(camera, 2).fov_y_rad, 0.8)
+        self.assertGreater(asos.fitted(camera, 1).fov_y_rad, 0.8)
+        self.assertEqual(asos.fitted(camera, 1, "crop").fov_y_rad, 0.8)
+        camera.aperture_radius = asos.aperture_of_f_stop(0.2, 0.8)
+        camera.blades = 5
+        blurred = self.scene.render(camera, **SMALL, method="sobol")
+        camera.aperture_radius = 0
+        sharp = self.scene.render(camera, **SMALL, method="sobol")
+        self.assertGreater(asos.compare(blurred, sharp).rmse, 0.003)
+
+    def test_a_bar_needs_no_tqdm(self):
+        shown = []
+
+        class Bar:
+            n = 0
+
+            def __init__(self, **_options):
+                shown.append(self)
+
+            def __enter__(self):
+                return self
+
+            def __exit__(self, *_):
+                return None
+
+            def update(self, percent):
+                self.n += percent
+
+        module = types.ModuleType("tqdm.auto")
+        module.tqdm = Bar
+        with unittest.mock.patch.dict(sys.modules, {"tqdm": module, "tqdm.auto": module}):
+            self.scene.render(**SMALL, progress=True)
+        self.assertEqual(shown[0].n, 100)
+        with unittest.mock.patch.dict(sys.modules, {"tqdm": None, "tqdm.auto": None}):
+            self.scene.render(**SMALL, progress=True)
+
+    def test_a_split_map_is_saved(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "map.png")
+            self.picture.save_split_map(path, by="cause")
+            self.assertEqual(path.read_bytes()[:4], b"\x89PNG")
+            with self.assertRaises(ValueError):
+                self.picture.save_split_map(path, by="colour")
 
     def test_a_trace_has_the_bits_of_the_picture(self):
         split = self.picture.split_map()
