@@ -3,24 +3,55 @@
 #include "renderer/task_order.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <exception>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 namespace asos {
 
+/// The first exception of the calls of a loop. TBB never sees one: when it cancels a group of tasks
+/// while another thread ends, it may read that thread's freed data (seen with 2021.8).
+class FirstException {
+ public:
+  /// Calls `visit`, unless a call has thrown before.
+  template <typename Visit>
+  void call(const Visit& visit) noexcept {
+    if (thrown_.load(std::memory_order_relaxed)) return;
+    try {
+      visit();
+    } catch (...) {
+      if (!thrown_.exchange(true)) exception_ = std::current_exception();
+    }
+  }
+  /// Call after the loop has ended.
+  void rethrow() const {
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  std::atomic<bool> thrown_{false};
+  std::exception_ptr exception_;
+};
+
 /// Calls visit(begin, end) for ranges of the numbers below `count`, on all processors and in any
 /// order. Each range has at least `fewest` numbers, if there are as many. Returns when all calls
-/// are done. If a call throws, the exception is rethrown after the running calls have ended.
+/// are done. If a call throws, no further ones begin, and the first exception is rethrown after the
+/// running calls have ended.
 template <typename Visit>
 void in_task_ranges(std::size_t count, std::size_t fewest, const Visit& visit) {
-  const TaskOrder::Sending sending;
-  const auto run = [&visit](const tbb::blocked_range<std::size_t>& range) {
+  FirstException exception;
+  const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
     const TaskOrder::Task task;
-    visit(range.begin(), range.end());
+    exception.call([&] { visit(range.begin(), range.end()); });
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, fewest), run);
+  {
+    const TaskOrder::Sending sending;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, fewest), run);
+  }
+  exception.rethrow();
 }
 
 /// Calls visit(i) for the numbers below `count`, in the same way.
