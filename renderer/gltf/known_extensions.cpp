@@ -44,6 +44,8 @@ constexpr auto known = std::to_array<Known>({
     {"MSFT_lod", {Place::nodes, Place::materials}},
     at("KHR_animation_pointer", Place::targets),
     at("KHR_mesh_quantization", Place::root),
+    // Says which triangles were polygons, which nothing here asks.
+    at("FB_ngon_encoding", Place::primitives),
     at("KHR_draco_mesh_compression", Place::primitives),
     {"EXT_meshopt_compression", {Place::buffers, Place::buffer_views}},
     {"KHR_meshopt_compression", {Place::buffers, Place::buffer_views}},

@@ -1,11 +1,15 @@
 #include "renderer/scene/source_files.h"
 
 #include "renderer/gltf/container.h"
+#include "renderer/gltf/converted.h"
 #include "renderer/gltf/files.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <unordered_set>
 #include <utility>
 
@@ -42,6 +46,43 @@ std::vector<gltf::UriFile> named_files(const nlohmann::json& document,
   return files;
 }
 
+/// Reads a file of a model in another format; empty: too large, or not readable.
+std::string text_of(const std::filesystem::path& path) {
+  constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
+  std::error_code error;
+  if (const auto size = std::filesystem::file_size(path, error); error || size > most_bytes)
+    return {};
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+bool is_material_file(const std::filesystem::path& path) {
+  return path.extension() == ".mtl" || path.extension() == ".MTL";
+}
+
+/// Returns the files beside a model in another format whose names occur in it, or in a material
+/// file that it names. Formats are not read for that.
+std::vector<std::string> files_named_in(const std::filesystem::path& model) {
+  constexpr int most_beside = 10'000;
+  std::vector<std::filesystem::path> beside;
+  std::error_code error;
+  const auto folder = model.has_parent_path() ? model.parent_path() : std::filesystem::path(".");
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.is_regular_file(error) && entry.path().filename() != model.filename() &&
+        beside.size() < most_beside)
+      beside.push_back(entry.path());
+  std::sort(beside.begin(), beside.end());
+  std::string text = text_of(model);
+  for (const auto& path : beside)
+    if (is_material_file(path) && text.find(path.filename().string()) != std::string::npos)
+      text += text_of(path);
+  std::vector<std::string> files;
+  for (const auto& path : beside)
+    if (text.find(path.filename().string()) != std::string::npos)
+      files.push_back((model.parent_path() / path.filename()).string());
+  return files;
+}
+
 /// Returns the lowest folder that contains two others.
 std::filesystem::path common_folder(const std::filesystem::path& a,
                                     const std::filesystem::path& b) {
@@ -56,6 +97,10 @@ std::filesystem::path common_folder(const std::filesystem::path& a,
 std::vector<std::string> source_files(const std::string& source, const std::string& asset_root) {
   if (source.starts_with("builtin:")) return {};
   std::vector<std::string> files{source};
+  if (gltf::is_convertible(source)) {
+    for (std::string& file : files_named_in(source)) files.push_back(std::move(file));
+    return files;
+  }
   const nlohmann::json document = document_of(source);
   if (!document.is_object()) return files;
   const std::filesystem::path folder = std::filesystem::path(source).parent_path();

@@ -7,7 +7,8 @@ namespace asos {
 
 /// Returns the files that a scene is read from, whether they exist or not: `source` itself first,
 /// then the buffers and images that a glTF file names below its asset root
-/// (LoadOptions::asset_root). None for a built-in scene; only `source` if it is not readable as
+/// (LoadOptions::asset_root), or the files beside a model in another format whose names occur in
+/// it. None for a built-in scene; only `source` if it is not readable as
 /// glTF. Any thread.
 [[nodiscard]] std::vector<std::string> source_files(const std::string& source,
                                                     const std::string& asset_root = {});

@@ -42,7 +42,7 @@ limit 'textures' '16384 pixels a side' $pictures/picture.h 'largest_picture_side
 limit 'textures' '1100 for each byte' $pictures/picture.cpp 'most_pixels_per_byte = 1100;'
 limit 'all textures' '2^24' $gltf/texture_budget.cpp 'free_texels = std::uint64_t{1} << 24;'
 limit 'all textures' '8 for each' $gltf/texture_budget.cpp 'texels_per_byte = 8;'
-held='decoder memory of interlaced PNGs, progressive JPEGs and lossless WebPs'
+held='decoder memory of interlaced PNGs, progressive JPEGs, lossless WebPs, TGAs and BMPs'
 limit "$held" '128 MiB' $pictures/picture.cpp 'free_held_bytes = std::uint64_t{128} << 20'
 limit "$held" '16 for each byte' $pictures/picture.cpp 'held_bytes_per_byte = 16;'
 limit "$held" '200 scans' $pictures/jpeg_picture.cpp 'most_scans = 200;'

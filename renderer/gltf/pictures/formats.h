@@ -22,4 +22,10 @@ namespace asos {
 [[nodiscard]] PictureResult<Picture> read_webp_picture(PictureBytes bytes, const PictureHead& head,
                                                        int shrink);
 
+/// Whether the bytes are a TGA or a BMP, which old models have.
+[[nodiscard]] bool is_bitmap(PictureBytes bytes);
+[[nodiscard]] PictureResult<PictureHead> bitmap_head(PictureBytes bytes);
+[[nodiscard]] PictureResult<Picture> read_bitmap_picture(PictureBytes bytes,
+                                                         const PictureHead& head, int shrink);
+
 }  // namespace asos

@@ -25,7 +25,6 @@ const char* other_format_of(PictureBytes bytes) {
   };
   if (begins(0, "\xabKTX")) return "KTX";
   if (begins(0, "GIF8")) return "GIF";
-  if (begins(0, "BM")) return "BMP";
   if (begins(0, "DDS ")) return "DDS";
   if (begins(4, "ftypavif")) return "AVIF";
   return nullptr;
@@ -51,7 +50,8 @@ PictureResult<PictureHead> head_of_format(PictureBytes bytes) {
   if (is_webp(bytes)) return webp_head(bytes);
   if (const char* format = other_format_of(bytes))
     return fault(fmt::format("{} pictures are not supported", format));
-  return fault("it is no usable PNG, JPEG or WebP");
+  if (is_bitmap(bytes)) return bitmap_head(bytes);
+  return fault("it is no usable PNG, JPEG, WebP, TGA or BMP");
 }
 
 }  // namespace
@@ -72,12 +72,13 @@ PictureResult<Picture> read_picture(PictureBytes bytes, int shrink) {
   if (!head) return fault(head.error());
   if (head->held_bytes > free_held_bytes + held_bytes_per_byte * bytes.size())
     return fault(
-        fmt::format("its {} x {} pixels come interlaced, progressive or lossless, which takes "
-                    "more memory than a picture of {} bytes has use for",
+        fmt::format("its {} x {} pixels come interlaced, progressive, lossless or as a bitmap, which takes more "
+                    " memory than a picture of {} bytes has use for",
                     head->width, head->height, bytes.size()));
   if (is_png(bytes)) return read_png_picture(bytes, *head, shrink);
   if (is_jpeg(bytes)) return read_jpeg_picture(bytes, *head, shrink);
-  return read_webp_picture(bytes, *head, shrink);
+  if (is_webp(bytes)) return read_webp_picture(bytes, *head, shrink);
+  return read_bitmap_picture(bytes, *head, shrink);
 }
 
 }  // namespace asos

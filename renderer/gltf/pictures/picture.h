@@ -8,8 +8,9 @@
 #include <span>
 #include <string>
 
-// Reads texture pictures: PNG, JPEG and WebP. They are read row by row and reduced on the way if
-// necessary, so that a few bytes that expand to many pixels do not take much memory.
+// Reads texture pictures: PNG, JPEG and WebP, and the TGA and BMP of models in older formats. The
+// first three are read row by row and reduced on the way if necessary, so that a few bytes that
+// expand to many pixels do not take much memory.
 
 namespace asos {
 
@@ -20,7 +21,7 @@ struct PictureHead {
   int width = 0;  ///< 1 to largest_picture_side
   int height = 0;
   /// Memory of the decoder besides the rows that it returns. It is small except for interlaced PNG,
-  /// progressive JPEG and lossless WebP, whose rows are complete only at the end.
+  /// progressive JPEG, lossless WebP, TGA and BMP, whose rows are complete only at the end.
   std::uint64_t held_bytes = 0;
 
   [[nodiscard]] std::uint64_t pixels() const {

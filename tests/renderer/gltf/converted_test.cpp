@@ -1,12 +1,14 @@
 #include "renderer/gltf/converted.h"
 
 #include "renderer/files/helper_program.h"
+#include "renderer/scene/source_files.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace asos {
 namespace {
@@ -61,6 +63,36 @@ TEST_F(ConvertedTest, OtherFormatsOpenWithAWarning) {
   ASSERT_FALSE(quad->materials.empty());
   EXPECT_GT(quad->materials.back().base_color.x, 0.9f);
   EXPECT_LT(quad->materials.back().base_color.y, 0.1f);
+}
+
+// A TGA of one pixel, blue, and a BMP of one pixel, green.
+const std::string blue_tga =
+    std::string("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0", 18) + "\xff" + std::string(2, '\0');
+const std::string green_bmp =
+    std::string("BM\72\0\0\0\0\0\0\0\66\0\0\0\50\0\0\0\1\0\0\0\1\0\0\0\1\0\30\0", 30) +
+    std::string(24, '\0') + std::string("\0\xff\0\0", 4);
+
+TEST_F(ConvertedTest, OldPicturesAreTextures) {
+  folder.write("blue.tga", blue_tga);
+  folder.write("green.bmp", green_bmp);
+  folder.write("unused.tga", blue_tga);
+  for (const char* name : {"blue.tga", "green.bmp"}) {
+    folder.write("quad.mtl", std::string(quad_mtl) + "map_Kd " + name + "\n");
+    const std::string path = folder.write(
+        "quad.obj",
+        "mtllib quad.mtl\nv 0 0 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl red\n"
+        "f 1/1 2/2 3/3\n");
+    const Result<Scene> scene = load_scene(path);
+    ASSERT_TRUE(scene) << scene.error().message();
+    EXPECT_EQ(scene->notes.warnings.size(), 1u) << name << ": " << scene->notes.warnings.front();
+    ASSERT_EQ(scene->images.size(), 1u) << name;
+    const Image& image = scene->images.front();
+    ASSERT_EQ(image.rgba.get().size(), 4u) << name;
+    EXPECT_EQ(image.rgba.get()[1], name[0] == 'g' ? 255 : 0);
+    EXPECT_EQ(image.rgba.get()[2], name[0] == 'b' ? 255 : 0);
+    EXPECT_EQ(source_files(path),
+              (std::vector<std::string>{path, folder.file(name), folder.file("quad.mtl")}));
+  }
 }
 
 TEST_F(ConvertedTest, BrokenFilesAreErrorsThatNameTheFile) {
