@@ -1,13 +1,17 @@
 #include "renderer/gltf/converted.h"
 
 #include "renderer/files/helper_program.h"
+#include "renderer/files/printable.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 #include <utility>
 
 namespace asos::gltf {
@@ -64,6 +68,28 @@ Result<void> convert(const std::string& from, const std::string& to) {
   return {};
 }
 
+/// Replaces bytes of a GLB's JSON that are not UTF-8 by underscores: assimp copies names in the
+/// encoding of the model.
+void mend_names(const std::string& path) {
+  constexpr std::streamoff length_at = 12, json_at = 20;
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  std::array<unsigned char, 4> length{};
+  file.seekg(length_at).read(reinterpret_cast<char*>(length.data()), length.size());
+  std::uint32_t size = 0;
+  for (int i = 3; i >= 0; --i) size = size << 8 | length[static_cast<std::size_t>(i)];
+  std::error_code error;
+  if (!file || json_at + std::uintmax_t{size} > fs::file_size(path, error) || error) return;
+  std::string json(size, ' ');
+  file.seekg(json_at).read(json.data(), static_cast<std::streamsize>(size));
+  if (!file || is_utf8(json)) return;
+  for (std::size_t i = 0; i < json.size();) {
+    const std::size_t bytes = utf8_length(std::string_view(json).substr(i));
+    if (bytes == 0) json[i] = '_';
+    i += std::max<std::size_t>(bytes, 1);
+  }
+  file.seekp(json_at).write(json.data(), static_cast<std::streamsize>(size));
+}
+
 }  // namespace
 
 bool is_convertible(std::string_view path) {
@@ -80,6 +106,7 @@ Result<Scene> import_converted(const std::string& path, LoadOptions options) {
   if (folder.path().empty()) return unexpected(Error{path, "no temporary folder can be made"});
   const std::string made = folder.path() + "/model.glb";
   if (auto done = convert(path, made); !done) return unexpected(done.error());
+  mend_names(made);
   options.asset_root = folder.path();
   Result<Scene> scene = import_gltf(made, options);
   if (!scene) return unexpected(Error{path, scene.error().reason});

@@ -95,6 +95,15 @@ TEST_F(ConvertedTest, OldPicturesAreTextures) {
   }
 }
 
+TEST_F(ConvertedTest, NamesMayHaveAnotherEncoding) {
+  folder.write("quad.mtl", "newmtl gr\xfcn\nKd 1 0 0\n");
+  const Result<Scene> scene = load_scene(folder.write(
+      "quad.obj", "mtllib quad.mtl\nv 0 0 0\nv 2 0 0\nv 2 1 0\nusemtl gr\xfcn\nf 1 2 3\n"));
+  ASSERT_TRUE(scene) << scene.error().message();
+  EXPECT_EQ(scene->materials.back().name, "gr_n");
+  EXPECT_EQ(scene->materials.back().base_color.x, 1.0f);
+}
+
 TEST_F(ConvertedTest, BrokenFilesAreErrorsThatNameTheFile) {
   for (const char* name :
        {"a.obj", "a.stl", "a.ply", "a.fbx", "a.dae", "a.3mf", "a.3ds", "a.x3d"}) {
