@@ -26,9 +26,20 @@ def version() -> str:
 
 def build_package() -> pathlib.Path:
     """Build the compiled module. Return the folder of the package."""
+    # CMake asks Debian's Python for numpy, which the paths of pip's own environment would hide.
+    clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV"))}
     for step in (["--preset", "release"], ["--build", "--preset", "release", "-t", "asos_python"]):
-        subprocess.run(["cmake", *step], cwd=ROOT, check=True, stdout=sys.stderr)
+        subprocess.run(["cmake", *step], cwd=ROOT, check=True, stdout=sys.stderr, env=clean)
     return BUILD / "python" / "asos"
+
+
+def metadata() -> str:
+    """Return the text of METADATA."""
+    return (
+        f"Metadata-Version: 2.1\nName: asos\nVersion: {version()}\n"
+        "Summary: Antialiasing by adaptive supersampling in object space\n"
+        "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\n"
+    )
 
 
 def record_of(name: str, data: bytes) -> str:
@@ -48,11 +59,7 @@ def write_wheel(package: pathlib.Path, folder: pathlib.Path) -> str:
     tag = f"{abi}-{abi}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
     info = f"asos-{version()}.dist-info"
     files = {f"asos/{p.name}": p.read_bytes() for p in sorted(package.iterdir()) if p.is_file()}
-    files[f"{info}/METADATA"] = (
-        f"Metadata-Version: 2.1\nName: asos\nVersion: {version()}\n"
-        "Summary: Antialiasing by adaptive supersampling in object space\n"
-        "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\n"
-    ).encode()
+    files[f"{info}/METADATA"] = metadata().encode()
     files[f"{info}/WHEEL"] = (
         f"Wheel-Version: 1.0\nGenerator: asos_build\nRoot-Is-Purelib: false\nTag: {tag}\n"
     ).encode()
@@ -66,6 +73,14 @@ def write_wheel(package: pathlib.Path, folder: pathlib.Path) -> str:
 
 
 # The hooks of PEP 517.
+def prepare_metadata_for_build_wheel(metadata_directory, _config_settings=None):
+    """Write METADATA, which needs no build."""
+    info = pathlib.Path(metadata_directory, f"asos-{version()}.dist-info")
+    info.mkdir()
+    (info / "METADATA").write_text(metadata())
+    return info.name
+
+
 def build_wheel(wheel_directory, _config_settings=None, _metadata_directory=None):
     """Build the package and write its wheel."""
     return write_wheel(build_package(), pathlib.Path(wheel_directory))

@@ -2,6 +2,7 @@
 
 #include "renderer/files/helper_program.h"
 #include "renderer/files/printable.h"
+#include "renderer/load_progress.h"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,12 @@ Result<void> convert(const std::string& from, const std::string& to) {
   const auto last = std::chrono::steady_clock::now() + patience;
   Result<void> ended = run_program(
       {assimp, "export", whole, to, "-fglb2", "-embtex", "-gsn"}, "",
-      [&] { return std::chrono::steady_clock::now() > last; }, limits, QuotedOutput::all);
+      [&] {
+        const LoadProgress* progress = LoadProgress::current();
+        return std::chrono::steady_clock::now() > last || (progress && progress->stopped());
+      },
+      limits, QuotedOutput::all);
+  stop_point();
   if (!ended) return unexpected(Error{from, ended.error().message()});
   if (!fs::exists(to, error)) return unexpected(Error{from, "assimp made no file of it"});
   return {};
