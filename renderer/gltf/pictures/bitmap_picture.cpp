@@ -4,6 +4,9 @@
 #include <climits>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -13,6 +16,10 @@
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
 #define STBI_NO_FAILURE_STRINGS
+// It leaves rows that a file does not have as they were allocated.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(block, size) std::realloc(block, size)
+#define STBI_FREE(block) std::free(block)
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #pragma GCC diagnostic push
@@ -29,6 +36,16 @@ struct Freed {
 
 int size_of(PictureBytes bytes) {
   return static_cast<int>(bytes.size());  // picture_head refuses more than INT_MAX
+}
+
+/// Whether an unpacked TGA has fewer bytes than its pixels take.
+bool is_cut_off(PictureBytes bytes, const PictureHead& head) {
+  constexpr std::size_t head_bytes = 18, type_at = 2, bits_at = 16;
+  const bool bmp = bytes.size() >= 2 && bytes[0] == 'B' && bytes[1] == 'M';
+  constexpr std::uint8_t colours = 2, greys = 3;
+  if (bmp || bytes.size() < head_bytes || (bytes[type_at] != colours && bytes[type_at] != greys))
+    return false;
+  return bytes.size() - head_bytes < head.pixels() * (bytes[bits_at] / 8u);
 }
 
 }  // namespace
@@ -51,6 +68,7 @@ PictureResult<PictureHead> bitmap_head(PictureBytes bytes) {
 
 PictureResult<Picture> read_bitmap_picture(PictureBytes bytes, const PictureHead& head,
                                            int shrink) {
+  if (is_cut_off(bytes, head)) return tl::unexpected<std::string>("it is cut off");
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, Freed> pixels(
       stbi_load_from_memory(bytes.data(), size_of(bytes), &width, &height, &channels, 4));

@@ -73,8 +73,8 @@ PictureResult<Picture> read_picture(PictureBytes bytes, int shrink) {
   if (head->held_bytes > free_held_bytes + held_bytes_per_byte * bytes.size())
     return fault(
         fmt::format("its {} x {} pixels come interlaced, progressive, lossless or as a bitmap, "
-                    "which takes more "
-                    " memory than a picture of {} bytes has use for",
+                    "which takes more memory "
+                    "than a picture of {} bytes has use for",
                     head->width, head->height, bytes.size()));
   if (is_png(bytes)) return read_png_picture(bytes, *head, shrink);
   if (is_jpeg(bytes)) return read_jpeg_picture(bytes, *head, shrink);

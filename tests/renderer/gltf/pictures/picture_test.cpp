@@ -303,6 +303,35 @@ TEST(Pictures, WhatTheirDecoderHoldsIsBounded) {
   EXPECT_EQ(picture_head(jpeg_of(slope(64, 64), false))->held_bytes, 0u);
 }
 
+// A TGA of 2 x 2 pixels, bottom row first: blue, green; red, white.
+File small_tga(int type) {
+  File tga{0, 0, static_cast<std::uint8_t>(type), 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 24, 0};
+  for (const int value : {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255})
+    tga.push_back(static_cast<std::uint8_t>(value));
+  return tga;
+}
+
+TEST(Pictures, OfOldFormatsAreReadAndReduced) {
+  const auto whole = read_picture(small_tga(2));
+  ASSERT_TRUE(whole) << whole.error();
+  EXPECT_EQ(whole->image.rgba.get(), (SharedBytes::Bytes{255, 0, 0, 255, 255, 255, 255, 255,  //
+                                                         0, 0, 255, 255, 0, 255, 0, 255}));
+  const auto reduced = read_picture(small_tga(2), 2);
+  ASSERT_TRUE(reduced) << reduced.error();
+  EXPECT_EQ(reduced->image.width, 1);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(reduced->image.rgba.get()[c], 128, 1);
+  File cut = small_tga(2);
+  cut.resize(20);
+  EXPECT_FALSE(read_picture(cut));
+  // Packed, a few bytes can claim any size.
+  File large = small_tga(10);
+  large[13] = large[15] = 16'000 >> 8;
+  large.resize(400'000);
+  const auto refused = read_picture(large, 8);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().find("takes more memory"), std::string::npos) << refused.error();
+}
+
 TEST(Pictures, OfOtherFormatsAreNamed) {
   const auto reason = [](const std::string& text) {
     const auto picture = read_picture(File(text.begin(), text.end()));
@@ -311,7 +340,7 @@ TEST(Pictures, OfOtherFormatsAreNamed) {
   EXPECT_EQ(reason(""), "it is empty");
   EXPECT_EQ(reason("GIF89a"), "GIF pictures are not supported");
   EXPECT_EQ(reason("DDS ...."), "DDS pictures are not supported");
-  EXPECT_EQ(reason("nothing"), "it is no usable PNG, JPEG or WebP");
+  EXPECT_EQ(reason("nothing"), "it is no usable PNG, JPEG, WebP, TGA or BMP");
 }
 
 }  // namespace
