@@ -67,7 +67,8 @@ Light ceiling_light(const Stretch& stretch, const glm::dmat3& axes,
   const double height = std::min(stretch.length, free_distance(below, axes[1]));
   const glm::dvec3 middle = below + way_to_ceiling * height * axes[1];
   const double distance = std::min(free_distance(middle, down), farthest(stretch));
-  return fitted("key", middle, down, axes[0], half_width_to_distance * distance, free_distance);
+  return fitted("Studio key", middle, down, axes[0], half_width_to_distance * distance,
+                free_distance);
 }
 
 Light viewer_light(const Stretch& stretch, const glm::dmat3& axes,
@@ -78,7 +79,7 @@ Light viewer_light(const Stretch& stretch, const glm::dmat3& axes,
   const glm::dvec3 middle = level + room * axes[0];
   // A view straight up or down has no right of its own.
   const bool steep = std::abs(stretch.to_viewer.y) > 0.99;
-  return fitted("fill", middle, -stretch.to_viewer, steep ? axes[2] : axes[0],
+  return fitted("Studio fill", middle, -stretch.to_viewer, steep ? axes[2] : axes[0],
                 half_width_to_distance * stretch.length, free_distance);
 }
 

@@ -44,8 +44,8 @@ std::vector<Light> studio_lighting(const Camera& camera, const Box& bounds) {
   const Sphere scene = sphere_around(bounds);
   // The key and the fill are 80 degrees apart.
   return {
-      studio_light("key", world_from_rig, scene, {-0.6, 1.0, 0.7}, key_radiance),
-      studio_light("fill", world_from_rig, scene, {1.0, 0.35, 0.8}, fill_radiance),
+      studio_light("Studio key", world_from_rig, scene, {-0.6, 1.0, 0.7}, key_radiance),
+      studio_light("Studio fill", world_from_rig, scene, {1.0, 0.35, 0.8}, fill_radiance),
   };
 }
 

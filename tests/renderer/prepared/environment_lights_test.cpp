@@ -39,7 +39,7 @@ TEST(EnvironmentLights, TakeThePlaceOfARigOnly) {
     const bool keeps = row.value == Environment::studio || row.value == Environment::softboxes;
     EXPECT_EQ(changes_lights(*dark, &sky), !keeps);
     if (keeps) {
-      EXPECT_EQ(lights.at(0).name, "key");
+      EXPECT_EQ(lights.at(0).name, "Studio key");
       continue;
     }
     const std::string name = row.value == Environment::windows ? "window" : "sun";

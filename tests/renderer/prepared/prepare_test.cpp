@@ -77,7 +77,7 @@ TEST(Prepare, NegligibleEmissionGetsTheRigAsWell) {
   EXPECT_EQ(scene->lighting->emissive_lights, 6u);
   ASSERT_EQ(scene->lights().size(), 8u);
   EXPECT_TRUE(scene->lighting->default_lights_added);
-  EXPECT_EQ(scene->lights()[6].name, "key");
+  EXPECT_EQ(scene->lights()[6].name, "Studio key");
   EXPECT_EQ(scene->lights()[6].own_part, -1);
 }
 
