@@ -2,6 +2,7 @@
 
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"
+#include "renderer/world/ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,9 @@ SurfacePicture surface_picture(const RenderScene& scene, const View& view, Culli
   const double cell = static_cast<double>(step) / side;
   const Looker looker(scene, view, property, static_cast<float>(cell));
   const int across = (film.width + step - 1) / step;
+  const World& world = scene.world();
+  const bool has_ground = ground_of(world) != Ground::off;
+  const auto ground = static_cast<std::uint32_t>(world.solid_parts()) - 1;
   const auto per_row = static_cast<std::size_t>(across) * static_cast<std::size_t>(side * side);
   std::vector<glm::dvec2> places(per_row);
   std::vector<Ray> rays(per_row);
@@ -147,6 +151,7 @@ SurfacePicture surface_picture(const RenderScene& scene, const View& view, Culli
         const auto at = static_cast<std::size_t>(x) * static_cast<std::size_t>(side * side) +
                         static_cast<std::size_t>(i);
         if (!hits[at].valid()) continue;
+        if (has_ground && world.triangle_part[hits[at].triangle] == ground) continue;
         const Looker::Seen seen = looker.look(rays[at], hits[at]);
         sum += seen.value;
         lines += seen.line;

@@ -47,8 +47,9 @@ struct SurfacePicture {
 };
 
 /// Samples one property of the surfaces nearest to the eye, at fixed places, so that the bits do
-/// not depend on threads. Blended surfaces count as opaque; masked ones have their holes. Returns
-/// an unfinished picture once `stop` is requested.
+/// not depend on threads. Blended surfaces count as opaque; masked ones have their holes. The
+/// ground that the program adds counts as background. Returns an unfinished picture once `stop` is
+/// requested.
 [[nodiscard]] SurfacePicture surface_picture(const RenderScene& scene, const View& view,
                                              Culling faces, SurfaceProperty property,
                                              SurfaceSampling sampling, const std::stop_token& stop);

@@ -1,5 +1,6 @@
 #include "ui/surface_viewer.h"
 
+#include "renderer/world/ground.h"
 #include "tests/ui/panels_fixture.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace {
 
 class SurfaceViewerTest : public PanelsTest {
  protected:
-  SurfaceViewerTest() : PanelsTest(1, UiRig::with_bar({660, 600})) {}
+  SurfaceViewerTest() : PanelsTest(1, {660, 600}) {}
 
   SurfaceChoice& choice() { return rig.content().state().surfaces; }
   [[nodiscard]] bool shown() {
@@ -49,6 +50,28 @@ TEST_F(SurfaceViewerTest, KeysShowAPropertyAndThePictureAgain) {
   EXPECT_FALSE(choice().property);
   EXPECT_EQ(middle(), picture);
   EXPECT_EQ(rig.content().surfaces().picture(), nullptr);
+}
+
+// The plate under the model is no part of the file: it once hid what is behind it.
+TEST_F(SurfaceViewerTest, LeavesTheGroundOut) {
+  choice().property = SurfaceProperty::base_color;
+  settings().ground = Ground::on;
+  ASSERT_TRUE(rig.frames_until(
+      [&] { return ground_of(rig.previewer().scene()->world()) == Ground::on; }, 60.0));
+  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(shown());
+  const SurfacePicture& surfaces = *rig.content().surfaces().picture();
+  const World& world = rig.previewer().scene()->world();
+  int on_ground = 0;
+  for (int y = 0; y < surfaces.film.height; y += 7) {
+    for (int x = 0; x < surfaces.film.width; x += 7) {
+      const Hit hit = seen({x, y});
+      if (!hit.valid() || world.triangle_part[hit.triangle] + 1 != world.solid_parts()) continue;
+      ++on_ground;
+      EXPECT_LT(surfaces.film.coverage[surfaces.film.index(x, y)], 1.0f) << x << ' ' << y;
+    }
+  }
+  EXPECT_GT(on_ground, 20);
 }
 
 TEST_F(SurfaceViewerTest, FollowsTheCamera) {
