@@ -235,10 +235,7 @@ std::string head_text(const Json& trace) {
                       width > 1.0 ? fmt::format(", filter {:.4g} pixels wide", width) : "");
   text += fmt::format("Colour {} (linear), unresolved area {:.4g}\n",
                       colour_text(trace["radiance"]), trace["unresolved_area"].get<double>());
-  text += "In the split map: " + text_of(trace["split"]);
-  if (const auto samples = trace["samples"].get<std::uint32_t>(); samples > 0)
-    text += fmt::format(" ({})", counted(samples, "sample"));
-  text += "\n";
+  text += "In the split map: " + text_of(trace["split"]) + "\n";
   if (trace["missed_split"].get<bool>())
     text += "Edge not found: its samples differ from a neighbour's, but no edge is near.\n";
   return text;
@@ -328,7 +325,7 @@ Json trace_json(const PixelTrace& trace, const RenderScene& scene, const TracedP
           {"unresolved_area", trace.unresolved_area},
           {"level", trace.level},
           {"cause", name_of(trace.cause)},
-          {"split", split_words(trace.level, trace.cause)},
+          {"split", split_words(trace.level, trace.cause, trace.samples)},
           {"samples", trace.samples},
           {"missed_split", trace.missed},
           {"levels", std::move(levels)},

@@ -123,9 +123,7 @@ std::string edge_words(const TracedCell& cell) {
 }
 
 std::string PixelReport::split() const {
-  std::string words = split_words(trace.level, trace.cause);
-  if (trace.samples > 0) words += fmt::format(" ({})", counted(trace.samples, "sample"));
-  return words;
+  return split_words(trace.level, trace.cause, trace.samples);
 }
 
 std::string PixelReport::verdict() const {

@@ -40,7 +40,7 @@ struct PixelReport {
   bool all_boundaries = true;  ///< false: there are more
   static constexpr std::size_t most_boundaries = 20'000;
 
-  /// The level and cause as in the split map; with the sample count if that sets the level.
+  /// The level, samples and cause as in the split map.
   [[nodiscard]] std::string split() const;
   /// Why the splitting stopped, in one sentence.
   [[nodiscard]] std::string verdict() const;

@@ -83,16 +83,21 @@ void PredictedMap::show(const Pixels& pixels, Film& film) const {
     if (pixel.origin == unknown) return;
     film.split_level[i] = pixel.level;
     film.cause[i] = pixel.cause;
+    film.samples[i] = shown_count(pixel.outlook);
     if (same_splitting(origins_[pixel.origin], asked_)) return;
-    int level = predictions[pixel.origin].level_of(pixel.outlook, pixel.cause);
+    int level = predictions[pixel.origin].level_of(pixel.outlook);
+    const std::uint32_t samples = predictions[pixel.origin].samples_of(pixel.outlook, pixel.cause);
     // A pixel is split by finer settings if it was by coarser ones.
     if (is_finer(asked_, origins_[pixel.origin])) level = std::max<int>(level, pixel.level);
     film.split_level[i] = static_cast<std::uint8_t>(level);
-    // Edges are found at any setting, so a pixel without any that is predicted to split does so for
-    // its shading.
-    const bool edge = pixel.outlook.edges > 0 || pixel.outlook.unresolved > 0.0f;
-    if (level > 0 && pixel.cause == SplitCause::none) film.cause[i] = SplitCause::shading;
-    if (level == 0 && pixel.level > 0 && !edge) film.cause[i] = SplitCause::none;
+    film.samples[i] = static_cast<std::uint16_t>(std::min(samples, 0xffffu));
+    // Edges are found at any setting, so a pixel without any that is predicted to be split is so
+    // for its shading.
+    if (level > 0 || samples > 0) {
+      if (pixel.cause == SplitCause::none) film.cause[i] = SplitCause::shading;
+    } else if (pixel.cause == SplitCause::shading) {
+      film.cause[i] = SplitCause::none;
+    }
   });
 }
 
@@ -111,7 +116,9 @@ void PredictedMap::note_final(const FinishedTile& tile, Film& film) {
   const bool told = !tile.outlook.empty() && rendering_ != unknown;
   each_pixel(tile, film, [&](std::size_t i, std::size_t k) {
     known_[i] = {};
-    if (told) known_[i] = {tile.outlook[k], rendering_, tile.split_level[k], tile.cause[k]};
+    if (!told) return;
+    known_[i] = {tile.outlook[k], rendering_, tile.split_level[k], tile.cause[k]};
+    film.samples[i] = shown_count(tile.outlook[k]);
   });
   if (!told || same_splitting(origins_[rendering_], asked_)) return;
   show([&](const auto& pixel) { each_pixel(tile, film, [&](std::size_t i, auto) { pixel(i); }); },

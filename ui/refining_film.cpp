@@ -22,6 +22,7 @@ Film stretched(const Film& old, int width, int height) {
       film.radiance[film.index(x, y)] = old.radiance[old.index(from_x, from_y)];
       film.split_level[film.index(x, y)] = old.split_level[old.index(from_x, from_y)];
       film.cause[film.index(x, y)] = old.cause[old.index(from_x, from_y)];
+      film.samples[film.index(x, y)] = old.samples[old.index(from_x, from_y)];
       if (!film.coverage.empty())
         film.coverage[film.index(x, y)] = old.coverage[old.index(from_x, from_y)];
       if (!film.unlit.empty()) film.unlit[film.index(x, y)] = old.unlit[old.index(from_x, from_y)];
@@ -88,6 +89,13 @@ void RefiningFilm::begin(const RenderSettings& settings, bool same_view) {
   map_.render_by(settings);
   film_.unfinished.assign(film_.radiance.size(), 1);
   ++map_revision_;
+}
+
+void RefiningFilm::show(const RefiningFilm& kept) {
+  const std::uint64_t revision = map_revision_;
+  *this = kept;
+  map_revision_ = revision + 1;
+  changed_ = {{0, 0, film_.width, film_.height}};
 }
 
 void RefiningFilm::predict(const RenderSettings& asked) {

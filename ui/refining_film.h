@@ -20,6 +20,8 @@ class RefiningFilm {
   /// differs. `same_view`: only EPS and MAX differ from the previous render. Then the split map
   /// stays and is predicted for pixels that are not final, and pixels stay until finer ones arrive.
   void begin(const RenderSettings& settings, bool same_view);
+  /// Shows a finished picture that was kept, with its map.
+  void show(const RefiningFilm& kept);
   /// Adds a tile of the running render. `samples`: a coarse tile has at least so many in each
   /// pixel.
   void put(FinishedTile tile, int samples = 0);

@@ -24,12 +24,13 @@ bool bounded(SplitCause cause) {
 
 // Ranks a pixel for showing how splitting works. Shadows and mirrors have pyrays of their own, so
 // pixels split by an object's edge come first, and those unresolved at MAX before all others.
+// Sampled pixels come last.
 int rank_of(const Film& film, std::size_t i) {
   if (!film.unfinished.empty() && film.unfinished[i] != 0) return 0;
   const SplitCause cause = film.cause[i];
-  if (film.split_level[i] == 0 && !bounded(cause)) return 0;
+  if (film.split_level[i] == 0 && !bounded(cause)) return cause == SplitCause::none ? 0 : 1;
   const int sort = cause == SplitCause::depth_limit ? 2 : (bounded(cause) ? 1 : 0);
-  return film.split_level[i] + 256 * sort;
+  return 2 * film.split_level[i] + 512 * sort;
 }
 
 // Range of the green display bytes in a pixel's 3 x 3 neighbourhood, 0 to 255.

@@ -18,7 +18,8 @@ std::string chip(glm::u8vec3 colour, const std::string& word) {
 std::string legend_of_maps(int which) {
   std::string text;
   if (which == 0) {
-    text += chip(split_colour(0), "not split") + chip(exact_colour, "exact");
+    text += chip(split_colour(0), "not split") + chip(exact_colour, "exact") +
+            chip(sampled_colour, "sampled");
     const int max_level = region_settings({}).asos.max_level;
     for (int level = 1; level <= max_level; ++level)
       text += chip(split_colour(level), fmt::format("level {}", level));

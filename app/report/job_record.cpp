@@ -267,7 +267,7 @@ Result<void> write_regions(const std::string& path, const RegionMap& map) {
   RgbImage image{map.width, map.height, {}, {}};
   for (std::size_t i = 0; i < map.region.size(); ++i) {
     image.rgb.push_back(static_cast<std::uint8_t>(map.region[i]));
-    image.rgb.push_back(map.split_level[i]);
+    image.rgb.push_back(map.split_value[i]);
     image.rgb.push_back(static_cast<std::uint8_t>(map.cause[i]));
   }
   return write_png(path, image);
@@ -281,7 +281,7 @@ Result<RegionMap> read_regions(const std::string& path) {
     if (image->rgb[i] >= region_count || image->rgb[i + 2] >= split_cause_count)
       return tl::unexpected(Error{path, "is no map of regions"});
     map.region.push_back(static_cast<Region>(image->rgb[i]));
-    map.split_level.push_back(image->rgb[i + 1]);
+    map.split_value.push_back(image->rgb[i + 1]);
     map.cause.push_back(static_cast<SplitCause>(image->rgb[i + 2]));
   }
   return map;

@@ -1,6 +1,7 @@
 #include "app/report/pictures.h"
 
 #include "renderer/film/image_io.h"
+#include "renderer/film/split_map.h"
 #include "renderer/study/measures.h"
 
 #include <fmt/format.h>
@@ -47,8 +48,7 @@ Result<void> write_scene_maps(const SceneReport& scene, const std::string& folde
   const auto write = [&](const std::string& path, auto colour_of) {
     return write_map(path, map.width, map.height, map.region.size(), colour_of);
   };
-  return write(made.levels,
-               [&](std::size_t i) { return split_colour(map.split_level[i], map.cause[i]); })
+  return write(made.levels, [&](std::size_t i) { return SplitMapKey{}.colour(map.split_value[i]); })
       .and_then([&] {
         return write(made.causes, [&](std::size_t i) { return split_cause_colour(map.cause[i]); });
       })

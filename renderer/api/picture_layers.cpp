@@ -162,9 +162,8 @@ Result<Layer> Picture::predicted_level(double eps, int max_level) const {
       return failure(ErrorCode::invalid_argument, valid.error());
     const LevelPrediction prediction(impl_->snapshot.settings, asked);
     Layer layer{info_of(row_of(asos::Layer::level)), film.width, film.height, {}};
-    for (std::size_t i = 0; i < film.outlook.size(); ++i)
-      layer.values.push_back(
-          static_cast<float>(prediction.level_of(film.outlook[i], film.cause[i])));
+    for (const SplitPredictionData& pixel : film.outlook)
+      layer.values.push_back(static_cast<float>(prediction.level_of(pixel)));
     return layer;
   });
 }

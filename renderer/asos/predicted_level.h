@@ -6,7 +6,7 @@
 
 namespace asos {
 
-/// Predicts the deepest level of a pixel with other settings, from the statistics of its rendering
+/// Predicts how a pixel is split with other settings, from the statistics of its rendering
 /// with `rendered`: 0 to MAX of `asked`. Only EPS and MAX may differ. Costs about 20 ns per pixel,
 /// so that a map of a whole picture follows a slider. It assumes that each level leaves a quarter
 /// of a leaf's error and half of the marginal area (CGF'98 section 6.2), and that samples follow
@@ -15,9 +15,12 @@ class LevelPrediction {
  public:
   LevelPrediction(const RenderSettings& rendered, const RenderSettings& asked);
 
-  /// Returns the level. `cause` is the cause of the pixel's split.
-  [[nodiscard]] int level_of(const SplitPredictionData& pixel,
-                             SplitCause cause = SplitCause::none) const;
+  /// Returns the deepest level of its cells.
+  [[nodiscard]] int level_of(const SplitPredictionData& pixel) const;
+  /// Returns the number of its samples; 0: it is not sampled for its shading. `cause` is the cause
+  /// of the pixel's split.
+  [[nodiscard]] std::uint32_t samples_of(const SplitPredictionData& pixel,
+                                         SplitCause cause = SplitCause::none) const;
 
  private:
   int max_level_;

@@ -4,7 +4,6 @@
 #include "renderer/pyray/tuning.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <span>
 
@@ -25,11 +24,6 @@ void publish_rays(std::span<const std::uint64_t> rays, BlockResult& result) {
   for (float& of_pixel : result.tile.rays) of_pixel += shared;
 }
 
-// Returns the lowest level that has at least as many cells as there are samples.
-int level_of(std::uint32_t samples) {
-  return samples > 1 ? (std::bit_width(samples - 1) + 1) / 2 : 0;
-}
-
 // Returns the deepest level at which cells were examined. Cutting a cell adds no level.
 int deepest_cell(const SubdivisionOutcome& outcome) {
   int deepest = 0;
@@ -38,9 +32,9 @@ int deepest_cell(const SubdivisionOutcome& outcome) {
   return deepest;
 }
 
-// Returns the number of samples that determines a pixel's level. Where EPS makes samples the
-// cheapest choice, every lit pixel takes the pilot's samples, and those do not count as a split.
-std::uint32_t samples_of_level(const SubdivisionOutcome& outcome, const RootSum& sum) {
+// Returns the number of samples that the split map shows. Where EPS makes samples the cheapest
+// choice, every lit pixel takes the pilot's samples, and those do not count.
+std::uint32_t shown_samples(const SubdivisionOutcome& outcome, const RootSum& sum) {
   const bool for_cause =
       outcome.uneven_shading || outcome.uneven_shadow || outcome.saturated || sum.cut_out;
   return for_cause ? sum.samples : sum.varied;
@@ -50,7 +44,7 @@ SplitPredictionData outlook_of(const SubdivisionOutcome& outcome, const RootSum&
   SplitPredictionData outlook;
   outlook.error = sum.error;
   outlook.unresolved = static_cast<float>(outcome.unresolved_area);
-  outlook.samples = samples_of_level(outcome, sum);
+  outlook.samples = shown_samples(outcome, sum);
   outlook.edges = static_cast<std::uint8_t>(outcome.boundaries.empty() ? 0 : deepest_cell(outcome));
   outlook.at_limit = outcome.at_limit;
   return outlook;
@@ -71,13 +65,11 @@ void publish_pixel(const Trace& trace, const RootSum& sum, int max_level, BlockR
   SubdivisionOutcome outcome = trace.outcome;
   const auto& cells = outcome.pyrays_by_level;
   for (std::size_t k = 0; k < cells.size(); ++k) statistics.pyrays_by_level[k] += cells[k];
-  int level = deepest_cell(outcome);
-  // Samples that resolve cut-outs count as a split to the deepest level.
-  if (sum.cut_out) level = std::max(level, max_level);
-  const std::uint32_t samples = samples_of_level(outcome, sum);
+  // Samples add no level: they have a number of their own. Sampled pixels have a cause, too.
+  const int level = deepest_cell(outcome);
+  const bool sampled = max_level > 0 && (sum.cut_out || shown_samples(outcome, sum) > 1);
+  outcome.deepest = std::max({outcome.deepest, level, sampled ? 1 : 0});
   if (sum.varied > 0 && !outcome.uneven_shadow) outcome.uneven_shading = true;
-  level = std::max(level, std::min(max_level, level_of(samples)));
-  outcome.deepest = std::max(outcome.deepest, level);
   statistics.missed_splits += trace.missed;
   statistics.uneven_pixels += outcome.uneven_shading || outcome.uneven_shadow;
   statistics.saturated_pixels += outcome.saturated;

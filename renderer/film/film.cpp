@@ -86,6 +86,19 @@ void copy_told(const std::vector<T>& from, const PixelRect& from_rect, std::vect
   });
 }
 
+void put_samples(const FinishedTile& tile, Film& film) {
+  const PixelRect inside = intersection(tile.rect, {0, 0, film.width, film.height});
+  for (int y = inside.y; y < inside.y + inside.height; ++y) {
+    for (int x = inside.x; x < inside.x + inside.width; ++x) {
+      const auto from =
+          static_cast<std::size_t>(y - tile.rect.y) * static_cast<std::size_t>(tile.rect.width) +
+          static_cast<std::size_t>(x - tile.rect.x);
+      film.samples[film.index(x, y)] =
+          from < tile.outlook.size() ? shown_count(tile.outlook[from]) : std::uint16_t{0};
+    }
+  }
+}
+
 void copy_costs(const std::vector<float>& from, const PixelRect& from_rect, std::vector<float>& to,
                 const PixelRect& to_rect) {
   copy_told(from, from_rect, to, to_rect, 0.0f);
@@ -105,12 +118,17 @@ void copy_pixels(const FinishedTile& from, FinishedTile& to) {
   copy_planes(from.layers, from.rect, to.layers, to.rect);
 }
 
+std::uint16_t shown_count(const SplitPredictionData& pixel) {
+  return static_cast<std::uint16_t>(std::min(pixel.samples, std::uint32_t{0xffff}));
+}
+
 Film::Film(int w, int h)
     : width(std::max(w, 0)),
       height(std::max(h, 0)),
       radiance(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::vec3(0.0f)),
       split_level(radiance.size(), 0),
       cause(radiance.size(), SplitCause::none),
+      samples(radiance.size(), 0),
       rays(radiance.size(), 0.0f),
       seconds(radiance.size(), 0.0f) {}
 
@@ -125,6 +143,7 @@ void Film::put(const FinishedTile& tile) {
   copy_shared(tile.radiance, tile.rect, radiance, whole);
   copy_shared(tile.split_level, tile.rect, split_level, whole);
   copy_shared(tile.cause, tile.rect, cause, whole);
+  if (!tile.coarse) put_samples(tile, *this);
   copy_costs(tile.rays, tile.rect, rays, whole);
   copy_costs(tile.seconds, tile.rect, seconds, whole);
   if (!tile.coverage.empty() && coverage.empty()) coverage.assign(radiance.size(), 1.0f);

@@ -17,8 +17,8 @@ namespace asos {
 struct FinishedTile {
   PixelRect rect;
   std::vector<glm::vec3> radiance;  ///< linear
-  /// Deepest level n: the pixel's finest cells, or the squares of its samples, are 1/2^n pixels
-  /// wide. Cuts of a cell along an edge add no level, nor do levels of reflected or shadow pyrays.
+  /// Deepest level n: the pixel's finest cells are 1/2^n pixels wide. Cuts of a cell along an edge
+  /// add no level, nor do samples, nor levels of reflected or shadow pyrays.
   std::vector<std::uint8_t> split_level;
   std::vector<SplitCause> cause;  ///< why it is split; only by ASOS
   /// The cost of each pixel: the rays of all kinds cast for it, and the processor time of its
@@ -52,6 +52,8 @@ struct Film {
   std::vector<glm::vec3> radiance;
   std::vector<std::uint8_t> split_level;
   std::vector<SplitCause> cause;
+  /// The number of samples that the split map shows, at most 65,535; 0: none, or unknown.
+  std::vector<std::uint16_t> samples;
   std::vector<float> rays;
   std::vector<float> seconds;
   std::vector<float> coverage;               ///< as a tile's; empty until a tile has it
@@ -71,6 +73,9 @@ struct Film {
   }
 };
 
+/// The number of samples that the split map shows of a pixel.
+[[nodiscard]] std::uint16_t shown_count(const SplitPredictionData& pixel);
+
 /// Returns the display intensity, 0 to 1: exposure in stops, clip at white, sRGB curve. See tone.h
 /// for tone curves, and for the intensity that stopping rules use.
 [[nodiscard]] glm::vec3 display_rgb(glm::vec3 radiance, float exposure_ev);
@@ -83,6 +88,8 @@ struct Film {
 /// was cut along an edge without being divided into quarters.
 [[nodiscard]] glm::u8vec3 split_colour(int level, SplitCause cause = SplitCause::none);
 inline constexpr glm::u8vec3 exact_colour{150, 110, 160};
+/// The colour of undivided pixels that are the mean of samples.
+inline constexpr glm::u8vec3 sampled_colour{196, 116, 66};
 /// The deepest level with a colour of its own.
 inline constexpr int split_colour_levels = 8;
 }  // namespace asos

@@ -31,7 +31,8 @@ inline constexpr CostScale seconds_scale{1e-7, 1e-2};  ///< seconds of one proce
 struct SplitMapKey {
   SplitMapColours colours = SplitMapColours::level;
 
-  /// Returns the displayed value of a pixel. Level: 1 if it is exact, level + 1 if it is deeper.
+  /// Returns the displayed value of a pixel. Level: 1 if it is exact, 2 if it is sampled without
+  /// being divided, level + 2 if it is divided.
   /// Cause: its number. Cost: 1 to 255 on the scale. 0 (black): not split, or unknown.
   [[nodiscard]] std::uint8_t value(const Film& film, std::size_t pixel) const;
   /// Returns the largest value with a colour of its own.
@@ -40,8 +41,11 @@ struct SplitMapKey {
   [[nodiscard]] glm::u8vec3 colour(std::uint8_t value) const;
 };
 
-/// Returns the level and cause of a pixel in words: "not split", "exact, silhouette", "level 3,
-/// shading".
-[[nodiscard]] std::string split_words(int level, SplitCause cause);
+/// Returns level, number of samples and cause of a pixel in words: "not split", "exact,
+/// silhouette", "16 samples, shading", "level 3, shadow", "level 1, 12 samples, shadow".
+/// `samples` 0: it is not sampled, or the method does not count them.
+[[nodiscard]] std::string split_words(int level, SplitCause cause, std::uint32_t samples);
+/// The same words for a pixel of a film.
+[[nodiscard]] std::string split_words(const Film& film, std::size_t pixel);
 
 }  // namespace asos

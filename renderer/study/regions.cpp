@@ -1,6 +1,7 @@
 #include "renderer/study/regions.h"
 
 #include "renderer/asos/texture_samples.h"
+#include "renderer/film/split_map.h"
 #include "renderer/geometry/largest.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/shading/anisotropy.h"
@@ -123,8 +124,10 @@ RenderSettings region_settings(RenderSettings settings) {
 
 RegionMap find_regions(const Snapshot& snapshot, const Film& film) {
   const Looker looker(snapshot);
-  RegionMap map{film.width, film.height, {}, film.split_level, film.cause};
+  RegionMap map{film.width, film.height, {}, {}, film.cause};
   map.region.reserve(film.radiance.size());
+  for (std::size_t i = 0; i < film.radiance.size(); ++i)
+    map.split_value.push_back(SplitMapKey{}.value(film, i));
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
       const SplitCause cause = film.cause[film.index(x, y)];

@@ -26,8 +26,8 @@ inline constexpr std::array<const char*, region_count> region_names{
 struct RegionMap {
   int width = 0;
   int height = 0;
-  std::vector<Region> region;  ///< row-major from the top left
-  std::vector<std::uint8_t> split_level;
+  std::vector<Region> region;             ///< row-major from the top left
+  std::vector<std::uint8_t> split_value;  ///< of the split map by level: SplitMapKey::value
   std::vector<SplitCause> cause;
 };
 

@@ -298,8 +298,10 @@ TEST_F(RenderCommand, TheSplitMapShowsTheSplitPixels) {
   const Result<RgbImage> map = read_png(path("map.png"));
   ASSERT_TRUE(map);
   ASSERT_EQ(map->width, 96);
-  std::set<std::array<std::uint8_t, 3>> known{{0, 0, 0},
-                                              {exact_colour.r, exact_colour.g, exact_colour.b}};
+  std::set<std::array<std::uint8_t, 3>> known{
+      {0, 0, 0},
+      {exact_colour.r, exact_colour.g, exact_colour.b},
+      {sampled_colour.r, sampled_colour.g, sampled_colour.b}};
   for (int level = 1; level <= 3; ++level) {
     const glm::u8vec3 c = split_colour(level);
     known.insert({c.r, c.g, c.b});

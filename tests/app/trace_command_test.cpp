@@ -1,4 +1,5 @@
 #include "renderer/film/image_io.h"
+#include "renderer/film/split_map.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/temporary_folder.h"
 
@@ -35,8 +36,11 @@ std::string argument_of(const glm::ivec2& pixel) {
 glm::u8vec3 map_colour(const json& told) {
   const std::string cause = told.at("cause");
   const auto at = std::find(split_cause_names.begin(), split_cause_names.end(), cause);
-  return split_colour(told.at("level").get<int>(),
-                      static_cast<SplitCause>(at - split_cause_names.begin()));
+  Film film(1, 1);
+  film.split_level = {told.at("level").get<std::uint8_t>()};
+  film.cause = {static_cast<SplitCause>(at - split_cause_names.begin())};
+  film.samples = {told.value("samples", std::uint16_t{0})};
+  return SplitMapKey{}.colour(SplitMapKey{}.value(film, 0));
 }
 
 // Checks consistency: weights, colour, and four children per split.

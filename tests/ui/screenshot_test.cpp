@@ -1,5 +1,6 @@
 #include "ui/screenshot.h"
 
+#include "renderer/film/split_map.h"
 #include "tests/ui/test_scenes.h"
 #include "tests/ui/ui_rig.h"
 
@@ -83,7 +84,7 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
   ASSERT_TRUE(overlaid) << overlaid.error().message();
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     const glm::u8vec3 got(overlaid->rgb[3 * i], overlaid->rgb[3 * i + 1], overlaid->rgb[3 * i + 2]);
-    ASSERT_EQ(got, split_colour(film.split_level[i], film.cause[i])) << "pixel " << i;
+    ASSERT_EQ(got, SplitMapKey{}.colour(SplitMapKey{}.value(film, i))) << "pixel " << i;
   }
 
   rig.content().state().display.split_colours = SplitMapColours::cause;

@@ -56,6 +56,9 @@ TEST(MostSplitPixel, IsTheDeepestNearestToTheMiddle) {
   EXPECT_EQ(most_split_pixel(film), glm::ivec2(4, 2)) << "split by itself";
   film.cause[film.index(8, 4)] = SplitCause::depth_limit;
   EXPECT_EQ(most_split_pixel(film), glm::ivec2(8, 4)) << "split all the way";
+  Film sampled(3, 1);
+  sampled.cause[1] = SplitCause::shading;
+  EXPECT_EQ(most_split_pixel(sampled), glm::ivec2(1, 0)) << "not divided, but not one sample";
   EXPECT_FALSE(most_split_pixel(Film{}));
 }
 

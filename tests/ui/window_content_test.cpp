@@ -1,5 +1,6 @@
 #include "ui/window_content.h"
 
+#include "renderer/film/split_map.h"
 #include "tests/ui/test_scenes.h"
 #include "tests/ui/ui_rig.h"
 #include "ui/panels/grid_overlay.h"
@@ -204,7 +205,7 @@ TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
   int split = 0;
   expect_area([&](const Film& film, std::size_t i) {
     split += film.cause[i] != SplitCause::none;
-    return split_colour(film.split_level[i], film.cause[i]);
+    return SplitMapKey{}.colour(SplitMapKey{}.value(film, i));
   });
   EXPECT_GT(split, 0) << "the scene has to have split pixels for this to say anything";
   EXPECT_EQ(rig.previewer().render().restarts(), restarts);
@@ -226,7 +227,7 @@ TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
       const glm::vec3 got(pixels[static_cast<std::size_t>(y * rig.size().x + x)]);
       if (film.cause[i] != SplitCause::none) {
         ++split;
-        ASSERT_EQ(got, glm::vec3(split_colour(film.split_level[i], film.cause[i])))
+        ASSERT_EQ(got, glm::vec3(SplitMapKey{}.colour(SplitMapKey{}.value(film, i))))
             << x << ' ' << y;
       } else {
         // Blending rounds its weight and its result to bytes.

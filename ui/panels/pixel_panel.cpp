@@ -79,7 +79,7 @@ void why(Controls& controls, const PixelReport& report, const Film& film, glm::i
     ImGui::GetWindowDrawList()->AddRect(lo, hi, theme::packed(theme::dim_text));
     ImGui::Dummy({0.8f * em, em});
     ImGui::SameLine();
-    const std::string words = moves ? split_words(film.split_level[i], cause) : report.split();
+    const std::string words = moves ? split_words(film, i) : report.split();
     ImGui::TextWrapped("%s", words.c_str());
     controls.placed_words("Why", words, words_of(cause));
   }
@@ -103,7 +103,7 @@ void cost_rows(Controls& controls, const Film& film, const SplitFindings* findin
     return;
   const glm::vec3 d(clipped_difference(film.radiance[i], findings->reference->radiance[i]));
   controls.row("Error", fmt::format("{:+.5f} {:+.5f} {:+.5f}", d.x, d.y, d.z),
-               "Difference from the reference of \"Check splits\", clipped linear values.");
+               "Difference from the reference of \"Compare\", clipped linear values.");
 }
 
 /// The pixel's enlarged square on the screen.

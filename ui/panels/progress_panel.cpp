@@ -56,7 +56,7 @@ std::string pixel_words(const Film& film, glm::ivec2 pixel, const DisplayTransfo
       fmt::format("{}, {}   {} {} {}   {:3} {:3} {:3}", pixel.x, pixel.y, value_words(c.x),
                   value_words(c.y), value_words(c.z), shown.x, shown.y, shown.z);
   if (film.split_level[i] > 0 || film.cause[i] != SplitCause::none)
-    text += "   " + split_words(film.split_level[i], film.cause[i]);
+    text += "   " + split_words(film, i);
   return text;
 }
 
@@ -108,7 +108,7 @@ void progress_panel(Controls& controls, const Previewer& previewer, const Status
     ImGui::TextUnformatted(words.c_str());
   else
     ImGui::TextDisabled("%s", words.c_str());
-  controls.placed_words("Progress", words, "Wall-clock time. CPU time is in \"Equal time\".");
+  controls.placed_words("Progress", words, "Wall-clock time. CPU time is in \"Compare\".");
 
   const std::string help =
       (status.zoom > 1 ? fmt::format("zoom {}x   ", status.zoom) : std::string()) + "F1 help";

@@ -48,13 +48,15 @@ TEST(LevelPrediction, FollowsEachCause) {
   EXPECT_EQ(LevelPrediction(zero, now).level_of(at_max_zero), 4);
   SplitPredictionData shaded;
   shaded.error = 1.0f / 32.0f;
-  EXPECT_EQ(same.level_of(shaded), 2) << "eight times EPS: less than two levels remain";
-  EXPECT_EQ(flatter.level_of(shaded), 0);
+  EXPECT_EQ(same.level_of(shaded), 0) << "sampled, and not divided";
+  EXPECT_GT(same.samples_of(shaded), 4u);
+  EXPECT_EQ(flatter.samples_of(shaded), 0u);
   SplitPredictionData sampled;
   sampled.samples = 64;
-  EXPECT_EQ(same.level_of(sampled), 3);
-  EXPECT_GT(deeper.level_of(sampled), 3);
-  EXPECT_LT(flatter.level_of(sampled), 3);
+  EXPECT_EQ(same.samples_of(sampled), 64u);
+  EXPECT_GT(deeper.samples_of(sampled), 64u);
+  EXPECT_LT(flatter.samples_of(sampled), 64u);
+  EXPECT_EQ(deeper.level_of(sampled), 0);
 }
 
 // At a large EPS every lit pixel takes a few samples. These once counted as splits, so the map
@@ -76,7 +78,7 @@ TEST(LevelPrediction, AgreesWithTheMapOfALargeEps) {
   double apart = 0.0;
   int split = 0, split_fine = 0;
   for (std::size_t i = 0; i < film.outlook.size(); ++i) {
-    apart += std::abs(prediction.level_of(film.outlook[i], film.cause[i]) - truth.split_level[i]);
+    apart += std::abs(prediction.level_of(film.outlook[i]) - truth.split_level[i]);
     split += truth.split_level[i] > 0;
     split_fine += fine.split_level[i] > 0;
   }
@@ -102,10 +104,10 @@ TEST(LevelPrediction, IsCloseToTheMapOfOtherSettings) {
       const LevelPrediction prediction(now, asked);
       int close = 0, split = 0, truly_split = 0;
       for (std::size_t i = 0; i < film.outlook.size(); ++i) {
-        const int level = prediction.level_of(film.outlook[i], film.cause[i]);
+        const int level = prediction.level_of(film.outlook[i]);
         close += std::abs(level - truth.split_level[i]) <= 1;
-        split += level > 0;
-        truly_split += truth.split_level[i] > 0;
+        split += level > 0 || prediction.samples_of(film.outlook[i], film.cause[i]) > 0;
+        truly_split += truth.split_level[i] > 0 || truth.samples[i] > 0;
       }
       const auto pixels = static_cast<double>(film.outlook.size());
       EXPECT_GT(close / pixels, 0.8)

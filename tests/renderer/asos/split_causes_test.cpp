@@ -201,8 +201,7 @@ TEST(SplitCauses, TheShadowOfASmallLightOfSomeSizeIsSplit) {
   expect_consistent(picture);
   std::uint64_t split_for_shadow = 0;
   for (std::size_t i = 0; i < picture.film.cause.size(); ++i)
-    split_for_shadow +=
-        picture.film.cause[i] == SplitCause::shadow && picture.film.split_level[i] > 0;
+    split_for_shadow += picture.film.cause[i] == SplitCause::shadow && picture.film.samples[i] > 0;
   EXPECT_GT(split_for_shadow, 0u);
 }
 

@@ -172,10 +172,44 @@ TEST(SplitColour, IsTheMapsColour) {
   const SplitMapKey key{SplitMapColours::level};
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_EQ(key.colour(key.value(film, i)), split_colour(film.split_level[i], film.cause[i]));
-  EXPECT_EQ(split_words(0, SplitCause::none), "not split");
-  EXPECT_EQ(split_words(0, SplitCause::crease), "exact, crease, seam");
-  EXPECT_EQ(split_words(4, SplitCause::shading), "level 4, shading");
-  EXPECT_EQ(split_words(2, SplitCause::none), "level 2") << "the method records no causes";
+  EXPECT_EQ(split_words(0, SplitCause::none, 0), "not split");
+  EXPECT_EQ(split_words(0, SplitCause::crease, 0), "exact, crease, seam");
+  EXPECT_EQ(split_words(4, SplitCause::shading, 0), "level 4, shading");
+  EXPECT_EQ(split_words(2, SplitCause::none, 0), "level 2") << "the method records no causes";
+}
+
+// A sampled pixel was once "level 3" over a drawing of one undivided cell.
+TEST(SplitColour, OfSampledPixelsIsNotThatOfALevel) {
+  Film film(4, 1);
+  film.cause = {SplitCause::shading, SplitCause::shadow, SplitCause::shadow, SplitCause::shadow};
+  film.split_level = {0, 0, 0, 2};
+  film.samples = {16, 12, 0, 12};
+  const SplitMapKey key{SplitMapColours::level};
+  EXPECT_EQ(key.colour(key.value(film, 0)), sampled_colour);
+  EXPECT_EQ(key.colour(key.value(film, 1)), sampled_colour);
+  EXPECT_EQ(key.colour(key.value(film, 2)), exact_colour);
+  EXPECT_EQ(key.colour(key.value(film, 3)), split_colour(2));
+  for (int level = 0; level <= split_colour_levels; ++level)
+    EXPECT_NE(split_colour(level), sampled_colour);
+  EXPECT_EQ(split_words(film, 0), "16 samples, shading");
+  EXPECT_EQ(split_words(film, 2), "exact, shadow");
+  EXPECT_EQ(split_words(film, 3), "level 2, 12 samples, shadow");
+  EXPECT_EQ(split_words(0, SplitCause::lens, 0), "sampled, lens blur");
+}
+
+TEST(Film, KeepsTheNumberOfSamplesOfFinalTiles) {
+  FinishedTile tile{{0, 0, 2, 1}, {glm::vec3(0.0f), glm::vec3(0.0f)}};
+  tile.split_level = {0, 0};
+  tile.cause = {SplitCause::shading, SplitCause::none};
+  tile.outlook.resize(2);
+  tile.outlook[0].samples = 70'000;
+  Film film(2, 1);
+  film.put(tile);
+  EXPECT_EQ(film.samples, (std::vector<std::uint16_t>{0xffff, 0}));
+  tile.coarse = true;
+  tile.outlook.clear();
+  film.put(tile);
+  EXPECT_EQ(film.samples[0], 0xffff) << "coarse tiles do not know it";
 }
 
 TEST(Statistics, AddUp) {

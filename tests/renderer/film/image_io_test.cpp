@@ -1,5 +1,6 @@
 #include "renderer/film/image_io.h"
 
+#include "renderer/film/split_map.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +117,7 @@ TEST_F(ImageIo, SplitMapHasTheSplitColours) {
   const auto read = read_png(path("s.png"));
   ASSERT_TRUE(read.has_value());
   for (std::size_t i = 0; i < film.split_level.size(); ++i) {
-    EXPECT_EQ(read->rgb[3 * i + 1], split_colour(film.split_level[i], film.cause[i]).g);
+    EXPECT_EQ(read->rgb[3 * i + 1], SplitMapKey{}.colour(SplitMapKey{}.value(film, i)).g);
   }
 }
 
