@@ -29,6 +29,7 @@ PreviewRender::PreviewRender(std::function<void()> wake, Refinement& refinement)
 
 void PreviewRender::update(const Subject& subject, double now_seconds) {
   take_tiles(now_seconds);
+  finished_updates_ = progress().finished ? finished_updates_ + 1 : 0;
   if (subject.scene && differs_in_splitting_only(rendered_, subject)) follow_splitting(subject);
   if (out_of_date(subject) && !should_wait(subject, now_seconds)) restart(subject, now_seconds);
   rest_or_go_on();
@@ -36,6 +37,7 @@ void PreviewRender::update(const Subject& subject, double now_seconds) {
 
 // Holds the tiles until the first pass covers the picture: a mix of two poses would look torn.
 void PreviewRender::take_tiles(double now_seconds) {
+  if (shown_) return;
   // Read before the tiles are taken, so that these include the whole pass.
   const Reached reached = session_.reached();
   const bool whole = reached.pass != Reached::Pass::nothing;
@@ -50,13 +52,9 @@ void PreviewRender::take_tiles(double now_seconds) {
 // Predicts the split map of another EPS or MAX at once, and keeps the finished picture of the
 // previous setting.
 void PreviewRender::follow_splitting(const Subject& subject) {
-  const Film& film = film_.film();
-  const bool all_final = rendered_.settings != subject.settings && session_.progress().finished &&
-                         film.width == rendered_.settings.width &&
-                         std::none_of(film.unfinished.begin(), film.unfinished.end(),
-                                      [](std::uint8_t pixel) { return pixel != 0; });
-  if (all_final && (!before_ || before_->settings != rendered_.settings))
-    before_ = {film, rendered_.settings};
+  if (rendered_.settings != subject.settings && all_final() &&
+      (!before_ || before_->settings != rendered_.settings))
+    before_ = {film_.film(), rendered_.settings};
   film_.predict(subject.settings);
 }
 
@@ -67,13 +65,13 @@ bool PreviewRender::out_of_date(const Subject& subject) const {
 }
 
 bool PreviewRender::first_picture_pending() const {
-  const Progress progress = session_.progress();
-  return rendered_.scene && (progress.running || progress.paused) && !film_.covered();
+  const Progress now = progress();
+  return rendered_.scene && (now.running || now.paused) && !film_.covered();
 }
 
 bool PreviewRender::shown_for(double seconds, double now_seconds) const {
-  return !first_picture_pending() && (session_.reached().pass >= Reached::Pass::samples ||
-                                      now_seconds - restarted_seconds_ >= seconds);
+  return !first_picture_pending() &&
+         (reached().pass >= Reached::Pass::samples || now_seconds - restarted_seconds_ >= seconds);
 }
 
 bool PreviewRender::should_wait(const Subject& subject, double now_seconds) const {
@@ -87,30 +85,81 @@ bool PreviewRender::should_wait(const Subject& subject, double now_seconds) cons
 void PreviewRender::restart(const Subject& subject, double now_seconds) {
   // The old scene must not be destroyed while a worker uses it; restart waits for the workers.
   held_.clear();
-  session_.restart({subject.scene, subject.camera, subject.settings, true, true});
+  keep_finished(subject);
   const bool same_view = differs_in_splitting_only(rendered_, subject);
   if (!same_view) before_.reset();
-  rendered_ = subject;
   ++restarts_;
   restarted_seconds_ = now_seconds;
   refinement_.begin();
+  if (show_kept(subject)) return;
+  session_.restart({subject.scene, subject.camera, subject.settings, true, true});
+  rendered_ = subject;
   if (refinement_.rest() == PauseReason::none) session_.resume();
   film_.begin(subject.settings, same_view);
 }
 
+bool PreviewRender::all_final() const {
+  const Film& film = film_.film();
+  return rendered_.scene && progress().finished && film.width == rendered_.settings.width &&
+         std::none_of(film.unfinished.begin(), film.unfinished.end(),
+                      [](std::uint8_t pixel) { return pixel != 0; });
+}
+
+// Keeps the picture of a finished render, to show it at once when its settings return. Pictures
+// that were seen for a moment only, as during a drag, are not worth the copy.
+void PreviewRender::keep_finished(const Subject& next) {
+  constexpr std::size_t most_bytes = std::size_t{256} << 20, bytes_a_pixel = 96;
+  constexpr int least_updates = 4;
+  if (finished_updates_ < least_updates || next.scene != rendered_.scene ||
+      next.camera_revision != rendered_.camera_revision || !all_final())
+    return;
+  std::erase_if(kept_, [&](const Kept& kept) {
+    return kept.scene.expired() || is_picture_of(kept, rendered_);
+  });
+  kept_.push_back({rendered_.scene,
+                   rendered_.camera,
+                   rendered_.settings,
+                   film_,
+                   {progress(), reached(), statistics()}});
+  std::size_t pixels = 0;
+  for (const Kept& kept : kept_) pixels += kept.film.film().radiance.size();
+  for (; !kept_.empty() && bytes_a_pixel * pixels > most_bytes; kept_.pop_front())
+    pixels -= kept_.front().film.film().radiance.size();
+}
+
+bool PreviewRender::is_picture_of(const Kept& kept, const Subject& subject) {
+  return kept.scene.lock() == subject.scene && kept.camera == subject.camera &&
+         kept.settings == subject.settings;
+}
+
+bool PreviewRender::show_kept(const Subject& subject) {
+  shown_.reset();
+  const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                  [&](const Kept& kept) { return is_picture_of(kept, subject); });
+  if (found == kept_.end()) return false;
+  session_.cancel();
+  (void)session_.take_finished();
+  film_.show(found->film);
+  shown_ = found->outcome;
+  rendered_ = subject;
+  return true;
+}
+
 void PreviewRender::rest_or_go_on() {
+  if (shown_) return;
   if (!refinement_.decide(session_.progress(), film_.estimated_rmse())) return;
   refinement_.rest() == PauseReason::none ? session_.resume() : session_.pause();
 }
 
 void PreviewRender::stop() {
   session_.cancel();
-  if (rendered_.scene && !session_.progress().finished) refinement_.end();
+  if (rendered_.scene && !progress().finished) refinement_.end();
 }
 
 void PreviewRender::start_again() {
   refinement_.set_paused(false);
   rendered_ = {};
+  kept_.clear();
 }
 
 PictureDescription PreviewRender::description(const PictureDisplay& display) const {

@@ -8,6 +8,7 @@
 #include "ui/refining_film.h"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -67,9 +68,17 @@ class PreviewRender {
   [[nodiscard]] std::uint64_t map_revision() const { return film_.map_revision(); }
   [[nodiscard]] double split_share() const { return film_.split_share(); }
   [[nodiscard]] std::optional<double> estimated_rmse() const { return film_.estimated_rmse(); }
-  [[nodiscard]] Progress progress() const { return session_.progress(); }
-  [[nodiscard]] Reached reached() const { return session_.reached(); }
-  [[nodiscard]] RenderStatistics statistics() const { return session_.statistics(); }
+  [[nodiscard]] Progress progress() const {
+    return shown_ ? shown_->progress : session_.progress();
+  }
+  [[nodiscard]] Reached reached() const { return shown_ ? shown_->reached : session_.reached(); }
+  /// The fraction of final pixels, 0 to 1.
+  [[nodiscard]] double final_share() const {
+    return progress().finished ? 1.0 : reached().final_share;
+  }
+  [[nodiscard]] RenderStatistics statistics() const {
+    return shown_ ? shown_->statistics : session_.statistics();
+  }
   /// Number of renders started so far.
   [[nodiscard]] std::uint64_t restarts() const { return restarts_; }
 
@@ -88,6 +97,25 @@ class PreviewRender {
   void take_tiles(double now_seconds);
   void follow_splitting(const Subject& subject);
   void rest_or_go_on();
+  [[nodiscard]] bool all_final() const;
+  void keep_finished(const Subject& next);
+  [[nodiscard]] bool show_kept(const Subject& subject);
+
+  /// The facts of a finished render.
+  struct Outcome {
+    Progress progress;
+    Reached reached;
+    RenderStatistics statistics;
+  };
+  /// A finished picture that may be shown again.
+  struct Kept {
+    std::weak_ptr<const RenderScene> scene;
+    Camera camera;
+    RenderSettings settings;
+    RefiningFilm film;
+    Outcome outcome;
+  };
+  [[nodiscard]] static bool is_picture_of(const Kept& kept, const Subject& subject);
 
   Refinement& refinement_;
   Subject rendered_;
@@ -96,6 +124,9 @@ class PreviewRender {
   std::vector<FinishedTile> held_;  // tiles waiting until the first pass has covered the picture
   std::optional<FinishedPicture> before_;
   RefiningFilm film_;
+  int finished_updates_ = 0;      // since the picture was finished
+  std::deque<Kept> kept_;         // the newest is the last
+  std::optional<Outcome> shown_;  // of the kept picture that is shown; none: the session's
   RenderSession session_;
 };
 
