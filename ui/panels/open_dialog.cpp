@@ -1,6 +1,6 @@
 #include "renderer/files/printable.h"
 #include "renderer/scene/builtin.h"
-#include "ui/input.h"
+#include "ui/panels/dialog.h"
 #include "ui/panels/named_like.h"
 #include "ui/panels/overlays.h"
 
@@ -99,23 +99,14 @@ std::string known_like(const UiState& state, const std::string& typed) {
 
 void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
   constexpr const char* title = "Open a scene";
-  if (state.show_open && !ImGui::IsPopupOpen(title)) {
-    ImGui::OpenPopup(title);
-    state.browser.begin(first_folder(previewer));
-  }
+  if (state.show_open && !ImGui::IsPopupOpen(title)) state.browser.begin(first_folder(previewer));
+  const Dialog dialog(title, state.show_open, 52.0f, 0.5f);
+  if (!dialog.open()) return;
   const float em = ImGui::GetFontSize();
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(52.0f * em, 0.94f * window.x), 0.0f});
-  if (!ImGui::BeginPopupModal(title, nullptr,
-                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                  ImGuiWindowFlags_NoSavedSettings |
-                                  ImGuiWindowFlags_AlwaysAutoResize)) {
-    return;
-  }
   // Limits that keep the dialog within the window.
   constexpr float others_em = 14.0f, least_em = 3.0f, most_em = 34.0f, known_share = 0.35f;
-  const float room = std::clamp(window.y - others_em * em, least_em * em, most_em * em);
+  const float room =
+      std::clamp(ImGui::GetIO().DisplaySize.y - others_em * em, least_em * em, most_em * em);
   std::string chosen = browse_files(controls, state.browser, (1.0f - known_share) * room);
   if (const std::string known = known_scenes(controls, state, known_share * room); !known.empty())
     chosen = known;
@@ -124,9 +115,7 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
   if (controls.button("Open", "Open the chosen or typed file (Enter).", 6.0f * em))
     chosen = state.browser.take_entered();
   if (!chosen.empty() && chosen == state.browser.typed) chosen = known_like(state, chosen);
-  ImGui::SameLine();
-  const bool cancelled = controls.button("Cancel", "Close (Esc).", 6.0f * em) ||
-                         ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
+  const bool cancelled = dialog.cancelled(controls, "Close (Esc).");
   if (!chosen.empty()) {
     std::error_code ignored;
     const std::filesystem::path file = chosen;
@@ -135,9 +124,8 @@ void open_dialog(Controls& controls, UiState& state, Previewer& previewer) {
   }
   if (!chosen.empty() || cancelled) {
     state.show_open = false;
-    ImGui::CloseCurrentPopup();
+    dialog.close();
   }
-  ImGui::EndPopup();
 }
 
 }  // namespace asos::ui

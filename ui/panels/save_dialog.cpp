@@ -1,6 +1,6 @@
 #include "renderer/files/helper_program.h"
-#include "ui/input.h"
 #include "ui/movie.h"
+#include "ui/panels/dialog.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
 
@@ -146,16 +146,8 @@ void choose_file(Controls& controls, SaveChoice& choice) {
 
 void save_dialog(Controls& controls, SaveChoice& choice, const SaveFacts& facts) {
   constexpr const char* title = "Save picture";
-  if (choice.show && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-  const float em = ImGui::GetFontSize();
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * window.x, 0.4f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(34.0f * em, 0.9f * window.x), 0.0f});
-  if (!ImGui::BeginPopupModal(title, nullptr,
-                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                  ImGuiWindowFlags_NoSavedSettings |
-                                  ImGuiWindowFlags_AlwaysAutoResize))
-    return;
+  const Dialog dialog(title, choice.show, 34.0f);
+  if (!dialog.open()) return;
   choose_what(controls, choice, facts.clip_seconds > 0.0);
   if (choice.what == SaveChoice::What::picture) choose_format(controls, choice);
   if (choice.as_exr()) choose_layers(controls, choice);
@@ -164,16 +156,12 @@ void save_dialog(Controls& controls, SaveChoice& choice, const SaveFacts& facts)
     choose_size(controls, choice, facts.shown);
   choose_file(controls, choice);
   const bool save =
-      controls.button("Save", "Save in the background.", 6.0f * em) && !choice.stem.empty();
-  ImGui::SameLine();
-  const bool cancelled = controls.button("Cancel", "Close without saving (Esc).", 6.0f * em) ||
-                         ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
+      dialog.confirmed(controls, "Save", "Save in the background (Enter).") && !choice.stem.empty();
+  const bool cancelled = dialog.cancelled(controls, "Close without saving (Esc).");
   choice.asked = save;
-  if (save || cancelled) {
-    choice.show = false;
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndPopup();
+  if (!save && !cancelled) return;
+  choice.show = false;
+  dialog.close();
 }
 
 bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& area) {
