@@ -53,6 +53,21 @@ TEST_F(ScrollAnchorTest, APointerOverThePictureHoldsNothing) {
   EXPECT_LT(height_of("Hide"), before - 5.0f);
 }
 
+// A scene that comes with warnings and notes once scrolled the panel away from its head.
+TEST(ScrollAnchorAtStart, APointerThatRestsOverThePanelHoldsNothing) {
+  UiRig rig{[](const std::string& source) -> Result<Scene> {
+              return two_triangles({1, 0, 0}, source);
+            },
+            {660, 400}};
+  rig.content().input().add(MouseMoved{{560.0f, 250.0f}});
+  rig.frame();
+  const float head = rig.content().controls().all().at("Open...").lo.y;
+  rig.previewer().scene().open("plain");
+  ASSERT_TRUE(rig.settle());
+  for (int i = 0; i < 3; ++i) rig.frame();
+  EXPECT_EQ(rig.content().controls().all().at("Open...").lo.y, head);
+}
+
 TEST_F(ScrollAnchorTest, TheWheelScrolls) {
   const glm::vec2 over = rig.control("Hide").centre();
   rig.move_to(over);

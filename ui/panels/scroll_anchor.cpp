@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asos::ui {
 
@@ -13,6 +14,12 @@ void ScrollAnchor::hold(const Controls& controls) {
   const glm::vec2 pointer(at.x, at.y);
   const float scroll = ImGui::GetScrollY();
   const auto found = controls.all().find(name_);
+  // A pointer that rests over the panel from the start aims at nothing.
+  if (!std::exchange(started_, true)) {
+    pointer_ = pointer;
+    scroll_ = scroll;
+  }
+  if (name_.empty() && pointer == pointer_ && scroll == scroll_) return;
   // After moving the pointer or scrolling, the user aims at another control.
   if (pointer != pointer_ || scroll != scroll_ || found == controls.all().end()) {
     take(controls, pointer);

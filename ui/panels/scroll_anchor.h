@@ -25,6 +25,7 @@ class ScrollAnchor {
   float scroll_ = 0.0f;
   glm::vec2 pointer_{0.0f};
   bool moved_ = false;
+  bool started_ = false;
 };
 
 }  // namespace asos::ui
