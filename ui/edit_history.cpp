@@ -49,9 +49,13 @@ EditHistory::State EditHistory::state_of(const Previewer& previewer,
 void EditHistory::update(const Previewer& previewer, const DisplaySettings& display, bool holding,
                          double now_seconds) {
   if (!settled_ || scene_ != previewer.scene().times_opened()) {
-    *this = {};
+    past_.clear();
+    future_.clear();
+    changed_ = false;
+    group_.reset();
     scene_ = previewer.scene().times_opened();
     settled_ = seen_ = state_of(previewer, display);
+    note_hidden(previewer.scene());
     return;
   }
   if (!is(previewer, display, *seen_)) {
@@ -60,6 +64,31 @@ void EditHistory::update(const Previewer& previewer, const DisplaySettings& disp
     changed_seconds_ = now_seconds;
   }
   if (changed_ && !holding && now_seconds - changed_seconds_ >= step_rest_seconds) end_step();
+}
+
+// Notes which objects the scene that was just opened hides.
+void EditHistory::note_hidden(const OpenScene& scene) {
+  if (!scene) return;
+  const std::vector<ObjectId>& now = scene.hidden_objects();
+  if (std::exchange(source_, scene->geometry->source) != scene->geometry->source) {
+    hidden_past_.clear();
+    hidden_future_.clear();
+  } else if (now != hidden_) {
+    hidden_past_.push_back(hidden_);
+    hidden_future_.clear();
+  }
+  hidden_ = now;
+}
+
+std::optional<std::string> EditHistory::show_earlier(std::deque<std::vector<ObjectId>>& from,
+                                                     std::deque<std::vector<ObjectId>>& to,
+                                                     OpenScene& scene) {
+  if (from.empty() || scene.loading()) return std::nullopt;
+  to.push_back(scene.hidden_objects());
+  hidden_ = from.back();
+  from.pop_back();
+  scene.show_all_but(hidden_);
+  return "hidden objects";
 }
 
 void EditHistory::end_step() {
@@ -113,11 +142,13 @@ std::string EditHistory::changed_words(const Previewer& previewer, const Display
 
 std::optional<std::string> EditHistory::undo(Previewer& previewer, DisplaySettings& display) {
   if (changed_) end_step();
+  if (past_.empty()) return show_earlier(hidden_past_, hidden_future_, previewer.scene());
   return step(past_, future_, previewer, display);
 }
 
 std::optional<std::string> EditHistory::redo(Previewer& previewer, DisplaySettings& display) {
   if (changed_) end_step();
+  if (future_.empty()) return show_earlier(hidden_future_, hidden_past_, previewer.scene());
   return step(future_, past_, previewer, display);
 }
 

@@ -7,13 +7,15 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace asos::ui {
 
 /// Undo and redo of edits: settings, lights, camera, exposure and tone curve. Maps, layers and
 /// other views of the picture are no edits. A drag, or a series of wheel
 /// turns, is one step: a step ends when nothing has changed for a moment and no button is held.
-/// Opening another scene clears the history. Not thread-safe.
+/// Opening another scene clears the history. Hiding objects loads the scene again, so only earlier
+/// changes of what is hidden can be undone after it. Not thread-safe.
 class EditHistory {
  public:
   static constexpr std::size_t most_steps = 200;
@@ -47,6 +49,9 @@ class EditHistory {
   [[nodiscard]] static bool is(const Previewer& previewer, const DisplaySettings& display,
                                const State& state);
   void end_step();
+  void note_hidden(const OpenScene& scene);
+  std::optional<std::string> show_earlier(std::deque<std::vector<ObjectId>>& from,
+                                          std::deque<std::vector<ObjectId>>& to, OpenScene& scene);
   std::optional<std::string> step(std::deque<State>& from, std::deque<State>& to,
                                   Previewer& previewer, DisplaySettings& display);
   [[nodiscard]] static std::string changed_words(const Previewer& previewer,
@@ -60,6 +65,9 @@ class EditHistory {
   std::uint64_t scene_ = 0;
   std::deque<State> past_, future_;
   std::optional<std::size_t> group_;  // number of steps when the group began
+  std::string source_;
+  std::vector<ObjectId> hidden_;  // now
+  std::deque<std::vector<ObjectId>> hidden_past_, hidden_future_;
 };
 
 }  // namespace asos::ui

@@ -34,7 +34,7 @@ struct ErrorSummary {
 [[nodiscard]] ErrorSummary error_summary(const Film& picture, const Film& reference,
                                          const DisplayTransform& display);
 
-/// Keeps the reference picture that "Check splits" has sampled for as long as the view stays,
+/// Keeps the reference picture that SplitCheck has sampled for as long as the view stays,
 /// whatever EPS, MAX and method the picture uses. Not thread-safe.
 class ErrorReference {
  public:

@@ -28,8 +28,9 @@ bool Frames::store(const Film& film, std::string name, std::string summary) {
 
 void Frames::flip_to(int index) {
   if (index < 0 || index >= static_cast<int>(stored.size())) return;
-  flipped = !(comparison == Comparison::flip && flipped && chosen == index);
+  flipped = !(comparison == Comparison::flip && flipped && compared() == index);
   comparison = Comparison::flip;
+  with = CompareWith::snapshot;
   chosen = index;
 }
 
@@ -37,22 +38,35 @@ void Frames::remove(int index) {
   if (index < 0 || index >= static_cast<int>(stored.size())) return;
   stored.erase(stored.begin() + index);
   chosen = std::clamp(chosen, 0, std::max(0, static_cast<int>(stored.size()) - 1));
-  if (stored.empty()) comparison = Comparison::none;
+  if (stored.empty() && with != CompareWith::reference) comparison = Comparison::none;
   sized_.reset();
   ++revision;
 }
 
-const StoredFrame* Frames::compared() const {
-  if (comparison == Comparison::none || chosen < 0 || chosen >= static_cast<int>(stored.size()))
-    return nullptr;
-  return &stored[static_cast<std::size_t>(chosen)];
+std::optional<int> Frames::compared() const {
+  if (comparison == Comparison::none) return std::nullopt;
+  if (with == CompareWith::reference)
+    return reference.film ? std::optional(the_reference) : std::nullopt;
+  const bool any = chosen >= 0 && chosen < static_cast<int>(stored.size());
+  return any ? std::optional(chosen) : std::nullopt;
+}
+
+const Film& Frames::film(int index) const {
+  return index == the_reference ? *reference.film : stored[static_cast<std::size_t>(index)].film;
+}
+
+std::string Frames::compared_title() const {
+  const std::optional<int> index = compared();
+  if (index == the_reference) return fmt::format("Reference, {} spp", reference.samples);
+  return index ? title(stored[static_cast<std::size_t>(*index)]) : std::string();
 }
 
 const Film& Frames::at_size(int index, glm::ivec2 size) {
-  const Film& film = stored[static_cast<std::size_t>(index)].film;
-  if (glm::ivec2(film.width, film.height) == size) return film;
-  if (!sized_ || sized_->revision != revision || sized_->index != index || sized_->size != size)
-    sized_ = Sized{revision, index, size, resampled(film, size)};
+  const Film& whole = film(index);
+  if (glm::ivec2(whole.width, whole.height) == size) return whole;
+  const std::uint64_t now = index == the_reference ? reference.revision : revision;
+  if (!sized_ || sized_->revision != now || sized_->index != index || sized_->size != size)
+    sized_ = Sized{now, index, size, resampled(whole, size)};
   return sized_->film;
 }
 

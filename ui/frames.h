@@ -22,8 +22,10 @@ struct StoredFrame {
   std::string file{};  ///< name of the scene's file without folder
 };
 
-/// How a snapshot is compared with the current picture.
-enum class Comparison { none, wipe, flip, difference };
+/// The other picture of a comparison. `method`: a snapshot by another method.
+enum class CompareWith { snapshot, method, reference };
+/// How that is shown.
+enum class Comparison { none, wipe, flip, difference, error };
 
 /// The snapshots, `most` at most, and how one of them is compared.
 struct Frames {
@@ -33,9 +35,10 @@ struct Frames {
   std::string shown_file;      ///< name of the open scene's file
   std::uint64_t revision = 0;  ///< grows when `stored` changes
   int chosen = 0;
+  CompareWith with = CompareWith::snapshot;
   Comparison comparison = Comparison::none;
   float wipe = 0.5f;          ///< fraction of the picture's width that shows the current picture
-  bool flipped = false;       ///< the snapshot is shown
+  bool flipped = false;       ///< the other picture is shown
   float scale_stops = -4.0f;  ///< the difference that is drawn white: 2^scale_stops
 
   /// A reference of this view, that errors are measured against. `film` null: there is none, and
@@ -60,8 +63,9 @@ struct Frames {
   double rmse = 0.0;                ///< of the picture; NaN: unknown
   std::vector<double> stored_rmse;  ///< of each snapshot
 
-  /// Returns the film of snapshot `index` resampled to `size`. The result is valid until the next
-  /// call.
+  static constexpr int the_reference = -1;  ///< in place of a snapshot's index
+  /// Returns the film of snapshot `index`, or the reference, resampled to `size`. The result is
+  /// valid until the next call.
   [[nodiscard]] const Film& at_size(int index, glm::ivec2 size);
   /// Stores a picture of the scene `shown_file` under this name, with a number added if the name is
   /// taken. Returns false if there are `most` snapshots already.
@@ -78,12 +82,18 @@ struct Frames {
   /// Shows a snapshot in place of the picture; shows the picture again if that snapshot is shown.
   void flip_to(int index);
   void remove(int index);
-  /// Whether a snapshot, or the difference from it, covers the whole picture.
+  /// Index of the snapshot that the comparison is with, or `the_reference`; none: no comparison, or
+  /// there is none yet.
+  [[nodiscard]] std::optional<int> compared() const;
+  [[nodiscard]] const Film& film(int index) const;
+  /// Names the picture that the comparison is with.
+  [[nodiscard]] std::string compared_title() const;
+  /// Whether the comparison covers the whole picture. An error dims it until the reference is
+  /// known.
   [[nodiscard]] bool cover_picture() const {
-    return compared() && (comparison == Comparison::difference || flipped);
+    return comparison == Comparison::error ||
+           (compared() && (comparison == Comparison::difference || flipped));
   }
-  /// The snapshot that is compared; null: none.
-  [[nodiscard]] const StoredFrame* compared() const;
 
  private:
   struct Sized {

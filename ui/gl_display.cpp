@@ -128,40 +128,49 @@ void GlDisplay::convert_overlay(const Film& film, const PixelRect& rect) {
 
 void GlDisplay::update_compared(const Film& film, std::span<const PixelRect> changed,
                                 Frames& frames) {
-  if (!frames.compared() || film.width <= 0) {
+  const std::optional<int> index = frames.compared();
+  if (film.width <= 0 || (!index && frames.comparison != Comparison::error)) {
     compared_ = {};
     return;
   }
-  const bool difference = frames.comparison == Comparison::difference;
   const glm::ivec2 size(film.width, film.height);
-  const Film& stored = frames.at_size(frames.chosen, size);
-  const Compared wanted{frames.revision,    frames.chosen, difference,
-                        frames.scale_stops, shown_,        size};
+  const Film* other = index ? &frames.at_size(*index, size) : nullptr;
+  const Compared wanted{
+      index == Frames::the_reference ? frames.reference.revision : frames.revision,
+      index,
+      frames.comparison,
+      frames.scale_stops,
+      shown_,
+      size};
   const PixelRect whole{0, 0, size.x, size.y};
   if (wanted != compared_) {
     if (wanted.size != compared_.size) compared_layer_.resize(size.x, size.y);
     compared_ = wanted;
-    convert_compared(film, stored, whole);
-  } else if (difference) {
+    convert_compared(film, other, whole);
+  } else {
     for (const PixelRect& rect : changed) {
       const PixelRect inside = intersection(rect, whole);
-      if (!inside.empty()) convert_compared(film, stored, inside);
+      if (!inside.empty()) convert_compared(film, other, inside);
     }
   }
   compared_layer_.upload();
 }
 
-void GlDisplay::convert_compared(const Film& film, const Film& stored, const PixelRect& rect) {
-  const float per_scale = std::exp2(-compared_.scale_stops);
+glm::u8vec3 GlDisplay::compared_colour(const Film& film, const Film* other, std::size_t i) const {
+  if (!other) return glm::u8vec3(brightness_without_reference * glm::vec3(bytes_of(film, i)));
+  if (compared_.comparison == Comparison::error)
+    return heat_colour(ErrorScale::share(error_steps(film, *other, i, compared_.shown)));
+  if (compared_.comparison == Comparison::difference)
+    return heat_colour(std::exp2(-compared_.scale_stops) *
+                       difference_of(*other, film, i, compared_.shown));
+  return bytes_of(*other, i);
+}
+
+void GlDisplay::convert_compared(const Film& film, const Film* other, const PixelRect& rect) {
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     const std::size_t row = film.index(rect.x, y);
-    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i) {
-      const glm::u8vec3 colour =
-          compared_.difference
-              ? heat_colour(per_scale * difference_of(stored, film, i, compared_.shown))
-              : bytes_of(stored, i);
-      compared_layer_.at(i) = glm::u8vec4(colour, 255);
-    }
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i)
+      compared_layer_.at(i) = glm::u8vec4(compared_colour(film, other, i), 255);
   }
   compared_layer_.mark(rect);
 }
@@ -179,40 +188,6 @@ void GlDisplay::show_wireframe(const SurfacePicture* surfaces, std::uint64_t rev
     wireframe_.at(i) = glm::u8vec4(wireframe_colour, std::lround(255.0f * opacity));
   }
   wireframe_.upload();
-}
-
-void GlDisplay::show_error(const Film& film, std::span<const PixelRect> changed,
-                           const Film* reference, std::uint64_t revision) {
-  const glm::ivec2 size(film.width, film.height);
-  const PixelRect whole{0, 0, size.x, size.y};
-  if (whole.empty()) return hide_error();
-  if (reference && glm::ivec2(reference->width, reference->height) != size) reference = nullptr;
-  const ErrorShown wanted{revision, reference != nullptr, shown_, size};
-  if (error_ != wanted) {
-    error_layer_.resize(size.x, size.y);
-    error_ = wanted;
-    convert_error(film, reference, whole);
-  } else {
-    for (const PixelRect& rect : changed) {
-      const PixelRect inside = intersection(rect, whole);
-      if (!inside.empty()) convert_error(film, reference, inside);
-    }
-  }
-  error_layer_.upload();
-}
-
-glm::u8vec3 GlDisplay::error_colour(const Film& film, const Film* reference, std::size_t i) const {
-  if (!reference) return glm::u8vec3(brightness_without_reference * glm::vec3(bytes_of(film, i)));
-  return heat_colour(ErrorScale::share(error_steps(film, *reference, i, error_->shown)));
-}
-
-void GlDisplay::convert_error(const Film& film, const Film* reference, const PixelRect& rect) {
-  for (int y = rect.y; y < rect.y + rect.height; ++y) {
-    const std::size_t row = film.index(rect.x, y);
-    for (std::size_t i = row; i < row + static_cast<std::size_t>(rect.width); ++i)
-      error_layer_.at(i) = glm::u8vec4(error_colour(film, reference, i), 255);
-  }
-  error_layer_.mark(rect);
 }
 
 void GlDisplay::draw(const PictureView& view, const Target& target, const DisplaySettings& display,
@@ -236,10 +211,8 @@ void GlDisplay::draw(const PictureView& view, const Target& target, const Displa
   draw_layer(picture_program_, picture_, clip_rect, magnified);
   if (display.show_split_map) draw_over(overlay_, display.split_dimming, clip_rect, magnified);
   if (shows_wireframe_) draw_over(wireframe_, 0.0f, clip_rect, magnified);
-  if (error_) draw_layer(picture_program_, error_layer_, clip_rect, magnified);
-  const bool beside = frames.comparison == Comparison::wipe ||
-                      frames.comparison == Comparison::difference || frames.flipped;
-  if (compared_.chosen < 0 || !beside) return;
+  if (compared_ == Compared{} || (frames.comparison != Comparison::wipe && !frames.cover_picture()))
+    return;
   if (frames.comparison == Comparison::wipe) {
     const float left = view.offset().x + frames.wipe * picture.x * view.scale();
     const int first = std::clamp(static_cast<int>(std::round(left)), 0, area.width);

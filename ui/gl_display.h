@@ -31,18 +31,13 @@ class GlDisplay {
   /// on it.
   void update(const Film& film, std::span<const PixelRect> changed, const DisplaySettings& display,
               std::uint64_t map_revision);
-  /// Updates the snapshot that is compared with `film`; call after `update`. A snapshot of another
-  /// size is resampled.
+  /// Updates the comparison with `film`; call after `update`. A picture of another size is
+  /// resampled. The error dims the picture until there is a reference.
   void update_compared(const Film& film, std::span<const PixelRect> changed, Frames& frames);
 
   /// From now on draws the wireframe of `surfaces` over the picture, if it has the picture's size;
   /// null: none. `revision` grows with each new picture of surfaces.
   void show_wireframe(const SurfacePicture* surfaces, std::uint64_t revision);
-  /// From now on shows the error of each pixel against `reference`. Without one of the film's size
-  /// (null: none) shows the picture, dimmed. `revision` counts the references.
-  void show_error(const Film& film, std::span<const PixelRect> changed, const Film* reference,
-                  std::uint64_t revision);
-  void hide_error() { error_.reset(); }
 
   /// Where to draw: `area` is in framebuffer pixels from the top left of a framebuffer of
   /// `framebuffer_height` pixels.
@@ -103,8 +98,8 @@ class GlDisplay {
   // The inputs that the compared layer was made from.
   struct Compared {
     std::uint64_t revision = 0;
-    int chosen = -1;
-    bool difference = false;
+    std::optional<int> index;  ///< see Frames::compared
+    Comparison comparison = Comparison::none;
     float scale_stops = 0.0f;
     DisplayTransform shown;
     glm::ivec2 size{0};
@@ -115,25 +110,15 @@ class GlDisplay {
     return tone_.bytes(shown_.tone == ToneCurve::none ? radiance : tone_mapped(radiance, shown_));
   }
   [[nodiscard]] glm::u8vec3 bytes_of(const Film& film, std::size_t i) const;
-  void convert_compared(const Film& film, const Film& stored, const PixelRect& rect);
+  /// `other`: null: it is not known yet.
+  [[nodiscard]] glm::u8vec3 compared_colour(const Film& film, const Film* other,
+                                            std::size_t i) const;
+  void convert_compared(const Film& film, const Film* other, const PixelRect& rect);
   Compared compared_;
   Layer compared_layer_;
   Layer wireframe_;
   std::uint64_t wireframe_revision_ = 0;
   bool shows_wireframe_ = false;
-
-  struct ErrorShown {
-    std::uint64_t revision = 0;
-    bool known = false;  ///< there is a reference
-    DisplayTransform shown;
-    glm::ivec2 size{0};
-    bool operator==(const ErrorShown&) const = default;
-  };
-  [[nodiscard]] glm::u8vec3 error_colour(const Film& film, const Film* reference,
-                                         std::size_t i) const;
-  void convert_error(const Film& film, const Film* reference, const PixelRect& rect);
-  std::optional<ErrorShown> error_;  // none: not shown
-  Layer error_layer_;
 };
 
 }  // namespace asos::ui

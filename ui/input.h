@@ -60,6 +60,7 @@ enum class Key : int {
   d,
   e,
   f,
+  g,
   h,
   i,
   k,

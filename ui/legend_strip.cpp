@@ -16,10 +16,6 @@ namespace {
 
 constexpr std::uint8_t strip_ground = 0x18, strip_text = 0xe0;
 
-struct CostStep {
-  double value;
-  const char* words;
-};
 constexpr std::array rays_steps{CostStep{1, "1 ray"},  CostStep{4, "4"},     CostStep{16, "16"},
                                 CostStep{64, "64"},    CostStep{256, "256"}, CostStep{1024, "1024"},
                                 CostStep{4096, "4096"}};
@@ -27,12 +23,10 @@ constexpr std::array time_steps{CostStep{1e-7, "0.1 \u00b5s"}, CostStep{1e-6, "1
                                 CostStep{1e-5, "10 \u00b5s"},  CostStep{1e-4, "0.1 ms"},
                                 CostStep{1e-3, "1 ms"},        CostStep{1e-2, "10 ms"}};
 
-template <std::size_t N>
-std::vector<LegendEntry> cost_entries(SplitMapColours colours,
-                                      const std::array<CostStep, N>& steps) {
+std::vector<LegendEntry> cost_entries(SplitMapColours colours) {
   const SplitMapKey key{colours};
   std::vector<LegendEntry> entries;
-  for (const CostStep& step : steps) {
+  for (const CostStep& step : cost_steps(colours)) {
     const double share = cost_scale(colours).share(step.value);
     entries.push_back(
         {key.colour(static_cast<std::uint8_t>(1.0 + std::round(254.0 * share))), step.words});
@@ -144,23 +138,41 @@ std::string legend_title(SplitMapColours colours) {
   return "Deepest level of each pixel";
 }
 
-std::vector<LegendEntry> legend_entries(SplitMapColours colours) {
-  if (colours == SplitMapColours::rays) return cost_entries(colours, rays_steps);
-  if (colours == SplitMapColours::time) return cost_entries(colours, time_steps);
+std::span<const CostStep> cost_steps(SplitMapColours colours) {
+  if (colours == SplitMapColours::rays) return rays_steps;
+  return time_steps;
+}
+
+CauseCounts count_causes(const Film& film) {
+  CauseCounts counts;
+  for (std::size_t i = 0; i < film.cause.size(); ++i) {
+    ++counts.pixels[static_cast<std::size_t>(film.cause[i])];
+    if (!film.unfinished.empty() && film.unfinished[i]) continue;
+    ++counts.finished;
+    counts.ended_by_max += film.cause[i] == SplitCause::depth_limit;
+  }
+  return counts;
+}
+
+std::vector<LegendEntry> legend_entries(SplitMapColours colours, const CauseCounts& causes) {
+  if (colours == SplitMapColours::rays || colours == SplitMapColours::time)
+    return cost_entries(colours);
   std::vector<LegendEntry> entries;
   if (colours == SplitMapColours::cause) {
     for (std::size_t i = 1; i < split_cause_count; ++i)
-      entries.push_back({split_cause_colour(static_cast<SplitCause>(i)), split_cause_titles[i]});
+      if (causes.pixels[i] > 0)
+        entries.push_back({split_cause_colour(static_cast<SplitCause>(i)), split_cause_titles[i]});
     return entries;
   }
   entries.push_back({split_colour(0), "not split"});
   entries.push_back({exact_colour, "exact"});
+  entries.push_back({sampled_colour, "sampled"});
   for (int level = 1; level <= split_colour_levels; ++level)
     entries.push_back({split_colour(level), std::to_string(level)});
   return entries;
 }
 
-void add_legend(RgbImage& image, SplitMapColours colours) {
+void add_legend(RgbImage& image, SplitMapColours colours, const CauseCounts& causes) {
   const float em = ImGui::GetFont()->FontSize;
   const float row = 1.5f * em, swatch = 1.4f * em, gap = 0.4f * em;
   struct Place {
@@ -169,7 +181,7 @@ void add_legend(RgbImage& image, SplitMapColours colours) {
   };
   std::vector<Place> places;
   float x = gap, y = row;
-  for (const LegendEntry& entry : legend_entries(colours)) {
+  for (const LegendEntry& entry : legend_entries(colours, causes)) {
     const float width = swatch + gap + width_of(entry.words) + 2.0f * gap;
     if (x > gap && x + width > static_cast<float>(image.width)) {
       x = gap;

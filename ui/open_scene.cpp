@@ -117,6 +117,7 @@ void OpenScene::load_again(const std::string& variant) {
 }
 
 void OpenScene::show_all_but(std::vector<ObjectId> hidden) {
+  if (!scene_) return;
   const std::size_t missing = textures_missing_;
   std::string outer_root = outer_root_;
   SceneSource source = shown_source();
@@ -191,7 +192,7 @@ void OpenScene::show_only(int part) {
 }
 
 void OpenScene::show_all() {
-  if (scene_) show_all_but({});
+  show_all_but({});
 }
 
 void OpenScene::show_scene(int index) {

@@ -51,10 +51,14 @@ class OpenScene {
   void hide(int part);
   /// Shows the scene without these objects only: ascending indices among all objects.
   void show_without(std::vector<int> places);
+  /// The same for objects by their ids, in any pose.
+  void show_all_but(std::vector<ObjectId> hidden);
   void show_only(int part);
   void show_all();
   /// Ascending indices of the hidden objects among all objects of the present pose.
   [[nodiscard]] const std::vector<int>& hidden() const { return hidden_places_; }
+  /// The hidden objects, ascending, in any pose.
+  [[nodiscard]] const std::vector<ObjectId>& hidden_objects() const { return hidden_; }
   /// Whether objects are hidden, in this pose or in others.
   [[nodiscard]] bool hides() const { return !hidden_.empty(); }
   /// The objects of the present pose, hidden ones included.
@@ -118,7 +122,6 @@ class OpenScene {
  private:
   void ask_for(SceneSource source);
   void load_again(const std::string& variant);
-  void show_all_but(std::vector<ObjectId> hidden);
   void find_hidden_places();
 
   std::shared_ptr<const RenderScene> scene_;

@@ -72,7 +72,8 @@ std::string PictureSaver::save_shown(const DisplaySettings& shown, double fracti
   if (!scene || display_.width() <= 0) return no_picture;
   RgbImage image{display_.width(), display_.height(), display_.seen_rgb(shown),
                  screenshot_text(previewer_, shown)};
-  if (shown.show_split_map && shown.show_legend) add_legend(image, shown.split_colours);
+  if (shown.show_split_map && shown.show_legend)
+    add_legend(image, shown.split_colours, count_causes(previewer_.render().film()));
   const auto saved =
       save_screenshot(image, screenshot_folder(), screenshot_stem(scene->geometry->source));
   if (!saved || previewer_.render().progress().finished) return words(saved);

@@ -15,6 +15,13 @@ constexpr double most_ahead = 0.5;
 // Assumed duration of a render without an estimate.
 constexpr double usual_seconds = 60.0;
 
+// Whether the render has the window's EPS and MAX already.
+bool follows_splitting(const Previewer& previewer) {
+  const AsosSettings& asked = previewer.edits().settings().asos;
+  const AsosSettings& rendered = previewer.render().settings().asos;
+  return asked.eps == rendered.eps && asked.max_level == rendered.max_level;
+}
+
 }  // namespace
 
 std::optional<TimeEstimate> time_estimate(const Progress& progress, const Forecast* forecast) {
@@ -28,10 +35,14 @@ std::optional<TimeEstimate> time_estimate(const Progress& progress, const Foreca
 }
 
 std::optional<TimeEstimate> time_estimate(const Previewer& previewer, const Forecast* forecast) {
-  const AsosSettings& asked = previewer.edits().settings().asos;
-  const AsosSettings& rendered = previewer.render().settings().asos;
-  const bool followed = asked.eps == rendered.eps && asked.max_level == rendered.max_level;
-  return time_estimate(followed ? previewer.render().progress() : Progress{}, forecast);
+  return time_estimate(follows_splitting(previewer) ? previewer.render().progress() : Progress{},
+                       forecast);
+}
+
+std::optional<double> shown_split_share(const Previewer& previewer, const Forecast* forecast) {
+  if (follows_splitting(previewer) && previewer.render().progress().finished)
+    return previewer.render().split_share();
+  return forecast ? std::optional(forecast->split_share) : std::nullopt;
 }
 
 void ShownProgress::update(const Progress& progress, std::optional<TimeEstimate> estimate,

@@ -25,6 +25,11 @@ struct TimeEstimate {
 [[nodiscard]] std::optional<TimeEstimate> time_estimate(const Previewer& previewer,
                                                         const Forecast* forecast);
 
+/// The fraction of split pixels that every text of the window shows, for its current settings:
+/// counted in the finished picture, or else estimated. None: neither exists.
+[[nodiscard]] std::optional<double> shown_split_share(const Previewer& previewer,
+                                                      const Forecast* forecast);
+
 /// The displayed percentage of a render. The session's finished fraction stands still while its
 /// estimate grows and while edges are searched. This one keeps growing, ever slower, and never
 /// falls. It is 1 only once the render is finished. Not thread-safe.

@@ -37,14 +37,6 @@ float clipped_error(glm::vec3 mean, float error) {
          largest(glm::clamp(mean + error, 0.0f, 1.0f) - glm::clamp(mean - error, 0.0f, 1.0f));
 }
 
-void add_pixel(std::vector<PixelRun>& runs, int x, int y) {
-  if (!runs.empty() && runs.back().y == y && runs.back().x + runs.back().count == x) {
-    ++runs.back().count;
-  } else {
-    runs.push_back({x, y, 1});
-  }
-}
-
 struct CheckRequest {
   Snapshot snapshot;
   Film picture;
@@ -81,6 +73,14 @@ void check_view(const CheckRequest& request, const std::stop_token& stop,
 }
 
 }  // namespace
+
+void add_pixel(std::vector<PixelRun>& runs, int x, int y) {
+  if (!runs.empty() && runs.back().y == y && runs.back().x + runs.back().count == x) {
+    ++runs.back().count;
+  } else {
+    runs.push_back({x, y, 1});
+  }
+}
 
 SplitFindings find_faults(const SplitEvidence& evidence, double alarm) {
   const Film& picture = evidence.picture;
@@ -121,9 +121,8 @@ SplitFindings find_faults(const SplitEvidence& evidence, double alarm) {
 
 void SplitCheck::update(const Previewer& previewer, bool wanted, double alarm, bool held) {
   const PreviewRender& render = previewer.render();
-  const bool splits = in_object_space(render.settings().method);
   const Subject subject{render.restarts(), alarm};
-  const bool ready = wanted && splits && previewer.scene() && render.progress().finished &&
+  const bool ready = wanted && previewer.scene() && render.progress().finished &&
                      !previewer.seconds_to_update(0.0);
   current_ = ready && subject_ == subject;
   if (!ready) {

@@ -24,6 +24,9 @@ struct PixelRun {
   bool operator==(const PixelRun&) const = default;
 };
 
+/// Adds a pixel that follows those of `runs` in reading order.
+void add_pixel(std::vector<PixelRun>& runs, int x, int y);
+
 /// A finished picture, and samples of the same view to compare it with.
 struct SplitEvidence {
   const Film& picture;

@@ -81,6 +81,7 @@ StoredSettings settings_of(const SettingsJson& json) {
   read(json, "split_dimming", 0.0f, 1.0f, s.display.split_dimming);
   read(json, "show_legend", s.display.show_legend);
   read(json, "show_grid", s.display.show_grid);
+  read(json, "show_axes", s.display.show_axes);
   if (const auto at = json.find("split_colours"); at != json.end() && at->is_string()) {
     for (const auto& named : split_map_names)
       if (at->get<std::string>() == named.name) s.display.split_colours = named.value;
@@ -179,6 +180,7 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
       {"split_dimming", settings.display.split_dimming},
       {"show_legend", settings.display.show_legend},
       {"show_grid", settings.display.show_grid},
+      {"show_axes", settings.display.show_axes},
       {"split_colours", name_in(split_map_names, settings.display.split_colours)},
       {"theme", theme_names[static_cast<std::size_t>(settings.look.theme)]},
       {"ui_scale", settings.look.scale},

@@ -54,8 +54,9 @@ void start_tour(UiState& state, const Previewer& previewer, double now_seconds) 
   tour.chosen.reset();
   // A replayed tour still restores the settings from before its first card.
   if (!tour.card)
-    tour.before = {previewer.edits().settings(), state.display, state.picked,
-                   state.frames.comparison, state.frames.chosen};
+    tour.before = {
+        previewer.edits().settings(), state.display,      state.picked, state.frames.with,
+        state.frames.comparison,      state.frames.chosen};
   tour.card = Tour::Card::pyray;
   act(state, now_seconds);
 }
@@ -99,7 +100,8 @@ void end_tour(UiState& state, Previewer& previewer) {
     if (frames.stored[i].name == tour.rival) frames.remove(static_cast<int>(i));
   tour.rival.clear();
   tour.frames_when_asked.reset();
-  frames.comparison = frames.stored.empty() ? Comparison::none : tour.before.comparison;
+  frames.with = tour.before.with;
+  frames.comparison = tour.before.comparison;
   if (tour.before.chosen < static_cast<int>(frames.stored.size()))
     frames.chosen = tour.before.chosen;
 }

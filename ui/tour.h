@@ -56,6 +56,7 @@ struct Tour {
     RenderSettings settings;
     DisplaySettings display;
     std::optional<glm::ivec2> picked;
+    CompareWith with = CompareWith::snapshot;
     Comparison comparison = Comparison::none;
     int chosen = 0;  ///< snapshot
   };

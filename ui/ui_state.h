@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/display_settings.h"
+#include "ui/legend_strip.h"
 #include "ui/panel_tab.h"
 #include "ui/panels/check_panel.h"
 #include "ui/panels/equal_time_panel.h"
@@ -32,6 +33,7 @@ namespace asos::ui {
 struct UiState {
   DisplaySettings display;
   WindowLook look;
+  BarParts bar;  ///< what the bar shows in this frame
   Tour tour;
   PictureView view;
   StudyChoice study;
@@ -43,14 +45,17 @@ struct UiState {
   CheckChoice check;
   SurfaceChoice surfaces;
   EqualTimeChoice equal_time;
-  std::optional<glm::ivec2> picked;  ///< the pixel that was clicked
-  int picked_pyray = -1;             ///< index of its pyray that is inspected; -1: the pixel itself
-  bool show_boundaries = false;      ///< draws all edges of the view over the picture
-  std::optional<int> shown_level;    ///< of the picked pixel's splitting; none: all levels
+  std::optional<glm::ivec2> clicked;  ///< the pixel that was clicked last
+  std::optional<glm::ivec2> picked;   ///< the pixel that is inspected
+  int picked_pyray = -1;           ///< index of its pyray that is inspected; -1: the pixel itself
+  bool show_boundaries = false;    ///< draws all edges of the view over the picture
+  std::optional<int> shown_level;  ///< of the picked pixel's splitting; none: all levels
   std::optional<glm::ivec2> hovered;  ///< the pixel under the pointer
   bool turns_surroundings = false;    ///< a drag begun with Shift rotates the surroundings
   Frames frames;
-  bool show_error = false;   ///< shows the error of each pixel instead of the picture
+  CauseCounts causes;  ///< of the picture
+  /// Fraction of the pixels that are split, 0 to 1: see shown_split_share.
+  std::optional<double> split_share;
   bool show_before = false;  ///< shows the picture of the last finished EPS and MAX
   bool show_panel = true;
   PanelTab tab = PanelTab::antialias;
@@ -75,11 +80,17 @@ struct UiState {
   std::string message;          ///< shown in the status line until `message_until_seconds`
   double message_until_seconds = 0.0;
 
+  /// The pixel whose object, light or material is meant.
+  [[nodiscard]] std::optional<glm::ivec2> pointed() const { return picked ? picked : clicked; }
   /// Whether a layer of the film or a surface property replaces the picture.
   [[nodiscard]] bool shows_layer() const {
     return display.layer.has_value() || surfaces.property.has_value();
   }
-  /// Shows the picture again instead.
+  /// Shows the picture again instead of its difference or error.
+  void leave_difference() {
+    if (frames.comparison >= Comparison::difference) frames.show_picture();
+  }
+  /// Shows the picture again instead of a layer.
   void leave_layer() {
     display.layer.reset();
     surfaces.property.reset();

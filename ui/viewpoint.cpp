@@ -126,6 +126,19 @@ void Viewpoint::frame_all() {
   frame(camera_.camera());
 }
 
+void Viewpoint::frame_box(const Box& box) {
+  constexpr double margin = 1.15;
+  const glm::dvec3 lo(box.lo), hi(box.hi);
+  const double radius = margin * 0.5 * glm::distance(lo, hi);
+  const double narrow = std::min(1.0, aspect_ratio());
+  camera_.look_at(0.5 * (lo + hi));
+  const Camera camera = camera_.camera();
+  const bool perspective = camera.type == Camera::Type::perspective;
+  const double half_angle = std::atan(narrow * std::tan(0.5 * camera.fov_y_rad));
+  const double wanted = perspective ? radius / std::sin(half_angle) : 2.0 * radius / narrow;
+  camera_.dolly(wanted / (perspective ? camera_.distance() : camera.height));
+}
+
 void Viewpoint::make_room_to_turn() {
   if (!scene_ || framing() == 0) return;
   const Camera camera = camera_.camera();

@@ -44,6 +44,9 @@ class Viewpoint {
   /// the aspect ratio.
   void frame_all();
 
+  /// The same for a part of the scene, which is not followed.
+  void frame_box(const Box& box);
+
   /// If the whole scene is framed, moves back so far that it stays in the picture while the camera
   /// turns about the vertical axis through the pivot.
   void make_room_to_turn();

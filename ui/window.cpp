@@ -66,6 +66,7 @@ constexpr std::pair<std::string_view, Key> printed_keys[] = {
     {"d", Key::d},
     {"e", Key::e},
     {"f", Key::f},
+    {"g", Key::g},
     {"h", Key::h},
     {"i", Key::i},
     {"k", Key::k},

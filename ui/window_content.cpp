@@ -3,6 +3,7 @@
 #include "renderer/comparison/method.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/panels/side_panel.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/panels/tour_panel.h"
 #include "ui/screenshot.h"
 #include "ui/theme.h"
@@ -94,6 +95,7 @@ void WindowContent::draw(const FrameInput& in) {
     return;
   }
 
+  state_.split_share = shown_split_share(previewer_, forecast_.of(previewer_));
   progress_.update(previewer_.render().progress(), estimate(), previewer_.render().restarts(),
                    in.time_seconds);
   follow_files(in.time_seconds);
@@ -193,9 +195,12 @@ void WindowContent::lay_out(const FrameInput& in) {
 
   const glm::vec2 window(in.window_size);
   const float em = ImGui::GetFontSize();
-  layout_ = WindowLayout::of(window, em, state_.show_panel, state_.look.show_bar);
+  layout_ = WindowLayout::of(window, em, state_.show_panel, state_.look.show_bar,
+                             previewer_.playback().available());
   if (state_.tour.card && !has_room_for_tour(layout_, em))
     layout_ = WindowLayout::of(window, em, false, false);
+  state_.bar = bar_parts(layout_.bar.size);
+  state_.bar.timeline = layout_.timeline.size.y > 0.0f;
   const WindowRect& picture = layout_.picture;
   const glm::vec2 scale = glm::vec2(in.framebuffer_size) / window;
   const glm::ivec2 pixels(glm::round(picture.size * scale));
@@ -209,16 +214,21 @@ void WindowContent::lay_out(const FrameInput& in) {
   // Keys go to the picture until the panel is focused.
   if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
   const PictureArea shown{picture, scale.y};
-  check_marks(check_.findings(), state_.check, state_.view, shown);
+  select_at(previewer_, state_.outline, state_.pointed());
+  outline_.update(previewer_, selected_objects(previewer_.scene(), state_.outline));
+  if (marks_splits()) check_marks(check_.findings(), state_.check, state_.view, shown);
+  draw_runs(outline_.runs(), theme::rgb(theme::accent_bright), state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
   if (state_.display.show_grid) grid_.draw(previewer_, state_.view, shown);
-  if (!state_.display.show_split_map && !state_.show_error && !state_.shows_layer() &&
+  if (!state_.display.show_split_map && !state_.shows_layer() &&
       state_.frames.comparison != Comparison::wipe && !state_.frames.cover_picture())
     pixel_numbers(controls_, previewer_.render().film(), state_.display.transform(), state_.view,
                   shown);
   light_marks(controls_, previewer_, state_.lights, state_.view, shown);
   wipe_line(controls_, state_.frames, state_.view, previewer_, shown);
   loading_box(previewer_, shown);
+  play_button(controls_, previewer_.playback(), picture);
+  if (state_.display.show_axes) axes_widget(controls_, previewer_.viewpoint(), shown);
   picture_area(controls_, previewer_, state_, shown);
   ImGui::End();
   ImGui::PopStyleVar();
@@ -234,6 +244,11 @@ void WindowContent::lay_out(const FrameInput& in) {
   ImGui::End();
   ImGui::PopStyleVar();
 
+  if (layout_.timeline.size.y > 0.0f) {
+    begin_fixed("timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar);
+    timeline_row(controls_, previewer_.playback());
+    ImGui::End();
+  }
   if (layout_.bar.size.y > 0.0f) {
     begin_fixed("picture bar", layout_.bar, ImGuiWindowFlags_NoScrollbar);
     picture_bar(controls_, previewer_, state_);
@@ -246,8 +261,8 @@ void WindowContent::lay_out(const FrameInput& in) {
               shown);
   DisplaySettings legend = state_.display;
   const bool shows_layer = state_.display.layer && layers_.film() && !state_.surfaces.property;
-  const bool shows_snapshot = state_.frames.cover_picture() && !state_.shows_layer();
-  if (state_.show_error || shows_snapshot || state_.shows_layer()) legend.show_legend = false;
+  const bool compares = state_.frames.cover_picture() && !state_.shows_layer();
+  if (compares || state_.shows_layer()) legend.show_legend = false;
   // The legend is hidden in pictures narrower than this if the tour's card or the pixel panel is
   // shown.
   constexpr float beside_another_em = 52.0f;
@@ -259,21 +274,19 @@ void WindowContent::lay_out(const FrameInput& in) {
     legend.show_legend = false;
   if (state_.tour.card && panel_left) legend.show_legend = false;
   const MapFacts map{previewer_.edits().settings().asos.max_level,
-                     !previewer_.render().progress().finished};
+                     !previewer_.render().progress().finished, state_.causes};
   if (split_legend(controls_, legend, map, picture, panel_left)) explain_a_pixel();
   if (shows_layer && state_.display.show_legend)
     layer_legend(controls_,
                  {*state_.display.layer, layers_.scale(),
                   renders_layer(previewer_.render().settings().method, *state_.display.layer)},
                  picture);
-  if (shows_snapshot && state_.display.show_legend)
-    comparison_legend(controls_, state_.frames, picture);
-  if (state_.show_error && !shows_snapshot && !shows_layer)
-    error_legend(controls_,
-                 {error_reference_.film() ? error_reference_.samples() : 0,
-                  previewer_.render().progress().finished,
-                  error_reference_.summary(previewer_, state_.display.transform())},
-                 picture);
+  if (compares && (state_.display.show_legend || state_.frames.comparison == Comparison::error))
+    comparison_legend(controls_, state_.frames,
+                      {error_reference_.film() ? error_reference_.samples() : 0,
+                       previewer_.render().progress().finished,
+                       error_reference_.summary(previewer_, state_.display.transform())},
+                      picture);
   tour_panel(controls_, previewer_, state_, equal_time_, shown, in.time_seconds);
   notices(controls_, previewer_.scene(), picture);
   dialogs(picture);
@@ -298,6 +311,7 @@ void WindowContent::explain_a_pixel() {
   state_.picked = most_split_pixel(previewer_.render().film());
   state_.picked_pyray = -1;
   state_.shown_level.reset();
+  state_.clicked = state_.picked;
   if (!state_.picked) say("No pixel is split");
 }
 
@@ -352,12 +366,20 @@ void WindowContent::panel_window(const WindowRect& rect) {
   if (std::exchange(state_.forget, false)) apply(StoredSettings{});
 }
 
-// Returns whether the check has to sample a reference: for itself, or until the error layer's own
-// reference is complete.
+// Whether pixels that the check has found are marked in the picture.
+bool WindowContent::marks_splits() const {
+  return state_.check.check && state_.frames.with == CompareWith::reference &&
+         in_object_space(previewer_.render().settings().method);
+}
+
+// Returns whether a reference has to be sampled: to mark splits, or until that of a comparison is
+// complete.
 bool WindowContent::wants_reference() const {
   constexpr int whole = SplitCheck::most_passes * SplitCheck::samples_each;
   const bool has = error_reference_.film() && error_reference_.samples() >= whole;
-  return state_.check.check || (state_.show_error && !has);
+  const Frames& frames = state_.frames;
+  return marks_splits() ||
+         (frames.with == CompareWith::reference && frames.comparison != Comparison::none && !has);
 }
 
 std::optional<TimeEstimate> WindowContent::estimate() const {
@@ -373,6 +395,7 @@ std::uint32_t WindowContent::activity() const {
                            forecast_.busy(),
                            check_.pending(),
                            surfaces_.busy(),
+                           outline_.busy(),
                            equal_time_.pending(),
                            saver_.job().pending(),
                            saver_.job().state().has_value(),
@@ -411,7 +434,7 @@ std::optional<double> WindowContent::seconds_to_redraw() const {
   if (inspector_.busy() || split_search_.busy() || sky_reader_.busy() || forecast_.busy() ||
       metered_exposure_.busy())
     also(0.02);
-  if (surfaces_.busy()) also(0.02);
+  if (surfaces_.busy() || outline_.busy()) also(0.02);
   if (layers_.due() && !previewer_.render().progress().running) also(0.02);
   if (check_.pending() || equal_time_.pending()) also(0.1);
   if (keys_repeat()) also(0.03);

@@ -17,6 +17,7 @@
 #include "ui/picture_saver.h"
 #include "ui/previewer.h"
 #include "ui/scene_export.h"
+#include "ui/selection_outline.h"
 #include "ui/shown_progress.h"
 #include "ui/split_check.h"
 #include "ui/split_forecast.h"
@@ -108,6 +109,7 @@ class WindowContent {
   void say(std::string message);
   void settle();
   [[nodiscard]] std::optional<TimeEstimate> estimate() const;
+  [[nodiscard]] bool marks_splits() const;
   [[nodiscard]] bool wants_reference() const;
 
   Previewer& previewer_;
@@ -128,6 +130,7 @@ class WindowContent {
   ShownProgress progress_;
   SplitCheck check_;
   SurfaceViewer surfaces_;
+  SelectionOutline outline_;
   LayerViewer layers_;
   ErrorReference error_reference_;
   EqualTimeJob equal_time_;

@@ -69,8 +69,9 @@ void WindowContent::follow_files(double now_seconds) {
       show_as(*opened, state_.display);
       // When the tour ends, it restores the settings of the opened picture.
       if (state_.tour.card)
-        state_.tour.before = {previewer_.edits().settings(), state_.display, std::nullopt,
-                              state_.frames.comparison, state_.frames.chosen};
+        state_.tour.before = {
+            previewer_.edits().settings(), state_.display,      std::nullopt, state_.frames.with,
+            state_.frames.comparison,      state_.frames.chosen};
     }
   }
   if (const auto carried = previewer_.take_carried())

@@ -7,9 +7,13 @@
 
 namespace asos::ui {
 
-WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool show_bar) {
+WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool show_bar,
+                              bool show_timeline) {
   // Minimum width of a picture next to the panel, in widths of the panel.
   constexpr float least_picture = 0.5f;
+  // Lower windows have no panel: 400 pixels at scale 1.
+  constexpr float least_height_em = 400.0f / theme::text_pixels;
+  show_panel = show_panel && window.y >= std::round(least_height_em * em);
   const float panel_width = std::round(theme::panel_width_em * em);
   const bool beside = window.x >= std::round((1.0f + least_picture) * panel_width);
   const float taken_across = show_panel && beside ? panel_width : 0.0f;
@@ -27,12 +31,17 @@ WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool 
     bar_em = theme::compact_bar_height_em;
   if (fits(theme::least_bar_em, theme::bar_height_em, 4.0f)) bar_em = theme::bar_height_em;
   const float bar = show_bar ? std::round(bar_em * em) : 0.0f;
-  const glm::vec2 picture(across, std::floor(above_status - bar));
+  const bool has_timeline = show_timeline && fits(theme::least_compact_bar_em,
+                                                  theme::compact_bar_height_em + bar_em, 2.5f);
+  const float timeline = has_timeline ? std::round(theme::compact_bar_height_em * em) : 0.0f;
+  const glm::vec2 picture(across, std::floor(above_status - bar - timeline));
 
   WindowLayout layout;
   layout.picture = {{0.0f, 0.0f}, picture};
-  layout.bar = {{0.0f, picture.y}, {picture.x, bar}};
-  layout.status = {{0.0f, picture.y + bar}, {picture.x, window.y - taken_down - picture.y - bar}};
+  layout.timeline = {{0.0f, picture.y}, {picture.x, timeline}};
+  layout.bar = {{0.0f, picture.y + timeline}, {picture.x, bar}};
+  const float above = picture.y + timeline + bar;
+  layout.status = {{0.0f, above}, {picture.x, window.y - taken_down - above}};
   layout.panel = {{0.0f, 0.0f}, {0.0f, 0.0f}};
   if (show_panel && beside) layout.panel = {{picture.x, 0.0f}, {window.x - picture.x, window.y}};
   if (show_panel && !beside) layout.panel = {{0.0f, window.y - taken_down}, {window.x, taken_down}};

@@ -19,6 +19,7 @@ void WindowContent::update_display() {
   if (std::exchange(restarts_seen_, render.restarts()) != render.restarts() || !before)
     state_.show_before = false;
   std::vector<PixelRect> changed = previewer_.render().take_changed();
+  if (!changed.empty()) state_.causes = count_causes(render.film());
   const SurfacePicture* surfaces = surfaces_.picture();
   const bool shows_surfaces = surfaces && state_.surfaces.property;
   layers_.update(render.film(), changed, state_.display, !render.progress().finished,
@@ -33,8 +34,7 @@ void WindowContent::update_display() {
   const bool other_layer = std::exchange(layer_shown_, layer) != layer;
   if (other_film || other_surfaces || other_layer) changed = {{0, 0, film.width, film.height}};
   shown_display_ = state_.display;
-  const bool shows_error = state_.show_error && !shows_surfaces && !shows_layer;
-  if (shows_error) shown_display_.show_split_map = false;
+  if (state_.frames.comparison == Comparison::error) shown_display_.show_split_map = false;
   if (shows_surfaces || shows_layer) {
     shown_display_.exposure_ev = 0.0f;
     shown_display_.tone = ToneCurve::none;
@@ -44,10 +44,6 @@ void WindowContent::update_display() {
   display_.show_wireframe(surfaces && state_.surfaces.wireframe ? surfaces : nullptr,
                           surfaces_.revision());
   display_.update_compared(film, changed, state_.frames);
-  if (shows_error)
-    display_.show_error(film, changed, error_reference_.film(), error_reference_.revision());
-  else
-    display_.hide_error();
 }
 
 void WindowContent::present(const FrameInput& in) {

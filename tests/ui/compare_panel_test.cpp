@@ -21,7 +21,7 @@ using test::usual_display;
 
 class ComparePanelTest : public PanelsTest {
  protected:
-  ComparePanelTest() : PanelsTest(1, test::UiRig::with_bar({660, 480})) {
+  ComparePanelTest() : PanelsTest(1, {660, 480}) {
     rig.click("section/Compare");
     rig.frame();
   }
@@ -76,22 +76,22 @@ TEST(SnapshotTable, IsCopiedAsCsv) {
 
 TEST_F(ComparePanelTest, FlipShowsTheStoredFrame) {
   store_and_change();
-  rig.click("Compare/Flip");
+  rig.click("Shown as/Flip");
   expect_area([&](int, std::size_t i) { return then(i); });
   rig.key(Key::x);
   expect_area([&](int, std::size_t i) { return now(i); });
   rig.key(Key::x);
   expect_area([&](int, std::size_t i) { return then(i); });
-  rig.click("Show snapshot");
+  rig.click("Show other");
   expect_area([&](int, std::size_t i) { return now(i); });
-  rig.click("Compare/Off");
+  rig.click("Shown as/Off");
   expect_area([&](int, std::size_t i) { return now(i); });
   EXPECT_FALSE(restarted());
 }
 
 TEST_F(ComparePanelTest, AWipeShowsBoth) {
   store_and_change();
-  rig.click("Compare/Wipe");
+  rig.click("Shown as/Wipe");
   rig.frame();
   const int width = rig.previewer().render().film().width;
   const auto beside = [&](int line) {
@@ -122,7 +122,7 @@ TEST_F(ComparePanelTest, AWipeShowsBoth) {
 
 TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
   store_and_change();
-  rig.click("Compare/Difference");
+  rig.click("Shown as/Difference");
   rig.frame();
   slide("Scale", 0.5f, 0.75f);
   const float scale = std::exp2(frames().scale_stops);
@@ -138,12 +138,12 @@ TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
   display().show_legend = true;
   rig.frame();
   const auto& all = rig.content().controls().all();
-  EXPECT_EQ(all.at("Compared snapshot").words, "Difference from: ASOS, EPS 1/256, MAX 2");
+  EXPECT_EQ(all.at("Compared").words, "Difference from: ASOS, EPS 1/256, MAX 2");
   EXPECT_EQ(all.at("Difference scale").words, "0 " + scale_words(frames().scale_stops - 1.0f) +
                                                   " " + scale_words(frames().scale_stops));
   rig.key(Key::x);
   rig.frame();
-  EXPECT_EQ(all.at("Compared snapshot").words, "Snapshot (X: picture): ASOS, EPS 1/256, MAX 2");
+  EXPECT_EQ(all.at("Compared").words, "ASOS, EPS 1/256, MAX 2 (X: picture)");
 }
 
 TEST_F(ComparePanelTest, NineSnapshotsAreKept) {
@@ -204,7 +204,8 @@ TEST_F(ComparePanelTest, TheReferenceTellsWhichOneIsCloser) {
   for (int i = 0; i < 2; ++i) rig.frame();
   EXPECT_EQ(closer_words(frames()), "not known yet");
   EXPECT_EQ(rig.control("Errors against").words, "the chosen snapshot");
-  rig.content().state().check.check = true;
+  rig.click("With/Reference");
+  EXPECT_EQ(frames().comparison, Comparison::error) << "the reference is sampled to be shown";
   ASSERT_TRUE(rig.frames_until([&] { return frames().reference.samples == 256; }));
   rig.frame();
   EXPECT_TRUE(closer_words(frames()).starts_with("Snapshot 1, ")) << closer_words(frames());
@@ -246,7 +247,7 @@ TEST(SnapshotName, SaysMethodAndQuality) {
 TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {
   store_and_change();
   EXPECT_FALSE(rig.content().controls().all().contains("Resampled"));
-  rig.click("Compare/Flip");
+  rig.click("Shown as/Flip");
   rig.resize({720, 900});
   ASSERT_TRUE(rig.settle());
   const Film& film = rig.previewer().render().film();
@@ -254,7 +255,7 @@ TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {
   const Film sized = resampled(frames().stored[0].film, {film.width, film.height});
   expect_area([&](int, std::size_t i) { return display_bytes(sized, i, usual_display); });
   EXPECT_TRUE(rig.content().controls().all().contains("Resampled"));
-  rig.click("Compare/Difference");
+  rig.click("Shown as/Difference");
   const float scale = std::exp2(frames().scale_stops);
   expect_area([&](int, std::size_t i) {
     return heat_colour(difference_of(film, sized, i, usual_display) / scale);

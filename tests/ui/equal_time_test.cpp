@@ -19,7 +19,8 @@ TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   ASSERT_TRUE(rig.settle());
   const UiState& state = rig.content().state();
-  rig.click("section/Equal time");
+  rig.unfold("Compare");
+  rig.click("With/Method");
   rig.frame();
   const auto& all = rig.content().controls().all();
   for (const MethodRow& row : method_table())
@@ -41,7 +42,8 @@ TEST_F(EqualTimeTest, ARivalCanBeStopped) {
   ASSERT_TRUE(
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   ASSERT_TRUE(rig.settle());
-  rig.click("section/Equal time");
+  rig.unfold("Compare");
+  rig.click("With/Method");
   rig.click("Render and compare");
   const auto& all = rig.content().controls().all();
   ASSERT_TRUE(rig.frames_until([&] {

@@ -90,7 +90,7 @@ class EveryControlTest : public PanelsTest {
         return numbers(s.tour.card ? static_cast<int>(*s.tour.card) : -1, s.tour.since_seconds);
       case Part::display:
         return numbers(d.exposure_ev, d.auto_exposure, static_cast<int>(d.tone), d.show_split_map,
-                       d.show_legend, d.show_grid, d.split_dimming,
+                       d.show_legend, d.show_grid, d.show_axes, d.split_dimming,
                        static_cast<int>(d.split_colours));
       case Part::lights:
         return numbers(p.edits().state().look.lights_revision);
@@ -109,7 +109,7 @@ class EveryControlTest : public PanelsTest {
                        static_cast<int>(s.reflections.channel), s.picked_pyray, s.outline.selected,
                        s.lens.click_to_focus, s.surfaces.wireframe);
       case Part::frames:
-        return numbers(s.frames.stored.size(), s.frames.chosen,
+        return numbers(s.frames.stored.size(), s.frames.chosen, static_cast<int>(s.frames.with),
                        static_cast<int>(s.frames.comparison), s.frames.wipe, s.frames.flipped,
                        s.frames.scale_stops);
       case Part::study:
@@ -124,8 +124,8 @@ class EveryControlTest : public PanelsTest {
                        s.save.show, s.save_scene.show, s.save.frames, s.save.fps, s.save.mp4,
                        static_cast<int>(s.save.layers));
       case Part::picture:
-        return numbers(d.show_split_map, static_cast<int>(d.split_colours), s.show_error,
-                       s.show_before, s.view.zoom(), static_cast<int>(s.frames.comparison),
+        return numbers(d.show_split_map, static_cast<int>(d.split_colours), s.show_before,
+                       s.view.zoom(), static_cast<int>(s.frames.comparison),
                        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
       case Part::message:
         return s.message + clipboard_ + numbers(p.scene().error().has_value());
@@ -182,10 +182,10 @@ class EveryControlTest : public PanelsTest {
     rig.press(MouseButton::left);
     rig.release(MouseButton::left);
     rig.content().state() = UiState{};
-    // "Reset window" folds sections.
+    // "Reset/Window" folds sections.
     StoredSettings stored = rig.content().stored_settings();
     stored.tab = PanelTab::all;
-    stored.sections["Advanced"] = true;
+    stored.sections["Advanced (papers)"] = true;
     rig.content().apply(stored);
     clipboard_.clear();
     rig.content().state().display.exposure_ev = 1.0f;  // so that there is something to reset
@@ -322,6 +322,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     for (const bool before : {false, true})
       use_all("a bar of two rows", [&, changed, before] {
         rig.resize({1250, 480});
+        s.look.show_bar = true;
         s.frames.store(rig.previewer().render().film(), "one", "");
         s.display.show_split_map = before;
         (void)rig.settle();
@@ -334,8 +335,8 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
       });
   use_all("turning", [&] { rig.previewer().turntable().set_turning(true); });
   use_all("light and large", [&] { s.look = {theme::Look::light, 1.25f}; });
-  for (const auto comparison :
-       {Comparison::none, Comparison::wipe, Comparison::flip, Comparison::difference})
+  for (const auto comparison : {Comparison::none, Comparison::wipe, Comparison::flip,
+                                Comparison::difference, Comparison::error})
     use_all("compare", [&, comparison] {
       rig.unfold("Compare");
       s.frames.store(rig.previewer().render().film(), "one", "");
@@ -384,14 +385,15 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   use_all("curved mirrors", [&] { settings().mirror.curved = CurvedMirror::adaptive; });
   use_all("a material's own blur", [&] { rig.previewer().edits().edit_dfrs()[0].emplace(); });
   use_all("another rival", [&] {
-    for (const char* section : {"Refinement", "Sky", "Equal time", "Check splits"})
-      rig.unfold(section);
+    for (const char* section : {"Refinement", "Sky", "Compare"}) rig.unfold(section);
+    s.frames.with = CompareWith::method;
     s.equal_time.method = Method::stochastic;
     rig.previewer().refinement().limits().rmse = 0.01;
   });
   for (const bool paused : {false, true})
     use_all("refinement", [&, paused] {
       rig.previewer().refinement().set_paused(paused);
+      s.frames.with = CompareWith::reference;
       s.check.check = !paused;
     });
   const auto set_lens = [&](const Lens& lens) {
@@ -487,9 +489,9 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   });
   use_all("checked splits", [&] {
     s.check.check = true;
-    rig.unfold("Check splits");
-    (void)rig.frames_until(
-        [&] { return rig.content().controls().all().contains("Keep reference"); });
+    s.frames.with = CompareWith::reference;
+    rig.unfold("Compare");
+    (void)rig.frames_until([&] { return s.frames.reference.film != nullptr; });
   });
   use_all("save scene dialog", [&] { s.save_scene.show = true; });
   use_all("save dialog, EXR", [&] {

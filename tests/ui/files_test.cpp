@@ -274,7 +274,7 @@ TEST_F(WatchedFileTest, RecentFilesAreOffered) {
   EXPECT_FALSE(rig.content().state().show_open);
   EXPECT_TRUE(rig.settle());  // sections that appear at the end may move the button
   rig.content().state().display.exposure_ev = 2.0f;
-  rig.click("Reset window");
+  rig.click("Reset/Window");
   EXPECT_TRUE(rig.content().state().recent.empty());
   EXPECT_EQ(rig.content().state().display, DisplaySettings{});
 }

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 // Quitting: never by Escape, and never without a question if work would be lost.
 
@@ -100,6 +101,43 @@ TEST_F(LeavingTest, EditedLightsAreAskedAbout) {
   EXPECT_TRUE(state().leaving.quit);
 }
 
+// Only some dialogs once took Enter.
+TEST_F(LeavingTest, EnterConfirmsEveryDialog) {
+  const auto settled = [&] {
+    for (int i = 0; i < 3; ++i) rig.frame();
+  };
+  state().save_scene.show = true;
+  settled();
+  ASSERT_TRUE(shown("Save scene"));
+  state().save_scene.path = (folder.path() / "scene.glb").string();
+  rig.key(Key::enter);
+  settled();
+  EXPECT_FALSE(state().save_scene.show);
+  EXPECT_TRUE(
+      rig.frames_until([&] { return std::filesystem::exists(folder.path() / "scene.glb"); }, 60.0));
+  state().save.show = true;
+  settled();
+  ASSERT_TRUE(shown("Save"));
+  rig.key(Key::enter);
+  settled();
+  EXPECT_FALSE(state().save.show);
+  rig.click("Add light");
+  state().opening = {"grating"};
+  settled();
+  ASSERT_TRUE(shown("Open"));
+  EXPECT_EQ(rig.previewer().scene()->geometry->source, "scene");
+  rig.key(Key::enter);
+  ASSERT_TRUE(rig.frames_until(
+      [&] { return rig.previewer().scene()->geometry->source == "grating"; }, 60.0));
+  ASSERT_TRUE(rig.settle());
+  rig.click("Add light");
+  ask();
+  ASSERT_TRUE(shown("Quit"));
+  EXPECT_FALSE(state().leaving.quit);
+  rig.key(Key::enter);
+  EXPECT_TRUE(state().leaving.quit);
+}
+
 // Dropped files, the dialog, recent files and the next model of the folder all use the same
 // question.
 TEST_F(LeavingTest, OpeningAnotherSceneAsksAboutEditedLights) {
@@ -126,7 +164,7 @@ TEST_F(LeavingTest, OpeningAnotherSceneAsksAboutEditedLights) {
 
 TEST_F(LeavingTest, ResetAndUndoneLightsAreNoEdit) {
   rig.click("Add light");
-  rig.click("Reset lights");
+  rig.click("Reset/Lights");
   rig.frame();
   state().opening = {"grating"};
   ASSERT_TRUE(

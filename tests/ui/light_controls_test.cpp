@@ -38,9 +38,9 @@ TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
 TEST_F(LightControlsTest, ShadowControlsRestart) {
   // The lights of the default lighting are area lights.
   ASSERT_TRUE(rig.previewer().scene()->lighting->default_lights_added);
-  rig.click("Quality");
+  rig.click("Soft shadows");
   rig.frame();
-  rig.click("Quality/extended-divided");
+  rig.click("Soft shadows/extended-divided");
   EXPECT_EQ(settings().shadow.quality, ShadowQuality::extended_divided);
   EXPECT_TRUE(restarted());
   slide("Divisions", 0.1f, 2.0f);
@@ -71,21 +71,21 @@ TEST_F(LightControlsTest, ShadowControlsAreShownWhereTheyMeanSomething) {
                          quality == ShadowQuality::extended_divided;
     EXPECT_EQ(shown("Divisions"), divided) << name;
   }
-  EXPECT_TRUE(shown("Quality"));
+  EXPECT_TRUE(shown("Soft shadows"));
   settings().shadow.cast = false;
-  EXPECT_FALSE(shown("Quality"));
+  EXPECT_FALSE(shown("Soft shadows"));
   settings().shadow.cast = true;
   settings().method = Method::asos_published;  // which has its own quality
-  EXPECT_FALSE(shown("Quality"));
+  EXPECT_FALSE(shown("Soft shadows"));
   EXPECT_FALSE(shown("Light rule/Physical"));
   settings().method = Method::sobol;
-  EXPECT_FALSE(shown("Quality"));
+  EXPECT_FALSE(shown("Soft shadows"));
   EXPECT_TRUE(shown("Light rule/Physical"));
   settings().method = Method::asos;
   rig.previewer().scene().open("point light");
   ASSERT_TRUE(
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
-  EXPECT_FALSE(shown("Quality"));
+  EXPECT_FALSE(shown("Soft shadows"));
   EXPECT_TRUE(shown("Light rule/Physical"));
 }
 
@@ -120,7 +120,7 @@ TEST_F(LightControlsTest, TheStatisticsListEightLightsAndCountTheOthers) {
 }
 
 TEST_F(LightControlsTest, EveryOptionsTextFitsItsButton) {
-  rig.click("Split map");
+  rig.key(Key::m);
   rig.frame();
   int looked_at = 0;
   for (const auto& [name, at] : rig.content().controls().all()) {

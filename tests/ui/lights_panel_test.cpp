@@ -225,12 +225,12 @@ TEST_F(LightsPanelTest, AnArrowSelectsItsLight) {
 
 TEST_F(LightsPanelTest, ResetLeavesTheEditorOpen) {
   type_into("Position/y", "1.75");
-  rig.click("Reset lights");
+  rig.click("Reset/Lights");
   EXPECT_TRUE(restarted());
   EXPECT_NEAR(light().position.y + world().origin.y, 1.0, 1e-9);
   EXPECT_EQ(rig.content().state().lights.selected, 0);
   rig.click("Add light");
-  rig.click("Reset lights");
+  rig.click("Reset/Lights");
   EXPECT_EQ(rig.content().state().lights.selected, -1) << "the added one is gone";
 }
 
@@ -301,7 +301,7 @@ TEST_F(LightsPanelTest, LightsAreSwitchedAddedAndRemoved) {
   EXPECT_TRUE(restarted());
   EXPECT_EQ(lights().size(), 1u);
   EXPECT_EQ(kind_of(light()), LightKind::sphere) << "the one that was added is left";
-  rig.click("Reset lights");
+  rig.click("Reset/Lights");
   EXPECT_TRUE(restarted());
   EXPECT_EQ(kind_of(light()), LightKind::point);
   EXPECT_EQ(rig.content().state().lights.selected, 0) << "the editor stays open";
@@ -328,7 +328,7 @@ TEST_F(LightsPanelTest, AClickedFaceBecomesALight) {
   rig.move_to({area.width / 2, area.height / 2});
   rig.press(MouseButton::left);
   rig.release(MouseButton::left);
-  ASSERT_TRUE(rig.content().state().picked.has_value());
+  ASSERT_TRUE(rig.content().state().clicked.has_value());
   EXPECT_FALSE(restarted()) << "a click turns nothing";
   rig.click("Light from face");
   EXPECT_TRUE(restarted());

@@ -82,7 +82,7 @@ TEST_F(PanelTabsTest, SearchFindsControlsOfAllTabs) {
   rig.key(Key::escape);
   for (const auto& [word, control] :
        {std::pair{"hdri", "section/Sky"}, std::pair{"gam", "section/Display"},
-        std::pair{"FOV", "Field of view"}, std::pair{"missed", "section/Check splits"}}) {
+        std::pair{"FOV", "Field of view"}, std::pair{"missed", "section/Compare"}}) {
     state().search = word;
     EXPECT_TRUE(shows(control)) << word << ", a word of other programs";
     EXPECT_FALSE(shows("section/Statistics")) << word;

@@ -14,17 +14,17 @@ namespace asos::test {
 using namespace ui;
 
 /// A window with an open scene and room for the whole panel next to the picture; the panel shows
-/// all of its tabs. Draws blind, and with a picture of 1/36 of the pixels, unless a test changes
-/// that.
+/// all of its tabs, and there is no bar. Draws blind, and with a picture of 1/36 of the pixels,
+/// unless a test changes that.
 class PanelsTest : public testing::Test {
  protected:
   /// Renders the picture once at this size of the window; a larger one takes seconds.
-  explicit PanelsTest(int pixel_size = 6, glm::ivec2 size = UiRig::with_bar({660, 1000}))
-      : rig(load, size) {
+  explicit PanelsTest(int pixel_size = 6, glm::ivec2 size = {660, 1000}) : rig(load, size) {
     rig.set_pixel_size(pixel_size);
     StoredSettings stored = rig.content().stored_settings();
     stored.tab = PanelTab::all;
-    stored.sections["Advanced"] = true;
+    stored.sections["Advanced (papers)"] = true;
+    stored.look.show_bar = false;  // the panel has no controls that the bar shows
     rig.content().apply(stored);
     rig.previewer().scene().open("scene");
     EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));

@@ -20,6 +20,7 @@ class PictureBarTest : public test::PanelsTest {
   explicit PictureBarTest(glm::ivec2 size = {1300, 700}, int pixel_size = 3)
       : PanelsTest(pixel_size, size) {
     rig.content().state().tab = PanelTab::antialias;
+    rig.content().state().look.show_bar = true;
     EXPECT_TRUE(rig.settle());
     for (int i = 0; i < 3; ++i) rig.frame();
   }
@@ -53,7 +54,7 @@ TEST_F(PictureBarTest, ChoosesWhatThePictureShows) {
 TEST_F(PictureBarTest, MarksTheLayerThatIsShown) {
   const UiState& state = rig.content().state();
   const auto marked = [&] { return all().at("Layers in bar").words; };
-  EXPECT_EQ(marked(), "Layers");
+  EXPECT_EQ(marked(), "View");
   EXPECT_EQ(all().at("Layer/Picture").words, "chosen");
   rig.key(Key::right_bracket);
   rig.frame();
@@ -79,7 +80,7 @@ TEST_F(PictureBarTest, MarksTheLayerThatIsShown) {
   rig.frame();
   rig.click("Layers in bar/None");
   rig.frame();
-  EXPECT_EQ(marked(), "Layers");
+  EXPECT_EQ(marked(), "View");
   EXPECT_EQ(all().at("Layer/Level").words, "chosen");
 }
 
@@ -104,6 +105,7 @@ TEST_F(PictureBarTest, KeysOfThePictureEndALayer) {
 // Once the level map stood under the error's legend until there was a reference.
 TEST_F(PictureBarTest, WithoutAReferenceTheErrorLayerIsTheDimmedPicture) {
   rig.set_pixel_size(1);
+  display().show_axes = false;
   settings().asos.eps = 1e-6;  // so that the picture is not finished soon
   rig.previewer().scene().open("grating");
   ASSERT_TRUE(
@@ -138,10 +140,11 @@ TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
   ASSERT_TRUE(
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
   rig.click("Layer/Error");
-  EXPECT_TRUE(rig.content().state().show_error);
+  const Frames& frames = rig.content().state().frames;
+  EXPECT_EQ(frames.comparison, Comparison::error);
   EXPECT_TRUE(all().at("Layer/Error").has_tooltip);
   rig.frame();
-  ASSERT_TRUE(all().contains("Error legend"));
+  ASSERT_TRUE(all().contains("Comparison legend"));
   EXPECT_NE(all().at("Error scale").words.find("1 step"), std::string::npos);
   ASSERT_TRUE(rig.frames_until([&] {
     return all().at("Error reference").words == "Reference: 256 samples per pixel";
@@ -157,11 +160,45 @@ TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_NE(all().at("Error reference").words, "Reference: 256 samples per pixel");
   rig.key(Key::m);
-  EXPECT_FALSE(rig.content().state().show_error);
+  EXPECT_EQ(frames.comparison, Comparison::none);
   EXPECT_TRUE(display().show_split_map);
   rig.click("Layer/Error");
   rig.click("Layer/Picture");
-  EXPECT_FALSE(rig.content().state().show_error);
+  EXPECT_EQ(frames.comparison, Comparison::none);
+}
+
+// Going back to finished settings once rendered them again.
+TEST_F(PictureBarTest, FinishedSettingsAreShownAtOnce) {
+  ASSERT_TRUE(rig.settle());
+  for (int i = 0; i < 4; ++i) rig.frame();
+  const PreviewRender& render = rig.previewer().render();
+  const Film first = render.film();
+  const std::uint64_t rays = render.statistics().eye_rays;
+  const AsosSettings before = settings().asos;
+  settings().asos.max_level = 0;
+  settings().asos.leaf = LeafKind::point;
+  ASSERT_TRUE(rig.settle());
+  ASSERT_NE(render.film().radiance, first.radiance);
+  settings().asos = before;
+  const std::uint64_t restarts = render.restarts();
+  rig.frame();
+  EXPECT_TRUE(render.progress().finished) << "in the next frame";
+  EXPECT_GT(render.restarts(), restarts) << "what follows the picture is told of it";
+  EXPECT_EQ(render.film().radiance, first.radiance);
+  EXPECT_EQ(render.film().split_level, first.split_level);
+  EXPECT_EQ(render.statistics().eye_rays, rays);
+  // Its map still follows EPS.
+  settings().asos.eps = 0.4;
+  rig.frame();
+  EXPECT_FALSE(render.progress().finished);
+  ASSERT_TRUE(rig.settle());
+  settings().asos = before;
+  rig.frame();
+  EXPECT_TRUE(render.progress().finished);
+  rig.previewer().render().start_again();
+  rig.frame();
+  EXPECT_TRUE(rig.settle());
+  EXPECT_EQ(render.film().radiance, first.radiance);
 }
 
 // From 24x on, as in other viewers of pictures.

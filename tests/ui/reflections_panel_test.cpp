@@ -175,7 +175,7 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
   rig.chord(Key::ctrl, Key::z);
   ASSERT_TRUE(reached_scene());
   EXPECT_EQ(dfr(0)->rgb[0].min, before);
-  rig.click("Reset reflections");
+  rig.click("Reset/Mirrors");
   ASSERT_TRUE(reached_scene());
   EXPECT_FALSE(dfr(0).has_value());
 }
@@ -190,7 +190,7 @@ TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
   said.scene = "mirrors";  // which is no path
   ASSERT_TRUE(
       write_png(file, {1, 1, {0, 0, 0}, {{PictureDescription::key, description_text(said)}}}));
-  rig.click("Reset reflections");
+  rig.click("Reset/Mirrors");
   ASSERT_TRUE(reached_scene());
   ASSERT_NE(rig.previewer().edits().dfrs(), edited);
   const std::uint64_t opened = rig.previewer().scene().times_opened();
@@ -202,7 +202,7 @@ TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
   EXPECT_EQ(rig.previewer().edits().dfrs(), edited);
   EXPECT_EQ(rig.previewer().scene()->dfrs(), edited);
   for (int i = 0; i < 3; ++i) rig.frame();  // the panel gets the scene's content
-  rig.click("Reset reflections");
+  rig.click("Reset/Mirrors");
   EXPECT_NE(rig.previewer().edits().dfrs(), edited);
   ASSERT_TRUE(reached_scene());
   EXPECT_FALSE(dfr(0).has_value()) << "the value of the scene's file";

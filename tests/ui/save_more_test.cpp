@@ -462,7 +462,7 @@ TEST_F(SaveMoreTest, ASavedSplitMapHasItsLegend) {
       count += glm::u8vec3(saved->rgb[i], saved->rgb[i + 1], saved->rgb[i + 2]) == colour;
     return count;
   };
-  for (const LegendEntry& entry : legend_entries(SplitMapColours::level))
+  for (const LegendEntry& entry : legend_entries(SplitMapColours::level, {}))
     EXPECT_GT(below(entry.colour), 60) << entry.words;
   EXPECT_GT(below(glm::u8vec3(0xe0)), 10) << "letters";
   state().display.show_legend = false;

@@ -96,7 +96,7 @@ TEST(Theme, PlotsHaveColoursThatTheColourBlindTellApart) {
 
 class ThemeTest : public PanelsTest {
  protected:
-  ThemeTest() : PanelsTest(1, UiRig::with_bar({660, 600})) {}
+  ThemeTest() : PanelsTest(1, {660, 600}) {}
   [[nodiscard]] float row_height() {
     const Controls::Placed at = rig.control("Exposure");
     return at.hi.y - at.lo.y;

@@ -134,7 +134,8 @@ TEST_F(TimeWordsTest, TheWindowShowsThem) {
   ASSERT_TRUE(
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
   ASSERT_TRUE(rig.settle());
-  rig.click("section/Equal time");
+  rig.unfold("Compare");
+  rig.click("With/Method");
   rig.frame();
   const auto& all = rig.content().controls().all();
   const PreviewRender& render = rig.previewer().render();

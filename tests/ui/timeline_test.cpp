@@ -105,6 +105,35 @@ TEST_F(Timeline, ShowsTheMomentThatIsSoughtAndTheSameAgain) {
   EXPECT_NEAR(corner_x(), 0.0, 1e-5);
 }
 
+// The row is under the picture; in a small window its controls are in the panel.
+TEST_F(Timeline, StandsUnderThePictureAndPlaysBySpace) {
+  for (int i = 0; i < 2; ++i) rig.frame();
+  const auto& all = rig.content().controls().all();
+  const WindowLayout& layout = rig.content().layout();
+  ASSERT_GT(layout.timeline.size.y, 0.0f);
+  EXPECT_EQ(layout.timeline.lo.y, layout.picture.lo.y + layout.picture.size.y);
+  ASSERT_TRUE(has("Play on picture"));
+  EXPECT_GT(all.at("Play").lo.y, layout.timeline.lo.y);
+  rig.click("Play on picture");
+  EXPECT_TRUE(playback().playing());
+  for (int i = 0; i < 2; ++i) rig.frame();
+  EXPECT_FALSE(has("Play on picture")) << "it has been played";
+  rig.key(Key::space);
+  EXPECT_FALSE(playback().playing());
+  EXPECT_FALSE(rig.previewer().refinement().paused()) << "Space is the clip's";
+  arrive();
+  ASSERT_TRUE(has("Time"));
+  EXPECT_LT(all.at("Time").hi.x, layout.panel.lo.x);
+  rig.key(Key::space);
+  EXPECT_TRUE(playback().playing());
+  rig.key(Key::space);
+  open("still");
+  for (int i = 0; i < 2; ++i) rig.frame();
+  EXPECT_EQ(layout.timeline.size.y, 0.0f);
+  rig.key(Key::space);
+  EXPECT_TRUE(rig.previewer().refinement().paused());
+}
+
 TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
   rig.click("Play");
   ASSERT_TRUE(playback().playing());

@@ -276,7 +276,7 @@ TEST_F(TourTest, IsNotSeenTwiceUnlessItIsAskedFor) {
   StoredSettings stored;
   stored.tour_seen = true;
   rig.content().apply(stored);
-  rig.click("Reset window");
+  rig.click("Reset/Window");
   rig.frame();
   EXPECT_TRUE(rig.content().stored_settings().tour_seen);
   begin();

@@ -26,6 +26,26 @@ TEST(WindowLayout, CoversEveryWindow) {
   }
 }
 
+TEST(WindowLayout, LowWindowsHaveNoPanel) {
+  const float em = theme::text_pixels;
+  for (const float width : {400.0f, 900.0f}) {
+    EXPECT_EQ(area(WindowLayout::of({width, 399.0f}, em, true).panel), 0.0f);
+    EXPECT_GT(area(WindowLayout::of({width, 400.0f}, em, true).panel), 0.0f);
+  }
+}
+
+TEST(WindowLayout, AnimationsHaveATimelineAboveTheBar) {
+  const float em = theme::text_pixels;
+  const WindowLayout with = WindowLayout::of({1200.0f, 800.0f}, em, true, true, true);
+  const WindowLayout without = WindowLayout::of({1200.0f, 800.0f}, em, true, true, false);
+  EXPECT_GT(area(with.timeline), 0.0f);
+  EXPECT_EQ(area(without.timeline), 0.0f);
+  EXPECT_EQ(with.bar.lo.y, with.timeline.lo.y + with.timeline.size.y);
+  EXPECT_NEAR(area(with.picture) + area(with.timeline) + area(with.bar) + area(with.status) +
+                  area(with.panel),
+              1200.0f * 800.0f, 1e-2f);
+}
+
 // Small windows have no room for two rows: they once had no bar at all.
 TEST(WindowLayout, SmallWindowsHaveABarOfOneRow) {
   constexpr float em = 15.0f;

@@ -72,28 +72,23 @@ constexpr const char* forecast_tooltip =
 void forecast_row(Controls& controls, const Previewer& previewer, const SplitForecast& forecast) {
   const Forecast* told = forecast.of(previewer);
   const auto estimate = time_estimate(previewer, told);
+  const auto share = shown_split_share(previewer, told);
   controls.row("Estimate",
-               told && estimate ? estimate_words(told->split_share, *estimate) : std::string("-"),
+               told && estimate && share ? estimate_words(*share, *estimate) : std::string("-"),
                forecast_tooltip, {true, 1});
 }
 
 // Pixels that a larger MAX would divide further. Unfinished pixels do not count.
-void ended_by_max_row(Controls& controls, const Film& film) {
-  std::size_t ended = 0, finished = 0;
-  for (std::size_t i = 0; i < film.cause.size(); ++i) {
-    if (!film.unfinished.empty() && film.unfinished[i]) continue;
-    ++finished;
-    ended += film.cause[i] == SplitCause::depth_limit;
-  }
-  const double percent = 100.0 * static_cast<double>(ended) / static_cast<double>(finished);
+void ended_by_max_row(Controls& controls, const CauseCounts& causes) {
+  const double percent =
+      100.0 * static_cast<double>(causes.ended_by_max) / static_cast<double>(causes.finished);
   controls.row("At MAX",
-               finished == 0 ? std::string("-") : fmt::format("{:.2g} % of pixels", percent),
+               causes.finished == 0 ? std::string("-") : fmt::format("{:.2g} % of pixels", percent),
                "Finished pixels with edges left at MAX: a larger MAX divides them further. The map "
                "Cause shows where.");
 }
 
-void asos_controls(Controls& controls, Previewer& previewer, const SplitForecast& forecast) {
-  RenderSettings& settings = previewer.edits().settings();
+void splitting_sliders(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   controls.log_slider(
       "EPS",
@@ -105,8 +100,6 @@ void asos_controls(Controls& controls, Previewer& previewer, const SplitForecast
       "Maximum splits per pixel, 0 to 8. Level n has cells of 1/2^n pixel, each with up to four "
       "samples. Smaller is faster and coarser. Ctrl+click to type a value.",
       settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
-  forecast_row(controls, previewer, forecast);
-  ended_by_max_row(controls, previewer.render().film());
 }
 
 // Controls for how cells are shaded and when splitting stops.
@@ -157,7 +150,6 @@ void adaptive_controls(Controls& controls, RenderSettings& settings) {
       settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, [](int max) {
         return fmt::format("{} ({} to {} samples)", max, 16, std::max(16, 4 << (2 * max)));
       });
-  seed_control(controls, settings);
 }
 
 // Sobol takes any number of samples; the slider offers powers of two.
@@ -170,7 +162,6 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
                       {0, most_doublings, 4}, [](int n) { return fmt::format("{}", 1 << n); })) {
     settings.sampling.spp = 1 << doublings;
   }
-  seed_control(controls, settings);
 }
 
 // Rounds to 0.01 pixel, so that the saved value equals the typed one.
@@ -241,17 +232,25 @@ void method_list(Controls& controls, const char* name, RenderSettings& settings,
     settings.method = offered[static_cast<std::size_t>(chosen)];
 }
 
-void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast) {
+void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast,
+                        const BarParts& bar, const CauseCounts& causes) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderScene* scene = previewer.scene().get();
   if (!controls.section("Antialiasing")) return;
-  method_list(controls, "Method", settings, scene);
-  if (in_object_space(settings.method)) asos_controls(controls, previewer, forecast);
-  if (settings.method == Method::uniform || settings.method == Method::stochastic) {
-    sample_controls(controls, settings);
+  if (!bar.method || controls.searches()) method_list(controls, "Method", settings, scene);
+  const bool splits = in_object_space(settings.method);
+  const bool by_eps = row_of(settings.method).samples_by_eps;
+  const bool sliders = !bar.splitting || controls.searches();
+  if (splits && sliders) splitting_sliders(controls, settings);
+  if (by_eps && sliders) adaptive_controls(controls, settings);
+  if (splits) {
+    forecast_row(controls, previewer, forecast);
+    ended_by_max_row(controls, causes);
   }
+  if (settings.method == Method::uniform || settings.method == Method::stochastic)
+    sample_controls(controls, settings);
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
-  if (row_of(settings.method).samples_by_eps) adaptive_controls(controls, settings);
+  if (settings.method == Method::sobol || by_eps) seed_control(controls, settings);
   if (scene && !scene->world().lines_and_points.empty()) line_control(controls, settings);
 }
 
@@ -259,10 +258,12 @@ void advanced_panel(Controls& controls, Previewer& previewer) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderScene* scene = previewer.scene().get();
   const RenderSettings usual;
-  if (!controls.section("Advanced", false)) return;
+  if (!controls.section("Advanced (papers)", false)) return;
   if (in_object_space(settings.method)) splitting_controls(controls, settings);
   if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
+  shadow_rules(controls, settings, scene);
   // Without a scene, show only the controls that every scene has.
+  if (scene && scene->render_features.mirrors) curved_mirror_controls(controls, settings);
   if (scene && scene->render_features.textures) texture_controls(controls, settings);
   if (!scene || !scene->render_features.culling) return;
   controls.checkbox("Back-face culling", "Hide the backs of single-sided materials, as glTF asks.",

@@ -54,6 +54,8 @@ void finding_rows(Controls& controls, const SplitFindings* found, const Film& fi
                "RMSE against the reference, clipped linear values, and the reference's own noise.");
 }
 
+}  // namespace
+
 void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const PictureView& view,
                const PictureArea& area) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -75,18 +77,18 @@ void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const Pictu
   }
 }
 
-}  // namespace
-
-void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
-                 const SplitCheck& check, Frames& frames) {
-  if (!previewer.scene() || !in_object_space(previewer.edits().settings().method) ||
-      !controls.section("Check splits", false))
-    return;
+void check_controls(Controls& controls, const Previewer& previewer, CheckChoice& choice,
+                    const SplitCheck& check, int samples) {
+  controls.row("Reference",
+               samples > 0
+                   ? fmt::format("{} samples{}", samples, check.busy() ? ", continuing" : "")
+               : check.busy() ? std::string("sampling")
+                              : std::string("(when finished)"),
+               "Samples per pixel of the reference.");
+  if (!in_object_space(previewer.edits().settings().method)) return;
   const CheckChoice usual;
-  controls.checkbox(
-      "Check splits",
-      "Compare with a 256-sample reference and mark pixels split too little or for nothing.",
-      choice.check, usual.check);
+  controls.checkbox("Check splits", "Mark pixels that are split too little or for nothing.",
+                    choice.check, usual.check);
   if (!choice.check) return;
   controls.log_slider(
       "Threshold",
@@ -96,20 +98,7 @@ void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& ch
                     choice.mark_missed, usual.mark_missed);
   controls.checkbox("Show unneeded", "Cyan: split, but one sample would suffice.",
                     choice.mark_wasted, usual.mark_wasted);
-  const SplitFindings* found = check.findings();
-  std::string words = "(when finished)";
-  if (check.busy()) words = "sampling";
-  if (found)
-    words = fmt::format("{} samples{}", found->passes * SplitCheck::samples_each,
-                        check.busy() ? ", continuing" : "");
-  controls.row("Reference", words, "Samples per pixel of the reference.");
-  finding_rows(controls, found, previewer.render().film());
-  if (found && frames.stored.size() < Frames::most &&
-      controls.button("Keep reference", "Keep the reference as a snapshot, to measure others by.",
-                      -1.0f))
-    frames.store(*found->reference,
-                 fmt::format("Reference, {} spp", found->passes * SplitCheck::samples_each),
-                 "Sobol samples of this view");
+  finding_rows(controls, check.findings(), previewer.render().film());
 }
 
 void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/display_settings.h"
-#include "ui/frames.h"
 #include "ui/panels/controls.h"
 #include "ui/picture_view.h"
 #include "ui/previewer.h"
@@ -19,9 +18,14 @@ struct CheckChoice {
   double alarm = 1.0 / 64.0;  ///< error that counts as missed, of display intensity, 0 to 1
 };
 
-/// Section Check splits, only for methods in object space.
-void check_panel(Controls& controls, const Previewer& previewer, CheckChoice& choice,
-                 const SplitCheck& check, Frames& frames);
+/// The state of the reference, which has `samples` samples per pixel, and for methods in object
+/// space the check of splits.
+void check_controls(Controls& controls, const Previewer& previewer, CheckChoice& choice,
+                    const SplitCheck& check, int samples);
+
+/// Fills pixels with a colour, or frames them where they are large.
+void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const PictureView& view,
+               const PictureArea& area);
 
 /// Dims the picture and marks the pixels that were found.
 void check_marks(const SplitFindings* findings, const CheckChoice& choice, const PictureView& view,

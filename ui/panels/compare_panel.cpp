@@ -1,6 +1,5 @@
 #include "renderer/comparison/method.h"
-#include "ui/equal_time.h"
-#include "ui/panels/panels.h"
+#include "ui/panels/side_panel.h"
 #include "ui/panels/snapshot_table.h"
 #include "ui/panels/time_words.h"
 #include "ui/snapshot_name.h"
@@ -17,12 +16,19 @@ namespace asos::ui {
 
 namespace {
 
+constexpr std::array sources{
+    Controls::Option{"Snapshot", "A picture that you have kept (S)."},
+    Controls::Option{"Method", "Another method in the same CPU time."},
+    Controls::Option{"Reference", "A reference of 256 samples per pixel of this view."},
+};
+
 constexpr std::array comparisons{
     Controls::Option{"Off", "Only the current picture."},
-    Controls::Option{"Wipe", "Current picture on the left, snapshot on the right."},
-    Controls::Option{"Flip", "Switch between picture and snapshot (X)."},
+    Controls::Option{"Wipe", "Current picture on the left, the other on the right."},
+    Controls::Option{"Flip", "Switch between both pictures (X)."},
     Controls::Option{"Difference",
                      "Difference of display intensity, largest channel, on an absolute scale."},
+    Controls::Option{"Error", "Difference in 8-bit display steps, logarithmic."},
 };
 
 std::string summary_of(const Previewer& previewer) {
@@ -36,44 +42,33 @@ std::string summary_of(const Previewer& previewer) {
                             100.0 * progress.fraction, duration_words(progress.seconds));
 }
 
-void size_row(Controls& controls, const Film& film, const Film& frame) {
-  if (frame.width == film.width && frame.height == film.height) return;
+void size_row(Controls& controls, const Film& film, const Film& other) {
+  if (other.width == film.width && other.height == film.height) return;
   controls.row(
       "Resampled",
-      fmt::format("{} x {} to {} x {}", frame.width, frame.height, film.width, film.height),
-      "The snapshot has another size and is resampled. Edges differ for that reason. For "
-      "exact differences keep a snapshot of this size.");
+      fmt::format("{} x {} to {} x {}", other.width, other.height, film.width, film.height),
+      "The other picture has another size and is resampled. Edges differ for that reason.");
 }
 
 void comparison_controls(Controls& controls, Frames& frames) {
   int mode = static_cast<int>(frames.comparison);
-  if (controls.options("Compare", comparisons, mode, {true, 0})) {
+  if (controls.options("Shown as", comparisons, mode, {true, 0})) {
     frames.comparison = static_cast<Comparison>(mode);
     frames.flipped = frames.comparison == Comparison::flip;
   }
-  switch (frames.comparison) {
-    case Comparison::none:
-      break;
-    case Comparison::wipe:
-      controls.slider("Wipe", "Position of the divider in percent of the width.", frames.wipe,
-                      {0.0f, 1.0f, 0.5f},
-                      [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
-      break;
-    case Comparison::flip:
-      controls.checkbox("Show snapshot", "Show the snapshot instead of the picture (X).",
-                        frames.flipped, false);
-      break;
-    case Comparison::difference:
-      controls.slider("Scale", "Difference shown as white, 0 to 1. 1/256 is one 8-bit step.",
-                      frames.scale_stops, {-10.0f, 0.0f, -4.0f}, scale_words);
-      break;
-  }
+  if (frames.comparison == Comparison::wipe)
+    controls.slider("Wipe", "Position of the divider in percent of the width.", frames.wipe,
+                    {0.0f, 1.0f, 0.5f},
+                    [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
+  if (frames.comparison == Comparison::flip)
+    controls.checkbox("Show other", "Show the other picture instead of the current one (X).",
+                      frames.flipped, false);
+  if (frames.comparison == Comparison::difference)
+    controls.slider("Scale", "Difference shown as white, 0 to 1. 1/256 is one 8-bit step.",
+                    frames.scale_stops, {-10.0f, 0.0f, -4.0f}, scale_words);
 }
 
-}  // namespace
-
-void compare_panel(Controls& controls, const Previewer& previewer, Frames& frames) {
-  if (!previewer.scene() || !controls.section("Compare", false)) return;
+void snapshot_buttons(Controls& controls, const Previewer& previewer, Frames& frames) {
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   const bool full = frames.stored.size() >= Frames::most;
   if (controls.button("Keep snapshot",
@@ -84,22 +79,40 @@ void compare_panel(Controls& controls, const Previewer& previewer, Frames& frame
   ImGui::SameLine();
   if (controls.button("Delete snapshot", "Delete the chosen snapshot.", width))
     frames.remove(frames.chosen);
-  if (frames.stored.empty()) return;
+}
 
+}  // namespace
+
+void compare_panel(Controls& controls, const Previewer& previewer, UiState& state,
+                   const PanelJobs& jobs) {
+  if (!previewer.scene() || !controls.section("Compare", false)) return;
+  Frames& frames = state.frames;
+  int with = static_cast<int>(frames.with);
+  if (controls.options("With", sources, with, {true, 0})) {
+    frames.with = static_cast<CompareWith>(with);
+    // Only a shown comparison samples the reference.
+    if (frames.with == CompareWith::reference && frames.comparison == Comparison::none)
+      frames.comparison = Comparison::error;
+  }
+  if (frames.with == CompareWith::snapshot) snapshot_buttons(controls, previewer, frames);
+  if (frames.with == CompareWith::method)
+    equal_time_controls(controls, previewer, state.equal_time, jobs.equal_time, frames);
+  if (frames.with == CompareWith::reference)
+    check_controls(controls, previewer, state.check, jobs.check, frames.reference.samples);
+  comparison_controls(controls, frames);
+  if (const std::optional<int> index = frames.compared())
+    size_row(controls, previewer.render().film(), frames.film(*index));
+  if (frames.stored.empty() && !frames.reference.film) return;
   snapshot_table(controls, previewer, frames);
-  const int samples = frames.reference.film ? frames.reference.samples : 0;
   controls.row("Errors against",
-               samples > 0 ? fmt::format("a reference of {} samples", samples)
-                           : std::string("the chosen snapshot"),
-               "Check splits and the layer Error sample a reference of the view.");
+               frames.reference.film
+                   ? fmt::format("a reference of {} samples", frames.reference.samples)
+                   : std::string("the chosen snapshot"),
+               "Choose the reference above to measure errors against it.");
   controls.row("Closer", closer_words(frames),
                "The one of picture and chosen snapshot with the smaller error.");
   if (controls.button("Copy errors", "Copy the table as CSV to the clipboard.", -1.0f))
     ImGui::SetClipboardText(snapshot_csv(frames).c_str());
-  const StoredFrame& chosen = frames.stored[static_cast<std::size_t>(frames.chosen)];
-  controls.row("Settings", chosen.summary, "Settings of the chosen snapshot.");
-  size_row(controls, previewer.render().film(), chosen.film);
-  comparison_controls(controls, frames);
 }
 
 std::string picture_words(const PreviewRender& render) {

@@ -144,6 +144,12 @@ void Controls::explain(const std::string& name, const char* tooltip) {
   if (name != hovered_before_ || now_seconds_ - hovered_since_seconds_ < tooltip_delay_seconds) {
     return;
   }
+  // Tooltips of the bar stand above it.
+  const auto bar = placed_.find("Picture bar");
+  const ImVec2 lo = ImGui::GetItemRectMin();
+  if (bar != placed_.end() && lo.y >= bar->second.lo.y && lo.x < bar->second.hi.x)
+    ImGui::SetNextWindowPos({lo.x, bar->second.lo.y - 0.3f * ImGui::GetFontSize()},
+                            ImGuiCond_Always, {0.0f, 1.0f});
   show_tooltip(tooltip);
   tooltip_now_ = true;
 }

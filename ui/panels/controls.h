@@ -121,6 +121,7 @@ class Controls {
     searched_ = std::move(words);
     found_any_ = false;
   }
+  [[nodiscard]] bool searches() const { return !searched_.empty(); }
   /// Whether the search has shown a section.
   [[nodiscard]] bool found_any() const { return found_any_; }
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace asos::ui {
 
@@ -27,10 +28,12 @@ constexpr std::array help_lines{
     HelpLine{"Double click", "orbit about this point"},
     HelpLine{"Right drag, with W A S D Q E", "look around, fly; Shift: faster"},
     HelpLine{"Shift + right drag", "turn lights and sky; up, down: brightness"},
-    HelpLine{"Home, F", "frame the whole scene"},
+    HelpLine{"Home; F", "frame the whole scene; the selected object"},
     HelpLine{"Keypad or Shift + 1, 3, 7; 5", "front, right, top, Ctrl: opposite; orthographic"},
     HelpLine{"T", "turntable on or off"},
-    HelpLine{"Click", "inspect a pixel"},
+    HelpLine{"Click", "select an object"},
+    HelpLine{"Click again, Ctrl + click", "inspect a pixel"},
+    HelpLine{"H, Shift + H, Alt + H", "hide, isolate object; show all"},
     HelpLine{nullptr, nullptr},
     HelpLine{"Ctrl + wheel, + and -", "zoom into the pixels"},
     HelpLine{"Right drag, zoomed", "move the picture"},
@@ -40,10 +43,10 @@ constexpr std::array help_lines{
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level, cause, rays, time"},
     HelpLine{"V", "last finished EPS and MAX, and back"},
-    HelpLine{"B, N, H, L", "base color, normal, roughness, metallic"},
+    HelpLine{"B, N, G, L", "base color, normal, roughness, metallic"},
     HelpLine{"K, I, U; Y", "occlusion, emission, UV checker; wireframe"},
     HelpLine{"[, ]", "previous, next layer in false colours"},
-    HelpLine{"Space", "pause or resume rendering"},
+    HelpLine{"Space", "play or pause animation, else rendering"},
     HelpLine{"Ctrl + Z, Ctrl + Shift + Z", "undo, redo"},
     HelpLine{"Double click on a control", "reset it"},
     HelpLine{"Tab", "hide or show the panel"},
@@ -114,25 +117,28 @@ namespace {
 
 void say_flipped(UiState& state, const Film& film) {
   const Frames& frames = state.frames;
-  const StoredFrame& frame = *frames.compared();
-  state.said = frames.flipped
-                   ? fmt::format("Snapshot {}: {}", frames.chosen + 1, frames.title(frame))
-                   : std::string("Current picture");
-  if (frames.flipped && (frame.film.width != film.width || frame.film.height != film.height))
-    state.said += fmt::format(", resampled from {} x {}", frame.film.width, frame.film.height);
+  state.said = frames.flipped ? frames.compared_title() : std::string("Current picture");
+  if (!frames.flipped) return;
+  if (frames.with != CompareWith::reference)
+    state.said = fmt::format("Snapshot {}: {}", frames.chosen + 1, state.said);
+  const Film& other = frames.film(*frames.compared());
+  if (other.width != film.width || other.height != film.height)
+    state.said += fmt::format(", resampled from {} x {}", other.width, other.height);
 }
 
-// Toggles between the picture and the snapshot.
+// Toggles between the picture and the one that it is compared with.
 void flip(UiState& state, const Film& film) {
   Frames& frames = state.frames;
-  if (frames.stored.empty()) {
-    state.said = "No snapshot yet: press S to keep one";
+  const bool shown = frames.comparison == Comparison::flip && frames.flipped;
+  const Comparison before = std::exchange(frames.comparison, Comparison::flip);
+  if (!frames.compared()) {
+    frames.comparison = before;
+    state.said = frames.with == CompareWith::reference ? "No reference yet"
+                                                       : "No snapshot yet: press S to keep one";
     return;
   }
-  const bool shown = frames.comparison == Comparison::flip && frames.flipped;
   frames.flipped = state.shows_layer() || !shown;
   state.leave_layer();
-  frames.comparison = Comparison::flip;
   say_flipped(state, film);
 }
 
@@ -189,7 +195,11 @@ void page(UiState& state, Previewer& previewer, int step) {
                            std::filesystem::path(next->path).filename().string());
 }
 
-void pause_or_go_on(Refinement& refinement) {
+// Plays the animation if there is one, and pauses rendering otherwise.
+void play_or_pause(Previewer& previewer) {
+  Playback& playback = previewer.playback();
+  if (playback.available()) return playback.set_playing(!playback.playing());
+  Refinement& refinement = previewer.refinement();
   if (refinement.at_limit() && !refinement.paused()) {
     refinement.go_on();
   } else {
@@ -223,8 +233,8 @@ void camera_shortcuts(Viewpoint& viewpoint) {
 void map_shortcuts(UiState& state) {
   const bool map = shortcut_pressed(Key::m), colour = shortcut_pressed(Key::c);
   if (!map && !colour) return;
-  const bool hidden = state.show_error || state.shows_layer();
-  state.show_error = false;
+  const bool hidden = state.frames.comparison >= Comparison::difference || state.shows_layer();
+  state.leave_difference();
   state.leave_layer();
   if (map) state.display.show_split_map = hidden || !state.display.show_split_map;
   if (!colour) return;
@@ -236,7 +246,7 @@ void map_shortcuts(UiState& state) {
 
 // Toggles the display of surface properties.
 void surface_shortcuts(UiState& state) {
-  constexpr std::array<Key, surface_properties> keys{Key::b, Key::n, Key::h, Key::l,
+  constexpr std::array<Key, surface_properties> keys{Key::b, Key::n, Key::g, Key::l,
                                                      Key::k, Key::i, Key::u};
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (!shortcut_pressed(keys[i])) continue;
@@ -247,6 +257,24 @@ void surface_shortcuts(UiState& state) {
   if (shortcut_pressed(Key::y)) state.surfaces.wireframe = !state.surfaces.wireframe;
 }
 
+// Hides and frames objects.
+void object_shortcuts(UiState& state, Previewer& previewer) {
+  OpenScene& scene = previewer.scene();
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!io.NavVisible && shortcut_pressed(Key::home)) previewer.viewpoint().frame_all();
+  if (shortcut_pressed(Key::f)) {
+    Box box;
+    for (const int part : selected_objects(scene, state.outline))
+      box.grow(scene->world().parts[static_cast<std::size_t>(part)].bounds);
+    box.empty() ? previewer.viewpoint().frame_all() : previewer.viewpoint().frame_box(box);
+  }
+  if (io.KeyAlt && !io.WantTextInput && ImGui::IsKeyPressed(static_cast<int>(Key::h), false))
+    state.said = show_hidden(scene);
+  if (shortcut_pressed(Key::h))
+    state.said =
+        io.KeyShift ? isolate_selected(scene, state.outline) : hide_selected(scene, state.outline);
+}
+
 // Shows the next or previous layer of the film in place of the picture.
 void layer_shortcuts(UiState& state) {
   const int by = shortcut_pressed(Key::right_bracket)  ? 1
@@ -255,7 +283,7 @@ void layer_shortcuts(UiState& state) {
   if (by == 0) return;
   show_next_layer(state.display, by);
   state.surfaces.property.reset();
-  state.show_error = false;
+  state.leave_difference();
   state.said = layer_title(state.display);
 }
 
@@ -271,6 +299,8 @@ void close_something(UiState& state, Previewer& previewer) {
     state.picked.reset();
   } else if (state.lights.selected >= 0) {
     state.lights.selected = -1;
+  } else {
+    state.outline.selected = state.outline.node = -1;
   }
 }
 
@@ -295,8 +325,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
     state.show_help = !state.show_help;
   }
   if (shortcut_pressed(Key::f12) || shortcut_pressed(Key::p)) state.screenshot_requested = true;
-  if (shortcut_pressed(Key::f) || (!ImGui::GetIO().NavVisible && shortcut_pressed(Key::home)))
-    previewer.viewpoint().frame_all();
+  object_shortcuts(state, previewer);
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
     store(state, previewer);
   if (shortcut_pressed(Key::r)) previewer.scene().reload();
@@ -306,7 +335,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   snapshot_keys(state, previewer.render().film());
   map_shortcuts(state);
   if (shortcut_pressed(Key::v)) show_before(state, previewer.render());
-  if (!in_panel && shortcut_pressed(Key::space)) pause_or_go_on(previewer.refinement());
+  if (!in_panel && shortcut_pressed(Key::space)) play_or_pause(previewer);
   if (shortcut_pressed(Key::f6)) state.focus_panel = true;
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;
   if (shortcut_pressed(Key::zero)) state.view.reset();

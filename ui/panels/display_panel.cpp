@@ -12,14 +12,6 @@ namespace asos::ui {
 
 namespace {
 
-constexpr std::array colour_options{
-    Controls::Option{"Level", "Colour by the deepest level (C)."},
-    Controls::Option{"Cause", "Colour by the cause of splitting (C)."},
-    Controls::Option{"Rays", "Colour by the number of rays (C)."},
-    Controls::Option{"Time",
-                     "Colour by CPU time (C). Pixels rendered together share their time evenly."},
-};
-
 constexpr std::array tone_options{
     Controls::Option{"None",
                      "Clip at white. Changing the curve restarts the render, since errors are "
@@ -50,14 +42,16 @@ const char* layer_title(const DisplaySettings& display) {
   return display.layer ? row_of(*display.layer).title : "Picture";
 }
 
-void display_panel(Controls& controls, DisplaySettings& display) {
+void display_panel(Controls& controls, DisplaySettings& display, const BarParts& bar) {
   const DisplaySettings usual;
   if (!controls.section("Display")) return;
-  controls.slider(
-      "Exposure", "Display brightness in stops; +1 doubles it. Does not restart the render.",
-      display.exposure_ev,
-      {-DisplaySettings::exposure_limit_ev, DisplaySettings::exposure_limit_ev, usual.exposure_ev},
-      [](float ev) { return fmt::format("{:+.2f} EV", ev); });
+  if (!bar.exposure || controls.searches())
+    controls.slider("Exposure",
+                    "Display brightness in stops; +1 doubles it. Does not restart the render.",
+                    display.exposure_ev,
+                    {-DisplaySettings::exposure_limit_ev, DisplaySettings::exposure_limit_ev,
+                     usual.exposure_ev},
+                    [](float ev) { return fmt::format("{:+.2f} EV", ev); });
   if (controls.checkbox("Auto exposure",
                         "Set the exposure by the brightness of the scene. Moving the slider "
                         "turns it off.",
@@ -67,28 +61,18 @@ void display_panel(Controls& controls, DisplaySettings& display) {
   int tone = static_cast<int>(display.tone);
   if (controls.options("Tone", tone_options, tone, {true, static_cast<int>(usual.tone)}))
     display.tone = static_cast<ToneCurve>(tone);
-  static_assert(static_cast<int>(Layer::beauty) == 0);
-  int layer = display.layer ? static_cast<int>(*display.layer) : 0;
-  if (controls.list("Layers",
-                    "Layer in false colours, in place of the picture ([ and ]). Ctrl + S saves "
-                    "layers as EXR.",
-                    layer_titles(), layer, 0))
-    display.layer = layer > 0 ? std::optional(static_cast<Layer>(layer)) : std::nullopt;
   controls.checkbox(
       "Grid", "Grid at the scene's lowest point, and axes from the origin. Not in saved pictures.",
       display.show_grid, usual.show_grid);
-  controls.checkbox("Split map", "Show where pixels were split (M).", display.show_split_map,
-                    usual.show_split_map);
+  controls.checkbox("Axes",
+                    "Show axes in the picture's corner. Click one, or drag, to turn the view.",
+                    display.show_axes, usual.show_axes);
+  controls.checkbox("Legends", "Show the legends of maps, layers and comparisons.",
+                    display.show_legend, usual.show_legend);
   if (!display.show_split_map) return;
   controls.slider("Dimming", "Darkening of unsplit pixels, 0 to 100 %.", display.split_dimming,
                   {0.0f, 1.0f, usual.split_dimming},
                   [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
-  controls.checkbox("Legend", "Show the legend of the split map.", display.show_legend,
-                    usual.show_legend);
-  int colours = static_cast<int>(display.split_colours);
-  if (controls.options("Colours", colour_options, colours,
-                       {true, static_cast<int>(usual.split_colours)}))
-    display.split_colours = static_cast<SplitMapColours>(colours);
 }
 
 }  // namespace asos::ui

@@ -47,6 +47,7 @@ void update_equal_time(const Previewer& previewer, EqualTimeChoice& choice, Equa
     return;
   }
   if (!frames.store(outcome->frame->film, outcome->frame->name, outcome->frame->summary)) return;
+  frames.with = CompareWith::method;
   frames.comparison = Comparison::wipe;
 }
 
@@ -81,9 +82,8 @@ void equal_time_progress(Controls& controls, const EqualTimeChoice& choice) {
                         "Short renders first find the quality that takes the same CPU time.");
 }
 
-void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
-                      EqualTimeJob& job, const Frames& frames) {
-  if (!previewer.scene() || !controls.section("Equal time", false)) return;
+void equal_time_controls(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
+                         EqualTimeJob& job, const Frames& frames) {
   const PreviewRender& render = previewer.render();
   rival_choice(controls, choice.method);
   if (job.busy()) {

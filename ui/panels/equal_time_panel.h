@@ -31,7 +31,7 @@ bool start_equal_time(const Previewer& previewer, EqualTimeChoice& choice, Equal
 void equal_time_progress(Controls& controls, const EqualTimeChoice& choice);
 
 /// Controls to render the view with another method in the picture's CPU time.
-void equal_time_panel(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
-                      EqualTimeJob& job, const Frames& frames);
+void equal_time_controls(Controls& controls, const Previewer& previewer, EqualTimeChoice& choice,
+                         EqualTimeJob& job, const Frames& frames);
 
 }  // namespace asos::ui

@@ -3,8 +3,10 @@
 #include "renderer/world/ground.h"
 #include "ui/panels/projection.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace asos::ui {
 
@@ -64,6 +66,63 @@ void draw_axis(const Projection& on, const std::vector<LinePart>& parts, glm::dv
 }
 
 }  // namespace
+
+void axes_widget(Controls& controls, Viewpoint& viewpoint, const PictureArea& area) {
+  using Side = Viewpoint::Side;
+  constexpr float least_width_em = 40.0f, least_height_em = 16.0f;
+  const float em = ImGui::GetFontSize(), length = 1.9f * em, radius = 0.55f * em;
+  const WindowRect& rect = area.rect;
+  if (rect.size.x < least_width_em * em || rect.size.y < least_height_em * em) return;
+  const glm::vec2 centre = rect.lo + glm::vec2(rect.size.x - 3.0f * em, 3.0f * em);
+  struct End {
+    std::size_t axis;
+    bool positive;
+    Side side;
+    glm::vec3 at{0.0f};  // right, up, towards the viewer
+  };
+  std::array ends{End{0, true, Side::right}, End{0, false, Side::left},
+                  End{1, true, Side::top},   End{1, false, Side::bottom},
+                  End{2, true, Side::front}, End{2, false, Side::back}};
+  const glm::dmat3 camera(viewpoint.camera().camera().world_from_camera);
+  for (End& end : ends)
+    for (int k = 0; k < 3; ++k)
+      end.at[k] =
+          static_cast<float>((end.positive ? 1.0 : -1.0) * camera[k][static_cast<int>(end.axis)]);
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at.z > b.at.z; });
+  const auto place = [&](const End& end) {
+    return centre + length * glm::vec2(end.at.x, -end.at.y);
+  };
+  // The nearest end takes the click.
+  for (const End& end : ends) {
+    const std::string name =
+        std::string("Axis/") + (end.positive ? "" : "-") + axis_names[end.axis];
+    ImGui::SetCursorScreenPos({place(end).x - radius, place(end).y - radius});
+    if (ImGui::InvisibleButton(name.c_str(), {2.0f * radius, 2.0f * radius}))
+      viewpoint.look_from(end.side);
+    controls.placed(name, "Look along this axis.", Controls::Use::edits);
+  }
+  ImGui::SetCursorScreenPos({centre.x - 2.5f * em, centre.y - 2.5f * em});
+  ImGui::InvisibleButton("axes", {5.0f * em, 5.0f * em});
+  controls.placed("Axes turn", "Drag to orbit.", Controls::Use::edits);
+  const ImVec2 by = ImGui::GetIO().MouseDelta;
+  if (ImGui::IsItemActive() && (by.x != 0.0f || by.y != 0.0f))
+    viewpoint.camera().orbit(-static_cast<double>(by.x / length),
+                             static_cast<double>(by.y / length));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+    draw.AddCircleFilled({centre.x, centre.y}, 2.5f * em, IM_COL32(128, 128, 128, 60));
+  std::reverse(ends.begin(), ends.end());
+  for (const End& end : ends) {
+    const ImVec2 tip{place(end).x, place(end).y};
+    const std::uint32_t colour = axis_colours[end.axis];
+    if (end.positive) draw.AddLine({centre.x, centre.y}, tip, colour, 0.12f * em);
+    draw.AddCircleFilled(tip, radius, end.positive ? colour : paled(colour));
+    if (!end.positive) continue;
+    const ImVec2 text = ImGui::CalcTextSize(axis_names[end.axis]);
+    draw.AddText({tip.x - 0.5f * text.x, tip.y - 0.5f * text.y}, IM_COL32(0, 0, 0, 255),
+                 axis_names[end.axis]);
+  }
+}
 
 double grid_step(double radius) {
   if (!(radius > 0.0) || !std::isfinite(radius)) return 0.0;

@@ -208,7 +208,7 @@ void wipe_line(Controls& controls, Frames& frames, const PictureView& view,
       {x, top}, {x, bottom}, theme::packed(lit ? over_picture(theme::accent_bright) : 0xffffff),
       1.5f);
   side_label(picture_words(previewer.render()), {x - 1.5f * grip, top}, 1.0f);
-  side_label(frames.title(*frames.compared()), {x + 1.5f * grip, top}, 0.0f);
+  side_label(frames.compared_title(), {x + 1.5f * grip, top}, 0.0f);
 }
 
 }  // namespace asos::ui

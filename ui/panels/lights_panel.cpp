@@ -159,8 +159,10 @@ void add(SceneEdits& edits, LightChoice& choice, Light light) {
   choice.selected = static_cast<int>(edits.lights().size()) - 1;
 }
 
-/// Adds a light on the clicked face, bright enough to make a white surface next to it half white.
-void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec2> picked) {
+/// Adds a light on the clicked face, four times as bright as what is displayed as white.
+void add_face(Previewer& previewer, LightChoice& choice, const PointedAt& at) {
+  constexpr float times_white = 4.0f;
+  const std::optional<glm::ivec2> picked = at.pixel;
   choice.error.clear();
   if (!picked) {
     choice.error = "Click a surface in the picture first.";
@@ -182,12 +184,12 @@ void add_face(Previewer& previewer, LightChoice& choice, std::optional<glm::ivec
     choice.error = "The clicked surface has no flat face.";
     return;
   }
+  light->intensity *= times_white * std::exp2(-at.exposure_ev);
   add(previewer.edits(), choice, std::move(*light));
 }
 
 /// Buttons are above the list, so that a growing list does not move them.
-void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
-             std::optional<glm::ivec2> picked) {
+void buttons(Controls& controls, Previewer& previewer, LightChoice& choice, const PointedAt& at) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   if (controls.button("Add light", "Add a sphere light between camera and orbit centre.", width)) {
@@ -203,15 +205,8 @@ void buttons(Controls& controls, Previewer& previewer, LightChoice& choice,
     choice.selected = std::min(choice.selected, static_cast<int>(lights.size()) - 1);
   }
   ImGui::EndDisabled();
-  if (controls.button("Light from face", "Make an area light from the face you clicked.", width))
-    add_face(previewer, choice, picked);
-  ImGui::SameLine();
-  if (controls.button("Reset lights", "Restore the scene's lights.", width)) {
-    previewer.edits().reset_lights();
-    // The editor stays open, unless its light was an added one.
-    if (choice.selected >= static_cast<int>(previewer.edits().lights().size()))
-      choice.selected = -1;
-  }
+  if (controls.button("Light from face", "Make an area light from the face you clicked.", -1.0f))
+    add_face(previewer, choice, at);
 }
 
 void error_line(Controls& controls, const LightChoice& choice) {
@@ -225,12 +220,12 @@ void error_line(Controls& controls, const LightChoice& choice) {
 }  // namespace
 
 void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
-                  std::optional<glm::ivec2> picked) {
+                  const PointedAt& at) {
   if (!previewer.scene() || !controls.section("Lights")) return;
   SceneEdits& edits = previewer.edits();
   const int count = static_cast<int>(edits.lights().size());
   choice.selected = std::min(choice.selected, count - 1);
-  buttons(controls, previewer, choice, picked);
+  buttons(controls, previewer, choice, at);
   if (!edits.lights().empty()) light_list(controls, edits, choice);
   error_line(controls, choice);
   if (choice.selected < 0 || choice.selected >= static_cast<int>(edits.lights().size())) return;

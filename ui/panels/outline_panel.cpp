@@ -47,20 +47,6 @@ int node_of(const OpenScene& scene, int part) {
   return place < nodes.size() ? nodes[place] : -1;
 }
 
-// A click in the picture selects the object there.
-void follow(const Previewer& previewer, OutlineChoice& choice, std::optional<glm::ivec2> picked) {
-  if (picked == choice.followed) return;
-  choice.followed = picked;
-  if (!picked) return;
-  const Hit hit = previewer.viewpoint().seen_at(picked->x + 0.5, picked->y + 0.5);
-  const World& world = previewer.scene()->world();
-  choice.selected = hit.valid() ? static_cast<int>(world.triangle_part[hit.triangle]) : -1;
-  choice.scroll_to_selected = choice.selected >= 0;
-  choice.node = choice.selected >= 0 ? node_of(previewer.scene(), choice.selected) : -1;
-  if (choice.node < 0 || choice.tree.empty()) return;
-  for (const int above : choice.tree.above(choice.node)) choice.open.insert(above);
-}
-
 bool lists_nodes(const OutlineChoice& choice) {
   return choice.by_node && choice.find.empty() && !choice.tree.empty();
 }
@@ -82,6 +68,7 @@ std::vector<int> joined(const std::vector<int>& some, const std::vector<int>& ot
 }
 
 constexpr const char* hidden_words = "Saved pictures do not store hidden objects";
+constexpr const char* no_object = "No object chosen: click one in the picture or list";
 
 // Hides or shows all objects below a node. Returns a message.
 std::string set_visible(OpenScene& scene, const NodeTree& tree, int node, bool visible) {
@@ -93,53 +80,31 @@ std::string set_visible(OpenScene& scene, const NodeTree& tree, int node, bool v
   return visible ? "" : hidden_words;
 }
 
-std::string isolate(OpenScene& scene, const NodeTree& tree, int node) {
-  const std::vector<int> objects = tree.objects(node);
-  std::vector<int> all(object_count(scene));
-  std::iota(all.begin(), all.end(), 0);
-  std::vector<int> hidden = without(all, objects);
-  if (hidden.empty()) return "No other object";
-  scene.show_without(std::move(hidden));
-  return hidden_words;
+// Ascending places of the selected objects among all objects.
+std::vector<int> selected_places(const OpenScene& scene, const OutlineChoice& choice) {
+  if (lists_nodes(choice) && choice.node >= 0) return choice.tree.objects(choice.node);
+  if (choice.selected < 0 ||
+      choice.selected >= static_cast<int>(objects_without_ground(scene->world())))
+    return {};
+  return {place_among_all(choice.selected, scene.hidden())};
+}
+
+void select_none(OutlineChoice& choice) {
+  choice.selected = choice.node = -1;
 }
 
 std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& choice) {
-  OpenScene& scene = previewer.scene();
   const float width =
       (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
-  const auto parts = static_cast<int>(objects_without_ground(scene->world()));
-  const bool nodes = lists_nodes(choice) && choice.node >= 0;
-  const bool chosen = nodes || (choice.selected >= 0 && choice.selected < parts);
   std::string said;
-  const auto act = [&](bool possible, auto change) {
-    if (!chosen) {
-      said = "No object chosen: click one in the picture or list";
-    } else if (!possible) {
-      said = "No other object";
-    } else {
-      change();
-      choice.selected = -1;
-      said = hidden_words;
-    }
-  };
-  if (controls.button("Hide", "Hide the object with its light and shadow.", width)) {
-    if (nodes)
-      said = set_visible(scene, choice.tree, choice.node, false);
-    else
-      act(parts > 1, [&] { scene.hide(choice.selected); });
-  }
+  if (controls.button("Hide", "Hide the object with its light and shadow (H).", width))
+    said = hide_selected(previewer.scene(), choice);
   ImGui::SameLine();
-  if (controls.button("Isolate", "Show only the chosen object.", width)) {
-    if (nodes)
-      said = isolate(scene, choice.tree, choice.node);
-    else
-      act(parts > 1, [&] { scene.show_only(choice.selected); });
-  }
+  if (controls.button("Isolate", "Show only the chosen object (Shift+H).", width))
+    said = isolate_selected(previewer.scene(), choice);
   ImGui::SameLine();
-  if (controls.button("Show all", "Show all hidden objects.", width)) {
-    said = scene.hides() ? "All objects shown" : "Nothing hidden";
-    if (scene.hides()) scene.show_all();
-  }
+  if (controls.button("Show all", "Show all hidden objects (Alt+H).", width))
+    said = show_hidden(previewer.scene());
   return said;
 }
 
@@ -298,11 +263,70 @@ std::vector<std::string> extensions_of(const Material& m) {
   return names;
 }
 
-std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoice& choice,
-                          std::optional<glm::ivec2> picked) {
+int object_at(const Previewer& previewer, glm::ivec2 pixel) {
+  const Hit hit = previewer.viewpoint().seen_at(pixel.x + 0.5, pixel.y + 0.5);
+  if (!hit.valid()) return -1;
+  const World& world = previewer.scene()->world();
+  const auto part = static_cast<int>(world.triangle_part[hit.triangle]);
+  return part < static_cast<int>(objects_without_ground(world)) ? part : -1;
+}
+
+void select_at(const Previewer& previewer, OutlineChoice& choice,
+               std::optional<glm::ivec2> pointed) {
+  if (!previewer.scene() || pointed == choice.followed) return;
+  choice.followed = pointed;
+  if (!pointed) return;
+  follow_scene(previewer, choice);
+  choice.selected = object_at(previewer, *pointed);
+  choice.scroll_to_selected = choice.selected >= 0;
+  choice.node = choice.selected >= 0 ? node_of(previewer.scene(), choice.selected) : -1;
+  if (choice.node < 0 || choice.tree.empty()) return;
+  for (const int above : choice.tree.above(choice.node)) choice.open.insert(above);
+}
+
+std::vector<int> selected_objects(const OpenScene& scene, const OutlineChoice& choice) {
+  if (!scene) return {};
+  std::vector<int> parts;
+  const std::vector<int>& hidden = scene.hidden();
+  for (const int place : selected_places(scene, choice)) {
+    const auto at = std::lower_bound(hidden.begin(), hidden.end(), place);
+    if (at == hidden.end() || *at != place)
+      parts.push_back(place - static_cast<int>(at - hidden.begin()));
+  }
+  return parts;
+}
+
+std::string hide_selected(OpenScene& scene, OutlineChoice& choice) {
+  const std::vector<int> places = scene ? selected_places(scene, choice) : std::vector<int>{};
+  if (places.empty()) return no_object;
+  std::vector<int> hidden = joined(scene.hidden(), places);
+  if (hidden.size() >= object_count(scene)) return "No other object";
+  scene.show_without(std::move(hidden));
+  select_none(choice);
+  return hidden_words;
+}
+
+std::string isolate_selected(OpenScene& scene, OutlineChoice& choice) {
+  const std::vector<int> places = scene ? selected_places(scene, choice) : std::vector<int>{};
+  if (places.empty()) return no_object;
+  std::vector<int> all(object_count(scene));
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> hidden = without(all, places);
+  if (hidden.size() == scene.hidden().size()) return "No other object";
+  scene.show_without(std::move(hidden));
+  select_none(choice);
+  return hidden_words;
+}
+
+std::string show_hidden(OpenScene& scene) {
+  if (!scene.hides()) return "Nothing hidden";
+  scene.show_all();
+  return "All objects shown";
+}
+
+std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoice& choice) {
   if (!previewer.scene()) return {};
   follow_scene(previewer, choice);
-  follow(previewer, choice, picked);
   if (!controls.section("Objects", false)) return {};
   const std::size_t objects = parts_without_ground(previewer.scene()->world());
   if (!choice.tree.empty()) {

@@ -31,9 +31,22 @@ struct OutlineChoice {
 /// Names of the glTF extensions that a material uses, in alphabetical order.
 [[nodiscard]] std::vector<std::string> extensions_of(const Material& material);
 
+/// Index into World::parts of the object at a pixel; -1: none.
+[[nodiscard]] int object_at(const Previewer& previewer, glm::ivec2 pixel);
+/// Selects the object at a pixel, or none on the background, when another pixel is pointed at.
+void select_at(const Previewer& previewer, OutlineChoice& choice,
+               std::optional<glm::ivec2> pointed);
+/// Ascending indices into World::parts of the selected objects: those below the selected node.
+[[nodiscard]] std::vector<int> selected_objects(const OpenScene& scene,
+                                                const OutlineChoice& choice);
+/// These return a message.
+std::string hide_selected(OpenScene& scene, OutlineChoice& choice);
+std::string isolate_selected(OpenScene& scene, OutlineChoice& choice);
+std::string show_hidden(OpenScene& scene);
+
 /// Lists the scene's nodes, or its materials with their objects, and hides or shows objects.
-/// `picked`: the clicked pixel, whose object is selected. Returns a message, or nothing.
+/// Returns a message, or nothing.
 [[nodiscard]] std::string outline_panel(Controls& controls, Previewer& previewer,
-                                        OutlineChoice& choice, std::optional<glm::ivec2> picked);
+                                        OutlineChoice& choice);
 
 }  // namespace asos::ui

@@ -29,6 +29,12 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
 /// Two rows below the picture: layers, method, EPS and MAX, exposure and zoom; or one row with
 /// layers, EPS and MAX in a small window.
 void picture_bar(Controls& controls, Previewer& previewer, UiState& state);
+/// Returns the controls that fit into a bar of this size.
+[[nodiscard]] BarParts bar_parts(glm::vec2 size);
+
+/// Axes in the upper right corner of a large picture. A click on an end looks along it; a drag
+/// orbits.
+void axes_widget(Controls& controls, Viewpoint& viewpoint, const PictureArea& area);
 
 /// Whether the camera is moving because keys are held, which needs continuous frames.
 [[nodiscard]] bool flying();
@@ -70,20 +76,20 @@ void notices(Controls& controls, OpenScene& scene, const WindowRect& area);
 struct MapFacts {
   int max_level = 0;
   bool unfinished = false;  ///< some pixels are predicted or not final yet
+  CauseCounts causes{};
 };
 [[nodiscard]] bool split_legend(Controls& controls, const DisplaySettings& display,
                                 const MapFacts& map, const WindowRect& area, bool at_right);
 
-/// The legend of the error layer, in the picture's lower left corner.
+/// Data for the legend of an error against the reference.
 struct ErrorFacts {
   int samples = 0;        ///< samples per pixel of the reference; 0: there is none yet
   bool finished = false;  ///< the picture is finished
   std::optional<ErrorSummary> summary{};  ///< of the finished picture
 };
-void error_legend(Controls& controls, const ErrorFacts& facts, const WindowRect& area);
-
-/// Which snapshot the picture shows or differs from, and the difference's scale, at the lower left.
-void comparison_legend(Controls& controls, const Frames& frames, const WindowRect& area);
+/// The name of the picture that a comparison shows, and its scale, at the lower left.
+void comparison_legend(Controls& controls, const Frames& frames, const ErrorFacts& facts,
+                       const WindowRect& area);
 
 /// The name of the layer that is shown, and what its colours mean, at the lower left.
 struct LayerFacts {

@@ -2,6 +2,7 @@
 
 #include "ui/display_settings.h"
 #include "ui/frames.h"
+#include "ui/legend_strip.h"
 #include "ui/panels/controls.h"
 #include "ui/previewer.h"
 #include "ui/shown_progress.h"
@@ -19,6 +20,14 @@ namespace asos::ui {
 // One panel per file. Each draws its widgets into the current Dear ImGui window and edits its
 // arguments; the previewer detects changes itself.
 
+/// The controls that the bar under the picture has room for. The panel has the others.
+struct BarParts {
+  bool splitting = false;  ///< EPS and MAX
+  bool method = false;
+  bool exposure = false;
+  bool timeline = false;  ///< play, single frames and time
+};
+
 /// The methods that can render the scene with these settings; without a scene, those that can
 /// render any scene.
 [[nodiscard]] std::vector<Method> methods_for(const RenderSettings& settings,
@@ -26,11 +35,16 @@ namespace asos::ui {
 /// A list of these methods, each with a line about it.
 void method_list(Controls& controls, const char* name, RenderSettings& settings,
                  const RenderScene* scene);
-void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast);
+void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast,
+                        const BarParts& bar, const CauseCounts& causes);
 /// Rarely changed settings of the method.
 void advanced_panel(Controls& controls, Previewer& previewer);
-/// Hides controls of shadows, or of soft shadows, that `scene` does not need.
+/// Hides controls of shadows that `scene` does not need.
 void shadows_panel(Controls& controls, RenderSettings& settings, const RenderScene* scene);
+/// Rules of shadows and lights that the papers compare.
+void shadow_rules(Controls& controls, RenderSettings& settings, const RenderScene* scene);
+/// How curved mirrors reflect.
+void curved_mirror_controls(Controls& controls, RenderSettings& settings);
 
 /// Pause, stop, and the limits of refinement.
 void refinement_panel(Controls& controls, Previewer& previewer);
@@ -43,12 +57,14 @@ struct LightChoice {
   std::string find;        ///< text that the listed lights' names contain
   std::string error;       ///< why a face could not become a light
 };
-/// `picked`: the pixel that was clicked in the picture.
+/// The pixel that was clicked in the picture, and the picture's exposure in stops.
+struct PointedAt {
+  std::optional<glm::ivec2> pixel;
+  float exposure_ev = 0.0f;
+};
 void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
-                  std::optional<glm::ivec2> picked);
+                  const PointedAt& at);
 
-/// The snapshots, and the comparison of the current picture with one of them.
-void compare_panel(Controls& controls, const Previewer& previewer, Frames& frames);
 /// Returns false if there is no room for another snapshot.
 bool store_frame(Frames& frames, const Previewer& previewer);
 /// Method and time of the current picture: "ASOS, 18 s", "ASOS, 22 % done".
@@ -56,7 +72,7 @@ bool store_frame(Frames& frames, const Previewer& previewer);
 /// Message about the newest snapshot: "Kept 2: ASOS, EPS 1/256".
 [[nodiscard]] std::string kept_words(const Frames& frames);
 
-void display_panel(Controls& controls, DisplaySettings& display);
+void display_panel(Controls& controls, DisplaySettings& display, const BarParts& bar);
 /// The titles of the layers in the order of Layer; the first is that of the picture.
 [[nodiscard]] std::vector<std::string> layer_titles();
 /// Shows the next layer of the list, or the one before it (`by` -1); the picture is one of them.
@@ -67,7 +83,7 @@ void camera_panel(Controls& controls, Previewer& previewer);
 void window_panel(Controls& controls, WindowLook& look);
 void scene_panel(Controls& controls, const RenderScene& scene, const RenderSettings& settings,
                  double load_seconds);
-/// `statistics` covers `finished_share` of the pixels, 0 to 1.
+/// `statistics` covers `finished_share` of the pixels, 0 to 1: those that are final.
 void statistics_panel(Controls& controls, const RenderStatistics& statistics,
                       const RenderSettings& settings, const RenderScene& scene,
                       double finished_share);

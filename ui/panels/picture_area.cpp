@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace asos::ui {
 
@@ -94,8 +95,17 @@ std::optional<glm::ivec2> picked_pixel(const PictureView& view, glm::vec2 pointe
 void clicked(Previewer& previewer, UiState& state, glm::vec2 pointer) {
   const std::optional<glm::ivec2> pixel =
       picked_pixel(state.view, pointer, previewer.render().film());
-  if (!std::exchange(state.lens.click_to_focus, false)) return pick(state, pixel);
-  if (pixel) previewer.viewpoint().focus_at(pixel->x + 0.5, pixel->y + 0.5);
+  if (std::exchange(state.lens.click_to_focus, false)) {
+    if (pixel) previewer.viewpoint().focus_at(pixel->x + 0.5, pixel->y + 0.5);
+    return;
+  }
+  // A click selects the object. Another one on it, or with Ctrl, inspects the pixel.
+  const int part = pixel && previewer.scene() ? object_at(previewer, *pixel) : -1;
+  const std::vector<int> selected = selected_objects(previewer.scene(), state.outline);
+  const bool again =
+      part < 0 ? selected.empty() : std::binary_search(selected.begin(), selected.end(), part);
+  if (state.picked || again || ImGui::GetIO().KeyCtrl) pick(state, pixel);
+  state.clicked = pixel;
 }
 
 }  // namespace

@@ -36,27 +36,27 @@ constexpr int layer_content = -1;  // a layer or a surface property: none of the
 
 int shown_content(const UiState& state) {
   if (state.shows_layer()) return layer_content;
+  if (state.frames.comparison == Comparison::error) return error_content;
   if (state.frames.compared() && state.frames.comparison == Comparison::difference)
     return difference_content;
-  if (state.show_error) return error_content;
   if (!state.display.show_split_map) return 0;
   return 1 + static_cast<int>(state.display.split_colours);
 }
 
 void show_content(UiState& state, int content) {
   state.leave_layer();
-  if (content == difference_content) {
-    if (state.frames.stored.empty()) {
-      state.said = "No snapshot yet: press S to keep one";
-      return;
-    }
-    state.show_error = false;
-    state.frames.comparison = Comparison::difference;
+  Frames& frames = state.frames;
+  if (content == difference_content && frames.stored.empty()) {
+    state.said = "No snapshot yet: press S to keep one";
     return;
   }
-  if (state.frames.comparison == Comparison::difference) state.frames.comparison = Comparison::none;
-  state.show_error = content == error_content;
-  if (state.show_error) return;
+  if (content >= error_content) {
+    const bool error = content == error_content;
+    frames.with = error ? CompareWith::reference : CompareWith::snapshot;
+    frames.comparison = error ? Comparison::error : Comparison::difference;
+    return;
+  }
+  state.leave_difference();
   state.display.show_split_map = content > 0;
   if (content > 0) state.display.split_colours = static_cast<SplitMapColours>(content - 1);
 }
@@ -80,7 +80,7 @@ int shown_layer(const UiState& state) {
 
 void show_layer(UiState& state, int entry) {
   state.leave_layer();
-  if (entry > 0) state.show_error = false;
+  if (entry > 0) state.leave_difference();
   if (entry >= layer_count)
     state.surfaces.property = static_cast<SurfaceProperty>(entry - layer_count);
   else if (entry > 0)
@@ -175,7 +175,7 @@ void layer_list(Controls& controls, UiState& state) {
   ImGui::PushStyleColor(ImGuiCol_FrameBg,
                         colours[entry > 0 ? ImGuiCol_SliderGrab : ImGuiCol_Button]);
   if (controls.list("Layers in bar", "Layer or surface property ([ and ]).",
-                    layer_entries(entry > 0 ? "None" : "Layers"), entry))
+                    layer_entries(entry > 0 ? "None" : "View"), entry))
     show_layer(state, entry);
   ImGui::PopStyleColor();
 }
@@ -220,7 +220,7 @@ void content_cells(Controls& controls, Cells& cells, UiState& state, float width
 void upper_row(Controls& controls, Previewer& previewer, UiState& state, float width,
                float height) {
   const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
-  const bool wide = width >= (wide_em + layers_em) * em;
+  const bool wide = state.bar.method;
   Cells cells("upper", height);
   const float method = wide ? 10.0f * em : 0.0f, snapshot = wide ? 6.5f * em : 0.0f;
   content_cells(controls, cells, state, width - method - snapshot - (wide ? 2.0f * gap : 0.0f));
@@ -239,7 +239,7 @@ void upper_row(Controls& controls, Previewer& previewer, UiState& state, float w
 void lower_row(Controls& controls, Previewer& previewer, UiState& state, float width,
                float height) {
   const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
-  const bool wide = width >= wide_em * em;
+  const bool wide = state.bar.exposure;
   const Method method = previewer.edits().settings().method;
   const bool splits = in_object_space(method) || row_of(method).samples_by_eps;
   Cells cells("lower", height);
@@ -278,7 +278,16 @@ void compact_row(Controls& controls, Previewer& previewer, UiState& state, float
 
 }  // namespace
 
+BarParts bar_parts(glm::vec2 size) {
+  const float em = ImGui::GetFontSize();
+  const float width = size.x - 2.0f * ImGui::GetStyle().WindowPadding.x;
+  const bool two_rows = size.y >= std::round(theme::bar_height_em * em);
+  return {size.y > 0.0f, two_rows && width >= (wide_em + layers_em) * em,
+          two_rows && width >= wide_em * em};
+}
+
 void picture_bar(Controls& controls, Previewer& previewer, UiState& state) {
+  controls.placed_window("Picture bar");
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
   const Controls::Unlabelled unlabelled(controls);
   if (ImGui::GetContentRegionAvail().y < 2.0f * height) {
@@ -287,7 +296,6 @@ void picture_bar(Controls& controls, Previewer& previewer, UiState& state) {
     upper_row(controls, previewer, state, width, height);
     lower_row(controls, previewer, state, width, height);
   }
-  controls.placed_window("Picture bar");
 }
 
 }  // namespace asos::ui

@@ -82,24 +82,6 @@ void bounce_controls(Controls& controls, RenderSettings& settings) {
                       roughest, {0.0f, 1.0f, static_cast<float>(usual.mirror.roughest)},
                       [](float r) { return fmt::format("{:.2f}", r); }))
     settings.mirror.roughest = static_cast<double>(roughest);
-  // The other methods trace single rays.
-  if (!in_object_space(settings.method)) return;
-  int way = static_cast<int>(settings.mirror.curved);
-  if (controls.list(
-          "Curved mirrors",
-          "Reflection on curved mirrors (CGF'98 section 5.2). approximate: nearest pyramid. "
-          "tangent plane: fastest, wrong on strong curvature. split to MAX: tangent planes at the "
-          "deepest level. adaptive: split where corner rays diverge.",
-          curved_ways, way, static_cast<int>(usual.mirror.curved)))
-    settings.mirror.curved = static_cast<CurvedMirror>(way);
-  if (settings.mirror.curved != CurvedMirror::adaptive) return;
-  float angle = static_cast<float>(settings.mirror.widest_angle_deg);
-  if (controls.slider("Divergence",
-                      "Largest angle between reflected corner rays, 0 to 180 degrees. Meshes use "
-                      "an eighth of it.",
-                      angle, {0.0f, 180.0f, static_cast<float>(usual.mirror.widest_angle_deg)},
-                      [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
-    settings.mirror.widest_angle_deg = static_cast<double>(angle);
 }
 
 /// Controls of one material's curve, or a note that it has none.
@@ -128,6 +110,28 @@ void material_controls(Controls& controls, Previewer& previewer, ReflectionChoic
 
 }  // namespace
 
+void curved_mirror_controls(Controls& controls, RenderSettings& settings) {
+  const RenderSettings usual;
+  // The other methods trace single rays.
+  if (!in_object_space(settings.method) || settings.mirror.bounces == 0) return;
+  int way = static_cast<int>(settings.mirror.curved);
+  if (controls.list(
+          "Curved mirrors",
+          "Reflection on curved mirrors (CGF'98 section 5.2). approximate: nearest pyramid. "
+          "tangent plane: fastest, wrong on strong curvature. split to MAX: tangent planes at the "
+          "deepest level. adaptive: split where corner rays diverge.",
+          curved_ways, way, static_cast<int>(usual.mirror.curved)))
+    settings.mirror.curved = static_cast<CurvedMirror>(way);
+  if (settings.mirror.curved != CurvedMirror::adaptive) return;
+  float angle = static_cast<float>(settings.mirror.widest_angle_deg);
+  if (controls.slider("Divergence",
+                      "Largest angle between reflected corner rays, 0 to 180 degrees. Meshes use "
+                      "an eighth of it.",
+                      angle, {0.0f, 180.0f, static_cast<float>(usual.mirror.widest_angle_deg)},
+                      [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
+    settings.mirror.widest_angle_deg = static_cast<double>(angle);
+}
+
 void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoice& choice,
                        std::optional<glm::ivec2> picked) {
   if (!previewer.scene()) return;
@@ -151,17 +155,6 @@ void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoic
   } else {
     if (at >= 0 && at == choice.material) incidence_rad = seen->incidence_rad;
     material_controls(controls, previewer, choice, incidence_rad);
-  }
-  if (controls.button("Reset reflections",
-                      "Restore the scene's materials and the default reflection settings.",
-                      -1.0f)) {
-    const RenderSettings usual;
-    previewer.edits().reset_dfrs();
-    settings.mirror.dfr.reset();
-    settings.mirror.bounces = usual.mirror.bounces;
-    settings.mirror.roughest = usual.mirror.roughest;
-    settings.mirror.curved = usual.mirror.curved;
-    settings.mirror.widest_angle_deg = usual.mirror.widest_angle_deg;
   }
 }
 

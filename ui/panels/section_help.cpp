@@ -134,24 +134,6 @@ void compare(const Sketch& s) {
   s.words({11.0f, 1.5f}, "A");
 }
 
-void equal_time(const Sketch& s) {
-  s.filled({5.0f, 1.2f}, {14.0f, 2.4f}, Ink::accent);
-  s.filled({5.0f, 3.4f}, {14.0f, 4.6f}, Ink::warm);
-  s.words({2.6f, 1.8f}, "ASOS");
-  s.words({2.6f, 4.0f}, "other");
-  s.line({14.0f, 0.6f}, {14.0f, 5.4f}, Ink::dim);
-}
-
-void missed_splits(const Sketch& s) {
-  for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 10; ++x) {
-      const glm::vec2 lo(3.0f + static_cast<float>(x), 1.0f + static_cast<float>(y));
-      s.filled(lo, lo + 0.9f, x + y == 6 ? Ink::accent : Ink::faint);
-    }
-  }
-  s.filled({8.0f, 1.0f}, {8.9f, 1.9f}, Ink::warm);
-}
-
 void display(const Sketch& s) {
   for (int i = 0; i < 28; ++i) {
     const float x = 1.0f + 0.5f * static_cast<float>(i);
@@ -234,7 +216,7 @@ constexpr Help helps[] = {
     {"Antialiasing",
      "Pixels are split only where object edges cross them. EPS: allowed error. MAX: maximum depth.",
      antialiasing},
-    {"Advanced",
+    {"Advanced (papers)",
      "Details of splitting, filters and culling. The defaults suit nearly all pictures.",
      antialiasing},
     {"Refinement", "The picture is refined in passes. Pause it, or stop it by time or quality.",
@@ -256,20 +238,9 @@ constexpr Help helps[] = {
     {"Sky",
      "The sky lights the scene and appears in mirrors. It is a colour, a gradient or a picture.",
      sky},
-    {"Compare",
-     "Keep a snapshot, change something, and compare. Snapshots of another size are resampled.",
+    {"Compare", "Compare with a kept picture, another method in the same CPU time, or a reference.",
      compare},
-    {"Equal time",
-     "Another method renders this view in the same CPU time. Compare both with a draggable "
-     "divider.",
-     equal_time},
-    {"Check splits",
-     "Compares the picture with many samples. Marks pixels split too little or for nothing.",
-     missed_splits},
-    {"Display",
-     "Display settings never restart the render, except the tone curve. The split map shows where "
-     "pixels were split.",
-     display},
+    {"Display", "Display settings never restart the render, except the tone curve.", display},
     {"Camera",
      "Position of the camera and its orbit centre. Drag to orbit; double-click a point to orbit "
      "around it.",

@@ -50,7 +50,7 @@ constexpr std::array other_words{
     OtherWord{"dof", "Depth of field"},     OtherWord{"envmap", "Sky"},
     OtherWord{"fov", "Field of view"},      OtherWord{"fps", "Frames/s"},
     OtherWord{"gamma", "Display"},          OtherWord{"hdri", "Sky"},
-    OtherWord{"missed", "Check splits"},    OtherWord{"noise", "Refinement"},
+    OtherWord{"missed", "Compare"},         OtherWord{"noise", "Refinement"},
     OtherWord{"quality", "Antialiasing"},   OtherWord{"samples", "Antialiasing"},
     OtherWord{"threshold", "Antialiasing"}, OtherWord{"tolerance", "EPS"},
 };

@@ -30,7 +30,7 @@ void quality_controls(Controls& controls, RenderSettings& settings) {
   for (const auto& named : shadow_quality_names) names.emplace_back(named.name);
   static_assert(shadow_quality_names.back().value == ShadowQuality::extended_adaptive);
   int chosen = static_cast<int>(settings.shadow.quality);
-  if (controls.list("Quality",
+  if (controls.list("Soft shadows",
                     "Method for soft shadows. refined: one look at the light per patch, split "
                     "where it varies. centre: one look. supersampling, forced: n x n jittered or "
                     "regular points. extended: a look from behind the patch, whole or divided.",
@@ -62,6 +62,10 @@ void shadows_panel(Controls& controls, RenderSettings& settings, const RenderSce
         bounces, usual.shadow.bounces > 0);
     settings.shadow.bounces = bounces ? 1 : 0;
   }
+}
+
+void shadow_rules(Controls& controls, RenderSettings& settings, const RenderScene* scene) {
+  const RenderSettings usual;
   // The published method has fixed quality and rule.
   const bool soft = scene && scene->render_features.soft_shadows;
   if (settings.method == Method::asos && settings.shadow.cast && soft)

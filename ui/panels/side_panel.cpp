@@ -22,7 +22,7 @@ namespace {
 void headline(Controls& controls, const RenderScene* scene) {
   theme::push_title();
   ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(scene ? screenshot_stem(scene->geometry->source).c_str() : "ASOS");
+  ImGui::TextUnformatted(scene ? file_title(scene->geometry->source).c_str() : "ASOS");
   ImGui::PopTextWrapPos();
   theme::pop_title();
   if (scene) controls.placed("Source", scene->geometry->source.c_str());
@@ -68,28 +68,28 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
 
 void antialias_tab(Controls& controls, Previewer& previewer, UiState& state,
                    const PanelJobs& jobs) {
-  antialiasing_panel(controls, previewer, jobs.forecast);
+  antialiasing_panel(controls, previewer, jobs.forecast, state.bar, state.causes);
   advanced_panel(controls, previewer);
   refinement_panel(controls, previewer);
-  display_panel(controls, state.display);
+  display_panel(controls, state.display, state.bar);
   window_panel(controls, state.look);
 }
 
 void scene_tab(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   const RenderScene* scene = previewer.scene().get();
   // The timeline comes first, so that its buttons stay in place while warnings come and go.
-  timeline_panel(controls, previewer.playback(), previewer.edits().settings());
+  timeline_panel(controls, previewer.playback(), previewer.edits().settings(),
+                 state.bar.timeline && !controls.searches());
   scenes_panel(controls, previewer.scene());
   variants_panel(controls, previewer.scene());
-  lights_panel(controls, previewer, state.lights, state.picked);
+  lights_panel(controls, previewer, state.lights, {state.pointed(), state.display.exposure_ev});
   shadows_panel(controls, previewer.edits().settings(), scene);
-  reflections_panel(controls, previewer, state.reflections, state.picked);
+  reflections_panel(controls, previewer, state.reflections, state.pointed());
   sky_panel(controls, previewer.edits(), state.sky, jobs.sky_reader);
   camera_panel(controls, previewer);
   lens_panel(controls, previewer, state.lens);
   if (!scene) return;
-  if (std::string said = outline_panel(controls, previewer, state.outline, state.picked);
-      !said.empty())
+  if (std::string said = outline_panel(controls, previewer, state.outline); !said.empty())
     state.said = std::move(said);
   surface_panel(controls, state.surfaces);
   scene_panel(controls, *scene, previewer.render().settings(), previewer.scene().load_seconds());
@@ -97,12 +97,10 @@ void scene_tab(Controls& controls, Previewer& previewer, UiState& state, const P
 
 void measure_tab(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs) {
   const RenderScene* scene = previewer.scene().get();
-  compare_panel(controls, previewer, state.frames);
-  equal_time_panel(controls, previewer, state.equal_time, jobs.equal_time, state.frames);
-  check_panel(controls, previewer, state.check, jobs.check, state.frames);
+  compare_panel(controls, previewer, state, jobs);
   if (!scene) return;
   statistics_panel(controls, previewer.render().statistics(), previewer.render().settings(), *scene,
-                   previewer.render().progress().fraction);
+                   previewer.render().final_share());
   study_panel(controls, state.study, jobs.study, previewer);
   if (!state.study.said.empty()) state.said = std::exchange(state.study.said, {});
 }
@@ -158,17 +156,28 @@ void sections(Controls& controls, Previewer& previewer, UiState& state, const Pa
   controls.search({});
 }
 
-void reset_buttons(Controls& controls, Previewer& previewer, UiState& state) {
+void reset_choice(Controls& controls, Previewer& previewer, UiState& state) {
+  constexpr std::array parts{
+      Controls::Option{"Settings",
+                       "Restore method, lights, shadows, reflections, sky and materials. The view "
+                       "stays. Undo with Ctrl+Z."},
+      Controls::Option{"Lights", "Restore the scene's lights."},
+      Controls::Option{"Mirrors", "Restore the materials and the default reflection settings."},
+      Controls::Option{"Window", "Restore display and panel, and clear recent files."},
+  };
   ImGui::Spacing();
-  if (controls.button("Reset render settings",
-                      "Restore method, lights, shadows, reflections, sky and materials. The view "
-                      "stays. Undo with Ctrl+Z.",
-                      -1.0f))
-    previewer.edits().reset();
-  if (controls.button("Reset window",
-                      "Restore display and panel settings and clear recent files. The scene stays.",
-                      -1.0f))
-    state.forget = true;
+  int part = -1;
+  if (!controls.options("Reset", parts, part)) return;
+  SceneEdits& edits = previewer.edits();
+  if (part == 0) edits.reset();
+  if (part == 1) edits.reset_lights();
+  if (part == 2) {
+    edits.reset_dfrs();
+    edits.settings().mirror = RenderSettings{}.mirror;
+  }
+  if (part == 3) state.forget = true;
+  // The editor closes if its light was an added one.
+  if (state.lights.selected >= static_cast<int>(edits.lights().size())) state.lights.selected = -1;
 }
 
 }  // namespace
@@ -177,7 +186,7 @@ void side_panel(Controls& controls, Previewer& previewer, UiState& state, const 
   headline(controls, previewer.scene().get());
   file_buttons(controls, previewer, state);
   sections(controls, previewer, state, jobs);
-  reset_buttons(controls, previewer, state);
+  reset_choice(controls, previewer, state);
 }
 
 }  // namespace asos::ui

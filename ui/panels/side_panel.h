@@ -19,6 +19,10 @@ struct PanelJobs {
   ViewStudy& study;
 };
 
+/// The comparison with a snapshot, with another method in the same CPU time, or with the reference.
+void compare_panel(Controls& controls, const Previewer& previewer, UiState& state,
+                   const PanelJobs& jobs);
+
 /// Draws all sections below each other into the current Dear ImGui window.
 void side_panel(Controls& controls, Previewer& previewer, UiState& state, const PanelJobs& jobs);
 

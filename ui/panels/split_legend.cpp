@@ -1,4 +1,4 @@
-#include "renderer/film/split_map.h"
+#include "ui/legend_strip.h"
 #include "ui/panels/legend_window.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asos::ui {
@@ -49,11 +49,11 @@ std::vector<LevelSwatch> level_swatches() {
   std::vector<LevelSwatch> swatches{
       {"not split", split_colour(0), "Not split: one sample was enough.", 2.4f},
       {"exact", exact_colour,
-       "Exact: level 0, but cut along an edge of a surface, shadow or reflection.", 1.7f}};
+       "Exact: level 0, but cut along an edge of a surface, shadow or reflection.", 1.7f},
+      {"sampled", sampled_colour, "Sampled: not divided, but the mean of several samples.", 2.8f}};
   for (int level = 1; level <= split_colour_levels; ++level)
     swatches.push_back({std::to_string(level), split_colour(level),
-                        fmt::format("Level {}: finest cells of 1/{} pixel, or as many samples.",
-                                    level, 1 << level)});
+                        fmt::format("Level {}: finest cells of 1/{} pixel.", level, 1 << level)});
   return swatches;
 }
 
@@ -84,23 +84,9 @@ void level_legend(Controls& controls) {
   ImGui::Dummy({width, height + 1.3f * em});
 }
 
-struct CostTick {
-  double value;
-  const char* text;
-};
-constexpr std::array ray_ticks{CostTick{1, "1 ray"},       CostTick{4, "4"},     CostTick{16, "16"},
-                               CostTick{64, "64"},         CostTick{256, "256"}, CostTick{1024, ""},
-                               CostTick{4096, "4096 rays"}};
-constexpr std::array time_ticks{CostTick{1e-7, "0.1 \u00b5s"}, CostTick{1e-6, "1 \u00b5s"},
-                                CostTick{1e-5, "10 \u00b5s"},  CostTick{1e-4, "100 \u00b5s"},
-                                CostTick{1e-3, "1 ms"},        CostTick{1e-2, "10 ms"}};
-
 // The logarithmic scale of rays or time.
 void cost_legend(Controls& controls, SplitMapColours colours) {
   const SplitMapKey key{colours};
-  const std::span<const CostTick> ticks = colours == SplitMapColours::rays
-                                              ? std::span<const CostTick>(ray_ticks)
-                                              : std::span<const CostTick>(time_ticks);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float em = ImGui::GetFontSize();
@@ -114,16 +100,15 @@ void cost_legend(Controls& controls, SplitMapColours colours) {
                         IM_COL32(c.x, c.y, c.z, 255));
   }
   std::string words;
-  for (const CostTick& tick : ticks) {
-    if (*tick.text && !words.empty()) words += ' ';
-    words += tick.text;
+  for (const CostStep& tick : cost_steps(colours)) {
+    words += (words.empty() ? "" : " ") + std::string(tick.words);
     const float x = x_at(static_cast<float>(cost_scale(colours).share(tick.value)));
     draw->AddLine({x, corner.y + height}, {x, corner.y + height + 0.2f * em},
                   theme::packed(theme::dim_text));
-    const float text = ImGui::CalcTextSize(tick.text).x;
+    const float text = ImGui::CalcTextSize(tick.words).x;
     draw->AddText({std::clamp(x - 0.5f * text, corner.x, corner.x + width - text),
                    corner.y + height + 0.25f * em},
-                  theme::packed(theme::dim_text), tick.text);
+                  theme::packed(theme::dim_text), tick.words);
   }
   draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
   ImGui::Dummy({width, height + 1.4f * em});
@@ -134,35 +119,22 @@ void cost_legend(Controls& controls, SplitMapColours colours) {
           : "CPU time per pixel, 0.1 µs to 10 ms, logarithmic. The scale is absolute.");
 }
 
-// One swatch per cause, in two columns.
-void cause_legend(Controls& controls) {
+// One swatch per cause that occurs, in two columns.
+void cause_legend(Controls& controls, const CauseCounts& causes) {
   const float em = ImGui::GetFontSize();
   const float column = 0.5f * ImGui::GetContentRegionAvail().x;
+  bool right = false;
   for (std::size_t i = 1; i < split_cause_count; ++i) {
-    if (i % 2 == 0) ImGui::SameLine(column + ImGui::GetStyle().WindowPadding.x);
+    if (causes.pixels[i] == 0) continue;
+    if (std::exchange(right, !right)) ImGui::SameLine(column + ImGui::GetStyle().WindowPadding.x);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const glm::u8vec3 c = split_cause_colour(static_cast<SplitCause>(i));
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    swatch(corner, {corner.x + 1.6f * em, corner.y + 0.9f * em}, c);
-    draw->AddText({corner.x + 2.0f * em, corner.y - 0.05f * em}, theme::packed(theme::dim_text),
-                  split_cause_titles[i]);
+    swatch(corner, {corner.x + 1.6f * em, corner.y + 0.9f * em},
+           split_cause_colour(static_cast<SplitCause>(i)));
+    ImGui::GetWindowDrawList()->AddText({corner.x + 2.0f * em, corner.y - 0.05f * em},
+                                        theme::packed(theme::dim_text), split_cause_titles[i]);
     ImGui::Dummy({column - em, 1.1f * em});
     controls.placed(std::string("Cause/") + split_cause_titles[i], cause_words[i]);
   }
-}
-
-std::string headline(SplitMapColours colours, int max_level) {
-  switch (colours) {
-    case SplitMapColours::cause:
-      return "Why pixels were split";
-    case SplitMapColours::rays:
-      return "Rays per pixel";
-    case SplitMapColours::time:
-      return "CPU time per pixel";
-    case SplitMapColours::level:
-      break;
-  }
-  return fmt::format("Deepest level of each pixel (MAX = {})", max_level);
 }
 
 // A swatch with GlDisplay's hatching.
@@ -188,7 +160,9 @@ bool split_legend(Controls& controls, const DisplaySettings& display, const MapF
   if (!display.show_split_map || !display.show_legend) return false;
   const LegendWindow window(controls, "Map legend", area, legend_width_em, 8.0f, at_right);
   if (!window.has_room()) return false;
-  const std::string title = headline(display.split_colours, map.max_level);
+  std::string title = legend_title(display.split_colours);
+  if (display.split_colours == SplitMapColours::level)
+    title += fmt::format(" (MAX = {})", map.max_level);
   ImGui::TextUnformatted(title.c_str());
   controls.placed_words("Legend title", title, nullptr);
   switch (display.split_colours) {
@@ -196,7 +170,7 @@ bool split_legend(Controls& controls, const DisplaySettings& display, const MapF
       level_legend(controls);
       break;
     case SplitMapColours::cause:
-      cause_legend(controls);
+      cause_legend(controls, map.causes);
       break;
     case SplitMapColours::rays:
     case SplitMapColours::time:

@@ -75,7 +75,8 @@ void split_rows(Controls& controls, const RenderStatistics& statistics, const Fi
   controls.row("Split pixels", finished.share(static_cast<double>(statistics.split_pixels)),
                "Percentage of pixels that are exact or of level 1 and deeper.");
   cause_rows(controls, statistics, finished);
-  controls.row("Edges not found", fmt::format("{}", statistics.missed_splits),
+  controls.row("Edges not found",
+               finished.pixels > 0.0 ? fmt::format("{}", statistics.missed_splits) : "-",
                "Pixels whose neighbours show another surface, without an edge between. Zero on "
                "sound meshes.");
   controls.row("Unresolved area", finished.share(statistics.unresolved_area),

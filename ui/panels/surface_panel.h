@@ -8,7 +8,7 @@
 namespace asos::ui {
 
 /// The keys of the surface properties, in the order of SurfaceProperty.
-inline constexpr std::array<const char*, surface_properties> surface_keys{"B", "N", "H", "L",
+inline constexpr std::array<const char*, surface_properties> surface_keys{"B", "N", "G", "L",
                                                                           "K", "I", "U"};
 inline constexpr const char* wireframe_key = "Y";
 

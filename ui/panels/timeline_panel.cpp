@@ -29,17 +29,26 @@ void clip_chooser(Controls& controls, Playback& playback) {
     playback.choose(chosen - 1);
 }
 
-void transport(Controls& controls, Playback& playback) {
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f;
-  if (controls.button("< Frame", "Back by one frame and pause.", width)) playback.step(-1);
-  ImGui::SameLine();
+void transport(Controls& controls, Playback& playback, float width) {
   const bool playing = playback.playing();
-  if (controls.button(playing ? "Pause clip" : "Play",
-                      playing ? "Pause; the frame is refined." : "Play the animation.", width))
+  if (controls.button(
+          playing ? "Pause clip" : "Play",
+          playing ? "Pause; the frame is refined (Space)." : "Play the animation (Space).", width))
     playback.set_playing(!playing);
   ImGui::SameLine();
+  if (controls.button("< Frame", "Back by one frame and pause.", width)) playback.step(-1);
+  ImGui::SameLine();
   if (controls.button("Frame >", "Forward by one frame and pause.", width)) playback.step(1);
+}
+
+void time_slider(Controls& controls, Playback& playback) {
+  const double end = playback.duration_seconds();
+  if (!playback.time() || !(end > 0.0)) return;
+  auto seconds = static_cast<float>(playback.time()->seconds);
+  if (controls.slider("Time", "Time in the animation, in seconds. Ctrl+click to type a value.",
+                      seconds, {0.0f, static_cast<float>(end), 0.0f},
+                      [](float s) { return fmt::format("{:.3f} s", s); }))
+    playback.seek(static_cast<double>(seconds));
 }
 
 std::string words_of(const Playback& playback) {
@@ -68,17 +77,39 @@ void shutter_controls(Controls& controls, const Playback& playback, double fps,
 
 }  // namespace
 
-void timeline_panel(Controls& controls, Playback& playback, RenderSettings& settings) {
+void timeline_row(Controls& controls, Playback& playback) {
+  const Controls::Unlabelled unlabelled(controls);
+  transport(controls, playback, 5.5f * ImGui::GetFontSize());
+  ImGui::SameLine();
+  time_slider(controls, playback);
+}
+
+void play_button(Controls& controls, Playback& playback, const WindowRect& picture) {
+  if (!playback.available() || playback.time()) return;
+  const float em = ImGui::GetFontSize(), side = 3.0f * em;
+  if (picture.size.x < 4.0f * side || picture.size.y < 4.0f * side) return;
+  const glm::vec2 lo =
+      picture.lo + glm::vec2(0.5f * (picture.size.x - side), picture.size.y - 1.5f * side);
+  ImGui::SetCursorScreenPos({lo.x, lo.y});
+  if (ImGui::InvisibleButton("play", {side, side})) playback.set_playing(true);
+  const bool lit = ImGui::IsItemHovered();
+  controls.placed("Play on picture", "Play the file's animation (Space).", Controls::Use::edits);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 middle{lo.x + 0.5f * side, lo.y + 0.5f * side};
+  draw.AddCircleFilled(middle, 0.5f * side, IM_COL32(0, 0, 0, lit ? 200 : 140), 48);
+  draw.AddTriangleFilled({middle.x - 0.16f * side, middle.y - 0.23f * side},
+                         {middle.x - 0.16f * side, middle.y + 0.23f * side},
+                         {middle.x + 0.26f * side, middle.y}, IM_COL32(255, 255, 255, 230));
+}
+
+void timeline_panel(Controls& controls, Playback& playback, RenderSettings& settings,
+                    bool under_picture) {
   if (!playback.available() || !controls.section("Animation")) return;
   clip_chooser(controls, playback);
-  transport(controls, playback);
-  const double end = playback.duration_seconds();
-  if (playback.time() && end > 0.0) {
-    auto seconds = static_cast<float>(playback.time()->seconds);
-    if (controls.slider("Time", "Time in the animation, in seconds. Ctrl+click to type a value.",
-                        seconds, {0.0f, static_cast<float>(end), 0.0f},
-                        [](float s) { return fmt::format("{:.3f} s", s); }))
-      playback.seek(static_cast<double>(seconds));
+  if (!under_picture) {
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    transport(controls, playback, (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f);
+    time_slider(controls, playback);
   }
   Playback::Options& options = playback.options();
   controls.checkbox("Loop", "Repeat from the start.", options.loop, true);

@@ -71,15 +71,17 @@ void loupe(Controls& controls, const Film& film, glm::ivec2 pixel,
   draw.AddRect(lo(middle), lo(middle + 1), IM_COL32(255, 255, 255, 255), 0.0f, 0, 2.0f);
 }
 
-void eps_slider(Controls& controls, Previewer& previewer) {
+void eps_slider(Controls& controls, Previewer& previewer, std::optional<double> split_share) {
   RenderSettings& settings = previewer.edits().settings();
   controls.log_slider(
       "Tolerance (EPS)",
       "Error allowed per pixel, 0 to 1. Double-click to reset. Closing the tour restores it.",
       settings.asos.eps, {0.0, 1.0, RenderSettings{}.asos.eps},
       [](double eps) { return eps > 0.0 ? fmt::format("1/{:.0f}", 1.0 / eps) : std::string("0"); });
-  controls.row("Split", fmt::format("{:.1f} % of pixels", 100.0 * previewer.render().split_share()),
-               "Percentage of split pixels, predicted where none is final.");
+  controls.row(
+      "Split",
+      split_share ? fmt::format("{:.1f} % of pixels", 100.0 * *split_share) : std::string("-"),
+      "Percentage of split pixels: estimated from a few blocks, then counted.");
 }
 
 void map_choice(Controls& controls, DisplaySettings& display) {
@@ -101,7 +103,7 @@ void ask_rival(Controls& controls, const Previewer& previewer, UiState& state, E
     tour.frames_when_asked.reset();
   }
   if (controls.button("Compare now",
-                      "Render the view by the method of \"Equal time\" in the same CPU time. The "
+                      "Render the view by the method of \"Compare\" in the same CPU time. The "
                       "result appears right of a divider.")) {
     if (start_equal_time(previewer, state.equal_time, job, state.frames))
       tour.frames_when_asked = state.frames.stored.size();
@@ -156,7 +158,7 @@ void body(Controls& controls, Previewer& previewer, UiState& state, EqualTimeJob
       if (state.shown_level) ImGui::TextDisabled("level %d", *state.shown_level);
       break;
     case Tour::Card::eps:
-      eps_slider(controls, previewer);
+      eps_slider(controls, previewer, state.split_share);
       break;
     case Tour::Card::map:
       map_choice(controls, state.display);
