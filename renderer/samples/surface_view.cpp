@@ -24,7 +24,8 @@ glm::vec3 shown_as(glm::vec3 value) {
 }
 
 bool is_colour(SurfaceProperty property) {
-  return property == SurfaceProperty::base_color || property == SurfaceProperty::emission;
+  return property == SurfaceProperty::base_color || property == SurfaceProperty::emission ||
+         property == SurfaceProperty::vertex_color;
 }
 
 // Returns a checkerboard whose hue changes with each repeat of the texture, so that repeats are
@@ -88,6 +89,14 @@ class Looker {
     const World& world = scene_.world();
     if (property_ == SurfaceProperty::normal) return 0.5f * point.shading_normal + 0.5f;
     if (property_ == SurfaceProperty::texture_coordinates) return checker(uv_of(hit));
+    if (property_ == SurfaceProperty::second_texture_coordinates)
+      return world.texcoords[1].empty()
+                 ? glm::vec3(0.0f)
+                 : checker(texcoord_at(world, 1, hit.triangle, hit.b1, hit.b2));
+    if (property_ == SurfaceProperty::vertex_color)
+      return world.colors.empty() || world.is_face(hit.triangle)
+                 ? glm::vec3(1.0f)
+                 : glm::vec3(vertex_color(world, hit.triangle, hit.b1, hit.b2));
     const SurfaceMaterial material =
         surface_material(world, scene_.render_features, hit, point.footprint, &scene_.mips());
     switch (property_) {

@@ -22,12 +22,15 @@ enum class SurfaceProperty : std::uint8_t {
   emission,    ///< linear radiance
   /// A checkerboard with eight squares in u and v, in a different colour for each 1 x 1 tile.
   texture_coordinates,
+  second_texture_coordinates,  ///< the same for the second set; black where there is none
+  vertex_color,                ///< linear; white where there is none
 };
-inline constexpr int surface_properties = 7;
+inline constexpr int surface_properties = 9;
 
 /// Names of the properties on the command line and in files.
 inline constexpr std::array<const char*, surface_properties> surface_property_names{
-    "base-color", "normal", "roughness", "metallic", "occlusion", "emission", "uv"};
+    "base-color", "normal", "roughness", "metallic",    "occlusion",
+    "emission",   "uv",     "uv2",       "vertex-color"};
 
 /// The number of eye rays for a view of surfaces.
 struct SurfaceSampling {

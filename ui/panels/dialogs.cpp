@@ -246,8 +246,7 @@ void map_shortcuts(UiState& state) {
 
 // Toggles the display of surface properties.
 void surface_shortcuts(UiState& state) {
-  constexpr std::array<Key, surface_properties> keys{Key::b, Key::n, Key::g, Key::l,
-                                                     Key::k, Key::i, Key::u};
+  constexpr std::array keys{Key::b, Key::n, Key::g, Key::l, Key::k, Key::i, Key::u};
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (!shortcut_pressed(keys[i])) continue;
     toggle(state.surfaces, static_cast<SurfaceProperty>(i));

@@ -65,11 +65,7 @@ void show_content(UiState& state, int content) {
 std::vector<std::string> layer_entries(const char* first) {
   std::vector<std::string> entries = layer_titles();
   entries.front() = first;
-  for (int i = 0; i < surface_properties; ++i) {
-    const SurfaceChoice choice{static_cast<SurfaceProperty>(i), false};
-    entries.push_back(
-        fmt::format("{} ({})", surface_title(choice), surface_keys[static_cast<std::size_t>(i)]));
-  }
+  for (int i = 0; i < surface_properties; ++i) entries.push_back(surface_entry(i));
   return entries;
 }
 

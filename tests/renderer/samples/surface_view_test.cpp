@@ -105,6 +105,21 @@ TEST(SurfacePicture, ShowsTextureCoordinatesAsACheckerboard) {
   }
 }
 
+TEST(SurfacePicture, ShowsVertexColorsAndTheSecondTextureCoordinates) {
+  World world;
+  add_quad(world, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, painted());
+  world.colors.assign(world.positions.size(), glm::vec4(0.25f, 0.5f, 1.0f, 1.0f));
+  const auto without = make_render_scene(World(world));
+  EXPECT_EQ(at(picture_of(*without, SurfaceProperty::second_texture_coordinates), 8, 8),
+            glm::vec3(0.0f));
+  for (const glm::vec2 uv : world.texcoords[0]) world.texcoords[1].emplace_back(uv);
+  const auto scene = make_render_scene(std::move(world));
+  EXPECT_EQ(at(picture_of(*scene, SurfaceProperty::vertex_color), 8, 8),
+            glm::vec3(0.25f, 0.5f, 1.0f));
+  EXPECT_EQ(picture_of(*scene, SurfaceProperty::second_texture_coordinates).film.radiance,
+            picture_of(*scene, SurfaceProperty::texture_coordinates).film.radiance);
+}
+
 TEST(SurfacePicture, EndsWhenItIsStopped) {
   const auto scene = half(painted());
   std::stop_source stop;
