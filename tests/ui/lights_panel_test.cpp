@@ -100,6 +100,9 @@ TEST_F(LightsPanelTest, TheLightsOfASurfaceAreOneRow) {
 
 // The control under the pointer stays there, whatever a click adds.
 TEST_F(LightsPanelTest, ButtonsStayWhereTheyAre) {
+  // A new kind of light adds rows to other tabs.
+  rig.content().state().tab = PanelTab::scene;
+  rig.frame();
   rig.content().state().lights.selected = -1;
   rig.frame();
   const glm::vec2 before = rig.control("Add light").lo;

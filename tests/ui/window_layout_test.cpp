@@ -57,10 +57,12 @@ TEST(WindowLayout, SmallWindowsHaveABarOfOneRow) {
     return layout.bar.size.y / em;
   };
   EXPECT_NEAR(bar_em({1280, 720}, true), theme::bar_height_em, 0.1f);
-  EXPECT_NEAR(bar_em({420, 300}, true), theme::compact_bar_height_em, 0.1f);
+  EXPECT_NEAR(bar_em({420, 420}, true), theme::compact_bar_height_em, 0.1f) << "above the panel";
+  EXPECT_NEAR(bar_em({420, 300}, true), theme::bar_height_em, 0.1f) << "there is no panel";
   EXPECT_NEAR(bar_em({660, 1000}, true), theme::compact_bar_height_em, 0.1f) << "narrow";
   EXPECT_EQ(bar_em({200, 700}, false), 0.0f);
-  EXPECT_EQ(bar_em({420, 160}, true), 0.0f);
+  EXPECT_NEAR(bar_em({420, 160}, true), theme::compact_bar_height_em, 0.1f);
+  EXPECT_EQ(bar_em({420, 100}, true), 0.0f);
 }
 
 // Below this width, names of methods and rows of numbers are cut off.

@@ -109,8 +109,9 @@ void compare_panel(Controls& controls, const Previewer& previewer, UiState& stat
                    ? fmt::format("a reference of {} samples", frames.reference.samples)
                    : std::string("the chosen snapshot"),
                "Choose the reference above to measure errors against it.");
-  controls.row("Closer", closer_words(frames),
-               "The one of picture and chosen snapshot with the smaller error.");
+  if (!frames.stored.empty())
+    controls.row("Closer", closer_words(frames),
+                 "The one of picture and chosen snapshot with the smaller error.");
   if (controls.button("Copy errors", "Copy the table as CSV to the clipboard.", -1.0f))
     ImGui::SetClipboardText(snapshot_csv(frames).c_str());
 }

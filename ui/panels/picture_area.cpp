@@ -106,6 +106,7 @@ void clicked(Previewer& previewer, UiState& state, glm::vec2 pointer) {
       part < 0 ? selected.empty() : std::binary_search(selected.begin(), selected.end(), part);
   if (state.picked || again || ImGui::GetIO().KeyCtrl) pick(state, pixel);
   state.clicked = pixel;
+  state.outline.followed.reset();  // the same pixel may be clicked again
 }
 
 }  // namespace

@@ -198,7 +198,9 @@ TEST(SplitColour, OfSampledPixelsIsNotThatOfALevel) {
 }
 
 TEST(Film, KeepsTheNumberOfSamplesOfFinalTiles) {
-  FinishedTile tile{{0, 0, 2, 1}, {glm::vec3(0.0f), glm::vec3(0.0f)}};
+  FinishedTile tile;
+  tile.rect = {0, 0, 2, 1};
+  tile.radiance.resize(2);
   tile.split_level = {0, 0};
   tile.cause = {SplitCause::shading, SplitCause::none};
   tile.outlook.resize(2);
