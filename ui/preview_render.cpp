@@ -85,6 +85,7 @@ bool PreviewRender::should_wait(const Subject& subject, double now_seconds) cons
 void PreviewRender::restart(const Subject& subject, double now_seconds) {
   // The old scene must not be destroyed while a worker uses it; restart waits for the workers.
   held_.clear();
+  std::erase_if(kept_, [](const Kept& kept) { return kept.scene.expired(); });
   keep_finished(subject);
   const bool same_view = differs_in_splitting_only(rendered_, subject);
   if (!same_view) before_.reset();
@@ -113,9 +114,7 @@ void PreviewRender::keep_finished(const Subject& next) {
   if (finished_updates_ < least_updates || next.scene != rendered_.scene ||
       next.camera_revision != rendered_.camera_revision || !all_final())
     return;
-  std::erase_if(kept_, [&](const Kept& kept) {
-    return kept.scene.expired() || is_picture_of(kept, rendered_);
-  });
+  std::erase_if(kept_, [&](const Kept& kept) { return is_picture_of(kept, rendered_); });
   kept_.push_back({rendered_.scene,
                    rendered_.camera,
                    rendered_.settings,

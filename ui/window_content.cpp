@@ -215,7 +215,10 @@ void WindowContent::lay_out(const FrameInput& in) {
   if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
   const PictureArea shown{picture, scale.y};
   select_at(previewer_, state_.outline, state_.pointed());
-  outline_.update(previewer_, selected_objects(previewer_.scene(), state_.outline));
+  // The tour's cards pick pixels, and mean no objects.
+  outline_.update(previewer_, state_.tour.card
+                                  ? std::vector<int>()
+                                  : selected_objects(previewer_.scene(), state_.outline));
   if (marks_splits()) check_marks(check_.findings(), state_.check, state_.view, shown);
   draw_runs(outline_.runs(), theme::rgb(theme::accent_bright), state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);

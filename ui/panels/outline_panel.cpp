@@ -82,7 +82,9 @@ std::string set_visible(OpenScene& scene, const NodeTree& tree, int node, bool v
 
 // Ascending places of the selected objects among all objects.
 std::vector<int> selected_places(const OpenScene& scene, const OutlineChoice& choice) {
-  if (lists_nodes(choice) && choice.node >= 0) return choice.tree.objects(choice.node);
+  const bool tree_is_of_scene = choice.tree_of.lock() == scene->geometry;
+  if (lists_nodes(choice) && choice.node >= 0 && tree_is_of_scene)
+    return choice.tree.objects(choice.node);
   if (choice.selected < 0 ||
       choice.selected >= static_cast<int>(objects_without_ground(scene->world())))
     return {};
