@@ -268,8 +268,10 @@ TEST_F(LeavingTest, APixelsPanelIsCompleteThoughNobodyMoves) {
   rig.set_pixel_size(1);
   EXPECT_TRUE(rig.settle());
   rig.move_to({170, 300});
+  rig.content().input().add(KeyChanged{Key::ctrl, true});
   rig.press(MouseButton::left);
   rig.release(MouseButton::left);
+  rig.content().input().add(KeyChanged{Key::ctrl, false});
   rig.move_to({2, 900});
   ASSERT_TRUE(rig.sleeps());
   const std::vector<glm::u8vec3> asleep = rig.pixels();
