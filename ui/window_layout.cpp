@@ -11,9 +11,8 @@ WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool 
                               bool show_timeline) {
   // Minimum width of a picture next to the panel, in widths of the panel.
   constexpr float least_picture = 0.5f;
-  // Lower windows have no panel: 400 pixels at scale 1.
-  constexpr float least_height_em = 400.0f / theme::text_pixels;
-  show_panel = show_panel && window.y >= std::round(least_height_em * em);
+  constexpr float least_height = 400.0f;  // of a window with a panel, at any size of text
+  show_panel = show_panel && window.y >= least_height;
   const float panel_width = std::round(theme::panel_width_em * em);
   const bool beside = window.x >= std::round((1.0f + least_picture) * panel_width);
   const float taken_across = show_panel && beside ? panel_width : 0.0f;
@@ -49,10 +48,11 @@ WindowLayout WindowLayout::of(glm::vec2 window, float em, bool show_panel, bool 
 }
 
 bool has_room_for_tour(const WindowLayout& layout, float em) {
-  constexpr float across_em = 44.0f, down_em = 44.0f, above_panel_em = 24.0f;
+  constexpr float across_em = 44.0f, down_em = 44.0f, above_panel_em = 24.0f, least_em = 14.0f;
   const glm::vec2 picture = layout.picture.size / em;
   const bool below = layout.panel.size.y > 0.0f && layout.panel.lo.x <= layout.picture.lo.x;
-  return below ? picture.y >= above_panel_em : picture.x >= across_em || picture.y >= down_em;
+  if (below) return picture.y >= above_panel_em;
+  return picture.y >= least_em && (picture.x >= across_em || picture.y >= down_em);
 }
 
 float fitting_text_scale(float asked, float window_width) {

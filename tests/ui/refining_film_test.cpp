@@ -91,7 +91,12 @@ TEST(RefiningFilm, PredictsTheMapOfAnotherEps) {
   EXPECT_EQ(film.film().cause[0], SplitCause::none);
   EXPECT_GT(film.map_revision(), revision);
   film.predict(of_size(2, 1, 1.0 / 1024.0));
-  EXPECT_EQ(film.film().split_level, (Levels{3, 0})) << "EPS a quarter: a level more";
+  EXPECT_EQ(film.film().split_level, (Levels{2, 0})) << "samples are no level";
+  const int fine = film.film().samples[0];
+  EXPECT_GT(fine, 1);
+  EXPECT_EQ(film.film().samples[1], 0);
+  film.predict(of_size(2, 1, 1.0 / 2048.0));
+  EXPECT_GT(film.film().samples[0], fine) << "half of EPS takes more";
   EXPECT_EQ(film.film().cause[0], SplitCause::shading);
   film.predict(of_size(2, 1));
   EXPECT_EQ(film.film().split_level, (Levels{2, 0})) << "as it was rendered";
@@ -124,7 +129,8 @@ TEST(RefiningFilm, NeverShowsLessOfTheMapThanIsKnown) {
   film.begin(of_size(2, 1, 1.0 / 1024.0), true);
   EXPECT_EQ(film.film().unfinished, std::vector<std::uint8_t>(2, 1));
   film.put(tile({0, 0, 2, 1}, glm::vec3(0.5f), true));
-  EXPECT_EQ(film.film().split_level[0], 3) << "coarse tiles have no levels";
+  EXPECT_EQ(film.film().split_level[0], 2) << "coarse tiles have no levels";
+  EXPECT_GT(film.film().samples[0], 1);
   EXPECT_EQ(film.split_share(), 0.5);
   FinishedTile last = tile({0, 0, 1, 1}, glm::vec3(0.5f), false);
   last.split_level = {4};
