@@ -95,8 +95,8 @@ TEST(RefiningFilm, PredictsTheMapOfAnotherEps) {
   const int fine = film.film().samples[0];
   EXPECT_GT(fine, 1);
   EXPECT_EQ(film.film().samples[1], 0);
-  film.predict(of_size(2, 1, 1.0 / 2048.0));
-  EXPECT_GT(film.film().samples[0], fine) << "half of EPS takes more";
+  film.predict(of_size(2, 1, 1.0 / 400.0));
+  EXPECT_LT(film.film().samples[0], fine) << "a larger EPS takes fewer";
   EXPECT_EQ(film.film().cause[0], SplitCause::shading);
   film.predict(of_size(2, 1));
   EXPECT_EQ(film.film().split_level, (Levels{2, 0})) << "as it was rendered";

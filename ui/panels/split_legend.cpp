@@ -47,10 +47,10 @@ struct LevelSwatch {
 
 std::vector<LevelSwatch> level_swatches() {
   std::vector<LevelSwatch> swatches{
-      {"not split", split_colour(0), "Not split: one sample was enough.", 2.55f},
+      {"not split", split_colour(0), "Not split: one sample was enough.", 3.56f},
       {"exact", exact_colour,
-       "Exact: level 0, but cut along an edge of a surface, shadow or reflection.", 1.75f},
-      {"sampled", sampled_colour, "Sampled: not divided, but the mean of several samples.", 2.75f}};
+       "Exact: level 0, but cut along an edge of a surface, shadow or reflection.", 2.52f},
+      {"sampled", sampled_colour, "Sampled: not divided, but the mean of several samples.", 3.74f}};
   for (int level = 1; level <= split_colour_levels; ++level)
     swatches.push_back({std::to_string(level), split_colour(level),
                         fmt::format("Level {}: finest cells of 1/{} pixel.", level, 1 << level)});
