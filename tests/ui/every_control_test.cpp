@@ -384,6 +384,11 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
     });
   use_all("curved mirrors", [&] { settings().mirror.curved = CurvedMirror::adaptive; });
   use_all("a material's own blur", [&] { rig.previewer().edits().edit_dfrs()[0].emplace(); });
+  use_all("a rival of a finished picture", [&] {
+    rig.unfold("Compare");
+    s.frames.with = CompareWith::method;
+    (void)rig.settle();
+  });
   use_all("another rival", [&] {
     for (const char* section : {"Refinement", "Sky", "Compare"}) rig.unfold(section);
     s.frames.with = CompareWith::method;
