@@ -128,7 +128,8 @@ std::optional<glm::vec4> BatchTextures::without_weights(const Source& from, std:
       return mean_of_points(from.texels, uv(i), found.patch, from.texture);
     }
   }
-  if (found.patch.longest() > longest_in_lanes) return alone(from, i);
+  // This form of the comparison is false for NaN.
+  if (!(found.patch.longest() <= longest_in_lanes)) return alone(from, i);
   const std::size_t task = patches_.count++;
   tasks_[task] = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(found.level)};
   patches_.u[task] = places_.u[i], patches_.v[task] = places_.v[i];

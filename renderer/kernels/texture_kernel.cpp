@@ -308,8 +308,11 @@ void find_weights(const TextureGrid& texture, const PatchBatch& batch, TexelWeig
     const WindowLanes window(centre, right, down);
     const auto first = hn::Add(hn::Floor(hn::Sub(centre.y, window.height)), one);
     const auto last = hn::Floor(hn::Add(centre.y, window.height));
-    const int rows = std::clamp(
-        largest_of(hn::IfThenElseZero(used, hn::Add(hn::Sub(last, first), one))), 0, most_rows);
+    // Lanes without numbers have no rows, as in TexelWindow. Neither have rows beyond a patch,
+    // whose ends may be infinite.
+    const auto high = hn::Add(hn::Sub(last, first), one);
+    const auto numbers = hn::And(used, hn::Ge(high, zero));
+    const int rows = std::clamp(largest_of(hn::IfThenElseZero(numbers, high)), 0, most_rows);
     auto widest = zero;
     for (int r = 0; r < rows; ++r) {
       const auto y = hn::Add(first, all_lanes(static_cast<float>(r)));
@@ -321,9 +324,9 @@ void find_weights(const TextureGrid& texture, const PatchBatch& batch, TexelWeig
       const auto at = static_cast<std::size_t>(r) * most_lanes;
       hn::Store(begin, d, begins + at);
       hn::Store(kept_end, d, ends + at);
-      widest = hn::Max(widest, hn::Add(hn::Sub(kept_end, begin), one));
+      widest = hn::Max(widest, hn::IfThenElseZero(some, hn::Add(hn::Sub(kept_end, begin), one)));
     }
-    const int columns = largest_of(hn::IfThenElseZero(used, widest));
+    const int columns = largest_of(widest);
     float* out = weights.add_group(rows, columns);
     hn::StoreU(first, d, out);
     out += lanes;
