@@ -88,7 +88,7 @@ class ASOS_API Picture {
   /// Returns all shares of a layer of ids ("object" or "material"), pixel by pixel, the largest
   /// first. Fails with `invalid_argument` where there is no such layer.
   [[nodiscard]] Result<std::vector<IdShare>> id_shares(const std::string& name) const;
-  /// Returns the names of its ids, some of which may be empty. Fails as `id_shares` does.
+  /// Returns the names of its ids; some may be empty. Fails as `id_shares` does.
   [[nodiscard]] Result<std::vector<std::string>> id_names(const std::string& name) const;
   /// Predicts layer "level" for another EPS (0 to 1) and MAX (0 to 8), from what this render found:
   /// 20 ns a pixel. Fails with `invalid_argument` for values out of range, and for pictures by
@@ -123,7 +123,7 @@ struct Difference {
   double delta_e = 0.0;       ///< mean CIEDE2000
 };
 
-/// Compares two pictures, of which one is usually a converged reference. Any thread. Fails with
+/// Compares a picture with a reference, such as one of many samples. Any thread. Fails with
 /// `invalid_argument` where their sizes differ.
 [[nodiscard]] ASOS_API Result<Difference> compare(const Picture& picture, const Picture& reference);
 

@@ -59,6 +59,9 @@ TEST_F(LensPanelTest, ClickSetsFocusOnce) {
   const Ray ray = view.ray(pixel.x + 0.5, pixel.y + 0.5);
   EXPECT_NEAR(*lens().focus, view.depth(ray, hit.t), 1e-5 * *lens().focus);
   click();
+  EXPECT_GE(state.outline.selected, 0) << "the next click selects";
+  EXPECT_FALSE(state.picked);
+  click();
   EXPECT_TRUE(state.picked);
   rig.click("Auto focus");
   EXPECT_FALSE(lens().focus);

@@ -336,6 +336,7 @@ TEST_F(SeenPictureBarTest, TheBarOfASliderLiesBelowItsValue) {
 }
 
 TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
+  ASSERT_TRUE(rig.settle());
   const UiState& state = rig.content().state();
   const PreviewRender& render = rig.previewer().render();
   EXPECT_EQ(render.finished_before(), nullptr);

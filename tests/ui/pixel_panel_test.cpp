@@ -154,10 +154,10 @@ TEST(PixelReport, ItsReasonsAgreeWithTheCause) {
   report.trace.level = 3;
   report.trace.cause = SplitCause::shadow;
   report.trace.samples = 64;
-  EXPECT_EQ(report.split(), "level 3, shadow (64 samples)") << "one undivided cell";
+  EXPECT_EQ(report.split(), "level 3, 64 samples, shadow") << "one undivided cell";
   EXPECT_EQ(report.verdict(), "Split for varying shading.");
   report.trace.samples = 1;
-  EXPECT_EQ(report.split(), "level 3, shadow (1 sample)");
+  EXPECT_EQ(report.split(), "level 3, 1 sample, shadow");
   report.trace.samples = 64;
   report.trace.cells[0].fate = CellFate::cut;
   report.trace.cause = SplitCause::outline;

@@ -200,11 +200,11 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
     rig.click("Environment/" + name);
     EXPECT_TRUE(restarted());
   };
-  EXPECT_EQ(names(), "key fill ");
+  EXPECT_EQ(names(), "Studio key Studio fill ");
   rig.click("Sky/Preset");
   EXPECT_TRUE(restarted());
   EXPECT_EQ(sky()->choice().environment, Environment::softboxes);
-  EXPECT_EQ(names(), "key fill ");
+  EXPECT_EQ(names(), "Studio key Studio fill ");
   choose("daylight");
   EXPECT_EQ(sky()->choice().environment, Environment::daylight);
   EXPECT_EQ(names(), "sun ");
@@ -217,7 +217,7 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
   EXPECT_EQ(names(), "sun ") << "undone together";
   rig.click("Sky/Neutral");
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(names(), "key fill ");
+  EXPECT_EQ(names(), "Studio key Studio fill ");
 }
 
 TEST_F(SkyPanelTest, AnEnvironmentIsTurnedAndBrightenedWithItsLights) {

@@ -29,18 +29,18 @@ shows_picture() {
 wait_for_picture() { wait_until "$1 shows no picture" shows_picture "$1"; }
 wait_for_picture window_start.png
 geometry
-right=$((X + WIDTH))
 picture="$((WIDTH - 340))x$((HEIGHT - 40))+$X+$Y"
 whole="${WIDTH}x$HEIGHT+$X+$Y"
 wait_until 'the render does not end' at_rest window_start.png "$whole"
 echo "window $WIDTH x $HEIGHT"
 
-# Drags EPS along its slider; its number follows.
-eps_y=220
-eps="220x20+$((right - 240))+$((Y + eps_y - 10))"
-xdotool mousemove $((right - 60)) $((Y + eps_y)) mousedown 1
-for x in 90 120 150 180; do
-  xdotool mousemove $((right - x)) $((Y + eps_y))
+# Drags EPS along its slider in the bar under the picture; its number follows. A mark of the value
+# before stands beside the number.
+eps_y=$((HEIGHT - 49))
+eps="80x20+$((X + 130))+$((Y + eps_y - 10))"
+xdotool mousemove $((X + 220)) $((Y + eps_y)) mousedown 1
+for x in 230 250 270 290; do
+  xdotool mousemove $((X + x)) $((Y + eps_y))
   sleep 0.05
 done
 xdotool mouseup 1 mousemove $((X + 400)) $((Y + 300))
@@ -58,11 +58,14 @@ redone() {
 wait_until 'Ctrl+Shift+Z did not bring EPS again' redone
 wait_until 'redo does not rest' at_rest window_redo.png "$whole"
 
-# A click shows how a pixel was split; Escape closes its panel.
-xdotool mousemove $((X + 300)) $((Y + 200)) click 1
+# Ctrl + click selects an object and shows how the pixel was split; Escape closes its panel, and once
+# more ends the selection.
+xdotool mousemove $((X + 300)) $((Y + 200)) keydown ctrl click 1 keyup ctrl
 wait_until 'no pixel was shown' changed window_pixel.png window_redo.png "$picture" 5000
 xdotool key Escape mousemove $((X + 400)) $((Y + 300))
-wait_until 'the pixel was not closed' same window_closed.png window_redo.png "$picture"
+wait_until 'the pixel was not closed' changed window_closed.png window_pixel.png "$picture" 5000
+xdotool key Escape
+wait_until 'the object stays selected' same window_closed.png window_redo.png "$picture"
 
 # Orbit with the left button, and zoom in with the wheel.
 xdotool mousedown 1
@@ -190,8 +193,8 @@ whole="${WIDTH}x$HEIGHT+$X+$Y"
 wait_until 'the mirror does not rest' at_rest window_mirror.png "$whole"
 xdotool mousemove $((X + WIDTH - 165)) $((Y + 127)) click 1 mousemove $((X + 300)) $((Y + 300))
 wait_until 'the panel does not rest' at_rest window_curve.png "$whole"
-xdotool mousemove $((X + WIDTH - 288)) $((Y + 757)) mousedown 1
-for y in 744 724 694 654; do
+xdotool mousemove $((X + WIDTH - 288)) $((Y + 701)) mousedown 1
+for y in 688 668 638 598; do
   xdotool mousemove $((X + WIDTH - 288)) $((Y + y))
   sleep 0.05
 done
