@@ -99,7 +99,7 @@ TEST(ApiPrediction, FollowsEpsAndMax) {
   }
   EXPECT_GT(split, 20u);
   EXPECT_GT(kept, 0u);
-  // Of one pixel: a larger EPS never splits deeper, and MAX bounds all.
+  // A larger EPS splits no pixel deeper, and MAX bounds all levels.
   std::vector<float> before = same;
   for (const double eps : {1.0 / 64, 1.0 / 8, 1.0}) {
     const std::vector<float> now = predicted(eps, settings.max_level);
