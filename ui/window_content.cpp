@@ -24,26 +24,12 @@ constexpr ImGuiWindowFlags fixed_flags =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
     ImGuiWindowFlags_NoFocusOnAppearing;
-constexpr double message_seconds = 6.0;
-constexpr int frames_to_settle = 3;
 constexpr int most_frames_without_input = 3;
-// Few redraws during a study, because their time counts as the study's.
-constexpr double study_redraw_seconds = 0.5;
 
 void begin_fixed(const char* name, const WindowRect& rect, ImGuiWindowFlags flags = 0) {
   ImGui::SetNextWindowPos({rect.lo.x, rect.lo.y});
   ImGui::SetNextWindowSize({rect.size.x, rect.size.y});
   ImGui::Begin(name, nullptr, fixed_flags | flags);
-}
-
-// Returns true while a repeating key is held, which needs frames.
-bool keys_repeat() {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (!io.WantTextInput && !io.NavVisible) return false;
-  constexpr Key repeating[] = {Key::left,    Key::right,     Key::up,    Key::down,
-                               Key::page_up, Key::page_down, Key::erase, Key::backspace};
-  return std::any_of(std::begin(repeating), std::end(repeating),
-                     [](Key key) { return ImGui::IsKeyDown(static_cast<int>(key)); });
 }
 
 }  // namespace
@@ -81,7 +67,7 @@ WindowContent::~WindowContent() {
 
 void WindowContent::draw(const FrameInput& in) {
   ImGui::SetCurrentContext(context_);
-  if (!input_.empty() || state_.screenshot_requested) settling_frames_ = frames_to_settle;
+  if (!input_.empty() || state_.screenshot_requested) settle();
   settling_frames_ = std::max(0, settling_frames_ - 1);
   take_outcomes();
   previewer_.show_by(state_.display.tone);
@@ -103,8 +89,7 @@ void WindowContent::draw(const FrameInput& in) {
   begin_frame(in);
   // Activities that start or end change the layout, which needs more than one frame to settle.
   const std::uint32_t activity_now = activity();
-  if (std::exchange(shown_activity_, activity_now) != activity_now)
-    settling_frames_ = frames_to_settle;
+  if (std::exchange(shown_activity_, activity_now) != activity_now) settle();
   lay_out(in);
   ImGui::Render();
 
@@ -166,7 +151,7 @@ void WindowContent::begin_frame(const FrameInput& in) {
     theme::apply(wanted);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
-    settling_frames_ = frames_to_settle;
+    settle();
   }
   io.DisplaySize = {window.x, window.y};
   io.DisplayFramebufferScale = {framebuffer.x / window.x, raster};
@@ -346,7 +331,7 @@ void WindowContent::focus_panel() {
   const bool there = ImGui::IsWindowFocused() && ImGui::GetIO().NavVisible;
   ImGui::SetWindowFocus(there ? "picture area" : "panel");
   if (!there) ImGui::SetKeyboardFocusHere();
-  settling_frames_ = frames_to_settle;
+  settle();
 }
 
 void WindowContent::take_back() {
@@ -387,72 +372,6 @@ bool WindowContent::wants_reference() const {
 
 std::optional<TimeEstimate> WindowContent::estimate() const {
   return time_estimate(previewer_, forecast_.of(previewer_));
-}
-
-// One bit for each background activity that the window shows.
-std::uint32_t WindowContent::activity() const {
-  const Progress progress = previewer_.render().progress();
-  const bool going_on[] = {inspector_.busy(),
-                           split_search_.busy(),
-                           sky_reader_.busy(),
-                           forecast_.busy(),
-                           check_.pending(),
-                           surfaces_.busy(),
-                           outline_.busy(),
-                           equal_time_.pending(),
-                           saver_.job().pending(),
-                           saver_.job().state().has_value(),
-                           scene_export_.pending(),
-                           clipboard_.pending(),
-                           previewer_.scene().loading().has_value(),
-                           previewer_.scene().error().has_value(),
-                           progress.running,
-                           progress.finished,
-                           study_.busy(),
-                           study_.state().resting,
-                           previewer_.scene() && previewer_.scene()->geometry->boundaries.known()};
-  std::uint32_t bits = 0;
-  for (const bool bit : going_on) bits = 2 * bits + (bit ? 1 : 0);
-  return bits;
-}
-
-void WindowContent::settle() {
-  settling_frames_ = frames_to_settle;
-}
-
-void WindowContent::say(std::string message) {
-  state_.message = std::move(message);
-  state_.message_until_seconds = time_seconds_ + message_seconds;
-  settling_frames_ = frames_to_settle;
-}
-
-std::optional<double> WindowContent::seconds_to_redraw() const {
-  if (settling_frames_ > 0 || !input_.empty() || activity() != shown_activity_ ||
-      controls_.tooltip_changed() || scroll_anchor_.moved())
-    return 0.0;
-  std::optional<double> due = previewer_.seconds_to_update(time_seconds_);
-  const auto also = [&due](double seconds) { due = std::min(due.value_or(seconds), seconds); };
-  if (const std::optional<double> step = history_.seconds_to_update(time_seconds_)) also(*step);
-  if (flying()) also(0.0);
-  if (inspector_.busy() || split_search_.busy() || sky_reader_.busy() || forecast_.busy() ||
-      metered_exposure_.busy())
-    also(0.02);
-  if (surfaces_.busy() || outline_.busy()) also(0.02);
-  if (layers_.due() && !previewer_.render().progress().running) also(0.02);
-  if (check_.pending() || equal_time_.pending()) also(0.1);
-  if (keys_repeat()) also(0.03);
-  if (const std::optional<double> card = seconds_to_card(state_, time_seconds_)) also(*card);
-  if (state_.watch && previewer_.scene()) also(watch_.seconds_to_look(time_seconds_));
-  if (const std::optional<double> tooltip = controls_.seconds_to_tooltip()) also(*tooltip);
-  if (!state_.message.empty()) also(std::max(0.0, state_.message_until_seconds - time_seconds_));
-  if (const auto loading = previewer_.scene().loading())
-    also(loading->seconds < loading_box_delay ? loading_box_delay : 0.1);
-  if (saver_.job().pending() || scene_export_.pending() || clipboard_.pending()) also(0.1);
-  if (const std::optional<double> save = saver_.seconds_to_due(time_seconds_)) also(*save);
-  if (previewer_.render().progress().running) also(0.25);
-  if (previewer_.scene() && previewer_.scene()->geometry->boundaries.running()) also(0.25);
-  if (study_.busy()) also(study_redraw_seconds);
-  return due;
 }
 
 }  // namespace asos::ui

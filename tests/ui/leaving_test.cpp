@@ -114,7 +114,7 @@ TEST_F(LeavingTest, EnterConfirmsEveryDialog) {
   settled();
   EXPECT_FALSE(state().save_scene.show);
   // A scene without a file cannot be copied.
-  EXPECT_TRUE(rig.frames_until([&] { return state().message.starts_with("Not saved: "); }, 60.0));
+  EXPECT_TRUE(rig.frames_until([&] { return state().message.starts_with("Not saved: "); }));
   state().save.show = true;
   settled();
   ASSERT_TRUE(shown("Save"));
@@ -127,8 +127,8 @@ TEST_F(LeavingTest, EnterConfirmsEveryDialog) {
   ASSERT_TRUE(shown("Open"));
   EXPECT_EQ(rig.previewer().scene()->geometry->source, "scene");
   rig.key(Key::enter);
-  ASSERT_TRUE(rig.frames_until(
-      [&] { return rig.previewer().scene()->geometry->source == "grating"; }, 60.0));
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
   ASSERT_TRUE(rig.settle());
   rig.click("Add light");
   ask();

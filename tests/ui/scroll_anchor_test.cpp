@@ -56,15 +56,19 @@ TEST_F(ScrollAnchorTest, APointerOverThePictureHoldsNothing) {
 // A scene that comes with warnings and notes once scrolled the panel away from its head.
 TEST(ScrollAnchorAtStart, APointerThatRestsOverThePanelHoldsNothing) {
   UiRig rig{[](const std::string& source) -> Result<Scene> {
-              return two_triangles({1, 0, 0}, source);
+              Scene scene = two_triangles({1, 0, 0}, source);
+              if (source == "noted") scene.notes.warnings = {"one", "two", "three"};
+              return scene;
             },
             {660, 400}};
   rig.content().input().add(MouseMoved{{560.0f, 250.0f}});
   rig.frame();
   const float head = rig.content().controls().all().at("Open...").lo.y;
-  rig.previewer().scene().open("plain");
+  rig.previewer().scene().open("noted");
+  const OpenScene& scene = rig.previewer().scene();
+  ASSERT_TRUE(rig.frames_until([&] { return scene && !scene->geometry->notes.warnings.empty(); }));
   ASSERT_TRUE(rig.settle());
-  for (int i = 0; i < 3; ++i) rig.frame();
+  for (int i = 0; i < 5; ++i) rig.frame();
   EXPECT_EQ(rig.content().controls().all().at("Open...").lo.y, head);
 }
 

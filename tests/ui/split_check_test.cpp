@@ -222,7 +222,7 @@ TEST_F(SplitCheckTest, OtherMethodsHaveAReferenceToo) {
   EXPECT_TRUE(restarted());
   state().frames.with = CompareWith::reference;
   state().frames.comparison = Comparison::error;
-  ASSERT_TRUE(rig.frames_until([&] { return state().frames.reference.samples == 256; }, 60.0));
+  ASSERT_TRUE(rig.frames_until([&] { return state().frames.reference.samples == 256; }));
 }
 
 TEST_F(SplitCheckTest, AForecastComesNearToWhatIsRendered) {

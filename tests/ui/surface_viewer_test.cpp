@@ -56,8 +56,8 @@ TEST_F(SurfaceViewerTest, KeysShowAPropertyAndThePictureAgain) {
 TEST_F(SurfaceViewerTest, LeavesTheGroundOut) {
   choice().property = SurfaceProperty::base_color;
   settings().ground = Ground::on;
-  ASSERT_TRUE(rig.frames_until(
-      [&] { return ground_of(rig.previewer().scene()->world()) == Ground::on; }, 60.0));
+  ASSERT_TRUE(
+      rig.frames_until([&] { return ground_of(rig.previewer().scene()->world()) == Ground::on; }));
   ASSERT_TRUE(rig.settle());
   ASSERT_TRUE(shown());
   const SurfacePicture& surfaces = *rig.content().surfaces().picture();
