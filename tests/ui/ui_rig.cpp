@@ -261,12 +261,15 @@ Controls::Placed UiRig::control(const std::string& name) {
 }
 
 void UiRig::click(const std::string& name) {
-  // Tries again if the control has moved meanwhile: results of other threads move rows.
+  // Tries again if the control has moved meanwhile: results of other threads move rows. The second
+  // look turns no wheel, as this would leave the pointer where the wheel was turned.
+  const auto& all = content_->controls().all();
   constexpr int tries = 10;
   for (int i = 0; i < tries; ++i) {
     const glm::vec2 aim = control(name).centre();
     move_to(aim);
-    if (control(name).centre() == aim) break;
+    const auto now = all.find(name);
+    if (now != all.end() && now->second.centre() == aim) break;
   }
   press(MouseButton::left);
   release(MouseButton::left);
