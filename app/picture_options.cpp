@@ -148,7 +148,7 @@ void add_stage_options(CLI::App& app, PictureArguments& arguments) {
                       arguments.settings.background = background;
                       arguments.background_chosen = true;
                     })
-      ->default_str("environment; a grey gradient for softboxes and windows");
+      ->default_str("environment; the distant ground's grey for softboxes and windows");
   add_parsed_option(app, "--ground", "WHAT",
                     "Ground plane: off, on (catches shadows) or mirror (also reflects)",
                     name_parser(std::span(ground_names)),

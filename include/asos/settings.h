@@ -11,7 +11,7 @@ namespace asos::api {
 
 /// What the eye sees where no surface is.
 enum class Background {
-  automatic,    ///< the sky, or a grey gradient for environments with panels
+  automatic,    ///< the sky, or the grey of the distant ground for environments with panels
   environment,  ///< the sky
   blurred,      ///< the sky, out of focus
   colours,      ///< from `background_top` to `background_bottom`

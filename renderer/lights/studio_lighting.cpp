@@ -8,7 +8,10 @@ namespace asos {
 namespace {
 
 constexpr double distance_in_radii = 12.0;
-constexpr double width_to_distance = 0.5;
+constexpr double width_to_distance = 0.4;
+// A warm key and a cool fill; their strongest component is 1.
+constexpr glm::vec3 key_color{1.0f, 0.95f, 0.88f};
+constexpr glm::vec3 fill_color{0.80f, 0.91f, 1.0f};
 
 struct Sphere {
   glm::dvec3 middle{0.0};
@@ -25,7 +28,7 @@ Sphere sphere_around(const Box& bounds) {
 
 /// `towards` is the direction to the light as (right, up, back to the viewer).
 Light studio_light(const char* name, const glm::dmat3& world_from_rig, const Sphere& scene,
-                   glm::dvec3 towards, double radiance) {
+                   glm::dvec3 towards, double radiance, glm::vec3 color) {
   const glm::dvec3 to_light = glm::normalize(world_from_rig * towards);
   const double distance = distance_in_radii * scene.radius;
   const double half = 0.5 * width_to_distance * distance;
@@ -34,6 +37,7 @@ Light studio_light(const char* name, const glm::dmat3& world_from_rig, const Sph
   const glm::dvec3 near_middle = scene.middle + 0.5 * scene.radius * to_light;
   light.intensity = static_cast<float>(std::numbers::pi * radiance /
                                        irradiance_of_unit(light, near_middle, to_light));
+  light.color = color;
   return light;
 }
 
@@ -44,8 +48,9 @@ std::vector<Light> studio_lighting(const Camera& camera, const Box& bounds) {
   const Sphere scene = sphere_around(bounds);
   // The key and the fill are 80 degrees apart.
   return {
-      studio_light("Studio key", world_from_rig, scene, {-0.6, 1.0, 0.7}, key_radiance),
-      studio_light("Studio fill", world_from_rig, scene, {1.0, 0.35, 0.8}, fill_radiance),
+      studio_light("Studio key", world_from_rig, scene, {-0.6, 1.0, 0.7}, key_radiance, key_color),
+      studio_light("Studio fill", world_from_rig, scene, {1.0, 0.35, 0.8}, fill_radiance,
+                   fill_color),
   };
 }
 

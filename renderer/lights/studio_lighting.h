@@ -53,13 +53,14 @@ namespace asos {
 }
 
 /// The radiance that a white diffuse surface of unit albedo reflects of a default light that it
-/// faces.
+/// faces, in the light's strongest colour component.
 inline constexpr double key_radiance = 0.60;
 inline constexpr double fill_radiance = 0.16;
 
-/// Returns the lights of a small studio: a key light from the upper left in front and a fill light
-/// from the right, one-sided squares that face the centre of the bounding sphere. Both are 12 of
-/// its radii away and half as wide as that, for soft shadows and nearly even light. A surface half
+/// Returns the lights of a small studio: a warm key light from the upper left in front and a cool
+/// fill light from the right, one-sided squares that face the centre of the bounding sphere. Both
+/// are 12 of its radii away and 0.4 as wide as that, for soft shadows and nearly even light. A
+/// surface half
 /// a radius nearer than the centre has the radiances above, the nearest one 1.1 times as much, and
 /// the farthest 0.7. Bounds that are empty or a point count as a sphere of radius 1.
 [[nodiscard]] std::vector<Light> studio_lighting(const Camera& camera, const Box& bounds);

@@ -4,14 +4,8 @@
 #include "renderer/shading/environment_picture.h"
 #include "renderer/world/ground.h"
 
-#include <algorithm>
-
 namespace asos {
 namespace {
-
-// Radiance at the upper and lower border. White and black models stand out on both.
-constexpr float backdrop_top = 0.25f;
-constexpr float backdrop_bottom = 0.48f;
 
 bool stands_below(const World& world, const Camera& camera) {
   const Box bounds = bounds_without_ground(world);
@@ -43,14 +37,9 @@ Background default_background(const Sky* sky) {
   Background background;
   if (!sky || !sky->choice().environment || !has_picture(*sky->choice().environment))
     return background;
-  const auto scaled = [&](float radiance) {
-    const auto most = static_cast<double>(Background::brightest);
-    return glm::vec3(static_cast<float>(
-        std::min(most, sky->choice().brightness * static_cast<double>(radiance))));
-  };
+  const glm::vec3 far = glm::vec3(ground_albedo) * sky->ambient({0.0f, 1.0f, 0.0f});
   background.kind = BackgroundKind::colours;
-  background.top = scaled(backdrop_top);
-  background.bottom = scaled(backdrop_bottom);
+  background.top = background.bottom = glm::min(far, glm::vec3(Background::brightest));
   return background;
 }
 

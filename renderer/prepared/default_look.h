@@ -28,8 +28,9 @@ struct DefaultLook {
 /// scene itself has almost no light. A camera within its bounds is taken for that of an interior.
 [[nodiscard]] Ground likely_ground(const World& world, bool dark, const Camera& camera);
 
-/// Returns the default background of a sky. It is a grey gradient for environments with panels,
-/// since these would distract behind a model, and the sky itself for others.
+/// Returns the default background of a sky. For environments with panels, which would distract
+/// behind a model, it is the radiance of the ground far from the default lights, so that the ground
+/// has no visible rim. For others it is the sky itself.
 [[nodiscard]] Background default_background(const Sky* sky);
 
 }  // namespace asos

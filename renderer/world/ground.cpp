@@ -16,8 +16,7 @@ Material ground_material(Ground ground) {
   Material material;
   material.name = ground_name;
   material.metallic = 0.0f;
-  // A grey on which white and black models stand out.
-  material.base_color = {0.38f, 0.38f, 0.38f, 1.0f};
+  material.base_color = {ground_albedo, ground_albedo, ground_albedo, 1.0f};
   material.specular = 0.0f;
   material.double_sided = true;
   if (ground != Ground::mirror) return material;

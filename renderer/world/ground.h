@@ -18,7 +18,11 @@ namespace asos {
 void put_on_ground(World& world, Ground ground, std::optional<double> floor = std::nullopt,
                    const World* as = nullptr, const Box& around = {});
 
-inline constexpr double ground_radii = 10.0;
+/// Beyond this the default lights add less than a hundredth to the ground's radiance.
+inline constexpr double ground_radii = 80.0;
+/// The diffuse reflectance of the ground that does not reflect the scene: a grey on which white and
+/// black models stand out.
+inline constexpr float ground_albedo = 0.38f;
 
 /// Returns the present ground.
 [[nodiscard]] Ground ground_of(const World& world);

@@ -1,12 +1,18 @@
 #include "renderer/prepared/default_look.h"
 
 #include "renderer/gltf/load.h"
+#include "renderer/prepared/with_ground.h"
 #include "renderer/shading/environments.h"
 #include "renderer/world/framing.h"
+#include "renderer/world/ground.h"
+#include "tests/support/render_picture.h"
+#include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <utility>
 
 namespace asos {
 namespace {
@@ -48,7 +54,7 @@ TEST(DefaultLook, HasNoGroundBelowARoom) {
   EXPECT_FALSE(without_lights("builtin:boxes")->geometry->stage.default_lighting_inside);
 }
 
-TEST(DefaultLook, HidesPanelsBehindAGradient) {
+TEST(DefaultLook, HidesPanelsBehindAColour) {
   for (const EnvironmentRow& row : environments) {
     const bool panels = row.value == Environment::softboxes || row.value == Environment::windows;
     const Sky sky(row.value);
@@ -63,6 +69,47 @@ TEST(DefaultLook, HidesPanelsBehindAGradient) {
   RenderSettings settings;
   settings.background = default_background(&most);
   EXPECT_TRUE(validated(settings));
+}
+
+/// A matte board that stands upright.
+Scene board() {
+  Scene scene;
+  scene.source = "board";
+  scene.materials.emplace_back();
+  scene.materials.back().double_sided = true;
+  Mesh mesh;
+  mesh.positions = {{-1, 0, 0}, {1, 0, 0}, {1, 2, 0}, {-1, 2, 0}};
+  mesh.normals.assign(4, glm::vec3(0, 0, 1));
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.material = 0;
+  scene.meshes.push_back(std::move(mesh));
+  scene.instances.push_back({"board", 0, glm::dmat4(1.0)});
+  return scene;
+}
+
+// The ground fades to the background's radiance: a view from its middle to the horizon shows no
+// rim.
+TEST(DefaultLook, TheGroundHasNoVisibleRim) {
+  const auto scene = with_ground(prepare(board()).value(), Ground::on).value();
+  RenderSettings settings;
+  settings.width = 4;
+  settings.height = 128;
+  settings.method = Method::sobol;
+  settings.sky = default_look(*scene).sky;
+  settings.background = default_background(settings.sky.get());
+  const Box bounds = bounds_without_ground(scene->world());
+  const glm::dvec3 top(0.5f * (bounds.lo + bounds.hi).x, bounds.hi.y + 0.1f, bounds.lo.z - 0.1f);
+  for (const double turn : {0.0, 2.0, 4.0}) {
+    const glm::dvec3 outward(std::sin(turn), 0.0, std::cos(turn));
+    const Film film =
+        test::render_picture(*scene, test::look_at(top, top + outward, 0.9), settings).film;
+    const auto row = [&](int y) { return film.radiance[film.index(1, y)].g; };
+    EXPECT_EQ(row(0), settings.background.top.g);
+    EXPECT_GT(row(settings.height - 1), 1.2f * row(0)) << "the lit ground";
+    int rim = 1;
+    while (rim + 1 < settings.height && row(rim) == row(0)) ++rim;
+    EXPECT_NEAR(row(rim), row(0), 0.02f * row(0)) << "row " << rim << ", turn " << turn;
+  }
 }
 
 }  // namespace
