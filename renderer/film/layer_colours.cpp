@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <string_view>
+#include <vector>
 
 namespace asos {
 namespace {
@@ -45,6 +48,12 @@ std::string id_words(const IdShares& shares, const char* kind, const NameOfId& n
                          100.0 * static_cast<double>(share.share));
   }
   return words;
+}
+
+float nth_smallest(std::vector<float>& values, std::size_t n) {
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(n);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
 }
 
 }  // namespace
@@ -90,20 +99,21 @@ LayerScale layer_scale(const Film& film, Layer layer) {
     scale.lo = glm::vec3(-1.0f);
     return scale;
   }
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  glm::vec3 lo(infinity), hi(-infinity);
+  std::array<std::vector<float>, 3> finite;
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     const LayerValues found = layer_values(film, layer, i);
-    for (std::size_t c = 0; c < found.count; ++c) {
-      const float value = found.values[c];
-      if (!std::isfinite(value)) continue;
-      const int k = static_cast<int>(c);
-      lo[k] = std::min(lo[k], value);
-      hi[k] = std::max(hi[k], value);
-    }
+    for (std::size_t c = 0; c < found.count; ++c)
+      if (std::isfinite(found.values[c])) finite[c].push_back(found.values[c]);
   }
-  for (int c = 0; c < 3; ++c)
-    if (lo[c] <= hi[c]) scale.lo[c] = lo[c], scale.hi[c] = hi[c];
+  // A few pixels near the horizon are much farther than all others.
+  const bool far_tail = row_of(layer).unit == std::string_view("m");
+  for (int c = 0; c < 3; ++c) {
+    std::vector<float>& values = finite[static_cast<std::size_t>(c)];
+    if (values.empty()) continue;
+    const std::size_t left_out = far_tail ? values.size() / 20 : 0;
+    scale.lo[c] = nth_smallest(values, left_out);
+    scale.hi[c] = nth_smallest(values, values.size() - 1 - left_out);
+  }
   return scale;
 }
 

@@ -23,7 +23,7 @@ struct LayerScale {
 /// Returns whether the layer has one value per pixel, displayed by a colour scale.
 [[nodiscard]] bool is_scalar(Layer layer);
 /// Returns the range of a layer's finite values in the film; 0 to 1 for colours, alpha and ids, -1
-/// to 1 for normals.
+/// to 1 for normals. For lengths it leaves out the smallest and the largest 5 %.
 [[nodiscard]] LayerScale layer_scale(const Film& film, Layer layer);
 /// One pixel's values in a layer.
 struct LayerValues {

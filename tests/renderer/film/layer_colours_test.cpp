@@ -29,6 +29,17 @@ TEST(LayerColours, ScaleIsTheRangeOfFiniteValues) {
   EXPECT_EQ(layer_colour(film, Layer::depth, 1, {}, {}), glm::u8vec3(0)) << "the background";
 }
 
+TEST(LayerColours, AFewFarPixelsDoNotSquashTheScaleOfDepth) {
+  Film film(100, 1);
+  film.layers = blank_planes({Layer::depth}, 100);
+  for (std::size_t i = 0; i < 100; ++i)
+    film.layers[0].values[i] = i < 97 ? 1.0f + static_cast<float>(i) / 100.0f : 1000.0f;
+  film.rays.assign(100, 1.0f);
+  film.rays[7] = 1000.0f;
+  EXPECT_LT(layer_scale(film, Layer::depth).hi.x, 2.0f);
+  EXPECT_EQ(layer_scale(film, Layer::rays).hi.x, 1000.0f) << "only lengths have a far tail";
+}
+
 TEST(LayerColours, NormalsAndIdsHaveTheirOwn) {
   Film film = film_with({Layer::normal, Layer::object});
   film.layers[0].values = {0.0f, 0.0f, 1.0f, -1.0f, 0.0f, 0.0f};
