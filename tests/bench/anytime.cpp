@@ -30,10 +30,8 @@
 #include "renderer/film/image_io.h"
 #include "renderer/study/progress_curve.h"
 #include "tests/bench/anytime_replay.h"
-#include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
-#include "tests/bench/halved_reference.h"
-#include "tests/bench/options.h"
+#include "tests/bench/scene_set.h"
 
 #include <fmt/format.h>
 
@@ -50,17 +48,13 @@ namespace asos::bench::anytime {
 namespace {
 
 struct Settings {
-  PictureSize size{160, 90};
-  int reference = 256;
-  std::string cache = ".";
-  bool keep = false;
+  SceneSet set{.size = {160, 90}, .samples = 256};
   std::string method = "asos";
   bool curves = false;
   std::string strips;
   bool replay = false;
   SinglePixelCost single_pixel;
   ExposureChoice exposure;
-  std::vector<std::string> scenes;
 };
 
 constexpr std::array moments{1, 4, 16, 64};  // samples a pixel
@@ -168,17 +162,12 @@ struct Subject {
 Result<Subject> opened(const Settings& settings, const NamedScene& named) {
   const std::string label = settings.exposure.label();
   auto snapshot = label.empty()
-                      ? open_scene(named.source).map([&](const SharedScene& scene) {
-                          return snapshot_of(scene, settings.size.width, settings.size.height);
-                        })
-                      : exposed_snapshot(named.source, settings.size, {}, settings.exposure);
+                      ? settings.set.open(named.source)
+                      : exposed_snapshot(named.source, settings.set.size, {}, settings.exposure);
   if (!snapshot) return unexpected(snapshot.error());
   (void)snapshot->scene->features();
   snapshot->settings.threads = 1;
-  const std::string path =
-      kept_path(settings.cache, named.name + label, settings.size, settings.reference, false);
-  auto reference = settings.keep ? HalvedReference::kept(path, *snapshot, settings.reference)
-                                 : HalvedReference::rendered(*snapshot, settings.reference);
+  auto reference = settings.set.reference_of(named.name + label, *snapshot);
   if (!reference) return unexpected(reference.error());
   for (const MethodRow& row : method_table())
     if (settings.method == row.name) snapshot->settings.method = row.value;
@@ -245,19 +234,9 @@ void print_row(const Row& row) {
 }
 
 void print_summary(const std::vector<Row>& rows, const std::string& what, const auto& value) {
-  std::vector<std::pair<double, std::string>> values;
-  std::vector<double> all;
-  for (const Row& row : rows) {
-    if (std::isnan(value(row))) continue;
-    values.emplace_back(value(row), row.name);
-    all.push_back(value(row));
-  }
-  if (values.empty()) return;
-  std::sort(values.rbegin(), values.rend());
-  fmt::print("{}: median {:.2f}; worst:", what, median(all));
-  for (std::size_t k = 0; k < std::min<std::size_t>(5, values.size()); ++k)
-    fmt::print("{} {} {:.2f}", k > 0 ? "," : "", values[k].second, values[k].first);
-  fmt::print("\n");
+  std::vector<SceneValue> values;
+  for (const Row& row : rows) values.push_back({value(row), row.name});
+  print_median(what, std::move(values), "; worst:");
 }
 
 }  // namespace
@@ -265,14 +244,10 @@ void print_summary(const std::vector<Row>& rows, const std::string& what, const 
 int run(int argc, char** argv) {
   Settings settings;
   Options options("The error of a picture while it renders, beside Sobol sampling");
-  options.size(settings.size);
+  SceneSet& set = settings.set;
+  set.add_to(options);
   options.exposure(settings.exposure);
-  options.number("--reference", settings.reference, 256, 65536, "samples");
-  options.parsed("--cache", "folder of references", [&](const std::string& text) -> Result<void> {
-    settings.cache = text;
-    settings.keep = true;
-    return {};
-  });
+  options.number("--reference", set.samples, 256, 65536, "samples");
   std::vector<std::string> methods;
   for (const MethodRow& row : method_table()) methods.emplace_back(row.name);
   options.choice("--method", settings.method, methods);
@@ -288,11 +263,10 @@ int run(int argc, char** argv) {
                  "percent of a block's time for each of its single pixels' visits");
   options.number("--dearer", settings.single_pixel.dearer, 100, 1000,
                  "percent of a pixel's time when it is rendered alone");
-  options.texts("SCENE", settings.scenes);
   if (const auto code = options.end(argc, argv)) return *code;
 
-  fmt::print("{}x{}, error of {} over that of sobol at the moment of\n{:<28}", settings.size.width,
-             settings.size.height, settings.method, "");
+  fmt::print("{}x{}, error of {} over that of sobol at the moment of\n{:<28}", set.size.width,
+             set.size.height, settings.method, "");
   if (settings.replay) {
     fmt::print("{:>22}{:>8}{:>12}\n", 16, 64, "over direct");
   } else {
@@ -300,22 +274,19 @@ int run(int argc, char** argv) {
     fmt::print("{:>12}{:>8}{:>8}{:>8}{:>8}\n", "over direct", "rise", "p99/16", "left", "factor");
   }
   std::vector<Row> rows;
-  int code = 0;
-  for (const NamedScene& scene : chosen_scenes(settings.scenes)) {
-    const auto subject = opened(settings, scene);
-    if (!subject) {
-      code = fail(subject.error());
-    } else if (settings.replay) {
-      fmt::print("{}\n", subject->name);
-      print_replays(subject->snapshot, subject->reference, settings.single_pixel);
-    } else if (const auto row = measure(settings, *subject); !row) {
-      code = fail(row.error());
-    } else {
-      print_row(*row);
-      rows.push_back(*row);
-    }
-  }
-  if (rows.empty()) return code;
+  const int code = set.measure([&](const NamedScene& scene) {
+    return opened(settings, scene).and_then([&](const Subject& subject) -> Result<void> {
+      if (settings.replay) {
+        fmt::print("{}\n", subject.name);
+        print_replays(subject.snapshot, subject.reference, settings.single_pixel);
+        return {};
+      }
+      return measure(settings, subject).map([&](const Row& row) {
+        print_row(row);
+        rows.push_back(row);
+      });
+    });
+  });
   for (std::size_t i = 0; i < moments.size(); ++i)
     print_summary(rows, fmt::format("error at {} samples", moments[i]),
                   [&](const Row& row) { return row.over_sobol[i]; });

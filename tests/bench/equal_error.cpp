@@ -19,10 +19,9 @@
 #include "renderer/comparison/method.h"
 #include "renderer/settings/names.h"
 #include "renderer/settings/value_text.h"
-#include "renderer/study/curves.h"
-#include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/error_causes.h"
+#include "tests/bench/measured_ladder.h"
 #include "tests/bench/options.h"
 
 #include <fmt/format.h>
@@ -55,91 +54,52 @@ struct Settings {
   std::string scene;
 };
 
-/// One setting of a method.
-struct LadderStep {
-  std::string name;
-  RenderSettings settings;
-  Times times;
-  PictureError error;
-  double samples = 0.0;  ///< eye rays a pixel
-  double shadow_rays = 0.0;
-  double unresolved = 0.0;  ///< fraction of the picture's area
-};
-
-std::vector<LadderStep> asos_ladder(const RenderSettings& base, int levels) {
-  std::vector<LadderStep> ladder;
+MeasuredLadder asos_ladder(RenderSettings settings, int levels) {
+  MeasuredLadder ladder;
+  settings.method = Method::asos;
   for (const double eps : {0.0, 1.0 / 256.0}) {
     for (int level = 1; level <= levels; ++level) {
-      LadderStep& rung = ladder.emplace_back();
-      rung.name = fmt::format("asos MAX {}{}", level, eps > 0.0 ? " EPS 1/256" : "");
-      rung.settings = base;
-      rung.settings.method = Method::asos;
-      rung.settings.asos.max_level = level;
-      rung.settings.asos.eps = eps;
+      settings.asos.max_level = level;
+      settings.asos.eps = eps;
+      ladder.add(fmt::format("asos MAX {}{}", level, eps > 0.0 ? " EPS 1/256" : ""), settings);
     }
   }
   return ladder;
 }
 
-std::vector<LadderStep> quality_rows(const RenderSettings& base) {
-  std::vector<LadderStep> rows;
+MeasuredLadder quality_rows(RenderSettings settings) {
+  MeasuredLadder rows;
+  settings.method = Method::asos;
   for (const auto& quality : shadow_quality_names) {
     for (int level = 2; level <= 4; ++level) {
-      LadderStep& rung = rows.emplace_back();
-      rung.name = fmt::format("{} {}", quality.name, level);
-      rung.settings = base;
-      rung.settings.method = Method::asos;
-      rung.settings.asos.max_level = level;
-      rung.settings.shadow.quality = quality.value;
+      settings.asos.max_level = level;
+      settings.shadow.quality = quality.value;
+      rows.add(fmt::format("{} {}", quality.name, level), settings);
     }
   }
   return rows;
 }
 
-std::vector<LadderStep> sampling_ladder(const RenderSettings& base, Method method) {
-  std::vector<LadderStep> ladder;
-  for (const int spp : {1, 4, 16, 64, 256}) {
-    LadderStep& rung = ladder.emplace_back();
-    rung.name = fmt::format("{} {}", row_of(method).name, spp);
-    rung.settings = base;
-    rung.settings.method = method;
-    rung.settings.sampling.spp = spp;
-  }
-  return ladder;
-}
-
-void render(Snapshot& snapshot, const Film& reference, LadderStep& rung) {
-  snapshot.settings = rung.settings;
-  const RenderResult result = rung.times.render(snapshot);
-  const auto pixels = static_cast<double>(reference.radiance.size());
-  rung.error = picture_error(result.film, reference);
-  rung.samples = static_cast<double>(result.statistics.eye_rays) / pixels;
-  rung.shadow_rays = static_cast<double>(result.statistics.shadow_rays) / pixels;
-  rung.unresolved = result.statistics.unresolved_area / pixels;
-}
-
 /// Time in seconds that a sampling method takes to an error. Extrapolated beyond its ladder from
 /// the first or last step; NaN if that is impossible.
-double rival_seconds(const std::vector<LadderStep>& ladder, double error) {
-  std::vector<CurvePoint> curve;
-  for (const LadderStep& rung : ladder)
-    curve.push_back({rung.times.medians().cpu, rung.error.shown});
-  const auto seconds = seconds_at_error(curve, error);
+double rival_seconds(const MeasuredLadder& ladder, double error) {
+  const auto seconds = seconds_at_error(ladder.points(), error);
   return seconds ? seconds->value : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The expected error with `spp` samples, extrapolated from the last two steps of the ladder.
-double extrapolated_error(const std::vector<LadderStep>& ladder, int spp) {
-  const LadderStep& a = *(ladder.end() - 3);
-  const LadderStep& b = ladder.back();
-  return between_log_log(spp, a.settings.sampling.spp, b.settings.sampling.spp, a.error.shown,
-                         b.error.shown);
+double extrapolated_error(const MeasuredLadder& ladder, int spp) {
+  const MeasuredStep& a = *(ladder.steps().end() - 3);
+  const MeasuredStep& b = ladder.steps().back();
+  return between_log_log(spp, a.settings.sampling.spp, b.settings.sampling.spp, a.error.rmse,
+                         b.error.rmse);
 }
 
-void print_rung(const LadderStep& rung, double floor) {
-  fmt::print("{:<22}{:>10.2e}{}{:>10.2e}{:>9.3f}{:>9.2f}{:>9.2f}", rung.name, rung.error.shown,
-             rung.error.shown < 2.0 * floor ? '*' : ' ', rung.error.raw, rung.times.medians().cpu,
-             rung.samples, rung.shadow_rays);
+void print_step(const MeasuredStep& step, double pixels, double floor) {
+  fmt::print("{:<22}{:>10.2e}{}{:>10.2e}{:>9.3f}{:>9.2f}{:>9.2f}", step.label, step.error.rmse,
+             step.error.rmse < 2.0 * floor ? '*' : ' ', step.raw_rmse, step.times.medians().cpu,
+             static_cast<double>(step.statistics.eye_rays) / pixels,
+             static_cast<double>(step.statistics.shadow_rays) / pixels);
 }
 
 void make_matte(Scene& scene) {
@@ -210,15 +170,17 @@ Result<void> measure(const Settings& settings) {
   snapshot.settings.sampling.spp = settings.reference;
   const Film reference = render_to_end(snapshot).film;
 
-  std::vector<LadderStep> asos =
+  MeasuredLadder asos =
       settings.qualities ? quality_rows(base) : asos_ladder(base, settings.levels);
-  std::vector<LadderStep> stochastic = sampling_ladder(base, Method::stochastic);
-  std::vector<LadderStep> sobol = sampling_ladder(base, Method::sobol);
-  for (int run = 0; run < settings.runs; ++run) {
-    for (LadderStep& rung : stochastic) render(snapshot, reference, rung);
-    for (LadderStep& rung : sobol) render(snapshot, reference, rung);
-    for (LadderStep& rung : asos) render(snapshot, reference, rung);
-  }
+  MeasuredLadder stochastic = MeasuredLadder::of_study(Method::stochastic, base, "stochastic ");
+  MeasuredLadder sobol = MeasuredLadder::of_study(Method::sobol, base, "sobol ");
+  for (int run = 0; run < settings.runs; ++run)
+    for (MeasuredLadder* ladder : {&stochastic, &sobol, &asos})
+      ladder->render(snapshot, [&](MeasuredStep& step, const Film& film) {
+        const PictureError error = picture_error(film, reference);
+        step.error.rmse = error.shown;
+        step.raw_rmse = error.raw;
+      });
 
   const double floor = extrapolated_error(sobol, settings.reference);
   fmt::print(
@@ -228,18 +190,19 @@ Result<void> measure(const Settings& settings) {
       settings.reference, floor);
   fmt::print("{:<22}{:>10} {:>10}{:>9}{:>9}{:>9}{:>10}{:>12}{:>9}\n", "", "RMSE", "raw RMSE",
              "cpu s", "eye/pix", "shad/pix", "unres. %", "stochastic x", "sobol x");
-  for (const auto* ladder : {&stochastic, &sobol}) {
-    for (const LadderStep& rung : *ladder) {
-      print_rung(rung, floor);
+  const auto pixels = static_cast<double>(reference.radiance.size());
+  for (const MeasuredLadder* ladder : {&stochastic, &sobol}) {
+    for (const MeasuredStep& step : ladder->steps()) {
+      print_step(step, pixels, floor);
       fmt::print("\n");
     }
   }
-  for (const LadderStep& rung : asos) {
-    print_rung(rung, floor);
-    const double seconds = rung.times.medians().cpu;
-    fmt::print("{:>10.4f}{:>12.2f}{:>9.2f}\n", 100.0 * rung.unresolved,
-               rival_seconds(stochastic, rung.error.shown) / seconds,
-               rival_seconds(sobol, rung.error.shown) / seconds);
+  for (const MeasuredStep& step : asos.steps()) {
+    print_step(step, pixels, floor);
+    const double seconds = step.times.medians().cpu;
+    fmt::print("{:>10.4f}{:>12.2f}{:>9.2f}\n", 100.0 * step.statistics.unresolved_area / pixels,
+               rival_seconds(stochastic, step.error.rmse) / seconds,
+               rival_seconds(sobol, step.error.rmse) / seconds);
   }
   if (settings.causes >= 0) {
     snapshot.settings = base;

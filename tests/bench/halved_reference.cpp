@@ -127,13 +127,4 @@ Bias HalvedReference::bias_of(const Film& film) const {
   return bias;
 }
 
-std::string kept_path(const std::string& folder, const std::string& scene, PictureSize size,
-                      int samples, bool sky_shadows) {
-  std::string file = scene;
-  std::replace_if(
-      file.begin(), file.end(), [](char c) { return c == '/' || c == ':'; }, '_');
-  return fmt::format("{}/{}-{}x{}-{}{}", folder, file, size.width, size.height, samples,
-                     sky_shadows ? "-sky" : "");
-}
-
 }  // namespace asos::bench

@@ -53,9 +53,4 @@ class HalvedReference {
   std::array<Film, 2> halves_;
 };
 
-/// Prefix of the cached files for a scene, a picture size and a reference's sample count in
-/// `folder`.
-[[nodiscard]] std::string kept_path(const std::string& folder, const std::string& scene,
-                                    PictureSize size, int samples, bool sky_shadows);
-
 }  // namespace asos::bench

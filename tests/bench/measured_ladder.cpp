@@ -1,6 +1,8 @@
 #include "tests/bench/measured_ladder.h"
 
+#include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
+#include "renderer/study/ladders.h"
 
 #include <fmt/format.h>
 
@@ -9,25 +11,38 @@
 
 namespace asos::bench {
 
-void MeasuredLadder::add(const std::string& label, const RenderSettings& settings) {
-  steps_.push_back({label, settings, {}});
+MeasuredLadder MeasuredLadder::of_study(Method method, const RenderSettings& base,
+                                        const std::string& prefix) {
+  MeasuredLadder ladder;
+  const MethodRow& row = row_of(method);
+  const std::vector<LadderStep> steps = ladder_of(row.name, base).value();
+  for (const LadderStep& step : steps)
+    ladder.add(
+        prefix + (row.samples == SampleCount::none ? eps_text(step.settings.asos.eps)
+                                                   : fmt::format("{}", step.settings.sampling.spp)),
+        step.settings);
+  return ladder;
 }
 
-void MeasuredLadder::render(Snapshot snapshot, const HalvedReference& reference) {
+void MeasuredLadder::add(const std::string& label, const RenderSettings& settings) {
+  steps_.push_back({label, settings});
+}
+
+void MeasuredLadder::render(Snapshot snapshot, const Judge& judge) {
   points_.clear();
-  known_.clear();
-  for (Step& step : steps_) {
+  for (MeasuredStep& step : steps_) {
     snapshot.settings = step.settings;
-    const KnownError error = reference.error_of(step.times.render(snapshot).film);
-    points_.push_back({step.times.medians().cpu, error.rmse});
-    known_.push_back(error.known);
+    const RenderResult rendered = step.times.render(snapshot);
+    step.statistics = rendered.statistics;
+    judge(step, rendered.film);
+    points_.push_back({step.times.medians().cpu, step.error.rmse});
   }
 }
 
 bool MeasuredLadder::read(const std::string& path) {
   std::ifstream file(path);
   std::vector<CurvePoint> points;
-  for (const Step& step : steps_) {
+  for (const MeasuredStep& step : steps_) {
     std::string label;
     CurvePoint point;
     if (!(file >> label >> point.error >> point.seconds) || label != step.label) return false;
