@@ -13,13 +13,7 @@ namespace {
 
 using stability::Finding;
 
-constexpr const char* page_head = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>ASOS: stability on stiff and extreme cases</title>
-<style>
+constexpr const char* stability_style = R"(
 :root { color-scheme: light dark; }
 body { font: 14px/1.4 system-ui, sans-serif; max-width: 92em; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.5em; } h2 { font-size: 1.15em; margin-top: 2em; }
@@ -34,10 +28,6 @@ th.number { white-space: normal; vertical-align: bottom; } th { vertical-align: 
 .name { min-width: 13em; } .what { min-width: 10em; }
 .why { min-width: 20em; font-size: .9em; }
 tr.broken td { font-weight: 600; } tr.broken td.why { font-weight: 400; }
-</style>
-</head>
-<body>
-<h1>Stability on stiff and extreme cases</h1>
 )";
 
 constexpr const char* about = R"(<p>Each case measures one quantity against a closed form, an
@@ -137,7 +127,8 @@ std::string stability_page(const std::vector<Finding>& findings, bool quick_only
     dropped += finding.outcome.rejected_samples;
     bad += finding.outcome.bad_pixels;
   }
-  std::string html = page_head;
+  std::string html = page_head("ASOS: stability on stiff and extreme cases", stability_style) +
+                     "<h1>Stability on stiff and extreme cases</h1>\n";
   html += fmt::format(
       "<p class=\"summary\">{} cases{}: {} hold, {} broken. Samples dropped for not being finite: "
       "{}; pixels that are not finite: {}.</p>\n",

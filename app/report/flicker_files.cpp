@@ -5,7 +5,6 @@
 #include "app/report/pictures.h"
 #include "app/report/report_data.h"
 #include "app/report/report_files.h"
-#include "renderer/film/image_io.h"
 #include "renderer/picture/settings_json.h"
 #include "renderer/study/measures.h"
 
@@ -15,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 
 namespace asos {
 namespace {
@@ -23,10 +21,6 @@ namespace {
 using ordered_json = nlohmann::ordered_json;
 
 constexpr int gap = 2;  // pixels between the frames of a strip
-
-std::string file_in(const std::string& folder, const std::string& name, const std::string& what) {
-  return (std::filesystem::path(folder) / fmt::format("{}-{}", name, what)).string();
-}
 
 /// Writes the frames side by side with white gaps.
 Result<void> write_strip(const std::string& path, const std::vector<Film>& frames) {
@@ -43,30 +37,20 @@ Result<void> write_strip(const std::string& path, const std::vector<Film>& frame
   return write_png(path, strip, 0.0f, {});
 }
 
-Result<void> write_values(const std::string& path, int width, int height,
-                          const std::function<double(int x, int y)>& share_at) {
-  RgbImage image{width, height, {}, {}};
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const double share = share_at(x, y);
-      const glm::u8vec3 colour = share < 0.0 ? glm::u8vec3(255) : error_colour(share);
-      image.rgb.insert(image.rgb.end(), {colour.x, colour.y, colour.z});
-    }
-  return write_png(path, image);
-}
-
 Result<void> write_error_strip(const std::string& path, const std::vector<Film>& frames,
                                const std::vector<Film>& references, double scale) {
   const int width = frames.front().width, height = frames.front().height;
   const auto count = static_cast<int>(frames.size());
-  return write_values(path, count * width + (count - 1) * gap, height, [&](int x, int y) -> double {
+  const auto row = static_cast<std::size_t>(count * width + (count - 1) * gap);
+  return write_map(path, static_cast<int>(row), height, [&](std::size_t i) {
+    const auto x = static_cast<int>(i % row);
     const int at = x % (width + gap);
-    if (at >= width) return -1.0;
+    if (at >= width) return glm::u8vec3(255);
     const auto frame = static_cast<std::size_t>(x / (width + gap));
-    const std::size_t pixel = frames[frame].index(at, y);
-    return std::sqrt(squared_error(frames[frame].radiance[pixel], references[frame].radiance[pixel],
-                                   true)) /
-           scale;
+    const std::size_t pixel = frames[frame].index(at, static_cast<int>(i / row));
+    return error_colour(std::sqrt(squared_error(frames[frame].radiance[pixel],
+                                                references[frame].radiance[pixel], true)) /
+                        scale);
   });
 }
 
@@ -84,16 +68,17 @@ double scale_of(const std::vector<const FlickerPoint*>& points) {
 
 Result<void> write_shown_strips(const FlickerStudy& study, const std::string& folder,
                                 const std::string& name, FlickerFigures& figures) {
-  figures.strips.push_back({"reference", file_in(folder, name, "reference.png"), "", "", nullptr});
+  figures.strips.push_back(
+      {"reference", figure_path(folder, name, "reference.png"), "", "", nullptr});
   if (auto written = write_strip(figures.strips[0].frames, study.strip); !written) return written;
-  const auto points = shown_points(study);
+  const auto points = alike_in_time(study.points);
   figures.error_scale = scale_of(points);
   for (const FlickerPoint* p : points) {
     const std::string& method = p->rung.method;
     ShownStrip shown{fmt::format("{} {}", method, p->rung.setting),
-                     file_in(folder, name, method + ".png"),
-                     file_in(folder, name, method + "-errors.png"),
-                     file_in(folder, name, method + "-flicker.png"), p};
+                     figure_path(folder, name, method + ".png"),
+                     figure_path(folder, name, method + "-errors.png"),
+                     figure_path(folder, name, method + "-flicker.png"), p};
     const std::vector<double> map = p->meter.map();
     const auto written =
         write_strip(shown.frames, p->strip)
@@ -101,8 +86,8 @@ Result<void> write_shown_strips(const FlickerStudy& study, const std::string& fo
               return write_error_strip(shown.errors, p->strip, study.strip, figures.error_scale);
             })
             .and_then([&] {
-              return write_values(shown.flicker, study.width, study.height, [&](int x, int y) {
-                return map[static_cast<std::size_t>(y * study.width + x)] / figures.error_scale;
+              return write_map(shown.flicker, study.width, study.height, [&](std::size_t i) {
+                return error_colour(map[i] / figures.error_scale);
               });
             });
     if (!written) return written;
@@ -119,13 +104,9 @@ CurvePlot plot_of_flicker(const FlickerStudy& study, bool flicker) {
                  {},
                  flicker ? study.floor : 0.0};
   for (const FlickerPoint& p : study.points) {
-    auto curve = std::find_if(plot.curves.begin(), plot.curves.end(),
-                              [&](const PlotCurve& c) { return c.name == p.rung.curve; });
-    if (curve == plot.curves.end())
-      curve = plot.curves.insert(curve, {p.rung.curve, {}, p.rung.curve.starts_with("asos ")});
-    const auto [lo, hi] = std::minmax_element(p.seconds.begin(), p.seconds.end());
+    const auto [lo, hi] = std::minmax_element(p.frame_seconds.begin(), p.frame_seconds.end());
     const double value = flicker ? p.meter.flicker() : p.meter.rmse();
-    curve->points.push_back({p.mean_seconds(), value, *lo, *hi, value < plot.floor});
+    plot.add(p.rung, {p.seconds(), value, *lo, *hi, value < plot.floor});
   }
   return plot;
 }
@@ -150,7 +131,7 @@ ordered_json flicker_json(const FlickerStudy& study) {
     j["points"].push_back({{"method", p.rung.method},
                            {"setting", p.rung.setting},
                            {"settings", settings_json(p.rung.settings)},
-                           {"seconds", p.mean_seconds()},
+                           {"seconds", p.seconds()},
                            {"rmse", p.meter.rmse()},
                            {"flicker", p.meter.flicker()},
                            {"steady", p.meter.steady()},
@@ -170,27 +151,6 @@ ordered_json flicker_json(const FlickerStudy& study) {
 
 }  // namespace
 
-std::vector<const FlickerPoint*> shown_points(const FlickerStudy& study) {
-  std::vector<const FlickerPoint*> shown;
-  const FlickerPoint* anchor = study.anchor();
-  if (!anchor) return shown;
-  shown.push_back(anchor);
-  const auto distance = [&](const FlickerPoint& p) {
-    return std::abs(std::log(p.mean_seconds() / anchor->mean_seconds()));
-  };
-  for (const FlickerPoint& p : study.points) {
-    if (p.rung.method == anchor->rung.method) continue;
-    const auto same = std::find_if(shown.begin(), shown.end(), [&](const FlickerPoint* s) {
-      return s->rung.method == p.rung.method;
-    });
-    if (same == shown.end())
-      shown.push_back(&p);
-    else if (distance(p) < distance(**same))
-      *same = &p;
-  }
-  return shown;
-}
-
 std::string flicker_csv(const std::vector<FlickerStudy>& studies) {
   std::string text =
       "scene,animation,method,setting,first_frame,frames,frames_per_second,seconds,rmse,flicker,"
@@ -200,8 +160,8 @@ std::string flicker_csv(const std::vector<FlickerStudy>& studies) {
       text += fmt::format("{},{},{},{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{}\n",
                           csv_field(study.scene), csv_field(study.animation),
                           csv_field(p.rung.method), csv_field(p.rung.setting), study.first_frame,
-                          study.frames, study.fps, p.mean_seconds(), p.meter.rmse(),
-                          p.meter.flicker(), p.meter.steady(), p.meter.step(), p.under_floor);
+                          study.frames, study.fps, p.seconds(), p.meter.rmse(), p.meter.flicker(),
+                          p.meter.steady(), p.meter.step(), p.under_floor);
   return text;
 }
 
@@ -219,7 +179,7 @@ Result<void> write_flicker_report(const std::vector<FlickerStudy>& studies,
     for (const bool flicker : {true, false}) {
       const CurvePlot plot = plot_of_flicker(study, flicker);
       if (plot.empty()) continue;
-      const std::string path = file_in(plots, name, flicker ? "flicker" : "rmse");
+      const std::string path = figure_path(plots, name, flicker ? "flicker" : "rmse");
       if (auto drawn = draw_plot(plot, path); !drawn) return drawn;
       made.plots.push_back(path);
     }

@@ -25,10 +25,6 @@ struct FlickerFigures {
   double error_scale = 0.0;        ///< a pixel's error, or flicker, at the maps' maximum
 };
 
-/// Points to show side by side: the anchor, and for each other method the point with the most
-/// similar time.
-[[nodiscard]] std::vector<const FlickerPoint*> shown_points(const FlickerStudy& study);
-
 /// flicker.csv: a header, and a line for each setting of each method.
 [[nodiscard]] std::string flicker_csv(const std::vector<FlickerStudy>& studies);
 

@@ -1,6 +1,7 @@
 #include "app/report/flicker_files.h"
 #include "app/report/html_page.h"
 #include "app/report/html_style.h"
+#include "app/report/pictures.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ std::string flicker_frames_text(const FlickerStudy& study) {
 
 /// Compares the anchor with each rival in one sentence.
 std::string flicker_verdict(const FlickerStudy& study) {
-  const FlickerPoint* anchor = study.anchor();
+  const FlickerPoint* anchor = anchor_of(study.points);
   if (!anchor) return "<p>Nothing could be measured.</p>\n";
   std::vector<std::string> words;
   for (const FlickerAtEqualTime& row : study.equal_time)
@@ -33,8 +34,7 @@ std::string flicker_verdict(const FlickerStudy& study) {
   return fmt::format(
       "<p>{} {} takes {} of processor time a frame; its flicker is {}, its RMSE {}. In the same "
       "time flicker is {}</p>\n",
-      escaped(anchor->rung.method), escaped(anchor->rung.setting),
-      seconds_text(anchor->mean_seconds()),
+      escaped(anchor->rung.method), escaped(anchor->rung.setting), seconds_text(anchor->seconds()),
       anchor->under_floor ? "under the floor of " + error_text(study.floor)
                           : error_text(anchor->meter.flicker()),
       error_text(anchor->meter.rmse()),
@@ -50,7 +50,7 @@ std::string flicker_table(const FlickerStudy& study) {
         "<tr class=\"{}{}\"><td class=\"t\">{}</td><td class=\"t\">{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td><td>{}</td></tr>\n",
         first ? "first" : "", p.under_floor ? " under" : "", escaped(method),
-        escaped(p.rung.setting), seconds_text(p.mean_seconds()), error_text(p.meter.rmse()),
+        escaped(p.rung.setting), seconds_text(p.seconds()), error_text(p.meter.rmse()),
         error_text(p.meter.flicker()), error_text(p.meter.steady()), error_text(p.meter.step()));
   }
   return fmt::format(
@@ -94,11 +94,11 @@ std::string figure(const std::string& label, const std::string& uri, const char*
 std::string strips_text(const FlickerStudy& study, const FlickerFigures& figures, Embedder& embed) {
   std::string strips, maps;
   for (const ShownStrip& strip : figures.strips) {
-    const std::string label = strip.point
-                                  ? fmt::format("{} ({}, flicker {})", strip.label,
-                                                seconds_text(strip.point->mean_seconds()),
-                                                error_text(strip.point->meter.flicker()))
-                                  : fmt::format("reference ({} samples a pixel)", study.samples);
+    const std::string label =
+        strip.point
+            ? fmt::format("{} ({}, flicker {})", strip.label, seconds_text(strip.point->seconds()),
+                          error_text(strip.point->meter.flicker()))
+            : fmt::format("reference ({} samples a pixel)", study.samples);
     strips += figure(label, embed.uri(strip.frames), "strip");
     if (!strip.point) continue;
     strips += figure("errors of " + strip.label, embed.uri(strip.errors), "strip");
@@ -168,13 +168,10 @@ frame than ASOS at MAX 3, EPS 1/256, and the next one.</li>
 Result<std::string> flicker_page(const std::vector<FlickerStudy>& studies,
                                  const std::vector<FlickerFigures>& figures) {
   Embedder embed;
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>ASOS report: flicker of animations</title>\n<style>{}</style>\n</head>\n<body>\n"
+  std::string page =
+      page_head("ASOS report: flicker of animations", report_style) +
       "<h1>Flicker of animations</h1>\n<p class=\"sub\">How errors vary from frame to frame, ASOS "
-      "beside other methods in the same time.</p>\n",
-      report_style);
+      "beside other methods in the same time.</p>\n";
   for (std::size_t i = 0; i < studies.size(); ++i)
     page += flicker_section(studies[i], figures[i], embed);
   page += flicker_definitions;

@@ -1,19 +1,15 @@
-#include "app/camera_choice.h"
 #include "app/frame_list.h"
-#include "app/opened_scene.h"
+#include "app/report/compared_scene.h"
 #include "app/report/flicker_study.h"
 #include "app/report/pictures.h"
 #include "renderer/comparison/method.h"
-#include "renderer/prepared/with_lines.h"
 #include "renderer/study/reference.h"
 #include "renderer/study/timed_render.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <map>
 #include <utility>
 
@@ -70,7 +66,7 @@ class FlickerRun {
     study_.width = arguments.plan.width;
     study_.height = arguments.plan.height;
     study_.machine = this_machine();
-    study_.when = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    study_.when = utc_now();
   }
 
   Result<FlickerStudy> run() {
@@ -143,20 +139,9 @@ class FlickerRun {
   /// Prepares a frame for rendering.
   Result<void> go_to(std::size_t frame) {
     if (at_ == frame) return {};
-    PictureDescription picture;
-    picture.render_features = wanted_.render_features;
-    picture.settings.sky = arguments_.plan.look.opened_sky;
     const AbandonableWork building("asos: interrupted, no report was written\n");
-    auto ready = scene_->at(frames_[frame].time, picture);
-    if (!ready) return tl::unexpected(ready.error());
-    if ((*ready)->world().shows_nothing())
-      return tl::unexpected(Error{study_.scene, "the scene is empty: there is nothing to compare"});
-    const auto camera = scene_->camera((*ready)->world(), wanted_.camera,
-                                       static_cast<double>(study_.width) / study_.height);
-    if (!camera) return tl::unexpected(camera.error());
-    camera_ = *camera;
-    ready = with_lines(*std::move(ready), {camera_, study_.height, RenderSettings{}.line_width})
-                .and_then(with_boundaries);
+    auto ready = compared_scene(*scene_, frames_[frame].time, wanted_, arguments_.plan,
+                                arguments_.plan.look);
     if (!ready) return tl::unexpected(ready.error());
     ready_ = *std::move(ready);
     at_ = frame;
@@ -165,10 +150,10 @@ class FlickerRun {
 
   /// Returns nullopt if the picture took longer than the limit.
   Result<std::optional<TimedRender>> render(const RenderSettings& settings, bool may_be_cut) {
-    if (const auto fits = check_method(*ready_, settings); !fits)
+    if (const auto fits = check_method(*ready_.scene, settings); !fits)
       return tl::unexpected(fits.error());
     const auto start = std::chrono::steady_clock::now();
-    auto rendered = timed_render({ready_, camera_, settings, false}, [&] {
+    auto rendered = timed_render({ready_.scene, ready_.camera, settings, false}, [&] {
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
       const bool too_long = may_be_cut && passed.count() > arguments_.plan.longest_seconds;
       return interrupt_.interrupted() || too_long;
@@ -205,7 +190,7 @@ class FlickerRun {
   Result<void> choose_passes() {
     if (const auto there = go_to(static_cast<std::size_t>(study_.strip_first)); !there)
       return there;
-    const FlickerPoint* anchor = study_.anchor();
+    const FlickerPoint* anchor = anchor_of(study_.points);
     bar_.say(fmt::format("{}: how long a picture takes", study_.scene));
     const auto picture = render(anchor->rung.settings, true);
     if (!picture) return tl::unexpected(picture.error());
@@ -282,8 +267,8 @@ class FlickerRun {
         return {};
       }
       double& curve = longest[p.rung.curve];
-      curve = std::max(curve, p.seconds.front());
-      if (is_anchor(p.rung)) anchor_seconds = p.seconds.front();
+      curve = std::max(curve, p.frame_seconds.front());
+      if (is_anchor(p.rung)) anchor_seconds = p.frame_seconds.front();
       study_.points.push_back(std::move(p));
       return {};
     };
@@ -316,7 +301,7 @@ class FlickerRun {
     if (!rendered) return tl::unexpected(rendered.error());
     if (!*rendered) return false;
     const Film& film = (*rendered)->film;
-    p.seconds.push_back((*rendered)->cpu_seconds);
+    p.frame_seconds.push_back((*rendered)->cpu_seconds);
     p.meter.add(film, reference.half(0), reference.half(1));
     const auto number = static_cast<int>(frame);
     if (number >= study_.strip_first && number < strip_end_)
@@ -337,8 +322,7 @@ class FlickerRun {
   std::map<std::size_t, Reference> references_;
   FlickerMeter halves_;  // flicker between the two halves of the references
   std::optional<std::size_t> at_;
-  std::shared_ptr<const RenderScene> ready_;
-  Camera camera_;
+  ComparedScene ready_;
 };
 
 }  // namespace

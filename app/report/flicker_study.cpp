@@ -1,6 +1,5 @@
 #include "app/report/flicker_study.h"
 
-#include "app/report/pictures.h"
 #include "renderer/study/curves.h"
 
 #include <algorithm>
@@ -16,7 +15,7 @@ constexpr const char* flicker_subject = "asos";
 std::vector<CurvePoint> flicker_front(const FlickerStudy& study, const std::string& method) {
   std::vector<CurvePoint> points;
   for (const FlickerPoint& p : study.points) {
-    const CurvePoint at{p.mean_seconds(), p.meter.flicker()};
+    const CurvePoint at{p.seconds(), p.meter.flicker()};
     if (p.rung.method == method && !p.under_floor && at.seconds > 0.0 && at.error > 0.0)
       points.push_back(at);
   }
@@ -29,7 +28,7 @@ std::optional<FlickerAtEqualTime> beside(const FlickerPoint& asos, const std::st
   FlickerAtEqualTime row;
   row.setting = asos.rung.setting;
   row.method = method;
-  row.seconds = asos.mean_seconds();
+  row.seconds = asos.seconds();
   row.asos_flicker = std::max(asos.meter.flicker(), floor);
   row.at_least = asos.under_floor;
   if (front.empty() || !(row.asos_flicker > 0.0)) return std::nullopt;
@@ -46,16 +45,10 @@ std::optional<FlickerAtEqualTime> beside(const FlickerPoint& asos, const std::st
 
 }  // namespace
 
-double FlickerPoint::mean_seconds() const {
-  if (seconds.empty()) return 0.0;
-  return std::accumulate(seconds.begin(), seconds.end(), 0.0) / static_cast<double>(seconds.size());
-}
-
-const FlickerPoint* FlickerStudy::anchor() const {
-  const auto usual = std::find_if(points.begin(), points.end(),
-                                  [](const FlickerPoint& p) { return is_anchor(p.rung); });
-  if (usual != points.end()) return &*usual;
-  return points.empty() ? nullptr : &points[points.size() / 2];
+double FlickerPoint::seconds() const {
+  if (frame_seconds.empty()) return 0.0;
+  return std::accumulate(frame_seconds.begin(), frame_seconds.end(), 0.0) /
+         static_cast<double>(frame_seconds.size());
 }
 
 void compare_flicker(FlickerStudy& study) {

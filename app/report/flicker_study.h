@@ -16,12 +16,12 @@ namespace asos {
 /// One setting of a method, rendered for all frames of an animation.
 struct FlickerPoint {
   LadderStep rung;
-  std::vector<double> seconds;  ///< CPU time of each frame
+  std::vector<double> frame_seconds;  ///< CPU time of each frame
   FlickerMeter meter;
   std::vector<Film> strip;   ///< a detail of the frames to show: see FlickerStudy
   bool under_floor = false;  ///< its flicker is below the reference's noise floor
 
-  [[nodiscard]] double mean_seconds() const;
+  [[nodiscard]] double seconds() const;  ///< mean over the frames
 };
 
 /// A setting of ASOS compared with a rival's flicker in the same time.
@@ -62,10 +62,6 @@ struct FlickerStudy {
   std::vector<Film> strip;  ///< of the references
   Machine machine;
   std::string when;  ///< UTC
-
-  /// The setting at which pictures are compared: ASOS with the program's defaults, or else one in
-  /// the middle. Null: there are no points.
-  [[nodiscard]] const FlickerPoint* anchor() const;
 };
 
 /// Compares the points of an otherwise complete study. Fills under_floor and equal_time, which has

@@ -142,6 +142,14 @@ bool CurvePlot::empty() const {
   });
 }
 
+void CurvePlot::add(const LadderStep& step, const PlotPoint& point) {
+  auto curve = std::find_if(curves.begin(), curves.end(),
+                            [&](const PlotCurve& c) { return c.name == step.curve; });
+  if (curve == curves.end())
+    curve = curves.insert(curve, {step.curve, {}, step.curve.starts_with("asos ")});
+  curve->points.push_back(point);
+}
+
 Result<void> check_gnuplot() {
   if (run_gnuplot("--version", "/dev/null") == 0) return {};
   return tl::unexpected(

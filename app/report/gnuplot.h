@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/result.h"
+#include "renderer/study/ladders.h"
 
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ struct CurvePlot {
   std::string bias_title{};
 
   [[nodiscard]] bool empty() const;  ///< there is nothing to draw
+  /// Adds a point to the curve of its step; those of ASOS are strong.
+  void add(const LadderStep& step, const PlotPoint& point);
 };
 
 /// Checks that gnuplot is installed; the error says what to install.

@@ -33,11 +33,7 @@ StudyReport with_titles(StudyReport report) {
 Result<std::string> html_page(const StudyReport& named, const std::vector<SceneFigures>& figures) {
   const StudyReport report = with_titles(named);
   Embedder embed;
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>ASOS report: error against run time</title>\n<style>{}</style>\n</head>\n<body>\n",
-      report_style);
+  std::string page = page_head("ASOS report: error against run time", report_style);
   page += html_summary(report);
   for (std::size_t i = 0; i < report.scenes.size(); ++i)
     page += html_scene(report.scenes[i], figures[i], i + 1, embed);

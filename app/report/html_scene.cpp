@@ -228,7 +228,7 @@ std::string regions_table(const SceneReport& scene) {
   for (const std::size_t pixels : scene.region_pixels)
     sizes += fmt::format("<td>{:.1f} %</td>", 100.0 * static_cast<double>(pixels) / all);
   std::string rows;
-  for (const StudyPoint* p : alike_in_time(scene.study)) {
+  for (const StudyPoint* p : alike_in_time(scene.study.points)) {
     rows += fmt::format("<tr{}><td class=\"t\">{} {}{}</td><td>{}</td>",
                         p->under_floor ? " class=\"under\"" : "", escaped(p->rung.method),
                         escaped(p->rung.setting), p->under_floor ? " (under the floor)" : "",

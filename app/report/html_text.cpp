@@ -86,6 +86,14 @@ Outcome outcome_of(double factor) {
   return factor <= 1.0 - even_band ? Outcome::loss : Outcome::even;
 }
 
+std::string page_head(const std::string& title, const char* style) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n",
+      title, style);
+}
+
 std::string Embedder::uri(const std::string& path) {
   constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
   const auto bytes = read_file(path, {most_bytes});

@@ -30,6 +30,9 @@ namespace asos {
 enum class Outcome { win, even, loss };
 [[nodiscard]] Outcome outcome_of(double factor);
 
+/// The start of a page, up to its body.
+[[nodiscard]] std::string page_head(const std::string& title, const char* style);
+
 /// Converts files to data URIs. Keeps the first error; results after it are unusable.
 class Embedder {
  public:

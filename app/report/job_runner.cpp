@@ -5,25 +5,18 @@
 #include "app/opened_scene.h"
 #include "renderer/comparison/method.h"
 #include "renderer/film/image_io.h"
-#include "renderer/prepared/with_lines.h"
 #include "renderer/sampling/random.h"
 #include "renderer/study/progress_curve.h"
 #include "renderer/study/timed_render.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <bit>
 #include <chrono>
-#include <ctime>
 #include <utility>
 
 namespace asos {
 namespace {
-
-std::string utc_now() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-}
 
 /// Hash of the radiance's bits: equal for equal pictures, and almost certainly different otherwise.
 std::string hash_of(const Film& film) {
@@ -33,9 +26,8 @@ std::string hash_of(const Film& film) {
   return fmt::format("{:016x}", hash);
 }
 
-Snapshot snapshot_for(const Job& job, std::shared_ptr<const RenderScene> scene,
-                      const Camera& camera) {
-  return {std::move(scene), camera, job.rung.settings, false};
+Snapshot snapshot_for(const Job& job, const ComparedScene& open) {
+  return {open.scene, open.camera, job.rung.settings, false};
 }
 
 CameraChoice choice_of(const StudyCamera& camera) {
@@ -53,9 +45,9 @@ JobRunner::JobRunner(StudyPlan plan, std::string jobs_folder, std::function<bool
     : plan_(std::move(plan)), folder_(std::move(jobs_folder)), stop_(std::move(stop)) {}
 
 Result<void> JobRunner::open(const StudyScene& subject) {
-  if (scene_ && open_subject_ == subject) return {};
+  if (open_ && open_subject_ == subject) return {};
   const AbandonableWork loading("asos: interrupted, no report was written\n");
-  scene_.reset();  // frees its memory before the next one is loaded
+  open_.reset();  // frees its memory before the next one is loaded
   PictureArguments wanted;
   wanted.scene = subject.source;
   wanted.render_features = plan_.render_features;
@@ -64,22 +56,9 @@ Result<void> JobRunner::open(const StudyScene& subject) {
   if (const auto& moment = subject.look.moment) wanted.clip = {moment->animation, moment->seconds};
   Result<OpenedScene> opened = OpenedScene::open(wanted);
   if (!opened) return tl::unexpected(opened.error());
-  PictureDescription picture;
-  picture.render_features = plan_.render_features;
-  picture.settings.sky = subject.look.opened_sky;
-  auto ready = opened->at(opened->time(), picture);
+  auto ready = compared_scene(*opened, opened->time(), wanted, plan_, subject.look);
   if (!ready) return tl::unexpected(ready.error());
-  if ((*ready)->world().shows_nothing())
-    return tl::unexpected(Error{subject.source, "the scene is empty: there is nothing to compare"});
-  const auto camera = opened->camera((*ready)->world(), wanted.camera,
-                                     static_cast<double>(plan_.width) / plan_.height);
-  if (!camera) return tl::unexpected(camera.error());
-  // Lines have their own width unless another one is set.
-  ready = with_lines(*std::move(ready), {*camera, plan_.height, RenderSettings{}.line_width})
-              .and_then(with_boundaries);
-  if (!ready) return tl::unexpected(ready.error());
-  scene_ = *std::move(ready);
-  camera_ = *camera;
+  open_ = *std::move(ready);
   open_subject_ = subject;
   return {};
 }
@@ -89,7 +68,7 @@ Result<void> JobRunner::write_picture(const JobRecord& record, const Film& film)
   switch (job.kind) {
     case JobKind::regions:
       return write_regions(job_file(folder_, job.id, ".png"),
-                           find_regions(snapshot_for(job, scene_, camera_), film));
+                           find_regions(snapshot_for(job, *open_), film));
     case JobKind::point:
       // Other repetitions are only compared by their hash.
       if (job.repetition > 1) return {};
@@ -120,7 +99,7 @@ Result<JobRecord> JobRunner::give_up(const Job& job) const {
 
 Result<void> JobRunner::render(JobRecord& record, const std::function<bool()>& stop) const {
   const Job& job = record.job;
-  const auto rendered = timed_render(snapshot_for(job, scene_, camera_), stop);
+  const auto rendered = timed_render(snapshot_for(job, *open_), stop);
   record.finished = rendered.has_value();
   if (!rendered) return {};
   record.cost = {rendered->wall_seconds, rendered->cpu_seconds, rendered->memory_mb};
@@ -128,14 +107,15 @@ Result<void> JobRunner::render(JobRecord& record, const std::function<bool()>& s
   record.pyrays = pyrays_of(rendered->statistics);
   record.rejected_samples = rendered->statistics.rejected_samples;
   record.picture_hash = hash_of(rendered->film);
-  record.scene = {scene_->world().triangles.size(), scene_->geometry->memory_mb(),
-                  scene_->lights().size(), needs_of(*scene_, job.rung.settings).left_out()};
+  const RenderScene& scene = *open_->scene;
+  record.scene = {scene.world().triangles.size(), scene.geometry->memory_mb(),
+                  scene.lights().size(), needs_of(scene, job.rung.settings).left_out()};
   return write_picture(record, rendered->film);
 }
 
 Result<void> JobRunner::watch(JobRecord& record, const std::function<bool()>& stop) const {
   const Job& job = record.job;
-  Snapshot snapshot = snapshot_for(job, scene_, camera_);
+  Snapshot snapshot = snapshot_for(job, *open_);
   snapshot.progressive = true;
   const RecordedRender watched = watch_render(snapshot, study_factor, stop);
   record.finished = watched.finished;
@@ -155,7 +135,7 @@ Result<void> JobRunner::watch(JobRecord& record, const std::function<bool()>& st
 
 Result<JobRecord> JobRunner::run(const Job& job, double seconds) {
   if (const auto opened = open(job.subject); !opened) return tl::unexpected(opened.error());
-  if (const auto fits = check_method(*scene_, job.rung.settings); !fits)
+  if (const auto fits = check_method(*open_->scene, job.rung.settings); !fits)
     return tl::unexpected(fits.error());
   const bool may_be_cut =
       may_be_given_up(job.kind) || (job.kind == JobKind::reference && job.pass > 0);

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "app/report/compared_scene.h"
 #include "app/report/job_record.h"
-#include "renderer/prepared/render_scene.h"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -37,8 +36,7 @@ class JobRunner {
   std::function<bool()> stop_;
   Machine machine_ = this_machine();
   StudyScene open_subject_;
-  std::shared_ptr<const RenderScene> scene_;
-  Camera camera_;
+  std::optional<ComparedScene> open_;
 };
 
 }  // namespace asos

@@ -1,6 +1,5 @@
 #include "app/report/pictures.h"
 
-#include "renderer/film/image_io.h"
 #include "renderer/film/split_map.h"
 #include "renderer/study/measures.h"
 
@@ -16,24 +15,12 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string path_in(const std::string& folder, const std::string& name, const std::string& what) {
-  return (fs::path(folder) / fmt::format("{}-{}.png", name, what)).string();
-}
-
-template <typename Colour>
-Result<void> write_map(const std::string& path, int width, int height, std::size_t count,
-                       Colour colour_of) {
-  RgbImage image{width, height, {}, {}};
-  image.rgb.reserve(3 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const glm::u8vec3 colour = colour_of(i);
-    image.rgb.insert(image.rgb.end(), {colour.x, colour.y, colour.z});
-  }
-  return write_png(path, image);
+  return figure_path(folder, name, what + ".png");
 }
 
 Result<void> write_errors(const std::string& path, const Film& film, const Film& reference,
                           double scale) {
-  return write_map(path, film.width, film.height, film.radiance.size(), [&](std::size_t i) {
+  return write_map(path, film.width, film.height, [&](std::size_t i) {
     const double error = std::sqrt(squared_error(film.radiance[i], reference.radiance[i], true));
     return error_colour(error / scale);
   });
@@ -46,7 +33,7 @@ Result<void> write_scene_maps(const SceneReport& scene, const std::string& folde
   made.causes = path_in(folder, name, "split-causes");
   made.regions = path_in(folder, name, "regions");
   const auto write = [&](const std::string& path, auto colour_of) {
-    return write_map(path, map.width, map.height, map.region.size(), colour_of);
+    return write_map(path, map.width, map.height, colour_of);
   };
   return write(made.levels, [&](std::size_t i) { return SplitMapKey{}.colour(map.split_value[i]); })
       .and_then([&] {
@@ -98,40 +85,9 @@ bool is_anchor(const LadderStep& step) {
          step.settings.asos.eps == usual.eps;
 }
 
-const StudyPoint* anchor_of(const SceneStudy& study) {
-  const StudyPoint* middle = nullptr;
-  std::vector<const StudyPoint*> asos;
-  for (const StudyPoint& p : study.points) {
-    if (p.rung.method != "asos") continue;
-    if (is_anchor(p.rung)) return &p;
-    asos.push_back(&p);
-  }
-  if (!asos.empty())
-    middle = asos[asos.size() / 2];
-  else if (!study.points.empty())
-    middle = &study.points[study.points.size() / 2];
-  return middle;
-}
-
-std::vector<const StudyPoint*> alike_in_time(const SceneStudy& study) {
-  std::vector<const StudyPoint*> chosen;
-  const StudyPoint* anchor = anchor_of(study);
-  if (!anchor) return chosen;
-  const auto distance = [&](const StudyPoint& p) {
-    return p.rung.method == anchor->rung.method && &p != anchor
-               ? std::numeric_limits<double>::infinity()
-               : std::abs(std::log(p.seconds() / anchor->seconds()));
-  };
-  for (const StudyPoint& p : study.points) {
-    const auto same = std::find_if(chosen.begin(), chosen.end(), [&](const StudyPoint* c) {
-      return c->rung.method == p.rung.method;
-    });
-    if (same == chosen.end())
-      chosen.push_back(&p);
-    else if (distance(p) < distance(**same))
-      *same = &p;
-  }
-  return chosen;
+std::string figure_path(const std::string& folder, const std::string& name,
+                        const std::string& what) {
+  return (fs::path(folder) / fmt::format("{}-{}", name, what)).string();
 }
 
 Result<ScenePictures> write_pictures(const SceneReport& scene, const std::string& folder,
@@ -142,7 +98,7 @@ Result<ScenePictures> write_pictures(const SceneReport& scene, const std::string
     return tl::unexpected(written.error());
 
   // All maps have the same scale, so that they can be compared; few pixels exceed it.
-  const std::vector<const StudyPoint*> points = alike_in_time(scene.study);
+  const std::vector<const StudyPoint*> points = alike_in_time(scene.study.points);
   for (const StudyPoint* p : points)
     made.error_scale = std::max(made.error_scale, p->measures.p999);
   if (!(made.error_scale > 0.0)) made.error_scale = 1.0;

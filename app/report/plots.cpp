@@ -1,12 +1,12 @@
 #include "app/report/plots.h"
 
 #include "app/report/gnuplot.h"
+#include "app/report/pictures.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 namespace asos {
 namespace {
@@ -44,13 +44,7 @@ CurvePlot plot_of(const SceneStudy& study, const Quantity& quantity) {
     plot.bias = study.bias->at_most;
     plot.bias_title = study.bias->levels_off ? "ASOS's own bias" : "ASOS's own bias, at most";
   }
-  for (const StudyPoint& p : study.points) {
-    auto curve = std::find_if(plot.curves.begin(), plot.curves.end(),
-                              [&](const PlotCurve& c) { return c.name == p.rung.curve; });
-    if (curve == plot.curves.end())
-      curve = plot.curves.insert(curve, {p.rung.curve, {}, p.rung.curve.starts_with("asos ")});
-    curve->points.push_back(plot_point(p, quantity));
-  }
+  for (const StudyPoint& p : study.points) plot.add(p.rung, plot_point(p, quantity));
   return plot;
 }
 
@@ -82,7 +76,7 @@ Result<std::vector<Plot>> draw_plots(const SceneReport& scene, const std::string
   std::vector<Plot> plots;
   const auto draw = [&](const CurvePlot& plot, const char* ending, Plot drawn) -> Result<void> {
     if (plot.empty()) return {};
-    drawn.path = (std::filesystem::path(folder) / fmt::format("{}-{}", name, ending)).string();
+    drawn.path = figure_path(folder, name, ending);
     if (auto done = draw_plot(plot, drawn.path); !done) return done;
     plots.push_back(std::move(drawn));
     return {};

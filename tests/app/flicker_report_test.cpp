@@ -1,5 +1,6 @@
 #include "app/report/flicker_files.h"
 #include "app/report/flicker_study.h"
+#include "app/report/pictures.h"
 #include "tests/app/page_sources.h"
 #include "tests/app/run_asos.h"
 #include "tests/support/temporary_folder.h"
@@ -22,7 +23,7 @@ FlickerPoint point(const std::string& method, const std::string& setting, double
   p.rung.method = method;
   p.rung.setting = setting;
   p.rung.curve = method;
-  p.seconds = {seconds, seconds};
+  p.frame_seconds = {seconds, seconds};
   Film grey(1, 1);
   grey.radiance[0] = glm::vec3(0.5f);
   for (const float error : {flicker, -flicker}) {
@@ -65,7 +66,7 @@ TEST(ShownPoints, AreTheOnesNearestInTime) {
                   point("asos", "MAX 4 EPS 1/256", 2.0, 0.01f), point("sobol", "4 spp", 0.5, 0.2f),
                   point("sobol", "16 spp", 3.0, 0.05f)};
   study.points[0].rung.settings.asos.max_level = 2;  // the other one has the default MAX and EPS
-  const auto shown = shown_points(study);
+  const auto shown = alike_in_time(study.points);
   ASSERT_EQ(shown.size(), 2u);
   EXPECT_EQ(shown[0], &study.points[1]);
   EXPECT_EQ(shown[1], &study.points[3]);

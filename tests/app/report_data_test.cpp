@@ -52,7 +52,7 @@ TEST(Anchor, HasTheProgramsDefaults) {
     ASSERT_TRUE(ladder);
     for (const LadderStep& step : *ladder) study.points.emplace_back().rung = step;
   }
-  const StudyPoint* anchor = anchor_of(study);
+  const StudyPoint* anchor = anchor_of(study.points);
   ASSERT_NE(anchor, nullptr);
   EXPECT_EQ(anchor->rung.method, "asos");
   EXPECT_EQ(anchor->rung.settings.asos.eps, AsosSettings{}.eps);
