@@ -41,30 +41,6 @@ const char* name_of(FeatureKind kind) {
   return "silhouette";
 }
 
-const char* name_of(CellFate fate) {
-  switch (fate) {
-    case CellFate::uniform:
-      return "uniform";
-    case CellFate::cut:
-      return "cut";
-    case CellFate::split:
-      return "split";
-    case CellFate::uneven:
-      return "uneven";
-    case CellFate::stopped:
-      return "stopped";
-    case CellFate::finest:
-      return "finest";
-    case CellFate::sampled:
-      return "sampled";
-    case CellFate::saturated:
-      return "saturated";
-    case CellFate::by_samples:
-      break;
-  }
-  return "by samples";
-}
-
 /// Names objects by part and material; a part with several smooth surfaces also gets a number, from
 /// 1.
 class Namer {

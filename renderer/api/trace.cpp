@@ -13,32 +13,8 @@
 namespace asos::api {
 namespace {
 
-const char* fate_name(CellFate fate) {
-  switch (fate) {
-    case CellFate::uniform:
-      return "uniform";
-    case CellFate::cut:
-      return "cut";
-    case CellFate::uneven:
-      return "uneven";
-    case CellFate::split:
-      return "split";
-    case CellFate::stopped:
-      return "stopped";
-    case CellFate::finest:
-      return "finest";
-    case CellFate::sampled:
-      return "sampled";
-    case CellFate::saturated:
-      return "saturated";
-    case CellFate::by_samples:
-      return "by samples";
-  }
-  return "";
-}
-
 TracedCell cell_of(const asos::TracedCell& from) {
-  TracedCell to{from.level, from.corner.x, from.corner.y, from.side, fate_name(from.fate), {}, {}};
+  TracedCell to{from.level, from.corner.x, from.corner.y, from.side, name_of(from.fate), {}, {}};
   for (const TracedBoundary& edge : from.boundaries)
     to.edges.push_back({edge.from.x, edge.from.y, edge.to.x, edge.to.y});
   for (const asos::TracedSample& sample : from.samples)

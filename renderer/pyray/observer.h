@@ -29,6 +29,8 @@ enum class CellFate {
   saturated,  ///< so many boundaries that samples cost less than its parts
   by_samples  ///< split by the safety net, because of its samples
 };
+/// Returns one or two words, as in `asos trace`.
+[[nodiscard]] const char* name_of(CellFate fate);
 
 /// A point sample of a finished leaf.
 struct TracedSample {
