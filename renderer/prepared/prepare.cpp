@@ -2,6 +2,7 @@
 #include "renderer/load_progress.h"
 #include "renderer/prepared/own_lights.h"
 #include "renderer/prepared/prepare_on_ground.h"
+#include "renderer/prepared/rebuilt_geometry.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/cube_sky.h"
 #include "renderer/shading/sky.h"
@@ -126,12 +127,7 @@ Result<std::shared_ptr<const RenderScene>> prepare_in_memory(const Scene& scene,
   lighting.default_lights_added =
       own.has_default_lighting && scene.added_lighting == AddedLighting::automatic;
 
-  built.name = scene.name;
-  built.source = scene.source;
-  built.notes = scene.notes;
-  built.contents = scene.contents;
-  built.time = scene.time;
-  built.rig = scene.rig;
+  copy_description(scene, built);
   own.mips = built.mips;
   stop_point();
   own.sky = stage ? stage->sky : sky_of_file(scene);

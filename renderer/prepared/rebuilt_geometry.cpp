@@ -12,12 +12,7 @@ Result<std::shared_ptr<Geometry>> rebuilt_geometry(const RenderScene& scene, Wor
                      before.time ? BvhPurpose::moment : BvhPurpose::lasting, &before.rays);
   if (!geometry) return unexpected(Error{before.source, geometry.error().message()});
   Geometry& built = **geometry;
-  built.name = before.name;
-  built.source = before.source;
-  built.notes = before.notes;
-  built.contents = before.contents;
-  built.time = before.time;
-  built.rig = before.rig;
+  copy_description(before, built);
   built.stage = before.stage;
   built.build_seconds = before.build_seconds;
   return geometry;
