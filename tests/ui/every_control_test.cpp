@@ -1,521 +1,319 @@
 #include "renderer/shading/sky.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/ui/control_parts.h"
-#include "tests/ui/panels_fixture.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <imgui.h>
+#include "tests/ui/every_control_fixture.h"
 
 #include <filesystem>
-#include <functional>
-#include <map>
-#include <optional>
-#include <set>
-#include <stdexcept>
+#include <memory>
 #include <string>
 #include <vector>
 
-// Uses every control of the window, in as many states as are needed to show them all. Each has a
-// tooltip, and changes the part of the state that the table of parts names. A control that is
-// missing in the table fails the test.
+// Uses every control of the window, in as many states as are needed to show them all.
 
 namespace asos {
 using namespace ui;
 namespace {
 
-using test::PanelsTest;
-
-using test::Part;
 using test::parts;
 
-class EveryControlTest : public PanelsTest {
+/// The states, by topic. Each starts from the one before, so their order matters.
+class EveryControlTest : public test::EveryControlFixture {
  protected:
-  EveryControlTest() : PanelsTest(8, small) {
-    ImGui::GetIO().ClipboardUserData = &clipboard_;
-    ImGui::GetIO().SetClipboardTextFn = [](void* to, const char* text) {
-      *static_cast<std::string*>(to) = text;
+  // States are entered again later, so they refer to no variables of these functions.
+  void use_lights_and_methods() {
+    use_all("a pixel was clicked", [&] {
+      lights().selected = 0;
+      s.picked = glm::ivec2(rig.previewer().render().film().width,
+                            rig.previewer().render().film().height) /
+                 2;
+    });
+    for (const auto kind :
+         {LightKind::point, LightKind::sphere, LightKind::spot, LightKind::directional,
+          LightKind::linear, LightKind::rectangle, LightKind::disk, LightKind::polygon})
+      use_all("light of kind " + std::to_string(static_cast<int>(kind)),
+              [&, kind] { select_kind(kind); });
+    for (const int selected : {0, 1})
+      use_all("lights outside the picture", [&, selected] {
+        std::vector<EditedLight>& all = rig.previewer().edits().edit_lights();
+        all.push_back(all[0]);
+        all[0].light.position = {50, 0, 0};
+        all[1].light.position = {-50, 0, 0};
+        lights().selected = selected;
+      });
+    // A light that becomes a polygon is a hexagon; the star needs a state of its own.
+    use_all("a star", [&] {
+      select_kind(LightKind::polygon);
+      set_polygon_shape(rig.previewer().edits().edit_lights()[0].light, PolygonShape::star);
+    });
+    for (const auto method :
+         {Method::sobol, Method::sobol_adaptive, Method::stochastic, Method::asos_published})
+      use_all("method " + std::to_string(static_cast<int>(method)),
+              [&, method] { settings().method = method; });
+    use_all("soft shadows, divided", [&] {
+      select_kind(LightKind::sphere);
+      settings().shadow.quality = ShadowQuality::extended_divided;
+      // The features of the lights come from another thread.
+      (void)rig.frames_until([&] { return rig.content().controls().all().contains("Divisions"); });
+    });
+  }
+
+  void use_maps_tour_and_bar() {
+    for (const auto colours : {SplitMapColours::level, SplitMapColours::cause})
+      use_all("split map", [&, colours] {
+        s.display.show_split_map = true;
+        s.display.split_colours = colours;
+        // Without a finished picture there are no split pixels to explain.
+        (void)rig.settle();
+      });
+    for (int card = 0; card < Tour::cards; ++card)
+      use_all("card " + std::to_string(card) + " of the tour", [&, card] {
+        start_tour(s, rig.previewer(), 0.0);
+        show_card(s, rig.previewer(), card, 0.0);
+        // Replaying needs a pixel, which another thread finds.
+        if (card == static_cast<int>(Tour::Card::split))
+          (void)rig.frames_until([&] { return rig.content().controls().all().contains("Replay"); });
+        // Fills the list of snapshots, so that no comparison starts, which would take long.
+        while (card == 4 && s.frames.store(rig.previewer().render().film(), "full", "")) continue;
+      });
+    use_all("the map's card, by causes", [&] {
+      start_tour(s, rig.previewer(), 0.0);
+      show_card(s, rig.previewer(), static_cast<int>(Tour::Card::map), 0.0);
+      s.display.split_colours = SplitMapColours::cause;
+    });
+    for (const bool changed : {false, true})
+      for (const bool before : {false, true})
+        use_all("a bar of two rows", [&, changed, before] {
+          rig.resize({1250, 480});
+          s.look.show_bar = true;
+          s.frames.store(rig.previewer().render().film(), "one", "");
+          s.display.show_split_map = before;
+          (void)rig.settle();
+          if (!changed) return;
+          // Makes a picture of the previous EPS available.
+          settings().asos.eps = 0.3;
+          (void)rig.settle();
+          s.show_before = before;
+          s.view.zoom_at(s.view.area_middle(), 1);
+        });
+  }
+
+  void use_comparisons() {
+    use_all("turning", [&] { rig.previewer().turntable().set_turning(true); });
+    use_all("light and large", [&] { s.look = {theme::Look::light, 1.25f}; });
+    for (const auto comparison : {Comparison::none, Comparison::wipe, Comparison::flip,
+                                  Comparison::difference, Comparison::error})
+      use_all("compare", [&, comparison] {
+        rig.unfold("Compare");
+        s.frames.store(rig.previewer().render().film(), "one", "");
+        s.frames.store(rig.previewer().render().film(), "two", "");
+        s.frames.comparison = comparison;
+      });
+  }
+
+  void use_textures_and_mirrors() {
+    const auto open = [&](const std::string& source) {
+      rig.previewer().scene().open(source);
+      ASSERT_TRUE(
+          rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; }));
+      ASSERT_TRUE(rig.settle());
     };
-    initial_ = settings();
-    setenv("XDG_PICTURES_DIR", testing::TempDir().c_str(), 1);
-    files_.write("model.glb", "no model");
-    std::filesystem::create_directories(files_.path() / "deep" / "deeper");
-  }
-
-  static constexpr glm::ivec2 small{646, 480};  // many frames are drawn
-
-  /// The state that a control of this part changes.
-  [[nodiscard]] std::string state_of(Part part) {
-    UiState& s = rig.content().state();
-    Previewer& p = rig.previewer();
-    const auto numbers = [](auto... values) {
-      std::string text;
-      ((text += fmt::format("{} ", values)), ...);
-      return text;
-    };
-    const RenderSettings& r = p.edits().settings();
-    const DisplaySettings& d = s.display;
-    switch (part) {
-      case Part::settings:
-        return numbers(
-            static_cast<int>(r.method), r.asos.eps, r.asos.max_level, static_cast<int>(r.asos.leaf),
-            static_cast<int>(r.asos.rule), static_cast<int>(r.asos.detect), r.asos.refine_shading,
-            r.asos.jitter, r.filter_width, r.line_width, r.sampling.spp, r.seed,
-            static_cast<int>(r.texture.filter), r.cull, r.shadow.cast,
-            static_cast<int>(r.shadow.quality), r.shadow.bounces, r.shadow.divisions,
-            static_cast<int>(r.shadow.light_rule), r.texture.resolution, r.mirror.bounces,
-            r.mirror.roughest, static_cast<int>(r.mirror.curved), r.mirror.widest_angle_deg);
-      case Part::mirrors: {
-        std::string text = numbers(p.edits().state().look.dfrs_revision, r.mirror.dfr.has_value());
-        for (const DfrCurve& c : r.mirror.dfr.value_or(Dfr{}).rgb)
-          text += numbers(c.min, c.max, c.exponent);
-        return text + numbers(r.mirror.dfr.value_or(Dfr{}).perturbation);
-      }
-      case Part::sky:
-        return s.sky.error + (r.sky ? r.sky->name() : "") +
-               numbers(s.sky.file, r.sky.use_count(), r.shadow.sky,
-                       static_cast<int>(r.background.kind), static_cast<int>(r.ground),
-                       r.background.top.x, r.background.top.y, r.background.top.z,
-                       r.background.bottom.x, r.background.bottom.y, r.background.bottom.z);
-      case Part::check:
-        return numbers(static_cast<int>(s.equal_time.method), s.equal_time.restarts, s.check.check,
-                       s.check.alarm, s.check.mark_missed, s.check.mark_wasted);
-      case Part::limits:
-        return numbers(p.refinement().paused(), static_cast<int>(p.refinement().rest()),
-                       p.refinement().limits().seconds, p.refinement().limits().rmse,
-                       p.render().restarts());
-      case Part::window:
-        return numbers(static_cast<int>(s.look.theme), s.look.scale, s.look.show_bar);
-      case Part::tour:
-        return numbers(s.tour.card ? static_cast<int>(*s.tour.card) : -1, s.tour.since_seconds);
-      case Part::display:
-        return numbers(d.exposure_ev, d.auto_exposure, static_cast<int>(d.tone), d.show_split_map,
-                       d.show_legend, d.show_grid, d.show_axes, d.split_dimming,
-                       static_cast<int>(d.split_colours));
-      case Part::lights:
-        return numbers(p.edits().state().look.lights_revision);
-      case Part::camera:
-        return numbers(p.viewpoint().camera().revision());
-      case Part::turntable:
-        return numbers(p.turntable().turning(), p.turntable().seconds_a_turn);
-      case Part::view:
-        return s.browser.folder.string() + numbers(s.show_open, s.leaving.quit,
-                                                   static_cast<int>(s.tab),
-                                                   ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
-                                                   ImGui::GetIO().WantTextInput);
-      case Part::choice:
-        return numbers(s.lights.selected, s.lights.show_marks, s.lights.keep_power, s.watch,
-                       s.show_boundaries, s.picked.has_value(),
-                       static_cast<int>(s.reflections.channel), s.picked_pyray, s.outline.selected,
-                       s.lens.click_to_focus, s.surfaces.wireframe);
-      case Part::frames:
-        return numbers(s.frames.stored.size(), s.frames.chosen, static_cast<int>(s.frames.with),
-                       static_cast<int>(s.frames.comparison), s.frames.wipe, s.frames.flipped,
-                       s.frames.scale_stops);
-      case Part::study:
-        return numbers(s.study.rivals.size(), s.study.budget_seconds, s.study.repetitions,
-                       s.study.reduction, s.study.automatic, rig.content().study().busy()) +
-               s.study.error;
-      case Part::files:
-        return numbers(p.scene().times_opened(), p.scene().loading().has_value()) +
-               p.scene().asked_for() + s.opening.wanted;
-      case Part::save:
-        return numbers(static_cast<int>(s.save.what), s.save.exr, s.save.size.x, s.save.size.y,
-                       s.save.show, s.save_scene.show, s.save.frames, s.save.fps, s.save.mp4,
-                       static_cast<int>(s.save.layers));
-      case Part::picture:
-        return numbers(d.show_split_map, static_cast<int>(d.split_colours), s.show_before,
-                       s.view.zoom(), static_cast<int>(s.frames.comparison),
-                       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
-      case Part::message:
-        return s.message + clipboard_ + numbers(p.scene().error().has_value());
-    }
-    return {};
-  }
-
-  /// Scrolls to the control; none if it has vanished meanwhile, as *Pause* does once the render has
-  /// finished.
-  [[nodiscard]] std::optional<Controls::Placed> still_there(const std::string& name) {
-    if (!rig.content().controls().all().contains(name)) return std::nullopt;
-    try {
-      return rig.control(name);
-    } catch (const std::runtime_error&) {
-      return std::nullopt;
-    }
-  }
-
-  /// Drags, and clicks at several places, until the control's part of the state has changed.
-  [[nodiscard]] bool changes(const std::string& name, Part part) {
-    const std::string before = state_of(part);
-    // A control tried before needs another state to change something; a single click is enough
-    // then.
-    const bool again = !tried_.insert(name).second;
-    // Drags first, because a click may open something over the control.
-    for (const glm::vec2 way : {glm::vec2(-40, -20), glm::vec2(25, 20)}) {
-      if (again) break;
-      const std::optional<Controls::Placed> at = still_there(name);
-      if (!at) return false;
-      rig.drag(at->centre(), at->centre() + way);
-      if (state_of(part) != before) return true;
-      rig.rest();  // so that no double click resets
-    }
-    for (const float share : {0.5f, 0.15f, 0.85f}) {
-      const std::optional<Controls::Placed> at = still_there(name);
-      if (!at) return false;
-      rig.move_to({glm::mix(at->lo.x, at->hi.x, share), at->centre().y});
-      rig.press(MouseButton::left);
-      rig.release(MouseButton::left);
+    open("textured");
+    use_all("textures", [] {});
+    use_all("textures looked up at points",
+            [&] { settings().texture.filter = TextureFilter::point; });
+    open("mirrors");
+    use_all("a blur for each colour", [&] {
+      settings().mirror.dfr.emplace();
+      settings().mirror.dfr->rgb = {DfrCurve{0.1, 1.0, 2.0}, DfrCurve{0.2, 0.8, 8.0},
+                                    DfrCurve{0.3, 0.7, 4.0}};
       rig.frame();
-      if (state_of(part) != before) return true;
-      if (again) return false;
-    }
-    return false;
+      s.reflections.channel = DfrChannel::blue;
+    });
+    for (const DfrChannel channel : {DfrChannel::blue, DfrChannel::all})
+      use_all("one blur for all", [&, channel] {
+        s.reflections.channel = channel;
+        settings().mirror.dfr.emplace();
+        settings().mirror.dfr->rgb.fill({0.3, 0.7, 4.0});
+      });
+    for (const int pyray : {-1, 0})
+      use_all("mirrors", [&, pyray] {
+        s.picked = glm::ivec2(rig.previewer().render().film().width,
+                              rig.previewer().render().film().height) /
+                   2;
+        s.picked_pyray = pyray;
+        // The report on the pixel comes from another thread.
+        (void)rig.frames_until(
+            [&] {
+              return rig.content().controls().all().contains("Pyray/1") ||
+                     rig.content().controls().all().contains("Back");
+            },
+            2.0);
+        s.picked_pyray = pyray;
+      });
+    use_all("curved mirrors", [&] { settings().mirror.curved = CurvedMirror::adaptive; });
+    use_all("a material's own blur", [&] { rig.previewer().edits().edit_dfrs()[0].emplace(); });
   }
 
-  /// Restores the initial state, then enters the given one.
-  void enter(const std::function<void()>& state) {
-    if (rig.size() != small) rig.resize(small);
-    if (rig.previewer().scene().error()) rig.previewer().scene().dismiss_error();
-    rig.key(Key::escape);
-    // An open list closes when something else is clicked: the status line.
-    rig.move_to({3.0f, static_cast<float>(rig.size().y) - 3.0f});
-    rig.press(MouseButton::left);
-    rig.release(MouseButton::left);
-    rig.content().state() = UiState{};
-    // "Reset/Window" folds sections.
-    StoredSettings stored = rig.content().stored_settings();
-    stored.tab = PanelTab::all;
-    stored.sections["Advanced (papers)"] = true;
-    rig.content().apply(stored);
-    clipboard_.clear();
-    rig.content().state().display.exposure_ev = 1.0f;  // so that there is something to reset
-    settings() = initial_;
-    rig.previewer().edits().reset_lights();
-    if (rig.previewer().edits().dfrs() != dfrs_of(rig.previewer().scene()->world()))
-      rig.previewer().edits().reset_dfrs();
-    rig.previewer().refinement().set_paused(false);
-    rig.previewer().refinement().limits() = {};
-    rig.previewer().turntable() = {};
-    state();
-    for (int i = 0; i < 2; ++i) rig.frame();
+  void use_rivals_limits_and_lens() {
+    use_all("a rival of a finished picture", [&] {
+      rig.unfold("Compare");
+      s.frames.with = CompareWith::method;
+      (void)rig.settle();
+    });
+    use_all("another rival", [&] {
+      for (const char* section : {"Refinement", "Sky", "Compare"}) rig.unfold(section);
+      s.frames.with = CompareWith::method;
+      s.equal_time.method = Method::stochastic;
+      rig.previewer().refinement().limits().rmse = 0.01;
+    });
+    for (const bool paused : {false, true})
+      use_all("refinement", [&, paused] {
+        rig.previewer().refinement().set_paused(paused);
+        s.frames.with = CompareWith::reference;
+        s.check.check = !paused;
+      });
+    for (const bool waits : {false, true})
+      use_all("a lens", [&, waits] {
+        set_lens({0.01, 2.0, 6, 0.0});
+        s.lens.click_to_focus = waits;
+      });
+    use_all("no lens", [&] { set_lens({}); });
+    use_all("surfaces", [&] { rig.unfold("Surfaces"); });
+    use_all("stopped", [&] {
+      rig.previewer().refinement().set_paused(false);
+      ASSERT_TRUE(rig.settle());
+    });
   }
 
-  /// `state` is called again later, so it must not refer to the caller's loop variables.
-  void use_all(const std::string& where, const std::function<void()>& state) {
-    enter(state);
-    std::vector<std::string> names;
-    for (const auto& [name, placed] : rig.content().controls().all()) {
-      if (!placed.edits) continue;
-      EXPECT_TRUE(placed.has_tooltip) << name << ", " << where;
-      // Some of the built-in scenes take long to load.
-      if (name.starts_with("Built-in/") && name != "Built-in/boxes") continue;
-      if (name == "Measure") continue;            // comes last
-      if (name == "Cancel comparison") continue;  // exists only during a comparison: EqualTimeTest
-      if (name == "Continue") continue;           // exists only at a render's limit: RefinementTest
-      states_[name].push_back(state);
-      if (!used_.contains(name)) names.push_back(name);
-    }
-    for (const std::string& name : names) use(name, state);
+  void use_skies() {
+    use_all("a sky of one colour",
+            [&] { settings().sky = std::make_shared<const Sky>(glm::vec3(2.0f)); });
+    use_all("a background of colours",
+            [&] { settings().background.kind = BackgroundKind::colours; });
+    settings().background = {};
+    use_all("a preset sky",
+            [&] { settings().sky = std::make_shared<const Sky>(Environment::studio); });
+    use_all("a gradient", [&] { s.sky.gradient = true; });
+    use_all("a gradient of two colours", [&] {
+      settings().sky = std::make_shared<const Sky>(glm::vec3(0.2f), glm::vec3(0.5f));
+    });
+    use_all("a sky from a file", [&] {
+      s.sky.path = "missing.hdr";
+      settings().sky = std::make_shared<const Sky>(
+          SkyMap(2, 1, std::vector<glm::vec3>(2, glm::vec3(0.5f))), 0.0, "half");
+    });
   }
 
-  void use(const std::string& name, const std::function<void()>& state) {
-    const std::string head = name.substr(0, name.find('/'));
-    const auto known = parts.contains(name) ? parts.find(name) : parts.find(head);
-    ASSERT_TRUE(known != parts.end()) << name << " has no test";
-    enter(state);
-    if (!rig.content().controls().all().contains(name)) return;
-    // The chosen option changes nothing; in another state, another option is chosen.
-    if (changes(name, known->second)) {
-      used_.insert(name);
-      reached_.insert(known->first);
-    }
-    ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().scene().loading(); }));
+  void use_sections() {
+    use_all("outline", [&] {
+      rig.unfold("Objects");
+      // The list is laid out only if it is visible.
+      (void)rig.control("section/Scene");
+    });
+    rig.click("section/Objects");
+    use_all("study", [&] { rig.unfold("Error vs. time"); });
+    use_all("study, custom", [&] {
+      s.study.automatic = false;
+      rig.unfold("Error vs. time");
+    });
+    use_all("other choices", [&] {
+      settings().asos.leaf = LeafKind::point;
+      settings().asos.rule = StoppingRule::published;
+      settings().asos.detect = Detection::cone;
+      settings().texture.filter = TextureFilter::point;
+      s.display.tone = ToneCurve::none;
+      settings().shadow.light_rule = LightRule::published;
+      s.study.automatic = false;
+      s.study.reduction = 1;
+      s.frames.store(rig.previewer().render().film(), "one", "");
+      s.frames.store(rig.previewer().render().film(), "two", "");
+      s.frames.chosen = 0;
+    });
   }
 
-  /// A row moved by another thread's results may have been missed, so try again.
-  void use_what_did_nothing() {
-    for (const auto& [name, states] : states_) {
-      for (const std::function<void()>& state : states)
-        if (!used_.contains(name)) use(name, state);
-    }
+  void use_dialogs() {
+    use_all("open dialog", [&] {
+      s.show_open = true;
+      s.browser.folder = files_.path();
+      s.recent = {"third"};
+    });
+    use_all("open dialog, filtered", [&] {
+      s.show_open = true;
+      s.browser.folder = files_.path();
+      rig.frame();
+      s.browser.typed = "boxes";
+    });
+    use_all("open dialog, folders", [&] {
+      s.show_open = true;
+      s.browser.folder = files_.path() / "deep";
+    });
+    use_all("leaving", [&] {
+      s.frames.store(rig.previewer().render().film(), "one", "");
+      s.leaving.asked = true;
+    });
+    use_all("save dialog", [&] {
+      s.save.show = true;
+      s.save.size = {64, 32};
+    });
+    use_all("save dialog, turntable", [&] {
+      s.save.show = true;
+      s.save.what = SaveChoice::What::turntable;
+      // MP4 is offered only if there is an ffmpeg.
+      std::filesystem::create_directories(files_.path() / "programs");
+      files_.write("programs/ffmpeg", "#!/bin/sh\n");
+      std::filesystem::permissions(files_.path() / "programs" / "ffmpeg",
+                                   std::filesystem::perms::owner_all);
+      setenv("PATH", (files_.path() / "programs").c_str(), 1);
+    });
+    use_all("save dialog, MP4", [&] {
+      s.save.show = true;
+      s.save.what = SaveChoice::What::turntable;
+      s.save.mp4 = true;
+    });
+    use_all("checked splits", [&] {
+      s.check.check = true;
+      s.frames.with = CompareWith::reference;
+      rig.unfold("Compare");
+      (void)rig.frames_until([&] { return s.frames.reference.film != nullptr; });
+    });
+    use_all("save scene dialog", [&] { s.save_scene.show = true; });
+    use_all("save dialog, EXR", [&] {
+      s.save.show = true;
+      s.save.exr = true;
+    });
+    use_all("save dialog, EXR with all layers", [&] {
+      s.save.show = true;
+      s.save.exr = true;
+      s.save.layers = SaveChoice::Layers::all;
+    });
+    use_all("save dialog, window", [&] {
+      s.save.show = true;
+      s.save.what = SaveChoice::What::window;
+    });
+    use_all("error", [&] {
+      rig.previewer().scene().open("missing");
+      ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+    });
   }
 
-  [[nodiscard]] LightChoice& lights() { return rig.content().state().lights; }
-  void select_kind(LightKind kind) {
-    lights().selected = 0;
-    Light& light = rig.previewer().edits().edit_lights()[0].light;
-    light = as_kind(light, kind, SceneSize{});
-    move_light(light, glm::dvec3(0, 0, 1) - light.position);
+  void set_lens(const Lens& lens) {
+    rig.previewer().viewpoint().camera().set_lens(lens);
+    rig.unfold("Lens");
   }
 
-  RenderSettings initial_;
-  std::map<std::string, std::vector<std::function<void()>>> states_;  // states that show it
-  std::set<std::string> tried_;
-  std::set<std::string> used_;
-  std::set<std::string> reached_;  // entries of the table
-  test::TemporaryFolder files_;
-  std::string clipboard_;
+  UiState& s = rig.content().state();
 };
 
 TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   rig.previewer().scene().open("point light");
   ASSERT_TRUE(
       rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
-  UiState& s = rig.content().state();
-  use_all("a pixel was clicked", [&] {
-    lights().selected = 0;
-    s.picked =
-        glm::ivec2(rig.previewer().render().film().width, rig.previewer().render().film().height) /
-        2;
-  });
-  for (const auto kind :
-       {LightKind::point, LightKind::sphere, LightKind::spot, LightKind::directional,
-        LightKind::linear, LightKind::rectangle, LightKind::disk, LightKind::polygon})
-    use_all("light of kind " + std::to_string(static_cast<int>(kind)),
-            [&, kind] { select_kind(kind); });
-  for (const int selected : {0, 1})
-    use_all("lights outside the picture", [&, selected] {
-      std::vector<EditedLight>& all = rig.previewer().edits().edit_lights();
-      all.push_back(all[0]);
-      all[0].light.position = {50, 0, 0};
-      all[1].light.position = {-50, 0, 0};
-      lights().selected = selected;
-    });
-  // A light that becomes a polygon is a hexagon; the star needs a state of its own.
-  use_all("a star", [&] {
-    select_kind(LightKind::polygon);
-    set_polygon_shape(rig.previewer().edits().edit_lights()[0].light, PolygonShape::star);
-  });
-  for (const auto method :
-       {Method::sobol, Method::sobol_adaptive, Method::stochastic, Method::asos_published})
-    use_all("method " + std::to_string(static_cast<int>(method)),
-            [&, method] { settings().method = method; });
-  use_all("soft shadows, divided", [&] {
-    select_kind(LightKind::sphere);
-    settings().shadow.quality = ShadowQuality::extended_divided;
-    // The features of the lights come from another thread.
-    (void)rig.frames_until([&] { return rig.content().controls().all().contains("Divisions"); });
-  });
-  for (const auto colours : {SplitMapColours::level, SplitMapColours::cause})
-    use_all("split map", [&, colours] {
-      s.display.show_split_map = true;
-      s.display.split_colours = colours;
-      // Without a finished picture there are no split pixels to explain.
-      (void)rig.settle();
-    });
-  for (int card = 0; card < Tour::cards; ++card)
-    use_all("card " + std::to_string(card) + " of the tour", [&, card] {
-      start_tour(s, rig.previewer(), 0.0);
-      show_card(s, rig.previewer(), card, 0.0);
-      // Replaying needs a pixel, which another thread finds.
-      if (card == static_cast<int>(Tour::Card::split))
-        (void)rig.frames_until([&] { return rig.content().controls().all().contains("Replay"); });
-      // Fills the list of snapshots, so that no comparison starts, which would take long.
-      while (card == 4 && s.frames.store(rig.previewer().render().film(), "full", "")) continue;
-    });
-  use_all("the map's card, by causes", [&] {
-    start_tour(s, rig.previewer(), 0.0);
-    show_card(s, rig.previewer(), static_cast<int>(Tour::Card::map), 0.0);
-    s.display.split_colours = SplitMapColours::cause;
-  });
-  for (const bool changed : {false, true})
-    for (const bool before : {false, true})
-      use_all("a bar of two rows", [&, changed, before] {
-        rig.resize({1250, 480});
-        s.look.show_bar = true;
-        s.frames.store(rig.previewer().render().film(), "one", "");
-        s.display.show_split_map = before;
-        (void)rig.settle();
-        if (!changed) return;
-        // Makes a picture of the previous EPS available.
-        settings().asos.eps = 0.3;
-        (void)rig.settle();
-        s.show_before = before;
-        s.view.zoom_at(s.view.area_middle(), 1);
-      });
-  use_all("turning", [&] { rig.previewer().turntable().set_turning(true); });
-  use_all("light and large", [&] { s.look = {theme::Look::light, 1.25f}; });
-  for (const auto comparison : {Comparison::none, Comparison::wipe, Comparison::flip,
-                                Comparison::difference, Comparison::error})
-    use_all("compare", [&, comparison] {
-      rig.unfold("Compare");
-      s.frames.store(rig.previewer().render().film(), "one", "");
-      s.frames.store(rig.previewer().render().film(), "two", "");
-      s.frames.comparison = comparison;
-    });
-  const auto open = [&](const std::string& source) {
-    rig.previewer().scene().open(source);
-    ASSERT_TRUE(
-        rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; }));
-    ASSERT_TRUE(rig.settle());
-  };
-  open("textured");
-  use_all("textures", [] {});
-  use_all("textures looked up at points",
-          [&] { settings().texture.filter = TextureFilter::point; });
-  open("mirrors");
-  use_all("a blur for each colour", [&] {
-    settings().mirror.dfr.emplace();
-    settings().mirror.dfr->rgb = {DfrCurve{0.1, 1.0, 2.0}, DfrCurve{0.2, 0.8, 8.0},
-                                  DfrCurve{0.3, 0.7, 4.0}};
-    rig.frame();
-    s.reflections.channel = DfrChannel::blue;
-  });
-  for (const DfrChannel channel : {DfrChannel::blue, DfrChannel::all})
-    use_all("one blur for all", [&, channel] {
-      s.reflections.channel = channel;
-      settings().mirror.dfr.emplace();
-      settings().mirror.dfr->rgb.fill({0.3, 0.7, 4.0});
-    });
-  for (const int pyray : {-1, 0})
-    use_all("mirrors", [&, pyray] {
-      s.picked = glm::ivec2(rig.previewer().render().film().width,
-                            rig.previewer().render().film().height) /
-                 2;
-      s.picked_pyray = pyray;
-      // The report on the pixel comes from another thread.
-      (void)rig.frames_until(
-          [&] {
-            return rig.content().controls().all().contains("Pyray/1") ||
-                   rig.content().controls().all().contains("Back");
-          },
-          2.0);
-      s.picked_pyray = pyray;
-    });
-  use_all("curved mirrors", [&] { settings().mirror.curved = CurvedMirror::adaptive; });
-  use_all("a material's own blur", [&] { rig.previewer().edits().edit_dfrs()[0].emplace(); });
-  use_all("a rival of a finished picture", [&] {
-    rig.unfold("Compare");
-    s.frames.with = CompareWith::method;
-    (void)rig.settle();
-  });
-  use_all("another rival", [&] {
-    for (const char* section : {"Refinement", "Sky", "Compare"}) rig.unfold(section);
-    s.frames.with = CompareWith::method;
-    s.equal_time.method = Method::stochastic;
-    rig.previewer().refinement().limits().rmse = 0.01;
-  });
-  for (const bool paused : {false, true})
-    use_all("refinement", [&, paused] {
-      rig.previewer().refinement().set_paused(paused);
-      s.frames.with = CompareWith::reference;
-      s.check.check = !paused;
-    });
-  const auto set_lens = [&](const Lens& lens) {
-    rig.previewer().viewpoint().camera().set_lens(lens);
-    rig.unfold("Lens");
-  };
-  for (const bool waits : {false, true})
-    use_all("a lens", [&, waits] {
-      set_lens({0.01, 2.0, 6, 0.0});
-      s.lens.click_to_focus = waits;
-    });
-  use_all("no lens", [&] { set_lens({}); });
-  use_all("surfaces", [&] { rig.unfold("Surfaces"); });
-  use_all("stopped", [&] {
-    rig.previewer().refinement().set_paused(false);
-    ASSERT_TRUE(rig.settle());
-  });
-  use_all("a sky of one colour",
-          [&] { settings().sky = std::make_shared<const Sky>(glm::vec3(2.0f)); });
-  use_all("a background of colours", [&] { settings().background.kind = BackgroundKind::colours; });
-  settings().background = {};
-  use_all("a preset sky",
-          [&] { settings().sky = std::make_shared<const Sky>(Environment::studio); });
-  use_all("a gradient", [&] { s.sky.gradient = true; });
-  use_all("a gradient of two colours",
-          [&] { settings().sky = std::make_shared<const Sky>(glm::vec3(0.2f), glm::vec3(0.5f)); });
-  use_all("a sky from a file", [&] {
-    s.sky.path = "missing.hdr";
-    settings().sky = std::make_shared<const Sky>(
-        SkyMap(2, 1, std::vector<glm::vec3>(2, glm::vec3(0.5f))), 0.0, "half");
-  });
-  use_all("outline", [&] {
-    rig.unfold("Objects");
-    // The list is laid out only if it is visible.
-    (void)rig.control("section/Scene");
-  });
-  rig.click("section/Objects");
-  use_all("study", [&] { rig.unfold("Error vs. time"); });
-  use_all("study, custom", [&] {
-    s.study.automatic = false;
-    rig.unfold("Error vs. time");
-  });
-  use_all("other choices", [&] {
-    settings().asos.leaf = LeafKind::point;
-    settings().asos.rule = StoppingRule::published;
-    settings().asos.detect = Detection::cone;
-    settings().texture.filter = TextureFilter::point;
-    s.display.tone = ToneCurve::none;
-    settings().shadow.light_rule = LightRule::published;
-    s.study.automatic = false;
-    s.study.reduction = 1;
-    s.frames.store(rig.previewer().render().film(), "one", "");
-    s.frames.store(rig.previewer().render().film(), "two", "");
-    s.frames.chosen = 0;
-  });
-  use_all("open dialog", [&] {
-    s.show_open = true;
-    s.browser.folder = files_.path();
-    s.recent = {"third"};
-  });
-  use_all("open dialog, filtered", [&] {
-    s.show_open = true;
-    s.browser.folder = files_.path();
-    rig.frame();
-    s.browser.typed = "boxes";
-  });
-  use_all("open dialog, folders", [&] {
-    s.show_open = true;
-    s.browser.folder = files_.path() / "deep";
-  });
-  use_all("leaving", [&] {
-    s.frames.store(rig.previewer().render().film(), "one", "");
-    s.leaving.asked = true;
-  });
-  use_all("save dialog", [&] {
-    s.save.show = true;
-    s.save.size = {64, 32};
-  });
-  use_all("save dialog, turntable", [&] {
-    s.save.show = true;
-    s.save.what = SaveChoice::What::turntable;
-    // MP4 is offered only if there is an ffmpeg.
-    std::filesystem::create_directories(files_.path() / "programs");
-    files_.write("programs/ffmpeg", "#!/bin/sh\n");
-    std::filesystem::permissions(files_.path() / "programs" / "ffmpeg",
-                                 std::filesystem::perms::owner_all);
-    setenv("PATH", (files_.path() / "programs").c_str(), 1);
-  });
-  use_all("save dialog, MP4", [&] {
-    s.save.show = true;
-    s.save.what = SaveChoice::What::turntable;
-    s.save.mp4 = true;
-  });
-  use_all("checked splits", [&] {
-    s.check.check = true;
-    s.frames.with = CompareWith::reference;
-    rig.unfold("Compare");
-    (void)rig.frames_until([&] { return s.frames.reference.film != nullptr; });
-  });
-  use_all("save scene dialog", [&] { s.save_scene.show = true; });
-  use_all("save dialog, EXR", [&] {
-    s.save.show = true;
-    s.save.exr = true;
-  });
-  use_all("save dialog, EXR with all layers", [&] {
-    s.save.show = true;
-    s.save.exr = true;
-    s.save.layers = SaveChoice::Layers::all;
-  });
-  use_all("save dialog, window", [&] {
-    s.save.show = true;
-    s.save.what = SaveChoice::What::window;
-  });
-  use_all("error", [&] {
-    rig.previewer().scene().open("missing");
-    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
-  });
+  use_lights_and_methods();
+  use_maps_tour_and_bar();
+  use_comparisons();
+  use_textures_and_mirrors();
+  use_rivals_limits_and_lens();
+  use_skies();
+  use_sections();
+  use_dialogs();
   use_what_did_nothing();
   for (const auto& [name, states] : states_)
     EXPECT_TRUE(used_.contains(name)) << name << " did nothing";
