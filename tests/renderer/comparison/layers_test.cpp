@@ -1,7 +1,6 @@
 #include "renderer/film/layers.h"
 
 #include "renderer/gltf/load.h"
-#include "renderer/prepared/focus.h"
 #include "renderer/pyray/error_budget.h"
 #include "renderer/shading/sky.h"
 #include "tests/renderer/comparison/rival_scenes.h"
@@ -17,48 +16,19 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
 // Layers against closed forms. MAX 3 throughout.
 
-namespace asos {
+namespace asos::test::layers_test {
 namespace {
 
 RenderSettings with_layers(Method method = Method::asos, int spp = 16) {
-  RenderSettings settings = test::settings_for(method, spp);
+  RenderSettings settings = settings_for(method, spp);
   settings.asos.max_level = 3;
   settings.layers = LayerSet::all();
   return settings;
-}
-
-constexpr LayerSet light_layers{Layer::direct, Layer::emission, Layer::reflection,
-                                Layer::transmission, Layer::background};
-
-/// The largest difference of a pixel's radiance from the sum of its parts, relative to 1 or to a
-/// brighter pixel.
-double largest_difference(const Film& film) {
-  double most = 0.0;
-  for (std::size_t i = 0; i < film.radiance.size(); ++i) {
-    glm::dvec3 sum(0.0);
-    for (const Layer layer : light_layers.layers()) {
-      const auto part = find_plane(film.layers, layer)->at(i);
-      sum += glm::dvec3(part[0], part[1], part[2]);
-    }
-    const glm::dvec3 whole(film.radiance[i]);
-    const glm::dvec3 off = glm::abs(sum - whole) / glm::max(glm::dvec3(1.0), whole);
-    most = std::max({most, off.x, off.y, off.z});
-  }
-  return most;
-}
-
-/// The mean of a layer over a picture and its colours; of bright pixels 1.
-double mean_of(const Film& film, Layer layer) {
-  double sum = 0.0;
-  const std::vector<float>& values = find_plane(film.layers, layer)->values;
-  for (const float value : values) sum += std::min(1.0, static_cast<double>(value));
-  return sum / static_cast<double>(values.size());
 }
 
 double share_of(const IdShares& shares, std::uint32_t id) {
@@ -82,17 +52,17 @@ void expect_shares_add_up(const BlockResult& result) {
     }
 }
 
-test::Polygon pixel_square(int x, int y) {
+Polygon pixel_square(int x, int y) {
   return {{x, y}, {x + 1.0, y}, {x + 1.0, y + 1.0}, {x, y + 1.0}};
 }
 
 /// The area of a pixel where both lines are positive.
 template <typename A, typename B>
 double area_between(int x, int y, const A& a, const B& b) {
-  const test::Polygon first = test::clip(pixel_square(x, y), a);
+  const Polygon first = clip(pixel_square(x, y), a);
   if (first.size() < 3) return 0.0;
-  const test::Polygon both = test::clip(first, b);
-  return both.size() < 3 ? 0.0 : test::area(both);
+  const Polygon both = clip(first, b);
+  return both.size() < 3 ? 0.0 : area(both);
 }
 
 glm::vec3 at(double x, double y, double z = 0.0) {
@@ -102,10 +72,10 @@ glm::vec3 at(double x, double y, double z = 0.0) {
 // Below the line y = 3.21 + 0.37 x lies object 0; above it nothing.
 TEST(Layers, HalfPlaneIsCoveredExactly) {
   World world;
-  test::add_triangle(world, at(-90.0, 3.21 - 90.0 * 0.37), at(0.0, 300.0),
-                     at(90.0, 3.21 + 90.0 * 0.37), test::matte(glm::vec3(0.5f)));
-  const auto scene = test::make_render_scene(std::move(world));
-  const BlockResult result = test::render_small(*scene, with_layers());
+  add_triangle(world, at(-90.0, 3.21 - 90.0 * 0.37), at(0.0, 300.0), at(90.0, 3.21 + 90.0 * 0.37),
+               matte(glm::vec3(0.5f)));
+  const auto scene = make_render_scene(std::move(world));
+  const BlockResult result = render_small(*scene, with_layers());
   const auto below = [](glm::dvec2 p) { return p.y - 3.21 - 0.37 * p.x; };
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) {
@@ -124,14 +94,14 @@ TEST(Layers, HalfPlaneIsCoveredExactly) {
 TEST(Layers, SliverIsCoveredExactly) {
   World world;
   const double slope = 0.29, width = 0.013;
-  test::add_part(world,
-                 {{at(-1.0, 2.4 - slope), {0, 0, 1}, {0, 0}},
-                  {at(9.0, 2.4 + 9.0 * slope), {0, 0, 1}, {1, 0}},
-                  {at(9.0, 2.4 + width + 9.0 * slope), {0, 0, 1}, {1, 1}},
-                  {at(-1.0, 2.4 + width - slope), {0, 0, 1}, {0, 1}}},
-                 {{0, 2, 1}, {0, 3, 2}}, test::unlit(glm::vec3(1.0f)));
-  const auto scene = test::make_render_scene(std::move(world));
-  const BlockResult result = test::render_small(*scene, with_layers());
+  add_part(world,
+           {{at(-1.0, 2.4 - slope), {0, 0, 1}, {0, 0}},
+            {at(9.0, 2.4 + 9.0 * slope), {0, 0, 1}, {1, 0}},
+            {at(9.0, 2.4 + width + 9.0 * slope), {0, 0, 1}, {1, 1}},
+            {at(-1.0, 2.4 + width - slope), {0, 0, 1}, {0, 1}}},
+           {{0, 2, 1}, {0, 3, 2}}, unlit(glm::vec3(1.0f)));
+  const auto scene = make_render_scene(std::move(world));
+  const BlockResult result = render_small(*scene, with_layers());
   const auto top = [&](glm::dvec2 p) { return p.y - 2.4 - slope * p.x; };
   const auto bottom = [&](glm::dvec2 p) { return 2.4 + width + slope * p.x - p.y; };
   double all = 0.0;
@@ -150,11 +120,11 @@ TEST(Layers, SliverIsCoveredExactly) {
 TEST(Layers, DiskCoversItsArea) {
   World world;
   const glm::dmat4 facing{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0.3, -0.2, 0, 1}};
-  Material white = test::unlit(glm::vec3(1.0f));
+  Material white = unlit(glm::vec3(1.0f));
   white.double_sided = true;
-  test::add_shape(world, test::disk(2.5), facing, white);
-  const auto scene = test::make_render_scene(std::move(world));
-  const BlockResult result = test::render_small(*scene, with_layers());
+  add_shape(world, disk(2.5), facing, white);
+  const auto scene = make_render_scene(std::move(world));
+  const BlockResult result = render_small(*scene, with_layers());
   constexpr int n = 400;  // strips of each pixel
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) {
@@ -175,21 +145,20 @@ TEST(Layers, DiskCoversItsArea) {
 // A half-plane before another one, whose lines cross within pixels.
 TEST(Layers, TwoLayersHideEachOtherExactly) {
   World world;
-  test::add_triangle(world, at(-90.0, 2.3 - 90.0 * 0.21), at(0.0, 300.0),
-                     at(90.0, 2.3 + 90.0 * 0.21), test::matte(glm::vec3(0.5f)));
-  test::add_triangle(world, at(4.55 - 90.0 * 0.13, -90.0, 2.0), at(-300.0, 0.0, 2.0),
-                     at(4.55 + 90.0 * 0.13, 90.0, 2.0), test::matte(glm::vec3(0.1f)));
-  const auto scene = test::make_render_scene(std::move(world));
+  add_triangle(world, at(-90.0, 2.3 - 90.0 * 0.21), at(0.0, 300.0), at(90.0, 2.3 + 90.0 * 0.21),
+               matte(glm::vec3(0.5f)));
+  add_triangle(world, at(4.55 - 90.0 * 0.13, -90.0, 2.0), at(-300.0, 0.0, 2.0),
+               at(4.55 + 90.0 * 0.13, 90.0, 2.0), matte(glm::vec3(0.1f)));
+  const auto scene = make_render_scene(std::move(world));
   const auto below = [](glm::dvec2 p) { return p.y - 2.3 - 0.21 * p.x; };
   const auto left = [](glm::dvec2 p) { return 4.55 + 0.13 * p.y - p.x; };
   const auto right = [&](glm::dvec2 p) { return -left(p); };
-  const auto any = [](glm::dvec2) { return 1.0; };
-  const BlockResult result = test::render_small(*scene, with_layers());
+  const BlockResult result = render_small(*scene, with_layers());
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) {
       const auto i = static_cast<std::size_t>(8 * y + x);
       const IdShares& seen = plane(result, Layer::object).ids[i];
-      EXPECT_NEAR(share_of(seen, 1), area_between(x, y, left, any), 1e-4) << x << ", " << y;
+      EXPECT_NEAR(share_of(seen, 1), area_between(x, y, left, left), 1e-4) << x << ", " << y;
       EXPECT_NEAR(share_of(seen, 0), area_between(x, y, below, right), 1e-4) << x << ", " << y;
       // The camera is 10 above the plane z = 0.
       const float depth = plane(result, Layer::depth).at(i)[0];
@@ -207,12 +176,12 @@ TEST(Layers, TwoLayersHideEachOtherExactly) {
 // Samplers count samples, so their fractions differ from the areas by noise.
 TEST(Layers, SamplersCount) {
   World world;
-  test::add_triangle(world, at(-90.0, 3.21 - 90.0 * 0.37), at(0.0, 300.0),
-                     at(90.0, 3.21 + 90.0 * 0.37), test::matte(glm::vec3(0.5f)));
-  const auto scene = test::make_render_scene(std::move(world));
-  const BlockResult exact = test::render_small(*scene, with_layers());
+  add_triangle(world, at(-90.0, 3.21 - 90.0 * 0.37), at(0.0, 300.0), at(90.0, 3.21 + 90.0 * 0.37),
+               matte(glm::vec3(0.5f)));
+  const auto scene = make_render_scene(std::move(world));
+  const BlockResult exact = render_small(*scene, with_layers());
   for (const Method method : {Method::uniform, Method::stochastic, Method::sobol}) {
-    const BlockResult counted = test::render_small(*scene, with_layers(method, 256));
+    const BlockResult counted = render_small(*scene, with_layers(method, 256));
     double most = 0.0;
     for (std::size_t i = 0; i < 64; ++i) {
       const double share = share_of(plane(counted, Layer::object).ids[i], 0);
@@ -226,12 +195,12 @@ TEST(Layers, SamplersCount) {
 }
 
 TEST(Layers, BeautyIsTheSameBits) {
-  const FlattenedScene still = test::still_life();
-  const auto scene = test::make_render_scene(still);
-  const View view(test::look_at({1, 2, 5}, {0, 0.6, 0}, 0.7), 32, 32);
+  const FlattenedScene still = still_life();
+  const auto scene = make_render_scene(still);
+  const View view(look_at({1, 2, 5}, {0, 0.6, 0}, 0.7), 32, 32);
   for (const Method method : {Method::asos, Method::asos_published, Method::sobol,
                               Method::sobol_adaptive, Method::whitted, Method::mitchell}) {
-    RenderSettings settings = test::settings_for(method, 8, 32);
+    RenderSettings settings = settings_for(method, 8, 32);
     const PixelRect rect{8, 8, 16, 16};
     const BlockResult plain = render_block(*scene, view, settings, rect);
     EXPECT_TRUE(plain.tile.layers.empty()) << "nothing that nobody asked for";
@@ -244,129 +213,16 @@ TEST(Layers, BeautyIsTheSameBits) {
   }
 }
 
-// Every built-in scene with other materials or lights; the sum of a picture's light.
-TEST(LightLayers, AddUpToTheRadiance) {
-  for (const char* name : {"solids", "glass", "workshop", "neon", "office-metal", "foliage"}) {
-    const auto scene =
-        with_boundaries(prepare(load_scene(std::string("builtin:") + name).value()).value())
-            .value();
-    const Camera camera = test::first_camera(scene->world(), 1.5);
-    for (const Method method : {Method::asos, Method::sobol}) {
-      RenderSettings settings = test::settings_for(method, 4);
-      settings.width = 12, settings.height = 8;
-      settings.asos.max_level = 1;
-      settings.background.kind = BackgroundKind::colours;
-      settings.layers = light_layers;
-      const Film film = test::render_picture(*scene, camera, settings).film;
-      EXPECT_LT(largest_difference(film), 1e-5) << name << " by " << row_of(method).name;
-    }
-  }
-}
-
-// Both methods divide the light of a picture in the same way.
-TEST(LightLayers, AreTheSameByRaysAndByPyrays) {
-  for (const char* name : {"solids", "glass"}) {
-    const auto scene =
-        with_boundaries(prepare(load_scene(std::string("builtin:") + name).value()).value())
-            .value();
-    const Camera camera = test::first_camera(scene->world(), 1.5);
-    RenderSettings settings = test::settings_for(Method::asos, 64);
-    settings.width = 24, settings.height = 16;
-    settings.asos.max_level = 3;
-    settings.layers = light_layers;
-    const Film exact = test::render_picture(*scene, camera, settings).film;
-    settings.method = Method::sobol;
-    const Film sampled = test::render_picture(*scene, camera, settings).film;
-    for (const Layer layer : light_layers.layers())
-      EXPECT_NEAR(mean_of(exact, layer), mean_of(sampled, layer), 3e-3)
-          << name << ": " << row_of(layer).name;
-    EXPECT_GT(mean_of(exact, Layer::reflection), 5e-3) << name;
-  }
-}
-
-/// A picture of one card that fills it, lit by the sky alone.
-Film picture_of_card(const Material& material, Method method) {
-  World world;
-  test::add_card(world, {-9, -9}, {17, 17}, material);
-  const auto scene = test::make_render_scene(std::move(world));
-  RenderSettings settings = test::settings_for(method, 4);
-  settings.sky = std::make_shared<const Sky>(glm::vec3(0.5f));
-  settings.layers = light_layers;
-  return test::render_picture(*scene, test::orthographic(8.0), settings).film;
-}
-
-glm::vec3 light_at(const Film& film, Layer layer) {
-  const auto values = find_plane(film.layers, layer)->at(8 * 3 + 4);
-  return {values[0], values[1], values[2]};
-}
-
-TEST(LightLayers, EmissionIsThatOfTheSurface) {
-  for (const Method method : {Method::asos, Method::sobol}) {
-    Material lamp = test::matte(glm::vec3(0.5f));
-    lamp.emissive = {2.0f, 1.0f, 0.25f};
-    const Film film = picture_of_card(lamp, method);
-    EXPECT_EQ(light_at(film, Layer::emission), lamp.emissive);
-    EXPECT_GT(light_at(film, Layer::direct).y, 0.1f) << "by the sky";
-    EXPECT_EQ(light_at(film, Layer::background), glm::vec3(0.0f));
-    EXPECT_LT(largest_difference(film), 1e-6);
-    // An unlit surface shows its colour by itself.
-    const Film unlit = picture_of_card(test::unlit(glm::vec3(0.7f)), method);
-    EXPECT_EQ(light_at(unlit, Layer::emission), unlit.radiance[8 * 3 + 4]);
-    EXPECT_EQ(light_at(unlit, Layer::direct), glm::vec3(0.0f));
-  }
-}
-
-TEST(LightLayers, MirrorShowsNothingElse) {
-  Material mirror = test::matte(glm::vec3(1.0f));
-  mirror.metallic = 1.0f, mirror.roughness = 0.0f;
-  Material rough = mirror;
-  rough.roughness = 0.3f;
-  for (const Method method : {Method::asos, Method::sobol})
-    for (const Material& metal : {mirror, rough}) {
-      const Film film = picture_of_card(metal, method);
-      EXPECT_GT(light_at(film, Layer::reflection).x, 0.4f);
-      EXPECT_NEAR(light_at(film, Layer::direct).x, 0.0f, 1e-6f);
-      EXPECT_EQ(light_at(film, Layer::transmission), glm::vec3(0.0f));
-      EXPECT_LT(largest_difference(film), 1e-6);
-    }
-}
-
-TEST(LightLayers, GlassTransmitsWhatItDoesNotReflect) {
-  Material glass = test::matte(glm::vec3(1.0f));
-  glass.roughness = 0.2f, glass.transmission = 1.0f;
-  for (const Method method : {Method::asos, Method::sobol}) {
-    const Film film = picture_of_card(glass, method);
-    EXPECT_GT(light_at(film, Layer::transmission).x, 0.3f);
-    EXPECT_GT(light_at(film, Layer::reflection).x, 0.0f);
-    EXPECT_LT(light_at(film, Layer::reflection).x, 0.1f);
-    EXPECT_LT(largest_difference(film), 1e-6);
-  }
-}
-
-// A card covers half of the pixel.
-TEST(LightLayers, BackgroundCountsByItsArea) {
-  World world;
-  test::add_card(world, {-9, -9}, {4.5, 17}, test::unlit(glm::vec3(0.25f)));
-  const auto scene = test::make_render_scene(std::move(world));
-  RenderSettings settings = test::settings_for(Method::asos);
-  settings.background.kind = BackgroundKind::colours;
-  settings.background.top = settings.background.bottom = glm::vec3(0.8f);
-  settings.layers = light_layers;
-  const Film film = test::render_picture(*scene, test::orthographic(8.0), settings).film;
-  EXPECT_NEAR(light_at(film, Layer::background).x, 0.4f, 1e-5f);
-  EXPECT_NEAR(light_at(film, Layer::emission).x, 0.125f, 1e-5f);
-}
-
 // Methods with other weights of their samples than one each.
 TEST(Layers, EveryMethodOfSamplesWeighsThemAsItsPicture) {
   World world;
-  test::add_card(world, {-9, -9}, {4.37f, 17}, test::unlit(glm::vec3(1.0f)));
-  const auto scene = test::make_render_scene(std::move(world));
+  add_card(world, {-9, -9}, {4.37f, 17}, unlit(glm::vec3(1.0f)));
+  const auto scene = make_render_scene(std::move(world));
   for (const Method method : {Method::sobol_adaptive, Method::whitted, Method::mitchell,
                               Method::ray_bound, Method::average}) {
     RenderSettings settings = with_layers(method, 16);
     settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
-    const BlockResult result = test::render_small(*scene, settings);
+    const BlockResult result = render_small(*scene, settings);
     double parts = 0.0;
     for (std::size_t i = 0; i < 64; ++i) {
       const auto white = static_cast<double>(result.tile.radiance[i].x);
@@ -383,10 +239,10 @@ TEST(Layers, EveryMethodOfSamplesWeighsThemAsItsPicture) {
 // A blended card hides by its opacity, in alpha as in the coverage of its id.
 TEST(Layers, AlphaOfBlendedSurfacesIsTheirOpacity) {
   World world;
-  test::add_card(world, {-9, -9}, {4, 17}, test::unlit(glm::vec3(0.5f), 0.25f), 1.0f);
-  const auto scene = test::make_render_scene(std::move(world));
+  add_card(world, {-9, -9}, {4, 17}, unlit(glm::vec3(0.5f), 0.25f), 1.0f);
+  const auto scene = make_render_scene(std::move(world));
   for (const Method method : {Method::asos, Method::sobol}) {
-    const BlockResult result = test::render_small(*scene, with_layers(method));
+    const BlockResult result = render_small(*scene, with_layers(method));
     EXPECT_NEAR(plane(result, Layer::alpha).at(8 * 3 + 2)[0], 0.25f, 1e-6f);
     EXPECT_NEAR(share_of(plane(result, Layer::object).ids[8 * 3 + 2], 0), 0.25, 1e-6);
     EXPECT_NEAR(share_of(plane(result, Layer::object).ids[8 * 3 + 2], no_id), 0.75, 1e-6);
@@ -398,12 +254,12 @@ TEST(Layers, AlphaOfBlendedSurfacesIsTheirOpacity) {
 // Cards of opacity 1/4 and 1/2, and a wall behind the left half: 0.25, 0.75 * 0.5 and the rest.
 TEST(Layers, CoveragesOfBlendedSurfacesAreWeightedFromFrontToBack) {
   World world;
-  test::add_card(world, {-9, -9}, {17, 17}, test::unlit(glm::vec3(0.5f), 0.25f), 2.0f);
-  test::add_card(world, {-9, -9}, {17, 17}, test::unlit(glm::vec3(0.5f), 0.5f), 1.0f);
-  test::add_card(world, {-9, -9}, {4, 17}, test::unlit(glm::vec3(0.5f)));
-  const auto scene = test::make_render_scene(std::move(world));
+  add_card(world, {-9, -9}, {17, 17}, unlit(glm::vec3(0.5f), 0.25f), 2.0f);
+  add_card(world, {-9, -9}, {17, 17}, unlit(glm::vec3(0.5f), 0.5f), 1.0f);
+  add_card(world, {-9, -9}, {4, 17}, unlit(glm::vec3(0.5f)));
+  const auto scene = make_render_scene(std::move(world));
   for (const Method method : {Method::asos, Method::sobol, Method::whitted}) {
-    const BlockResult result = test::render_small(*scene, with_layers(method));
+    const BlockResult result = render_small(*scene, with_layers(method));
     for (const Layer layer : {Layer::object, Layer::material}) {
       const IdShares& left = plane(result, layer).ids[8 * 3 + 2];
       EXPECT_NEAR(share_of(left, 0), 0.25, 1e-6);
@@ -423,21 +279,20 @@ TEST(Layers, CoveragesOfBlendedSurfacesAreWeightedFromFrontToBack) {
 TEST(Layers, SurfacesOfOpacityZeroAreNotThere) {
   for (const bool by_texture : {false, true}) {
     World world;
-    Material card = test::unlit(glm::vec3(0.02f, 0.35f, 0.05f), by_texture ? 1.0f : 0.0f);
+    Material card = unlit(glm::vec3(0.02f, 0.35f, 0.05f), by_texture ? 1.0f : 0.0f);
     card.alpha_mode = AlphaMode::blend;
     if (by_texture)
-      card.base_color_texture.texture =
-          test::add_texture(world,
-                            test::make_image(2, 2,
-                                             [](int, int) {
-                                               return test::Texel{255, 255, 255, 0};
-                                             }),
-                            Wrap::repeat, Filter::nearest);
-    test::add_card(world, {-9, -9}, {4, 17}, card, 1.0f);
-    test::add_card(world, {-9, -9}, {17, 17}, test::unlit({0.9f, 0.3f, 0.3f}));
-    const auto scene = test::make_textured_scene(std::move(world));
+      card.base_color_texture.texture = add_texture(world,
+                                                    make_image(2, 2,
+                                                               [](int, int) {
+                                                                 return Texel{255, 255, 255, 0};
+                                                               }),
+                                                    Wrap::repeat, Filter::nearest);
+    add_card(world, {-9, -9}, {4, 17}, card, 1.0f);
+    add_card(world, {-9, -9}, {17, 17}, unlit({0.9f, 0.3f, 0.3f}));
+    const auto scene = make_textured_scene(std::move(world));
     for (const Method method : {Method::asos, Method::sobol}) {
-      const BlockResult result = test::render_small(*scene, with_layers(method));
+      const BlockResult result = render_small(*scene, with_layers(method));
       for (const int x : {2, 6}) {
         const auto i = static_cast<std::size_t>(8 * 3 + x);
         EXPECT_EQ(share_of(plane(result, Layer::object).ids[i], 1), 1.0) << x;
@@ -451,27 +306,14 @@ TEST(Layers, SurfacesOfOpacityZeroAreNotThere) {
   }
 }
 
-// The lens focuses on the visible surface, not on a card of opacity 0 before it.
-TEST(Focus, PassesSurfacesOfOpacityZero) {
-  World world;
-  Material card = test::unlit(glm::vec3(0.5f), 0.0f);
-  test::add_quad(world, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, card);
-  test::add_quad(world, {-9, -9, -5}, {18, 0, 0}, {0, 18, 0}, test::matte(glm::vec3(0.5f)));
-  const auto scene = test::make_render_scene(std::move(world));
-  Camera camera = test::look_at({0, 0, 0}, {0, 0, -1}, 0.8);
-  camera.lens.radius = 0.1;
-  EXPECT_NEAR(focused(*scene, camera, test::settings_for(Method::asos)).lens.focus.value(), 5.0,
-              1e-5);
-}
-
 // Positions are in the author's coordinates, however the world is recentred.
 TEST(Layers, PositionAndDistanceArePlaces) {
   World world;
-  test::add_card(world, {-9, -9}, {17, 17}, test::matte(glm::vec3(0.5f)), 1.5f);
+  add_card(world, {-9, -9}, {17, 17}, matte(glm::vec3(0.5f)), 1.5f);
   world.origin = {100.0, 200.0, 300.0};
-  const auto scene = test::make_render_scene(std::move(world));
+  const auto scene = make_render_scene(std::move(world));
   for (const Method method : {Method::asos, Method::uniform}) {
-    const BlockResult result = test::render_small(*scene, with_layers(method, 1));
+    const BlockResult result = render_small(*scene, with_layers(method, 1));
     const auto position = plane(result, Layer::position).at(8 * 2 + 5);
     EXPECT_NEAR(position[0], 101.5f, 1e-4f);
     EXPECT_NEAR(position[1], 201.5f, 1e-4f);
@@ -484,25 +326,21 @@ TEST(Layers, PositionAndDistanceArePlaces) {
 // Sobol samples differ from a coverage by about 0.35 n^-3/4: 7e-4 for the 4096 here, and 5.5e-3 for
 // the 256 that ASOS takes in pixels with many edges.
 TEST(Layers, AgreeWithManySamplesOnModels) {
-  const auto shared = test::shared_dir();
+  const auto shared = shared_dir();
   if (!shared) GTEST_SKIP() << "the shared folder is missing";
-  struct Model {
-    const char* name;
-    double noise;
-  };
-  for (const auto& [name, noise] :
-       {Model{"Box/Box.glb", 7e-4}, Model{"NegativeScaleTest/NegativeScaleTest.glb", 5.5e-3},
-        Model{"VertexColorTest/VertexColorTest.glb", 5.5e-3}}) {
+  for (const auto& [name, noise] : {std::pair{"Box/Box.glb", 7e-4},
+                                    std::pair{"NegativeScaleTest/NegativeScaleTest.glb", 5.5e-3},
+                                    std::pair{"VertexColorTest/VertexColorTest.glb", 5.5e-3}}) {
     const auto path = *shared / "scenes" / name;
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << name;
     const auto scene = with_boundaries(prepare(load_scene(path.string()).value()).value()).value();
-    const Camera camera = test::first_camera(scene->world(), 1.0);
-    RenderSettings settings = test::settings_for(Method::asos, 4096, 12);
+    const Camera camera = first_camera(scene->world(), 1.0);
+    RenderSettings settings = settings_for(Method::asos, 4096, 12);
     settings.layers = {Layer::object, Layer::material, Layer::alpha};
     settings.shadow.cast = false;
-    const Film exact = test::render_picture(*scene, camera, settings).film;
+    const Film exact = render_picture(*scene, camera, settings).film;
     settings.method = Method::sobol;
-    const Film counted = test::render_picture(*scene, camera, settings).film;
+    const Film counted = render_picture(*scene, camera, settings).film;
     double sum = 0.0, most = 0.0;
     for (std::size_t i = 0; i < exact.radiance.size(); ++i)
       for (const Layer layer : {Layer::object, Layer::material})
@@ -522,13 +360,13 @@ TEST(Layers, AgreeWithManySamplesOnModels) {
 // above twice the estimate, and the mean estimate exceeds the mean error by less than
 // ErrorBudget::invisible.
 TEST(Layers, ErrorEstimateIsOfTheErrorsSize) {
-  const auto scene = test::make_render_scene(test::still_life());
-  const Camera camera = test::look_at({1, 2, 5}, {0, 0.6, 0}, 0.7);
-  RenderSettings settings = test::settings_for(Method::asos, 4096, 24);
+  const auto scene = make_render_scene(still_life());
+  const Camera camera = look_at({1, 2, 5}, {0, 0.6, 0}, 0.7);
+  RenderSettings settings = settings_for(Method::asos, 4096, 24);
   settings.layers = {Layer::error};
-  const Film film = test::render_picture(*scene, camera, settings).film;
+  const Film film = render_picture(*scene, camera, settings).film;
   settings.method = Method::sobol;
-  const Film reference = test::render_picture(*scene, camera, settings).film;
+  const Film reference = render_picture(*scene, camera, settings).film;
   double estimated = 0.0, found = 0.0;
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
@@ -541,14 +379,14 @@ TEST(Layers, ErrorEstimateIsOfTheErrorsSize) {
     found += error;
     beyond += error > 2.0 * estimate;
   }
-  EXPECT_LT(static_cast<double>(beyond), 0.05 * static_cast<double>(film.radiance.size()));
   const auto pixels = static_cast<double>(film.radiance.size());
+  EXPECT_LT(static_cast<double>(beyond), 0.05 * pixels);
   EXPECT_LT(estimated / pixels, found / pixels + ErrorBudget::invisible);
   EXPECT_GT(estimated, 0.5 * found);
 }
 
 TEST(Layers, MethodsWithoutThemSaySo) {
-  const auto scene = test::make_render_scene(test::two_colours(4.0f, {1, 0, 0}, {0, 1, 0}));
+  const auto scene = make_render_scene(two_colours(4.0f, {1, 0, 0}, {0, 1, 0}));
   RenderSettings settings = with_layers(Method::beam);
   const auto checked = check_method(*scene, settings);
   ASSERT_FALSE(checked);
@@ -559,4 +397,4 @@ TEST(Layers, MethodsWithoutThemSaySo) {
 }
 
 }  // namespace
-}  // namespace asos
+}  // namespace asos::test::layers_test
