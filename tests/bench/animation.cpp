@@ -9,6 +9,7 @@
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/thin_subject.h"
 
 #include <fmt/format.h>
@@ -48,8 +49,7 @@ struct Contender {
 };
 
 std::vector<Contender> contenders(int size) {
-  RenderSettings base;
-  base.width = base.height = size;
+  RenderSettings base = test::make_settings(size, size);
   base.threads = 1;
   base.asos.max_level = 4;
   std::vector<Contender> list;

@@ -11,6 +11,7 @@
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
 #include "tests/support/flat_mesh.h"
+#include "tests/support/make_light.h"
 
 #include <fmt/format.h>
 
@@ -126,11 +127,7 @@ Scene soup(int count, float size) {
   camera.world_from_camera[3] = glm::dvec4(0, 0, 4, 1);
   camera.fov_y_rad = 0.6;
   scene.cameras.push_back(camera);
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.intensity = 3.0f;
-  sun.direction = glm::normalize(glm::dvec3(-0.3, -0.4, -1.0));
-  scene.lights.push_back(sun);
+  scene.lights.push_back(test::make_sun(glm::normalize(glm::dvec3(-0.3, -0.4, -1.0)), 3.0f));
   return scene;
 }
 

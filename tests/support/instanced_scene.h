@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/scene.h"
+#include "tests/support/make_light.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -74,13 +75,7 @@ inline Scene instanced_scene(int count, std::uint32_t rings, double spacing = 1.
   floor.triangles = {{0, 2, 1}, {0, 3, 2}};
   scene.meshes.push_back(floor);
   scene.instances.push_back({"floor", 2});
-  Light& light = scene.lights.emplace_back();
-  light.type = Light::Type::rectangle;
-  light.intensity = 20.0f;
-  light.position = {3, 9, 4};
-  light.direction = {0, -1, 0};
-  light.half_u = {1.5, 0, 0};
-  light.half_v = {0, 0, 1.5};
+  scene.lights.push_back(make_panel({3, 9, 4}, {0, -1, 0}, {1.5, 0, 0}, {0, 0, 1.5}, 20.0f));
   return scene;
 }
 

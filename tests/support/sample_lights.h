@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/lights/prepared_light.h"
+#include "tests/support/make_light.h"
 
 #include <glm/glm.hpp>
 
@@ -11,11 +12,9 @@ namespace asos::test {
 
 /// A light of each type about 2 above the origin, facing down, about 1 in size.
 [[nodiscard]] inline Light point_light() {
-  Light light;
+  Light light = make_bulb({0, 2, 0}, 5.0f);
   light.name = "point";
-  light.position = {0, 2, 0};
   light.direction = {0, -1, 0};
-  light.intensity = 5.0f;
   light.color = {1.0f, 0.5f, 0.25f};
   return light;
 }

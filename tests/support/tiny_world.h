@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/world/world.h"
+#include "tests/support/make_light.h"
 
 #include <glm/glm.hpp>
 
@@ -158,11 +159,7 @@ inline FlattenedScene still_life() {
   add_quad(world, {-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, matte({0.7f, 0.7f, 0.6f}));
   add_sphere(world, {0.4f, 0.8f, 0}, 0.8f, 12, matte({0.8f, 0.2f, 0.1f}));
   add_quad(world, {-1.2f, 0, 0.5f}, {0.05f, 0, 0}, {0, 2, 0}, matte({0.1f, 0.3f, 0.8f}));
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = glm::normalize(glm::dvec3(-0.4, -1.0, -0.3));
-  light.intensity = 2.0f;
-  scene.lights.push_back(light);
+  scene.lights.push_back(make_sun(glm::normalize(glm::dvec3(-0.4, -1.0, -0.3)), 2.0f));
   return scene;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/shading/sky.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/rendering_equation.h"
 #include "tests/support/sample_lights.h"
@@ -186,10 +187,7 @@ inline std::vector<std::optional<glm::dvec3>> truth(Subject subject, const Refle
 }
 
 inline RenderSettings settings_for(Method method) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = make_settings(width, height, method);
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   settings.asos.max_level = 3;
   return settings;

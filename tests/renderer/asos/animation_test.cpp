@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/thin_subject.h"
@@ -18,11 +19,8 @@ constexpr int steps = sanitized ? 8 : 64;
 constexpr double travel = 2.0;  // pixels
 
 RenderSettings settings_of(Method method, int spp = 1) {
-  RenderSettings settings;
-  settings.width = settings.height = size;
-  settings.method = method;
+  RenderSettings settings = make_settings(size, size, method, spp);
   settings.asos.max_level = 4;
-  settings.sampling.spp = spp;
   return settings;
 }
 

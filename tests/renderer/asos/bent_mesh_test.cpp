@@ -1,5 +1,6 @@
 #include "renderer/asos/pixel_trace.h"
 #include "tests/support/flat_mesh.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_image.h"
@@ -78,10 +79,7 @@ Camera before(const RenderScene& scene) {
 }
 
 RenderSettings settings_of(Method method) {
-  RenderSettings settings;
-  settings.width = settings.height = side;
-  settings.method = method;
-  settings.sampling.spp = 4096;
+  RenderSettings settings = make_settings(side, side, method, 4096);
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   return settings;
 }

@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/textured_scene.h"
 #include "tests/support/tiny_image.h"
@@ -51,8 +52,7 @@ double rmse(const Film& a, const Film& b) {
 
 double error_of_asos(AlphaMode mode, float cutoff) {
   const auto scene = sheet(mode, cutoff);
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side);
   const Film asos = render_picture(*scene, orthographic(2.0), settings).film;
   settings.method = Method::sobol;
   settings.sampling.spp = 1024;
@@ -88,10 +88,7 @@ Film labels_before_wall(const std::vector<glm::vec2>& moved, Method method) {
       world.texcoords[0][k] = 4.0f * world.texcoords[0][k] + moved[i];
   }
   const auto scene = make_textured_scene(std::move(world));
-  RenderSettings settings;
-  settings.width = settings.height = side;
-  settings.method = method;
-  settings.sampling.spp = 1024;
+  const RenderSettings settings = make_settings(side, side, method, 1024);
   return render_picture(*scene, orthographic(2.0), settings).film;
 }
 
@@ -109,10 +106,8 @@ double mean_of_shining_labels(bool own, Method method) {
   add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
   for (glm::vec2& uv : world.texcoords[0]) uv *= 4.0f;
   const auto scene = make_textured_scene(std::move(world));
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side, method);
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
-  settings.method = method;
   const Film film = render_picture(*scene, orthographic(2.0), settings).film;
   double sum = 0.0;
   for (const glm::vec3 pixel : film.radiance) sum += static_cast<double>(pixel.x);

@@ -1,5 +1,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/shading/environment.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
@@ -47,9 +49,7 @@ void blur(Material& m, double dfr) {
 }
 
 RenderSettings settings_of(Method method) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = settings.height = side;
+  RenderSettings settings = test::make_settings(side, side, method);
   settings.crop = {0, side / 2, side, 1};
   settings.asos.eps = 0.0;
   return settings;
@@ -143,8 +143,7 @@ TEST(BlurredMirror, StaysWithinTheLeafAtACorner) {
   camera.world_from_camera = camera.world_from_camera *
                              glm::dmat4(glm::dmat3(std::sqrt(0.5), std::sqrt(0.5), 0,
                                                    -std::sqrt(0.5), std::sqrt(0.5), 0, 0, 0, 1));
-  RenderSettings settings;
-  settings.width = settings.height = 12;
+  RenderSettings settings = test::make_settings(12, 12);
   settings.asos.max_level = 2;
   settings.asos.eps = 1.0 / 256.0;
   const Film film = test::render_picture(*scene, camera, settings).film;
@@ -179,13 +178,8 @@ TEST(BlurredMirror, ShowsLightsWithoutGeometry) {
   Material material = mirror();
   blur(material, 0.1);
   World world = half_plane(material, -8.0);
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {0.1, height - 1.0, 0.0};
-  light.direction = {0, -1, 0};
-  light.half_u = {0.02, 0, 0};
-  light.half_v = {0, 0, 3};
-  light.intensity = 5.0f;
+  const Light light =
+      test::make_panel({0.1, height - 1.0, 0.0}, {0, -1, 0}, {0.02, 0, 0}, {0, 0, 3}, 5.0f);
   const auto scene = make_render_scene(std::move(world), {light});
   const Film film = test::render_picture(*scene, from_above(), settings_of(Method::asos)).film;
   const double pixel = 2.0 * std::tan(0.5 * fov) / side;

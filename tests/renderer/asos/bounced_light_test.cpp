@@ -1,4 +1,5 @@
 #include "renderer/shading/sky.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
@@ -55,10 +56,7 @@ std::vector<Light> shining_walls() {
 /// Mean brightness of a small picture towards (0, -1, 0.1).
 double brightness(const RenderScene& scene, Method method, int bounces, glm::dvec3 eye = {0, 0, 0},
                   float sky = 0.0f) {
-  RenderSettings settings;
-  settings.width = settings.height = 24;
-  settings.method = method;
-  settings.sampling.spp = 512;
+  RenderSettings settings = make_settings(24, 24, method, 512);
   settings.shadow.bounces = bounces;
   settings.cull = false;
   settings.sky = std::make_shared<const Sky>(glm::vec3(sky));
@@ -121,8 +119,7 @@ TEST(BouncedLight, IsLeftOutWhereLightsCastNoShadows) {
   World world;
   add_room(world, chalk(0.5f));
   const auto scene = make_render_scene(std::move(world), shining_walls());
-  RenderSettings settings;
-  settings.width = settings.height = 4;
+  RenderSettings settings = make_settings(4, 4);
   settings.shadow.cast = false;
   const Camera camera = look_at({0, 0, 0}, {0, -1, 0.1}, 0.1);
   const auto without = render_picture(*scene, camera, settings).film.radiance;

@@ -1,3 +1,5 @@
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -33,11 +35,8 @@ Camera with_planes(Camera camera, std::optional<double> near, std::optional<doub
 }
 
 RenderSettings settings_of(Method method) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side, method, 1024);
   settings.asos.max_level = 3;
-  settings.sampling.spp = 1024;
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   return settings;
 }
@@ -175,9 +174,7 @@ TEST(ClipPlanes, ClippedSurfacesCastShadows) {
     World world;
     add_quad(world, {-9, -9, -5}, {18, 0, 0}, {0, 18, 0}, matte(glm::vec3(0.5f)));
     if (with_card) add_quad(world, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, matte(outer));
-    Light sun;
-    sun.type = Light::Type::directional;
-    sun.direction = {0, 0, -1};
+    const Light sun = make_sun({0, 0, -1});
     return make_render_scene(std::move(world), {sun});
   };
   const Camera camera = with_planes(camera_of(Camera::Type::orthographic), 1.5, {});
@@ -206,9 +203,7 @@ TEST(ClipPlanes, BlendedSurfacesBeyondTheFarPlaneAreNotSeen) {
 TEST(ClipPlanes, ChangeNoBitIfTheyClipNothing) {
   World world = turned_box();
   add_sphere(world, {0.5f, 0.3f, -4}, 0.8f, 8, matte({0.4f, 0.5f, 0.6f}));
-  Light light;
-  light.position = {1, 2, 0};
-  light.intensity = 30.0f;
+  const Light light = make_bulb({1, 2, 0}, 30.0f);
   const auto scene = make_render_scene(std::move(world), {light});
   for (const auto type : {Camera::Type::perspective, Camera::Type::orthographic}) {
     const Camera all = camera_of(type);

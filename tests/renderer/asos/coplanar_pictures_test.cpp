@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
@@ -56,10 +57,7 @@ void expect_even(const World& world, glm::vec3 expected) {
   const auto scene = make_render_scene(World(world));
   const Camera camera = look_at({0.3, 0.2, 4.0}, {0, 0, 0}, 0.6);
   for (const Method method : {Method::asos, Method::sobol, Method::uniform, Method::whitted}) {
-    RenderSettings settings;
-    settings.width = settings.height = side;
-    settings.method = method;
-    settings.sampling.spp = 4;
+    const RenderSettings settings = make_settings(side, side, method, 4);
     glm::vec3 least, most;
     (void)middle_of(render_picture(*scene, camera, settings).film, least, most);
     for (int c = 0; c < 3; ++c) {

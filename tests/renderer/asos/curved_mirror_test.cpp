@@ -1,6 +1,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/gltf/load.h"
 #include "renderer/pyray/error_budget.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 #include "tests/support/tiny_scene.h"
@@ -185,8 +186,7 @@ TEST(FacingMirrors, AreFollowedToTheLastBounce) {
   add_quad(world, {-3, -3, -1}, {6, 0, 0}, {0, 6, 0}, m);
   add_quad(world, {-3, -3, 1}, {6, 0, 0}, {0, 6, 0}, m);
   const auto scene = make_render_scene(std::move(world));
-  RenderSettings settings;
-  settings.width = settings.height = 8;
+  RenderSettings settings = test::make_settings(8, 8);
   settings.mirror.bounces = MirrorSettings::max_bounces;
   const Camera camera = look_at({0, 0, 0.5}, {0.02, 0.01, -1}, 0.3);
   for (const Method method : {Method::asos, Method::stochastic}) {

@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
@@ -111,8 +112,7 @@ struct Shot {
                     Wrap::clamp_to_edge, Filter::linear);
     // v goes down.
     add_quad(world, {-at.x, at.y, 0}, {texels, 0, 0}, {0, -texels, 0}, card);
-    RenderSettings settings;
-    settings.width = settings.height = pixels;
+    RenderSettings settings = make_settings(pixels, pixels);
     settings.cull = false;
     settings.asos.max_level = 3;
     return render_picture(*make_render_scene(std::move(world)),

@@ -1,4 +1,5 @@
 #include "renderer/gltf/load.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_image.h"
@@ -31,14 +32,10 @@ Picture picture_of(const Light& light, Method method, int max_level, int spp, bo
       Wrap::clamp_to_edge, Filter::nearest);
   add_quad(world, {-6, 2.6f, 6}, {12, 0, 0}, {0, 0, -12}, card);
   if (!outlined) leave_cut_outs_to_samples(world);
-  RenderSettings settings;
-  settings.width = 48;
-  settings.height = 32;
+  RenderSettings settings = make_settings(48, 32, method, spp);
   settings.cull = false;
-  settings.method = method;
   settings.asos.max_level = max_level;
   settings.asos.eps = eps;
-  settings.sampling.spp = spp;
   const Camera camera = look_at({1.5, 2.0, 3.0}, {0.2, 0, 0.3}, 0.8);
   return render_picture(*make_render_scene(std::move(world), {light}), camera, settings);
 }
@@ -132,8 +129,7 @@ TEST(CutOutPictures, WithoutOutlinesKeepTheLatticeBeforeTheBackground) {
   leave_cut_outs_to_samples(world);
   const auto scene = make_render_scene(std::move(world), {});
   EXPECT_TRUE(scene->features().cut_outs_unbounded());
-  RenderSettings settings;
-  settings.width = settings.height = 16;
+  RenderSettings settings = make_settings(16, 16);
   settings.background.kind = BackgroundKind::colours;
   settings.background.top = settings.background.bottom = glm::vec3(0.9f);
   const Picture found = render_picture(*scene, orthographic(2.0), settings);
@@ -150,9 +146,7 @@ TEST(CutOutPictures, BuiltInScenesMatchManySamples) {
     const auto scene = prepare(*loaded);
     ASSERT_TRUE(scene);
     EXPECT_FALSE((*scene)->features().cut_outs_unbounded());
-    RenderSettings settings;
-    settings.width = 96;
-    settings.height = 54;
+    RenderSettings settings = make_settings(96, 54);
     const Camera camera = first_camera((*scene)->world(), 16.0 / 9.0);
     settings.method = Method::sobol;
     settings.sampling.spp = 1024;
@@ -190,8 +184,7 @@ Picture upon_mirror(bool mirrored) {
   add_quad(world, {-1, 0.3f, 0}, {2, 0, 0}, {0, 2, 0}, card);
   // The card's mirror image.
   if (!mirrored) add_quad(world, {-1, -0.3f, 0}, {2, 0, 0}, {0, -2, 0}, card);
-  RenderSettings settings;
-  settings.width = settings.height = 48;
+  RenderSettings settings = make_settings(48, 48);
   settings.cull = false;
   return render_picture(*make_render_scene(std::move(world)),
                         look_at({0.3, 2.5, 7}, {0, 0, 0}, 0.6), settings);

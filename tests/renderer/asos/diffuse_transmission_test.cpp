@@ -1,4 +1,6 @@
 #include "renderer/shading/sky.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -29,17 +31,11 @@ Material leaf(float share) {
 }
 
 Light sun_along(glm::dvec3 direction) {
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = glm::normalize(direction);
-  sun.intensity = 2.0f;
-  return sun;
+  return make_sun(glm::normalize(direction), 2.0f);
 }
 
 glm::vec3 shown(const RenderScene& scene, Method method, glm::vec3 sky = glm::vec3(0.0f)) {
-  RenderSettings settings;
-  settings.width = settings.height = leaf_side;
-  settings.method = method;
+  RenderSettings settings = make_settings(leaf_side, leaf_side, method);
   settings.sky = std::make_shared<const Sky>(sky);
   const auto pixels = render_picture(scene, orthographic(1.0), settings).film.radiance;
   glm::vec3 sum(0.0f);

@@ -1,6 +1,7 @@
 #include "renderer/asos/error_terms.h"
 
 #include "tests/support/eye_block.h"
+#include "tests/support/make_light.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/textured_scene.h"
 #include "tests/support/tiny_image.h"
@@ -37,13 +38,7 @@ World wall(const Material& material) {
 }
 
 Light panel(glm::dvec3 position, double half) {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = position;
-  light.half_u = {half, 0, 0};
-  light.half_v = {0, half, 0};
-  light.direction = {0, 0, -1};
-  light.intensity = 4.0f;
+  Light light = make_panel(position, {0, 0, -1}, {half, 0, 0}, {0, half, 0}, 4.0f);
   light.two_sided = true;
   return light;
 }
@@ -54,9 +49,7 @@ EyeBlock block_of(World world, std::vector<Light> lights, RenderSettings setting
 }
 
 TEST(ErrorTerms, AreZeroOnAPlaneUnderASun) {
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = {0, -0.6, -0.8};
+  const Light sun = make_sun({0, -0.6, -0.8});
   const EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun});
   const Leaf leaf = block.leaf(1, 2);
   ASSERT_TRUE(leaf.is_lit());
@@ -81,10 +74,7 @@ TEST(ErrorTerms, LeafHoldsWhatItsSampleShows) {
 
 // Inverse square falloff near a small light: an error proportional to the area.
 TEST(ErrorTerms, BendFallsWithTheAreaOfTheLeaf) {
-  Light bulb;
-  bulb.type = Light::Type::point;
-  bulb.position = {0.5, 0.5, 2.0};
-  bulb.intensity = 4.0f;
+  const Light bulb = make_bulb({0.5, 0.5, 2.0}, 4.0f);
   const EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {bulb});
   const double whole = block.terms().bend(block.leaf(2, 1)).error;
   const double part = block.terms().bend(block.leaf(2, 1, 0.5f)).error;
@@ -216,9 +206,7 @@ TEST(ErrorTerms, BumpsAreUnboundedUnderAPanelOnly) {
     add_sphere(world, {0, 0, -13}, 12.0f, 24, matte({0.8f, 0.8f, 0.8f}));
     return block_of(std::move(world), {light});
   };
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = {0, 0, -1};
+  const Light sun = make_sun({0, 0, -1});
   const EyeBlock soft = ball(panel({0, 0, 60}, 1.0)), hard = ball(sun);
   EXPECT_TRUE(soft.terms().bumps(soft.leaf(1, 1)).unbounded);
   EXPECT_FALSE(hard.terms().bumps(hard.leaf(1, 1)).unbounded);

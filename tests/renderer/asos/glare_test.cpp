@@ -1,5 +1,6 @@
 #include "renderer/prepared/render_scene.h"
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +14,7 @@ namespace {
 // pixel, which few samples hit.
 TEST(Glare, ShowsLampThroughNarrowGaps) {
   const auto scene = *prepare(*builtin_scene("park"));
-  RenderSettings settings;
-  settings.width = 160;
-  settings.height = 90;
+  RenderSettings settings = make_settings(160, 90);
   const Camera camera = first_camera(scene->world(), 160.0 / 90.0);
   for (const PixelRect& pixel : {PixelRect{75, 45, 1, 1}, PixelRect{41, 25, 1, 1}}) {
     settings.crop = pixel;

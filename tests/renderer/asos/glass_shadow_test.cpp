@@ -1,4 +1,5 @@
 #include "tests/renderer/asos/glass_world.h"
+#include "tests/support/make_light.h"
 #include "tests/support/sample_lights.h"
 
 #include <gtest/gtest.h>
@@ -74,10 +75,7 @@ void expect_near(glm::dvec3 found, glm::dvec3 expected, double relative, Method 
 
 TEST(GlassShadow, PlateTransmitsByInterfacesAndThickness) {
   for (const double angle : {0.0, 0.6, 1.1}) {
-    Light sun;
-    sun.type = Light::Type::directional;
-    sun.direction = {std::sin(angle), -std::cos(angle), 0.0};
-    sun.intensity = 2.0f;
+    const Light sun = make_sun({std::sin(angle), -std::cos(angle), 0.0}, 2.0f);
     const glm::dvec3 expected =
         2.0 * std::cos(angle) * std::numbers::inv_pi * through(std::cos(angle));
     for (const Method method :

@@ -1,6 +1,7 @@
 #include "renderer/shading/environment.h"
 #include "tests/renderer/asos/glass_world.h"
 #include "tests/support/facets.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/shape_world.h"
 
 #include <gtest/gtest.h>
@@ -145,10 +146,7 @@ TEST(GlassVolume, ThinWallsAndUnfollowedOnesBendNothing) {
     add_edge(world, 0.0123, -6.0);
     const auto scene = make_render_scene(std::move(world));
     for (const Method method : methods) {
-      RenderSettings settings;
-      settings.width = settings.height = picture_side;
-      settings.method = method;
-      settings.sampling.spp = 256;
+      RenderSettings settings = make_settings(picture_side, picture_side, method, 256);
       if (!thin) settings.mirror.bounces = 0;
       const auto seen = render_picture(*scene, orthographic(1.0), settings).film.radiance;
       EXPECT_NEAR(edge_in(seen, 1.0), 0.0123, 1e-3) << thin << " " << static_cast<int>(method);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/shading/sky.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -93,11 +94,9 @@ inline void add_edge(World& world, double x, double z, double reach = 10.0) {
 inline std::vector<glm::vec3> picture(const RenderScene& scene, const Camera& camera, Method method,
                                       std::shared_ptr<const Sky> sky = nullptr,
                                       double eps = AsosSettings{}.eps, int spp = 256) {
-  RenderSettings settings;
+  RenderSettings settings =
+      make_settings(picture_side, picture_side, method, method == Method::asos ? 1 : spp);
   settings.asos.eps = eps;
-  settings.width = settings.height = picture_side;
-  settings.method = method;
-  settings.sampling.spp = method == Method::asos ? 1 : spp;
   settings.sky = std::move(sky);
   return render_picture(scene, camera, settings).film.radiance;
 }

@@ -1,5 +1,6 @@
 #include "renderer/gltf/load.h"
 #include "tests/support/flat_mesh.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -30,9 +31,7 @@ TEST(HiddenCost, AWallBeforeAMillionTrianglesCostsAsMuchAsTheWall) {
   const auto alone = prepare(bare);
   const auto before = prepare(dense);
   ASSERT_TRUE(alone && before);
-  RenderSettings settings;
-  settings.width = 320;
-  settings.height = 180;
+  RenderSettings settings = make_settings(320, 180);
   for (const bool shadows : {false, true}) {
     settings.shadow.cast = shadows;
     const auto count = [&](const RenderScene& scene) {

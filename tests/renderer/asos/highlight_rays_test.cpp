@@ -1,6 +1,7 @@
 #include "renderer/asos/highlight_rays.h"
 
 #include "tests/support/eye_block.h"
+#include "tests/support/make_light.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
 
@@ -25,12 +26,7 @@ EyeBlock wall_behind(float x) {
   Material plate = matte({0.5f, 0.5f, 0.5f});
   plate.double_sided = true;
   add_quad(world, {x, -40, 15}, {80, 0, 0}, {0, 80, 0}, plate);
-  Light panel;
-  panel.type = Light::Type::rectangle;
-  panel.position = {0, 0, 20};
-  panel.half_u = {20, 0, 0};
-  panel.half_v = {0, 20, 0};
-  panel.direction = {0, 0, -1};
+  const Light panel = make_panel({0, 0, 20}, {0, 0, -1}, {20, 0, 0}, {0, 20, 0});
   return EyeBlock(make_render_scene(std::move(world), {panel}), orthographic(16.0));
 }
 

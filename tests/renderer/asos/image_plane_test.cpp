@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -33,8 +34,7 @@ Picture slope(glm::dvec2 line_at, glm::dvec2 up, int max_level) {
   Material material = matte(glm::vec3(0.2f));
   material.unlit = material.double_sided = true;
   add_quad(world, at(-9, -9), at(9, -9) - at(-9, -9), at(-9, 9) - at(-9, -9), material);
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side);
   settings.asos.max_level = max_level;
   return render_picture(*make_render_scene(std::move(world)), in_plane(), settings);
 }

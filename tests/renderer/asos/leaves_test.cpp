@@ -5,6 +5,7 @@
 #include "renderer/asos/leaf_shader.h"
 #include "renderer/asos/single_samples.h"
 #include "tests/support/eye_block.h"
+#include "tests/support/make_light.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
@@ -35,19 +36,11 @@ World wall(const Material& material) {
 }
 
 Light sun(float intensity = 1.0f) {
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = {0, -0.6, -0.8};
-  light.intensity = intensity;
-  return light;
+  return make_sun({0, -0.6, -0.8}, intensity);
 }
 
 Light bulb(glm::dvec3 position, float intensity) {
-  Light light;
-  light.type = Light::Type::point;
-  light.position = position;
-  light.intensity = intensity;
-  return light;
+  return make_bulb(position, intensity);
 }
 
 EyeBlock block_of(World world, std::vector<Light> lights, RenderSettings settings = {}) {
@@ -191,13 +184,7 @@ Material metal(glm::vec3 color, float roughness) {
 // A hair of shiny metal lies below a half hidden panel. Its highlight is unsure, so it is sampled.
 // If no sample meets it, its own sample counts, once.
 TEST(LeafShader, ShadesAnUnsureHighlightThatNoSampleMeets) {
-  Light panel;
-  panel.type = Light::Type::rectangle;
-  panel.position = {0, 0, 20};
-  panel.half_u = {4, 0, 0};
-  panel.half_v = {0, 4, 0};
-  panel.direction = {0, 0, -1};
-  panel.intensity = 400.0f;
+  const Light panel = make_panel({0, 0, 20}, {0, 0, -1}, {4, 0, 0}, {0, 4, 0}, 400.0f);
   World world = wall(metal(glm::vec3(0.9f), 0.25f));
   // The camera is between the plate and the wall.
   add_quad(world, {0.1f, -30, 10}, {30, 0, 0}, {0, 60, 0}, matte(glm::vec3(0.5f)));

@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/random_space.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
@@ -14,9 +15,7 @@ namespace asos::test::light_cost_test {
 namespace {
 
 RenderSettings settings_of(int width, int height) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = make_settings(width, height);
   settings.cull = false;
   settings.asos.refine_shading = false;
   return settings;

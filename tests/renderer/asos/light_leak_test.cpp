@@ -1,4 +1,5 @@
 #include "renderer/shading/sky.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
@@ -46,9 +47,7 @@ void add_box(World& world, glm::vec3 lo, glm::vec3 hi, bool in_parts) {
 }
 
 RenderSettings small(int width, int height) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = make_settings(width, height);
   settings.cull = false;
   settings.asos.eps = 0.0;  // so that weak lights are not skipped
   return settings;

@@ -1,4 +1,5 @@
 #include "renderer/gltf/load.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 
@@ -17,10 +18,7 @@ namespace {
 using Means = std::vector<double>;
 
 RenderSettings tiny(Method method) {
-  RenderSettings settings;
-  settings.width = 24;
-  settings.height = 16;
-  settings.method = method;
+  RenderSettings settings = make_settings(24, 16, method);
   settings.asos.max_level = 5;
   settings.asos.eps = 0.0;
   return settings;

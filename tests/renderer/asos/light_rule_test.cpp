@@ -1,4 +1,5 @@
 #include "tests/support/light_oracle.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
@@ -31,10 +32,7 @@ Picture picture_of(const std::vector<Light>& lights, Method method, LightRule ru
   Material chalk = matte({0.9f, 0.9f, 0.9f});
   chalk.specular = 0.0f;
   add_quad(world, {-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, chalk);
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = make_settings(width, height, method);
   settings.shadow.light_rule = rule;
   settings.asos.refine_shading = false;  // so that pixels are not split
   return render_picture(*make_render_scene(std::move(world), lights), viewer(), settings);

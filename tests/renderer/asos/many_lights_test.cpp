@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/random_space.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
@@ -18,9 +19,7 @@ namespace {
 constexpr int light_count = 100;
 
 RenderSettings exact_settings() {
-  RenderSettings settings;
-  settings.width = 18;
-  settings.height = 12;
+  RenderSettings settings = make_settings(18, 12);
   settings.cull = false;
   settings.asos.eps = 0.0;               // so that weak lights are not skipped
   settings.asos.refine_shading = false;  // so that leaves are the same in all pictures

@@ -1,5 +1,6 @@
 #include "renderer/prepared/render_scene.h"
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -16,9 +17,7 @@ namespace {
 // image displaced by a fraction of a pixel would be in another pixel.
 TEST(MirroredLight, HasTheRightPlaceAfterTwoCurvedMirrors) {
   const auto scene = *prepare(*builtin_scene("solids"));
-  RenderSettings settings;
-  settings.width = 160;
-  settings.height = 90;
+  RenderSettings settings = make_settings(160, 90);
   settings.crop = {76, 16, 4, 14};
   const Camera camera = first_camera(scene->world(), 160.0 / 90.0);
   const Film found = render_picture(*scene, camera, settings).film;
@@ -45,9 +44,7 @@ TEST(MirroredLight, IsFoundWhereFewSamplesMissIt) {
   const auto scene = *prepare(*builtin_scene("solids"));
   const Camera camera = first_camera(scene->world(), 320.0 / 180.0);
   for (const int x : {140, 162}) {
-    RenderSettings settings;
-    settings.width = 320;
-    settings.height = 180;
+    RenderSettings settings = make_settings(320, 180);
     settings.crop = {x, 64, 1, 1};
     settings.sampling.spp = 1024;
     const auto red = [&](Method method, int seed) {

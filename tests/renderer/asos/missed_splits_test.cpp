@@ -1,5 +1,6 @@
 #include "renderer/gltf/load.h"
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 
@@ -43,9 +44,7 @@ class MissedSplits : public testing::TestWithParam<Case> {
     scene_ = *scene;
   }
   void render(Shows shows, int width, int height) {
-    RenderSettings settings;
-    settings.width = width;
-    settings.height = height;
+    RenderSettings settings = make_settings(width, height);
     if (shows == Shows::edges) {
       settings.shadow.cast = settings.asos.refine_shading = false;
       settings.mirror.bounces = 0;

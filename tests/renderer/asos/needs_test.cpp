@@ -3,6 +3,7 @@
 #include "renderer/shading/sky.h"
 #include "renderer/world/render_features.h"
 #include "tests/support/expect_same.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_world.h"
@@ -23,12 +24,8 @@ namespace {
 using SharedScene = std::shared_ptr<const RenderScene>;
 
 RenderSettings settings_of(Method method, int width, int height) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
-  settings.method = method;
+  RenderSettings settings = test::make_settings(width, height, method, 4);
   settings.asos.max_level = 2;
-  settings.sampling.spp = 4;
   return settings;
 }
 

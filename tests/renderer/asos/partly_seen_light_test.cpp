@@ -1,3 +1,5 @@
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/picture_difference.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
@@ -18,8 +20,7 @@ namespace {
 constexpr int side = 48;
 
 RenderSettings settings_of(int max_level) {
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side);
   settings.asos.max_level = max_level;
   return settings;
 }
@@ -36,14 +37,7 @@ Picture sampled(const RenderScene& scene, const Camera& camera, int samples) {
 }
 
 Light panel(glm::dvec3 middle, double half_u, double half_v, float intensity = 4.0f) {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = middle;
-  light.direction = {0, -1, 0};
-  light.half_u = {half_u, 0, 0};
-  light.half_v = {0, 0, half_v};
-  light.intensity = intensity;
-  return light;
+  return make_panel(middle, {0, -1, 0}, {half_u, 0, 0}, {0, 0, half_v}, intensity);
 }
 
 void add_floor(World& world, const Material& material) {
@@ -72,11 +66,7 @@ TEST(PartlySeenLight, EndsAtTheFootOfASingleSidedWall) {
 // An object inside a sphere light occludes none of it, although pyrays towards the light's rim may
 // meet the object.
 TEST(PartlySeenLight, IsUnoccludedByObjectsInsideASphereLight) {
-  Light ball;
-  ball.type = Light::Type::point;
-  ball.position = {0, 3, 0};
-  ball.radius = 1.0;
-  ball.intensity = 20.0f;
+  const Light ball = make_bulb({0, 3, 0}, 20.0f, 1.0);
   const Camera camera = look_at({0, 4, 9}, {0, 0, 0}, 0.4);
   const auto with = [&](bool plate) {
     World world;

@@ -1,5 +1,6 @@
 #include "renderer/prepared/render_scene.h"
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -26,9 +27,7 @@ double off(const Film& a, const Film& b, PixelRect part) {
 double off(const char* scene, PixelRect part, int max_level, int samples) {
   const auto prepared = *prepare(*builtin_scene(scene));
   const Camera camera = first_camera(prepared->world(), 16.0 / 9.0);
-  RenderSettings settings;
-  settings.width = 320;
-  settings.height = 180;
+  RenderSettings settings = make_settings(320, 180);
   settings.crop = part;
   settings.asos.max_level = max_level;
   RenderSettings many = settings;

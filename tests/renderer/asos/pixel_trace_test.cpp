@@ -3,6 +3,8 @@
 #include "renderer/comparison/method.h"
 #include "renderer/gltf/load.h"
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -183,13 +185,6 @@ void check_picture(const RenderScene& scene, const Camera& camera, const RenderS
   EXPECT_GT(split, 0);
 }
 
-RenderSettings settings_of(int width, int height) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
-  return settings;
-}
-
 SharedScene boxes() {
   static const SharedScene scene =
       load_scene("builtin:boxes").and_then([](const Scene& s) { return prepare(s); }).value();
@@ -198,11 +193,11 @@ SharedScene boxes() {
 
 // 37 x 21 pixels: the last blocks are not complete.
 TEST(PixelTrace, IsWhatRenderingDoes) {
-  check_picture(*boxes(), boxes()->world().cameras.at(0), settings_of(37, 21), 7);
+  check_picture(*boxes(), boxes()->world().cameras.at(0), make_settings(37, 21), 7);
 }
 
 TEST(PixelTrace, IsWhatRenderingDoesAsPublished) {
-  RenderSettings settings = settings_of(37, 21);
+  RenderSettings settings = make_settings(37, 21);
   settings.method = Method::asos_published;
   settings.asos.eps = 1.0 / 16.0;
   check_picture(*boxes(), boxes()->world().cameras.at(0), settings, 7);
@@ -210,7 +205,7 @@ TEST(PixelTrace, IsWhatRenderingDoesAsPublished) {
 
 TEST(PixelTrace, IsWhatRenderingDoesWhateverTheFatPyrays) {
   for (const int fat : {2, 4, 16}) {
-    RenderSettings settings = settings_of(37, 21);
+    RenderSettings settings = make_settings(37, 21);
     settings.asos.fat = fat;
     settings.asos.max_level = 2;
     settings.asos.jitter = true;
@@ -221,7 +216,7 @@ TEST(PixelTrace, IsWhatRenderingDoesWhateverTheFatPyrays) {
 TEST(PixelTrace, IsWhatRenderingDoesForOrthographicCameras) {
   const auto scene = make_render_scene(still_life());
   for (const Detection detect : {Detection::square, Detection::cone}) {
-    RenderSettings settings = settings_of(33, 26);
+    RenderSettings settings = make_settings(33, 26);
     settings.asos.detect = detect;
     check_picture(*scene, orthographic(4.0), settings, 5);
   }
@@ -244,7 +239,7 @@ TEST(PixelTrace, TellsWhatSamplesFound) {
   add_quad(world, {-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, lattice);
   leave_cut_outs_to_samples(world);
   const auto scene = make_render_scene(std::move(world));
-  const RenderSettings settings = settings_of(24, 24);
+  const RenderSettings settings = make_settings(24, 24);
   const View view(orthographic(9.0), settings.width, settings.height);
   const Film film = render(*scene, view, settings);
   int sampled = 0;
@@ -270,7 +265,7 @@ TEST(PixelTrace, HasARayForEachSample) {
   add_quad(world, {-1.2f, -1.1f, 0}, {2, 0.3f, 0}, {-0.4f, 2, 0}, unlit({1, 1, 1}));
   add_quad(world, {0.3f, 0.4f, 1}, {1, -0.3f, 0}, {0.4f, 1, 0}, unlit({1, 0, 0}));
   const auto scene = make_render_scene(std::move(world));
-  const RenderSettings settings = settings_of(16, 16);
+  const RenderSettings settings = make_settings(16, 16);
   const View view(orthographic(4.0), settings.width, settings.height);
   const Film film = render(*scene, view, settings);
   std::size_t most = 0;
@@ -297,7 +292,7 @@ TEST(PixelTrace, SaysWhereABoundaryWasMissed) {
   const auto geometry = make_geometry(world(0));
   geometry->boundaries.set(FeatureSet(world(1000)));
   const auto scene = unedited_scene(geometry, {});
-  const RenderSettings settings = settings_of(16, 16);
+  const RenderSettings settings = make_settings(16, 16);
   const View view(orthographic(4.0), settings.width, settings.height);
   RenderStatistics statistics;
   for (int y = 0; y < 16; y += block_size)
@@ -326,15 +321,12 @@ TEST(PixelTrace, TellsThePyraysThatItsLeavesSendOn) {
       material.metallic = 0.0f;
       material.roughness = 0.0f;
     }
-    Light ball;
-    ball.position = {1, 4, 3};
-    ball.radius = 0.5;
-    ball.intensity = 40.0f;
+    const Light ball = make_bulb({1, 4, 3}, 40.0f, 0.5);
     polished.lights = {ball};
     scene = prepare(polished).value();
   }
   ASSERT_NE(scene, nullptr);
-  RenderSettings settings = settings_of(8, 6);
+  RenderSettings settings = make_settings(8, 6);
   // A tolerance so small that penumbrae are split and not sampled.
   settings.asos.max_level = 5;
   settings.asos.eps = 0.0;

@@ -1,4 +1,5 @@
 #include "renderer/comparison/method.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
@@ -63,9 +64,7 @@ std::vector<glm::vec3> picture(bool by_mirror, const Material& material) {
   if (by_mirror)
     add_quad(world, -40.0f * along - glm::vec3(0, 40, 0), 80.0f * along, {0, 80, 0}, material);
   const auto scene = make_render_scene(std::move(world));
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = test::make_settings(width, height);
   settings.asos.eps = 0.0;
   const Camera camera = look_at({2, 0.3, 0.5}, {0, 0, 0.2}, 1.2);
   return test::render_picture(*scene, camera, settings).film.radiance;
@@ -97,11 +96,8 @@ std::vector<glm::vec3> low_wall(bool by_mirror, Method method) {
   add_quad(world, {-0.02f, foot, 0}, {0.03f, 0, 0}, {0, 0.004f - foot, 0}, red);
   if (by_mirror) add_quad(world, {-2000, 0, 2000}, {4000, 0, 0}, {0, 0, -4000}, mirror());
   const auto scene = make_render_scene(std::move(world));
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = test::make_settings(width, height, method);
   settings.asos.eps = 0.0;
-  settings.method = method;
   const Camera camera = look_at({0.003, 0.02, 0.06}, {0.0, 0.0, 0.0}, 0.4);
   return test::render_picture(*scene, camera, settings).film.radiance;
 }
@@ -129,9 +125,7 @@ std::vector<glm::vec3> behind_bars(double eps) {
     add_quad(world, foot - glm::vec3(0, 2, 0), 0.006f * along, {0.1f * n.x, 4, 0}, grey);
   }
   const auto scene = make_render_scene(std::move(world));
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = test::make_settings(width, height);
   settings.asos.eps = eps;
   return test::render_picture(*scene, look_at({2, 0.3, 0.5}, {0, 0, 0.2}, 1.2), settings)
       .film.radiance;

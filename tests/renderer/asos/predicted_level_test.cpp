@@ -1,6 +1,7 @@
 #include "renderer/asos/predicted_level.h"
 
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +14,7 @@ namespace asos::test::predicted_level_test {
 namespace {
 
 RenderSettings settings_of(int max_level, double eps) {
-  RenderSettings settings;
-  settings.width = 96;
-  settings.height = 54;
+  RenderSettings settings = make_settings(96, 54);
   settings.asos.max_level = max_level;
   settings.asos.eps = eps;
   return settings;

@@ -1,4 +1,5 @@
 #include "renderer/comparison/method.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
@@ -134,9 +135,7 @@ struct Picture {
 };
 
 Picture render(const RenderScene& scene, Method method, glm::dvec3 eye = {1.5, 2.0, 5.0}) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = settings.height = size;
+  RenderSettings settings = make_settings(size, size, method);
   settings.asos.max_level = 4;
   settings.asos.eps = 0.0;
   const glm::dvec3 origin = scene.world().origin;

@@ -2,6 +2,7 @@
 #include "renderer/geometry/view.h"
 #include "renderer/shading/environment.h"
 #include "tests/support/facets.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
@@ -69,12 +70,9 @@ World half_plane(const Case& c) {
 }
 
 RenderSettings settings_of(Method method) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = settings.height = side;
+  RenderSettings settings = test::make_settings(side, side, method, 1024);
   settings.crop = {0, (side - rows) / 2, side, rows};
   settings.asos.eps = eps;
-  settings.sampling.spp = 1024;
   return settings;
 }
 

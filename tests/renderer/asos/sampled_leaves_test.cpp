@@ -1,3 +1,5 @@
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/picture_difference.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
@@ -24,17 +26,12 @@ auto penumbra() {
   World world;
   add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, matte(glm::vec3(0.6f)));
   add_quad(world, {-4.3f, -3, 0.6f}, {4.0f, 0.1f, 0}, {0, 6, 0}, matte(glm::vec3(0.3f)));
-  Light ball;
-  ball.type = Light::Type::point;
-  ball.position = {-2.0, 0.4, 3.0};
-  ball.radius = 0.15;
-  ball.intensity = 12.0f;
+  const Light ball = make_bulb({-2.0, 0.4, 3.0}, 12.0f, 0.15);
   return make_render_scene(std::move(world), {ball});
 }
 
 Picture picture_of(const RenderScene& scene, int max_level, double eps, double height = 4.0) {
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side);
   settings.asos.max_level = max_level;
   settings.asos.eps = eps;
   return render_picture(scene, orthographic(height), settings);
@@ -113,10 +110,7 @@ auto rumpled() {
 TEST(SampledLeaves, TexturesOnSmallTrianglesAreWithinEps) {
   const auto scene = rumpled();
   const Picture sampled = picture_of(*scene, 3, 1.0 / 256.0);
-  RenderSettings settings;
-  settings.width = settings.height = side;
-  settings.method = Method::sobol;
-  settings.sampling.spp = 1024;
+  const RenderSettings settings = make_settings(side, side, Method::sobol, 1024);
   const Picture truth = render_picture(*scene, orthographic(4.0), settings);
   double squares = 0.0, spread = 0.0;
   for (std::size_t i = 0; i < truth.film.radiance.size(); ++i) {
@@ -154,23 +148,14 @@ auto rough_metal() {
   metal.metallic = 1.0f;
   metal.roughness = 0.4f;
   add_part(world, vertices, triangles, metal);
-  Light panel;
-  panel.type = Light::Type::rectangle;
-  panel.position = {0.5, 0.3, 4.0};
-  panel.direction = {0, 0, -1};
-  panel.half_u = {1.0, 0, 0};
-  panel.half_v = {0, 0.6, 0};
-  panel.intensity = 2.0f;
+  const Light panel = make_panel({0.5, 0.3, 4.0}, {0, 0, -1}, {1.0, 0, 0}, {0, 0.6, 0}, 2.0f);
   return make_render_scene(std::move(world), {panel});
 }
 
 // The curvature of one triangle says nothing about the ninety in the pixel.
 TEST(SampledLeaves, ShowTheHighlightsOfAFineMesh) {
   const auto scene = rough_metal();
-  RenderSettings settings;
-  settings.width = settings.height = side;
-  settings.method = Method::sobol;
-  settings.sampling.spp = 1024;
+  const RenderSettings settings = make_settings(side, side, Method::sobol, 1024);
   const Picture truth = render_picture(*scene, orthographic(3.5), settings);
   const Picture found = picture_of(*scene, 3, 1.0 / 256.0, 3.5);
   const Difference off = difference(found, truth);

@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
@@ -38,10 +39,7 @@ World wall_behind_a_pane() {
 }
 
 Film film_of(const RenderScene& scene, Method method) {
-  RenderSettings settings;
-  settings.width = settings.height = side;
-  settings.method = method;
-  settings.sampling.spp = 1024;
+  RenderSettings settings = make_settings(side, side, method, 1024);
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   return render_picture(scene, orthographic(view_height), settings).film;
 }

@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
@@ -18,9 +19,7 @@ namespace {
 constexpr int width = 48, height = 32;
 
 RenderSettings settings_with(int fat) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = make_settings(width, height);
   settings.asos.fat = fat;
   settings.asos.eps = 0.0;  // so that weak lights are not skipped
   settings.cull = false;

@@ -1,4 +1,6 @@
 #include "renderer/shading/sky.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shape_world.h"
 #include "tests/support/tiny_scene.h"
@@ -30,15 +32,10 @@ struct Lamp {
 /// Lights from the upper right that make a white surface almost white.
 std::vector<Lamp> lamps() {
   const glm::dvec3 from = glm::normalize(glm::dvec3(1.0, 0.7, 0.3));
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = -from;
-  sun.intensity = 3.0f;
+  const Light sun = make_sun(-from, 3.0f);
   Light wide_sun = sun;
   wide_sun.angular_diameter_rad = 0.1;
-  Light point;
-  point.position = 6.0 * from;
-  point.intensity = 75.0f;
+  const Light point = make_bulb(6.0 * from, 75.0f);
   Light ball = point;
   ball.radius = 0.5;
   Light rectangle;
@@ -69,10 +66,7 @@ std::shared_ptr<const RenderScene> sphere_under(const Light& light, bool true_on
 }
 
 RenderSettings settings_of(Method method) {
-  RenderSettings settings;
-  settings.width = settings.height = side;
-  settings.method = method;
-  settings.sampling.spp = 256;
+  RenderSettings settings = make_settings(side, side, method, 256);
   settings.asos.eps = 1.0 / 1024.0;
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   return settings;

@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
@@ -25,11 +26,7 @@ World furnished() {
 }
 
 RenderSettings settings_for(Method method) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = 24;
-  settings.height = 16;
-  settings.sampling.spp = 4;
+  RenderSettings settings = make_settings(24, 16, method, 4);
   settings.asos.max_level = 2;
   settings.cull = false;
   return settings;

@@ -1,5 +1,7 @@
 #include "renderer/geometry/face_crossings.h"
 #include "renderer/shading/environment.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shape_world.h"
 #include "tests/support/tiny_scene.h"
@@ -104,8 +106,7 @@ Worst compare(const Shape& shape, const glm::dmat4& place, const Camera& camera,
   World world;
   add_shape(world, shape, place, white());
   const auto scene = make_render_scene(world);
-  RenderSettings settings;
-  settings.width = settings.height = size;
+  RenderSettings settings = make_settings(size, size);
   settings.asos.max_level = 3;
   settings.asos.eps = 0.0;
   const Picture picture = render_picture(*scene, camera, settings);
@@ -178,22 +179,11 @@ World crossing() {
 }
 
 Light bulb() {
-  Light light;
-  light.type = Light::Type::point;
-  light.position = {-2, 5, 3};
-  light.intensity = 60.0f;
-  return light;
+  return make_bulb({-2, 5, 3}, 60.0f);
 }
 
 Light panel() {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {-2, 4, 3};
-  light.direction = {0, -1, 0};
-  light.half_u = {0.7, 0, 0};
-  light.half_v = {0, 0, -0.7};
-  light.intensity = 40.0f;
-  return light;
+  return make_panel({-2, 4, 3}, {0, -1, 0}, {0.7, 0, 0}, {0, 0, -0.7}, 40.0f);
 }
 
 double rms(const Film& a, const Film& b) {
@@ -214,12 +204,9 @@ struct Compared {
 Compared against_samples(FlattenedScene flattened, const Camera& camera, int spp,
                          Method method = Method::asos) {
   const auto scene = make_render_scene(std::move(flattened));
-  RenderSettings settings;
-  settings.width = 72;
-  settings.height = 48;
+  RenderSettings settings = make_settings(72, 48, method);
   settings.asos.max_level = 4;
   settings.asos.eps = 1.0 / 1024.0;
-  settings.method = method;
   const Picture picture = render_picture(*scene, camera, settings);
   settings.method = Method::sobol;
   settings.sampling.spp = spp;

@@ -1,5 +1,7 @@
 #include "renderer/shading/environment.h"
 #include "renderer/shading/sky.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 #include "tests/support/tiny_world.h"
@@ -32,21 +34,14 @@ World speck() {
 }
 
 RenderSettings under(std::shared_ptr<const Sky> sky, Method method, int spp = 1) {
-  RenderSettings settings;
-  settings.width = settings.height = sky_side;
-  settings.method = method;
-  settings.sampling.spp = spp;
+  RenderSettings settings = make_settings(sky_side, sky_side, method, spp);
   settings.sky = std::move(sky);
   return settings;
 }
 
 /// A scene without lights would get default lighting.
 Light dark_light() {
-  Light dark;
-  dark.type = Light::Type::directional;
-  dark.direction = {0, 1, 0};
-  dark.intensity = 1e-6f;
-  return dark;
+  return make_sun({0, 1, 0}, 1e-6f);
 }
 
 TEST(SkyPicture, BackgroundIsThePixelsMean) {

@@ -1,5 +1,7 @@
 #include "renderer/shading/environment.h"
 #include "renderer/shading/sky.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
@@ -28,11 +30,7 @@ Material chalk() {
 
 /// A light that suppresses the default lighting.
 Light dark() {
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = {0, 1, 0};
-  light.intensity = 1e-6f;
-  return light;
+  return make_sun({0, 1, 0}, 1e-6f);
 }
 
 /// A black wall on the floor along z at this x, of this height and practically infinite length.
@@ -73,10 +71,7 @@ double seen_share(World world, const Asked& asked) {
   // A small floor, because rays start higher above large triangles.
   add_quad(world, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, chalk());
   const auto scene = make_render_scene(std::move(world), {dark()});
-  RenderSettings settings;
-  settings.width = settings.height = 8;
-  settings.method = asked.method;
-  settings.sampling.spp = asked.spp;
+  RenderSettings settings = make_settings(8, 8, asked.method, asked.spp);
   settings.shadow.sky = true;
   settings.cull = false;
   double radiance = static_cast<double>(sky_radiance);
@@ -152,10 +147,7 @@ TEST(SkyShadows, AreExactAtEpsZero) {
 Picture floor_picture(World world, Method method, int size, int max_level = 3) {
   add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, chalk());
   const auto scene = make_render_scene(std::move(world), {dark()});
-  RenderSettings settings;
-  settings.width = settings.height = size;
-  settings.method = method;
-  settings.sampling.spp = 1024;
+  RenderSettings settings = make_settings(size, size, method, 1024);
   settings.asos.max_level = max_level;
   settings.shadow.sky = true;
   return render_picture(*scene, look_at({0, 4, 4}, {0, 0, 0}, 0.7), settings);
@@ -214,8 +206,7 @@ TEST(SkyShadows, AreTheMeanOverAPixelThatAWallBorders) {
   Camera camera = look_at({1.0 - size * side / 2.0, 5, 0.01}, {1.0 - size * side / 2.0, 0, 0}, 0.7);
   camera.type = Camera::Type::orthographic;
   camera.height = size * side;
-  RenderSettings settings;
-  settings.width = settings.height = size;
+  RenderSettings settings = make_settings(size, size);
   settings.shadow.sky = true;
   constexpr int seeds = 64;
   double seen = 0.0;
@@ -252,8 +243,7 @@ TEST(SkyShadows, GlossyReflectionOfAGradientIsWithinEps) {
     material.roughness = 0.5f;
     add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, material);
     const auto scene = make_render_scene(std::move(world), {dark()});
-    RenderSettings settings;
-    settings.width = settings.height = 16;
+    RenderSettings settings = make_settings(16, 16);
     settings.shadow.sky = true;
     settings.sky = std::make_shared<const Sky>(Environment::studio);
     settings.sampling.spp = 4096;
@@ -270,8 +260,7 @@ TEST(SkyShadows, AreLeftOutWhereLightsCastNone) {
   add_wall(wall, 1.0, 2.0);
   add_quad(wall, {-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}, chalk());
   const auto scene = make_render_scene(std::move(wall), {dark()});
-  RenderSettings settings;
-  settings.width = settings.height = 4;
+  RenderSettings settings = make_settings(4, 4);
   settings.shadow.sky = true;
   settings.shadow.cast = false;
   const Film film = render_picture(*scene, look_at({0, 0.4, 0.9}, {0, 0, 0}, 1e-4), settings).film;
@@ -298,8 +287,7 @@ TEST(SkyShadows, CountTheirRays) {
   add_wall(world, 1.0, 2.0);
   add_quad(world, {-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}, chalk());
   const auto scene = make_render_scene(std::move(world), {dark()});
-  RenderSettings settings;
-  settings.width = settings.height = 8;
+  RenderSettings settings = make_settings(8, 8);
   const Camera camera = look_at({0, 0.4, 0.9}, {0, 0, 0}, 1e-4);
   EXPECT_EQ(render_picture(*scene, camera, settings).statistics.sky_rays, 0u);
   settings.shadow.sky = true;
@@ -322,10 +310,7 @@ TEST(SkyShadows, ReplaceTheMaterialsOcclusion) {
       occluded.occlusion_texture.scale = 0.75f;
       add_quad(world, {-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}, occluded);
       const auto scene = make_render_scene(std::move(world), {dark()});
-      RenderSettings settings;
-      settings.width = settings.height = 4;
-      settings.method = method;
-      settings.sampling.spp = 64;
+      RenderSettings settings = make_settings(4, 4, method, 64);
       settings.shadow.sky = shadows;
       const double expected =
           shadows ? static_cast<double>(sky_radiance)

@@ -1,5 +1,7 @@
 #include "renderer/asos/split_causes.h"
 
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -20,14 +22,7 @@ namespace {
 
 constexpr int size = 16;  // pixels; the camera sees 8 x 8 units from z = 10
 
-RenderSettings settings_of(Method method = Method::asos) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = settings.height = size;
-  return settings;
-}
-
-Picture render(FlattenedScene scene, const RenderSettings& settings = settings_of()) {
+Picture render(FlattenedScene scene, const RenderSettings& settings = make_settings(size, size)) {
   return render_picture(*make_render_scene(std::move(scene)), orthographic(8.0), settings);
 }
 
@@ -71,11 +66,7 @@ void add_wall(World& world) {
 }
 
 Light sun_from_the_right() {
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = glm::normalize(glm::dvec3(-1, 0, -1));
-  light.intensity = 3.0f;
-  return light;
+  return make_sun(glm::normalize(glm::dvec3(-1, 0, -1)), 3.0f);
 }
 
 PixelFindings split_pixel() {
@@ -179,9 +170,7 @@ TEST(SplitCauses, AKinkAndALineWhereWallsPassThroughEachOther) {
 TEST(SplitCauses, ALightCloseToAWallIsShading) {
   World world;
   add_wall(world);
-  Light light;
-  light.position = {0.1, 0.2, 0.7};
-  light.intensity = 0.5f;
+  const Light light = make_bulb({0.1, 0.2, 0.7}, 0.5f);
   expect_only(render({std::move(world), {light}}), SplitCause::shading);
 }
 
@@ -250,7 +239,7 @@ TEST(SplitCauses, SaturationAndTheDepthLimit) {
   World card;
   add_wall(card);
   add_quad(card, {-1.1f, -1.3f, 1}, {3, 0, 0}, {0, 2, 0}, matte(glm::vec3(0.8f)));
-  RenderSettings settings = settings_of();
+  RenderSettings settings = make_settings(size, size);
   settings.asos.leaf = LeafKind::point;
   settings.asos.eps = 0.0;
   expect_only(render({std::move(card), {}}, settings), SplitCause::depth_limit);
@@ -259,7 +248,7 @@ TEST(SplitCauses, SaturationAndTheDepthLimit) {
 TEST(SplitCauses, OtherMethodsTellNone) {
   for (const Method method :
        {Method::uniform, Method::stochastic, Method::sobol, Method::sobol_adaptive, Method::beam}) {
-    RenderSettings settings = settings_of(method);
+    RenderSettings settings = make_settings(size, size, method);
     settings.sampling.spp = 4;
     const Picture picture = render(still_life(), settings);
     ASSERT_EQ(picture.film.cause.size(), static_cast<std::size_t>(size * size));
@@ -270,10 +259,7 @@ TEST(SplitCauses, OtherMethodsTellNone) {
 
 TEST(LightCounts, AddUpToAllShadowRaysForEveryMethod) {
   FlattenedScene still = still_life();
-  Light ball;
-  ball.position = {1, 3, 2};
-  ball.radius = 0.2;
-  ball.intensity = 10.0f;
+  const Light ball = make_bulb({1, 3, 2}, 10.0f, 0.2);
   still.lights.push_back(ball);
   Light unshadowed = ball;
   unshadowed.casts_shadows = false;
@@ -282,7 +268,7 @@ TEST(LightCounts, AddUpToAllShadowRaysForEveryMethod) {
   for (const Method method :
        {Method::asos, Method::asos_published, Method::uniform, Method::stochastic, Method::sobol,
         Method::sobol_adaptive, Method::beam}) {
-    RenderSettings settings = settings_of(method);
+    RenderSettings settings = make_settings(size, size, method);
     settings.sampling.spp = 4;
     const Picture picture = render_picture(*scene, look_at({2, 2, 5}, {0, 0.7, 0}, 0.7), settings);
     const RenderStatistics& counts = picture.statistics;

@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/textured_scene.h"
 #include "tests/support/tiny_image.h"
@@ -134,8 +135,7 @@ double error_of(const Property& first, const Property& second) {
   add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
   add_quad(world, {-4, -4, -3}, {8, 0, 0}, {0, 8, 0}, matte(glm::vec3(0.5f)));
   const auto scene = make_textured_scene(std::move(world));
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side);
   const Film found = render_picture(*scene, orthographic(2.0), settings).film;
   settings.method = Method::sobol;
   settings.sampling.spp = 512;

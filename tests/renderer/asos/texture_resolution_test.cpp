@@ -1,6 +1,8 @@
 #include "renderer/asos/pixel_trace.h"
 #include "renderer/asos/texture_samples.h"
 #include "tests/support/expect_same.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
@@ -47,8 +49,7 @@ std::shared_ptr<const RenderScene> filtered_scene(World world) {
 }
 
 RenderSettings with_tr(int tr) {
-  RenderSettings settings;
-  settings.width = settings.height = picture_side;
+  RenderSettings settings = make_settings(picture_side, picture_side);
   settings.texture.filter = TextureFilter::point;
   settings.texture.resolution = tr;
   return settings;
@@ -278,14 +279,8 @@ TEST(TextureResolution, PartsShareTheirShadows) {
                                              Wrap::repeat, Filter::nearest);
   add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
   add_quad(world, {-0.33f, -3, 0.6f}, {0.5f, 0.1f, 0}, {0, 6, 0}, matte(glm::vec3(0.3f)));
-  Light ball;
-  ball.type = Light::Type::point;
-  ball.position = {-1.5, 0.4, 3.0};
-  ball.radius = 0.4;
-  ball.intensity = 6.0f;
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = glm::normalize(glm::dvec3(-0.7, 0.1, -1.0));
+  const Light ball = make_bulb({-1.5, 0.4, 3.0}, 6.0f, 0.4);
+  const Light sun = make_sun(glm::normalize(glm::dvec3(-0.7, 0.1, -1.0)));
   const auto scene = make_render_scene(std::move(world), {ball, sun});
   // EPS 0, because otherwise these lights get only a few rays and penumbrae are sampled.
   const auto exact = [](int tr) {

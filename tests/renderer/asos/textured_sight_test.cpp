@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/textured_scene.h"
 #include "tests/support/tiny_image.h"
@@ -26,8 +27,7 @@ struct Difference {
 /// Difference of ASOS's picture from one with 1024 samples.
 Difference difference_from_samples(World world, const Camera& camera) {
   const auto scene = make_textured_scene(std::move(world));
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side);
   settings.sky = std::make_shared<const Sky>(glm::vec3(1.0f));
   const Film found = render_picture(*scene, camera, settings).film;
   settings.method = Method::sobol;

@@ -1,3 +1,5 @@
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -20,12 +22,8 @@ double mean_behind(int slats, float period, float share) {
   for (int i = -slats / 2; i < slats / 2; ++i)
     add_quad(world, {static_cast<float>(i) * period, 3, 4}, {share * period, 0, 0}, {0, 0, -8},
              matte(glm::vec3(0.0f)));
-  Light lamp;
-  lamp.type = Light::Type::directional;
-  lamp.direction = {0, -1, 0};
-  lamp.intensity = 0.7f;
-  RenderSettings settings;
-  settings.width = settings.height = 48;
+  const Light lamp = make_sun({0, -1, 0}, 0.7f);
+  RenderSettings settings = make_settings(48, 48);
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   settings.cull = false;
   const auto scene = make_render_scene(std::move(world), {lamp});

@@ -1,3 +1,5 @@
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/picture_difference.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
@@ -38,17 +40,11 @@ TEST(TurnedLobe, AveragesTheTexelsHighlights) {
                              }),
                   Wrap::repeat, Filter::linear);
   add_quad(world, glm::vec3(-2, 0, 2), glm::vec3(4, 0, 0), glm::vec3(0, 0, -4), metal);
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {0, 3, -3};
-  light.direction = {0, -0.7071067811865476, 0.7071067811865476};
-  light.half_u = {1.5, 0, 0};
-  light.half_v = {0, 0.3, 0.3};
-  light.intensity = 4.0f;
+  const Light light = make_panel({0, 3, -3}, {0, -0.7071067811865476, 0.7071067811865476},
+                                 {1.5, 0, 0}, {0, 0.3, 0.3}, 4.0f);
   const auto scene = make_render_scene(std::move(world), {light});
   const Camera camera = look_at({0, 3, 3}, {0, 0, 0}, 0.6);
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side);
   const Picture found = render_picture(*scene, camera, settings);
   settings.method = Method::sobol;
   settings.sampling.spp = 1024;

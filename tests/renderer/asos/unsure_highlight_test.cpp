@@ -1,4 +1,5 @@
 #include "renderer/gltf/load.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 #include "tests/support/tiny_scene.h"
@@ -41,8 +42,7 @@ TEST(UnsureHighlight, CountsSkyLightOnce) {
   add_quad(world, {-0.2f, 1.0f, -2.5f}, {3, 0, 0}, {0, 0, 2.0f}, matte(glm::vec3(0.1f)));
   const Light panel = panel_of(6.0f);
   const auto scene = make_render_scene(std::move(world), {panel});
-  RenderSettings settings;
-  settings.width = settings.height = 32;
+  RenderSettings settings = make_settings(32, 32);
   settings.shadow.sky = true;
   const Camera camera = look_at({0, 1.2, 2.5}, {0, 0, -0.6}, 0.7);
   const Picture asos = render_picture(*scene, camera, settings);
@@ -67,8 +67,7 @@ TEST(UnsureHighlight, IsHiddenWithItsPartOfTheLight) {
   dark.double_sided = true;
   add_quad(world, middle - 0.5f * along - glm::vec3(0.03f, 0, 0), {0.06f, 0, 0}, along, dark);
   const auto scene = make_render_scene(std::move(world), {panel});
-  RenderSettings settings;
-  settings.width = settings.height = 24;
+  RenderSettings settings = make_settings(24, 24);
   settings.mirror.bounces = 0;
   const Camera camera = look_at({0, 1.2, 2.5}, {0, 0, 0.88}, 0.1);
   const Picture asos = render_picture(*scene, camera, settings);
@@ -101,9 +100,7 @@ TEST(UnsureHighlight, IsFoundEvenIfFirstSamplesMissIt) {
   const auto scene = prepare(*loaded);
   ASSERT_TRUE(scene) << scene.error().message();
   const Camera camera = first_camera((*scene)->world(), 16.0 / 9.0);
-  RenderSettings settings;
-  settings.width = 320;
-  settings.height = 180;
+  RenderSettings settings = make_settings(320, 180);
   settings.crop = {222, 76, 10, 18};
   const auto red = [&](Method method, int seed) {
     settings.method = method;

@@ -1,6 +1,7 @@
 #include "renderer/comparison/auto_exposure.h"
 
 #include "renderer/gltf/load.h"
+#include "tests/support/make_light.h"
 
 #include <gtest/gtest.h>
 
@@ -29,11 +30,7 @@ Scene sunlit_square(double lux) {
   Instance instance;
   instance.mesh = 0;
   scene.instances.push_back(instance);
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = {0, 0, -1};
-  sun.intensity = static_cast<float>(lux);
-  scene.lights.push_back(sun);
+  scene.lights.push_back(test::make_sun({0, 0, -1}, static_cast<float>(lux)));
   return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include "renderer/comparison/method.h"
 #include "renderer/shading/environment.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/polygon.h"
 #include "tests/support/polygon_scene.h"
 #include "tests/support/tiny_scene.h"
@@ -297,10 +298,7 @@ TEST(ExactVisibility, ADiskOfManySegmentsHasItsArea) {
 }
 
 BlockResult beam(const RenderScene& scene, const View& view) {
-  RenderSettings settings;
-  settings.method = Method::beam;
-  settings.width = view.width();
-  settings.height = view.height();
+  const RenderSettings settings = make_settings(view.width(), view.height(), Method::beam);
   return render_block(scene, view, settings, {0, 0, view.width(), view.height()});
 }
 
@@ -326,10 +324,7 @@ TEST(Beam, ShadesAsRaysDo) {
   const auto scene = make_render_scene(std::move(still));
   const View view(look_at({2, 2, 5}, {0, 0.7, 0}, 0.7), 8, 8);
   const BlockResult exact = beam(*scene, view);
-  RenderSettings settings;
-  settings.width = settings.height = 8;
-  settings.method = Method::uniform;
-  settings.sampling.spp = 64 * 64;
+  const RenderSettings settings = make_settings(8, 8, Method::uniform, 64 * 64);
   const BlockResult fine = render_block(*scene, view, settings, {0, 0, 8, 8});
   for (std::size_t i = 0; i < 64; ++i) {
     // The grid's error is up to 1/64 pixel along each edge.

@@ -1,5 +1,6 @@
 #include "renderer/shading/sky.h"
 #include "renderer/shading/sky_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
@@ -98,11 +99,8 @@ Camera camera_of(const Furnace& f) {
 }
 
 RenderSettings settings_of(Method method) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side, method, 512);
   settings.asos.eps = 1.0 / 1024.0;
-  settings.sampling.spp = 512;
   settings.mirror.bounces = 16;
   settings.shadow.sky = true;
   settings.texture.filter = TextureFilter::point;

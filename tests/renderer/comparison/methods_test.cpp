@@ -2,6 +2,7 @@
 #include "renderer/samples/sample_block.h"
 #include "renderer/sampling/random.h"
 #include "renderer/shading/environment.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -38,11 +39,7 @@ float pixel(const BlockResult& result, int x, int y) {
 constexpr float expected_pixel = 0.2f + 0.8f * sky_radiance;
 
 RenderSettings small_settings(Method method, int spp) {
-  RenderSettings settings;
-  settings.width = settings.height = 8;
-  settings.method = method;
-  settings.sampling.spp = spp;
-  return settings;
+  return test::make_settings(8, 8, method, spp);
 }
 
 // The other methods take the same samples for any curve, so it is applied for display only.

@@ -1,4 +1,5 @@
 #include "tests/renderer/comparison/rival_scenes.h"
+#include "tests/support/make_light.h"
 
 #include <gtest/gtest.h>
 
@@ -76,11 +77,7 @@ TEST(Mitchell, EachChannelHasItsThreshold) {
 
 TEST(Mitchell, EqualsSobolAtEitherEnd) {
   FlattenedScene still = still_life();
-  Light ball;
-  ball.position = {1, 3, 2};
-  ball.radius = 0.5;
-  ball.intensity = 20.0f;
-  still.lights.push_back(ball);
+  still.lights.push_back(make_bulb({1, 3, 2}, 20.0f, 0.5));
   const auto scene = make_render_scene(std::move(still));
   const Camera camera = look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
   const auto expect_sobol = [&](double scale, int spp) {

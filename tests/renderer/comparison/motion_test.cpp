@@ -1,5 +1,6 @@
 #include "renderer/shading/sky.h"
 #include "tests/support/exposed_picture.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/picture_difference.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -29,12 +30,9 @@ Camera still_camera() {
 }
 
 RenderSettings settings_of(Method method, double shutter) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side, method, 4096);
   settings.asos.max_level = 3;
   settings.asos.eps = 1e-4;
-  settings.sampling.spp = 4096;
   settings.shutter.seconds = shutter;
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   return settings;

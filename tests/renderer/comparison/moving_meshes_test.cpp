@@ -1,6 +1,7 @@
 #include "renderer/shading/sky.h"
 #include "renderer/world/placements.h"
 #include "tests/support/exposed_picture.h"
+#include "tests/support/make_settings.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -39,12 +40,8 @@ Camera camera_of(const Shot& shot) {
 }
 
 RenderSettings settings_of(const Shot& shot, Method method) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = shot.width;
-  settings.height = shot.height;
+  RenderSettings settings = make_settings(shot.width, shot.height, method, 1024);
   settings.asos.eps = 1e-3;
-  settings.sampling.spp = 1024;
   settings.sampling.contrast_scale = 0.0;  // mitchell looks everywhere closely
   settings.shutter.seconds = clip_seconds;
   settings.shutter.camera = shot.camera_moves ? 0 : -1;

@@ -1,5 +1,7 @@
 #include "renderer/comparison/disk_area.h"
 #include "renderer/comparison/method.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -27,9 +29,7 @@ glm::vec3 pixel_by(Method method, const std::vector<Wall>& walls) {
     add_quad(world, {wall.left, -20, wall.z}, {wall.right - wall.left, 0, 0}, {0, 40, 0},
              unlit(wall.colour));
   const auto scene = make_render_scene(std::move(world));
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = settings.height = 8;
+  const RenderSettings settings = make_settings(8, 8, method);
   const BlockResult r = render_block(*scene, View(orthographic(8.0), 8, 8), settings, {0, 0, 8, 8});
   return r.tile.radiance[8 * 4 + 4];
 }
@@ -98,20 +98,10 @@ TEST(PolygonMethods, ThinObjectsShowEachMethodsFault) {
 TEST(PolygonMethods, SumLightsOfAnySizeOnce) {
   FlattenedScene scene;
   add_quad(scene.world, {-50, -50, 0}, {100, 0, 0}, {0, 100, 0}, matte(glm::vec3(0.5f)));
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {0, 0, 4};
-  light.direction = {0, 0, -1};
-  light.half_u = {1, 0, 0};
-  light.half_v = {0, 1, 0};
-  light.intensity = 3.0f;
-  scene.lights.push_back(light);
+  scene.lights.push_back(make_panel({0, 0, 4}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, 3.0f));
   const auto lit = make_render_scene(std::move(scene));
   const auto centre = [&](Method method, int spp) {
-    RenderSettings settings;
-    settings.method = method;
-    settings.width = settings.height = 8;
-    settings.sampling.spp = spp;
+    const RenderSettings settings = make_settings(8, 8, method, spp);
     const BlockResult r = render_block(*lit, View(orthographic(2.0), 8, 8), settings, {0, 0, 8, 8});
     return r.tile.radiance[8 * 4 + 4].g;
   };

@@ -1,6 +1,7 @@
 #include "renderer/gltf/load.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/sky.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 
@@ -29,11 +30,7 @@ std::shared_ptr<const RenderScene> reported(const std::string& name) {
 }
 
 Film film_of(const RenderScene& scene, Method method, glm::vec3 sky, int spp = 16) {
-  RenderSettings settings;
-  settings.method = method;
-  settings.width = width;
-  settings.height = height;
-  settings.sampling.spp = spp;
+  RenderSettings settings = make_settings(width, height, method, spp);
   settings.sky = std::make_shared<const Sky>(sky);
   const double aspect = static_cast<double>(width) / height;
   return render_picture(scene, first_camera(scene.world(), aspect), settings).film;

@@ -2,6 +2,7 @@
 
 #include "renderer/comparison/method.h"
 #include "renderer/shading/environment.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -30,11 +31,7 @@ inline World two_colours(float x, glm::vec3 left, glm::vec3 right) {
 }
 
 inline RenderSettings settings_for(Method method, int spp = 16, int size = 8) {
-  RenderSettings settings;
-  settings.width = settings.height = size;
-  settings.method = method;
-  settings.sampling.spp = spp;
-  return settings;
+  return make_settings(size, size, method, spp);
 }
 
 inline BlockResult render_small(const RenderScene& scene, const RenderSettings& settings,

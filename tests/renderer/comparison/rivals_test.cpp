@@ -1,4 +1,5 @@
 #include "tests/renderer/comparison/rival_scenes.h"
+#include "tests/support/make_light.h"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +18,7 @@ constexpr std::array rivals{Method::sobol_adaptive, Method::whitted, Method::mit
 
 std::shared_ptr<const RenderScene> lit_still_life() {
   FlattenedScene still = still_life();
-  Light ball;
-  ball.position = {1, 3, 2};
-  ball.radius = 0.3;
-  ball.intensity = 20.0f;
-  still.lights.push_back(ball);
+  still.lights.push_back(make_bulb({1, 3, 2}, 20.0f, 0.3));
   return make_render_scene(std::move(still));
 }
 

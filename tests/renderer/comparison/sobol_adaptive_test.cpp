@@ -1,4 +1,5 @@
 #include "tests/renderer/comparison/rival_scenes.h"
+#include "tests/support/make_light.h"
 
 #include <gtest/gtest.h>
 
@@ -120,10 +121,7 @@ struct SoftScene {
 
   SoftScene() {
     FlattenedScene still = still_life();
-    Light ball;
-    ball.position = {1, 3, 2};
-    ball.radius = 0.5;
-    ball.intensity = 5.0f;
+    const Light ball = make_bulb({1, 3, 2}, 5.0f, 0.5);
     still.lights = {ball};
     scene = make_render_scene(std::move(still));
   }

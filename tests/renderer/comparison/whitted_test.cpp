@@ -1,6 +1,7 @@
 #include "renderer/comparison/whitted_spheres.h"
 #include "renderer/sampling/random.h"
 #include "tests/renderer/comparison/rival_scenes.h"
+#include "tests/support/make_light.h"
 
 #include <gtest/gtest.h>
 
@@ -78,11 +79,7 @@ TEST(Whitted, OnlyContrastAboveTheThresholdIsSplit) {
 // With soft shadows each corner uses its own random number.
 TEST(Whitted, ACornerDependsOnItsPlaceAndTheSeedAlone) {
   FlattenedScene still = still_life();
-  Light ball;
-  ball.position = {1, 3, 2};
-  ball.radius = 0.5;
-  ball.intensity = 20.0f;
-  still.lights.push_back(ball);
+  still.lights.push_back(make_bulb({1, 3, 2}, 20.0f, 0.5));
   const auto scene = make_render_scene(std::move(still));
   const View view(look_at({2, 2, 5}, {0, 0.7, 0}, 0.7), 64, 64);
   RenderSettings settings = whitted(3, true);

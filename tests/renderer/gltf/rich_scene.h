@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/scene.h"
+#include "tests/support/make_light.h"
 
 #include <cmath>
 #include <cstdint>
@@ -129,10 +130,8 @@ inline Scene rich_scene() {
   spot.inner_cone_rad = 0.2;
   spot.outer_cone_rad = 0.6;
   spot.range = 40.0;
-  Light point;
+  Light point = make_bulb({0.1, 0.2, 0.3}, 80.0f);
   point.name = "point";
-  point.position = {0.1, 0.2, 0.3};
-  point.intensity = 80.0f;
   point.casts_shadows = false;
   scene.lights = {sun, spot, point};
 

@@ -1,5 +1,6 @@
 #include "renderer/lights/light_intersections.h"
 
+#include "tests/support/make_light.h"
 #include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
@@ -13,13 +14,7 @@ namespace {
 
 /// A light of 2 x 1 in y = 2, centred at x = z = 0, facing down.
 Light ceiling_light() {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {0, 2, 0};
-  light.direction = {0, -1, 0};
-  light.half_u = {1, 0, 0};
-  light.half_v = {0, 0, 0.5};
-  return light;
+  return make_panel({0, 2, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 0.5});
 }
 
 std::vector<LightIntersection> cuts_of(const World& world, const Light& light) {

@@ -1,5 +1,7 @@
 #include "renderer/lights/lights_without_geometry.h"
 
+#include "tests/support/make_light.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -8,11 +10,7 @@ namespace asos {
 namespace {
 
 PreparedLight ball_at(glm::dvec3 position, double radius) {
-  Light light;
-  light.type = Light::Type::point;
-  light.position = position;
-  light.radius = radius;
-  light.intensity = 5.0f;
+  const Light light = test::make_bulb(position, 5.0f, radius);
   return prepare_light(light);
 }
 
@@ -40,9 +38,7 @@ TEST(MayShow, IsNeverWrongAboutABall) {
 }
 
 TEST(MayShow, LightsWithoutAnAreaAreNotShown) {
-  Light light;
-  light.type = Light::Type::point;
-  light.position = {0, 0, 1};
+  const Light light = test::make_bulb({0, 0, 1});
   EXPECT_FALSE(may_show(prepare_light(light), glm::dvec3(0.0), {0, 0, 1}, 1.0));
   EXPECT_TRUE(may_show(ball_at({0, 0, 1}, 2.0), glm::dvec3(0.0), {0, 0, -1}, 0.1)) << "from within";
 }

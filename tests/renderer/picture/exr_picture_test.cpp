@@ -2,6 +2,7 @@
 
 #include "renderer/gltf/load.h"
 #include "renderer/prepared/with_ground.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -20,9 +21,7 @@ TEST(ExrPicture, MatricesProjectPointsToTheirPixels) {
   Camera parallel = perspective;
   parallel.type = Camera::Type::orthographic;
   parallel.height = 4.0;
-  RenderSettings settings;
-  settings.width = 64;
-  settings.height = 40;
+  RenderSettings settings = test::make_settings(64, 40);
   for (const Camera& camera : {perspective, parallel})
     for (const PixelRect crop : {PixelRect{}, PixelRect{16, 8, 32, 16}}) {
       settings.crop = crop;

@@ -1,5 +1,7 @@
 #include "renderer/prepared/render_scene.h"
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -32,9 +34,7 @@ std::shared_ptr<const RenderScene> polished_boxes(std::optional<Dfr> dfr, float 
 }
 
 Film film_of(const RenderScene& scene) {
-  RenderSettings settings;
-  settings.width = 24;
-  settings.height = 18;
+  RenderSettings settings = test::make_settings(24, 18);
   settings.asos.max_level = 1;
   return test::render_picture(scene, test::first_camera(scene.world(), 4.0 / 3.0), settings).film;
 }
@@ -58,9 +58,7 @@ TEST(WithDfrs, GivesThePictureOfASceneWithThoseMaterials) {
 TEST(WithDfrs, LightsAndRatiosAreEditedInEitherOrder) {
   const auto before = polished_boxes(std::nullopt);
   const MaterialDfrs dfrs = dfrs_of(polished_boxes(blurred())->world());
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = {0, -1, 0};
+  const Light sun = test::make_sun({0, -1, 0});
   const auto lit_first = with_dfrs(with_lights(before, {sun}).value(), dfrs).value();
   const auto lit_last = with_lights(with_dfrs(before, dfrs).value(), {sun}).value();
   for (const auto& scene : {lit_first, lit_last}) {

@@ -1,6 +1,7 @@
 #include "renderer/prepared/exposure.h"
 #include "renderer/prepared/render_scene.h"
 #include "tests/support/instanced_scene.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/picture_difference.h"
 
 #include <gtest/gtest.h>
@@ -42,12 +43,7 @@ Camera camera_of(const RenderScene& scene) {
 }
 
 RenderSettings small_picture(Method method) {
-  RenderSettings settings;
-  settings.width = 48;
-  settings.height = 36;
-  settings.method = method;
-  settings.sampling.spp = 4;
-  return settings;
+  return test::make_settings(48, 36, method, 4);
 }
 
 class Instances : public testing::Test {

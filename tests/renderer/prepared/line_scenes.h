@@ -1,6 +1,8 @@
 #pragma once
 
 #include "renderer/prepared/with_lines.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <glm/glm.hpp>
@@ -56,10 +58,7 @@ inline Scene scene_of(std::vector<Mesh> meshes) {
     scene.instances.push_back({"it", static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
     scene.meshes.push_back(std::move(mesh));
   }
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = glm::normalize(glm::dvec3(0.3, -0.2, -1.0));
-  scene.lights.push_back(sun);
+  scene.lights.push_back(make_sun(glm::normalize(glm::dvec3(0.3, -0.2, -1.0))));
   return scene;
 }
 
@@ -74,9 +73,7 @@ inline Camera camera_for(const RenderScene& scene, bool perspective = true) {
 }
 
 inline RenderSettings settings_of(double line_width) {
-  RenderSettings settings;
-  settings.width = 64;
-  settings.height = 48;
+  RenderSettings settings = make_settings(64, 48);
   settings.line_width = line_width;
   settings.asos.max_level = 5;
   return settings;

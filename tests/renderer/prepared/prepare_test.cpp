@@ -3,6 +3,7 @@
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/render_scene.h"
 #include "renderer/shading/environment.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/shared_dir.h"
 #include "tests/support/tiny_world.h"
@@ -135,11 +136,7 @@ struct Brightness {
   double over = 0.0;
 };
 Brightness brightness_of(const RenderScene& scene) {
-  RenderSettings settings;
-  settings.width = 48;
-  settings.height = 32;
-  settings.method = Method::uniform;
-  settings.sampling.spp = 4;
+  const RenderSettings settings = test::make_settings(48, 32, Method::uniform, 4);
   const test::Picture picture =
       test::render_picture(scene, test::first_camera(scene.world(), 1.5), settings);
   Brightness share;

@@ -6,6 +6,8 @@
 #include "renderer/work_counts.h"
 #include "renderer/world/framing.h"
 #include "renderer/world/ground.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -39,11 +41,7 @@ Scene board(bool lines) {
     scene.meshes.push_back(std::move(line));
     scene.instances.push_back({"line", 1, glm::dmat4(1.0)});
   }
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = {0, -1, 0};
-  sun.intensity = std::numbers::pi_v<float>;
-  scene.lights.push_back(sun);
+  scene.lights.push_back(make_sun({0, -1, 0}, std::numbers::pi_v<float>));
   return scene;
 }
 
@@ -59,8 +57,7 @@ glm::vec3 ground_at(const RenderScene& scene, double x, double z) {
   camera.world_from_camera = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
   const glm::dvec3 eye = glm::dvec3(x, 0.99999, z) - scene.world().origin;
   camera.world_from_camera[3] = glm::dvec4(eye, 1.0);
-  RenderSettings settings;
-  settings.width = settings.height = 4;
+  const RenderSettings settings = make_settings(4, 4);
   return render_picture(scene, camera, settings).film.radiance[5];
 }
 
@@ -125,9 +122,7 @@ TEST(WithGround, LinesAreDrawnOnIt) {
   const Scene author = board(true);
   Camera camera;
   camera.world_from_camera[3] = {0, 0, 9, 1};
-  RenderSettings settings;
-  settings.width = 64;
-  settings.height = 36;
+  const RenderSettings settings = make_settings(64, 36);
   const LinePicture picture = line_picture(camera, settings);
   const auto alone = with_lines(ready(author), picture).value();
   // Lines may have been drawn before or not.

@@ -1,5 +1,7 @@
 #include "renderer/prepared/render_scene.h"
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -21,22 +23,14 @@ std::shared_ptr<const RenderScene> boxes(std::vector<Light> lights = {}) {
 }
 
 std::vector<Light> other_lights() {
-  Light ball;
+  Light ball = test::make_bulb({1, 4, 3}, 30.0f, 0.3);
   ball.name = "ball";
-  ball.position = {1, 4, 3};
-  ball.radius = 0.3;
-  ball.intensity = 30.0f;
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = glm::normalize(glm::dvec3(-1, -2, -1));
-  sun.intensity = 1.5f;
+  const Light sun = test::make_sun(glm::normalize(glm::dvec3(-1, -2, -1)), 1.5f);
   return {ball, sun};
 }
 
 test::Picture picture_of(const RenderScene& scene) {
-  RenderSettings settings;
-  settings.width = 32;
-  settings.height = 24;
+  const RenderSettings settings = test::make_settings(32, 24);
   return test::render_picture(scene, test::first_camera(scene.world(), 4.0 / 3.0), settings);
 }
 

@@ -6,6 +6,7 @@
 #include "renderer/work_counts.h"
 #include "renderer/world/ground.h"
 #include "tests/renderer/prepared/line_scenes.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -42,11 +43,7 @@ Scene removed(Scene scene, const std::vector<std::uint8_t>& hidden) {
 }
 
 std::vector<glm::vec3> picture(const RenderScene& scene, const Camera& camera, Method method) {
-  RenderSettings settings;
-  settings.width = 48;
-  settings.height = 27;
-  settings.method = method;
-  settings.sampling.spp = 4;
+  const RenderSettings settings = make_settings(48, 27, method, 4);
   return render_picture(scene, camera, settings).film.radiance;
 }
 

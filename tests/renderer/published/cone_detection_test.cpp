@@ -1,6 +1,7 @@
 #include "renderer/published/cone_detection.h"
 
 #include "renderer/comparison/method.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -195,8 +196,7 @@ TEST(ConeDetection, ChildrensConesLieWithinTheirParents) {
 }
 
 RenderSettings settings_of(Detection detect, LeafKind leaf, double eps) {
-  RenderSettings settings;
-  settings.width = settings.height = 32;
+  RenderSettings settings = make_settings(32, 32);
   settings.asos.max_level = 6;
   settings.asos.eps = eps;
   settings.asos.detect = detect;

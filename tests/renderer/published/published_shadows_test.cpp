@@ -1,5 +1,6 @@
 #include "renderer/published/published_shadows.h"
 
+#include "tests/support/make_light.h"
 #include "tests/support/random_space.h"
 #include "tests/support/shadow_fixture.h"
 #include "tests/support/shadow_oracle.h"
@@ -19,13 +20,7 @@ namespace asos::test::shadow_qualities_test {
 namespace {
 
 Light panel() {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {0.4, -0.2, 3};
-  light.half_u = {0.5, 0, 0};
-  light.half_v = {0, 0.3, 0};
-  light.direction = {0, 0, -1};
-  return light;
+  return make_panel({0.4, -0.2, 3}, {0, 0, -1}, {0.5, 0, 0}, {0, 0.3, 0});
 }
 
 /// A square pixel of an orthographic view of the floor.

@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -15,8 +16,7 @@ constexpr float fov = 0.8f;
 
 /// Fraction of a single-pixel picture that a white world covers.
 double share_of_pixel(const World& world, const Camera& camera, int max_level) {
-  RenderSettings settings;
-  settings.width = settings.height = 1;
+  RenderSettings settings = make_settings(1, 1);
   settings.asos.max_level = max_level;
   const auto scene = make_render_scene(world);
   const double background = static_cast<double>(

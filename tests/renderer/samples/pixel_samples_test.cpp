@@ -2,6 +2,7 @@
 
 #include "renderer/samples/sobol_sampler.h"
 #include "renderer/scene/builtin.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +23,7 @@ TEST(PixelSamples, DoubleUntilThereAreEnough) {
 // Rendering in single passes gives the same pixels as a block that takes all samples at once.
 TEST(PixelSamples, RoundsEndAsABlockDoes) {
   const auto scene = *prepare(*builtin_scene("boxes"));
-  RenderSettings settings;
-  settings.width = settings.height = 64;
+  const RenderSettings settings = make_settings(64, 64);
   const View view(first_camera(scene->world(), 1.0), 64, 64,
                   radius_around_origin(scene->world().bounds));
   const BlockJob job{*scene, view, settings, {0, 32, 32, 32}};
@@ -41,8 +41,7 @@ TEST(PixelSamples, RoundsEndAsABlockDoes) {
 
 TEST(PixelSamples, TellWhatMoved) {
   const auto scene = *prepare(*builtin_scene("boxes"));
-  RenderSettings settings;
-  settings.width = settings.height = 64;
+  const RenderSettings settings = make_settings(64, 64);
   const View view(first_camera(scene->world(), 1.0), 64, 64,
                   radius_around_origin(scene->world().bounds));
   const BlockJob job{*scene, view, settings, {0, 32, 32, 32}};

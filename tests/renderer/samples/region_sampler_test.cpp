@@ -1,5 +1,7 @@
 #include "renderer/samples/region_sampler.h"
 
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/sample_lights.h"
 #include "tests/support/tiny_scene.h"
@@ -294,23 +296,14 @@ FlattenedScene swinging(float amplitude) {
     }
   }
   add_part(world, vertices, triangles, matte({0.8f, 0.8f, 0.8f}));
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {3, 3, 0};
-  light.half_u = {0.4, 0, 0};
-  light.half_v = {0, 0, 0.4};
-  light.direction = {0, -1, 0};
-  light.intensity = 12.0f;
+  const Light light = make_panel({3, 3, 0}, {0, -1, 0}, {0.4, 0, 0}, {0, 0, 0.4}, 12.0f);
   scene.lights = {light};
   return scene;
 }
 
 Picture picture_of(float amplitude, Method method) {
-  RenderSettings settings;
-  settings.width = settings.height = 32;
-  settings.method = method;
+  RenderSettings settings = make_settings(32, 32, method, 256);
   settings.asos.max_level = 3;
-  settings.sampling.spp = 256;
   settings.cull = false;
   return render_picture(*make_render_scene(swinging(amplitude)), look_at({0, 3, 3}, {0, 0, 0}, 0.6),
                         settings);

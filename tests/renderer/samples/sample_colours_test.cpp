@@ -1,3 +1,4 @@
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_scene.h"
@@ -35,10 +36,7 @@ std::shared_ptr<const RenderScene> lines() {
 
 /// RMS difference between the pixels and their means of 4096 point samples.
 double error_of(const RenderScene& scene, int spp) {
-  RenderSettings settings;
-  settings.width = settings.height = side;
-  settings.method = Method::sobol;
-  settings.sampling.spp = 4096;
+  RenderSettings settings = make_settings(side, side, Method::sobol, 4096);
   settings.texture.filter = TextureFilter::point;
   const Film truth = render_picture(scene, orthographic(2.0), settings).film;
   settings.sampling.spp = spp;

@@ -2,6 +2,8 @@
 #include "renderer/samples/sample_block.h"
 #include "renderer/samples/sample_sums.h"
 #include "renderer/shading/sky.h"
+#include "tests/support/make_light.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +41,7 @@ struct Pictures {
 Pictures compared(Scene&& scene) {
   for (Light& light : scene.lights) light.casts_shadows = false;
   const auto prepared = prepare(std::move(scene)).value();
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = make_settings(side, side);
   settings.mirror.bounces = 0;
   settings.shadow.cast = false;
   settings.sky = std::make_shared<const Sky>(Environment::softboxes);
@@ -85,10 +86,7 @@ Scene lit(const char* source, const Change& change) {
     material.emissive = glm::vec3(0.0f);
     change(material);
   }
-  Light light;
-  light.type = Light::Type::directional;
-  light.intensity = 2.0f;
-  light.direction = glm::normalize(glm::dvec3(-1.0, -2.0, -1.5));
+  const Light light = make_sun(glm::normalize(glm::dvec3(-1.0, -2.0, -1.5)), 2.0f);
   scene.lights = {light};
   return scene;
 }

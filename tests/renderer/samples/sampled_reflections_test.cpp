@@ -1,6 +1,7 @@
 #include "renderer/samples/sampled_reflections.h"
 
 #include "renderer/samples/sobol_sampler.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_scene.h"
 
@@ -27,10 +28,7 @@ Picture mirror_of(float reflected, int seed) {
   Material bright = matte(glm::vec3(wall));
   bright.unlit = bright.double_sided = true;
   add_quad(world, {-9, -9, 30}, {18, 0, 0}, {0, 18, 0}, bright);
-  RenderSettings settings;
-  settings.width = settings.height = 16;
-  settings.method = Method::sobol;
-  settings.sampling.spp = 64;
+  RenderSettings settings = make_settings(16, 16, Method::sobol, 64);
   settings.seed = seed;
   return render_picture(*make_render_scene(std::move(world)), orthographic(4.0), settings);
 }
@@ -87,8 +85,7 @@ World pane() {
 
 TEST(SampledReflections, GoOnBehindTransparentSurfaces) {
   const auto scene = make_render_scene(pane());
-  RenderSettings settings;
-  settings.width = settings.height = 16;
+  const RenderSettings settings = make_settings(16, 16);
   const View view(orthographic(4.0), 16, 16);
   const Shader shader = shader_of(*scene, settings, view);
   SobolSampler places(1);

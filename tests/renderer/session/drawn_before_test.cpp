@@ -3,6 +3,7 @@
 #include "renderer/session/render_session.h"
 #include "renderer/session/work_plan.h"
 #include "tests/support/expect_same.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
@@ -46,9 +47,7 @@ void add_subject(std::vector<Subject>& subjects, const std::string& name, bool l
   if (lobes) add_lobes(loaded->materials);
   const auto scene = prepare(*loaded);
   ASSERT_TRUE(scene) << scene.error().message();
-  RenderSettings settings;
-  settings.width = 24;
-  settings.height = 16;
+  RenderSettings settings = make_settings(24, 16);
   settings.sampling.spp = 4;
   settings.asos.max_level = 2;
   subjects.push_back({name, *scene, settings});

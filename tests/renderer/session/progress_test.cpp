@@ -5,6 +5,7 @@
 #include "renderer/session/tuning.h"
 #include "tests/renderer/session/fence_picture.h"
 #include "tests/renderer/session/recorded_costs.h"
+#include "tests/support/make_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -95,9 +96,7 @@ TEST(SampleRounds, GuessTheTimeOfTheBlocksThatFollow) {
 // A direct render has blocks in spread order. The worst factor between the expected time and the
 // true one, from a tenth of the work on; times below a tenth of all count as a tenth.
 TEST(StepQueue, ForecastsADirectRenderFromATenthOn) {
-  RenderSettings settings;
-  settings.width = 320;
-  settings.height = 180;
+  const RenderSettings settings = make_settings(320, 180);
   const WorkPlan plan(settings);
   for (const RecordedCosts& recorded : recorded_costs) {
     const std::vector<double> costs = seconds_of(recorded.at_max_3);
@@ -122,9 +121,7 @@ TEST(StepQueue, ForecastsADirectRenderFromATenthOn) {
 
 TEST(WorkPlan, SpreadOrdersHoldEachBlockOnce) {
   for (const int width : {8, 33, 320}) {
-    RenderSettings settings;
-    settings.width = width;
-    settings.height = 40;
+    const RenderSettings settings = make_settings(width, 40);
     const WorkPlan plan(settings);
     const auto expect_all = [](std::vector<std::size_t> order, std::size_t count) {
       std::sort(order.begin(), order.end());

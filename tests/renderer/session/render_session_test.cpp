@@ -3,6 +3,7 @@
 #include "renderer/comparison/method.h"
 #include "renderer/session/work_plan.h"
 #include "tests/support/expect_same.h"
+#include "tests/support/make_settings.h"
 #include "tests/support/processor_seconds.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/tiny_scene.h"
@@ -72,9 +73,7 @@ TEST(RenderSession, WorkersBesideAWindowHaveALowerPriority) {
 }
 
 RenderSettings plan_settings(int width, int height, PixelRect crop = {}) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = test::make_settings(width, height);
   settings.crop = crop;
   return settings;
 }

@@ -1,5 +1,7 @@
 #include "renderer/session/tile_collector.h"
 
+#include "tests/support/make_settings.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,9 +13,7 @@ namespace {
 
 // Two adjacent groups of 16 blocks each, without the picture's left column and top row.
 RenderSettings two_groups() {
-  RenderSettings settings;
-  settings.width = 64;
-  settings.height = 32;
+  RenderSettings settings = test::make_settings(64, 32);
   settings.crop = {1, 1, 63, 31};
   return settings;
 }

@@ -2,6 +2,7 @@
 
 #include "renderer/shading/light_quadrature.h"
 #include "tests/renderer/shading/seen_floor.h"
+#include "tests/support/make_light.h"
 #include "tests/support/tiny_image.h"
 
 #include <gtest/gtest.h>
@@ -114,12 +115,7 @@ TEST(Anisotropy, SumsOverLightsWithASizeAreTheirIntegrals) {
     for (const double angle : angles) {
       const SeenPoint at = seen_at(angle);
       for (const glm::dvec3 middle : {glm::dvec3(-0.8, 1.0, 0.1), {0.3, 0.8, -0.6}, {-2, 1, 1}}) {
-        Light lamp;
-        lamp.type = Light::Type::rectangle;
-        lamp.position = middle;
-        lamp.direction = {0, -1, 0};
-        lamp.half_u = {0.3, 0, 0};
-        lamp.half_v = {0, 0, 0.2};
+        const Light lamp = make_panel(middle, {0, -1, 0}, {0.3, 0, 0}, {0, 0, 0.2});
         const PreparedLight light = prepare_light(lamp);
         const PatchQuadrature truth(white(r), at, 4.0);
         const glm::dvec3 expected = truth(
@@ -137,9 +133,7 @@ TEST(Anisotropy, SumsOverLightsWithASizeAreTheirIntegrals) {
 
 /// Radiance of a floor with a lobe stretched along x or z, for a light reflected off to one side.
 double seen_of(const Material& material, glm::vec3 to_viewer, glm::dvec3 to_light) {
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = -glm::normalize(to_light);
+  const Light sun = make_sun(-glm::normalize(to_light));
   const Sky dark(glm::vec3(0.0f));
   return static_cast<double>(SeenFloor(material, {sun}).look(glm::normalize(to_viewer), dark).x);
 }

@@ -1,4 +1,5 @@
 #include "renderer/shading/shade.h"
+#include "tests/support/make_light.h"
 #include "tests/support/ray_transport.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_world.h"
@@ -97,10 +98,7 @@ TEST(FilteredPicture, HighlightsOnSmallShinyThingsDoNotSparkle) {
       test::add_sphere(
           world, {0.37f * static_cast<float>(x) - 1.6f, 0.37f * static_cast<float>(y) - 1.3f, 0},
           0.16f, 24, m);
-  Light sun;
-  sun.type = Light::Type::directional;
-  sun.direction = glm::normalize(glm::dvec3(-0.3, -0.4, -1));
-  sun.intensity = 2.0f;
+  const Light sun = test::make_sun(glm::normalize(glm::dvec3(-0.3, -0.4, -1)), 2.0f);
   const Picture picture(std::move(world), test::orthographic(3.0), {sun});
   const double point = picture.error(0.0f, 32);
   const double footprint = picture.error(1.0f, 32);

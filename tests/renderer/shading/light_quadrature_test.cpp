@@ -1,5 +1,6 @@
 #include "renderer/shading/light_quadrature.h"
 
+#include "tests/support/make_light.h"
 #include "tests/support/random_space.h"
 #include "tests/support/rendering_equation.h"
 #include "tests/support/sample_lights.h"
@@ -27,10 +28,8 @@ glm::dvec3 direction(double theta, double phi) {
 
 /// A light of this kind in a direction from the origin.
 PreparedLight light_at(const std::string& kind, glm::dvec3 towards, double distance, double size) {
-  Light light;
+  Light light = make_bulb(distance * towards, 1.0f);
   light.color = glm::vec3(1.0f);
-  light.intensity = 1.0f;
-  light.position = distance * towards;
   light.direction = -glm::normalize(towards + glm::dvec3(0.3, 0.2, 0.1));
   const glm::dvec3 u = glm::normalize(glm::cross(light.direction, glm::dvec3(0.1, 0.9, 0.3)));
   const glm::dvec3 v = glm::cross(light.direction, u);

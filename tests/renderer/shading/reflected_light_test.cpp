@@ -2,6 +2,7 @@
 
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/lobe.h"
+#include "tests/support/make_light.h"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +15,9 @@ namespace asos::reflected_light_test {
 namespace {
 
 PreparedLight rectangle(glm::vec3 color) {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {1.0, 0.0, 1.0};
-  light.direction = {-1.0, 0.0, -1.0};
-  light.half_u = {0.0, 0.2, 0.0};
-  light.half_v = {0.1, 0.0, -0.1};
+  Light light =
+      test::make_panel({1.0, 0.0, 1.0}, {-1.0, 0.0, -1.0}, {0.0, 0.2, 0.0}, {0.1, 0.0, -0.1}, 3.0f);
   light.color = color;
-  light.intensity = 3.0f;
   return prepare_light(light);
 }
 

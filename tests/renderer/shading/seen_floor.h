@@ -4,6 +4,7 @@
 #include "renderer/shading/shade.h"
 #include "renderer/shading/sky.h"
 #include "renderer/shading/sky_light.h"
+#include "tests/support/make_light.h"
 #include "tests/support/rendering_equation.h"
 #include "tests/support/tiny_world.h"
 
@@ -104,10 +105,7 @@ inline void expect_formula_under_suns(const Reflector& reflector, std::span<cons
   for (const double angle : angles) {
     for (const glm::dvec3 light : {glm::dvec3(0.2, 1, 0.1), {-0.9, 0.5, 0.3}, {1, 0.2, -1}}) {
       const glm::dvec3 to_light = glm::normalize(light);
-      Light sun;
-      sun.type = Light::Type::directional;
-      sun.direction = -to_light;
-      sun.intensity = 2.0f;
+      const Light sun = make_sun(-to_light, 2.0f);
       const SeenFloor floor(material_of(reflector), {sun});
       const SeenPoint at = seen_at(angle);
       const glm::dvec3 expected =

@@ -3,6 +3,7 @@
 #include "renderer/lights/studio_lighting.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/shadow_ray.h"
+#include "tests/support/make_light.h"
 #include "tests/support/ray_transport.h"
 #include "tests/support/tiny_world.h"
 
@@ -60,11 +61,7 @@ World floor_world(const Material& material) {
 }
 
 Light sun(glm::dvec3 direction, float lux) {
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = glm::normalize(direction);
-  light.intensity = lux;
-  return light;
+  return test::make_sun(glm::normalize(direction), lux);
 }
 
 TEST(Shader, NothingIsTheBackground) {
@@ -117,9 +114,7 @@ TEST(Shader, LightFromBehindDoesNotLeakWhateverTheNormals) {
   // Strongly tilted shading normals, towards a light behind the surface.
   World world = floor_world(matte(glm::vec3(1)));
   for (glm::vec3& n : world.normals) n = glm::normalize(glm::vec3(1, 0.2f, 0));
-  Light below;
-  below.position = {3, -0.01, 0};
-  below.intensity = 100.0f;
+  const Light below = test::make_bulb({3, -0.01, 0}, 100.0f);
   Lit lit{world, {sun({-1, 0.1, 0}, 100.0f), below}};
   Lit unlit_scene{world};
   EXPECT_EQ(lit.look(straight_down(0, 0)), unlit_scene.look(straight_down(0, 0)));

@@ -1,5 +1,6 @@
 #include "renderer/shading/unevenness.h"
 
+#include "tests/support/make_light.h"
 #include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
@@ -95,10 +96,7 @@ TEST(MidpointError, KnowsWhereAHighlightMayLie) {
   Material& material = world.materials.front();
   material.metallic = 1.0f;
   material.roughness = 0.2f;
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = {0, 0, -1};
-  light.intensity = 3.0f;
+  Light light = make_sun({0, 0, -1}, 3.0f);
   const float diffuse = midpoint_error(bent(0.1f), {}, from_above, middle, square(1.0f), far);
   EXPECT_GT(midpoint_error(world, {&light, 1}, from_above, middle, square(1.0f), far), 0.5f);
   light.direction = glm::normalize(glm::vec3(-1, 0, -1));
@@ -116,10 +114,7 @@ TEST(MidpointError, KnowsWhereAHighlightOnAFlatSurfaceIsNarrow) {
   Material& material = world.materials.front();
   material.metallic = 1.0f;
   material.roughness = 0.2f;
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = {0, 0, -1};
-  light.intensity = 3.0f;
+  Light light = make_sun({0, 0, -1}, 3.0f);
   const auto error = [&](float side, float viewer_distance) {
     return midpoint_error(world, {&light, 1}, from_above, middle, square(side), viewer_distance);
   };
@@ -147,10 +142,7 @@ TEST(MidpointError, IsTheMostAtALightAndNothingWhereNothingIsKnown) {
 TEST(GlintError, IsThatOfNormalsThatScatterAHighlight) {
   Material material = white();
   material.metallic = 1.0f;
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = {0, 0, -1};
-  light.intensity = 3.0f;
+  Light light = make_sun({0, 0, -1}, 3.0f);
   const auto error = [&](float roughness, float variance) {
     SurfacePoint point;
     point.shading_normal = up;
@@ -207,10 +199,7 @@ TEST(ConeError, FallsWithTheSquareOfTheSizeForSoftRims) {
 }
 
 TEST(ConeError, OnlySpotsHaveOneAndDimOnesLess) {
-  Light light;
-  light.type = Light::Type::point;
-  light.position = {0, 0, 1};
-  light.intensity = 100.0f;
+  const Light light = make_bulb({0, 0, 1}, 100.0f);
   EXPECT_EQ(cone_error(prepare_light(light), on_floor(1.0), square(0.1f)), 0.0f);
   PreparedLight dim = spot(0.7, 0.7001);
   const float bright = cone_error(dim, on_floor(std::tan(0.7)), square(0.1f));

@@ -1,3 +1,4 @@
+#include "tests/support/make_light.h"
 #include "tests/support/shadow_fixture.h"
 #include "tests/support/shadow_oracle.h"
 #include "tests/support/tiny_image.h"
@@ -15,13 +16,7 @@ namespace asos::test::alpha_shadow_test {
 namespace {
 
 Light panel() {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {0.1, 0.05, 2};
-  light.half_u = {0.5, 0, 0};
-  light.half_v = {0, 0.4, 0};
-  light.direction = {0, 0, -1};
-  return light;
+  return make_panel({0.1, 0.05, 2}, {0, 0, -1}, {0.5, 0, 0}, {0, 0.4, 0});
 }
 
 Receiver facing_up(float x, float y) {

@@ -1,3 +1,4 @@
+#include "tests/support/make_light.h"
 #include "tests/support/polygon.h"
 #include "tests/support/random_space.h"
 #include "tests/support/shadow_fixture.h"
@@ -80,10 +81,7 @@ Light spot() {
 }
 
 Light distant() {
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = glm::normalize(glm::dvec3(-0.2, 0.1, -1.0));
-  return light;
+  return make_sun(glm::normalize(glm::dvec3(-0.2, 0.1, -1.0)));
 }
 
 /// A pixel that shows about half a unit of the floor around `target`.

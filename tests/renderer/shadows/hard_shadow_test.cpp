@@ -1,3 +1,4 @@
+#include "tests/support/make_light.h"
 #include "tests/support/polygon.h"
 #include "tests/support/random_space.h"
 #include "tests/support/shadow_fixture.h"
@@ -232,9 +233,7 @@ TEST(HardShadow, ManySpecksAreSampledToEps) {
     add_quad(world, {-f, -f, 0}, {2 * f, 0, 0}, {0, 2 * f, 0}, matte({0.5f, 0.5f, 0.5f}));
     for (int i = 0; i < count * count; ++i)
       add_occluder(world, {i % count * space, i / count * space, 0.5}, {size, 0, 0}, {0, size, 0});
-    Light sun;
-    sun.type = Light::Type::directional;
-    sun.direction = {0, 0, -1};
+    const Light sun = make_sun({0, 0, -1});
     ShadowFixture fixture(std::move(world), sun, rules);
     const Pixel pixel{Frame::prism({0, 0, 2}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}),
                       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},

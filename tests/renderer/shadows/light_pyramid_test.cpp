@@ -1,5 +1,7 @@
 #include "renderer/shadows/light_pyramid.h"
 
+#include "tests/support/make_light.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,20 +12,14 @@ namespace asos::light_window_test {
 namespace {
 
 PreparedLight rectangle(glm::dvec3 middle, glm::dvec3 half_u, glm::dvec3 half_v) {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = middle;
-  light.half_u = half_u;
-  light.half_v = half_v;
-  light.direction = glm::normalize(glm::cross(half_u, half_v));
+  Light light =
+      test::make_panel(middle, glm::normalize(glm::cross(half_u, half_v)), half_u, half_v);
   light.two_sided = true;
   return prepare_light(light);
 }
 
 PreparedLight ball(glm::dvec3 centre, double radius) {
-  Light light;
-  light.type = Light::Type::point;
-  light.position = centre;
+  Light light = test::make_bulb(centre);
   light.radius = radius;
   light.intensity = static_cast<float>(std::numbers::pi * radius * radius);  // 1 nit
   return prepare_light(light);

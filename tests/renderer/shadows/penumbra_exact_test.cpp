@@ -1,3 +1,4 @@
+#include "tests/support/make_light.h"
 #include "tests/support/random_space.h"
 #include "tests/support/shadow_fixture.h"
 #include "tests/support/shadow_oracle.h"
@@ -151,12 +152,7 @@ TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
   for (int max_level = 1; max_level <= 4; ++max_level) {
     ShadowRules settings;
     settings.error_budget.max_level = max_level;
-    Light light;
-    light.type = Light::Type::rectangle;
-    light.position = {0, 0, 2};
-    light.half_u = {0.5, 0, 0};
-    light.half_v = {0, 0.5, 0};
-    light.direction = {0, 0, -1};
+    const Light light = make_panel({0, 0, 2}, {0, 0, -1}, {0.5, 0, 0}, {0, 0.5, 0});
     Worst worst(1e-4);
     for (int step = 0; step < 200; ++step) {
       World world;

@@ -1,4 +1,5 @@
 #include "tests/support/light_oracle.h"
+#include "tests/support/make_light.h"
 #include "tests/support/random_space.h"
 #include "tests/support/shadow_fixture.h"
 #include "tests/support/shadow_oracle.h"
@@ -103,9 +104,7 @@ TEST(RoundPenumbra, OfASunIsExact) {
   expect_screens(
       2,
       [](RandomSpace& random) {
-        Light light;
-        light.type = Light::Type::directional;
-        light.direction = random.direction();
+        Light light = make_sun(random.direction());
         light.angular_diameter_rad = random.between(0.005, 0.8);
         return light;
       },
