@@ -4,11 +4,11 @@
 #include "renderer/api/picture_impl.h"
 #include "renderer/api/ready_picture.h"
 #include "renderer/api/scene_impl.h"
+#include "renderer/session/tile_bell.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <condition_variable>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -29,37 +29,6 @@ void copy_tile(const FinishedTile& tile, const Film& film, std::span<float> rgb)
 }  // namespace
 
 struct Session::Impl {
-  /// Wakes the threads that wait for tiles. Workers ring it, so it has a mutex of its own.
-  class TileBell {
-   public:
-    void ring() {
-      const std::lock_guard lock(mutex_);
-      ++rings_;
-      tiles_wait_ = true;
-      condition_.notify_all();
-    }
-    /// Call before the tiles are taken.
-    void quiet() {
-      const std::lock_guard lock(mutex_);
-      tiles_wait_ = false;
-    }
-    [[nodiscard]] std::uint64_t rings() {
-      const std::lock_guard lock(mutex_);
-      return rings_;
-    }
-    /// Waits until there are tiles or more than `seen` rings. Returns false after `timeout`.
-    bool wait(std::uint64_t seen, std::chrono::milliseconds timeout) {
-      std::unique_lock lock(mutex_);
-      return condition_.wait_for(lock, timeout, [&] { return tiles_wait_ || rings_ != seen; });
-    }
-
-   private:
-    std::mutex mutex_;
-    std::condition_variable condition_;
-    std::uint64_t rings_ = 0;
-    bool tiles_wait_ = false;
-  };
-
   explicit Impl(std::function<void()> told)
       : on_tiles(std::move(told)), session([this] {
           bell.ring();

@@ -14,20 +14,10 @@ constexpr std::chrono::milliseconds report_step{100};
 
 }  // namespace
 
-FilmRender::FilmRender()
-    : session_([this] {
-        const std::lock_guard lock(mutex_);
-        knocked_ = true;
-        condition_.notify_one();
-      }) {}
-
-void FilmRender::wait_for_tiles() {
-  std::unique_lock lock(mutex_);
-  condition_.wait_for(lock, patience, [this] { return knocked_; });
-  knocked_ = false;
-}
+FilmRender::FilmRender() : session_([this] { bell_.ring(); }) {}
 
 void FilmRender::collect(Film& film) {
+  bell_.quiet();
   for (const FinishedTile& tile : session_.take_finished()) film.put(tile);
 }
 
@@ -68,7 +58,7 @@ std::optional<RenderResult> FilmRender::render(
       on_progress(progress);
       next_report = now + report_step;
     }
-    if (!finished) wait_for_tiles();
+    if (!finished) bell_.wait(patience);
   }
   session_.wait();  // which stops the clock
   result.seconds = session_.progress().seconds;

@@ -2,10 +2,9 @@
 
 #include "renderer/result.h"
 #include "renderer/session/render_session.h"
+#include "renderer/session/tile_bell.h"
 
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <optional>
 
 namespace asos {
@@ -28,13 +27,9 @@ class FilmRender {
       std::optional<double> time_limit_seconds = {}, const std::function<bool()>& ends_early = {});
 
  private:
-  void wait_for_tiles();
   void collect(Film& film);
 
-  // Workers notify these when there are tiles.
-  std::mutex mutex_;
-  std::condition_variable condition_;
-  bool knocked_ = false;
+  TileBell bell_;
   RenderSession session_;
 };
 

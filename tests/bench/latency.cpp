@@ -5,6 +5,7 @@
 //
 //   bench latency [SCENE] [--size WxH] [--changes N] [--threads N]
 
+#include "renderer/session/tile_bell.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
@@ -13,10 +14,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <condition_variable>
 #include <cstdio>
 #include <ctime>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -33,25 +32,11 @@ struct Settings {
   int threads = 1;
 };
 
-/// The event that wakes the window's event loop.
-class Bell {
- public:
-  void ring() {
-    const std::scoped_lock lock(mutex_);
-    rung_ = true;
-    condition_.notify_one();
-  }
-  void wait() {
-    std::unique_lock lock(mutex_);
-    condition_.wait_for(lock, std::chrono::milliseconds(5), [this] { return rung_; });
-    rung_ = false;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable condition_;
-  bool rung_ = false;
-};
+/// Waits as the window's event loop does.
+void wait(TileBell& bell) {
+  bell.wait(std::chrono::milliseconds(5));
+  bell.quiet();
+}
 
 /// CPU time of all threads together, which excludes other programs.
 double cpu_seconds() {
@@ -86,7 +71,7 @@ std::vector<double> drag_eps(Previewer& previewer, Clock::time_point start, int 
 }
 
 int measure(const Settings& settings) {
-  Bell bell;
+  TileBell bell;
   RenderSettings render;
   render.threads = settings.threads;
   Previewer previewer({{}, [&bell] { bell.ring(); }}, render);
@@ -94,7 +79,7 @@ int measure(const Settings& settings) {
   previewer.viewpoint().set_picture_size(settings.size.width, settings.size.height, 0.0);
   previewer.scene().open(settings.scene);
   while (previewer.render().restarts() == 0) {
-    bell.wait();
+    wait(bell);
     previewer.update(seconds_since(start));
     if (previewer.scene().error()) return fail(*previewer.scene().error());
   }
@@ -104,7 +89,7 @@ int measure(const Settings& settings) {
     // Lets the previous render run for 150 to 495 ms.
     const Clock::time_point resume = Clock::now() + std::chrono::milliseconds(150 + 5 * (i % 70));
     while (Clock::now() < resume) {
-      bell.wait();
+      wait(bell);
       previewer.update(seconds_since(start));
     }
     previewer.viewpoint().camera().orbit(0.01, 0.0);
@@ -116,7 +101,7 @@ int measure(const Settings& settings) {
       return fail({"latency", "the change had to wait"});
     cancel.push_back(seconds_since(changed));
     while (previewer.render().first_picture_pending()) {
-      bell.wait();
+      wait(bell);
       previewer.update(seconds_since(start));
     }
     coarse.push_back(seconds_since(changed));

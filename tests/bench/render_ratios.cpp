@@ -9,6 +9,7 @@
 
 #include "renderer/gltf/load.h"
 #include "renderer/session/render_session.h"
+#include "renderer/session/tile_bell.h"
 #include "tests/bench/bench_support.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/options.h"
@@ -16,10 +17,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <condition_variable>
 #include <cstdio>
 #include <memory>
-#include <mutex>
 #include <set>
 #include <string>
 #include <utility>
@@ -50,24 +49,16 @@ struct Row {
 /// Renders a scene as a window would, until the first tile after the coarse pass.
 void measure_first_picture(Snapshot snapshot, std::chrono::steady_clock::time_point start,
                            Row& row) {
-  std::mutex mutex;
-  std::condition_variable knock;
-  bool waiting = false;
-  RenderSession session([&] {
-    const std::lock_guard lock(mutex);
-    waiting = true;
-    knock.notify_one();
-  });
+  TileBell bell;
+  RenderSession session([&] { bell.ring(); });
   snapshot.settings.method = Method::asos;
   snapshot.progressive = true;
   session.restart(snapshot);
   int missing = snapshot.settings.width * snapshot.settings.height;  // pixels without any colour
   std::set<std::pair<int, int>> seen;  // the corners of tiles, which are the same in each pass
   while (missing > 0 || row.first_pixels_seconds == 0.0) {
-    std::unique_lock lock(mutex);
-    knock.wait(lock, [&] { return waiting; });
-    waiting = false;
-    lock.unlock();
+    bell.wait(std::chrono::milliseconds(20));
+    bell.quiet();
     for (const FinishedTile& tile : session.take_finished()) {
       if (seen.insert({tile.rect.x, tile.rect.y}).second) {
         missing -= tile.rect.width * tile.rect.height;
