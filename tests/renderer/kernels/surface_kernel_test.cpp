@@ -74,11 +74,10 @@ struct Subjects {
       for (TinyVertex& v : vertices) v.normal = glm::vec3(0.0f);
     }
     add_part(world, vertices, {{0, 1, 2}}, material);
-    Hit hit;
-    hit.triangle = static_cast<std::uint32_t>(i);
-    hit.b1 = static_cast<float>(space.between(0, 0.6));
-    hit.b2 = static_cast<float>(space.between(0, 0.4));
-    hit.t = static_cast<float>(space.between(0.1, 10.0) * scale);
+    const Hit hit{.triangle = static_cast<std::uint32_t>(i),
+                  .t = static_cast<float>(space.between(0.1, 10.0) * scale),
+                  .b1 = static_cast<float>(space.between(0, 0.6)),
+                  .b2 = static_cast<float>(space.between(0, 0.4))};
     hits.push_back(hit);
     directions.emplace_back(space.direction());
     sides.push_back(i % 7 == 0 ? 0.0f : static_cast<float>(space.between(0.01, 2.0)));

@@ -24,9 +24,9 @@ TEST(MayShow, IsNeverWrongAboutABall) {
     const glm::dvec3 axis = glm::normalize(glm::dvec3(r(rng), r(rng), r(rng) + 1e-3));
     const double half_angle = 0.2;
     const glm::dvec3 aside = glm::normalize(glm::cross(axis, glm::dvec3(r(rng), r(rng), 1.1)));
-    Ray ray;
-    ray.origin = glm::vec3(0.0f);
-    ray.direction = glm::vec3(std::cos(half_angle) * axis + std::sin(half_angle) * aside);
+    const Ray ray{
+        .origin = glm::vec3(0.0f),
+        .direction = glm::vec3(std::cos(half_angle) * axis + std::sin(half_angle) * aside)};
     const bool shows = may_show(light, glm::dvec3(0.0), axis, half_angle + 1e-6);
     denied += !shows;
     if (!meet_light(light, ray)) continue;

@@ -28,9 +28,7 @@ std::vector<Ray> rays_with(float number) {
   std::vector<Ray> rays;
   for (int i = 0; i < 6; ++i) {
     for (const float sign : {1.0f, -1.0f}) {
-      Ray ray;
-      ray.origin = {0, 0, 1};
-      ray.direction = {0, 0, -1};
+      Ray ray{.origin = {0, 0, 1}, .direction = {0, 0, -1}};
       (i < 3 ? ray.origin : ray.direction)[i % 3] = sign * number;
       rays.push_back(ray);
     }

@@ -135,9 +135,7 @@ TEST(RayScene, HitsBothSides) {
   add_quad(world, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, matte(glm::vec3(1)));
   const RayScene scene = build(world);
   for (const float side : {1.0f, -1.0f}) {
-    Ray ray;
-    ray.origin = {0.1f, 0.2f, side};
-    ray.direction = {0, 0, -side};
+    const Ray ray{.origin = {0.1f, 0.2f, side}, .direction = {0, 0, -side}};
     EXPECT_TRUE(scene.closest(ray).valid()) << side;
     EXPECT_EQ(scene.transmittance(ray).x, 0.0f) << side;
   }
@@ -224,9 +222,7 @@ TEST(RayScene, RespectsTheRaysEnds) {
     add_quad(world, {-1, -1, z}, {2, 0, 0}, {0, 2, 0}, matte(glm::vec3(1)));
   }
   const RayScene scene = build(world);
-  Ray ray;
-  ray.origin = {0.1f, 0.2f, 1};
-  ray.t_near = 1.5f;
+  Ray ray{.origin = {0.1f, 0.2f, 1}, .t_near = 1.5f};
   EXPECT_FLOAT_EQ(scene.closest(ray).t, 2.0f);
   ray.t_far = 1.9f;
   EXPECT_FALSE(scene.closest(ray).valid());

@@ -47,10 +47,7 @@ inline World random_triangles(std::uint32_t seed, int count, float size) {
 }
 
 inline Ray random_ray(std::mt19937& rng) {
-  Ray ray;
-  ray.origin = random_point(rng, 2.0f);
-  ray.direction = random_point(rng, 1.0f);
-  return ray;
+  return {.origin = random_point(rng, 2.0f), .direction = random_point(rng, 1.0f)};
 }
 
 /// A ray from above z = 0 straight down at (x, y).

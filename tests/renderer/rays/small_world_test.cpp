@@ -33,12 +33,12 @@ Answers ask(float scale) {
   const RayScene rays = RayScene::build(world, half_opaque).value();
   std::vector<Ray> sent;
   for (int i = 0; i < 64; ++i) {
-    Ray ray;
-    ray.origin = scale * glm::vec3(0.0f, 1.0f, 6.0f);
-    ray.direction = glm::normalize(glm::vec3(0.05f * static_cast<float>(i % 8) - 0.2f,
-                                             0.05f * static_cast<float>(i / 8) - 0.3f, -1));
-    ray.t_near = 0.5f * scale;
-    ray.t_far = i % 3 ? 40.0f * scale : 5.0f * scale;
+    const Ray ray{
+        .origin = scale * glm::vec3(0.0f, 1.0f, 6.0f),
+        .t_near = 0.5f * scale,
+        .direction = glm::normalize(glm::vec3(0.05f * static_cast<float>(i % 8) - 0.2f,
+                                              0.05f * static_cast<float>(i / 8) - 0.3f, -1)),
+        .t_far = i % 3 ? 40.0f * scale : 5.0f * scale};
     sent.push_back(ray);
   }
   Answers answers{std::vector<Hit>(sent.size()), std::vector<Blocker>(sent.size())};

@@ -193,9 +193,7 @@ TEST(Anisotropy, TurnsAsTheMeshesTangentsDo) {
   add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, m);
   constexpr float angle = 0.1f;
   world.tangents = {{1, 0, 0, 1}, {std::cos(angle), 0, -std::sin(angle), 1}, {1, 0, 0, 1}};
-  Hit hit;
-  hit.t = 1.0f;
-  hit.triangle = 0;
+  const Hit hit{.triangle = 0, .t = 1.0f};
   const Patch patch{{0.5f, 0, 0}, {0, 0, -0.25f}};
   const glm::vec2 turn = tangent_turn(world, hit, patch, {0, 1, 0});
   EXPECT_NEAR(turn.x, 0.5f * std::sin(angle), 1e-6f) << "half of the edge";
@@ -211,9 +209,7 @@ TEST(Anisotropy, IsOffWithoutADirection) {
   m.anisotropy.strength = 0.5f;
   add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, m);
   for (glm::vec2& uv : world.texcoords[0]) uv = glm::vec2(0.5f);
-  Hit hit;
-  hit.t = 1.0f;
-  hit.triangle = 0;
+  const Hit hit{.triangle = 0, .t = 1.0f};
   EXPECT_TRUE(lobe_stretch(world, hit, {0.5f}, 0.5f, {0, 1, 0}, {0, 1, 0}).none());
 }
 

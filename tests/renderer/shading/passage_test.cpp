@@ -37,11 +37,10 @@ RayScene rays_of(const World& world) {
 
 /// A ray upwards from a height at an angle, of this length.
 Ray up_from(float height, double angle, float length) {
-  Ray ray;
-  ray.origin = {0.1f, height, 0.2f};
-  ray.direction = {static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)), 0.0f};
-  ray.t_far = length;
-  return ray;
+  return {
+      .origin = {0.1f, height, 0.2f},
+      .direction = {static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)), 0.0f},
+      .t_far = length};
 }
 
 double left_of_fresnel(double angle) {

@@ -75,9 +75,7 @@ struct SeenFloor {
     settings.sky_shadows = samples > 0;
     FloorTransport transport(samples);
     RenderStatistics counts;
-    Ray ray;
-    ray.origin = 10.0f * to_viewer;
-    ray.direction = -to_viewer;
+    const Ray ray{.origin = 10.0f * to_viewer, .direction = -to_viewer};
     return Shader(world, render_features, rays, lighting, settings)
         .radiance(ray, rays.closest(ray), 0.0f, transport, counts);
   }

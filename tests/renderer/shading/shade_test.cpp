@@ -48,10 +48,7 @@ struct Lit {
 };
 
 Ray straight_down(float x, float z) {
-  Ray ray;
-  ray.origin = {x, 10, z};
-  ray.direction = {0, -1, 0};
-  return ray;
+  return {.origin = {x, 10, z}, .direction = {0, -1, 0}};
 }
 
 World floor_world(const Material& material) {
@@ -151,9 +148,8 @@ TEST(Shader, NoSurfaceShadowsItself) {
       std::mt19937 rng(5);
       std::uniform_real_distribution<float> d(-0.7f, 0.7f);
       for (int i = 0; i < 500; ++i) {
-        Ray ray;
-        ray.origin = centre + radius * glm::vec3(d(rng), 5.0f, d(rng));
-        ray.direction = {0, -1, 0};
+        const Ray ray{.origin = centre + radius * glm::vec3(d(rng), 5.0f, d(rng)),
+                      .direction = {0, -1, 0}};
         EXPECT_EQ(lit.look(ray), unshadowed.look(ray)) << radius << " " << away << " " << i;
       }
       EXPECT_EQ(lit.counts.shadow_rays, 500u);
@@ -321,9 +317,7 @@ TEST(Shader, ALightOnTheSurfaceGivesAFiniteResult) {
   Light light;
   light.position = {0, 0, 0};
   Lit lit{floor_world(matte(glm::vec3(1))), {light}};
-  Hit hit;
-  hit.triangle = 0;
-  hit.b1 = 0.0f;
+  Hit hit{.triangle = 0, .b1 = 0.0f};
   hit.b2 = 0.5f;  // the middle of the quad's diagonal
   RenderStatistics counts;
   test::RayTransport transport(lit.rays);
@@ -335,10 +329,7 @@ TEST(Shader, ALightOnTheSurfaceGivesAFiniteResult) {
 TEST(SpawnOrigin, ClearsTheErrorOfThePointAndNoMore) {
   World world;
   add_quad(world, {1000, 500, -1000}, {1, 0, 0}, {0, 0, -1}, matte(glm::vec3(1)));
-  Hit hit;
-  hit.triangle = 0;
-  hit.b1 = 0.3f;
-  hit.b2 = 0.2f;
+  const Hit hit{.triangle = 0, .b1 = 0.3f, .b2 = 0.2f};
   const SurfacePoint p = surface_point(world, RenderFeatures{}, hit, {0, 1, 0});
   const float moved = spawn_origin(p, {0, 1, 0}).y - p.position.y;
   EXPECT_GE(moved, p.error.y);
@@ -351,10 +342,7 @@ TEST(SpawnOrigin, ClearsTheErrorOfThePointAndNoMore) {
 TEST(ShadowRay, ToASunStartsOnItsOwnLine) {
   World world;
   add_quad(world, {1000, 0, -1000}, {2000, 0, 0}, {0, 0, 2000}, matte(glm::vec3(1)));
-  Hit hit;
-  hit.triangle = 0;
-  hit.b1 = 0.3f;
-  hit.b2 = 0.2f;
+  const Hit hit{.triangle = 0, .b1 = 0.3f, .b2 = 0.2f};
   const SurfacePoint p = surface_point(world, RenderFeatures{}, hit, {0, 1, 0});
   const float height = clear_height(p);
   EXPECT_GT(height, 1e-3f);

@@ -26,12 +26,10 @@ glm::dmat4 askew(double scale, glm::dvec3 place) {
 }
 
 Hit random_hit(test::RandomSpace& space, const World& world) {
-  Hit hit;
-  hit.triangle = static_cast<std::uint32_t>(space.between(0.0, 0.999) *
-                                            static_cast<double>(world.faces.size()));
-  hit.b1 = static_cast<float>(space.between(0.02, 0.98));
-  hit.b2 = static_cast<float>(space.between(0.02, 0.98));
-  return hit;
+  return {.triangle = static_cast<std::uint32_t>(space.between(0.0, 0.999) *
+                                                 static_cast<double>(world.faces.size())),
+          .b1 = static_cast<float>(space.between(0.02, 0.98)),
+          .b2 = static_cast<float>(space.between(0.02, 0.98))};
 }
 
 TEST(ShapeSurface, NormalsTurnAsTheirDerivativesSay) {
