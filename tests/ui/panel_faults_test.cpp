@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <map>
 #include <set>
 #include <string>
 #include <thread>
@@ -16,6 +17,41 @@ using namespace ui;
 namespace {
 
 using test::PanelsTest;
+
+// Rows of results once came and went, so that a button below them was missed.
+TEST_F(PanelsTest, RowsStayInPlaceWhileAPictureRenders) {
+  rig.previewer().scene().open("mirrors");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "mirrors"; }));
+  for (const char* section : {"Compare", "Statistics", "Refinement", "Scene", "Objects"})
+    rig.unfold(section);
+  ASSERT_TRUE(rig.settle());
+  const auto places = [&] {
+    std::map<std::string, float> tops;
+    for (const auto& [name, placed] : rig.content().controls().all())
+      tops[name == "Stop" ? "Restart" : name] = placed.lo.y;  // one button
+    return tops;
+  };
+  const std::map<std::string, float> before = places();
+  const auto stays = [&] {
+    rig.frame();
+    for (const auto& [name, y] : places()) {
+      if (before.contains(name) && before.at(name) == y) continue;
+      ADD_FAILURE() << name << " at " << y;
+      return true;
+    }
+    EXPECT_EQ(places().size(), before.size());
+    return !rig.previewer().render().progress().running;
+  };
+  settings().asos.eps *= 2.0;
+  ASSERT_TRUE(rig.frames_until(stays));
+  settings().asos.max_level = 4;
+  ASSERT_TRUE(rig.frames_until(stays));
+  rig.previewer().scene().reload();
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().loading().has_value(); }));
+  ASSERT_TRUE(
+      rig.frames_until([&] { return stays() && !rig.previewer().scene().loading().has_value(); }));
+}
 
 // Texture filtering by area needs no texture samples.
 TEST_F(PanelsTest, TrIsOfferedWhereItCounts) {

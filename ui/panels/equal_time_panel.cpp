@@ -33,6 +33,11 @@ void rival_choice(Controls& controls, Method& method) {
     method = offered[static_cast<std::size_t>(chosen)];
 }
 
+std::string news_words(const EqualTimeNews& news) {
+  if (news.doing.empty()) return "starting";
+  return fmt::format("{}: {:.0f} %", news.doing, std::floor(100.0 * news.fraction));
+}
+
 }  // namespace
 
 // A frame that was rendered for another picture is discarded.
@@ -72,12 +77,8 @@ bool start_equal_time(const Previewer& previewer, EqualTimeChoice& choice, Equal
 }
 
 void equal_time_progress(Controls& controls, const EqualTimeChoice& choice) {
-  const EqualTimeNews& news = choice.news;
-  const std::string words = news.doing.empty()
-                                ? std::string("starting")
-                                : fmt::format("{}, {}: {:.0f} %", row_of(choice.method).title,
-                                              news.doing, std::floor(100.0 * news.fraction));
-  ImGui::ProgressBar(static_cast<float>(news.fraction), {-1.0f, 0.0f}, words.c_str());
+  const std::string words = news_words(choice.news);
+  ImGui::ProgressBar(static_cast<float>(choice.news.fraction), {-1.0f, 0.0f}, words.c_str());
   controls.placed_words("Comparison progress", words,
                         "Short renders first find the quality that takes the same CPU time.");
 }
@@ -88,7 +89,6 @@ void equal_time_controls(Controls& controls, const Previewer& previewer, EqualTi
   rival_choice(controls, choice.method);
   if (job.busy()) {
     if (controls.button("Cancel comparison", "Stop rendering the other method.", -1.0f)) job.stop();
-    equal_time_progress(controls, choice);
   } else if (controls.button("Render and compare",
                              "Render this view by another method in the same CPU time. The result "
                              "is kept as a snapshot and shown behind a divider.",
@@ -98,7 +98,7 @@ void equal_time_controls(Controls& controls, const Previewer& previewer, EqualTi
   std::string words = "(when finished)";
   if (render.progress().finished) words = processor_words(processor_seconds(render.film()));
   if (frames.stored.size() >= Frames::most) words = "delete a snapshot first";
-  if (job.busy()) words = "rendering";
+  if (job.busy()) words = news_words(choice.news);
   controls.row("CPU time", words,
                "CPU time of the finished picture, all threads. The other method gets the same.");
 }

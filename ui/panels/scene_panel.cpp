@@ -46,14 +46,21 @@ void light_rows(Controls& controls, const RenderScene& scene) {
   }
 }
 
-void edge_rows(Controls& controls, const FeatureCounts& edges) {
-  controls.row("Edges",
-               grouped(edges.open + edges.crease + edges.seam + edges.silhouette_candidates +
-                       edges.intersection + edges.cut_out),
-               "Edges of all kinds that may be visible.");
+// The rows are always shown, so that nothing moves once the search has ended.
+void edge_rows(Controls& controls, const BoundaryFeatures& boundaries) {
+  FeatureCounts edges;
+  if (boundaries.known()) edges = boundaries.get().counts();
   const auto kind = [&](const char* label, std::uint64_t count, const char* tooltip) {
-    if (count > 0) controls.row(label, grouped(count), tooltip);
+    controls.row(label, boundaries.known() ? grouped(count) : std::string("-"), tooltip);
   };
+  if (boundaries.known())
+    kind("Edges",
+         edges.open + edges.crease + edges.seam + edges.silhouette_candidates + edges.intersection +
+             edges.cut_out,
+         "Edges of all kinds that may be visible.");
+  else
+    controls.row("Edges", boundaries.running() ? "(searching)" : "(not searched)",
+                 "The search begins when a method needs edges.");
   kind("   open", edges.open, "Edges of one triangle: borders of open surfaces.");
   kind("   crease", edges.crease, "Creases.");
   kind("   seam", edges.seam, "Changes of material or texture coordinates.");
@@ -95,13 +102,7 @@ void scene_panel(Controls& controls, const RenderScene& scene, const RenderSetti
   light_rows(controls, scene);
   const Geometry& geometry = *scene.geometry;
   const BoundaryFeatures& boundaries = geometry.boundaries;
-  if (boundaries.known()) {
-    edge_rows(controls, boundaries.get().counts());
-  } else if (boundaries.running()) {
-    controls.row("Edges", "(searching)", "Edges are being searched.");
-  } else {
-    controls.row("Edges", "(not searched)", "The search begins when a method needs edges.");
-  }
+  edge_rows(controls, boundaries);
   controls.row("Loaded in", fmt::format("{:.2f} s", load_seconds + geometry.build_seconds),
                fmt::format("{:.2f} s to read the file, {:.2f} s for the ray hierarchy. {:.2f} s "
                            "for edges, while the picture starts.",

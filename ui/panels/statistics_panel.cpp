@@ -25,6 +25,9 @@ struct Finished {
   [[nodiscard]] std::string share(double part) const {
     return pixels > 0.0 ? fmt::format("{:.2f} %", 100.0 * part / pixels) : "-";
   }
+  [[nodiscard]] std::string number(std::uint64_t count, const char* thing) const {
+    return pixels > 0.0 ? counted(count, thing) : "-";
+  }
 };
 
 constexpr std::size_t most_light_rows = 8;
@@ -44,8 +47,8 @@ void light_rows(Controls& controls, const RenderStatistics& statistics,
   }
 }
 
-// The rows of eye and shadow rays depend on the scene, not on whether rays were counted yet, so
-// that the panel does not jump.
+// Rows depend on scene and settings, not on whether something was counted yet, so that the panel
+// does not jump.
 void ray_rows(Controls& controls, const RenderStatistics& statistics, const RenderScene& scene,
               const Finished& finished) {
   controls.row("Eye rays", finished.per_pixel(statistics.eye_rays),
@@ -56,15 +59,12 @@ void ray_rows(Controls& controls, const RenderStatistics& statistics, const Rend
                  "Shadow rays per finished pixel.");
     light_rows(controls, statistics, lights, finished);
   }
-  if (statistics.reflection_rays > 0) {
-    controls.row("Reflection rays", finished.per_pixel(statistics.reflection_rays),
-                 "Reflected rays per finished pixel.");
-  }
+  controls.row("Reflection rays", finished.per_pixel(statistics.reflection_rays),
+               "Reflected rays per finished pixel.");
 }
 
 void cause_rows(Controls& controls, const RenderStatistics& statistics, const Finished& finished) {
   for (std::size_t i = 1; i < split_cause_count; ++i) {
-    if (statistics.pixels_by_cause[i] == 0) continue;
     controls.row((std::string("   ") + split_cause_titles[i]).c_str(),
                  finished.share(static_cast<double>(statistics.pixels_by_cause[i])),
                  "Percentage of pixels split for this cause.");
@@ -75,8 +75,7 @@ void split_rows(Controls& controls, const RenderStatistics& statistics, const Fi
   controls.row("Split pixels", finished.share(static_cast<double>(statistics.split_pixels)),
                "Percentage of pixels that are exact or of level 1 and deeper.");
   cause_rows(controls, statistics, finished);
-  controls.row("Edges not found",
-               finished.pixels > 0.0 ? fmt::format("{}", statistics.missed_splits) : "-",
+  controls.row("Edges not found", finished.number(statistics.missed_splits, "pixel"),
                "Pixels whose neighbours show another surface, without an edge between. Zero on "
                "sound meshes.");
   controls.row("Unresolved area", finished.share(statistics.unresolved_area),
@@ -99,14 +98,10 @@ void statistics_panel(Controls& controls, const RenderStatistics& statistics,
                "Width and height in pixels.");
   ray_rows(controls, statistics, scene, finished);
   if (in_object_space(settings.method)) split_rows(controls, statistics, finished);
-  if (statistics.rejected_samples > 0) {
-    controls.row("Rejected", counted(statistics.rejected_samples, "sample"),
-                 "Samples dropped for not being finite numbers.");
-  }
-  if (statistics.cut_stacks > 0) {
-    controls.row("Cut stacks", counted(statistics.cut_stacks, "ray"),
-                 "Rays that passed 1,024 surfaces and went no farther.");
-  }
+  controls.row("Rejected", finished.number(statistics.rejected_samples, "sample"),
+               "Samples dropped for not being finite numbers.");
+  controls.row("Cut stacks", finished.number(statistics.cut_stacks, "ray"),
+               "Rays that passed 1,024 surfaces and went no farther.");
 }
 
 }  // namespace asos::ui

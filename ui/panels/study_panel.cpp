@@ -124,12 +124,10 @@ std::string words(const ViewStudy::State& state, bool automatic) {
 }
 
 void progress(Controls& controls, const ViewStudy::State& state, bool automatic) {
-  if (state.phase == ViewStudy::Phase::running) {
-    const float share = static_cast<float>(state.points_run) /
-                        static_cast<float>(std::max<std::size_t>(1, state.points));
-    const std::string text = fmt::format("{} of {} renders", state.points_run, state.points);
-    ImGui::ProgressBar(share, {-1.0f, 0.0f}, text.c_str());
-  }
+  const float share = static_cast<float>(state.points_run) /
+                      static_cast<float>(std::max<std::size_t>(1, state.points));
+  const std::string text = fmt::format("{} of {} renders", state.points_run, state.points);
+  ImGui::ProgressBar(share, {-1.0f, 0.0f}, text.c_str());
   ImGui::TextWrapped("%s", words(state, automatic).c_str());
   controls.placed("Study progress", nullptr);
 }
