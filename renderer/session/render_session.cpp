@@ -50,6 +50,10 @@ class RenderRun {
   /// Pauses all but the coarse passes after the current pieces of work, and resumes them.
   void pause() { clock_.pause(); }
   void resume() { clock_.resume(); }
+  void prefer(const PixelRect& part) {
+    samples_.prefer(render_.plan, part);
+    steps_.prefer(part);
+  }
   /// Called after the workers have ended: stops the clock.
   void close() { clock_.close(); }
 
@@ -139,6 +143,7 @@ struct RenderSession::State {
   std::vector<std::jthread> workers;
   bool nothing_to_do = false;  ///< the last snapshot was not renderable
   bool paused = false;
+  PixelRect preferred;
 
   void stop() {
     for (std::jthread& worker : workers) worker.request_stop();
@@ -168,6 +173,7 @@ void RenderSession::restart(Snapshot snapshot) {
   const int workers = worker_count(snapshot.settings.threads, beside_window);
   RenderRun& run = state_->run.emplace(std::move(snapshot), state_->on_tiles);
   if (state_->paused) run.pause();
+  run.prefer(state_->preferred);
   for (int i = 0; i < workers; ++i) {
     state_->workers.emplace_back([&run, beside_window](const std::stop_token& stop) {
       pthread_setname_np(pthread_self(), "asos render");  // name in process monitors
@@ -185,6 +191,11 @@ void RenderSession::pause() {
 void RenderSession::resume() {
   state_->paused = false;
   if (state_->run) state_->run->resume();
+}
+
+void RenderSession::prefer(const PixelRect& part) {
+  state_->preferred = part;
+  if (state_->run) state_->run->prefer(part);
 }
 
 void RenderSession::cancel() {

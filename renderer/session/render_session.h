@@ -80,6 +80,9 @@ class RenderSession {
   /// Pauses or resumes all but the coarse passes. Also applies to later snapshots.
   void pause();
   void resume();
+  /// Makes this part of the picture final before the rest; empty: no part. Also applies to later
+  /// snapshots.
+  void prefer(const PixelRect& part);
   /// Stops and waits. Published tiles stay.
   void cancel();
   /// Waits for the end of the render.

@@ -46,6 +46,11 @@ void RenderSteps::begin() {
   if (!queue_.begun()) queue_.begin(samples_);
 }
 
+void RenderSteps::prefer(const PixelRect& part) {
+  const std::lock_guard lock(mutex_);
+  queue_.prefer(part);
+}
+
 bool RenderSteps::work(const PlannedRender& render, TileCollector& tiles, RunClock& clock,
                        const std::stop_token& stop) {
   bool finished_picture = false;

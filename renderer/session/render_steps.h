@@ -28,6 +28,8 @@ class RenderSteps {
   /// Orders the steps by the samples so far; only the first call counts. To be called after the
   /// last round of samples, or not at all.
   void begin();
+  /// See StepQueue.
+  void prefer(const PixelRect& part);
   /// Returns whether the boundaries that the method uses are known, and begins to search the first
   /// unknown ones.
   [[nodiscard]] static bool blocks_can_start(const PlannedRender& render);

@@ -135,25 +135,50 @@ void SampleRounds::count(std::size_t group, int samples, double seconds, RunCloc
   clock.count(seconds, left, !own_);
 }
 
+void SampleRounds::prefer(const WorkPlan& plan, const PixelRect& part) {
+  if (!own_) return;
+  const std::lock_guard lock(mutex_);
+  preferred_.clear();
+  for (std::size_t g = 0; g < plan.groups.size(); ++g)
+    if (!intersection(plan.groups[g].rect, part).empty()) preferred_.push_back(g);
+}
+
+std::optional<std::size_t> SampleRounds::take_preferred() {
+  const std::lock_guard lock(mutex_);
+  if (preferred_.empty()) return std::nullopt;
+  const std::size_t group = preferred_.back();
+  preferred_.pop_back();
+  return group;
+}
+
+// Renders a group up to a round and publishes it. Returns true if that finished the picture.
+bool SampleRounds::render(const PlannedRender& render, std::size_t group, std::size_t round,
+                          TileCollector& tiles, RunClock& clock, const std::stop_token& stop) {
+  const bool last = own_ && round + 1 == rounds_.size();
+  double seconds = 0.0;
+  std::optional<BlockResult> result = advance(render, group, rounds_[round], seconds, stop);
+  if (!result || stop.stop_requested()) return false;
+  count(group, rounds_[round], seconds, clock);
+  if (last) return tiles.finish_block(render.plan.groups[group].first_block, *std::move(result));
+  tiles.publish_coarse(group, pass_of_samples(rounds_[round]), std::move(result->tile));
+  return false;
+}
+
 bool SampleRounds::work(const PlannedRender& render, std::size_t round, TileCollector& tiles,
                         RunClock& clock, const std::stop_token& stop) {
   const WorkPlan& plan = render.plan;
-  const bool last = own_ && round + 1 == rounds_.size();
   bool finished_picture = false;
   while (clock.wait_while_paused(stop)) {
+    // The first round covers the picture, whatever is preferred.
+    const auto first = round > 0 ? take_preferred() : std::nullopt;
+    if (first) {
+      finished_picture |= this->render(render, *first, rounds_.size() - 1, tiles, clock, stop);
+      continue;
+    }
     const std::size_t index = next_[round]++;
     if (index >= plan.groups.size()) break;
-    const std::size_t at = order_[index];
-    const BlockGroup& group = plan.groups[at];
-    double seconds = 0.0;
-    std::optional<BlockResult> result = advance(render, at, rounds_[round], seconds, stop);
+    finished_picture |= this->render(render, order_[index], round, tiles, clock, stop);
     if (stop.stop_requested()) break;
-    if (result) count(at, rounds_[round], seconds, clock);
-    if (result && last) {
-      finished_picture |= tiles.finish_block(group.first_block, *std::move(result));
-    } else if (result) {
-      tiles.publish_coarse(at, pass_of_samples(rounds_[round]), std::move(result->tile));
-    }
     {
       const std::lock_guard lock(mutex_);
       if (++done_ % plan.groups.size() != 0) continue;

@@ -39,6 +39,9 @@ class SampleRounds {
   /// requested. Returns true if this finished the picture.
   bool work(const PlannedRender& render, std::size_t round, TileCollector& tiles, RunClock& clock,
             const std::stop_token& stop);
+  /// Takes the groups that touch this part of the picture to their last round before all others,
+  /// if the rounds produce the final pixels.
+  void prefer(const WorkPlan& plan, const PixelRect& part);
   /// Waits until all groups have finished the rounds before this one; false once `stop` is
   /// requested.
   [[nodiscard]] bool wait_for_rounds(std::size_t before, const std::stop_token& stop);
@@ -92,6 +95,9 @@ class SampleRounds {
                                                    int samples, double& seconds,
                                                    const std::stop_token& stop);
   static void drop_samples(Group& group);
+  [[nodiscard]] std::optional<std::size_t> take_preferred();
+  [[nodiscard]] bool render(const PlannedRender& render, std::size_t group, std::size_t round,
+                            TileCollector& tiles, RunClock& clock, const std::stop_token& stop);
   void count(std::size_t group, int samples, double seconds, RunClock& clock);
 
   RenderSettings settings_;
@@ -107,6 +113,7 @@ class SampleRounds {
   double left_ = 0.0;               // seconds of their further rounds, at their paces
   std::size_t ordered_round_ = 0;   // the latest round that changed order_
   std::vector<std::size_t> order_;  // of groups
+  std::vector<std::size_t> preferred_;
 };
 
 }  // namespace asos

@@ -279,7 +279,47 @@ void StepQueue::plan_in_spread_order() {
     if (blocks_[b].state == State::open) plan_step(Step::Kind::finish, b, 0.0);
 }
 
+void StepQueue::prefer(const PixelRect& part) {
+  preferred_.clear();
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (!intersection(visible(b), part).empty()) preferred_.push_back(b);
+  forget_plan();
+}
+
+// Puts planned steps back, since other blocks come first.
+void StepQueue::forget_plan() {
+  for (const Step& step : ready_) {
+    for (const PlannedPixel& p : step.pixels) {
+      Pixel& of = pixel(p.x, p.y);
+      of.busy = false;
+      blocks_[p.block].sample_seconds -= sample_seconds(p.block, of);
+    }
+    if (step.kind == Step::Kind::start) blocks_[step.block].state = State::waiting;
+    if (step.kind == Step::Kind::finish) blocks_[step.block].state = State::open;
+  }
+  ready_.clear();
+  next_spread_ = 0;
+}
+
+// Takes a block of the preferred part. One that a thread works on may still have a second stage.
+std::optional<Step> StepQueue::take_preferred() {
+  for (std::size_t left = preferred_.size(); left > 0; --left) {
+    const std::size_t b = preferred_.front();
+    const State state = blocks_[b].state;
+    preferred_.pop_front();
+    if (state != State::done && state != State::open) preferred_.push_back(b);
+    if (state != State::waiting && state != State::open) continue;
+    plan_step(state == State::waiting ? Step::Kind::start : Step::Kind::finish, b, 0.0);
+    Step step = std::move(ready_.back());
+    ready_.pop_back();
+    return step;
+  }
+  return std::nullopt;
+}
+
 std::optional<Step> StepQueue::take(bool blocks) {
+  if (blocks)
+    if (std::optional<Step> step = take_preferred()) return step;
   if (ready_.empty()) plan(blocks);
   if (ready_.empty()) return std::nullopt;
   Step step = std::move(ready_.back());

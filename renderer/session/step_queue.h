@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,6 +51,10 @@ class StepQueue {
   /// spread order.
   void begin(const SampleRounds& samples);
   [[nodiscard]] bool begun() const { return begun_; }
+
+  /// Renders the blocks that touch this part of the picture before all others, once blocks can be
+  /// rendered; empty: in the usual order.
+  void prefer(const PixelRect& part);
 
   /// Takes the next step; none while it depends on steps that are taken and not done. `blocks`: the
   /// method's blocks can be rendered by now. Until then pixels take samples however small their
@@ -109,6 +114,8 @@ class StepQueue {
   /// Calls `see(pixel, x, y, gain, seconds)` for each pixel of a block that can take samples.
   template <typename See>
   void each_pixel(std::size_t block, bool blocks, const See& see) const;
+  [[nodiscard]] std::optional<Step> take_preferred();
+  void forget_plan();
   void plan(bool blocks);
   [[nodiscard]] std::size_t least_class(bool blocks);
   void plan_pixels(std::span<const PlannedPixel> pixels, bool blocks);
@@ -136,7 +143,8 @@ class StepQueue {
   double left_ = 0.0;          // expected seconds
   bool planned_ = false;       // left_ is known
   std::array<double, classes> seconds_by_class_{};
-  std::vector<Step> ready_;  // the last is the next
+  std::vector<Step> ready_;            // the last is the next
+  std::deque<std::size_t> preferred_;  // blocks that may not be final yet
 };
 
 }  // namespace asos

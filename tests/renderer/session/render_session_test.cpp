@@ -185,6 +185,32 @@ TEST(RenderSession, APauseHoldsTheFinalPassAndTheClock) {
   EXPECT_EQ(film.radiance, render_to_end(snapshot).film.radiance);
 }
 
+TEST(RenderSession, ThePreferredPartIsFinalFirstAndThePictureTheSame) {
+  const PixelRect part{60, 5, 20, 20};
+  for (const Method method : {Method::asos, Method::sobol}) {
+    Snapshot snapshot = snapshot_of(method, 100, 70, 1);
+    snapshot.settings.sampling.spp = 64;
+    RenderSession session;
+    session.prefer(part);
+    session.restart(snapshot);
+    session.wait();
+    Film film(100, 70);
+    int preferred = 0, others = 0;
+    for (const FinishedTile& tile : session.take_finished()) {
+      film.put(tile);
+      if (tile.coarse) continue;
+      const bool inside = !intersection(tile.rect, part).empty();
+      EXPECT_FALSE(inside && others > 0) << tile.rect.x << ", " << tile.rect.y << " came late";
+      ++(inside ? preferred : others);
+    }
+    EXPECT_GT(preferred, 0);
+    EXPECT_GT(others, 0);
+    const RenderResult headless = render_to_end(snapshot);
+    EXPECT_EQ(film.radiance, headless.film.radiance);
+    test::expect_same(session.statistics(), headless.statistics);
+  }
+}
+
 TEST(RenderSession, APausedRenderIsReplacedAndCancelled) {
   RenderSession session;
   session.pause();

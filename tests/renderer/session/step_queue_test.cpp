@@ -51,6 +51,33 @@ TEST(StepQueue, RendersEachBlockOnceInSpreadOrderWithoutSamples) {
   EXPECT_EQ(blocks, render.plan.spread_blocks());
 }
 
+TEST(StepQueue, RendersThePreferredPartFirst) {
+  Sampled of;
+  const WorkPlan& plan = of.render.plan;
+  const PixelRect part{100, 10, 20, 30};
+  const auto touches = [&](std::size_t block) {
+    return !intersection(plan.blocks[block].rect, part).empty();
+  };
+  StepQueue queue(plan, 1.0 / 256.0);
+  queue.begin(of.samples);
+  std::optional<Step> planned = queue.take(true);  // others are planned with it
+  ASSERT_TRUE(planned);
+  std::vector<StepQueue::Sampled> sampled(planned->pixels.size(), {16, 0.001f});
+  queue.done(*planned, planned->seconds, sampled);
+  queue.prefer(part);
+  const std::vector<Step> steps = all_steps(queue, [](const Step& step) { return step.seconds; });
+  std::vector<int> seen(plan.blocks.size(), 0);
+  if (planned->kind == Step::Kind::start) ++seen[planned->block];
+  bool others = false;
+  for (const Step& step : steps) {
+    if (step.kind == Step::Kind::start) ++seen[step.block];
+    const bool preferred = step.kind == Step::Kind::start && touches(step.block);
+    EXPECT_FALSE(preferred && others) << "block " << step.block << " came late";
+    others |= !preferred;
+  }
+  EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
+}
+
 // Most of the error lies in few pixels: they come before anything else, and blocks of flat pixels
 // come last.
 TEST(StepQueue, LargestGainsComeFirst) {
