@@ -228,11 +228,11 @@ LightKind kind_of(const Light& light) {
   return light.radius > 0.0 ? LightKind::sphere : LightKind::point;
 }
 
-Light as_kind(const Light& light, LightKind kind, const SceneSize& scene) {
+Light as_kind(const Light& light, LightKind kind, const SceneSize& scene, bool has_place) {
   if (kind_of(light) == kind) return light;
   Light other = light;
   constexpr double away = 1.5;  // of a light at infinity, in radii of the scene
-  if (light.type == Light::Type::directional)
+  if (light.type == Light::Type::directional && !has_place)
     other.position = scene.middle - away * scene.radius * forward_of(light);
   if (!has_direction(light)) other.direction = unit_or(scene.middle - other.position, {0, -1, 0});
   const double distance = std::max(glm::distance(other.position, scene.middle), 0.1 * scene.radius);

@@ -45,8 +45,10 @@ struct SceneSize {
 inline constexpr double usual_half_size = 0.05;
 
 /// Returns the light as another kind, with its place, orientation and size, and with the same
-/// brightness in the centre of `scene`. A light without a size gets usual_half_size.
-[[nodiscard]] Light as_kind(const Light& light, LightKind kind, const SceneSize& scene);
+/// brightness in the centre of `scene`. A light without a size gets usual_half_size. A directional
+/// light comes from outside the scene, or from its position if it `has_place`.
+[[nodiscard]] Light as_kind(const Light& light, LightKind kind, const SceneSize& scene,
+                            bool has_place = false);
 
 /// Emitting area of a flat light; 0 for other lights.
 [[nodiscard]] double area_of(const Light& light);

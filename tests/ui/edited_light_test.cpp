@@ -54,6 +54,18 @@ TEST(EditedLight, AnotherKindIsSoundAndAsBright) {
   }
 }
 
+TEST(EditedLight, ALampThatWasDirectionalReturnsToItsPlace) {
+  for (const LightKind kind : all_kinds) {
+    if (kind == LightKind::directional) continue;
+    const Light lamp = as_kind(small_ball(), kind, unit_scene);
+    const Light sun = as_kind(lamp, LightKind::directional, unit_scene);
+    const Light again = as_kind(sun, kind, unit_scene, true);
+    EXPECT_EQ(again.position, lamp.position) << static_cast<int>(kind);
+    EXPECT_NE(as_kind(sun, kind, unit_scene).position, lamp.position) << "a sun of the file";
+    EXPECT_NEAR(irradiance_in_the_middle(again), 40.0 / 25.0, 40.0 / 25.0 * 0.01);
+  }
+}
+
 TEST(EditedLight, SizeIsKeptFromKindToKind) {
   const Light disk = as_kind(small_ball(), LightKind::disk, unit_scene);
   EXPECT_DOUBLE_EQ(disk.radius, 0.01);

@@ -88,7 +88,9 @@ class LightEditor {
   void kind() {
     int chosen = static_cast<int>(kind_of(light_));
     if (!controls_.options("Type", kind_options, chosen, {false, std::nullopt})) return;
-    light_ = as_kind(light_, static_cast<LightKind>(chosen), looked_at_);
+    // A light that was not directional at first has kept its position.
+    light_ = as_kind(light_, static_cast<LightKind>(chosen), looked_at_,
+                     edited_.original.type != Light::Type::directional);
     changed_ = true;
   }
 
