@@ -110,6 +110,12 @@ std::size_t splits(const PixelTrace& trace) {
   return trace.cells.size() / 4;
 }
 
+int deepest(const PixelTrace& trace) {
+  int level = 0;
+  for (const TracedCell& cell : trace.cells) level = std::max(level, cell.level);
+  return level;
+}
+
 // Returns how much a pixel shows, 0 to 1: by the number of split cells (without any: of parts that
 // edges cut off) and the contrast of their colours.
 double interest(const PixelTrace& trace) {
@@ -130,7 +136,10 @@ double interest(const PixelTrace& trace) {
   };
   constexpr double as_nothing = 0.02;  // weight compared with split pixels
   if (splits(trace) == 0) return as_nothing * share_of(samples, 4) * contrast;
-  return share_of(splits(trace), 6) * (0.2 + 0.8 * contrast);
+  // A single level of quarters does not show that parts are split again.
+  constexpr double of_one_level = 0.4;
+  const double depth = deepest(trace) > 1 ? 1.0 : of_one_level;
+  return depth * share_of(splits(trace), 6) * (0.2 + 0.8 * contrast);
 }
 
 }  // namespace

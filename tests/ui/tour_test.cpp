@@ -317,6 +317,26 @@ TEST_F(TourTest, FitsIntoAnyWindow) {
   }
 }
 
+TEST(TourInAWideWindow, NextStaysInItsPlace) {
+  UiRig rig(LoadFunction{}, {1400, 900});
+  rig.set_pixel_size(4);
+  rig.previewer().edits().settings().asos.max_level = 2;
+  rig.previewer().scene().open("builtin:boxes");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+  ASSERT_TRUE(rig.settle());
+  rig.content().state().tour_asked = true;
+  glm::vec2 first(0.0f);
+  for (int card = 0; card < Tour::cards; ++card) {
+    ASSERT_TRUE(rig.settle());
+    for (int i = 0; i < 10; ++i) rig.frame();
+    const bool last = card + 1 == Tour::cards;
+    const Controls::Placed next = rig.control(last ? "Done" : "Next");
+    if (card == 0) first = next.lo;
+    EXPECT_EQ(next.lo, first) << card;
+    if (!last) rig.click("Next");
+  }
+}
+
 // On a screen at 200 % the window has half as many units as pixels.
 TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
   for (const float scale : {1.0f, 2.0f}) {

@@ -246,10 +246,12 @@ void choose_pixel(const Previewer& previewer, UiState& state, double now_seconds
   if (keeps || still) return;
   const std::optional<glm::ivec2> pixel = pixel_for_card(previewer, state);
   now.clear = pixel && on_clear_edge(film, *pixel, state.display.transform());
+  // A late result does not reopen an inspector that was closed on this card.
+  const bool closed = tour.pixel && tour.chosen && tour.chosen->card == now.card && !state.picked;
   tour.chosen = now;
   if (pixel == tour.pixel && (!watched || pixel == state.picked)) return;
   tour.pixel = pixel;
-  if (!watched) return;
+  if (!watched || closed) return;
   state.picked = pixel;
   state.shown_level = 0;
   tour.since_seconds = now_seconds;
