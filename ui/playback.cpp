@@ -120,6 +120,9 @@ void Playback::adopt_scene(bool again) {
   playing_ = playing_ && keeps;
   has_failed_ = false;
   if (keeps) seek(time_->seconds);
+  // Each pose builds the hierarchies of the parts that move.
+  const bool fast = available() && scene_->geometry->build_seconds * least_poses < 1.0;
+  if (options_.plays_at_first && !again && !time_ && count == 1 && fast) set_playing(true);
 }
 
 void Playback::update(bool seen, double now_seconds,

@@ -60,11 +60,15 @@ class Playback {
 
   /// Interval in seconds at which a playing clock is updated.
   static constexpr double frame_seconds = 1.0 / 60.0;
+  static constexpr double least_poses = 12.0;
   static constexpr double slowest = 0.05, fastest = 20.0;
   struct Options {
     bool loop = true;
     double speed = 1.0;  ///< from slowest to fastest
     double fps = 24.0;   ///< of `step`
+    /// A file that is opened plays if it has one animation and can be posed at least
+    /// `least_poses` times a second.
+    bool plays_at_first = false;
   };
   [[nodiscard]] Options& options() { return options_; }
 

@@ -58,6 +58,7 @@ int run_viewer(const ViewerOptions& options) {
   };
   Previewer previewer({{}, wake, options.forced}, settings);
   previewer.edits().keep_first(options.own_look);
+  previewer.playback().options().plays_at_first = true;
   const Result<std::unique_ptr<WindowContent>> content = WindowContent::make(previewer);
   if (!content) return fail(content.error());
   if (stored) (*content)->apply(*stored);

@@ -28,6 +28,13 @@ GltfBuilder two_squares() {
   return b;
 }
 
+/// The sliding square with one of its animations.
+GltfBuilder one_clip() {
+  GltfBuilder b = sliding();
+  b.json["animations"].erase(1);
+  return b;
+}
+
 class Timeline : public testing::Test {
  protected:
   Timeline() {
@@ -61,6 +68,7 @@ class Timeline : public testing::Test {
 
   UiRig rig{[](const std::string& source) -> Result<Scene> {
               if (source == "lines") return with_rig(sliding_line());
+              if (source == "one clip") return with_rig(one_clip());
               if (source == "two") return with_rig(two_squares());
               if (source == "still") return two_triangles({1, 0, 0}, source);
               return with_rig(sliding());
@@ -82,6 +90,27 @@ TEST_F(Timeline, IsThereOnlyWhereSomethingMoves) {
   playback().seek(1.0);
   EXPECT_FALSE(playback().playing());
   EXPECT_FALSE(playback().time().has_value());
+}
+
+TEST_F(Timeline, TheOnlyAnimationOfAFilePlaysWhenItIsOpened) {
+  EXPECT_FALSE(playback().playing()) << "unless the program asks for it";
+  playback().options().plays_at_first = true;
+  const auto opens = [&](const std::string& source) {
+    const std::uint64_t opened = scene().times_opened();
+    scene().open(source);
+    EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
+  };
+  opens("moving");
+  EXPECT_FALSE(playback().playing()) << "one of several has to be chosen";
+  opens("one clip");
+  ASSERT_EQ(playback().animations().size(), 1u);
+  const bool fast = scene()->geometry->build_seconds * Playback::least_poses < 1.0;
+  EXPECT_EQ(playback().playing(), fast);
+  playback().set_playing(false);
+  const std::uint64_t opened = scene().times_opened();
+  scene().reload();
+  EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
+  EXPECT_FALSE(playback().playing()) << "a reload keeps the pause";
 }
 
 TEST_F(Timeline, ShowsTheMomentThatIsSoughtAndTheSameAgain) {
