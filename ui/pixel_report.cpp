@@ -87,8 +87,10 @@ void find_boundaries(const RenderScene& scene, const View& view, PixelReport& re
 }  // namespace
 
 std::string shadow_words(const std::string& light, const TracedPyray& pyray) {
-  return fmt::format("{}: {} ({})", light, visibility_words(static_cast<double>(pyray.result.x)),
-                     size_words(pyray));
+  const std::string visible = visibility_words(static_cast<double>(pyray.result.x));
+  constexpr double least_weight = 5e-6;  // less is written as 0 %
+  if (pyray.weight < least_weight) return fmt::format("{}: {}, adds nothing here", light, visible);
+  return fmt::format("{}: {} ({})", light, visible, size_words(pyray));
 }
 
 const char* words_of(CellFate fate) {

@@ -110,6 +110,8 @@ TEST(PixelReport, ShadowsSayHowMuchOfTheLightIsVisible) {
   EXPECT_EQ(shadow_words("lamp", pyray), "lamp: hidden (25 % of pixel, 1 cell)");
   pyray.result = glm::vec3(1.0f);
   EXPECT_EQ(shadow_words("lamp", pyray), "lamp: visible (25 % of pixel, 1 cell)");
+  pyray.weight = 0.0f;
+  EXPECT_EQ(shadow_words("lamp", pyray), "lamp: visible, adds nothing here");
 }
 
 TEST(SeenParts, ARingLeavesItsHoleOut) {
