@@ -4,6 +4,7 @@
 #include "ui/hidden_objects.h"
 #include "ui/panels/inner_list.h"
 #include "ui/panels/named_like.h"
+#include "ui/panels/texture_list.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -354,6 +355,11 @@ std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoic
   } else if (std::string told = node_list(controls, previewer.scene(), choice); !told.empty()) {
     said = std::move(told);
   }
+  const World& world = previewer.scene()->world();
+  if (const std::vector<int> chosen = selected_objects(previewer.scene(), choice);
+      chosen.size() == 1)
+    texture_list(controls, world,
+                 world.materials[world.parts[static_cast<std::size_t>(chosen[0])].material]);
   return said;
 }
 
