@@ -20,6 +20,7 @@ struct DisplaySettings {
   float split_dimming = 0.7f;   ///< darkening of the unsplit pixels in the split map, 0 to 1
   bool show_grid = false;       ///< draws grid and axes over the picture
   bool show_axes = true;        ///< draws axes that turn the view
+  bool show_scale = true;       ///< draws a scale bar over pictures of scenes in metres
   bool show_legend = true;      ///< draws the split map's legend over the picture
   SplitMapColours split_colours = SplitMapColours::level;
   std::optional<Layer> layer;  ///< in false colours in place of the picture; none: the picture

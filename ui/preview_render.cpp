@@ -89,6 +89,9 @@ void PreviewRender::restart(const Subject& subject, double now_seconds) {
   keep_finished(subject);
   const bool same_view = differs_in_splitting_only(rendered_, subject);
   if (!same_view) before_.reset();
+  if (rendered_.settings.width != subject.settings.width ||
+      rendered_.settings.height != subject.settings.height)
+    prefer({});
   ++restarts_;
   restarted_seconds_ = now_seconds;
   refinement_.begin();
@@ -148,6 +151,11 @@ void PreviewRender::rest_or_go_on() {
   if (shown_) return;
   if (!refinement_.decide(session_.progress(), film_.estimated_rmse())) return;
   refinement_.rest() == PauseReason::none ? session_.resume() : session_.pause();
+}
+
+void PreviewRender::prefer(const PixelRect& part) {
+  preferred_ = part;
+  session_.prefer(part);
 }
 
 void PreviewRender::stop() {

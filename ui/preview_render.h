@@ -56,6 +56,11 @@ class PreviewRender {
   /// and has a sample per pixel or has been rendered for `seconds`.
   [[nodiscard]] bool shown_for(double seconds, double now_seconds) const;
 
+  /// Makes this part of the picture final before the rest, in this and in later renders of the same
+  /// size; empty: no part.
+  void prefer(const PixelRect& part);
+  [[nodiscard]] const PixelRect& preferred() const { return preferred_; }
+
   /// Ends the render; `start_again` or a change starts a new one.
   void stop();
   /// Restarts the render and ends a pause.
@@ -119,6 +124,7 @@ class PreviewRender {
 
   Refinement& refinement_;
   Subject rendered_;
+  PixelRect preferred_;
   double restarted_seconds_ = 0.0;
   std::uint64_t restarts_ = 0;
   std::vector<FinishedTile> held_;  // tiles waiting until the first pass has covered the picture

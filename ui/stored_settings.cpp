@@ -82,6 +82,7 @@ StoredSettings settings_of(const SettingsJson& json) {
   read(json, "show_legend", s.display.show_legend);
   read(json, "show_grid", s.display.show_grid);
   read(json, "show_axes", s.display.show_axes);
+  read(json, "show_scale", s.display.show_scale);
   if (const auto at = json.find("split_colours"); at != json.end() && at->is_string()) {
     for (const auto& named : split_map_names)
       if (at->get<std::string>() == named.name) s.display.split_colours = named.value;
@@ -181,6 +182,7 @@ Result<void> save_settings(const std::filesystem::path& path, const StoredSettin
       {"show_legend", settings.display.show_legend},
       {"show_grid", settings.display.show_grid},
       {"show_axes", settings.display.show_axes},
+      {"show_scale", settings.display.show_scale},
       {"split_colours", name_in(split_map_names, settings.display.split_colours)},
       {"theme", theme_names[static_cast<std::size_t>(settings.look.theme)]},
       {"ui_scale", settings.look.scale},

@@ -56,6 +56,8 @@ struct UiState {
   CauseCounts causes;  ///< of the picture
   /// Fraction of the pixels that are split, 0 to 1: see shown_split_share.
   std::optional<double> split_share;
+  MaxTurn max_turn;
+  bool marks_part = false;   ///< the next drag in the picture marks the part to refine first
   bool show_before = false;  ///< shows the picture of the last finished EPS and MAX
   bool show_panel = true;
   PanelTab tab = PanelTab::antialias;

@@ -115,6 +115,7 @@ void WindowContent::draw(const FrameInput& in) {
                              error_reference_.revision()};
   surfaces_.update(previewer_, state_.surfaces);
   update_display();
+  explain_max();
   keep_saving();
   present(in);
   save_window(in);
@@ -206,6 +207,7 @@ void WindowContent::lay_out(const FrameInput& in) {
                                   : selected_objects(previewer_.scene(), state_.outline));
   if (marks_splits()) check_marks(check_.findings(), state_.check, state_.view, shown);
   draw_runs(outline_.runs(), theme::rgb(theme::accent_bright), state_.view, shown);
+  if (max_.effect()) max_marks(*max_.effect(), state_.view, shown);
   picked_mark(inspector_.report(), state_, shown);
   if (state_.display.show_grid) grid_.draw(previewer_, state_.view, shown);
   if (!state_.display.show_split_map && !state_.shows_layer() &&
@@ -217,6 +219,8 @@ void WindowContent::lay_out(const FrameInput& in) {
   loading_box(previewer_, shown);
   play_button(controls_, previewer_.playback(), picture);
   if (state_.display.show_axes) axes_widget(controls_, previewer_.viewpoint(), shown);
+  first_part_mark(controls_, previewer_.render(), state_.view, shown);
+  if (state_.display.show_scale) scale_bar(controls_, previewer_, state_.view, shown);
   picture_area(controls_, previewer_, state_, shown);
   ImGui::End();
   ImGui::PopStyleVar();
@@ -301,6 +305,16 @@ void WindowContent::explain_a_pixel() {
   state_.shown_level.reset();
   state_.clicked = state_.picked;
   if (!state_.picked) say("No pixel is split");
+}
+
+// Marks and describes the effect of MAX while the pointer rests on its slider or drags it.
+void WindowContent::explain_max() {
+  MaxTurn& turn = state_.max_turn;
+  const bool asked = std::exchange(turn.turned, false);
+  if (!max_.update(previewer_.render(), state_.display.transform(), asked)) return;
+  turn.words =
+      max_.effect() ? max_words(*max_.effect(), previewer_.render().settings().asos.max_level) : "";
+  settle();
 }
 
 void WindowContent::dialogs(const WindowRect& picture) {

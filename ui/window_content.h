@@ -8,6 +8,7 @@
 #include "ui/gl_display.h"
 #include "ui/input.h"
 #include "ui/layer_viewer.h"
+#include "ui/max_effect.h"
 #include "ui/metered_exposure.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/grid_overlay.h"
@@ -104,6 +105,7 @@ class WindowContent {
   void take_back();
   void keep_history(double now_seconds);
   void explain_a_pixel();
+  void explain_max();
   [[nodiscard]] std::string hovered_layer() const;
   void follow_files(double now_seconds);
   void say(std::string message);
@@ -129,6 +131,7 @@ class WindowContent {
   SplitForecast forecast_;
   ShownProgress progress_;
   SplitCheck check_;
+  MaxExplainer max_;
   SurfaceViewer surfaces_;
   SelectionOutline outline_;
   LayerViewer layers_;

@@ -61,6 +61,7 @@ void WindowContent::follow_files(double now_seconds) {
       state_.tour.before.display.show_split_map = false;
       if (!state_.tour.card) state_.display.show_split_map = false;
       state_.frames.show_picture();
+      previewer_.render().prefer({});
       state_.frames.shown_file = file_title(source_seen_);
     }
     const auto opened = previewer_.scene().take_opened_display();

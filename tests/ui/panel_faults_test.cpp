@@ -85,6 +85,49 @@ TEST(SectionHelp, DrawsPixelsAsTheDefaultSplitsThem) {
   EXPECT_TRUE(split);
 }
 
+TEST_F(PanelsTest, TheChosenObjectsTexturesAreListed) {
+  rig.previewer().scene().open("textured");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "textured"; }));
+  ASSERT_TRUE(rig.settle());
+  rig.unfold("Objects");
+  const auto& all = rig.content().controls().all();
+  rig.click("Object/1");
+  rig.frame();
+  ASSERT_TRUE(all.contains("Texture/Base color"));
+  EXPECT_EQ(all.at("Texture/Base color").words, "Base color: RGB, opacity A, 2 x 2");
+  EXPECT_FALSE(all.contains("Texture/Normal"));
+  rig.click("Object/2");
+  rig.frame();
+  EXPECT_FALSE(all.contains("Texture/Base color")) << "its material has none";
+}
+
+// glTF is in metres; the other formats have no unit.
+TEST_F(PanelsTest, TheScaleBarHasTheLengthOfThePivot) {
+  rig.resize({1300, 800});
+  ASSERT_TRUE(rig.settle());
+  const auto& all = rig.content().controls().all();
+  EXPECT_FALSE(all.contains("Scale"));
+  rig.previewer().scene().open("plain.glb");
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "plain.glb"; }));
+  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(all.contains("Scale"));
+  const Controls::Placed bar = all.at("Scale");
+  EXPECT_EQ(bar.words, "50 cm");
+  OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  const glm::dvec3 across(0.5, 0.0, 0.0);
+  const View view = rig.previewer().viewpoint().view();
+  const Film& film = rig.previewer().render().film();
+  const Frame frame = view.frame(0.0, 0.0, film.width, film.height);
+  const auto at = [&](glm::dvec3 p) { return frame.project(frame.homogeneous(p)).u; };
+  const double pixels = (at(camera.pivot() + across) - at(camera.pivot())) * film.width;
+  EXPECT_NEAR(bar.hi.x - bar.lo.x, pixels * rig.pixel_size(), 1.0);
+  camera.dolly(0.25);
+  rig.frame();
+  EXPECT_NE(all.at("Scale").words, "50 cm");
+}
+
 TEST_F(PanelsTest, AListTakesTheWheelOnlyOnceItWasClicked) {
   rig.previewer().scene().open("nine lights");
   ASSERT_TRUE(

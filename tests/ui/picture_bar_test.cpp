@@ -24,6 +24,7 @@ class PictureBarTest : public test::PanelsTest {
     EXPECT_TRUE(rig.settle());
     for (int i = 0; i < 3; ++i) rig.frame();
   }
+  [[nodiscard]] DisplayTransform usual() { return display().transform(); }
   [[nodiscard]] const std::map<std::string, Controls::Placed>& all() {
     return rig.content().controls().all();
   }
@@ -379,6 +380,53 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
 }
 
 // A method's name alone says little.
+// MAX once had no visible sense: most pictures look the same at 3 and at 4.
+TEST_F(PictureBarTest, TheSliderOfMaxTellsWhatItChanges) {
+  PreviewRender& render = rig.previewer().render();
+  settings().asos.leaf = LeafKind::point;
+  settings().asos.max_level = 0;
+  ASSERT_TRUE(restarted());
+  const Film coarse = render.film();
+  settings().asos.max_level = 3;
+  ASSERT_TRUE(restarted());
+  const MaxEffect effect = max_effect(render, usual());
+  ASSERT_TRUE(effect.change);
+  EXPECT_EQ(effect.change->from, 0);
+  EXPECT_EQ(effect.change->to, 3);
+  const Film& fine = render.film();
+  float most = 0.0f;
+  std::size_t changed = 0, ended = 0;
+  for (std::size_t i = 0; i < fine.radiance.size(); ++i) {
+    const float steps = 255.0f * difference_of(coarse, fine, i, usual());
+    most = std::max(most, steps);
+    changed += steps >= 1.0f;
+    ended += fine.cause[i] == SplitCause::depth_limit;
+  }
+  ASSERT_GT(changed, 0u);
+  EXPECT_EQ(effect.change->pixels, changed);
+  EXPECT_EQ(effect.change->steps, most);
+  EXPECT_EQ(effect.ended_pixels, ended);
+  ASSERT_FALSE(effect.worst.empty());
+  const glm::ivec2 worst = effect.worst.front();
+  EXPECT_EQ(255.0f * difference_of(coarse, fine, fine.index(worst.x, worst.y), usual()), most);
+
+  rig.move_to(all().at("MAX in bar").centre());
+  for (int i = 0; i < 40; ++i) rig.frame();
+  EXPECT_EQ(rig.content().controls().told().name, "MAX in bar");
+  EXPECT_NE(rig.content().controls().told().text.find(max_words(effect, 3)), std::string::npos)
+      << rig.content().controls().told().text;
+  rig.move_to({20.0f, 20.0f});
+  for (int i = 0; i < 4; ++i) rig.frame();
+  EXPECT_TRUE(rig.content().state().max_turn.words.empty());
+  rig.move_to(all().at("MAX in bar").centre());
+  rig.press(MouseButton::left);
+  for (int i = 0; i < 4; ++i) rig.frame();
+  EXPECT_EQ(rig.content().controls().told().text.find("Maximum"), std::string::npos)
+      << "while it is turned, the effect alone is told";
+  EXPECT_FALSE(rig.content().controls().told().text.empty());
+  rig.release(MouseButton::left);
+}
+
 TEST_F(PictureBarTest, ListsTheMethodsWithALineEach) {
   rig.click("Method in bar");
   rig.frame();

@@ -56,6 +56,33 @@ TEST_F(RefinementTest, ATimeLimitHoldsUntilItIsRaised) {
   EXPECT_TRUE(finished());
 }
 
+TEST_F(RefinementTest, ZRefinesThePartUnderThePointerFirst) {
+  PreviewRender& render = rig.previewer().render();
+  rig.key(Key::z);
+  EXPECT_TRUE(render.preferred().empty()) << "the pointer is nowhere";
+  const WindowRect picture = rig.content().layout().picture;
+  const glm::vec2 at = picture.lo + 0.5f * picture.size;
+  rig.move_to(at);
+  rig.key(Key::z);
+  const Film& film = render.film();
+  EXPECT_NEAR(render.preferred().x + render.preferred().width / 2, film.width / 2, 1);
+  rig.frame();
+  rig.click("Refined first: end");
+  EXPECT_TRUE(render.preferred().empty());
+  rig.unfold("Refinement");
+  rig.click("Refine a part first");
+  const std::uint64_t camera = rig.previewer().viewpoint().camera().revision();
+  rig.drag(picture.lo + 0.25f * picture.size, picture.lo + 0.75f * picture.size);
+  EXPECT_NEAR(render.preferred().width, 0.5 * film.width, 2.0);
+  EXPECT_NEAR(render.preferred().y, 0.25 * film.height, 2.0);
+  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), camera) << "the drag turned it";
+  rig.drag(picture.lo + 0.25f * picture.size, picture.lo + 0.35f * picture.size);
+  EXPECT_NE(rig.previewer().viewpoint().camera().revision(), camera) << "the next drag turns it";
+  ASSERT_TRUE(finished());
+  rig.key(Key::z);
+  EXPECT_TRUE(render.preferred().empty());
+}
+
 TEST_F(RefinementTest, AtALimitItCanGoOn) {
   rig.previewer().refinement().limits().seconds = 1e-6;
   change();

@@ -88,18 +88,19 @@ void ended_by_max_row(Controls& controls, const CauseCounts& causes) {
                "Cause shows where.");
 }
 
-void splitting_sliders(Controls& controls, RenderSettings& settings) {
+void splitting_sliders(Controls& controls, RenderSettings& settings, MaxTurn& turn) {
   const RenderSettings usual;
   controls.log_slider(
       "EPS",
       "Largest error allowed per pixel, 0 to 1. 1/256 is one 8-bit step. Larger is faster. "
       "Ctrl+click to type a value.",
       settings.asos.eps, {0.0, 1.0, usual.asos.eps}, eps_words);
-  controls.slider(
-      "MAX",
+  const std::string tooltip = turn.added_to(
       "Maximum splits per pixel, 0 to 8. Level n has cells of 1/2^n pixel, each with up to four "
-      "samples. Smaller is faster and coarser. Ctrl+click to type a value.",
-      settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_words);
+      "samples. Smaller is faster and coarser. Ctrl+click to type a value.");
+  controls.slider("MAX", tooltip.c_str(), settings.asos.max_level,
+                  {0, max_level_limit, usual.asos.max_level}, level_words);
+  explain_turned_max(controls, "MAX", turn);
 }
 
 // Controls for how cells are shaded and when splitting stops.
@@ -232,8 +233,14 @@ void method_list(Controls& controls, const char* name, RenderSettings& settings,
     settings.method = offered[static_cast<std::size_t>(chosen)];
 }
 
+void explain_turned_max(Controls& controls, const char* slider, MaxTurn& turn) {
+  const bool active = ImGui::IsItemActive();
+  if (active && !turn.words.empty()) controls.tell(slider, turn.words.c_str());
+  turn.turned |= active || controls.told().name == slider;
+}
+
 void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast,
-                        const BarParts& bar, const CauseCounts& causes) {
+                        const BarParts& bar, const CauseCounts& causes, MaxTurn& turn) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderScene* scene = previewer.scene().get();
   if (!controls.section("Antialiasing")) return;
@@ -241,7 +248,7 @@ void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitFor
   const bool splits = in_object_space(settings.method);
   const bool by_eps = row_of(settings.method).samples_by_eps;
   const bool sliders = !bar.splitting || controls.searches();
-  if (splits && sliders) splitting_sliders(controls, settings);
+  if (splits && sliders) splitting_sliders(controls, settings, turn);
   if (by_eps && sliders) adaptive_controls(controls, settings);
   if (splits) {
     forecast_row(controls, previewer, forecast);

@@ -70,13 +70,15 @@ void paint_number(const std::string& text) {
   draw->PopClipRect();
 }
 
-// Places the tooltip to the left of the item's window, so that it hides no control; at the pointer
-// if there is no room.
-void show_tooltip(const char* text) {
+// Places the tooltip above the bar, if the item is in it, or to the left of the item's window, so
+// that it hides no control; at the pointer if there is no room.
+void show_tooltip(const char* text, std::optional<float> bar_top) {
   const float em = ImGui::GetFontSize();
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
   const float left = ImGui::GetWindowPos().x - 0.4f * em;
-  if (left > (tooltip_width_em + 2.0f) * em) {
+  if (bar_top) {
+    ImGui::SetNextWindowPos({lo.x, *bar_top - 0.3f * em}, ImGuiCond_Always, {0.0f, 1.0f});
+  } else if (left > (tooltip_width_em + 2.0f) * em) {
     const bool upper = lo.y < 0.5f * ImGui::GetIO().DisplaySize.y;
     ImGui::SetNextWindowPos({left, upper ? lo.y : hi.y}, ImGuiCond_Always,
                             {1.0f, upper ? 0.0f : 1.0f});
@@ -108,6 +110,7 @@ void Controls::begin_frame(double now_seconds) {
   hovered_before_ = hovered_;
   tooltip_before_ = std::exchange(tooltip_now_, false);
   hovered_.clear();
+  told_ = {};
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) resetting_.clear();
 }
 
@@ -144,13 +147,15 @@ void Controls::explain(const std::string& name, const char* tooltip) {
   if (name != hovered_before_ || now_seconds_ - hovered_since_seconds_ < tooltip_delay_seconds) {
     return;
   }
-  // Tooltips of the bar stand above it.
+  tell(name, tooltip);
+}
+
+void Controls::tell(const std::string& name, const char* text) {
   const auto bar = placed_.find("Picture bar");
   const ImVec2 lo = ImGui::GetItemRectMin();
-  if (bar != placed_.end() && lo.y >= bar->second.lo.y && lo.x < bar->second.hi.x)
-    ImGui::SetNextWindowPos({lo.x, bar->second.lo.y - 0.3f * ImGui::GetFontSize()},
-                            ImGuiCond_Always, {0.0f, 1.0f});
-  show_tooltip(tooltip);
+  const bool in_bar = bar != placed_.end() && lo.y >= bar->second.lo.y && lo.x < bar->second.hi.x;
+  show_tooltip(text, in_bar ? std::optional(bar->second.lo.y) : std::nullopt);
+  told_ = {name, text};
   tooltip_now_ = true;
 }
 

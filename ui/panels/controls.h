@@ -134,6 +134,14 @@ class Controls {
   /// Records the current ImGui window.
   void placed_window(const std::string& name);
 
+  /// Shows a text next to the item that was just drawn, like its tooltip, without delay.
+  void tell(const std::string& name, const char* text);
+  /// The control whose tooltip is shown, and its text; empty: none.
+  struct Told {
+    std::string name, text;
+  };
+  [[nodiscard]] const Told& told() const { return told_; }
+
   [[nodiscard]] const std::map<std::string, Placed>& all() const { return placed_; }
   /// Whether a tooltip has appeared or disappeared in this frame. The frame must be drawn again,
   /// because a tooltip gets its size in its first frame.
@@ -185,6 +193,7 @@ class Controls {
   std::map<std::string, std::set<std::string>> in_sections_;  // names of controls
   std::string hovered_, hovered_before_;
   double hovered_since_seconds_ = 0.0;
+  Told told_;
   bool tooltip_now_ = false, tooltip_before_ = false;
 };
 

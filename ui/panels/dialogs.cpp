@@ -43,6 +43,7 @@ constexpr std::array help_lines{
     HelpLine{"M", "split map"},
     HelpLine{"C", "split map by level, cause, rays, time"},
     HelpLine{"V", "last finished EPS and MAX, and back"},
+    HelpLine{"Z, Z + left drag", "refine this part first; Z again: all"},
     HelpLine{"B, N, G, L", "base color, normal, roughness, metallic"},
     HelpLine{"K, I, U; Y", "occlusion, emission, UV checker; wireframe"},
     HelpLine{"[, ]", "previous, next layer in false colours"},
@@ -334,6 +335,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   snapshot_keys(state, previewer.render().film());
   map_shortcuts(state);
   if (shortcut_pressed(Key::v)) show_before(state, previewer.render());
+  if (shortcut_pressed(Key::z)) refine_here_first(state, previewer.render());
   if (!in_panel && shortcut_pressed(Key::space)) play_or_pause(previewer);
   if (shortcut_pressed(Key::f6)) state.focus_panel = true;
   if (shortcut_pressed(Key::tab)) state.show_panel = !state.show_panel;

@@ -67,6 +67,11 @@ void display_panel(Controls& controls, DisplaySettings& display, const BarParts&
   controls.checkbox("Axes",
                     "Show axes in the picture's corner. Click one, or drag, to turn the view.",
                     display.show_axes, usual.show_axes);
+  controls.checkbox(
+      "Scale bar",
+      "Show a length at the distance of the point that the camera orbits. Only for glTF "
+      "files, whose unit is the metre.",
+      display.show_scale, usual.show_scale);
   controls.checkbox("Legends", "Show the legends of maps, layers and comparisons.",
                     display.show_legend, usual.show_legend);
   if (!display.show_split_map) return;

@@ -2,6 +2,7 @@
 
 #include "renderer/film/layer_colours.h"
 #include "ui/error_map.h"
+#include "ui/max_effect.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/panels.h"
 #include "ui/picture_job.h"
@@ -53,6 +54,17 @@ struct PixelFacts {
 /// stopped.
 void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
                  const PixelFacts& facts, const PictureArea& area);
+/// Marks the pixels that MAX ended, and circles the worst ones.
+void max_marks(const MaxEffect& effect, const PictureView& view, const PictureArea& area);
+/// A bar in the lower right corner of a large picture with its length at the camera's pivot, for
+/// glTF files.
+void scale_bar(Controls& controls, const Previewer& previewer, const PictureView& view,
+               const PictureArea& area);
+/// Frames the part of the picture that is refined first, with a button that ends this.
+void first_part_mark(Controls& controls, PreviewRender& render, const PictureView& view,
+                     const PictureArea& area);
+/// Refines the part around the hovered pixel first; the whole picture again if there is a part.
+void refine_here_first(UiState& state, PreviewRender& render);
 /// Marks the picked pixel, and draws the edges of the hit list over the picture.
 void picked_mark(const PixelReport* report, const UiState& state, const PictureArea& area);
 /// Writes the displayed red, green and blue, 0 to 255, into pixels zoomed to 24x and more.

@@ -28,6 +28,19 @@ struct BarParts {
   bool timeline = false;  ///< play, single frames and time
 };
 
+/// Explains MAX while it is turned.
+struct MaxTurn {
+  bool turned = false;
+  std::string words;  ///< its effect on the picture; empty: not asked for, or not known yet
+
+  /// Returns a tooltip with the words below.
+  [[nodiscard]] std::string added_to(const char* tooltip) const {
+    return words.empty() ? std::string(tooltip) : std::string(tooltip) + "\n" + words;
+  }
+};
+/// Call after the slider of MAX, with its name.
+void explain_turned_max(Controls& controls, const char* slider, MaxTurn& turn);
+
 /// The methods that can render the scene with these settings; without a scene, those that can
 /// render any scene.
 [[nodiscard]] std::vector<Method> methods_for(const RenderSettings& settings,
@@ -36,7 +49,7 @@ struct BarParts {
 void method_list(Controls& controls, const char* name, RenderSettings& settings,
                  const RenderScene* scene);
 void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitForecast& forecast,
-                        const BarParts& bar, const CauseCounts& causes);
+                        const BarParts& bar, const CauseCounts& causes, MaxTurn& turn);
 /// Rarely changed settings of the method.
 void advanced_panel(Controls& controls, Previewer& previewer);
 /// Hides controls of shadows that `scene` does not need.
@@ -46,8 +59,9 @@ void shadow_rules(Controls& controls, RenderSettings& settings, const RenderScen
 /// How curved mirrors reflect.
 void curved_mirror_controls(Controls& controls, RenderSettings& settings);
 
-/// Pause, stop, and the limits of refinement.
-void refinement_panel(Controls& controls, Previewer& previewer);
+/// Pause, stop, and the limits of refinement. `marks_part`: the next drag in the picture marks the
+/// part to refine first.
+void refinement_panel(Controls& controls, Previewer& previewer, bool& marks_part);
 
 /// The state of the lights panel.
 struct LightChoice {

@@ -79,6 +79,15 @@ void drag(Previewer& previewer, UiState& state, glm::vec2 delta, float area_heig
   }
 }
 
+// Drags the frame of the part that is refined first.
+void drag_part(PreviewRender& render, const PictureView& view, glm::vec2 from, glm::vec2 to) {
+  const Film& film = render.film();
+  const glm::vec2 a = view.picture_from_area(from), b = view.picture_from_area(to);
+  const glm::ivec2 lo(glm::floor(glm::min(a, b))), hi(glm::ceil(glm::max(a, b)));
+  render.prefer(
+      intersection({lo.x, lo.y, hi.x - lo.x, hi.y - lo.y}, {0, 0, film.width, film.height}));
+}
+
 void pick(UiState& state, std::optional<glm::ivec2> pixel) {
   state.picked = pixel;
   state.picked_pyray = -1;
@@ -134,14 +143,20 @@ void picture_area(Controls& controls, Previewer& previewer, UiState& state,
   const glm::vec2 delta = vec(io.MouseDelta) * framebuffer_scale;
   if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right))
     state.turns_surroundings = io.KeyShift && !flying();
+  const bool marks_part = state.marks_part || (held(Key::z) && !io.KeyCtrl);
   if (ImGui::IsItemActive() && delta != glm::vec2(0.0f)) {
-    drag(previewer, state, delta, area.size.y * framebuffer_scale);
+    const glm::vec2 from = (vec(io.MouseClickedPos[0]) - area.lo) * framebuffer_scale;
+    if (marks_part && io.MouseDown[0])
+      drag_part(previewer.render(), view, from, pointer);
+    else
+      drag(previewer, state, delta, area.size.y * framebuffer_scale);
   }
   if (ImGui::IsItemActive() && io.MouseDown[1] && view.zoom() == 1 && !state.turns_surroundings)
     fly(previewer.viewpoint().camera());
   if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
-      io.MouseDragMaxDistanceSqr[0] < click_distance * click_distance)
+      io.MouseDragMaxDistanceSqr[0] < click_distance * click_distance && !state.marks_part)
     clicked(previewer, state, pointer);
+  if (ImGui::IsItemDeactivated()) state.marks_part = false;
   state.hovered.reset();
   if (!ImGui::IsItemHovered()) return;
   state.hovered = picked_pixel(view, pointer, previewer.render().film());

@@ -124,7 +124,8 @@ std::string level_text(int level) {
   return fmt::format("MAX {}", level);
 }
 
-void splitting_sliders(Controls& controls, Previewer& previewer, Cells& cells, float width) {
+void splitting_sliders(Controls& controls, Previewer& previewer, MaxTurn& turn, Cells& cells,
+                       float width) {
   RenderSettings& settings = previewer.edits().settings();
   const RenderSettings usual;
   const PreviewRender::FinishedPicture* before = previewer.render().finished_before();
@@ -137,9 +138,11 @@ void splitting_sliders(Controls& controls, Previewer& previewer, Cells& cells, f
       ghost(controls, "EPS in bar", Controls::log_share(before->settings.asos.eps, 1.0));
   });
   cells.add(0.4f * width, [&] {
-    controls.slider(
-        "MAX in bar", "Maximum splits per pixel, 0 to 8. The mark is the last finished value.",
-        settings.asos.max_level, {0, max_level_limit, usual.asos.max_level}, level_text);
+    const std::string tooltip =
+        turn.added_to("Maximum splits per pixel, 0 to 8. The mark is the last finished value.");
+    controls.slider("MAX in bar", tooltip.c_str(), settings.asos.max_level,
+                    {0, max_level_limit, usual.asos.max_level}, level_text);
+    explain_turned_max(controls, "MAX in bar", turn);
     if (before && before->settings.asos.max_level != settings.asos.max_level)
       ghost(controls, "MAX in bar",
             static_cast<float>(before->settings.asos.max_level) / max_level_limit);
@@ -243,7 +246,7 @@ void lower_row(Controls& controls, Previewer& previewer, UiState& state, float w
               zoom = wide ? 6.4f * em : 0.0f;
   const float sliders = width - before - exposure - zoom - (wide ? 4.0f : 2.0f) * gap;
   if (splits) {
-    splitting_sliders(controls, previewer, cells, sliders);
+    splitting_sliders(controls, previewer, state.max_turn, cells, sliders);
     cells.add(before, [&] { before_button(controls, previewer, state); });
   } else {
     cells.add(sliders + before + 2.0f * gap, [&] {
@@ -269,7 +272,7 @@ void compact_row(Controls& controls, Previewer& previewer, UiState& state, float
   cells.add(list, [&] { content_list(controls, state); });
   const Method method = previewer.edits().settings().method;
   if (in_object_space(method) || row_of(method).samples_by_eps)
-    splitting_sliders(controls, previewer, cells, width - list - 2.0f * gap);
+    splitting_sliders(controls, previewer, state.max_turn, cells, width - list - 2.0f * gap);
 }
 
 }  // namespace

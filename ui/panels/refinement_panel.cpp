@@ -8,7 +8,7 @@
 
 namespace asos::ui {
 
-void refinement_panel(Controls& controls, Previewer& previewer) {
+void refinement_panel(Controls& controls, Previewer& previewer, bool& marks_part) {
   if (!previewer.scene() || !controls.section("Refinement", false)) return;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   Refinement& refinement = previewer.refinement();
@@ -28,6 +28,15 @@ void refinement_panel(Controls& controls, Previewer& previewer) {
                       width))
     going ? render.stop() : render.start_again();
 
+  if (!render.preferred().empty()) {
+    if (controls.button("Refine all", "Refine the whole picture again (Z).", -1.0f))
+      render.prefer({});
+  } else if (controls.button(marks_part ? "Drag a rectangle in the picture" : "Refine a part first",
+                             "Drag a rectangle in the picture: it becomes final before the rest. "
+                             "Z refines the part under the pointer.",
+                             -1.0f)) {
+    marks_part = !marks_part;
+  }
   RefinementLimits& limits = refinement.limits();
   controls.number("Time limit",
                   "Render time in seconds before pausing; 0: none. Ctrl+click to type a value.",

@@ -68,9 +68,9 @@ void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
 
 void antialias_tab(Controls& controls, Previewer& previewer, UiState& state,
                    const PanelJobs& jobs) {
-  antialiasing_panel(controls, previewer, jobs.forecast, state.bar, state.causes);
+  antialiasing_panel(controls, previewer, jobs.forecast, state.bar, state.causes, state.max_turn);
   advanced_panel(controls, previewer);
-  refinement_panel(controls, previewer);
+  refinement_panel(controls, previewer, state.marks_part);
   display_panel(controls, state.display, state.bar);
   window_panel(controls, state.look);
 }
