@@ -70,13 +70,14 @@ void keep_finer(const Film& film, const std::vector<std::uint8_t>& fineness, std
 }  // namespace
 
 void RefiningFilm::begin(const RenderSettings& settings, bool same_view) {
+  view_covered_ = same_view && (view_covered_ || covered());
   pixels_taken_ = 0;
   corrected_ = 0.0;
   pixels_finished_ = 0;
   if (film_.width != settings.width || film_.height != settings.height) {
     film_ = stretched(film_, settings.width, settings.height);
     changed_ = {{0, 0, film_.width, film_.height}};
-    same_view = false;
+    same_view = view_covered_ = false;
   }
   std::erase_if(film_.layers,
                 [&](const LayerPlane& plane) { return !settings.layers.has(plane.layer); });
@@ -116,7 +117,11 @@ void RefiningFilm::put(FinishedTile tile, int samples) {
 }
 
 void RefiningFilm::put_coarse(FinishedTile tile, int samples) {
-  const auto of_tile = static_cast<std::uint8_t>(std::bit_width(static_cast<unsigned>(samples)));
+  // Only samples of pixels come with a time. Squares of one colour add nothing to a covered view.
+  const bool sampled = samples > 0 || !tile.seconds.empty();
+  if (view_covered_ && !sampled) return;
+  const unsigned least = sampled ? std::max(1u, static_cast<unsigned>(samples)) : 0u;
+  const auto of_tile = static_cast<std::uint8_t>(std::bit_width(least));
   const PixelRect inside = intersection(tile.rect, {0, 0, film_.width, film_.height});
   bool all_finer = true;
   for (int y = inside.y; y < inside.y + inside.height; ++y) {

@@ -52,6 +52,7 @@ class RefiningFilm {
   /// 2 + 2 MAX for a final one, which has up to 4^MAX cells.
   std::vector<std::uint8_t> fineness_;
   std::uint8_t final_fineness_ = 0;  // of the running render
+  bool view_covered_ = false;        // by earlier renders of this view
   PredictedMap map_;
   std::uint64_t map_revision_ = 0;
   std::vector<PixelRect> changed_;

@@ -66,6 +66,32 @@ TEST(RefiningFilm, KeepsThePictureUntilTilesOfTheNextRenderArrive) {
   }
 }
 
+// A drag of EPS once put squares of 8 pixels over a picture that had a sample in each pixel.
+TEST(RefiningFilm, SquaresOfOneColourLeaveACoveredViewAlone) {
+  const PixelRect all{0, 0, 2, 1};
+  const auto shown = [](const RefiningFilm& film) { return film.film().radiance[0].x; };
+  RefiningFilm film;
+  film.begin(of_size(2, 1), false);
+  film.put(tile(all, glm::vec3(0.25f), true));
+  film.put(tile(all, glm::vec3(0.5f), true));
+  EXPECT_EQ(shown(film), 0.5f) << "the first picture gets finer squares";
+  film.begin(of_size(2, 1, 0.5), true);
+  film.put(tile(all, glm::vec3(0.25f), true));
+  EXPECT_EQ(shown(film), 0.5f);
+  EXPECT_TRUE(film.covered());
+  FinishedTile samples = tile(all, glm::vec3(0.75f), true);
+  samples.seconds.assign(2, 0.001f);
+  film.put(samples);
+  EXPECT_EQ(shown(film), 0.75f);
+  film.begin(of_size(2, 1, 0.25), true);
+  film.begin(of_size(2, 1, 0.125), true);
+  film.put(tile(all, glm::vec3(0.25f), true));
+  EXPECT_EQ(shown(film), 0.75f);
+  film.begin(of_size(2, 1), false);
+  film.put(tile(all, glm::vec3(0.25f), true));
+  EXPECT_EQ(shown(film), 0.25f) << "of another view";
+}
+
 TEST(RefiningFilm, EstimatesTheErrorThatIsLeftFromWhatFinalPixelsCorrected) {
   RefiningFilm film;
   film.begin(of_size(4, 1), false);
