@@ -21,13 +21,10 @@
 namespace asos {
 namespace {
 
-// A light number whose dimensions of the sequence are hardly ever used.
-constexpr std::uint32_t other_places = 0x100;
-
 // Returns the sky's radiance that a surface reflects to its viewer if nothing occludes the sky, to
 // within `error`. It uses the closed form where there is one (unoccluded_sky), and samples without
-// rays elsewhere. `leaf` is the leaf's Sobol sequence; the samples use other dimensions of it than
-// rays do.
+// rays elsewhere. `leaf` is the leaf's Sobol sequence; the samples use another stream of it
+// than rays do.
 glm::vec3 unoccluded_sky_within(const SkyQuery& point, const SobolPixel& leaf, double error) {
   if (const auto known = unoccluded_sky(point)) return *known;
   const SkySampler sampler(point);
@@ -40,7 +37,7 @@ glm::vec3 unoccluded_sky_within(const SkyQuery& point, const SobolPixel& leaf, d
   std::uint32_t taken = 0;
   for (std::uint32_t end = goal.least;; end = goal.after_next_round(end)) {
     for (; taken < end; ++taken) {
-      const auto sample = sampler.at(leaf.light(taken, other_places));
+      const auto sample = sampler.at(leaf.light(taken, number_of(SkyStream::unoccluded)));
       glm::dvec3 carried(0.0);
       if (sample && std::isfinite(sample->carried.x + sample->carried.y + sample->carried.z))
         carried = glm::dvec3(sample->carried) - (matte ? glm::dvec3(sample->matte) : carried);
@@ -114,13 +111,13 @@ glm::vec3 SkyContributions::at_once(const SkyQuery& point, const Leaf& leaf) {
 // region, whose bounding rectangle is `box`.
 glm::vec3 SkyContributions::beside(const SkyLeaf& lit, const Bounds2& box,
                                    const SobolPixel& leaf) const {
-  constexpr std::uint32_t tries = 8;
   if (!lit.flat) return glm::vec3(0.0f);
   const LeafRegion& all = lit.leaf->region;
   const glm::dvec3 from(lit.point.position);
   const HalfSpace plane = HalfSpace::through(from, glm::dvec3(lit.point.geometric_normal));
-  for (std::uint32_t i = 0; i < tries; ++i) {
-    const glm::vec2 at = glm::mix(box.lo, box.hi, glm::vec2(leaf.light(lit.rays, i)));
+  for (std::uint32_t i = 0; i < sky_place_tries; ++i) {
+    const glm::vec2 at =
+        glm::mix(box.lo, box.hi, glm::vec2(leaf.light(lit.rays, number_of(SkyStream::places, i))));
     if (!all.holds(at)) continue;
     const auto found = eye_->frame->on_plane(glm::dvec2(at), plane);
     return found ? glm::vec3(*found - from) : glm::vec3(0.0f);

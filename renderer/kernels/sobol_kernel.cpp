@@ -62,8 +62,8 @@ void SobolPixelSampler::take_turn(const SobolPixel& pixel, std::uint32_t turn) {
   turn_ = turn;
   std::array<std::uint32_t, per_turn> u, v;
   for (std::uint32_t i = 0; i < per_turn; ++i) {
-    u[i] = mirrored_sobol_bits(0, turn * per_turn + i);
-    v[i] = mirrored_sobol_bits(1, turn * per_turn + i);
+    u[i] = mirrored_sobol_bits(SobolDimension::pixel_x, turn * per_turn + i);
+    v[i] = mirrored_sobol_bits(SobolDimension::pixel_y, turn * per_turn + i);
   }
   const SobolPixel::Seeds seeds = pixel.pixel_seeds();
   scramble_mirrored(u, seeds.u, u_.data());

@@ -22,8 +22,8 @@ class SobolBatch {
   void add(const SobolPixel& pixel, std::uint32_t index);
   /// Adds a sample of the same pixel as the last one.
   void add(std::uint32_t index) {
-    u_[count_] = mirrored_sobol_bits(2, index);
-    v_[count_] = mirrored_sobol_bits(3, index);
+    u_[count_] = mirrored_sobol_bits(SobolDimension::light_u, index);
+    v_[count_] = mirrored_sobol_bits(SobolDimension::light_v, index);
     ++count_;
   }
 

@@ -6,9 +6,6 @@
 namespace asos {
 namespace {
 
-// The lobe number for sky rays from a surface that another ray hit.
-constexpr int lobe_behind = lobe_of_sky + 1;
-
 /// Collects the lights and the sky at a surface that a ray hit, without reflections. One object per
 /// surface.
 class OneBounce final : public LightTransport {
@@ -22,7 +19,7 @@ class OneBounce final : public LightTransport {
     lights_.add(lit, share(), counts);
   }
   bool add_sky(const SkyQuery& point, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
-    lights_.add_sky(point, share(), counts, lobe_behind);
+    lights_.add_sky(point, share(), counts, SampleStream::sky_of_bounce);
     return true;
   }
 

@@ -59,16 +59,15 @@ PixelPoint GridSampler::in_pixel() const {
 }
 
 glm::dvec2 GridSampler::on_light(std::uint32_t light) const {
-  // Separate streams, far from those of the pixel.
-  return in_strata(0x80000000u + light * 0x10001u);
+  return in_strata(number_of(GridStream::lights, light * grid_light_step));
 }
 
 glm::dvec2 GridSampler::on_lens() const {
-  return in_strata(0x40000000u);
+  return in_strata(number_of(GridStream::lens));
 }
 
 double GridSampler::in_time() const {
-  const Stratum found = stratum(0x20000000u);
+  const Stratum found = stratum(number_of(GridStream::time));
   return (found.cell + found.place.u) / (n_ * n_);
 }
 

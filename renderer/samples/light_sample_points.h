@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/kernels/light_kernel.h"
+#include "renderer/sampling/sample_streams.h"
 
 #include <glm/glm.hpp>
 
@@ -26,10 +27,12 @@ class LightSamplePoints {
   virtual ~LightSamplePoints() = default;
   /// Returns the current sample's place on a light, in the unit square.
   [[nodiscard]] virtual glm::dvec2 on_light(std::uint32_t light) const = 0;
-  /// Returns the current sample's place in a blurred reflection's square at a bounce, counted from
-  /// 0. It is independent of places on lights.
-  [[nodiscard]] virtual glm::dvec2 in_lobe(int bounce) const {
-    return on_light(0x4000u + static_cast<std::uint32_t>(bounce));
+  /// Returns the current sample's place in number `k` of a stream from `reflections` on, in the
+  /// unit square. It is independent of places on lights.
+  [[nodiscard]] virtual glm::dvec2 in_lobe(SampleStream stream, int k) const {
+    const std::uint32_t lobe =
+        number_of(stream, static_cast<std::uint32_t>(k)) - number_of(SampleStream::reflections);
+    return on_light(number_of(SampleStream::grid_lobes, lobe));
   }
 
   /// Starts a batch of at most ShadingPoints::size samples, which have to outlive its use. Changes

@@ -9,10 +9,6 @@
 namespace asos {
 namespace {
 
-// Lobe number of the sequence that selects lights; reflections and the sky use others.
-constexpr int lobe_of_picks = 0x1000;
-static_assert(lobe_of_picks != lobe_of_sky);
-
 bool any_glossy(const ShadingPoints& points) {
   constexpr float broad = least_broad_roughness * least_broad_roughness;
   return std::any_of(points.alpha.begin(), points.alpha.begin() + points.count,
@@ -50,8 +46,8 @@ void SampledLights::add(const Illumination& lit, const SampleWeight& share,
 }
 
 void SampledLights::add_sky(const SkyQuery& point, const SampleWeight& share,
-                            RenderStatistics& counts, int lobe) {
-  const auto sample = sample_sky(point, places_->in_lobe(lobe));
+                            RenderStatistics& counts, SampleStream stream) {
+  const auto sample = sample_sky(point, places_->in_lobe(stream, 0));
   if (!sample) return;
   const glm::vec3 carried = share.weight * sample->carried;
   if (carried == glm::vec3(0.0f)) return;
@@ -65,7 +61,7 @@ void SampledLights::add_sky(const SkyQuery& point, const SampleWeight& share,
 
 void SampledLights::add_sky_ray(const SkyQuery& point, const SampleIndex& index,
                                 const SampleWeight& share, RenderStatistics& counts) {
-  const auto sample = sample_sky(point, places_->in_lobe(lobe_of_sky));
+  const auto sample = sample_sky(point, places_->in_lobe(SampleStream::sky, 0));
   if (!sample) return;
   const glm::vec3 weight = share.weight * sample->weight;
   if (weight == glm::vec3(0.0f)) return;
@@ -105,7 +101,7 @@ void SampledLights::prepare(std::span<const PreparedLight> lights, bool shadows)
 }
 
 std::uint32_t SampledLights::pick_place() const {
-  return binary_fraction(places_->in_lobe(lobe_of_picks).x);
+  return binary_fraction(places_->in_lobe(SampleStream::light_choice, 0).x);
 }
 
 HandledLights SampledLights::gather(const LightingQuery& point, const SampleIndex& sample,
@@ -246,7 +242,7 @@ void SampledLights::trace_lobes(const Gathered& batch, RadianceSums sums,
                                 RenderStatistics& counts) {
   const ShadingPoints& points = batch.points;
   if (!any_glossy(points)) return;
-  places_->on_light(place_in_lobe, on_light_);
+  places_->on_light(number_of(SampleStream::highlights), on_light_);
   choose_lobes(points, on_light_, lobe_);
   ShadowRayBatch& rays = work_->rays;
   for (std::uint32_t light = 0; light < lights_.size(); ++light) {

@@ -82,9 +82,9 @@ class SampledLights {
   void add(const Illumination& lit, const SampleWeight& share, RenderStatistics& counts);
 
   /// Adds the sky by one ray (sample_sky), for a sample with this share. The direction is the
-  /// current sample's for this lobe. An occluder blocks the sky.
+  /// current sample's in this stream. An occluder blocks the sky.
   void add_sky(const SkyQuery& point, const SampleWeight& share, RenderStatistics& counts,
-               int lobe = lobe_of_sky);
+               SampleStream stream = SampleStream::sky);
   /// Adds the ray of add_sky, but defers it for a caller that evaluates its hit.
   void add_sky_ray(const SkyQuery& point, const SampleIndex& sample, const SampleWeight& share,
                    RenderStatistics& counts);

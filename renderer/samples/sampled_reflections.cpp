@@ -5,6 +5,7 @@
 #include "renderer/reflections/horizon.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/reflections/mirrored_pyray.h"
+#include "renderer/settings/settings.h"
 #include "renderer/shading/layers.h"
 #include "renderer/shading/lobe_directions.h"
 #include "renderer/shading/viewed_point.h"
@@ -18,9 +19,7 @@ namespace {
 // Reflections with a smaller weight in a white picture are followed by some samples only.
 constexpr float least_followed = 1.0f / 32.0f;
 
-// Lobe number of the sequence for Russian roulette at the first bounce; reflections, the sky and
-// lights use others.
-constexpr int lobe_of_roulette = 0x2000;
+static_assert(MirrorSettings::max_bounces < static_cast<int>(most_bounce_streams));
 
 }  // namespace
 
@@ -121,7 +120,7 @@ float SampledReflections::chance(const Reflection& reflection, glm::vec3 weight)
   // Decisions for rays from several surfaces of one sample are independent.
   const double ray = 2.0 * reflection.hit.triangle + (reflection.ratio > 0.0f ? 1.0 : 0.0);
   const double at =
-      places_->in_lobe(lobe_of_roulette + reflection.seen.bounces).x + std::numbers::phi * ray;
+      places_->in_lobe(SampleStream::roulette, reflection.seen.bounces).x + std::numbers::phi * ray;
   return at - std::floor(at) < static_cast<double>(chance) ? chance : 0.0f;
 }
 
@@ -142,14 +141,16 @@ void SampledReflections::add_ray(const Reflection& reflection, const ReflectedSa
   next.spacing = picture ? spacing_of(*picture, start.side) : spacing;
   glm::dvec3 direction = mirrored_direction(surface, pyray.axis);
   if (reflection.lobe) {
-    if (!turn_by_lobe(reflection, places_->in_lobe(seen.bounces), direction, next.weight)) return;
+    if (!turn_by_lobe(reflection, places_->in_lobe(SampleStream::reflections, seen.bounces),
+                      direction, next.weight))
+      return;
   } else if (width > 0.0f) {
     const MirrorLobe lobe =
         lobe_around(surface, direction, pyray.right, static_cast<double>(width));
     const glm::dvec3 right = lobe.width * lobe.right, down = lobe.width * lobe.down;
     const Horizon horizon{glm::dot(direction, surface.geometric),
                           glm::dot(right, surface.geometric), glm::dot(down, surface.geometric)};
-    const glm::dvec2 at = places_->in_lobe(seen.bounces);
+    const glm::dvec2 at = places_->in_lobe(SampleStream::reflections, seen.bounces);
     if (!(horizon.at(at) > 0.0)) return;
     // Directions below the surface are dropped, and the rest represents all.
     next.weight /= static_cast<float>(horizon.share_above());

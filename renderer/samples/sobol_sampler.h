@@ -35,8 +35,8 @@ class SobolSampler final : public PixelSampler {
   [[nodiscard]] glm::dvec2 on_light(std::uint32_t light) const override {
     return points_->light(lens_ || time_ ? points_->shuffled(index_) : index_, light);
   }
-  [[nodiscard]] glm::dvec2 in_lobe(int bounce) const override {
-    return points_->lobe(index_, static_cast<std::uint32_t>(bounce));
+  [[nodiscard]] glm::dvec2 in_lobe(SampleStream stream, int k) const override {
+    return points_->lobe(index_, stream, static_cast<std::uint32_t>(k));
   }
 
   void use_lens() override { lens_ = true; }

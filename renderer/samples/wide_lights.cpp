@@ -98,7 +98,7 @@ void WideLights::find(const ShadingPoints& points, std::span<const LightConstant
     return;
   }
   if (!work_) work_ = ThreadLocalCache<Work>::make();
-  places.on_light(place_in_lobe, work_->places);
+  places.on_light(number_of(SampleStream::highlights), work_->places);
   for (std::uint32_t k = 0; k < candidates; ++k)
     choose_lobes(points, part_of_places(k, points.count), work_->lobes[k]);
 }

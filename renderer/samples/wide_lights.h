@@ -12,9 +12,6 @@
 
 namespace asos {
 
-/// Number of the sequence for samples of the lobe; it is the same for all lights.
-inline constexpr std::uint32_t place_in_lobe = 0x3000;
-
 /// Keeps one ray per point out of several, with a probability proportional to its contribution. The
 /// kept ray contributes `share` of their total. `at` is each point's random number, a 32-bit
 /// fraction; `walked` is scratch. `kept` must not be one of `rays`.

@@ -47,9 +47,9 @@ constexpr DirectionNumbers generated(const Polynomial& p) {
   return m;
 }
 
-constexpr std::array<DirectionNumbers, 4> directions = {mirrored(), generated(second_dimension),
-                                                        generated(third_dimension),
-                                                        generated(fourth_dimension)};
+constexpr std::array<DirectionNumbers, sobol_dimensions> directions = {
+    mirrored(), generated(second_dimension), generated(third_dimension),
+    generated(fourth_dimension)};
 
 constexpr std::uint32_t sum_of_directions(const DirectionNumbers& numbers, std::uint32_t index) {
   std::uint32_t bits = 0;
@@ -68,10 +68,16 @@ constexpr std::array<SobolByteTable, 4> byte_tables(const DirectionNumbers& numb
   return tables;
 }
 
-// Returns the seed of one of the four scrambled dimensions. Each light has its own seeds for the
-// last two.
-std::uint64_t seed_of(std::uint64_t key, std::uint32_t light, std::uint64_t dimension) {
-  return mix_bits(key + ((std::uint64_t{light} << 2) | dimension));
+// Returns the seed of a scrambled dimension. Each number of a stream has its own seeds for the last
+// two.
+std::uint64_t seed_of(std::uint64_t key, std::uint32_t number, SobolDimension dimension) {
+  static_assert(sobol_dimensions == 4);
+  return mix_bits(key + ((std::uint64_t{number} << 2) | static_cast<std::uint64_t>(dimension)));
+}
+
+// Returns the seed of the order of a stream's points.
+std::uint64_t seed_of_order(std::uint64_t key, std::uint32_t number) {
+  return seed_of(key, number, SobolDimension::pixel_x);
 }
 
 // owen_scramble of a fraction with mirrored digits: the hash of Laine and Karras 2011, "Stratified
@@ -87,18 +93,18 @@ std::uint32_t scramble_mirrored_digits(std::uint32_t x, std::uint64_t seed) {
   return mirrored_digits(x);
 }
 
-double scrambled(int dimension, std::uint32_t index, std::uint64_t seed) {
+double scrambled(SobolDimension dimension, std::uint32_t index, std::uint64_t seed) {
   constexpr double scale = 1.0 / 4294967296.0;
   return scale * scramble_mirrored_digits(mirrored_sobol_bits(dimension, index), seed);
 }
 
 }  // namespace
 
-constexpr std::array<std::array<SobolByteTable, 4>, 4> mirrored_sobol_bytes{
+constexpr std::array<std::array<SobolByteTable, 4>, sobol_dimensions> mirrored_sobol_bytes{
     byte_tables(directions[0]), byte_tables(directions[1]), byte_tables(directions[2]),
     byte_tables(directions[3])};
 
-std::uint32_t sobol_bits(int dimension, std::uint32_t index) {
+std::uint32_t sobol_bits(SobolDimension dimension, std::uint32_t index) {
   return mirrored_digits(mirrored_sobol_bits(dimension, index));
 }
 
@@ -106,40 +112,42 @@ std::uint32_t owen_scramble(std::uint32_t bits, std::uint64_t seed) {
   return scramble_mirrored_digits(mirrored_digits(bits), seed);
 }
 SobolPixel::SobolPixel(int x, int y, std::uint32_t seed)
-    : key_(pixel_random(x, y, seed)), seed_x_(seed_of(key_, 0, 0)), seed_y_(seed_of(key_, 0, 1)) {}
+    : key_(pixel_random(x, y, seed)),
+      seed_x_(seed_of(key_, 0, SobolDimension::pixel_x)),
+      seed_y_(seed_of(key_, 0, SobolDimension::pixel_y)) {}
 
 glm::dvec2 SobolPixel::pixel(std::uint32_t index) const {
-  return {scrambled(0, index, seed_x_), scrambled(1, index, seed_y_)};
+  return {scrambled(SobolDimension::pixel_x, index, seed_x_),
+          scrambled(SobolDimension::pixel_y, index, seed_y_)};
 }
 
 glm::dvec2 SobolPixel::light(std::uint32_t index, std::uint32_t light) const {
   const Seeds seeds = light_seeds(light);
-  return {scrambled(2, index, seeds.u), scrambled(3, index, seeds.v)};
+  return {scrambled(SobolDimension::light_u, index, seeds.u),
+          scrambled(SobolDimension::light_v, index, seeds.v)};
 }
 
 SobolPixel::Seeds SobolPixel::light_seeds(std::uint32_t light) const {
-  return {seed_of(key_, light, 2), seed_of(key_, light, 3)};
+  return {seed_of(key_, light, SobolDimension::light_u),
+          seed_of(key_, light, SobolDimension::light_v)};
 }
 
-glm::dvec2 SobolPixel::lobe(std::uint32_t index, std::uint32_t bounce) const {
-  // Far from the streams of the lights.
-  const std::uint32_t stream = 0x80000000u + bounce;
-  const std::uint32_t own = owen_scramble(index, seed_of(key_, stream, 0));
-  return light(own, stream);
+glm::dvec2 SobolPixel::lobe(std::uint32_t index, SampleStream stream, std::uint32_t k) const {
+  const std::uint32_t number = number_of(stream, k);
+  return light(owen_scramble(index, seed_of_order(key_, number)), number);
 }
 
 glm::dvec2 SobolPixel::lens(std::uint32_t index) const {
-  return light(index, 0xc0000000u);
+  return light(index, number_of(SampleStream::lens));
 }
 
 double SobolPixel::time(std::uint32_t index, bool beside_lens) const {
-  const std::uint32_t own =
-      beside_lens ? owen_scramble(index, seed_of(key_, 0xc0000003u, 0)) : index;
-  return light(own, 0xc0000002u).x;
+  const std::uint64_t order = seed_of_order(key_, number_of(SampleStream::time_order));
+  return light(beside_lens ? owen_scramble(index, order) : index, number_of(SampleStream::time)).x;
 }
 
 std::uint32_t SobolPixel::shuffled(std::uint32_t index) const {
-  return owen_scramble(index, seed_of(key_, 0xc0000001u, 0));
+  return owen_scramble(index, seed_of_order(key_, number_of(SampleStream::light_order)));
 }
 
 }  // namespace asos

@@ -10,9 +10,6 @@
 
 namespace asos {
 
-/// Lobe number of the directions to the sky in a sample's random sequence.
-inline constexpr int lobe_of_sky = 0x1001;
-
 /// A sampled direction from a point to the sky.
 struct SkySample {
   glm::vec3 direction{0.0f};  ///< unit

@@ -175,8 +175,8 @@ TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
       points.repeat_first(ShadingPoints::size, false);
       for (std::uint32_t i = 0; i < ShadingPoints::size; ++i) {
         const auto index = round * static_cast<std::uint32_t>(ShadingPoints::size) + i;
-        places.u[i] = owen_scramble(sobol_bits(0, index), 1);
-        places.v[i] = owen_scramble(sobol_bits(1, index), 2);
+        places.u[i] = owen_scramble(sobol_bits(SobolDimension::pixel_x, index), 1);
+        places.v[i] = owen_scramble(sobol_bits(SobolDimension::pixel_y, index), 2);
       }
       ShadowRayBatch rays;
       aim_batch(points, constants, places, RayWeighting::irradiance, rays);

@@ -160,8 +160,8 @@ Means means_of(const PreparedLight& light, const LitSubject& s) {
     for (std::uint32_t i = 0; i < ShadingPoints::size; ++i) {
       const auto index = static_cast<std::uint32_t>(round) * 256u + i;
       points.add(s.lit(), glm::vec3(1.0f));
-      places.u[i] = owen_scramble(sobol_bits(0, index), 1);
-      places.v[i] = owen_scramble(sobol_bits(1, index), 2);
+      places.u[i] = owen_scramble(sobol_bits(SobolDimension::pixel_x, index), 1);
+      places.v[i] = owen_scramble(sobol_bits(SobolDimension::pixel_y, index), 2);
     }
     ShadowRayBatch rays;
     shade_batch(points, constants, places, rays);

@@ -50,8 +50,8 @@ Carried carried_of(const LitSubjects& batch, const LightConstants& light, std::u
   const auto places = std::make_unique<LightPointBatch>();
   const auto rays = std::make_unique<ShadowRayBatch>();
   for (std::uint32_t s = 0; s < samples; ++s) {
-    places->u.fill(owen_scramble(sobol_bits(0, s), 5));
-    places->v.fill(owen_scramble(sobol_bits(1, s), 7));
+    places->u.fill(owen_scramble(sobol_bits(SobolDimension::pixel_x, s), 5));
+    places->v.fill(owen_scramble(sobol_bits(SobolDimension::pixel_y, s), 7));
     shade_batch(batch.points, light, *places, *rays);
     for (std::size_t k = 0; k < rays->count; ++k) {
       const auto one = static_cast<double>(

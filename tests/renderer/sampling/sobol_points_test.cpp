@@ -61,6 +61,10 @@ bool is_net(const std::vector<Point>& net, const std::vector<std::size_t>& dimen
   return m <= t || check(0, m - t);
 }
 
+std::uint32_t bits(int dimension, std::uint32_t index) {
+  return sobol_bits(static_cast<SobolDimension>(dimension), index);
+}
+
 TEST(SobolBits, AreJoeAndKuosFirstPoints) {
   // The first ten points in three dimensions from the authors' notes, in the order of the Gray
   // code.
@@ -76,7 +80,7 @@ TEST(SobolBits, AreJoeAndKuosFirstPoints) {
                                        {0.6875, 0.8125, 0.4375}};
   for (std::uint32_t n = 0; n < 10; ++n) {
     for (int d = 0; d < 3; ++d) {
-      EXPECT_EQ(std::ldexp(sobol_bits(d, n ^ (n >> 1)), -32), published[n][d]) << n << " " << d;
+      EXPECT_EQ(std::ldexp(bits(d, n ^ (n >> 1)), -32), published[n][d]) << n << " " << d;
     }
   }
 }
@@ -87,8 +91,8 @@ TEST(SobolBits, AreSumsOfDirectionNumbersWhateverTheIndex) {
   std::uint32_t m = 1;  // direction numbers of the polynomial x + 1
   for (int k = 0; k < 32; ++k) {
     const std::uint32_t power = 1u << k;
-    EXPECT_EQ(sobol_bits(0, power), 0x80000000u >> k);
-    EXPECT_EQ(sobol_bits(1, power), m << (31 - k)) << k;
+    EXPECT_EQ(bits(0, power), 0x80000000u >> k);
+    EXPECT_EQ(bits(1, power), m << (31 - k)) << k;
     m = (2 * m) ^ m;
   }
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -96,8 +100,9 @@ TEST(SobolBits, AreSumsOfDirectionNumbersWhateverTheIndex) {
     const auto a = static_cast<std::uint32_t>(random);
     const auto b = static_cast<std::uint32_t>(random >> 32);
     for (int d = 0; d < 4; ++d) {
-      EXPECT_EQ(sobol_bits(d, a ^ b), sobol_bits(d, a) ^ sobol_bits(d, b)) << d;
-      EXPECT_EQ(mirrored_sobol_bits(d, a), mirrored_digits(sobol_bits(d, a))) << d;
+      EXPECT_EQ(bits(d, a ^ b), bits(d, a) ^ bits(d, b)) << d;
+      EXPECT_EQ(mirrored_sobol_bits(static_cast<SobolDimension>(d), a), mirrored_digits(bits(d, a)))
+          << d;
     }
   }
 }

@@ -38,7 +38,7 @@ glm::dvec3 mean(const LobeDirections& lobe, const Function& radiance) {
   const SobolPixel places(3, 5, 7);
   glm::dvec3 sum(0.0);
   for (std::uint32_t i = 0; i < samples; ++i)
-    if (const auto found = lobe.mirrored(places.lobe(i, 0)))
+    if (const auto found = lobe.mirrored(places.lobe(i, SampleStream::reflections)))
       sum += glm::dvec3(found->weight) * radiance(glm::dvec3(found->unit));
   return sum / static_cast<double>(samples);
 }
@@ -103,7 +103,7 @@ TEST(LobeDirections, RefractBySnellsLawAtEachFacet) {
       glm::dvec3 sum(0.0);
       std::uint32_t none = 0;
       for (std::uint32_t i = 0; i < samples; ++i) {
-        const auto found = lobe.refracted(places.lobe(i, 0), ratio);
+        const auto found = lobe.refracted(places.lobe(i, SampleStream::reflections), ratio);
         if (found) {
           EXPECT_NEAR(glm::length(*found), 1.0f, 1e-5f);
           sum += glm::dvec3(*found);
@@ -131,8 +131,8 @@ TEST(LobeDirections, GoThroughThinWallsAsTheyAreMirrored) {
   const SobolPixel places(3, 5, 7);
   int above = 0;
   for (std::uint32_t i = 0; i < 64; ++i) {
-    const auto mirrored = lobe.mirrored(places.lobe(i, 0));
-    const auto through = lobe.refracted(places.lobe(i, 0), 1.0f);
+    const auto mirrored = lobe.mirrored(places.lobe(i, SampleStream::reflections));
+    const auto through = lobe.refracted(places.lobe(i, SampleStream::reflections), 1.0f);
     ASSERT_TRUE(through);
     EXPECT_LT(through->z, 0.0f) << "no direction is lost";
     if (!mirrored) continue;

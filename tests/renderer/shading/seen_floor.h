@@ -32,7 +32,7 @@ class FloorTransport final : public LightTransport {
     const SobolPixel places(3, 5, 7);
     glm::dvec3 sum(0.0);
     for (std::uint32_t i = 0; i < samples_; ++i)
-      if (const auto sample = sample_sky(point, places.lobe(i, 0)))
+      if (const auto sample = sample_sky(point, places.lobe(i, SampleStream::reflections)))
         sum += glm::dvec3(sample->carried);
     radiance += glm::vec3(sum / static_cast<double>(samples_));
     return true;

@@ -35,7 +35,7 @@ glm::dvec3 mean_of_samples(const SkyQuery& point, std::uint32_t count) {
   const SobolPixel places(3, 5, 7);
   glm::dvec3 sum(0.0);
   for (std::uint32_t i = 0; i < count; ++i)
-    if (const auto sample = sample_sky(point, places.lobe(i, 0)))
+    if (const auto sample = sample_sky(point, places.lobe(i, SampleStream::reflections)))
       sum += glm::dvec3(sample->carried);
   return sum / static_cast<double>(count);
 }
@@ -91,7 +91,7 @@ TEST(SampleSky, NothingIsLostBelowTheSurfaceOfATiltedNormal) {
           glm::vec3(-static_cast<float>(std::sin(tilt)), static_cast<float>(std::cos(tilt)), 0.0f);
       const SkyQuery point = seen.under(nullptr);
       for (std::uint32_t i = 0; i < 256; ++i) {
-        const auto sample = sample_sky(point, places.lobe(i, 0));
+        const auto sample = sample_sky(point, places.lobe(i, SampleStream::reflections));
         if (sample) {
           EXPECT_GE(glm::dot(sample->direction, seen.point.geometric_normal), -1e-6f);
         }
@@ -131,7 +131,7 @@ TEST(SkyDistribution, TellsHowDenselyItsDirectionsAre) {
   double sphere = 0.0;
   std::uint32_t beside = 0;  // near a texel's border, where floats may round over it
   for (std::uint32_t i = 0; i < count; ++i) {
-    const SkyDirection found = sky.bright_direction(places.lobe(i, 0));
+    const SkyDirection found = sky.bright_direction(places.lobe(i, SampleStream::reflections));
     EXPECT_NEAR(glm::length(found.direction), 1.0, 1e-9);
     EXPECT_GT(found.density, 0.0);
     const double told = sky.bright_density(glm::vec3(found.direction));
