@@ -9,9 +9,11 @@
 #define ASOS_KERNELS_LOBE_SAMPLES_H
 #endif
 
+#include "renderer/kernels/lane.h"
 #include "renderer/kernels/light_samples.h"
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <array>
@@ -41,52 +43,27 @@ HWY_INLINE LaneMask samples_lobe(const ShadingPoints& points, const LightConstan
 /// direction.
 HWY_INLINE Lanes lobe_density(const ShadingPoints& points, const Vectors& normal,
                               const Vectors& direction, std::size_t i) {
-  const auto one = all_lanes(1.0f);
   const Vectors to_viewer = loaded(points.to_viewer, i);
-  const auto alpha = loaded(points.alpha, i);
-  const auto a2 = hn::Mul(alpha, alpha);
-  const auto nv = dot(normal, to_viewer);
+  const Lane alpha = loaded(points.alpha, i), a2 = alpha * alpha, nv = dot(normal, to_viewer);
   const Vectors sum = direction + to_viewer;
   const Vectors across = cross(normal, sum);
-  const auto along = dot(normal, sum);
-  const auto half2 = hn::Max(dot(sum, sum), all_lanes(1e-12f));
-  const auto b = hn::Div(hn::Add(dot(across, across), hn::Mul(a2, hn::Mul(along, along))), half2);
-  const auto distribution =
-      hn::Div(hn::Mul(a2, all_lanes(std::numbers::inv_pi_v<float>)), hn::Mul(b, b));
-  const auto root = hn::Sqrt(hn::Add(hn::Mul(hn::Mul(nv, nv), hn::Sub(one, a2)), a2));
-  return hn::Div(distribution, hn::Mul(all_lanes(2.0f), hn::Add(nv, root)));
+  const Lane half2 = hn::Max(dot(sum, sum), all_lanes(1e-12f));
+  const Lane stretched = ggx_stretched<Lane>(a2, dot(across, across), dot(normal, sum), half2);
+  return ggx_over(a2, stretched, nv + smith_root(nv, a2));
 }
 
 /// Reflects the view direction at a sampled visible normal, with the point's own roughness.
 HWY_INLINE Vectors lobe_direction(const ShadingPoints& points, const LightPointBatch& places,
                                   std::size_t i) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   const Vectors z = loaded(points.normal, i);
   const Vectors x = any_perpendicular(z), y = cross(z, x);
   const Vectors view = loaded(points.to_viewer, i);
-  const auto alpha = loaded(points.alpha, i);
-  // Stretch the view direction to roughness 1.
-  const Vectors stretched{hn::Mul(alpha, dot(view, x)), hn::Mul(alpha, dot(view, y)), dot(view, z)};
-  const Vectors v = scaled(
-      hn::Div(one, hn::Sqrt(hn::Max(dot(stretched, stretched), all_lanes(1e-30f)))), stretched);
-  const auto level2 = hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y));
-  const auto steep = hn::Le(level2, all_lanes(1e-20f));
-  const auto per_level = hn::Div(one, hn::Sqrt(hn::IfThenElse(steep, one, level2)));
-  const Vectors t1{hn::IfThenElse(steep, one, hn::Neg(hn::Mul(v.y, per_level))),
-                   hn::IfThenElse(steep, zero, hn::Mul(v.x, per_level)), zero};
-  const Vectors t2 = cross(v, t1);
-  // Sample the projection of the hemisphere's visible part.
+  const Lane alpha = loaded(points.alpha, i);
   const DiskPlaces p = concentric(centred(&places.u[i]), centred(&places.v[i]));
-  const auto beside = hn::Max(zero, hn::Sub(one, hn::Mul(p.x, p.x)));
-  const auto s = hn::Mul(all_lanes(0.5f), hn::Add(one, v.z));
-  const auto q = hn::Add(hn::Mul(hn::Sub(one, s), hn::Sqrt(beside)), hn::Mul(s, p.y));
-  const auto up = hn::Sqrt(hn::Max(zero, hn::Sub(beside, hn::Mul(q, q))));
-  const Vectors n = scaled(p.x, t1) + scaled(q, t2) + scaled(up, v);
-  // Unstretch the normal.
-  const Vectors normal = scaled(hn::Mul(alpha, n.x), x) + scaled(hn::Mul(alpha, n.y), y) +
-                         scaled(hn::Max(n.z, all_lanes(1e-6f)), z);
-  const Vectors h = scaled(hn::Div(one, hn::Sqrt(dot(normal, normal))), normal);
+  const LobeVector<Lane> n =
+      visible_normal<Lane>({dot(view, x), dot(view, y), dot(view, z)}, alpha, alpha, p.x, p.y);
+  const Vectors normal = scaled<Lanes>(n.x, x) + scaled<Lanes>(n.y, y) + scaled<Lanes>(n.z, z);
+  const Vectors h = scaled(hn::Div(all_lanes(1.0f), hn::Sqrt(dot(normal, normal))), normal);
   const auto along = dot(h, view);
   return scaled(hn::Add(along, along), h) - view;
 }

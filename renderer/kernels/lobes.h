@@ -8,6 +8,8 @@
 #endif
 
 #include "renderer/kernels/highlights.h"
+#include "renderer/kernels/lane.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/lobe.h"
 #include "renderer/shading/sheen.h"
 
@@ -28,16 +30,9 @@ struct LobeGeometryLanes {
 
 /// As ggx_lobe.
 HWY_INLINE Lanes point_lobe(const LobeGeometryLanes& at) {
-  const auto one = all_lanes(1.0f);
-  const auto a2 = hn::Mul(at.alpha, at.alpha);
-  const auto d = hn::Add(hn::Mul(hn::Mul(at.n_dot_h, at.n_dot_h), hn::Sub(a2, one)), one);
-  const auto nl = at.n_dot_l, nv = at.n_dot_v;
-  const auto left = hn::Sub(one, a2);
-  const auto shadowing =
-      hn::Add(hn::Mul(nl, hn::Sqrt(hn::Add(hn::Mul(hn::Mul(nv, nv), left), a2))),
-              hn::Mul(nv, hn::Sqrt(hn::Add(hn::Mul(hn::Mul(nl, nl), left), a2))));
-  return hn::Div(hn::Mul(a2, all_lanes(0.5f * std::numbers::inv_pi_v<float>)),
-                 hn::Mul(hn::Mul(d, d), shadowing));
+  const Lane a2 = hn::Mul(at.alpha, at.alpha), nl = at.n_dot_l, nv = at.n_dot_v;
+  return ggx_over(a2, ggx_stretched(a2, Lane(at.n_dot_h)),
+                  smith_shadowing(nl, smith_root(nl, a2), nv, smith_root(nv, a2)));
 }
 
 /// Returns the derivative of a unit direction along an edge of a patch. The direction's target is
@@ -54,61 +49,27 @@ HWY_INLINE Vectors turn_about_half(const LobeGeometryLanes& at, Lanes viewer_nea
   return spread - (d - scaled(dot(at.half, d), at.half));
 }
 
-/// The matrix of PatchLobe: alpha^2 by direction in the tangent plane.
-struct SlopeLanes {
-  Vectors tangent, bitangent;
-  Lanes xx, yy, xy;
-
-  [[nodiscard]] HWY_INLINE Lanes quadratic(const Vectors& v) const {
-    const auto x = dot(tangent, v), y = dot(bitangent, v);
-    const auto both = hn::Mul(hn::Mul(hn::Add(xy, xy), x), y);
-    return hn::Add(hn::Add(hn::Mul(hn::Mul(xx, x), x), both), hn::Mul(hn::Mul(yy, y), y));
-  }
-};
-
-HWY_INLINE SlopeLanes slopes_of(const LobeGeometryLanes& at, const Vectors& right,
-                                const Vectors& down, const Vectors& stretch, Lanes added,
-                                Lanes variance) {
-  constexpr float box_variance = 1.0f / 12.0f;
-  const auto one = all_lanes(1.0f);
-  const Vectors& n = at.normal;
-  SlopeLanes lobe;
-  // A tangent frame of any direction (Duff et al. 2017).
-  const auto sign = hn::CopySign(one, n.z);
-  const auto a = hn::Neg(hn::Div(one, hn::Add(sign, n.z)));
-  const auto b = hn::Mul(hn::Mul(n.x, n.y), a);
-  lobe.tangent = {hn::Add(one, hn::Mul(hn::Mul(hn::Mul(sign, n.x), n.x), a)), hn::Mul(sign, b),
-                  hn::Neg(hn::Mul(sign, n.x))};
-  lobe.bitangent = {b, hn::Add(sign, hn::Mul(hn::Mul(n.y, n.y), a)), hn::Neg(n.y)};
-
-  const auto part = hn::Min(one, hn::Div(all_lanes(PatchLobe::most_added), added));
-  const auto turn = hn::Mul(part, all_lanes(box_variance));
-  const auto round = hn::Add(hn::Mul(at.alpha, at.alpha), hn::Mul(part, variance));
-  const auto rx = dot(lobe.tangent, right), ry = dot(lobe.bitangent, right);
-  const auto dx = dot(lobe.tangent, down), dy = dot(lobe.bitangent, down);
-  const auto sx = dot(lobe.tangent, stretch), sy = dot(lobe.bitangent, stretch);
-  lobe.xx = hn::Add(hn::Add(round, hn::Mul(sx, sx)),
-                    hn::Mul(turn, hn::Add(hn::Mul(rx, rx), hn::Mul(dx, dx))));
-  lobe.yy = hn::Add(hn::Add(round, hn::Mul(sy, sy)),
-                    hn::Mul(turn, hn::Add(hn::Mul(ry, ry), hn::Mul(dy, dy))));
-  lobe.xy = hn::Add(hn::Mul(sx, sy), hn::Mul(turn, hn::Add(hn::Mul(rx, ry), hn::Mul(dx, dy))));
-  return lobe;
-}
-
-HWY_INLINE Lanes patch_lobe(const LobeGeometryLanes& at, const SlopeLanes& lobe) {
-  const auto x = dot(lobe.tangent, at.half), y = dot(lobe.bitangent, at.half);
-  const auto det = hn::Sub(hn::Mul(lobe.xx, lobe.yy), hn::Mul(lobe.xy, lobe.xy));
-  const auto both = hn::Mul(hn::Mul(hn::Add(lobe.xy, lobe.xy), x), y);
-  const auto slopes = hn::Div(
-      hn::Add(hn::Sub(hn::Mul(hn::Mul(lobe.yy, x), x), both), hn::Mul(hn::Mul(lobe.xx, y), y)),
-      det);
-  const auto d = hn::Add(slopes, hn::Mul(at.n_dot_h, at.n_dot_h));
-  const auto nl = at.n_dot_l, nv = at.n_dot_v;
-  const auto shadowing =
-      hn::Add(hn::Mul(nl, hn::Sqrt(hn::Add(hn::Mul(nv, nv), lobe.quadratic(at.to_viewer)))),
-              hn::Mul(nv, hn::Sqrt(hn::Add(hn::Mul(nl, nl), lobe.quadratic(at.to_light)))));
-  return hn::Div(all_lanes(0.5f * std::numbers::inv_pi_v<float>),
-                 hn::Mul(hn::Mul(hn::Sqrt(det), hn::Mul(d, d)), shadowing));
+/// As PatchLobe. `added` and `variance` are those of the patch's normals.
+HWY_INLINE Lanes patch_lobe(const LobeGeometryLanes& at, const Vectors& right, const Vectors& down,
+                            const Vectors& stretch, Lane added, Lane variance) {
+  constexpr double box_variance = 1.0 / 12.0;
+  const LobeAxes<Lane> axes = axes_about<Lane>(at.normal.x, at.normal.y, at.normal.z);
+  const auto vectors = [](const LobeVector<Lane>& v) HWY_ATTR { return Vectors{v.x, v.y, v.z}; };
+  const Vectors x = vectors(axes.right), y = vectors(axes.up);
+  const Lane alpha = at.alpha, nl = at.n_dot_l, nv = at.n_dot_v;
+  const Lane part = min(Lane(1), Lane(static_cast<double>(PatchLobe::most_added)) / added);
+  const auto along = [&](const Vectors& axis) HWY_ATTR {
+    return LobeSpread<Lane>{dot(axis, stretch), dot(axis, right), dot(axis, down)};
+  };
+  const auto slopes = GgxSlopes<Lane>::of(alpha * alpha + part * variance,
+                                          part * Lane(box_variance), along(x), along(y));
+  const auto root = [&](Lane cosine, const Vectors& v) HWY_ATTR {
+    return sqrt(cosine * cosine + slopes.quadratic(dot(x, v), dot(y, v)));
+  };
+  const Lane det = slopes.determinant();
+  return ggx_over(GgxSlopes<Lane>::alpha2(det),
+                  slopes.stretched(dot(x, at.half), dot(y, at.half), at.n_dot_h, det),
+                  smith_shadowing(nl, root(nl, at.to_light), nv, root(nv, at.to_viewer)));
 }
 
 /// Replaces the lobe by sheen_lobe where there is sheen, lane by lane, since it is rare and uses
@@ -160,8 +121,7 @@ HWY_INLINE Lanes lobe(const ShadingPoints& points, const LobeGeometryLanes& at, 
   };
   right = kept(right), down = kept(down), variance = hn::IfThenElseZero(spreads, variance);
   const auto all = hn::IfThenElse(spreads, added, hn::Set(d, 1.0f));
-  return hn::IfThenElse(wider, patch_lobe(at, slopes_of(at, right, down, stretch, all, variance)),
-                        of_point);
+  return hn::IfThenElse(wider, patch_lobe(at, right, down, stretch, all, variance), of_point);
 }
 
 }  // namespace asos::HWY_NAMESPACE

@@ -45,9 +45,7 @@ HWY_INLINE SpecularLanes specular(const ShadingPoints& points, const LightConsta
   at.to_light = shown.direction;
   const Vectors sum = at.to_light + to_viewer;
   const auto length = hn::Sqrt(hn::Max(dot(sum, sum), all_lanes(1e-12f)));
-  const auto m = clamped(hn::Sub(one, hn::Mul(all_lanes(0.5f), length)), zero, one);
-  const auto m2 = hn::Mul(m, m);
-  const auto fresnel = hn::Mul(hn::Mul(m2, m2), m);
+  const Lanes fresnel = schlick_weight<Lane>(hn::Mul(all_lanes(0.5f), length));
   if (hn::AllFalse(FloatTag(), mirrors)) return {zero, fresnel};
   at.per_sum = hn::Div(one, length);
   at.half = scaled(at.per_sum, sum);

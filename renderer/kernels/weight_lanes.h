@@ -6,8 +6,9 @@
 #define ASOS_KERNELS_WEIGHT_LANES_H
 #endif
 
-#include "renderer/kernels/lanes.h"
+#include "renderer/kernels/lane.h"
 #include "renderer/kernels/light_table.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <cstddef>
@@ -159,7 +160,7 @@ struct EstimatedShine {
 template <class Light>
 HWY_INLINE EstimatedShine shine(const Light& light, const PointLanes& at, const SeenLanes& seen) {
   using enum LightTable::Field;
-  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
+  const auto one = all_lanes(1.0f);
   const Vectors sum = seen.direction + at.to_viewer;
   const auto length = hn::Sqrt(hn::Max(dot(sum, sum), all_lanes(1e-12f)));
   const auto per_sum = hn::Div(one, length);
@@ -175,26 +176,17 @@ HWY_INLINE EstimatedShine shine(const Light& light, const PointLanes& at, const 
   const auto xx = hn::Add(at.alpha2, hn::Mul(part, hn::Add(round2, by_edges_x)));
   const auto yy = hn::Add(at.alpha2, hn::Mul(part, hn::Add(round2, by_edges_y)));
   const auto xy = hn::Mul(part, hn::Add(hn::Mul(u.x, u.y), hn::Mul(v.x, v.y)));
-  const auto det = hn::Max(hn::Sub(hn::Mul(xx, yy), square(xy)), square(at.alpha2));
+  const GgxSlopes<Lane> slopes{xx, xy, yy};
+  const Lane det = max(slopes.determinant(), Lane(square(at.alpha2)));
 
   const auto hx = hn::Mul(per_sum, dot(at.tangent, sum));
   const auto hy = hn::Mul(per_sum, dot(at.bitangent, sum));
   const auto up = hn::Mul(per_sum, dot(at.normal, sum));
-  // 1 / (2 pi root d^2 shadowing) with d = slopes / det + up^2, by one quotient.
-  const auto both = hn::Mul(hn::Mul(hn::Add(xy, xy), hx), hy);
-  const auto slopes = hn::Add(hn::Sub(hn::Mul(yy, square(hx)), both), hn::Mul(xx, square(hy)));
-  const auto d = hn::Add(slopes, hn::Mul(square(up), det));
-  const auto root = hn::Sqrt(det);
-  // Smith's shadowing without its roots (Hammon 2017).
-  const auto alpha = hn::Min(one, hn::Sqrt(root)), left = hn::Sub(one, alpha);
-  const auto nl = hn::Max(seen.n_dot_l, all_lanes(grazing_cosine)), nv = at.n_dot_v;
-  const auto shadowing =
-      hn::Add(hn::Mul(hn::Mul(hn::Add(nl, nl), nv), left), hn::Mul(hn::Add(nl, nv), alpha));
-  const auto lobe =
-      hn::Div(hn::Mul(all_lanes(0.5f * std::numbers::inv_pi_v<float>), hn::Mul(root, det)),
-              hn::Mul(square(d), shadowing));
-  const auto m = clamped(hn::Sub(one, hn::Mul(all_lanes(0.5f), length)), zero, one);
-  return {lobe, hn::Mul(square(square(m)), m)};
+  const Lane alpha = min(Lane(1), sqrt(sqrt(det)));
+  const Lane nl = hn::Max(seen.n_dot_l, all_lanes(grazing_cosine)), nv = at.n_dot_v;
+  return {ggx_over(GgxSlopes<Lane>::alpha2(det), slopes.stretched(hx, hy, up, det),
+                   smith_without_roots(nl, nv, alpha)),
+          schlick_weight<Lane>(hn::Mul(all_lanes(0.5f), length))};
 }
 
 /// `shines`: the points with highlights.

@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/sheen.h"
 #include "renderer/shading/thin_film.h"
@@ -17,16 +18,6 @@ float floored(float roughness) {
   return std::clamp(roughness, roughness_floor, 1.0f);
 }
 
-float schlick_of(float v_dot_h) {
-  const float m = std::clamp(1.0f - v_dot_h, 0.0f, 1.0f);
-  const float m2 = m * m;
-  return m2 * m2 * m;
-}
-
-glm::vec3 fresnel_schlick(glm::vec3 f0, glm::vec3 f90, float v_dot_h) {
-  return f0 + (f90 - f0) * schlick_of(v_dot_h);
-}
-
 template <typename Reflectance>
 Reflectance environment_specular(const Reflectance& f0, const Reflectance& f90,
                                  const LobeNorms& norms) {
@@ -38,13 +29,9 @@ Reflectance environment_specular(const Reflectance& f0, const Reflectance& f90,
 float ggx_lobe(float roughness, const BrdfAngles& angles) {
   const float alpha = floored(roughness) * floored(roughness);
   const float a2 = alpha * alpha;
-  const float d = angles.n_dot_h * angles.n_dot_h * (a2 - 1.0f) + 1.0f;
-  const float distribution = a2 / (std::numbers::pi_v<float> * d * d);
-  const float nl = angles.n_dot_l;
-  const float nv = angles.n_dot_v;
-  const float shadowing =
-      nl * std::sqrt(nv * nv * (1.0f - a2) + a2) + nv * std::sqrt(nl * nl * (1.0f - a2) + a2);
-  return distribution * 0.5f / shadowing;
+  const float nl = angles.n_dot_l, nv = angles.n_dot_v;
+  return ggx_over(a2, ggx_stretched(a2, angles.n_dot_h),
+                  smith_shadowing(nl, smith_root(nl, a2), nv, smith_root(nv, a2)));
 }
 
 glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v, glm::vec3 f90) {
@@ -97,7 +84,7 @@ ViewedMaterial diffuse_part(ViewedMaterial material) {
 }
 
 ViewedMaterial viewed(const SurfaceCoat& coat, float n_dot_v) {
-  const float fresnel = coat_f0 + (1.0f - coat_f0) * schlick_of(n_dot_v);
+  const float fresnel = schlick(coat_f0, 1.0f, schlick_weight(n_dot_v));
   ViewedMaterial seen{};
   seen.f0 = seen.f90 = glm::vec3(coat.factor * fresnel);
   seen.roughness = coat.roughness;
@@ -128,7 +115,7 @@ float transmitted_share(const SurfaceMaterial& material, float n_dot_v) {
 
 float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light) {
   const glm::vec3 sum = to_viewer + to_light;
-  return schlick_of(0.5f * std::sqrt(glm::dot(sum, sum)));
+  return schlick_weight(0.5f * std::sqrt(glm::dot(sum, sum)));
 }
 
 glm::vec3 diffuse_brdf(const ViewedMaterial& material, float schlick) {
@@ -136,7 +123,7 @@ glm::vec3 diffuse_brdf(const ViewedMaterial& material, float schlick) {
 }
 
 glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles) {
-  return diffuse_brdf(material, schlick_of(angles.v_dot_h)) +
+  return diffuse_brdf(material, schlick_weight(angles.v_dot_h)) +
          specular_brdf(material, angles, lobe_of(material, angles));
 }
 
@@ -146,7 +133,7 @@ float lobe_of(const ViewedMaterial& material, const BrdfAngles& angles) {
 }
 
 glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe) {
-  return fresnel_schlick(material.f0, material.f90, angles.v_dot_h) * lobe;
+  return schlick(material.f0, material.f90, schlick_weight(angles.v_dot_h)) * lobe;
 }
 
 }  // namespace asos

@@ -3,6 +3,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/lobe.h"
 #include "renderer/shading/patch_curvature.h"
 #include "renderer/shading/viewed_point.h"
@@ -92,8 +93,7 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   const float away = away_from_peak(n, half, glossy.stretch, glossy.roughness);
   const float least_away = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
   const float width2 = alpha * alpha + least_away * least_away;
-  const float m = 1.0f - std::clamp(glm::dot(half, glossy.to_viewer), 0.0f, 1.0f);
-  const float fresnel = glossy.f0 + (1.0f - glossy.f0) * m * m * m * m * m;
+  const float fresnel = schlick(glossy.f0, 1.0f, schlick_weight(glm::dot(half, glossy.to_viewer)));
   // A segment's power is in candela per metre: the segment looks as bright as a strip as wide as
   // the lobe.
   const float brightest =

@@ -1,6 +1,7 @@
 #include "renderer/shading/light_quadrature.h"
 
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/sheen.h"
 #include "renderer/shading/viewed_point.h"
 
@@ -41,7 +42,7 @@ LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer,
       stretched_({}, static_cast<float>(roughness), glm::vec3(receiver.normal), stretch) {
   const auto rough = std::clamp(static_cast<float>(roughness), roughness_floor, 1.0f);
   alpha2_ = rough * rough * rough * rough;
-  viewer_root_ = std::sqrt(n_dot_v_ * n_dot_v_ * (1.0f - alpha2_) + alpha2_);
+  viewer_root_ = smith_root(n_dot_v_, alpha2_);
   // At grazing angles the lobe is narrower across the plane of view.
   const Widest widest = widest_of(reflectance);
   widest_ = widest.cell;
@@ -132,7 +133,7 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
   std::array<float, count> form, lobe, fresnel, scattered;
   const glm::vec3 n = normal_, g = geometric_, v = to_viewer_;
   const float n_dot_v = glm::dot(n, v), clamped_n_dot_v = n_dot_v_;
-  const float a2 = alpha2_, rest = 1.0f - alpha2_, viewer_root = viewer_root_;
+  const float a2 = alpha2_, viewer_root = viewer_root_;
   for (std::size_t i = 0; i < count; ++i) {
     const float cosine = n.x * cell.x[i] + n.y * cell.y[i] + n.z * cell.z[i];
     form[i] = (cosine > 0.0f ? cosine : 0.0f) * cell.solid_angle[i];
@@ -156,13 +157,12 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
     const float hx = v.x + x, hy = v.y + y, hz = v.z + z;
     const float cx = n.y * hz - n.z * hy, cy = n.z * hx - n.x * hz, cz = n.x * hy - n.y * hx;
     const float along = n_dot_l + n_dot_v;
-    const float b = (cx * cx + cy * cy + cz * cz + a2 * along * along) / half2;
-    const float shadowing = nl * viewer_root + clamped_n_dot_v * std::sqrt(nl * nl * rest + a2);
-    const float m = 1.0f - 0.5f * std::sqrt(half2);
-    const float schlick = m * m * m * m * m;
-    lobe[i] = form[i] * a2 * 0.5f * std::numbers::inv_pi_v<float> / (b * b * shadowing);
-    fresnel[i] = lobe[i] * schlick;
-    scattered[i] = form[i] * schlick;
+    const float stretched = ggx_stretched(a2, cx * cx + cy * cy + cz * cz, along, half2);
+    const float shadowing = smith_shadowing(nl, smith_root(nl, a2), clamped_n_dot_v, viewer_root);
+    const float weight = schlick_weight(0.5f * std::sqrt(half2));
+    lobe[i] = form[i] * ggx_over(a2, stretched, shadowing);
+    fresnel[i] = lobe[i] * weight;
+    scattered[i] = form[i] * weight;
   }
   if (sheen_ > 0.0f) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -181,9 +181,8 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
       const glm::vec3 half = glm::normalize(v + to_light);
       const BrdfAngles angles{std::max(glm::dot(n, to_light), grazing_cosine), clamped_n_dot_v,
                               glm::dot(n, half), glm::dot(v, half)};
-      const float m = 1.0f - std::min(1.0f, angles.v_dot_h);
       lobe[i] = form[i] * stretched_.value(half, to_light, v, angles);
-      fresnel[i] = lobe[i] * m * m * m * m * m;
+      fresnel[i] = lobe[i] * schlick_weight(angles.v_dot_h);
     }
   }
   for (std::size_t i = 0; i < count; ++i) {

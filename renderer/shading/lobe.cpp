@@ -1,8 +1,9 @@
 #include "renderer/shading/lobe.h"
 
+#include "renderer/shading/ggx.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace asos {
 namespace {
@@ -47,54 +48,40 @@ PatchLobe::PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 norm
   if (!spreads && !stretched) return;
   wider_ = true;
 
-  // A tangent frame of any direction (Duff et al. 2017).
-  const float sign = std::copysign(1.0f, normal.z);
-  const float a = -1.0f / (sign + normal.z);
-  const float b = normal.x * normal.y * a;
-  tangent_ = {1.0f + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
-  bitangent_ = {b, sign + normal.y * normal.y * a, -normal.y};
-
-  const glm::vec2 s(glm::dot(tangent_, stretch), glm::dot(bitangent_, stretch));
-  xx_ = alpha2 + s.x * s.x;
-  yy_ = alpha2 + s.y * s.y;
-  xy_ = s.x * s.y;
-  if (!spreads) return;
-  const float part = std::min(1.0f, most_added / added);
-  const float turn = part * box_variance;
-  const float round = alpha2 + part * spread.variance;
-  const glm::vec2 r(glm::dot(tangent_, spread.right), glm::dot(bitangent_, spread.right));
-  const glm::vec2 d(glm::dot(tangent_, spread.down), glm::dot(bitangent_, spread.down));
-  xx_ = round + s.x * s.x + turn * (r.x * r.x + d.x * d.x);
-  yy_ = round + s.y * s.y + turn * (r.y * r.y + d.y * d.y);
-  xy_ = s.x * s.y + turn * (r.x * r.y + d.x * d.y);
+  const auto [right, up] = axes_about(normal.x, normal.y, normal.z);
+  tangent_ = {right.x, right.y, right.z};
+  bitangent_ = {up.x, up.y, up.z};
+  const float part = spreads ? std::min(1.0f, most_added / added) : 0.0f;
+  const auto along = [&](glm::vec3 axis) -> LobeSpread<float> {
+    if (!spreads) return {glm::dot(axis, stretch), 0.0f, 0.0f};
+    return {glm::dot(axis, stretch), glm::dot(axis, spread.right), glm::dot(axis, spread.down)};
+  };
+  const float round = spreads ? alpha2 + part * spread.variance : alpha2;
+  const auto [xx, xy, yy] =
+      GgxSlopes<float>::of(round, part * box_variance, along(tangent_), along(bitangent_));
+  xx_ = xx, xy_ = xy, yy_ = yy;
 }
 
 float PatchLobe::round_roughness() const {
   // The determinant is the fourth power of the isotropic lobe's alpha, its squared roughness.
-  const float alpha = std::sqrt(std::sqrt(std::max(0.0f, xx_ * yy_ - xy_ * xy_)));
+  const float alpha =
+      std::sqrt(std::sqrt(std::max(0.0f, GgxSlopes<float>{xx_, xy_, yy_}.determinant())));
   return std::min(1.0f, std::sqrt(alpha));
-}
-
-float PatchLobe::quadratic(glm::vec3 v) const {
-  const float x = glm::dot(tangent_, v);
-  const float y = glm::dot(bitangent_, v);
-  return xx_ * x * x + 2.0f * xy_ * x * y + yy_ * y * y;
 }
 
 float PatchLobe::value(glm::vec3 half, glm::vec3 to_light, glm::vec3 to_viewer,
                        const BrdfAngles& angles) const {
-  // GGX and Smith's height-correlated shadowing with a matrix for alpha^2 (Heitz 2014).
-  const float x = glm::dot(tangent_, half);
-  const float y = glm::dot(bitangent_, half);
-  const float det = xx_ * yy_ - xy_ * xy_;
-  const float slopes = (yy_ * x * x - 2.0f * xy_ * x * y + xx_ * y * y) / det;
-  const float d = slopes + angles.n_dot_h * angles.n_dot_h;
-  const float distribution = std::numbers::inv_pi_v<float> / (std::sqrt(det) * d * d);
-  const float nl = angles.n_dot_l;
-  const float nv = angles.n_dot_v;
-  const float shadowing = nl * std::sqrt(nv * nv + quadratic(to_viewer)) +
-                          nv * std::sqrt(nl * nl + quadratic(to_light));
-  return distribution * 0.5f / shadowing;
+  const GgxSlopes<float> slopes{xx_, xy_, yy_};
+  const auto root = [&](float cosine, glm::vec3 v) {
+    return std::sqrt(cosine * cosine +
+                     slopes.quadratic(glm::dot(tangent_, v), glm::dot(bitangent_, v)));
+  };
+  const float det = slopes.determinant();
+  const float stretched =
+      slopes.stretched(glm::dot(tangent_, half), glm::dot(bitangent_, half), angles.n_dot_h, det);
+  return ggx_over(GgxSlopes<float>::alpha2(det), stretched,
+                  smith_shadowing(angles.n_dot_l, root(angles.n_dot_l, to_light), angles.n_dot_v,
+                                  root(angles.n_dot_v, to_viewer)));
 }
 
 }  // namespace asos

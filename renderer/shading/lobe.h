@@ -51,13 +51,10 @@ class PatchLobe {
                             const BrdfAngles& angles) const;
 
  private:
-  /// Returns v^T A v for the part of v in the tangent plane.
-  [[nodiscard]] float quadratic(glm::vec3 v) const;
-
   bool wider_ = false;
   glm::vec3 tangent_{0.0f};
   glm::vec3 bitangent_{0.0f};
-  float xx_ = 0.0f, xy_ = 0.0f, yy_ = 0.0f;  // A: alpha^2 by direction
+  float xx_ = 0.0f, xy_ = 0.0f, yy_ = 0.0f;  // alpha^2 by direction, as GgxSlopes
 };
 
 }  // namespace asos

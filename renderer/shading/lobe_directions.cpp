@@ -1,6 +1,7 @@
 #include "renderer/shading/lobe_directions.h"
 
 #include "renderer/shading/anisotropy.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <algorithm>
@@ -10,11 +11,9 @@
 namespace asos {
 
 Tangents::Tangents(glm::vec3 n) : normal(n) {
-  const float sign = std::copysign(1.0f, n.z);
-  const float a = -1.0f / (sign + n.z);
-  const float b = n.x * n.y * a;
-  right = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
-  up = {b, sign + n.y * n.y * a, -n.y};
+  const auto axes = axes_about(n.x, n.y, n.z);
+  right = {axes.right.x, axes.right.y, axes.right.z};
+  up = {axes.up.x, axes.up.y, axes.up.z};
 }
 
 Tangents::Tangents(glm::vec3 n, const LobeStretch& stretch) : Tangents(n) {
@@ -24,18 +23,11 @@ Tangents::Tangents(glm::vec3 n, const LobeStretch& stretch) : Tangents(n) {
 }
 
 glm::vec3 visible_normal(glm::vec3 v, glm::vec2 alpha, glm::vec2 place) {
-  const glm::vec3 stretched = glm::normalize(glm::vec3(alpha.x * v.x, alpha.y * v.y, v.z));
   const float r = std::sqrt(place.x);
   const float angle = 2.0f * std::numbers::pi_v<float> * place.y;
-  const float x = r * std::cos(angle);
-  const float s = 0.5f * (1.0f + stretched.z);
-  const float length = std::hypot(stretched.x, stretched.y);
-  const glm::vec3 t1 = length > 0.0f ? glm::vec3(-stretched.y, stretched.x, 0.0f) / length
-                                     : glm::vec3(1.0f, 0.0f, 0.0f);
-  const glm::vec3 t2 = glm::cross(stretched, t1);
-  const float y = glm::mix(std::sqrt(std::max(0.0f, 1.0f - x * x)), r * std::sin(angle), s);
-  const glm::vec3 n = x * t1 + y * t2 + std::sqrt(std::max(0.0f, 1.0f - x * x - y * y)) * stretched;
-  return glm::normalize(glm::vec3(alpha.x * n.x, alpha.y * n.y, std::max(0.0f, n.z)));
+  const auto [x, y, z] = visible_normal(LobeVector<float>{v.x, v.y, v.z}, alpha.x, alpha.y,
+                                        r * std::cos(angle), r * std::sin(angle));
+  return glm::normalize(glm::vec3(x, y, z));
 }
 
 LobeDirections::LobeDirections(const ViewedMaterial& material, float spread, glm::vec3 normal,
@@ -58,11 +50,10 @@ std::optional<LobeDirections::Direction> LobeDirections::mirrored(glm::dvec2 pla
   if (!(light.z > 0.0f)) return std::nullopt;
   // The weight is Fresnel's term times the height-correlated G2 over G1: the fraction of the facets
   // visible to the viewer that the light reaches.
-  const float by_viewer = light.z * glm::length(glm::vec3(alpha_, 1.0f) * viewer_);
-  const float by_light = viewer_.z * glm::length(glm::vec3(alpha_, 1.0f) * light);
-  const float met = (by_viewer + light.z * viewer_.z) / (by_viewer + by_light);
-  const float m = std::clamp(1.0f - glm::dot(viewer_, half), 0.0f, 1.0f);
-  const glm::vec3 fresnel = f0_ + (f90_ - f0_) * (m * m * m * m * m);
+  const glm::vec3 alpha(alpha_, 1.0f);
+  const float met =
+      smith_reached(light.z, glm::length(alpha * light), viewer_.z, glm::length(alpha * viewer_));
+  const glm::vec3 fresnel = schlick(f0_, f90_, schlick_weight(glm::dot(viewer_, half)));
   return Direction{world(light), met * fresnel};
 }
 

@@ -1,5 +1,7 @@
 #include "renderer/shading/lobe_norms.h"
 
+#include "renderer/shading/ggx.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -15,10 +17,6 @@ struct Norms {
   double lobe = 0.0;
   double fresnel = 0.0;
 };
-
-double fifth(double x) {
-  return x * x * x * x * x;
-}
 
 /// The cosines and sines of the middles of equal parts of an angle. They are computed once, since
 /// every entry of a table needs them.
@@ -41,10 +39,10 @@ Norms integrate(double n_dot_v, double alpha) {
   constexpr std::size_t turns = 10;  // of a half turn: both sides of the plane of view are equal
   constexpr double samples = caps * turns;
   static const Turns<turns> half_turn(std::numbers::pi);
-  if (alpha == 0.0) return {1.0, fifth(1.0 - n_dot_v)};
+  if (alpha == 0.0) return {1.0, schlick_weight(n_dot_v)};
   const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
   const double a2 = alpha * alpha;
-  const auto root = [a2](double cosine) { return std::sqrt(cosine * cosine * (1.0 - a2) + a2); };
+  const double view_root = smith_root(n_dot_v, a2);
   const double scale = std::hypot(alpha * sine, n_dot_v);
   const double view_x = alpha * sine / scale;
   const double view_z = n_dot_v / scale;
@@ -64,10 +62,9 @@ Norms integrate(double n_dot_v, double alpha) {
       const double v_dot_h = std::clamp((sine * hx + n_dot_v * hz) / length, 0.0, 1.0);
       const double n_dot_l = 2.0 * v_dot_h * hz / length - n_dot_v;
       if (!(n_dot_l > 0.0)) continue;
-      const double left =
-          n_dot_l * (n_dot_v + root(n_dot_v)) / (n_dot_l * root(n_dot_v) + n_dot_v * root(n_dot_l));
+      const double left = smith_reached(n_dot_l, smith_root(n_dot_l, a2), n_dot_v, view_root);
       sum.lobe += weight * left;
-      sum.fresnel += weight * left * fifth(1.0 - v_dot_h);
+      sum.fresnel += weight * left * schlick_weight(v_dot_h);
     }
   }
   return {sum.lobe / samples, sum.fresnel / samples};
@@ -97,10 +94,9 @@ Norms integrate(double n_dot_v, double along, double across, double turn) {
       const double v_dot_h = std::clamp(glm::dot(v, h), 0.0, 1.0);
       const glm::dvec3 l = 2.0 * v_dot_h * h - v;
       if (!(l.z > 0.0)) continue;
-      const double left =
-          l.z * (v.z + view_root) / (l.z * view_root + v.z * glm::length(alpha * l));
+      const double left = smith_reached(l.z, glm::length(alpha * l), v.z, view_root);
       sum.lobe += weight * left;
-      sum.fresnel += weight * left * fifth(1.0 - v_dot_h);
+      sum.fresnel += weight * left * schlick_weight(v_dot_h);
     }
   }
   return {sum.lobe / samples, sum.fresnel / samples};

@@ -4,6 +4,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/lobe.h"
 #include "renderer/shading/lobe_directions.h"
 #include "renderer/shading/lobe_norms.h"
@@ -64,17 +65,10 @@ float stretched_lobe(glm::vec2 alpha, glm::vec3 half, glm::vec3 to_light, glm::v
 
 /// Returns the density of reflections at visible normals (`visible_normal`), per steradian.
 float lobe_density(glm::vec3 v, glm::vec3 half, glm::vec2 alpha) {
-  if (alpha.x != alpha.y) {
-    const float slopes = (half.x * half.x) / (alpha.x * alpha.x) +
-                         (half.y * half.y) / (alpha.y * alpha.y) + half.z * half.z;
-    const float distribution =
-        std::numbers::inv_pi_v<float> / (alpha.x * alpha.y * slopes * slopes);
-    return distribution / (2.0f * (v.z + glm::length(glm::vec3(alpha, 1.0f) * v)));
-  }
-  const float a2 = alpha.x * alpha.x, n_dot_h = half.z;
-  const float d = n_dot_h * n_dot_h * (a2 - 1.0f) + 1.0f;
-  const float distribution = a2 / (std::numbers::pi_v<float> * d * d);
-  return distribution / (2.0f * (v.z + std::sqrt(v.z * v.z * (1.0f - a2) + a2)));
+  const GgxSlopes<float> slopes{alpha.x * alpha.x, 0.0f, alpha.y * alpha.y};
+  const float det = slopes.determinant();
+  return ggx_over(GgxSlopes<float>::alpha2(det), slopes.stretched(half.x, half.y, half.z, det),
+                  v.z + glm::length(glm::vec3(alpha, 1.0f) * v));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "renderer/geometry/largest.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/environment.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/material_mean.h"
@@ -173,11 +174,11 @@ float reflected_otherwise(std::span<const SurfaceMaterial> materials, const Surf
 /// Returns the radiance of a light's highlights at a point, without shadows.
 float highlight(const SurfaceMaterial& m, const BrdfAngles& angles, float half_angle,
                 float irradiance) {
-  const float grazing = std::pow(1.0f - angles.v_dot_h, 5.0f);
+  const float weight = schlick_weight(angles.v_dot_h);
   const auto lobe = [&](float f0, float roughness) {
     const float alpha = std::max(roughness, roughness_floor) * std::max(roughness, roughness_floor);
     const float wider = std::sqrt(std::hypot(alpha, 0.5f * half_angle));
-    return (f0 + (1.0f - f0) * grazing) * ggx_lobe(std::min(wider, 1.0f), angles);
+    return schlick(f0, 1.0f, weight) * ggx_lobe(std::min(wider, 1.0f), angles);
   };
   float sum = lobe(largest(m.f0), m.roughness);
   if (m.coat.factor > 0.0f) sum += m.coat.factor * lobe(coat_f0, m.coat.roughness);

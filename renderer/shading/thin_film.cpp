@@ -1,5 +1,7 @@
 #include "renderer/shading/thin_film.h"
 
+#include "renderer/shading/ggx.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,12 +14,6 @@ constexpr float pi_f = std::numbers::pi_v<float>;
 template <typename T>
 T squared(T x) {
   return x * x;
-}
-
-template <typename T>
-T schlick(T f0, float cosine) {
-  const float m = 1.0f - cosine;
-  return f0 + (T(1.0f) - f0) * (squared(squared(m)) * m);
 }
 
 template <typename T>
@@ -64,10 +60,11 @@ glm::vec3 thin_film_fresnel(const SurfaceThinFilm& film, glm::vec3 base_f0, floa
   const float inner_cosine = std::sqrt(inner_cosine2);
 
   // Reflectance at the film's two sides. Reflection at the denser side turns the phase.
-  const float r12 = schlick(f0_between(ior, air), cosine);
+  const float r12 = schlick(f0_between(ior, air), 1.0f, schlick_weight(cosine));
   const float t121 = 1.0f - r12;
   const glm::vec3 base_ior = ior_of(base_f0);
-  const glm::vec3 r23 = schlick(f0_between(base_ior, ior), inner_cosine);
+  const glm::vec3 r23 =
+      schlick(f0_between(base_ior, ior), glm::vec3(1.0f), schlick_weight(inner_cosine));
   const float phi21 = ior < air ? 0.0f : pi_f;
   const glm::vec3 phi23 =
       glm::mix(glm::vec3(0.0f), glm::vec3(pi_f), glm::lessThan(base_ior, glm::vec3(ior)));

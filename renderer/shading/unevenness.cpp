@@ -2,6 +2,7 @@
 
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
+#include "renderer/shading/ggx.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/lobe.h"
 #include "renderer/shading/texture.h"
@@ -94,12 +95,9 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   // and is reflected almost completely (Schlick's Fresnel term, Smith's shadowing).
   const glm::vec3 half = glm::normalize(to_light + to_viewer);
   const float along = std::clamp(glm::dot(half, to_viewer), 0.0f, 1.0f);
-  const float grazing = std::pow(1.0f - along, 5.0f);
-  const float fresnel = gloss.f0 + (1.0f - gloss.f0) * grazing;
+  const float fresnel = schlick(gloss.f0, 1.0f, schlick_weight(along));
   const float a2 = alpha * (stretch.none() ? alpha : alpha_along(stretch, least_roughness));
-  const float peak =
-      irradiance * fresnel /
-      (4.0f * std::numbers::pi_v<float> * a2 * std::sqrt(along * along * (1.0f - a2) + a2));
+  const float peak = irradiance * fresnel * ggx_over(a2, a2, 2.0f * smith_root(along, a2));
   // The distance of the patch's nearest normal from the half vector, and the lobe there.
   const float away = away_from_peak(bend.normal, half, stretch, least_roughness);
   float turn2 = bend.turn2_about_half(to_viewer, to_light, distance);
