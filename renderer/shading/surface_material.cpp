@@ -14,109 +14,137 @@
 namespace asos {
 namespace {
 
-/// Makes a material from its base colour; `sample(use, kind)` looks up the other textures.
+/// The textures of a material at a point; `sample(use, kind)` looks up one.
 template <typename Sample>
-SurfaceMaterial material_with(const Material& material, const RenderFeatures& render_features,
-                              glm::vec4 base, const Sample& sample) {
-  SurfaceMaterial surface;
+struct Texels {
+  const RenderFeatures& render_features;
+  const Sample& sample;
+
+  /// Returns white for a texture that is not used.
+  [[nodiscard]] glm::vec4 at(const TextureUse& use, TexelKind kind = TexelKind::data) const {
+    return render_features.textures && use.used() ? sample(use, kind) : glm::vec4(1.0f);
+  }
+  [[nodiscard]] glm::vec3 color(const TextureUse& use) const {
+    return glm::vec3(at(use, TexelKind::color));
+  }
+};
+
+// The functions of the layers look up their textures in an order that every caller repeats.
+
+template <typename Sample>
+void set_cover(const Material& material, glm::vec4 base, const Texels<Sample>& texels,
+               SurfaceMaterial& surface) {
   surface.base_color = glm::vec3(base);
-  surface.unlit = material.unlit;
   surface.transmission = std::clamp(material.transmission, 0.0f, 1.0f);
-  if (surface.transmission > 0.0f && render_features.textures &&
-      material.transmission_texture.used())
-    surface.transmission *= sample(material.transmission_texture, TexelKind::data).r;
+  if (surface.transmission > 0.0f)
+    surface.transmission *= texels.at(material.transmission_texture).r;
   if (material.alpha_mode == AlphaMode::blend) {
     surface.opacity = std::clamp(base.a, 0.0f, 1.0f);
   } else if (material.alpha_mode == AlphaMode::mask && material.transmission > 0.0f) {
     // Without transmission, RayScene has applied the cut-off already.
     surface.opacity = base.a >= material.alpha_cutoff ? 1.0f : 0.0f;
   }
-  const auto emission = [&] {
-    glm::vec3 emitted = material.emissive * material.emissive_strength;
-    if (material.emissive_texture.used() && emitted != glm::vec3(0.0f))
-      emitted *= glm::vec3(sample(material.emissive_texture, emissive_kind(material)));
-    return emitted;
-  };
-  if (surface.unlit) {
-    if (material.stroke && render_features.emission) surface.base_color += emission();
-    return surface;
-  }
+}
 
-  surface.metallic = material.metallic;
-  surface.roughness = material.roughness;
-  if (render_features.textures && material.metallic_roughness_texture.used()) {
-    const glm::vec4 texel = sample(material.metallic_roughness_texture, TexelKind::data);
-    surface.roughness *= texel.g;
-    surface.metallic *= texel.b;
-  }
-  if (render_features.textures && material.occlusion_texture.used()) {
-    const float seen = sample(material.occlusion_texture, TexelKind::data).r;
-    surface.occlusion = 1.0f + material.occlusion_texture.scale * (seen - 1.0f);
-  }
+template <typename Sample>
+void set_metal(const Material& material, const Texels<Sample>& texels, SurfaceMaterial& surface) {
+  const glm::vec4 texel = texels.at(material.metallic_roughness_texture);
+  surface.roughness = material.roughness * texel.g;
+  surface.metallic = material.metallic * texel.b;
+  const float seen = texels.at(material.occlusion_texture).r;
+  surface.occlusion = 1.0f + material.occlusion_texture.scale * (seen - 1.0f);
+}
+
+/// KHR_materials_specular. An index of 0 means an infinite one: everything is reflected.
+template <typename Sample>
+void set_reflectance(const Material& material, const Texels<Sample>& texels,
+                     SurfaceMaterial& surface) {
   const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
-  // KHR_materials_specular. An index of 0 means an infinite one: everything is reflected.
-  glm::vec3 specular_color = material.specular_color;
-  float specular = material.specular;
-  if (render_features.textures && material.specular_color_texture.used())
-    specular_color *= glm::vec3(sample(material.specular_color_texture, TexelKind::color));
-  if (render_features.textures && material.specular_texture.used())
-    specular *= sample(material.specular_texture, TexelKind::data).a;
-  surface.f0 = glm::min(dielectric * dielectric * specular_color, glm::vec3(1.0f)) * specular;
+  const glm::vec3 color = material.specular_color * texels.color(material.specular_color_texture);
+  const float specular = material.specular * texels.at(material.specular_texture).a;
+  surface.f0 = glm::min(dielectric * dielectric * color, glm::vec3(1.0f)) * specular;
   surface.f90 = specular;
   surface.dielectric_f0 = std::max({surface.f0.x, surface.f0.y, surface.f0.z});
   surface.dielectric_f90 = surface.f90;
-  if (render_features.metals) {
+  if (texels.render_features.metals) {
     surface.f0 = glm::mix(surface.f0, surface.base_color, surface.metallic);
     surface.f90 = glm::mix(surface.f90, 1.0f, surface.metallic);
   }
+}
 
-  if (material.coat.factor > 0.0f) {
-    surface.coat = {material.coat.factor, material.coat.roughness};
-    if (render_features.textures && material.coat.texture.used())
-      surface.coat.factor *= sample(material.coat.texture, TexelKind::data).r;
-    if (render_features.textures && material.coat.roughness_texture.used())
-      surface.coat.roughness *= sample(material.coat.roughness_texture, TexelKind::data).g;
+template <typename Sample>
+SurfaceCoat coat_of(const Clearcoat& coat, const Texels<Sample>& texels) {
+  if (!(coat.factor > 0.0f)) return {};
+  SurfaceCoat at{coat.factor, coat.roughness};
+  at.factor *= texels.at(coat.texture).r;
+  at.roughness *= texels.at(coat.roughness_texture).g;
+  return at;
+}
+
+template <typename Sample>
+SurfaceSheen sheen_of(const Sheen& sheen, const Texels<Sample>& texels) {
+  if (!sheen.used()) return {};
+  SurfaceSheen at{sheen.color, sheen.roughness};
+  at.color *= texels.color(sheen.color_texture);
+  at.roughness *= texels.at(sheen.roughness_texture).a;
+  return at;
+}
+
+template <typename Sample>
+SurfaceThinFilm film_of(const Iridescence& film, const Texels<Sample>& texels) {
+  if (!film.used()) return {};
+  SurfaceThinFilm at{film.factor, film.ior, film.thickness_max_nm};
+  at.factor *= texels.at(film.texture).r;
+  const float thickness = texels.at(film.thickness_texture).g;
+  at.thickness_nm = glm::mix(film.thickness_min_nm, film.thickness_max_nm, thickness);
+  return at;
+}
+
+template <typename Sample>
+SurfaceAnisotropy anisotropy_at(const Anisotropy& anisotropy, const Texels<Sample>& texels) {
+  if (!anisotropy.used()) return {};
+  const bool textured = texels.render_features.textures && anisotropy.texture.used();
+  return textured ? anisotropy_of(anisotropy, glm::vec3(texels.at(anisotropy.texture)))
+                  : anisotropy_of(anisotropy);
+}
+
+template <typename Sample>
+void set_diffuse_transmission(const DiffuseTransmission& through, const Texels<Sample>& texels,
+                              SurfaceMaterial& surface) {
+  if (!through.used()) return;
+  surface.diffuse_transmission = through.factor * texels.at(through.texture).a;
+  surface.diffuse_transmission_color = through.color * texels.color(through.color_texture);
+}
+
+template <typename Sample>
+glm::vec3 emission_of(const Material& material, const Texels<Sample>& texels) {
+  if (!texels.render_features.emission) return glm::vec3(0.0f);
+  glm::vec3 emitted = material.emissive * material.emissive_strength;
+  if (material.emissive_texture.used() && emitted != glm::vec3(0.0f))
+    emitted *= glm::vec3(texels.sample(material.emissive_texture, emissive_kind(material)));
+  return emitted;
+}
+
+/// Makes a material from its base colour; `sample(use, kind)` looks up the other textures.
+template <typename Sample>
+SurfaceMaterial material_with(const Material& material, const RenderFeatures& render_features,
+                              glm::vec4 base, const Sample& sample) {
+  const Texels<Sample> texels{render_features, sample};
+  SurfaceMaterial surface;
+  surface.unlit = material.unlit;
+  set_cover(material, base, texels, surface);
+  if (surface.unlit) {
+    if (material.stroke) surface.base_color += emission_of(material, texels);
+    return surface;
   }
-
-  if (material.sheen.used()) {
-    surface.sheen = {material.sheen.color, material.sheen.roughness};
-    if (render_features.textures && material.sheen.color_texture.used())
-      surface.sheen.color *= glm::vec3(sample(material.sheen.color_texture, TexelKind::color));
-    if (render_features.textures && material.sheen.roughness_texture.used())
-      surface.sheen.roughness *= sample(material.sheen.roughness_texture, TexelKind::data).a;
-  }
-
-  if (material.film.used()) {
-    surface.film = {material.film.factor, material.film.ior, material.film.thickness_max_nm};
-    if (render_features.textures && material.film.texture.used())
-      surface.film.factor *= sample(material.film.texture, TexelKind::data).r;
-    if (render_features.textures && material.film.thickness_texture.used()) {
-      const float g = sample(material.film.thickness_texture, TexelKind::data).g;
-      surface.film.thickness_nm =
-          glm::mix(material.film.thickness_min_nm, material.film.thickness_max_nm, g);
-    }
-  }
-
-  if (material.anisotropy.used()) {
-    const TextureUse& use = material.anisotropy.texture;
-    surface.anisotropy =
-        render_features.textures && use.used()
-            ? anisotropy_of(material.anisotropy, glm::vec3(sample(use, TexelKind::data)))
-            : anisotropy_of(material.anisotropy);
-  }
-
-  if (material.diffuse_transmission.used()) {
-    const DiffuseTransmission& through = material.diffuse_transmission;
-    surface.diffuse_transmission = through.factor;
-    surface.diffuse_transmission_color = through.color;
-    if (render_features.textures && through.texture.used())
-      surface.diffuse_transmission *= sample(through.texture, TexelKind::data).a;
-    if (render_features.textures && through.color_texture.used())
-      surface.diffuse_transmission_color *=
-          glm::vec3(sample(through.color_texture, TexelKind::color));
-  }
-
-  if (render_features.emission) surface.emission = emission();
+  set_metal(material, texels, surface);
+  set_reflectance(material, texels, surface);
+  surface.coat = coat_of(material.coat, texels);
+  surface.sheen = sheen_of(material.sheen, texels);
+  surface.film = film_of(material.film, texels);
+  surface.anisotropy = anisotropy_at(material.anisotropy, texels);
+  set_diffuse_transmission(material.diffuse_transmission, texels, surface);
+  surface.emission = emission_of(material, texels);
   return surface;
 }
 
