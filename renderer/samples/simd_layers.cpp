@@ -25,21 +25,6 @@ bool finite(const ViewedMaterial& m) {
   return std::isfinite(sum.x + sum.y + sum.z);
 }
 
-ViewedMaterial viewed_layer(SurfaceLobes lobes, const ViewedPoint& view,
-                            const SurfaceMaterial& material) {
-  switch (lobes) {
-    case SurfaceLobes::coat:
-      return viewed(material.coat, mirroring_cosine(view));
-    case SurfaceLobes::sheen:
-      return viewed(material.sheen, view.n_dot_v);
-    case SurfaceLobes::behind:
-      return viewed_from_behind(material, view.n_dot_v);
-    case SurfaceLobes::base:
-      break;
-  }
-  return viewed(material, mirroring_cosine(view));
-}
-
 }  // namespace
 
 // Looks up the textures of all hits whose materials have some, one material after the other.
@@ -124,8 +109,8 @@ void SimdSamples::look_up_material(std::size_t top, ShadingPoints& points) {
   const Material& material = world_.material_of(hit.triangle);
   LookedUpTexels values = texels(top);
   const glm::vec4* const normals = values.first;
-  for (std::size_t k = 0; k < plain.lobe_count; ++k) {
-    const bool coat = plain.all_lobes[k] == SurfaceLobes::coat;
+  for (std::size_t k = 0; k < plain.layers.size(); ++k) {
+    const bool coat = plain.layers[k] == MaterialLayer::coat;
     if (!(coat ? plain.coat_map : plain.normal_map)) continue;
     map_normals(top + k, coat ? material.coat.normal_texture : material.normal_texture,
                 normals[coat && plain.normal_map ? values.stride : 0], points);
@@ -136,8 +121,9 @@ void SimdSamples::look_up_material(std::size_t top, ShadingPoints& points) {
     found = surface_material(world_, needs_, hit, values);
   }
   if (found.anisotropy.strength > 0.0f)
-    found.stretch = lobe_stretch(world_, hit, found.anisotropy, found.roughness,
-                                 points.normal.at(top + plain.base()), points.to_viewer.at(top));
+    found.stretch =
+        lobe_stretch(world_, hit, found.anisotropy, found.roughness,
+                     points.normal.at(top + plain.layers.base()), points.to_viewer.at(top));
   if (const MetVolume* volume = volume_of(top)) volume->boundary.set_reflectance(found);
   set_material(top, found);
   if (plain.layered()) arrays_->layered.push_back({top, found});
@@ -146,19 +132,19 @@ void SimdSamples::look_up_material(std::size_t top, ShadingPoints& points) {
 // Sets the material of a hit's points, as far as a batch views it.
 void SimdSamples::set_material(std::size_t top, const SurfaceMaterial& material) {
   const SimdMaterial& plain = *arrays_->material[top];
-  if (plain.lobe_count == 1 && !material.unlit) {
+  if (plain.layers.size() == 1 && !material.unlit) {
     arrays_->materials.set(top, material);
     arrays_->emission[top] = shown(top, material.emission);
     return;
   }
-  for (std::size_t k = 0; k < plain.lobe_count; ++k) {
-    const bool own = k == plain.base() && !material.unlit;
+  for (std::size_t k = 0; k < plain.layers.size(); ++k) {
+    const bool own = k == plain.layers.base() && !material.unlit;
     SurfaceMaterial seen = own ? material : black_material();
-    if (plain.all_lobes[k] == SurfaceLobes::coat) seen.roughness = material.coat.roughness;
+    if (plain.layers[k] == MaterialLayer::coat) seen.roughness = material.coat.roughness;
     arrays_->materials.set(top + k, seen);
     arrays_->emission[top + k] = glm::vec3(0.0f);
   }
-  const std::size_t base = top + plain.base();
+  const std::size_t base = top + plain.layers.base();
   arrays_->emission[base] = material.unlit ? (1.0f - material.transmission) * material.base_color
                                            : shown(base, material.emission);
 }
@@ -181,18 +167,19 @@ void SimdSamples::turn_behind(std::size_t i, ShadingPoints& points) {
 bool SimdSamples::view_layers(const LayeredHit& hit, ShadingPoints& points) {
   const SimdMaterial& plain = *arrays_->material[hit.top];
   bool all_finite = true;
-  for (std::size_t k = 0; k < plain.lobe_count; ++k) {
-    const SurfaceLobes lobes = plain.all_lobes[k];
+  for (std::size_t k = 0; k < plain.layers.size(); ++k) {
+    const MaterialLayer layer = plain.layers[k];
     const std::size_t i = hit.top + k;
-    const MetVolume* volume = lobes == SurfaceLobes::base ? volume_of(i) : nullptr;
-    if (lobes == SurfaceLobes::base && !plain.own_lobe && !volume) continue;
+    const MetVolume* volume = layer == MaterialLayer::base ? volume_of(i) : nullptr;
+    if (layer == MaterialLayer::base && !plain.own_lobe && !volume) continue;
     const float n_dot_v = points.n_dot_v[i];
-    if (lobes == SurfaceLobes::behind) turn_behind(i, points);
+    if (layer == MaterialLayer::behind) turn_behind(i, points);
     const SurfacePoint place = point(i, points);
     const ViewedPoint view{place, points.to_viewer.at(i), n_dot_v};
+    const float cosine = cosine_for(layer, view);
     const ViewedMaterial seen =
-        volume ? volume->boundary.viewed(hit.material, mirroring_cosine(view), volume->reflected())
-               : viewed_layer(lobes, view, hit.material);
+        volume ? volume->boundary.viewed(hit.material, cosine, volume->reflected())
+               : viewed(hit.material, layer, cosine);
     all_finite = all_finite && finite(seen);
     set_viewed(i, seen, points);
   }
@@ -217,12 +204,10 @@ void SimdSamples::weigh_layers(const LayeredHit& hit, const ShadingPoints& point
   const float opacity = hidden ? 0.0f : plain.blended ? hit.material.opacity : 1.0f;
   const glm::vec3 weight = arrays_->share[hit.top];
   float left = 1.0f;
-  for (std::size_t k = 0; k < plain.lobe_count; ++k) {
+  for (std::size_t k = 0; k < plain.layers.size(); ++k) {
     const std::size_t i = hit.top + k;
     arrays_->share[i] = (opacity * left) * weight;
-    if (plain.all_lobes[k] == SurfaceLobes::coat) left = 1.0f - points.f0.x[i];
-    if (plain.all_lobes[k] == SurfaceLobes::sheen)
-      left *= 1.0f - largest(arrays_->materials.ambient.at(i));
+    left *= passed_below(plain.layers[k], points.f0.at(i), arrays_->materials.ambient.at(i));
   }
   if (plain.blended) add_passage(hit, weight, opacity, left);
 }
@@ -232,7 +217,7 @@ void SimdSamples::weigh_layers(const LayeredHit& hit, const ShadingPoints& point
 void SimdSamples::add_passage(const LayeredHit& hit, glm::vec3 weight, float opacity, float left) {
   const SurfaceMaterial& material = hit.material;
   Passage next;
-  next.point = hit.top + arrays_->material[hit.top]->base();
+  next.point = hit.top + arrays_->material[hit.top]->layers.base();
   if (!material.unlit) left *= arrays_->materials.below[next.point] * (1.0f - material.metallic);
   next.beside = (1.0f - opacity) * weight;
   next.through = (opacity * left * material.transmission) * material.base_color * weight;

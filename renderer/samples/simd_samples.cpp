@@ -94,7 +94,7 @@ SamplePath SimdSamples::add(std::size_t index, const Ray& ray, const Hit& hit, f
     clear();
   }
   const std::size_t top = arrays_->hits.count;
-  for (std::size_t k = 0; k < material.lobe_count; ++k)
+  for (std::size_t k = 0; k < material.layers.size(); ++k)
     add_point(index, ray, hit, side, state, material);
   if (material.blended || state.passage.in_medium()) meet_volume(top, ray, state);
   if (material.looked_up || material.layered()) {
@@ -142,7 +142,7 @@ void SimdSamples::meet_volume(std::size_t top, const Ray& ray, const RayState& s
   const glm::vec3 left =
       before.in_medium() ? before.left_after(hit.t - state.start) : glm::vec3(1.0f);
   if (boundary) arrays_->volumes.push_back({*boundary, before});
-  for (std::size_t k = 0; k < material.lobe_count; ++k) {
+  for (std::size_t k = 0; k < material.layers.size(); ++k) {
     arrays_->share[top + k] = left;
     if (boundary) arrays_->volume[top + k] = static_cast<int>(arrays_->volumes.size()) - 1;
   }
@@ -165,7 +165,7 @@ bool SimdSamples::shade(ShadingPoints& points) {
   for (std::size_t k = 0; k < arrays_->looked_up_count; ++k) {
     const std::size_t top = arrays_->looked_up[k];
     look_up_material(top, points);
-    const glm::vec3 emission = arrays_->emission[top + arrays_->material[top]->base()];
+    const glm::vec3 emission = arrays_->emission[top + arrays_->material[top]->layers.base()];
     finite = finite && std::isfinite(emission.x + emission.y + emission.z);
   }
   finite = view_materials(arrays_->rest, arrays_->materials, points) && finite;

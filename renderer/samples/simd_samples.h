@@ -43,9 +43,9 @@ class SimdSamples {
   [[nodiscard]] std::size_t count() const { return arrays_ ? arrays_->hits.count : 0; }
   /// Returns whether there is no room for another hit.
   [[nodiscard]] bool full_for(const Hit& hit) const {
-    if (count() + most_surface_lobes <= ShadingPoints::size || hit.triangle >= triangles_)
+    if (count() + MaterialLayers::most <= ShadingPoints::size || hit.triangle >= triangles_)
       return false;
-    return count() + table_.of(world_, hit.triangle).lobe_count > ShadingPoints::size;
+    return count() + table_.of(world_, hit.triangle).layers.size() > ShadingPoints::size;
   }
   /// Returns the number of point i's ray.
   [[nodiscard]] std::size_t index(std::size_t i) const { return arrays_->index[i]; }

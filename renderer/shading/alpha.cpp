@@ -1,6 +1,7 @@
 #include "renderer/rays/back_face.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/hit_triangle.h"
+#include "renderer/shading/material_layers.h"
 #include "renderer/shading/shade.h"
 #include "renderer/shading/surface.h"
 #include "renderer/shading/texture.h"

@@ -102,17 +102,6 @@ ViewedMaterial viewed(const SurfaceSheen& sheen, float n_dot_v) {
   return seen;
 }
 
-float transmitted_share(const SurfaceMaterial& material, float n_dot_v) {
-  float left = 1.0f;
-  if (!material.unlit) {
-    if (material.coat.factor > 0.0f) left -= viewed(material.coat, n_dot_v).f0.x;
-    if (material.sheen.color != glm::vec3(0.0f))
-      left *= 1.0f - largest(viewed(material.sheen, n_dot_v).ambient);
-    left *= viewed(material, n_dot_v).below * (1.0f - material.metallic);
-  }
-  return left * material.transmission;
-}
-
 float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light) {
   const glm::vec3 sum = to_viewer + to_light;
   return schlick_weight(0.5f * std::sqrt(glm::dot(sum, sum)));

@@ -69,11 +69,6 @@ struct ViewedMaterial {
 /// would reflect more light than arrives, so it is scaled to reflect all of it.
 [[nodiscard]] ViewedMaterial viewed(const SurfaceSheen& sheen, float n_dot_v);
 
-/// Returns the fraction of light that passes a transmissive surface at this angle: the rest of its
-/// layers and of the dielectric's lobe. The base colour is not included. An unlit surface passes
-/// all that it transmits.
-[[nodiscard]] float transmitted_share(const SurfaceMaterial& material, float n_dot_v);
-
 /// Schlick's (1 - v.h)^5 between two unit directions.
 [[nodiscard]] float schlick_weight(glm::vec3 to_viewer, glm::vec3 to_light);
 

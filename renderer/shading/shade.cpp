@@ -5,6 +5,7 @@
 #include "renderer/shading/background_along.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/layers.h"
+#include "renderer/shading/material_layers.h"
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shading/sky.h"
 #include "renderer/world/surface_kind.h"
@@ -39,6 +40,14 @@ bool shows_only_unlit(PixelContent content) {
 bool needs_no_point(PixelContent content, const Material& material) {
   if (content == PixelContent::light) return false;
   return !(content == PixelContent::unlit_colour && material.unlit);
+}
+
+/// Returns the point of the surface's other side.
+SurfacePoint other_side(SurfacePoint point) {
+  point.geometric_normal = -point.geometric_normal;
+  point.shading_normal = -point.shading_normal;
+  point.forget_smooth_surface();
+  return point;
 }
 
 /// Ignores all light.
@@ -82,50 +91,34 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
                            const MipChains* mips, LightTransport& transport, glm::vec3& radiance,
                            RenderStatistics& counts) const {
   const glm::vec3 to_viewer = -seen.ray.direction;
+  const float n_dot_v = viewed_point(point, to_viewer).n_dot_v;
   Layer below = layer;
   float left = 1.0f;
-
-  // KHR_materials_clearcoat: mix(base, coat, factor * fresnel(n_c.v)).
-  if (material.coat.factor > 0.0f) {
-    const SurfacePoint own = coat_point(world_, needs_, layer.hit, mips, point);
-    const ViewedPoint view = viewed_point(own, to_viewer);
-    const ViewedMaterial coat = viewed(material.coat, mirroring_cosine(view));
-    if (!seen.diffuse) add_lit(seen, view, coat, below, transport, radiance, counts);
-    left = 1.0f - coat.f0.x;
-    below.share *= left;
-  }
-
-  // KHR_materials_sheen: sheen + base * (1 - max3(colour) * E(n.v)).
-  const ViewedPoint view = viewed_point(point, to_viewer);
-  const float mirroring = mirroring_cosine(view);
-  if (material.sheen.color != glm::vec3(0.0f)) {
-    const ViewedMaterial sheen = viewed(material.sheen, view.n_dot_v);
-    add_lit(seen, view, sheen, below, transport, radiance, counts);
-    const float scaling = 1.0f - largest(sheen.ambient);
-    left *= scaling;
-    below.share *= scaling;
-  }
-
-  if (!seen.diffuse && shows_emission(seen.hides_lights, layer.hit.triangle) &&
-      material.emission != glm::vec3(0.0f)) {
-    const glm::vec3 emission = below.share * material.emission;
-    transport.note(LightPart::emission, emission);
-    radiance += emission;
-  }
-  const ViewedMaterial base = layer.boundary
-                                  ? layer.boundary->viewed(material, mirroring, layer.passage)
-                                  : viewed(material, mirroring);
-  left *= base.below;
-  add_lit(seen, view, seen.diffuse ? diffuse_part(base) : base, below, transport, radiance, counts);
-  if (material.diffuse_transmission > 0.0f) {
-    SurfacePoint behind = point;
-    behind.geometric_normal = -point.geometric_normal;
-    behind.shading_normal = -point.shading_normal;
-    behind.forget_smooth_surface();
-    const ViewedPoint from_behind{behind, glm::reflect(to_viewer, point.shading_normal),
-                                  view.n_dot_v};
-    add_lit(seen, from_behind, viewed_from_behind(material, view.n_dot_v), below, transport,
-            radiance, counts);
+  for (const MaterialLayer part : MaterialLayers(material)) {
+    const bool is_base = part == MaterialLayer::base;
+    if (is_base && !seen.diffuse && shows_emission(seen.hides_lights, layer.hit.triangle) &&
+        material.emission != glm::vec3(0.0f)) {
+      const glm::vec3 emission = below.share * material.emission;
+      transport.note(LightPart::emission, emission);
+      radiance += emission;
+    }
+    std::optional<SurfacePoint> own;
+    if (part == MaterialLayer::coat) own = coat_point(world_, needs_, layer.hit, mips, point);
+    if (part == MaterialLayer::behind) own = other_side(point);
+    ViewedPoint view = viewed_point(own ? *own : point, to_viewer);
+    // The other side is viewed as the surface reflects the viewer.
+    if (part == MaterialLayer::behind)
+      view.to_viewer = glm::reflect(to_viewer, point.shading_normal), view.n_dot_v = n_dot_v;
+    const float cosine = cosine_for(part, view);
+    const ViewedMaterial lobes = is_base && layer.boundary
+                                     ? layer.boundary->viewed(material, cosine, layer.passage)
+                                     : viewed(material, part, cosine);
+    if (!seen.diffuse || part != MaterialLayer::coat)
+      add_lit(seen, view, seen.diffuse && is_base ? diffuse_part(lobes) : lobes, below, transport,
+              radiance, counts);
+    const float passed = passed_below(part, lobes.f0, lobes.ambient);
+    below.share *= passed;
+    left *= is_base ? lobes.below : passed;
   }
   return left;
 }

@@ -20,13 +20,9 @@ SamplePath path_of(const Material& m, const SurfaceMaterial& surface) {
   return finite(surface) ? SamplePath::lanes : SamplePath::not_finite;
 }
 
-void add_lobes(const Material& m, SimdMaterial& plain) {
-  plain.lobe_count = 0;
-  const auto add = [&](SurfaceLobes lobes) { plain.all_lobes[plain.lobe_count++] = lobes; };
-  if (!m.unlit && m.coat.factor > 0.0f) add(SurfaceLobes::coat);
-  if (!m.unlit && m.sheen.used()) add(SurfaceLobes::sheen);
-  add(SurfaceLobes::base);
-  if (!m.unlit && m.diffuse_transmission.used()) add(SurfaceLobes::behind);
+MaterialLayers layers_of(const Material& m) {
+  if (m.unlit) return {false, false, false};
+  return {m.coat.factor > 0.0f, m.sheen.used(), m.diffuse_transmission.used()};
 }
 
 SimdMaterial plain_material(const World& world, const RenderFeatures& render_features,
@@ -47,7 +43,7 @@ SimdMaterial plain_material(const World& world, const RenderFeatures& render_fea
   plain.shiny = glossy && !m.unlit && render_features.lights();
   plain.blended = render_features.alpha_blend && surface_kind(m) == SurfaceKind::blended;
   plain.own_lobe = !m.unlit && (m.film.used() || m.anisotropy.used());
-  add_lobes(m, plain);
+  plain.layers = layers_of(m);
   plain.path = path_of(m, plain.surface);
   return plain;
 }

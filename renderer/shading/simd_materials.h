@@ -1,34 +1,22 @@
 #pragma once
 
 #include "renderer/film/sample_path.h"
+#include "renderer/shading/material_layers.h"
 #include "renderer/shading/surface.h"
 #include "renderer/world/render_features.h"
 #include "renderer/world/world.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace asos {
-
-/// A layer of a surface that reflects light by itself, from the top down.
-enum class SurfaceLobes : std::uint8_t {
-  coat,    ///< KHR_materials_clearcoat
-  sheen,   ///< KHR_materials_sheen
-  base,    ///< the surface itself
-  behind,  ///< KHR_materials_diffuse_transmission
-};
-inline constexpr std::size_t most_surface_lobes = 4;
 
 /// Data of a material for shading batches of points.
 struct SimdMaterial {
   SurfaceMaterial surface;              ///< without textures and vertex colours
   SamplePath path = SamplePath::lanes;  ///< or the reason why Shader shades it
-  std::array<SurfaceLobes, most_surface_lobes> all_lobes{SurfaceLobes::base};
-  std::uint8_t lobe_count = 1;
+  MaterialLayers layers{false, false, false};
   bool looked_up = false;               ///< textures or vertex colours change `surface`
   std::vector<TextureLookUp> look_ups;  ///< textures at a point, as texture_look_ups
   bool normal_map = false;
@@ -44,16 +32,8 @@ struct SimdMaterial {
   [[nodiscard]] std::size_t maps() const { return (normal_map ? 1u : 0u) + (coat_map ? 1u : 0u); }
   [[nodiscard]] std::size_t texels() const { return maps() + look_ups.size(); }
   [[nodiscard]] bool has_textures() const { return texels() > 0; }
-  [[nodiscard]] std::span<const SurfaceLobes> lobes() const {
-    return std::span(all_lobes).first(lobe_count);
-  }
-  /// Returns the number of layers above the surface itself.
-  [[nodiscard]] std::size_t base() const {
-    return static_cast<std::size_t>(
-        std::find(all_lobes.begin(), all_lobes.end(), SurfaceLobes::base) - all_lobes.begin());
-  }
   /// Returns whether the surface needs more than its place, its textures and one lobe.
-  [[nodiscard]] bool layered() const { return lobe_count > 1 || blended || own_lobe; }
+  [[nodiscard]] bool layered() const { return layers.size() > 1 || blended || own_lobe; }
 };
 
 /// Compact copies of the materials on a world's triangles, for the SIMD path. Immutable.
