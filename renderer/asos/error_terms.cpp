@@ -193,11 +193,9 @@ bool ErrorTerms::sparkles(const Leaf& leaf) const {
       (2.0f * strays * strays + glm::dot(own.right, own.right) + glm::dot(own.down, own.down)) /
       12.0f;
   const SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, hit);
-  float error =
-      glint_error(scene.lights(), Gloss{largest(seen.f0), seen.roughness}, point, leaf.to_viewer());
-  if (seen.coat.factor > 0.0f)
-    error += glint_error(scene.lights(), Gloss{coat_f0 * seen.coat.factor, seen.coat.roughness},
-                         point, leaf.to_viewer());
+  float error = 0.0f;
+  for (const Gloss& lobe : GlossyLobes(seen))
+    error += glint_error(scene.lights(), lobe, point, leaf.to_viewer());
   return error > eye_->error_budget.tolerance;
 }
 
@@ -244,24 +242,21 @@ ErrorBound ErrorTerms::gloss(const Leaf& leaf) const {
   const bool highlights =
       soft_shadows_ && !by_dfr && eye_->settings->shadow.light_rule == LightRule::physical;
   if (!highlights && !turns(glossy)) return ErrorBound::none();
-  const SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, hit);
+  SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, hit);
   if (seen.anisotropy.strength > 0.0f) {
-    glossy.stretch = lobe_stretch(scene.world(), hit, seen.anisotropy, seen.roughness,
-                                  point.shading_normal, glossy.to_viewer);
+    seen.stretch = lobe_stretch(scene.world(), hit, seen.anisotropy, seen.roughness,
+                                point.shading_normal, glossy.to_viewer);
     glossy.stretch_turn = tangent_turn(scene.world(), hit, leaf.around, point.shading_normal);
   }
   glossy.white = static_cast<float>(1.0 / leaf.weight);
   ErrorBound all;
-  const auto add = [&](const Gloss& gloss) {
-    glossy.f0 = gloss.f0, glossy.roughness = gloss.roughness;
+  for (const Gloss& lobe : GlossyLobes(seen)) {
+    glossy.lobe = lobe;
     all += ErrorBound::of(reflectance_error(glossy));
-    if (!highlights || !has_highlights(gloss.roughness)) return;
+    if (!highlights || !has_highlights(lobe.roughness)) continue;
     const HighlightError found = highlights_error(glossy);
     all += {found.error, found.contrast, false};
-  };
-  add({largest(seen.f0), seen.roughness});
-  glossy.stretch = {};
-  if (seen.coat.factor > 0.0f) add({coat_f0 * seen.coat.factor, seen.coat.roughness});
+  }
   return all;
 }
 

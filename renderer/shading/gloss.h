@@ -1,10 +1,13 @@
 #pragma once
 
+#include "renderer/geometry/largest.h"
 #include "renderer/scene/scene.h"
 #include "renderer/shading/brdf.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace asos {
 
@@ -12,6 +15,23 @@ namespace asos {
 struct Gloss {
   float f0 = 0.04f;  ///< largest colour component
   float roughness = 1.0f;
+  LobeStretch stretch = {};
+};
+
+/// The lobes of a surface that may have highlights: its own, and its coat's.
+class GlossyLobes {
+ public:
+  GlossyLobes(const Gloss& base, float coat_factor, float coat_roughness)
+      : all_{base, {coat_f0 * coat_factor, coat_roughness}}, count_(coat_factor > 0.0f ? 2 : 1) {}
+  explicit GlossyLobes(const SurfaceMaterial& m)
+      : GlossyLobes({largest(m.f0), m.roughness, m.stretch}, m.coat.factor, m.coat.roughness) {}
+
+  [[nodiscard]] const Gloss* begin() const { return all_.data(); }
+  [[nodiscard]] const Gloss* end() const { return all_.data() + count_; }
+
+ private:
+  std::array<Gloss, 2> all_;
+  std::size_t count_;
 };
 
 /// Smoother lobes are so narrow that a square of directions represents them.

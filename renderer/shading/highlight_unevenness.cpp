@@ -57,7 +57,7 @@ float reflectance_error(const GlossyPatch& glossy) {
   const auto reflectance = [&](glm::vec3 offset, glm::vec3 turn) {
     const glm::vec3 normal = glm::normalize(glossy.point.shading_normal + turn);
     const float n_dot_v = std::max(grazing_cosine, glm::dot(normal, viewer_from(glossy, offset)));
-    return environment_specular(glm::vec3(glossy.f0), glossy.roughness, n_dot_v).x;
+    return environment_specular(glm::vec3(glossy.lobe.f0), glossy.lobe.roughness, n_dot_v).x;
   };
   const float middle = reflectance(glm::vec3(0.0f), glm::vec3(0.0f));
   const auto bend = [&](glm::vec3 edge, glm::vec3 turn) {
@@ -79,21 +79,22 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   if (!(length > 0.0f)) return {};
   // Bound the highlight by the lobe at the place of the patch that is nearest to the light.
   const glm::vec3 half = sum / length;
-  const float rough = std::max(glossy.roughness, roughness_floor);
+  const float rough = std::max(glossy.lobe.roughness, roughness_floor);
   const float alpha = rough * rough;
   const LobeGeometry sight{glossy.to_viewer, glossy.viewer_distance, nearest.direction,
                            light_distance(light, glossy.point.position)};
   const NormalSpread spread = spread_about_half(glossy.turn, glossy.patch, sight);
   float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
-  if (!glossy.stretch.none()) {
+  if (!glossy.lobe.stretch.none()) {
     // A rotating ridge sweeps over the directions along it.
-    const float along = glm::dot(half, glm::normalize(glossy.stretch.along));
+    const float along = glm::dot(half, glm::normalize(glossy.lobe.stretch.along));
     spread2 += along * along * glm::dot(glossy.stretch_turn, glossy.stretch_turn);
   }
-  const float away = away_from_peak(n, half, glossy.stretch, glossy.roughness);
+  const float away = away_from_peak(n, half, glossy.lobe.stretch, glossy.lobe.roughness);
   const float least_away = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
   const float width2 = alpha * alpha + least_away * least_away;
-  const float fresnel = schlick(glossy.f0, 1.0f, schlick_weight(glm::dot(half, glossy.to_viewer)));
+  const float fresnel =
+      schlick(glossy.lobe.f0, 1.0f, schlick_weight(glm::dot(half, glossy.to_viewer)));
   // A segment's power is in candela per metre: the segment looks as bright as a strip as wide as
   // the lobe.
   const float brightest =

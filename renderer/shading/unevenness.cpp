@@ -78,8 +78,7 @@ LobeStretch stretch_of(const World& world, const Hit& hit, const Material& mater
 // (1 + (x / alpha)^2)^2 at x from its centre, where its second derivative is 4 / alpha^2 of its
 // peak. Farther out its length scale is the distance from the centre.
 float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, glm::vec3 position,
-                      glm::vec3 to_viewer, const LobeStretch& stretch = {},
-                      float stretch_turn2 = 0.0f) {
+                      glm::vec3 to_viewer, float stretch_turn2 = 0.0f) {
   glm::vec3 to_light = -glm::vec3(light.direction);
   float distance = std::numeric_limits<float>::infinity();
   float irradiance = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
@@ -89,6 +88,7 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
     irradiance /= distance * distance;
     to_light = d / distance;
   }
+  const LobeStretch& stretch = gloss.stretch;
   const float least_roughness = std::max(gloss.roughness, roughness_floor);
   const float alpha = least_roughness * least_roughness;
   // The peak, where the normal is the half vector. Light from behind is at a grazing angle there
@@ -101,7 +101,7 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   // The distance of the patch's nearest normal from the half vector, and the lobe there.
   const float away = away_from_peak(bend.normal, half, stretch, least_roughness);
   float turn2 = bend.turn2_about_half(to_viewer, to_light, distance);
-  if (stretch_turn2 > 0.0f) {
+  if (stretch_turn2 > 0.0f && !stretch.none()) {
     // A rotating ridge sweeps over the directions along it.
     const float aside = glm::dot(half, glm::normalize(stretch.along));
     turn2 += aside * aside * stretch_turn2;
@@ -152,22 +152,17 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   // The centre of a curved patch has an error of turn^2 / 24, or of up to turn / 8 where part of
   // the patch is beyond grazing. turn^2 / 3 is in between.
   float error = reflected * (turn2 / 3.0f + nearness2(lights, position, patch) / 4.0f);
-  const auto add_highlights = [&](const Gloss& lobe, const LobeStretch& stretch,
-                                  float stretch_turn2) {
-    if (lobe.roughness >= least_broad_roughness) return;
+  Gloss base = gloss_of(world, hit, material);
+  base.stretch = stretch_of(world, hit, material, base.roughness, bend.normal, ray);
+  const glm::vec2 turn =
+      base.stretch.none() ? glm::vec2(0.0f) : tangent_turn(world, hit, patch, bend.normal);
+  for (const Gloss& lobe : GlossyLobes(base, material.coat.factor, material.coat.roughness)) {
+    if (lobe.roughness >= least_broad_roughness) continue;
     for (const Light& light : lights) {
       if (rule == LightRule::published || !has_size(light))
-        error +=
-            highlight_error(light, lobe, bend, position, -ray.direction, stretch, stretch_turn2);
+        error += highlight_error(light, lobe, bend, position, -ray.direction, glm::dot(turn, turn));
     }
-  };
-  const Gloss base = gloss_of(world, hit, material);
-  const LobeStretch stretch = stretch_of(world, hit, material, base.roughness, bend.normal, ray);
-  const glm::vec2 turn =
-      stretch.none() ? glm::vec2(0.0f) : tangent_turn(world, hit, patch, bend.normal);
-  add_highlights(base, stretch, glm::dot(turn, turn));
-  if (material.coat.factor > 0.0f)
-    add_highlights({coat_f0 * material.coat.factor, material.coat.roughness}, {}, 0.0f);
+  }
   return error < 1.0f ? error : 1.0f;
 }
 
