@@ -13,10 +13,7 @@ constexpr std::size_t no_part = std::numeric_limits<std::size_t>::max();
 
 // Returns the largest contribution of a light to a pixel: its radiance if known, at most white.
 double brightest(const PreparedLight& light) {
-  using LightShape = PreparedLight::Shape;
-  const bool in_nits = light.shape == LightShape::polygon || light.shape == LightShape::disk ||
-                       light.shape == LightShape::ball || light.shape == LightShape::sun;
-  return in_nits ? std::min(1.0, static_cast<double>(largest(light.power))) : 1.0;
+  return light.traits().has_area() ? std::min(1.0, static_cast<double>(largest(light.power))) : 1.0;
 }
 
 }  // namespace

@@ -12,23 +12,23 @@ HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
 
-template <LightConstants::Shape shape>
+template <LightShape shape>
 HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes& receiver,
                                 const LightArcs& arc, const LightPointBatch& places,
                                 std::size_t i) {
   const Vectors middle =
       (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
-  if constexpr (shape == LightConstants::Shape::rectangle) {
+  if constexpr (shape == LightShape::rectangle) {
     const auto u = centred(&places.u[i]), v = centred(&places.v[i]);
     return area_sample(
         light, receiver,
         middle + scaled(u, all_lanes(light.half_u)) + scaled(v, all_lanes(light.half_v)));
   } else {
-    return light_sample<shape>(light, receiver, middle, arc, places, i);
+    return light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
   }
 }
 
-template <LightConstants::Shape shape>
+template <LightShape shape>
 void aim_at(const ShadingPoints& points, const LightConstants& light, const LightArcs& arc,
             const LightPointBatch& places, RayWeighting by, ShadowRayBatch& rays) {
   const FloatTag d;
@@ -59,30 +59,15 @@ void aim_at(const ShadingPoints& points, const LightConstants& light, const Ligh
 
 void aim(const ShadingPoints& points, const LightConstants& light, const LightPointBatch& places,
          RayWeighting by, ShadowRayBatch& rays) {
-  using Shape = LightConstants::Shape;
   rays.count = 0;
   rays.rejected = 0;
   LightArcs arc;
-  switch (light.shape) {
-    case Shape::point:
-      return aim_at<Shape::point>(points, light, arc, places, by, rays);
-    case Shape::distant:
-      return aim_at<Shape::distant>(points, light, arc, places, by, rays);
-    case Shape::ball:
-      return aim_at<Shape::ball>(points, light, arc, places, by, rays);
-    case Shape::sun:
-      return aim_at<Shape::sun>(points, light, arc, places, by, rays);
-    case Shape::disk:
-      return aim_at<Shape::disk>(points, light, arc, places, by, rays);
-    case Shape::segment:
-      segment_places(points, *light.light, places, arc);
-      return aim_at<Shape::segment>(points, light, arc, places, by, rays);
-    case Shape::rectangle:
-      return aim_at<Shape::rectangle>(points, light, arc, places, by, rays);
-    case Shape::polygon:
-      polygon_places(points, *light.light, places, arc);
-      return aim_at<Shape::polygon>(points, light, arc, places, by, rays);
-  }
+  with_shape(light.shape, [&](auto shape) HWY_ATTR {
+    // Places on rectangles are chosen by area.
+    if constexpr (shape != LightShape::rectangle)
+      find_places(shape, points, *light.light, places, arc);
+    aim_at<shape>(points, light, arc, places, by, rays);
+  });
 }
 
 }  // namespace

@@ -194,6 +194,16 @@ inline void polygon_places(const ShadingPoints& points, const PreparedLight& lig
   }
 }
 
+/// Finds the numbers of a shape's samples at each point. Other shapes need none.
+template <LightShape shape>
+HWY_INLINE void find_places(ShapeTag<shape>, const ShadingPoints& points,
+                            const PreparedLight& light, const LightPointBatch& places,
+                            LightArcs& arc) {
+  if constexpr (shape == LightShape::segment) segment_places(points, light, places, arc);
+  if constexpr (shape == LightShape::rectangle) rectangle_places(points, light, places, arc);
+  if constexpr (shape == LightShape::polygon) polygon_places(points, light, places, arc);
+}
+
 }  // namespace asos::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

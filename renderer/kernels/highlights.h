@@ -84,46 +84,54 @@ HWY_INLINE Vectors plane_hit(const LightConstants& light, const Vectors& middle,
   return scaled(t, ray) - middle;
 }
 
-HWY_INLINE HighlightLanes flat_highlight(const LightConstants& light, const Vectors& middle,
-                                         const Vectors& ray) {
-  const Vectors hit = plane_hit(light, middle, ray);
+HWY_INLINE Vectors nearest_of_disk(const LightConstants& light, const Vectors& hit) {
   const auto one = all_lanes(1.0f);
+  const Vectors towards = all_lanes(light.towards);
+  const Vectors flat = hit - scaled(dot(hit, towards), towards);
+  const auto length = hn::Sqrt(dot(flat, flat));
+  const auto radius = all_lanes(light.radius);
+  const auto beyond = hn::Gt(length, radius);
+  return scaled(hn::IfThenElse(beyond, hn::Div(radius, hn::IfThenElse(beyond, length, one)), one),
+                flat);
+}
+HWY_INLINE Vectors nearest_of_bounds(const LightConstants& light, const Vectors& hit) {
   const Vectors u_axis = all_lanes(light.u_axis), v_axis = all_lanes(light.v_axis);
   const auto u = clamped(dot(hit, u_axis), all_lanes(-light.u_length), all_lanes(light.u_length));
   const auto v = clamped(dot(hit, v_axis), all_lanes(-light.v_length), all_lanes(light.v_length));
-  Vectors nearest = scaled(u, u_axis) + scaled(v, v_axis);
-  if (light.shape == LightConstants::Shape::disk) {
-    const Vectors towards = all_lanes(light.towards);
-    const Vectors flat = hit - scaled(dot(hit, towards), towards);
-    const auto length = hn::Sqrt(dot(flat, flat));
-    const auto radius = all_lanes(light.radius);
-    const auto beyond = hn::Gt(length, radius);
-    nearest = scaled(
-        hn::IfThenElse(beyond, hn::Div(radius, hn::IfThenElse(beyond, length, one)), one), flat);
-  }
-  return towards_offset(middle + nearest, light.highlight_radius, ray);
+  return scaled(u, u_axis) + scaled(v, v_axis);
 }
 
-/// `ray` is the reflected view direction.
-template <LightConstants::Shape shape>
-HWY_INLINE HighlightLanes highlight(const LightConstants& light, const Vectors& middle,
-                                    const Vectors& ray) {
-  using Shape = LightConstants::Shape;
-  if constexpr (shape == Shape::point) {
-    return towards_offset(middle, 0.0f, ray);
-  } else if constexpr (shape == Shape::distant) {
-    return {all_lanes(light.towards), hn::Zero(FloatTag())};
-  } else if constexpr (shape == Shape::sun) {
-    const auto radius = all_lanes(light.radius);
-    const Vectors nearest = nearest_of_ball(all_lanes(light.towards), radius, ray);
-    return {towards_offset(nearest, 0.0f, ray).direction, radius};
-  } else if constexpr (shape == Shape::ball) {
-    return ball_highlight(light, middle, ray);
-  } else if constexpr (shape == Shape::segment) {
-    return segment_highlight(light, middle, ray);
-  } else {
-    return flat_highlight(light, middle, ray);
-  }
+// `ray` is the reflected view direction.
+HWY_INLINE HighlightLanes highlight(ShapeTag<LightShape::point>, const LightConstants&,
+                                    const Vectors& middle, const Vectors& ray) {
+  return towards_offset(middle, 0.0f, ray);
+}
+HWY_INLINE HighlightLanes highlight(ShapeTag<LightShape::distant>, const LightConstants& light,
+                                    const Vectors&, const Vectors&) {
+  return {all_lanes(light.towards), hn::Zero(FloatTag())};
+}
+HWY_INLINE HighlightLanes highlight(ShapeTag<LightShape::ball>, const LightConstants& light,
+                                    const Vectors& middle, const Vectors& ray) {
+  return ball_highlight(light, middle, ray);
+}
+HWY_INLINE HighlightLanes highlight(ShapeTag<LightShape::sun>, const LightConstants& light,
+                                    const Vectors&, const Vectors& ray) {
+  const auto radius = all_lanes(light.radius);
+  const Vectors nearest = nearest_of_ball(all_lanes(light.towards), radius, ray);
+  return {towards_offset(nearest, 0.0f, ray).direction, radius};
+}
+HWY_INLINE HighlightLanes highlight(ShapeTag<LightShape::segment>, const LightConstants& light,
+                                    const Vectors& middle, const Vectors& ray) {
+  return segment_highlight(light, middle, ray);
+}
+template <LightShape shape>
+requires(traits_of(shape).flat) HWY_INLINE HighlightLanes
+    highlight(ShapeTag<shape>, const LightConstants& light, const Vectors& middle,
+              const Vectors& ray) {
+  const Vectors hit = plane_hit(light, middle, ray);
+  const Vectors nearest =
+      shape == LightShape::disk ? nearest_of_disk(light, hit) : nearest_of_bounds(light, hit);
+  return towards_offset(middle + nearest, light.highlight_radius, ray);
 }
 
 }  // namespace asos::HWY_NAMESPACE

@@ -10,28 +10,6 @@
 namespace asos {
 namespace {
 
-LightConstants::Shape shape_of(const PreparedLight& light) {
-  using From = PreparedLight::Shape;
-  using To = LightConstants::Shape;
-  switch (light.shape) {
-    case From::point:
-      return To::point;
-    case From::distant:
-      return To::distant;
-    case From::ball:
-      return To::ball;
-    case From::sun:
-      return To::sun;
-    case From::segment:
-      return To::segment;
-    case From::disk:
-      return To::disk;
-    case From::polygon:
-      return light.rectangle ? To::rectangle : To::polygon;
-  }
-  return To::point;
-}
-
 glm::vec3 unit_or_zero(glm::dvec3 v) {
   const double length = glm::length(v);
   return length > 0.0 ? glm::vec3(v / length) : glm::vec3(0.0f);
@@ -45,7 +23,7 @@ float least_mirror(const PreparedLight& light) {
 }  // namespace
 
 LightConstants::LightConstants(const PreparedLight& prepared)
-    : shape(shape_of(prepared)),
+    : shape(prepared.shape),
       light(&prepared),
       power(prepared.power),
       position(prepared.position),
@@ -68,12 +46,12 @@ LightConstants::LightConstants(const PreparedLight& prepared)
       inverse_range(static_cast<float>(prepared.inverse_range)),
       cone_scale(static_cast<float>(prepared.cone_scale)),
       cone_offset(static_cast<float>(prepared.cone_offset)) {
-  if (shape == Shape::sun) {
+  if (traits_of(shape).infinite) {
     const double cosine = 1.0 / std::sqrt(1.0 + prepared.radius * prepared.radius);
     const double sine = prepared.radius * cosine;
     one_less_cosine = static_cast<float>(sine * sine / (1.0 + cosine));
   }
-  highlight_radius = shape == Shape::segment
+  highlight_radius = traits_of(shape).line
                          ? u_length
                          : static_cast<float>(std::sqrt(prepared.area * std::numbers::inv_pi));
 }

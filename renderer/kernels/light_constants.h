@@ -9,10 +9,7 @@ namespace asos {
 /// The data of one light that kernels use: in single precision, except for the sampling of
 /// rectangles and segments.
 struct LightConstants {
-  /// As PreparedLight::Shape; rectangles are a shape of their own.
-  enum class Shape { point, distant, ball, sun, segment, rectangle, polygon, disk };
-
-  Shape shape = Shape::point;
+  LightShape shape = LightShape::point;
   const PreparedLight* light = nullptr;
   glm::vec3 power{0.0f};
   // The position in two parts, so that nearby points lose no digits where coordinates are large.
@@ -27,9 +24,9 @@ struct LightConstants {
   glm::vec3 v_axis{0.0f};
   float u_length = 0.0f;
   float v_length = 0.0f;
-  float area = 0.0f;              ///< polygon, disk
+  float area = 0.0f;              ///< flat
   float highlight_radius = 0.0f;  ///< of the representative point in a highlight
-  float thickness = 0.0f;         ///< polygon, disk
+  float thickness = 0.0f;         ///< flat
   bool two_sided = false;
   /// Smallest ShadingPoints::shows_lights of reflections that contain the light; infinite: none.
   float shown_from = 0.0f;

@@ -14,15 +14,14 @@ HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
 
-template <LightConstants::Shape shape>
+template <LightShape shape>
 HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants& light,
                                const Vectors& normal, const Vectors& middle,
                                const SampleLanes& sample, std::size_t i) {
-  using Shape = LightConstants::Shape;
   const auto one = all_lanes(1.0f);
   if (!light.representative) {
     ShineLanes shown{sample.direction, hn::Div(one, sample.distance), one};
-    if constexpr (has_area(shape)) {
+    if constexpr (traits_of(shape).has_area()) {
       // Balance heuristic: samples of the lobe contribute the rest.
       const auto cosine = hn::Max(dot(normal, sample.direction), hn::Zero(FloatTag()));
       const auto some = hn::Gt(sample.form, hn::Zero(FloatTag()));
@@ -37,17 +36,17 @@ HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants
   const Vectors to_viewer = loaded(points.to_viewer, i);
   const auto along = dot(normal, to_viewer);
   const Vectors mirrored = scaled(hn::Add(along, along), normal) - to_viewer;
-  const HighlightLanes shown = highlight<shape>(light, middle, mirrored);
+  const HighlightLanes shown = highlight(ShapeTag<shape>(), light, middle, mirrored);
   const auto alpha = loaded(points.alpha, i);
   const auto broader = hn::Add(alpha, hn::Mul(all_lanes(0.5f), shown.half_angle_tangent));
   auto ratio = hn::Div(alpha, broader);
-  if constexpr (shape != Shape::segment) ratio = hn::Mul(ratio, ratio);
-  constexpr bool far = shape == Shape::distant || shape == Shape::sun;
-  const auto nearness = far ? hn::Zero(FloatTag()) : hn::Div(one, hn::Sqrt(dot(middle, middle)));
+  if constexpr (!traits_of(shape).line) ratio = hn::Mul(ratio, ratio);
+  const auto nearness = traits_of(shape).infinite ? hn::Zero(FloatTag())
+                                                  : hn::Div(one, hn::Sqrt(dot(middle, middle)));
   return {shown.direction, nearness, ratio};
 }
 
-template <LightConstants::Shape shape>
+template <LightShape shape>
 void shade_shape(const ShadingPoints& points, const LightConstants& light, const LightArcs& arc,
                  const LightPointBatch& places, ShadowRayBatch& rays) {
   const FloatTag d;
@@ -57,7 +56,8 @@ void shade_shape(const ShadingPoints& points, const LightConstants& light, const
                                  loaded(points.normal, i)};
     const Vectors middle =
         (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
-    const SampleLanes sample = light_sample<shape>(light, receiver, middle, arc, places, i);
+    const SampleLanes sample =
+        light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
     const auto reached =
         hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(sample.form, zero)));
     if (hn::AllFalse(d, reached)) continue;
@@ -72,7 +72,7 @@ void shade_shape(const ShadingPoints& points, const LightConstants& light, const
 }
 
 /// Computes the unshadowed contribution of samples of the lobe that hit the light.
-template <LightConstants::Shape shape>
+template <LightShape shape>
 void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
                    const LightArcs& arc, ShadowRayBatch& rays) {
   const FloatTag d;
@@ -86,18 +86,17 @@ void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, con
     const Vectors middle =
         (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
     const Vectors direction = loaded(lobes.direction, i);
-    const LightHitLanes met = met_light<shape>(light, receiver, middle, arc, direction, i);
+    const LightHitLanes met =
+        met_light(ShapeTag<shape>(), {light, receiver, middle, arc, direction, i});
     auto form = cosine_above(direction, receiver);
     const auto reached = hn::And(samples, hn::And(met.met, hn::Gt(form, zero)));
     if (hn::AllFalse(d, reached)) continue;
     auto density = met.density;
-    if constexpr (shape == LightConstants::Shape::ball) {
-      if (light.attenuates) {
-        const Offset at = towards_point(middle);
-        const auto left = attenuation(light, middle, at.sample.distance, at.nearness);
-        form = hn::Mul(form, left);
-        density = hn::Div(density, hn::Max(left, all_lanes(1e-30f)));
-      }
+    if (light.attenuates) {
+      const Offset at = towards_point(middle);
+      const auto left = attenuation(light, middle, at.sample.distance, at.nearness);
+      form = hn::Mul(form, left);
+      density = hn::Div(density, hn::Max(left, all_lanes(1e-30f)));
     }
     const auto both = hn::Add(density, lobe_density(points, receiver.normal, direction, i));
     form = hn::IfThenElseZero(reached, hn::Div(form, both));
@@ -120,8 +119,8 @@ bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& ligh
     const Vectors normal = loaded(points.normal, i);
     const Vectors middle =
         (all_lanes(light.position) - loaded(points.position, i)) + all_lanes(light.position_rest);
-    const LightHitLanes met = meet_flat<LightConstants::Shape::rectangle>(
-        light, middle, loaded(lobes.direction, i), hn::Zero(d));
+    const LightHitLanes met =
+        meet_flat<LightShape::rectangle>(light, middle, loaded(lobes.direction, i), hn::Zero(d));
     const auto samples =
         hn::And(hn::FirstN(d, points.count - i), samples_lobe(points, light, normal, i));
     if (!hn::AllFalse(d, hn::And(samples, met.met))) return true;
@@ -131,28 +130,18 @@ bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& ligh
 
 void shade_lobe(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
                 LightArcs& arc, ShadowRayBatch& rays) {
-  using Shape = LightConstants::Shape;
   rays.count = 0;
   rays.rejected = 0;
   if (light.representative) return;
-  switch (light.shape) {
-    case Shape::ball:
-      return shade_lobe_of<Shape::ball>(points, light, lobes, arc, rays);
-    case Shape::sun:
-      return shade_lobe_of<Shape::sun>(points, light, lobes, arc, rays);
-    case Shape::disk:
-      return shade_lobe_of<Shape::disk>(points, light, lobes, arc, rays);
-    case Shape::rectangle:
-      if (!any_meets_rectangle(points, light, lobes)) return;
-      rectangle_arcs(points, *light.light, arc);
-      return shade_lobe_of<Shape::rectangle>(points, light, lobes, arc, rays);
-    case Shape::polygon:
-      return shade_lobe_of<Shape::polygon>(points, light, lobes, arc, rays);
-    case Shape::point:
-    case Shape::distant:
-    case Shape::segment:
-      return;
-  }
+  with_shape(light.shape, [&](auto shape) HWY_ATTR {
+    if constexpr (traits_of(shape).has_area()) {
+      if constexpr (shape == LightShape::rectangle) {
+        if (!any_meets_rectangle(points, light, lobes)) return;
+        rectangle_arcs(points, *light.light, arc);
+      }
+      shade_lobe_of<shape>(points, light, lobes, arc, rays);
+    }
+  });
 }
 
 void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, LobeBatch& lobes) {
@@ -162,7 +151,7 @@ void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, Lo
 
 void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
                        const LightPointBatch& places, ShadowRayBatch& rays) {
-  constexpr auto shape = LightConstants::Shape::rectangle;
+  constexpr auto shape = LightShape::rectangle;
   const FloatTag d;
   const auto zero = hn::Zero(d);
   rays.count = 0;
@@ -178,7 +167,8 @@ void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
     const auto form = loaded(forms.first, i);
     const auto reached = hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(form, zero)));
     if (hn::AllFalse(d, reached)) continue;
-    const SampleLanes sample = light_sample<shape>(light, receiver, middle, arc, places, i);
+    const SampleLanes sample =
+        light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
     const ShineLanes shown = shine_of<shape>(points, light, receiver.normal, middle, sample, i);
     append(carried_from(points, light, shown, {form, sample.form, sample.form}, reached, i, rays),
            i, rays);
@@ -187,30 +177,12 @@ void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
 
 void shade(const ShadingPoints& points, const LightConstants& light, const LightPointBatch& places,
            LightArcs& arc, ShadowRayBatch& rays) {
-  using Shape = LightConstants::Shape;
   rays.count = 0;
   rays.rejected = 0;
-  switch (light.shape) {
-    case Shape::point:
-      return shade_shape<Shape::point>(points, light, arc, places, rays);
-    case Shape::distant:
-      return shade_shape<Shape::distant>(points, light, arc, places, rays);
-    case Shape::ball:
-      return shade_shape<Shape::ball>(points, light, arc, places, rays);
-    case Shape::sun:
-      return shade_shape<Shape::sun>(points, light, arc, places, rays);
-    case Shape::disk:
-      return shade_shape<Shape::disk>(points, light, arc, places, rays);
-    case Shape::segment:
-      segment_places(points, *light.light, places, arc);
-      return shade_shape<Shape::segment>(points, light, arc, places, rays);
-    case Shape::rectangle:
-      rectangle_places(points, *light.light, places, arc);
-      return shade_shape<Shape::rectangle>(points, light, arc, places, rays);
-    case Shape::polygon:
-      polygon_places(points, *light.light, places, arc);
-      return shade_shape<Shape::polygon>(points, light, arc, places, rays);
-  }
+  with_shape(light.shape, [&](auto shape) HWY_ATTR {
+    find_places(shape, points, *light.light, places, arc);
+    shade_shape<shape>(points, light, arc, places, rays);
+  });
 }
 
 }  // namespace
@@ -238,7 +210,11 @@ void shade_batch(const ShadingPoints& points, const LightConstants& light,
 
 void shade_unshadowed(const ShadingPoints& points, const LightConstants& light,
                       const LightPointBatch& places, ShadowRayBatch& rays) {
-  HWY_DYNAMIC_DISPATCH(shade_closed_form)(points, light, places, rays);
+  if (light.shape == LightShape::rectangle) {
+    HWY_DYNAMIC_DISPATCH(shade_closed_form)(points, light, places, rays);
+  } else {
+    shade_batch(points, light, places, rays);
+  }
 }
 
 void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, LobeBatch& lobes) {

@@ -61,9 +61,9 @@ void shade_batch(const ShadingPoints& points, const LightConstants& light,
 void shade_batch(const ShadingPoints& points, const LightConstants& light,
                  const LightPointBatch& places, LightArcs& arcs, ShadowRayBatch& rays);
 
-/// Computes the contribution of a rectangle that casts no shadow. The diffuse part uses the closed
-/// form of unshadowed_irradiance, and the highlight one sample. `rays` then holds contributions
-/// only.
+/// Computes the contributions of a light that casts no shadow. For a rectangle, the diffuse part
+/// uses the closed form of unshadowed_irradiance, the highlight one sample, and `rays` then holds
+/// contributions only. Other lights are as in shade_batch.
 void shade_unshadowed(const ShadingPoints& points, const LightConstants& light,
                       const LightPointBatch& places, ShadowRayBatch& rays);
 

@@ -239,32 +239,50 @@ HWY_INLINE SampleLanes rectangle_sample(const LightConstants& light, const Recei
           hn::IfThenElse(by_angle, at.sample.form, sample.form)};
 }
 
-template <LightConstants::Shape shape>
-HWY_INLINE SampleLanes light_sample(const LightConstants& light, const ReceiverLanes& receiver,
-                                    const Vectors& middle, const LightArcs& arc,
-                                    const LightPointBatch& places, std::size_t i) {
-  using Shape = LightConstants::Shape;
-  if constexpr (shape == Shape::point) return point_sample(light, receiver, middle);
-  if constexpr (shape == Shape::distant) {
-    const Vectors direction = all_lanes(light.towards);
-    return {direction, hn::Inf(FloatTag()), cosine_above(direction, receiver)};
+/// A point to sample, with the shape's numbers from find_places.
+struct SampleQuery {
+  const LightConstants& light;
+  const ReceiverLanes& receiver;
+  const Vectors& middle;  ///< of the light, relative to the receiver
+  const LightArcs& arc;
+  const LightPointBatch& places;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE DiskPlaces on_disk() const {
+    return concentric(centred(&places.u[i]), centred(&places.v[i]));
   }
-  if constexpr (shape == Shape::segment) return segment_sample(light, receiver, middle, arc, i);
-  if constexpr (shape == Shape::rectangle)
-    return rectangle_sample(light, receiver, middle, arc, places, i);
-  if constexpr (shape == Shape::polygon) {
-    return area_sample(light, receiver,
-                       middle + scaled(loaded(arc.first, i), all_lanes(light.u_axis)) +
-                           scaled(loaded(arc.second, i), all_lanes(light.v_axis)));
-  }
-  const DiskPlaces p = concentric(centred(&places.u[i]), centred(&places.v[i]));
-  if constexpr (shape == Shape::ball) return ball_sample(light, receiver, middle, p);
-  if constexpr (shape == Shape::disk) {
-    return area_sample(
-        light, receiver,
-        middle + scaled(p.x, all_lanes(light.half_u)) + scaled(p.y, all_lanes(light.half_v)));
-  }
-  return cone_sample(receiver, all_lanes(light.towards), all_lanes(light.one_less_cosine), p);
+};
+
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::point>, const SampleQuery& q) {
+  return point_sample(q.light, q.receiver, q.middle);
+}
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::distant>, const SampleQuery& q) {
+  const Vectors direction = all_lanes(q.light.towards);
+  return {direction, hn::Inf(FloatTag()), cosine_above(direction, q.receiver)};
+}
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::ball>, const SampleQuery& q) {
+  return ball_sample(q.light, q.receiver, q.middle, q.on_disk());
+}
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::sun>, const SampleQuery& q) {
+  return cone_sample(q.receiver, all_lanes(q.light.towards), all_lanes(q.light.one_less_cosine),
+                     q.on_disk());
+}
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::segment>, const SampleQuery& q) {
+  return segment_sample(q.light, q.receiver, q.middle, q.arc, q.i);
+}
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::rectangle>, const SampleQuery& q) {
+  return rectangle_sample(q.light, q.receiver, q.middle, q.arc, q.places, q.i);
+}
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::polygon>, const SampleQuery& q) {
+  return area_sample(q.light, q.receiver,
+                     q.middle + scaled(loaded(q.arc.first, q.i), all_lanes(q.light.u_axis)) +
+                         scaled(loaded(q.arc.second, q.i), all_lanes(q.light.v_axis)));
+}
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::disk>, const SampleQuery& q) {
+  const DiskPlaces p = q.on_disk();
+  return area_sample(
+      q.light, q.receiver,
+      q.middle + scaled(p.x, all_lanes(q.light.half_u)) + scaled(p.y, all_lanes(q.light.half_v)));
 }
 
 }  // namespace asos::HWY_NAMESPACE

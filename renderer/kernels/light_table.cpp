@@ -7,27 +7,50 @@
 namespace asos {
 namespace {
 
-using LightShape = LightConstants::Shape;
+constexpr float pi = std::numbers::pi_v<float>;
 
-// Returns the radius of a sphere about the light's centre that contains the light.
-float radius_of(const LightConstants& light) {
-  switch (light.shape) {
-    case LightShape::ball:
-    case LightShape::sun:
-      return light.radius;
-    case LightShape::segment:
-      return light.u_length;
-    case LightShape::disk:
-      return std::max(light.u_length, light.v_length);
-    case LightShape::rectangle:
-    case LightShape::polygon:
-      return std::max(glm::length(light.half_u + light.half_v),
-                      glm::length(light.half_u - light.half_v));
-    case LightShape::point:
-    case LightShape::distant:
-      break;
-  }
-  return 0.0f;
+// The fields of LightTable that depend on the shape.
+struct Extent {
+  float radius = 0.0f;
+  float extent = 1.0f;
+  float near_linear = 0.0f, near_size = 0.0f;
+  float least = std::numeric_limits<float>::min();
+  float part_linear = 0.0f, part_square = 0.0f;
+};
+
+Extent flat_extent(const LightConstants& light, float radius) {
+  return {.radius = radius, .extent = light.area, .near_size = 1.0f / pi, .part_square = pi};
+}
+
+Extent extent_of(ShapeTag<LightShape::point>, const LightConstants&) {
+  return {};
+}
+Extent extent_of(ShapeTag<LightShape::distant>, const LightConstants&) {
+  return {};
+}
+Extent extent_of(ShapeTag<LightShape::ball>, const LightConstants& light) {
+  const float square = light.radius * light.radius;
+  return {.radius = light.radius,
+          .extent = pi * light.radius * light.radius,
+          .least = std::max(square, std::numeric_limits<float>::min())};
+}
+Extent extent_of(ShapeTag<LightShape::sun>, const LightConstants& light) {
+  return {.radius = light.radius, .extent = 2.0f * pi * light.one_less_cosine};
+}
+Extent extent_of(ShapeTag<LightShape::segment>, const LightConstants& light) {
+  return {.radius = light.u_length,
+          .extent = 2.0f * light.u_length,
+          .near_linear = light.u_length,
+          .part_linear = 2.0f};
+}
+Extent extent_of(ShapeTag<LightShape::disk>, const LightConstants& light) {
+  return flat_extent(light, std::max(light.u_length, light.v_length));
+}
+template <LightShape shape>
+requires(shape == LightShape::rectangle || shape == LightShape::polygon) Extent
+    extent_of(ShapeTag<shape>, const LightConstants& light) {
+  return flat_extent(light, std::max(glm::length(light.half_u + light.half_v),
+                                     glm::length(light.half_u - light.half_v)));
 }
 
 }  // namespace
@@ -39,7 +62,8 @@ void LightTable::clear() {
 }
 
 void LightTable::add(const LightConstants& light, std::uint32_t number) {
-  constexpr float pi = std::numbers::pi_v<float>;
+  const LightTraits& traits = traits_of(light.shape);
+  const Extent of = with_shape(light.shape, [&](auto shape) { return extent_of(shape, light); });
   const std::size_t i = numbers_.size();
   numbers_.push_back(number);
   if (i % step == 0)
@@ -50,8 +74,8 @@ void LightTable::add(const LightConstants& light, std::uint32_t number) {
   };
   set3(position_x, light.position + light.position_rest);
   set3(towards_x, light.towards);
-  set(radius, radius_of(light));
-  if (light.shape == LightShape::ball || light.shape == LightShape::sun) {
+  set(radius, of.radius);
+  if (traits.has_area() && !traits.flat) {
     set(round, light.radius);
   } else {
     const auto per_square = [](glm::vec3 v) {
@@ -68,36 +92,16 @@ void LightTable::add(const LightConstants& light, std::uint32_t number) {
   set(cone_offset, light.cone_offset);
   attenuates_ |= light.attenuates;
   set(shown_from, light.shown_from);
-  set(far, light.shape == LightShape::distant || light.shape == LightShape::sun ? 1.0f : 0.0f);
+  set(far, traits.infinite ? 1.0f : 0.0f);
   set(two_sided, light.two_sided ? 1.0f : 0.0f);
-  set(least, std::numeric_limits<float>::min());
-  set(extent, 1.0f);
+  set(flat, traits.flat ? 1.0f : 0.0f);
+  set(extent, of.extent);
+  set(near_linear, of.near_linear);
+  set(near_size, of.near_size);
+  set(least, of.least);
+  set(part_linear, of.part_linear);
+  set(part_square, of.part_square);
   set3(power_x, light.power);
-  switch (light.shape) {
-    case LightShape::disk:
-    case LightShape::rectangle:
-    case LightShape::polygon:
-      set(flat, 1.0f);
-      set(extent, light.area);
-      set(near_size, 1.0f / pi);
-      set(part_square, pi);
-      break;
-    case LightShape::ball:
-      set(extent, pi * light.radius * light.radius);
-      set(least, std::max(light.radius * light.radius, std::numeric_limits<float>::min()));
-      break;
-    case LightShape::segment:
-      set(extent, 2.0f * light.u_length);
-      set(near_linear, light.u_length);
-      set(part_linear, 2.0f);
-      break;
-    case LightShape::sun:
-      set(extent, 2.0f * pi * light.one_less_cosine);
-      break;
-    case LightShape::point:
-    case LightShape::distant:
-      break;
-  }
 }
 
 }  // namespace asos

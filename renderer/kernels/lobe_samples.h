@@ -21,12 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 
-/// Returns whether samples of the lobe may hit a light of that shape.
-constexpr bool has_area(LightConstants::Shape shape) {
-  using Shape = LightConstants::Shape;
-  return shape != Shape::point && shape != Shape::distant && shape != Shape::segment;
-}
-
 /// Selects the points whose lobe is narrow enough to be sampled and reflects a highlight of the
 /// light.
 HWY_INLINE LaneMask samples_lobe(const ShadingPoints& points, const LightConstants& light,
@@ -110,10 +104,9 @@ HWY_INLINE LightHitLanes meet_ball(const LightConstants& light, const ReceiverLa
 }
 
 /// `solid_angle`: of a light that is sampled by solid angle; else 0.
-template <LightConstants::Shape shape>
+template <LightShape shape>
 HWY_INLINE LightHitLanes meet_flat(const LightConstants& light, const Vectors& middle,
                                    const Vectors& direction, Lanes solid_angle) {
-  using Shape = LightConstants::Shape;
   const FloatTag d;
   const auto zero = hn::Zero(d), one = all_lanes(1.0f);
   const Vectors towards = all_lanes(light.towards);
@@ -125,7 +118,7 @@ HWY_INLINE LightHitLanes meet_flat(const LightConstants& light, const Vectors& m
   if (hn::AllFalse(d, met)) return none_met();
   const auto distance = hn::Div(height, hn::IfThenElse(met, cosine, one));
   const Vectors hit = scaled(distance, direction) - middle;
-  if constexpr (shape == Shape::disk) {
+  if constexpr (shape == LightShape::disk) {
     met = hn::And(met, hn::Le(dot(hit, hit), all_lanes(light.radius * light.radius)));
   } else {
     const auto u = dot(hit, all_lanes(light.u_axis)), v = dot(hit, all_lanes(light.v_axis));
@@ -162,23 +155,32 @@ HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLane
   return hn::Gt(loaded(wanted, 0), hn::Zero(d));
 }
 
-template <LightConstants::Shape shape>
-HWY_INLINE LightHitLanes met_light(const LightConstants& light, const ReceiverLanes& receiver,
-                                   const Vectors& middle, const LightArcs& arc,
-                                   const Vectors& direction, std::size_t i) {
-  using Shape = LightConstants::Shape;
-  if constexpr (shape == Shape::sun) {
-    return meet_cone(all_lanes(light.towards), all_lanes(light.one_less_cosine), direction);
-  } else if constexpr (shape == Shape::ball) {
-    return meet_ball(light, receiver, middle, direction);
-  } else if constexpr (shape == Shape::rectangle) {
-    return meet_flat<shape>(light, middle, direction, loaded(arc.first, i));
-  } else {
-    LightHitLanes found = meet_flat<shape>(light, middle, direction, hn::Zero(FloatTag()));
-    if constexpr (shape == Shape::polygon)
-      found.met = meet_polygon(light, receiver, direction, found.met);
-    return found;
-  }
+/// Where a direction from a receiver hits a light.
+struct LobeQuery {
+  const LightConstants& light;
+  const ReceiverLanes& receiver;
+  const Vectors& middle;
+  const LightArcs& arc;
+  const Vectors& direction;
+  std::size_t i;
+};
+
+HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::sun>, const LobeQuery& q) {
+  return meet_cone(all_lanes(q.light.towards), all_lanes(q.light.one_less_cosine), q.direction);
+}
+HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::ball>, const LobeQuery& q) {
+  return meet_ball(q.light, q.receiver, q.middle, q.direction);
+}
+HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::rectangle> shape, const LobeQuery& q) {
+  return meet_flat<shape>(q.light, q.middle, q.direction, loaded(q.arc.first, q.i));
+}
+HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::disk> shape, const LobeQuery& q) {
+  return meet_flat<shape>(q.light, q.middle, q.direction, hn::Zero(FloatTag()));
+}
+HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::polygon> shape, const LobeQuery& q) {
+  LightHitLanes found = meet_flat<shape>(q.light, q.middle, q.direction, hn::Zero(FloatTag()));
+  found.met = meet_polygon(q.light, q.receiver, q.direction, found.met);
+  return found;
 }
 
 }  // namespace asos::HWY_NAMESPACE

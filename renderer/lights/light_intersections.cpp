@@ -11,8 +11,6 @@
 namespace asos {
 namespace {
 
-using LightShape = PreparedLight::Shape;
-
 // Neighbouring triangles of a mesh are near each other in space, so one box test replaces a test of
 // each.
 constexpr std::size_t run_length = 64;
@@ -42,8 +40,7 @@ std::optional<Piece> clipped(const Piece& piece, double reach) {
 class CutLight {
  public:
   explicit CutLight(const PreparedLight& light) : light_(light) {
-    flat_ = (light_.shape == LightShape::polygon || light_.shape == LightShape::disk) &&
-            light_.casts_shadows;
+    flat_ = light_.traits().flat && light_.casts_shadows;
     if (!flat_) return;
     const glm::dvec3 reach = glm::abs(light_.half_u) + glm::abs(light_.half_v);
     const glm::dvec3 farthest = glm::abs(light_.position) + reach;
@@ -78,7 +75,7 @@ class CutLight {
 
   /// Returns whether any of the light intersections passes through the light itself.
   [[nodiscard]] bool cut_by_any(const std::vector<LightIntersection>& cuts) const {
-    if (light_.shape != PreparedLight::Shape::disk) return !cuts.empty();
+    if (light_.shape != LightShape::disk) return !cuts.empty();
     return std::any_of(cuts.begin(), cuts.end(), [&](const LightIntersection& cut) {
       const Piece piece{placed(cut.from), placed(cut.to)};
       const glm::dvec2 d = piece.q - piece.p;
@@ -130,7 +127,7 @@ class CutLight {
     if (!inner) return false;
     // A disk's rim does not bound its visible part, so a piece that ends there would have a loose
     // end.
-    if (light_.rectangle || light_.shape == PreparedLight::Shape::disk) return true;
+    if (light_.shape != LightShape::polygon) return true;
     bool crosses = false, inside = false;
     const glm::dvec2 middle = inner->at(0.5);
     for (const Piece& side : sides_) {

@@ -9,8 +9,6 @@
 namespace asos {
 namespace {
 
-using LightShape = PreparedLight::Shape;
-
 constexpr float quarter = 0.5f * std::numbers::pi_v<float>;
 constexpr std::array<float, LightPatch::nodes> gauss_nodes{0.0694318442f, 0.3300094782f,
                                                            0.6699905218f, 0.9305681558f};
@@ -59,80 +57,6 @@ void set_node(const LightPatch& patch, const Row& row, float u, float share, Lig
   cell.x[at] = row.origin.x + u * row.step.x, cell.y[at] = row.origin.y + u * row.step.y;
   cell.z[at] = row.origin.z + u * row.step.z;
   cell.solid_angle[at] = share * (patch.kind == LightPatch::Kind::sector ? u : 1.0f);
-}
-
-/// Returns a patch with the light's centre, in units of its distance from `position`.
-LightPatch patch_of(const PreparedLight& light, glm::dvec3 position) {
-  const glm::dvec3 to_middle = light.position - position;
-  const double per_unit = 1.0 / glm::length(to_middle);
-  LightPatch patch;
-  patch.origin = glm::vec3(per_unit * to_middle);
-  patch.two_sided = light.two_sided;
-  return patch;
-}
-
-void add_trapezoids(const PreparedLight& light, glm::dvec3 position,
-                    std::vector<LightPatch>& patches) {
-  LightPatch patch = patch_of(light, position);
-  const double per_unit = 1.0 / glm::distance(light.position, position);
-  if (light.rectangle) {
-    patch.x = glm::vec3(per_unit * light.half_u);
-    patch.y = glm::vec3(per_unit * light.half_v);
-    patch.facing = glm::vec3(per_unit * per_unit * glm::cross(light.half_u, light.half_v));
-    patch.left = patch.foot = -1.0f;
-    patch.width = patch.height = 2.0f;
-    patches.push_back(patch);
-    return;
-  }
-  patch.x = glm::vec3(glm::normalize(light.half_u));
-  patch.y = glm::vec3(glm::normalize(light.half_v));
-  patch.facing = glm::vec3(light.towards);
-  for (const PolygonRows::Row& row : light.rows.rows) {
-    patch.foot = static_cast<float>(per_unit * row.y0);
-    patch.height = static_cast<float>(per_unit * (row.y1 - row.y0));
-    for (std::uint32_t i = row.first; i < row.first + row.count; ++i) {
-      const PolygonRows::Trapezoid& t = light.rows.trapezoids[i];
-      patch.left = static_cast<float>(per_unit * t.left0);
-      patch.left_on = static_cast<float>(per_unit * (t.left1 - t.left0));
-      patch.width = static_cast<float>(per_unit * (t.right0 - t.left0));
-      patch.width_on = static_cast<float>(per_unit * (t.right1 - t.left1)) - patch.width;
-      patches.push_back(patch);
-    }
-  }
-}
-
-void add_quarters(LightPatch patch, std::vector<LightPatch>& patches) {
-  for (int i = 0; i < 4; ++i) {
-    patches.push_back(patch);
-    const glm::vec3 x = patch.x;
-    patch.x = patch.y;
-    patch.y = -x;
-  }
-}
-
-void add_disk(const PreparedLight& light, glm::dvec3 position, std::vector<LightPatch>& patches) {
-  LightPatch patch = patch_of(light, position);
-  const double per_unit = 1.0 / glm::distance(light.position, position);
-  patch.kind = LightPatch::Kind::sector;
-  patch.x = glm::vec3(per_unit * light.half_u);
-  patch.y = glm::vec3(per_unit * light.half_v);
-  patch.facing = glm::vec3(per_unit * per_unit * glm::cross(light.half_u, light.half_v));
-  add_quarters(patch, patches);
-}
-
-void add_cap(glm::dvec3 axis, double one_less_cosine, std::vector<LightPatch>& patches) {
-  LightPatch patch;
-  patch.kind = LightPatch::Kind::cap;
-  const glm::dvec3 x = any_perpendicular(axis);
-  patch.origin = glm::vec3(axis);
-  patch.x = glm::vec3(x);
-  patch.y = glm::vec3(glm::cross(axis, x));
-  patch.one_less_cosine = static_cast<float>(one_less_cosine);
-  add_quarters(patch, patches);
-}
-
-double one_less_cosine(double sine) {
-  return sine * sine / (1.0 + std::sqrt((1.0 - sine) * (1.0 + sine)));
 }
 
 }  // namespace
@@ -186,30 +110,25 @@ void LightPatch::look_at_places(Cell& cell) const {
   }
 }
 
-void find_light_patches(const PreparedLight& light, const Receiver& receiver,
-                        std::vector<LightPatch>& patches) {
-  const glm::dvec3 position = receiver.position;
-  patches.clear();
-  if (light.shape == LightShape::sun) {
-    const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
-    add_cap(light.towards, one_less_cosine(light.radius * cosine), patches);
-    return;
+void LightPatch::add_quarters(LightPatch patch, std::vector<LightPatch>& patches) {
+  for (int i = 0; i < 4; ++i) {
+    patches.push_back(patch);
+    const glm::vec3 x = patch.x;
+    patch.x = patch.y;
+    patch.y = -x;
   }
-  const glm::dvec3 to_middle = light.position - position;
-  const double distance = glm::length(to_middle);
-  if (light.shape == LightShape::ball) {
-    if (distance > light.radius) {
-      add_cap(to_middle / distance, one_less_cosine(light.radius / distance), patches);
-    } else {
-      add_cap(receiver.normal, 1.0, patches);
-    }
-    return;
-  }
-  if (!(distance > 0.0)) return;
-  const double height = -glm::dot(to_middle, light.towards);
-  if (height == 0.0 || (height < 0.0 && !light.two_sided)) return;
-  if (light.shape == LightShape::disk) add_disk(light, position, patches);
-  if (light.shape == LightShape::polygon) add_trapezoids(light, position, patches);
+}
+
+void LightPatch::add_cap(glm::dvec3 axis, double one_less_cosine,
+                         std::vector<LightPatch>& patches) {
+  LightPatch patch;
+  patch.kind = Kind::cap;
+  const glm::dvec3 x = any_perpendicular(axis);
+  patch.origin = glm::vec3(axis);
+  patch.x = glm::vec3(x);
+  patch.y = glm::vec3(glm::cross(axis, x));
+  patch.one_less_cosine = static_cast<float>(one_less_cosine);
+  add_quarters(patch, patches);
 }
 
 }  // namespace asos

@@ -46,6 +46,11 @@ struct LightPatch {
   /// Returns Gauss-Legendre nodes. Nodes that do not face the receiver have no solid angle.
   [[nodiscard]] Cell cell(const Square& square) const;
 
+  /// Adds four copies of a patch, each turned by a right angle in the plane of x and y.
+  static void add_quarters(LightPatch patch, std::vector<LightPatch>& patches);
+  /// Adds a cone of directions about a unit axis. `one_less_cosine` is 1 - cos of its half angle.
+  static void add_cap(glm::dvec3 axis, double one_less_cosine, std::vector<LightPatch>& patches);
+
   /// Returns a whole round light with four nodes for each quarter.
   [[nodiscard]] static Cell cell_of_quarters(std::span<const LightPatch, 4> quarters);
 

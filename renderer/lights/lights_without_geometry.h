@@ -35,9 +35,9 @@ struct LightHit {
 /// Returns the outlines of a light with an area as seen from `apex`, or from infinity towards
 /// `direction`, as closed chains of points. Circles have `circle_points` of them.
 inline constexpr int circle_points = 128;
-[[nodiscard]] std::vector<std::vector<glm::dvec3>> light_outlines(const PreparedLight& light,
-                                                                  std::optional<glm::dvec3> apex,
-                                                                  glm::dvec3 direction);
+using LightOutlines = std::vector<std::vector<glm::dvec3>>;
+[[nodiscard]] LightOutlines light_outlines(const PreparedLight& light,
+                                           std::optional<glm::dvec3> apex, glm::dvec3 direction);
 
 /// Returns whether a cone may contain part of a light with an area, by the ball around the light.
 /// `axis` is unit, and the half angle is in radians. Conservative.

@@ -13,7 +13,6 @@ namespace asos {
 namespace {
 
 using std::numbers::pi;
-using LightShape = PreparedLight::Shape;
 
 /// Divides power by measure if the result fits a float. Returns false, without any change, if the
 /// light is too small for that; then it counts as a point light.
@@ -72,7 +71,7 @@ bool prepare_rectangle(const Light& light, glm::dvec3 direction, PreparedLight& 
   // A sheared rectangle is prepared as a polygon.
   if (std::abs(glm::dot(u, v)) > 1e-6 * lengths)
     return prepare_polygon(outlines, direction, prepared);
-  prepared.rectangle = true;
+  prepared.shape = LightShape::rectangle;
   prepared.outlines = std::move(outlines);
   prepared.towards = glm::normalize(across);
   prepared.half_u = u;
@@ -121,6 +120,25 @@ bool prepare_flat(const Light& light, glm::dvec3 direction, PreparedLight& prepa
 }
 
 }  // namespace
+
+LightShape light_shape(const Light& light) {
+  switch (light.type) {
+    case Light::Type::point:
+    case Light::Type::spot:
+      return light.radius > 0.0 ? LightShape::ball : LightShape::point;
+    case Light::Type::directional:
+      return light.angular_diameter_rad > 0.0 ? LightShape::sun : LightShape::distant;
+    case Light::Type::linear:
+      return LightShape::segment;
+    case Light::Type::rectangle:
+      return LightShape::rectangle;
+    case Light::Type::disk:
+      return LightShape::disk;
+    case Light::Type::polygon:
+      break;
+  }
+  return LightShape::polygon;
+}
 
 PreparedLight prepare_light(const Light& light, LightRule rule) {
   PreparedLight prepared;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/lights/light_shape.h"
 #include "renderer/lights/polygon_rows.h"
 #include "renderer/lights/receiver.h"
 #include "renderer/scene/scene.h"
@@ -23,31 +24,20 @@ using LightIntersections = std::vector<std::vector<LightIntersection>>;
 
 /// A light with precomputed data for its evaluation.
 struct PreparedLight {
-  enum class Shape {
-    point,    ///< point and spot
-    distant,  ///< directional: a point at infinity
-    ball,     ///< point and spot with a radius
-    sun,      ///< directional with an angular diameter
-    segment,  ///< linear
-    polygon,  ///< rectangle and polygon
-    disk,
-  };
-
-  Shape shape = Shape::point;
+  LightShape shape = LightShape::point;
   LightRule rule = LightRule::physical;
-  /// Point: candela. Distant: lux. Ball, sun, polygon, disk: nits. Segment: candela per metre.
+  /// Point: candela. Distant: lux. Segment: candela per metre. Others: nits.
   glm::vec3 power{0.0f};
   glm::dvec3 position{0.0};     ///< centre: all but distant and sun
   glm::dvec3 towards{0, 0, 1};  ///< unit: distant, sun: to the light; spot: against its axis;
-                                ///< polygon, disk: the normal of its emitting side
+                                ///< flat: the normal of its emitting side
   double radius = 0.0;          ///< ball, disk; sun: tangent of half its angular diameter
-  glm::dvec3 half_u{0.0};       ///< segment: from the centre to an end. Polygon, disk: the edges of
+  glm::dvec3 half_u{0.0};       ///< segment: from the centre to an end. Flat: the edges of
   glm::dvec3 half_v{0.0};  ///< its bounding rectangle, halved; half_u x half_v lies along towards
-  std::vector<std::vector<glm::dvec3>> outlines;  ///< polygon: see Light::outlines
-  double area = 0.0;                              ///< polygon, disk: of one side
-  PolygonRows rows;        ///< polygon but a rectangle: in units of length along half_u, half_v
-  bool rectangle = false;  ///< polygon: the outline is the rectangle position +- half_u +- half_v
-  /// Polygon, disk: largest distance of its own surface from its plane, by rounding and by the
+  std::vector<std::vector<glm::dvec3>> outlines;  ///< rectangle, polygon: see Light::outlines
+  double area = 0.0;                              ///< flat: of one side
+  PolygonRows rows;                               ///< polygon: in metres along half_u, half_v
+  /// Flat: largest distance of its own surface from its plane, by rounding and by the
   /// tolerance for flat meshes. A point within it lies in the light and receives nothing from it.
   double thickness = 0.0;
   bool two_sided = false;
@@ -58,17 +48,21 @@ struct PreparedLight {
   std::int32_t own_part = -1;
   bool patterned = false;  ///< its own part emits unevenly; the light is the mean
   std::vector<LightIntersection>
-      intersections;     ///< polygon, disk: where surfaces of the world pass through it
+      intersections;     ///< flat: where surfaces of the world pass through it
   bool entered = false;  ///< ball: another part's surface reaches into it
 
+  [[nodiscard]] const LightTraits& traits() const { return traits_of(shape); }
   /// Returns whether the light has an extent, so that its shadows have penumbrae.
-  [[nodiscard]] bool extended() const { return shape != Shape::point && shape != Shape::distant; }
+  [[nodiscard]] bool extended() const { return traits().extended; }
   /// Returns whether a point at this height above a flat light's plane (negative: below) is on an
   /// emitting side.
   [[nodiscard]] bool faces(double height) const {
     return height > thickness || (two_sided && height < -thickness);
   }
 };
+
+/// Returns the shape of a light whose sizes are usable: prepare_light may return a simpler one.
+[[nodiscard]] LightShape light_shape(const Light& light);
 
 /// Prepares a light. A light without extent (a ball of radius 0, a disk, polygon or segment without
 /// size) becomes a point or nothing, and never has a value that is not finite.

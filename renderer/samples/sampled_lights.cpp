@@ -228,11 +228,7 @@ void SampledLights::shade(const Gathered& batch, std::uint32_t light, ShadowRayB
     shade_batch(batch.points, lights_[light], on_light_, arcs(light), rays);
   } else {
     places_->on_light(light, on_light_);
-    if (prepared.rectangle) {
-      shade_unshadowed(batch.points, lights_[light], on_light_, rays);
-    } else {
-      shade_batch(batch.points, lights_[light], on_light_, rays);
-    }
+    shade_unshadowed(batch.points, lights_[light], on_light_, rays);
   }
 }
 

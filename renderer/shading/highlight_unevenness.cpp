@@ -17,7 +17,7 @@ namespace asos {
 namespace {
 
 float light_distance(const PreparedLight& light, glm::vec3 position) {
-  if (light.shape == PreparedLight::Shape::sun) return std::numeric_limits<float>::infinity();
+  if (light.traits().infinite) return std::numeric_limits<float>::infinity();
   return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
 }
 
@@ -98,11 +98,11 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   // A segment's power is in candela per metre: the segment looks as bright as a strip as wide as
   // the lobe.
   const float brightest =
-      light.shape == PreparedLight::Shape::segment
+      light.traits().line
           ? largest(light.power) / (alpha * light_distance(light, glossy.point.position))
           : largest(light.power);
   const float most = brightest * fresnel * alpha * alpha / width2;
-  const bool line = light.shape == PreparedLight::Shape::segment;
+  const bool line = light.traits().line;
   const float filled = line ? 1.0f : std::min(1.0f, 0.5f * nearest.half_angle_tangent / alpha);
   const float radiance = most * filled * filled;
   const float contrast = radiance * (line ? spread_of_samples(light, glossy, alpha) : 1.0f);

@@ -62,15 +62,14 @@ float LightQuadrature::way_to_peak(glm::vec3 direction) const {
 ReflectedIntegral LightQuadrature::operator()(const PreparedLight& light) {
   sums_ = {};
   cells_ = 0;
-  if (light.shape == PreparedLight::Shape::segment) {
+  if (light.traits().line) {
     add_segment(light);
   } else {
     find_light_patches(light, receiver_, patches_);
     if (!add_as_one_cell())
       for (const LightPatch& patch : patches_) add_patch(patch);
   }
-  double left = 1.0;
-  if (light.shape == PreparedLight::Shape::ball) left = attenuation(light, receiver_.position);
+  const double left = attenuation(light, receiver_.position);
   return {left * static_cast<double>(sums_.lobe), left * static_cast<double>(sums_.fresnel),
           left * static_cast<double>(sums_.scattered)};
 }

@@ -35,7 +35,7 @@ PatchCurvature::CentreEstimate PatchCurvature::of_middle(const ViewedPoint& view
                                                          const ViewedMaterial& material,
                                                          const PreparedLight& light,
                                                          const Highlight& highlight) const {
-  const bool distant = light.shape == PreparedLight::Shape::sun;
+  const bool distant = light.traits().infinite;
   const float distance =
       distant ? std::numeric_limits<float>::infinity()
               : static_cast<float>(glm::distance(light.position, glm::dvec3(view.point.position)));
@@ -44,7 +44,7 @@ PatchCurvature::CentreEstimate PatchCurvature::of_middle(const ViewedPoint& view
   const float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
   const float rough = std::max(material.roughness, roughness_floor);
   const float alpha = rough * rough;
-  const bool line = light.shape == PreparedLight::Shape::segment;
+  const bool line = light.traits().line;
   const float shown = alpha + (line ? 0.0f : 0.5f * highlight.half_angle_tangent);
   // The horizon adds a kink if the highlight rises or sets within the patch.
   const float turn2 = glm::dot(turn.right, turn.right) + glm::dot(turn.down, turn.down);

@@ -16,9 +16,7 @@ constexpr float negligible_share = 1.0f / 1024.0f;
 
 /// Returns the distance of a light for its highlight.
 float distance_of(const PreparedLight& light, glm::vec3 position) {
-  using LightShape = PreparedLight::Shape;
-  if (light.shape == LightShape::distant || light.shape == LightShape::sun)
-    return std::numeric_limits<float>::infinity();
+  if (light.traits().infinite) return std::numeric_limits<float>::infinity();
   return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
 }
 
@@ -36,7 +34,7 @@ PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
                            const Highlight& highlight, const PreparedLight& light,
                            Widening widening) {
   constexpr float widest = 0.5f;  // patch width over highlight width that needs no widening
-  const bool line = light.shape == PreparedLight::Shape::segment;
+  const bool line = light.traits().line;
   const float light_distance = distance_of(light, view.point.position);
   const LobeGeometry sight{view.to_viewer, view.distance, highlight.direction, light_distance};
   NormalSpread spread = spread_about_half(view.point.spread, view.patch, sight);
@@ -87,7 +85,7 @@ glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen
     const float roughness = std::max(seen.roughness, roughness_floor);
     const float width = roughness * roughness;
     const float ratio = width / (width + 0.5f * highlight.half_angle_tangent);
-    shine *= light.shape == PreparedLight::Shape::segment ? ratio : ratio * ratio;
+    shine *= light.traits().line ? ratio : ratio * ratio;
   }
   return diffuse_towards(seen, view, l) + shine;
 }
@@ -121,10 +119,8 @@ float spread_over(const Illumination& lit) {
 }
 
 std::optional<MirroredLights> shown_from(const PreparedLight& light) {
-  using LightShape = PreparedLight::Shape;
   if (light.patterned) return MirroredLights::patterned;
-  const bool surface = light.own_part >= 0 || light.shape == LightShape::ball ||
-                       light.shape == LightShape::polygon || light.shape == LightShape::disk;
+  const bool surface = light.own_part >= 0 || light.traits().has_surface();
   return surface ? std::optional(MirroredLights::all) : std::nullopt;
 }
 

@@ -82,7 +82,7 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   glm::vec3 to_light = -glm::vec3(light.direction);
   float distance = std::numeric_limits<float>::infinity();
   float irradiance = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
-  if (light.type != Light::Type::directional) {
+  if (!traits_of(light_shape(light)).infinite) {
     const glm::vec3 d = glm::vec3(light.position) - position;
     distance = glm::length(d);
     irradiance /= distance * distance;
@@ -112,24 +112,12 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
   return std::min(peak * fall * fall, 1.0f) * std::min(1.0f, turn2 / (6.0f * width2));
 }
 
-bool has_size(const Light& light) {
-  switch (light.type) {
-    case Light::Type::point:
-    case Light::Type::spot:
-      return light.radius > 0.0;
-    case Light::Type::directional:
-      return light.angular_diameter_rad > 0.0;
-    default:
-      return true;
-  }
-}
-
 // Returns the patch's squared size over the squared distance of the nearest light with a position.
 float nearness2(std::span<const Light> lights, glm::vec3 position, const Patch& patch) {
   const float size2 = glm::dot(patch.right, patch.right) + glm::dot(patch.down, patch.down);
   float nearest = 0.0f;
   for (const Light& light : lights) {
-    if (light.type == Light::Type::directional) continue;
+    if (traits_of(light_shape(light)).infinite) continue;
     const glm::vec3 d = glm::vec3(light.position) - position;
     nearest = std::max(nearest, size2 / glm::dot(d, d));
   }
@@ -159,7 +147,7 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   for (const Gloss& lobe : GlossyLobes(base, material.coat.factor, material.coat.roughness)) {
     if (lobe.roughness >= least_broad_roughness) continue;
     for (const Light& light : lights) {
-      if (rule == LightRule::published || !has_size(light))
+      if (rule == LightRule::published || !traits_of(light_shape(light)).extended)
         error += highlight_error(light, lobe, bend, position, -ray.direction, glm::dot(turn, turn));
     }
   }
@@ -186,7 +174,7 @@ float glint_error(std::span<const Light> lights, const Gloss& gloss, const Surfa
 }
 
 float falloff_error(const PreparedLight& light, const Receiver& receiver, const Patch& patch) {
-  if (light.shape == PreparedLight::Shape::sun) return 0.0f;
+  if (light.traits().infinite) return 0.0f;
   // Beyond this distance, in patch sizes, the second-order change of a light's irradiance is below
   // a thousandth.
   constexpr double near = 16.0;
@@ -230,9 +218,8 @@ float cone_error(const PreparedLight& light, const Receiver& receiver, const Pat
   const bool whole_rim = least == 0.0 && most == 1.0;
   const double bend = whole_rim ? 1.0 : std::abs(least - 2.0 * inside(cosine) + most);
   const glm::vec3 power = light.power;
-  const double squared = light.shape == PreparedLight::Shape::ball
-                             ? std::numbers::pi * light.radius * light.radius
-                             : 1.0;
+  const double squared =
+      light.traits().has_area() ? std::numbers::pi * light.radius * light.radius : 1.0;
   const double shown = static_cast<double>(std::max({power.x, power.y, power.z})) * squared *
                        std::max(0.0, glm::dot(receiver.normal, to_light) / distance) /
                        (distance * distance) * std::numbers::inv_pi;

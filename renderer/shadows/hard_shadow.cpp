@@ -24,7 +24,7 @@ Estimate hard_shadow(const ShadowContext& block, const ShadowQuery& query, Shado
                      RenderStatistics& counts) {
   // Frame the patch as seen from the light.
   const Illumination& lit = query.lit;
-  const bool parallel = lit.light.shape == PreparedLight::Shape::distant;
+  const bool parallel = lit.light.traits().infinite;
   const auto frame =
       parallel ? PatchCaster::frame_along(lit.light.towards, world_reach(block.scene->world), patch)
                : PatchCaster::frame_from(lit.light.position, patch);

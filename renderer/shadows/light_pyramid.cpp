@@ -15,39 +15,6 @@ constexpr double pi = std::numbers::pi;
 // own surface must not shade it.
 constexpr double before_light = 1e-5;
 
-struct Rectangle {
-  glm::dvec3 middle, half_u, half_v;  // centre relative to the receiver
-};
-
-// Returns the circle in which a cone from the receiver touches a ball.
-std::optional<Rectangle> rim_of_ball(glm::dvec3 to_centre, double radius) {
-  const double d2 = glm::dot(to_centre, to_centre);
-  const double tangent2 = d2 - radius * radius;
-  if (!(tangent2 > 0.0)) return std::nullopt;
-  const double d = std::sqrt(d2);
-  const glm::dvec3 axis = to_centre / d;
-  const glm::dvec3 across = glm::normalize(
-      glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
-  const double rim = radius * std::sqrt(tangent2) / d;
-  return Rectangle{axis * (tangent2 / d), rim * across, rim * glm::cross(axis, across)};
-}
-
-std::optional<Rectangle> rectangle_around(const PreparedLight& light, glm::dvec3 apex) {
-  using LightShape = PreparedLight::Shape;
-  switch (light.shape) {
-    case LightShape::ball:
-      return rim_of_ball(light.position - apex, light.radius);
-    case LightShape::sun:
-      return rim_of_ball(light.towards,
-                         light.radius / std::sqrt(1.0 + light.radius * light.radius));
-    case LightShape::polygon:
-    case LightShape::disk:
-      return Rectangle{light.position - apex, light.half_u, light.half_v};
-    default:
-      return std::nullopt;
-  }
-}
-
 // Converts a point of a flat light's plane to coordinates of the square.
 glm::vec2 in_window(const PreparedLight& light, glm::dvec3 p) {
   const glm::dvec3 from_corner = p - (light.position - light.half_u - light.half_v);
@@ -68,14 +35,14 @@ glm::dvec2 within_arc(double from, double to) {
 
 }  // namespace
 
-LightPyramid::LightPyramid(const PreparedLight& light, const Receiver& receiver, const Frame& frame)
+LightPyramid::LightPyramid(const PreparedLight& light, const LightWindow& window,
+                           const Receiver& receiver, const Frame& frame)
     : frame_(frame), normal_(receiver.normal) {
-  using LightShape = PreparedLight::Shape;
   const glm::dvec3 middle = towards({0.5, 0.5});
   const glm::dvec3 face = glm::cross(frame_.base_u(), frame_.base_v());
   orientation_ = glm::dot(face, middle) < 0.0 ? 1.0 : -1.0;
-  round_ = light.shape != LightShape::polygon;
-  infinite_ = light.shape == LightShape::sun;
+  round_ = window.inside == LightWindow::Inside::ellipse;
+  infinite_ = light.traits().infinite;
 
   const glm::dvec3 up = receiver.geometric;
   between_[0] = {up, glm::dot(up, frame_.apex())};
@@ -85,21 +52,21 @@ LightPyramid::LightPyramid(const PreparedLight& light, const Receiver& receiver,
   const double way = light.intersections.empty() ? 1.0 - before_light : 1.0;
   between_[1] = {back, glm::dot(back, frame_.apex()) - distance * way};
 
-  if (!round_ && !light.rectangle) add_outlines(light);
+  if (window.inside == LightWindow::Inside::outlines) add_outlines(light);
   add_cuts(light);
   add_horizon(receiver.normal);
   if (receiver.geometric != receiver.normal) add_horizon(receiver.geometric);
 }
 
 std::optional<LightPyramid> LightPyramid::of(const PreparedLight& light, const Receiver& receiver) {
-  const auto around = rectangle_around(light, receiver.position);
+  const auto around = light_window(light, receiver.position);
   if (!around) return std::nullopt;
   const glm::dvec3 face = glm::cross(around->half_u, around->half_v);
   const double height = glm::dot(face, around->middle);
   const double size = glm::length(face) * glm::length(around->middle);
   if (!(std::abs(height) > 1e-12 * size)) return std::nullopt;
   return LightPyramid(
-      light, receiver,
+      light, *around, receiver,
       Frame::pyramid(receiver.position, around->middle - around->half_u - around->half_v,
                      2.0 * around->half_u, 2.0 * around->half_v));
 }
@@ -221,15 +188,9 @@ double LightPyramid::round_form(const LeafRegion& region) const {
   return sum;
 }
 
-float way_to_light(const PreparedLight& light, glm::dvec3 from, glm::dvec3 towards) {
+float end_before_light(const PreparedLight& light, glm::dvec3 from, glm::dvec3 towards) {
   constexpr double most = 1.0 - before_light;
-  if (light.shape != PreparedLight::Shape::ball) return static_cast<float>(most);
-  const glm::dvec3 to_middle = light.position - from;
-  const double length2 = glm::dot(towards, towards);
-  const double along = glm::dot(to_middle, towards) / length2;
-  const glm::dvec3 beside = to_middle - along * towards;
-  const double within2 = light.radius * light.radius - glm::dot(beside, beside);
-  return static_cast<float>(most * (along - std::sqrt(std::max(0.0, within2) / length2)));
+  return static_cast<float>(most * way_to_light(light, from, towards));
 }
 
 }  // namespace asos

@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/frame.h"
 #include "renderer/geometry/half_space.h"
+#include "renderer/lights/light_window.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/pyray/square.h"
 
@@ -52,7 +53,8 @@ class LightPyramid {
   }
 
  private:
-  LightPyramid(const PreparedLight& light, const Receiver& receiver, const Frame& frame);
+  LightPyramid(const PreparedLight& light, const LightWindow& window, const Receiver& receiver,
+               const Frame& frame);
 
   void add_horizon(glm::dvec3 normal);
   void add_outlines(const PreparedLight& light);
@@ -73,9 +75,9 @@ class LightPyramid {
   int horizon_count_ = 0;
 };
 
-/// Returns the fraction of the way along `towards`, from a point to a light's bounding rectangle,
-/// at which a ray reaches the light. A flat light lies in the rectangle's plane. A ball begins
-/// where the ray enters it; its rectangle is at its rim.
-[[nodiscard]] float way_to_light(const PreparedLight& light, glm::dvec3 from, glm::dvec3 towards);
+/// Returns the fraction of the way along `towards`, from a point to a light's window, at which
+/// shadow rays end: just before the light.
+[[nodiscard]] float end_before_light(const PreparedLight& light, glm::dvec3 from,
+                                     glm::dvec3 towards);
 
 }  // namespace asos

@@ -17,7 +17,7 @@ std::optional<Ray> LightPyramidCaster::ray_at(glm::vec2 p) const {
   ray.origin = glm::vec3(pyramid_->frame().apex());
   ray.direction = glm::vec3(pyramid_->towards(p));
   if (!pyramid_->infinitely_far())
-    ray.t_far = way_to_light(*light_, pyramid_->frame().apex(), pyramid_->towards(p));
+    ray.t_far = end_before_light(*light_, pyramid_->frame().apex(), pyramid_->towards(p));
   return ray;
 }
 
@@ -26,10 +26,9 @@ double LightPyramidCaster::measure(double weight, const LeafRegion& region) cons
   const glm::dvec2 middle(region.square.centre_u(), region.square.centre_v());
   const glm::dvec3 to_light = pyramid_->towards(middle);
   const double distance2 = glm::dot(to_light, to_light);
-  const bool ball =
-      light_->shape == PreparedLight::Shape::ball || light_->shape == PreparedLight::Shape::sun;
-  const double cosine =
-      ball ? 1.0 : std::abs(glm::dot(light_->towards, to_light)) / std::sqrt(distance2);
+  const double cosine = light_->traits().flat
+                            ? std::abs(glm::dot(light_->towards, to_light)) / std::sqrt(distance2)
+                            : 1.0;
   return weight * cosine / distance2;
 }
 

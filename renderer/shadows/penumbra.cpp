@@ -222,7 +222,7 @@ struct PatchPyray {
 std::optional<PatchPyray> pyray_around(const ShadowContext& block, const PenumbraQuery& query,
                                        double tolerance) {
   const Receiver receiver = receiver_above(query.point, query.light);
-  const bool line = query.light.shape == PreparedLight::Shape::segment;
+  const bool line = query.light.traits().line;
   const auto looked_at = line
                              ? strip_around(query.light, receiver)
                              : window_frame(query.light, receiver, world_reach(block.scene->world));
@@ -289,7 +289,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   pyray.bounds.within = around_patch->between;
   pyray.bounds.most_entries =
       most_entries_for_samples(block.rules.error_budget.nested(query.level, 1.0, 1).max_level);
-  const bool line = query.light.shape == PreparedLight::Shape::segment;
+  const bool line = query.light.traits().line;
   const auto boundaries =
       block.work->tracer.boundaries(block.scene->features, pyray, ShadowTuning::finest_in_penumbra,
                                     ShadowTuning::most_in_penumbra);

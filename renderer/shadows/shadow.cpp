@@ -65,7 +65,7 @@ Estimate leaf_visibility(const ShadowContext& block, const Illumination& lit, co
   // Trace, by the kind of light.
   query.found = own_part_ignored(block.scene->world, lit.light);
   query.found.cut = known.cut;
-  if (lit.light.shape == PreparedLight::Shape::segment) return linear_shadow(block, query, counts);
+  if (lit.light.traits().line) return linear_shadow(block, query, counts);
   if (lit.light.extended()) return area_shadow(block, query, counts);
   return patch ? hard_shadow(block, query, *patch, counts) : ray_visibility(block, query, counts);
 }

@@ -14,12 +14,10 @@ double ShadowQuery::intensity() const {
 }
 
 Receiver receiver_above(const SurfacePoint& point, const PreparedLight& light) {
-  using Kind = PreparedLight::Shape;
   Receiver receiver = receiver_at(point);
   const double height = static_cast<double>(clear_height(point));
-  const bool far = light.shape == Kind::distant || light.shape == Kind::sun;
   // The centre of a sun that is partly above the horizon may lie below it.
-  const bool risen = far && glm::dot(receiver.geometric, light.towards) > 0.0;
+  const bool risen = light.traits().infinite && glm::dot(receiver.geometric, light.towards) > 0.0;
   receiver.position += risen ? clear_way(height, static_cast<double>(point.to_edge),
                                          receiver.geometric, light.towards)
                              : height * receiver.geometric;

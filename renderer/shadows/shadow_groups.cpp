@@ -95,27 +95,21 @@ ShadowGroups::Group* ShadowGroups::group_of(const SurfacePoint& point, const Box
 // Returns a box around a light. For a distant light it is a box around the points where lines from
 // `from` to the light leave the world.
 Box ShadowGroups::light_box(const PreparedLight& light, const Box& from) const {
-  using LightShape = PreparedLight::Shape;
   Box box;
-  switch (light.shape) {
-    case LightShape::distant:
-    case LightShape::sun: {
-      const glm::vec3 away(reach_ * light.towards);
-      const float wide = static_cast<float>(reach_ * light.radius);
-      box.grow(from.lo + away - wide);
-      box.grow(from.hi + away + wide);
-      return box;
-    }
-    case LightShape::ball:
-      box.grow(glm::vec3(light.position - light.radius));
-      box.grow(glm::vec3(light.position + light.radius));
-      return box;
-    default:
-      break;
+  if (light.traits().infinite) {
+    const glm::vec3 away(reach_ * light.towards);
+    const float wide = static_cast<float>(reach_ * light.radius);
+    box.grow(from.lo + away - wide);
+    box.grow(from.hi + away + wide);
+    return box;
   }
+  const double around = light.traits().flat ? 0.0 : light.radius;
   for (const double u : {-1.0, 1.0}) {
-    for (const double v : {-1.0, 1.0})
-      box.grow(glm::vec3(light.position + u * light.half_u + v * light.half_v));
+    for (const double v : {-1.0, 1.0}) {
+      const glm::dvec3 p = light.position + u * light.half_u + v * light.half_v;
+      box.grow(glm::vec3(p - around));
+      box.grow(glm::vec3(p + around));
+    }
   }
   return box;
 }

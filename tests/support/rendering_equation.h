@@ -296,20 +296,19 @@ class PatchQuadrature {
 [[nodiscard]] inline glm::dvec3 reflected_radiance(const PreparedLight& light,
                                                    const Reflector& reflector, const SeenPoint& at,
                                                    double fineness = 2.0) {
-  using Shape = PreparedLight::Shape;
   const glm::dvec3 power(light.power);
-  if (light.shape == Shape::segment) {
+  if (light.shape == LightShape::segment) {
     return power * line_quadrature(reflector, at, light.position - light.half_u,
                                    light.position + light.half_u);
   }
   std::vector<RadiantPatch> patches;
-  if (light.shape == Shape::disk) {
+  if (light.shape == LightShape::disk) {
     add_disk(patches, light.position, light.towards, light.radius);
-  } else if (light.shape == Shape::ball) {
+  } else if (light.shape == LightShape::ball) {
     const glm::dvec3 to_middle = light.position - at.position;
     const double distance = glm::length(to_middle);
     add_cone(patches, at.position, to_middle / distance, light.radius / distance);
-  } else if (light.shape == Shape::sun) {
+  } else if (light.shape == LightShape::sun) {
     add_cone(patches, at.position, light.towards, std::sin(std::atan(light.radius)));
   } else if (light.outlines.size() == 2) {
     // A ring: the quadrangles between two outlines, which may have opposite windings.

@@ -24,7 +24,7 @@ namespace {
 
 /// A point of a light, by area if it is flat, and its light per unit of power.
 LightSample place_on(const PreparedLight& light, const Receiver& receiver, glm::dvec2 at) {
-  if (!light.rectangle) return sample_light(light, receiver, at.x, at.y);
+  if (light.shape != LightShape::rectangle) return sample_light(light, receiver, at.x, at.y);
   const glm::dvec3 to = light.position - receiver.position + (2.0 * at.x - 1.0) * light.half_u +
                         (2.0 * at.y - 1.0) * light.half_v;
   LightSample sample;
@@ -163,7 +163,7 @@ TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
   point.shading_normal = point.geometric_normal = {0, 1, 0};
   for (const NamedLight& named : lights(1.0, {0, 0, 0})) {
     const PreparedLight& light = named.prepared;
-    if (light.shape == PreparedLight::Shape::segment) continue;  // by length, not evenly
+    if (light.shape == LightShape::segment) continue;  // by length, not evenly
     SCOPED_TRACE(named.name);
     const LightConstants constants(light);
     constexpr std::uint32_t rounds = 64;

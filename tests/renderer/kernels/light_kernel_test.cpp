@@ -45,7 +45,7 @@ double lobe_density(const LitSubject& s, glm::dvec3 l) {
 /// heuristic).
 double share_of_light(const PreparedLight& light, const LitSubject& s, const LightSample& sample) {
   const glm::dvec3 n(s.point->shading_normal);
-  const bool area = light.extended() && light.shape != PreparedLight::Shape::segment;
+  const bool area = light.extended() && light.shape != LightShape::segment;
   const bool narrow = s.material.roughness < least_broad_roughness &&
                       glm::dot(n, glm::dvec3(s.view->to_viewer)) > 1.0 / 512.0;
   const double form = static_cast<double>(sample.irradiance.x) / static_cast<double>(light.power.x);
@@ -203,7 +203,7 @@ TEST(LightKernel, SamplesOfLightAndLobeTogetherHaveTheMeanOfTheBrdf) {
       const Means found = means_of(prepared, s);
       EXPECT_NEAR(found.both, exact, 2e-3 * exact);
       const bool samples_lobe =
-          roughness < least_broad_roughness && prepared.shape != PreparedLight::Shape::segment;
+          roughness < least_broad_roughness && prepared.shape != LightShape::segment;
       if (samples_lobe && light.name == "rectangle") {
         EXPECT_GT(found.by_lobe, 0.01 * exact);
       }
@@ -218,7 +218,7 @@ TEST(LightKernel, ClosedFormsAreTheOnesOfThePointsOneByOne) {
   for (const auto& [scale, offset] : scales) {
     const LitSubjects batch(static_cast<std::uint64_t>(std::log10(scale) + 40.0), scale, offset);
     for (const NamedLight& light : lights(scale, offset)) {
-      if (!light.prepared.rectangle) continue;
+      if (light.prepared.shape != LightShape::rectangle) continue;
       SCOPED_TRACE(light.name + " at scale " + std::to_string(std::log10(scale)));
       ShadowRayBatch rays;
       shade_unshadowed(batch.points, LightConstants(light.prepared), batch.places, rays);
@@ -264,7 +264,7 @@ TEST(LightKernel, AllInstructionSetsGiveTheSameBits) {
         ShadowRayBatch rays;
         shade_batch(batch.points, LightConstants(light.prepared), batch.places, rays);
         bits.push_back(bits_of(rays));
-        if (!light.prepared.rectangle) continue;
+        if (light.prepared.shape != LightShape::rectangle) continue;
         ShadowRayBatch unshadowed;
         shade_unshadowed(batch.points, LightConstants(light.prepared), batch.places, unshadowed);
         bits.push_back(bits_of(unshadowed));
@@ -320,8 +320,8 @@ TEST(LightKernel, AtTheVeryPlaceOfALightNothingArrives) {
   RandomSpace space(2);
   for (const NamedLight& light : lights(1.0, {0, 0, 0})) {
     SCOPED_TRACE(light.name);
-    if (!light.prepared.extended() || light.prepared.shape == PreparedLight::Shape::sun ||
-        light.prepared.shape == PreparedLight::Shape::ball)
+    if (!light.prepared.extended() || light.prepared.shape == LightShape::sun ||
+        light.prepared.shape == LightShape::ball)
       continue;
     ShadingPoints points;
     LitSubject s = subject(space, 1, 1.0, {0, 0, 0});

@@ -39,7 +39,7 @@ std::vector<PreparedLight> prepared_lights() {
 TEST(SampleLight, HasTheIrradianceAsItsMean) {
   test::RandomSpace random(21);
   for (const PreparedLight& light : prepared_lights()) {
-    const bool steps = light.shape == PreparedLight::Shape::polygon && !light.rectangle;
+    const bool steps = light.shape == LightShape::polygon;
     int lit = 0;
     for (int i = 0; i < 12; ++i) {
       const Receiver receiver = random.receiver(1.2 * random.direction(), {0, 2, 0}, i % 3);
@@ -85,9 +85,9 @@ TEST(SampleLight, LandsOnTheLight) {
         }
         const glm::dvec3 off =
             receiver.position + sample.distance * sample.direction - light.position;
-        if (light.shape == PreparedLight::Shape::ball) {
+        if (light.shape == LightShape::ball) {
           EXPECT_NEAR(glm::length(off), light.radius, 2e-7 * light.radius);
-        } else if (light.shape == PreparedLight::Shape::segment) {
+        } else if (light.shape == LightShape::segment) {
           EXPECT_LT(glm::length(glm::cross(off, light.half_u)), 1e-12);
           EXPECT_LE(glm::length(off), glm::length(light.half_u) * (1.0 + 1e-12));
         } else if (light.extended()) {

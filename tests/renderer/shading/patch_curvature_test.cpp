@@ -89,7 +89,7 @@ struct FlatPatch {
 TEST(PatchCurvature, DependsOnTheLobe) {
   const FlatPatch flat;
   PreparedLight sun;
-  sun.shape = PreparedLight::Shape::sun;
+  sun.shape = LightShape::sun;
   std::optional<PatchCurvature::Parts> parts;
   const auto error = [&](float turn, float roughness, float half_angle_tangent,
                          glm::vec3 direction = {0, 0, 1}) {

@@ -31,7 +31,7 @@ Light level_light(Light::Type type) {
   return light;
 }
 
-Polygon3 shape_of(const Light& light) {
+Polygon3 polygon_of(const Light& light) {
   if (light.type == Light::Type::rectangle) return corners_of(light);
   if (light.type == Light::Type::polygon) return light.outlines.front();
   Polygon3 circle;
@@ -61,7 +61,7 @@ Receiver receiver_below(RandomSpace& random) {
 double worst_error(ShadowFixture& fixture, const std::vector<Polygon3>& walls, RandomSpace& random,
                    int& partly) {
   double worst = 0.0;
-  const Polygon3 shape = shape_of(fixture.source());
+  const Polygon3 shape = polygon_of(fixture.source());
   for (int i = 0; i < 20; ++i) {
     const Receiver receiver = receiver_below(random);
     const double exact = seen_form(shape, walls, receiver) / form_of(shape, receiver);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderer/lights/kinds/flat.h"
+
+namespace asos {
+
+template <>
+struct LightGeometry<LightShape::disk> : FlatGeometry<LightGeometry<LightShape::disk>> {
+  static double physical_form(const PreparedLight& light, const Receiver& receiver, bool behind) {
+    return disk_form(light.position, behind ? -light.towards : light.towards, light.radius,
+                     receiver);
+  }
+  static LightSample sample(const PreparedLight& light, const Receiver& receiver, double u,
+                            double v) {
+    const glm::dvec2 p = concentric(u, v);
+    return area_sample(
+        light, receiver,
+        light.position - receiver.position + p.x * light.half_u + p.y * light.half_v);
+  }
+  static glm::dvec3 nearest(const PreparedLight& light, glm::dvec3 hit) {
+    const glm::dvec3 flat = hit - glm::dot(hit, light.towards) * light.towards;
+    const double length = glm::length(flat);
+    return length > light.radius ? flat * (light.radius / length) : flat;
+  }
+  static bool holds(const PreparedLight& light, glm::dvec3 p) {
+    const glm::dvec3 d = p - light.position;
+    return glm::dot(d, d) <= light.radius * light.radius;
+  }
+  static LightOutlines outlines(const PreparedLight& light, std::optional<glm::dvec3>, glm::dvec3) {
+    return {circle_outline(light.position, light.half_u, light.half_v)};
+  }
+  static void add_facing_patches(const PreparedLight& light, glm::dvec3 to_middle,
+                                 std::vector<LightPatch>& patches) {
+    LightPatch::add_quarters(centred_patch(light, to_middle, LightPatch::Kind::sector), patches);
+  }
+  static std::optional<LightWindow> window(const PreparedLight& light, glm::dvec3 apex) {
+    return bounds(light, apex, LightWindow::Inside::ellipse);
+  }
+};
+
+}  // namespace asos

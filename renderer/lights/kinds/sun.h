@@ -1,0 +1,43 @@
+#pragma once
+
+#include "renderer/lights/form_factor.h"
+#include "renderer/lights/kinds/geometry.h"
+
+namespace asos {
+
+/// All directions about `towards` up to an angle whose tangent is `radius`.
+template <>
+struct LightGeometry<LightShape::sun> {
+  static double sine(const PreparedLight& light) {
+    return light.radius / std::sqrt(1.0 + light.radius * light.radius);
+  }
+  static double form(const PreparedLight& light, const Receiver& receiver) {
+    if (light.rule == LightRule::published)
+      return std::numbers::pi * light.radius * light.radius * cosine_above(light.towards, receiver);
+    const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
+    return cone_form(light.towards, light.radius * cosine, cosine, receiver);
+  }
+  static LightSample sample(const PreparedLight& light, const Receiver& receiver, double u,
+                            double v) {
+    const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
+    const double sine = light.radius * cosine;
+    return cone_sample(light, receiver, light.towards, sine * sine / (1.0 + cosine), u, v);
+  }
+  static Highlight highlight(const PreparedLight& light, glm::dvec3, glm::dvec3 ray) {
+    Highlight highlight =
+        highlight_towards(nearest_of_ball(light.towards, light.radius, ray), 0.0, ray);
+    highlight.half_angle_tangent = static_cast<float>(light.radius);
+    highlight.distance = std::numeric_limits<float>::infinity();
+    return highlight;
+  }
+  static void add_patches(const PreparedLight& light, const Receiver&,
+                          std::vector<LightPatch>& patches) {
+    const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
+    LightPatch::add_cap(light.towards, one_less_cosine(light.radius * cosine), patches);
+  }
+  static std::optional<LightWindow> window(const PreparedLight& light, glm::dvec3) {
+    return LightWindow::around_ball(light.towards, sine(light));
+  }
+};
+
+}  // namespace asos

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace asos {
+
+/// Shapes of lights as they are evaluated; docs/light-kinds.md describes how to add one.
+enum class LightShape : std::uint8_t {
+  point,    ///< point and spot
+  distant,  ///< directional: a point at infinity
+  ball,     ///< point and spot with a radius
+  sun,      ///< directional with an angular diameter
+  segment,  ///< linear
+  rectangle,
+  polygon,  ///< polygon, sheared rectangle
+  disk,
+};
+
+/// Properties of a shape.
+struct LightTraits {
+  bool extended = false;  ///< its shadows have penumbrae
+  bool infinite = false;  ///< infinitely distant
+  bool flat = false;      ///< in a plane, within position +- half_u +- half_v
+  bool line = false;      ///< without width: no direction hits it
+
+  /// Returns whether the light has a radiance, which highlights of narrow lobes show.
+  [[nodiscard]] constexpr bool has_area() const { return extended && !line; }
+  /// Returns whether rays may hit the light at a distance.
+  [[nodiscard]] constexpr bool has_surface() const { return has_area() && !infinite; }
+};
+
+/// One row per shape, in the enumeration's order.
+inline constexpr std::array light_traits{
+    LightTraits{},                                    // point
+    LightTraits{.infinite = true},                    // distant
+    LightTraits{.extended = true},                    // ball
+    LightTraits{.extended = true, .infinite = true},  // sun
+    LightTraits{.extended = true, .line = true},      // segment
+    LightTraits{.extended = true, .flat = true},      // rectangle
+    LightTraits{.extended = true, .flat = true},      // polygon
+    LightTraits{.extended = true, .flat = true},      // disk
+};
+[[nodiscard]] constexpr const LightTraits& traits_of(LightShape shape) {
+  return light_traits[static_cast<std::size_t>(shape)];
+}
+
+template <LightShape shape>
+using ShapeTag = std::integral_constant<LightShape, shape>;
+
+/// Returns f(ShapeTag<shape>()). This is the only switch over shapes: code for all of them is a
+/// template of the tag, and a shape that lacks its case does not compile.
+template <typename F>
+constexpr decltype(auto) with_shape(LightShape shape, F&& f) {
+  switch (shape) {
+    case LightShape::point:
+      return f(ShapeTag<LightShape::point>());
+    case LightShape::distant:
+      return f(ShapeTag<LightShape::distant>());
+    case LightShape::ball:
+      return f(ShapeTag<LightShape::ball>());
+    case LightShape::sun:
+      return f(ShapeTag<LightShape::sun>());
+    case LightShape::segment:
+      return f(ShapeTag<LightShape::segment>());
+    case LightShape::rectangle:
+      return f(ShapeTag<LightShape::rectangle>());
+    case LightShape::polygon:
+      return f(ShapeTag<LightShape::polygon>());
+    case LightShape::disk:
+      break;
+  }
+  static_assert(light_traits.size() == static_cast<std::size_t>(LightShape::disk) + 1);
+  return f(ShapeTag<LightShape::disk>());
+}
+
+}  // namespace asos
