@@ -2,8 +2,10 @@
 
 #include "app/printed_json.h"
 #include "renderer/files/counted.h"
+#include "renderer/lights/prepared_light.h"
 #include "renderer/scene/environment_cube.h"
 #include "renderer/scene/scene_warnings.h"
+#include "renderer/settings/names.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -30,28 +32,18 @@ Json bounds_json(const World& world) {
 /// Counts every light under its type. "ball" counts the point and spot lights with a size, "sun"
 /// the directional ones.
 Json lights_json(const Scene& scene) {
-  const auto count_if = [&scene](auto wanted) {
+  const auto count = [&scene](auto wanted) {
     return std::count_if(scene.lights.begin(), scene.lights.end(), wanted);
   };
-  const auto count = [&](Light::Type type) {
-    return count_if([type](const Light& light) { return light.type == type; });
+  const auto count_shape = [&](LightShape shape) {
+    return count([shape](const Light& light) { return light_shape(light) == shape; });
   };
-  const auto is_ball = [](const Light& light) {
-    return (light.type == Light::Type::point || light.type == Light::Type::spot) &&
-           light.radius > 0.0;
-  };
-  const auto is_sun = [](const Light& light) {
-    return light.type == Light::Type::directional && light.angular_diameter_rad > 0.0;
-  };
-  return {{"point", count(Light::Type::point)},
-          {"spot", count(Light::Type::spot)},
-          {"directional", count(Light::Type::directional)},
-          {"linear", count(Light::Type::linear)},
-          {"rectangle", count(Light::Type::rectangle)},
-          {"disk", count(Light::Type::disk)},
-          {"polygon", count(Light::Type::polygon)},
-          {"ball", count_if(is_ball)},
-          {"sun", count_if(is_sun)}};
+  Json counts;
+  for (const auto& [name, type] : light_type_names)
+    counts[name] = count([wanted = type](const Light& light) { return light.type == wanted; });
+  counts["ball"] = count_shape(LightShape::ball);
+  counts["sun"] = count_shape(LightShape::sun);
+  return counts;
 }
 
 Json lens_json(const Camera& camera) {

@@ -3,6 +3,7 @@
 #include "renderer/lights/prepared_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -32,16 +33,6 @@ glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 fallback) {
   return length > 0.0 && std::isfinite(length) ? v / length : fallback;
 }
 
-bool is_flat(Light::Type type) {
-  return type == Light::Type::rectangle || type == Light::Type::disk ||
-         type == Light::Type::polygon;
-}
-
-bool has_direction(const Light& light) {
-  return is_flat(light.type) || light.type == Light::Type::spot ||
-         light.type == Light::Type::directional;
-}
-
 glm::dvec3 forward_of(const Light& light) {
   return light.type == Light::Type::linear ? unit_or(light.half_u, {1, 0, 0})
                                            : unit_or(light.direction, {0, 0, -1});
@@ -65,8 +56,8 @@ double outline_area(const std::vector<glm::dvec3>& outline, glm::dvec3 direction
 
 /// Candela per unit of the light's intensity, on its axis and from far away.
 double candela_per_unit(const Light& light, double distance) {
-  if (light.type == Light::Type::directional) return distance * distance;
-  return is_flat(light.type) ? area_of(light) : 1.0;
+  if (!has_position(light)) return distance * distance;
+  return is_flat(light) ? area_of(light) : 1.0;
 }
 
 /// Half of the light's extent; 0 for a light without a size.
@@ -88,26 +79,11 @@ double half_size(const Light& light, double distance) {
   return light.radius;
 }
 
-Light::Type type_of(LightKind kind) {
-  switch (kind) {
-    case LightKind::spot:
-      return Light::Type::spot;
-    case LightKind::directional:
-      return Light::Type::directional;
-    case LightKind::linear:
-      return Light::Type::linear;
-    case LightKind::rectangle:
-      return Light::Type::rectangle;
-    case LightKind::disk:
-      return Light::Type::disk;
-    case LightKind::polygon:
-      return Light::Type::polygon;
-    case LightKind::point:
-    case LightKind::sphere:
-      break;
-  }
-  return Light::Type::point;
-}
+/// The type of each kind, in LightKind's order.
+constexpr std::array types{Light::Type::point,       Light::Type::point,  Light::Type::spot,
+                           Light::Type::directional, Light::Type::linear, Light::Type::rectangle,
+                           Light::Type::disk,        Light::Type::polygon};
+static_assert(types.size() == light_kind_count);
 
 /// Corners in counter-clockwise order, starting at the right: the first corner defines a light's
 /// roll. Every other corner has the radius `inner`.
@@ -179,8 +155,7 @@ void give_shape(Light& light, LightKind kind, const Basis& basis, double half, d
 /// Returns the unshadowed irradiance of the light, made white, at `place` on a surface that faces
 /// its centre. Returns 0 if it is not finite.
 double arriving(const Light& light, glm::dvec3 place) {
-  const glm::dvec3 way =
-      light.type == Light::Type::directional ? -light.direction : light.position - place;
+  const glm::dvec3 way = has_position(light) ? light.position - place : -light.direction;
   const glm::dvec3 normal = unit_or(way, {0, 1, 0});
   Light white = light;
   white.color = glm::vec3(1.0f);
@@ -198,6 +173,18 @@ SceneSize SceneSize::of(const Box& bounds) {
   return {0.5 * (lo + hi), radius > 0.0 ? radius : 1.0};
 }
 
+bool is_flat(const Light& light) {
+  return traits_of(light_shape(light)).flat;
+}
+
+bool has_position(const Light& light) {
+  return !traits_of(light_shape(light)).infinite;
+}
+
+bool has_direction(const Light& light) {
+  return is_flat(light) || light.type == Light::Type::spot || !has_position(light);
+}
+
 double area_of(const Light& light) {
   if (light.type == Light::Type::disk) return pi * light.radius * light.radius;
   if (light.type == Light::Type::rectangle)
@@ -209,30 +196,16 @@ double area_of(const Light& light) {
 }
 
 LightKind kind_of(const Light& light) {
-  switch (light.type) {
-    case Light::Type::spot:
-      return LightKind::spot;
-    case Light::Type::directional:
-      return LightKind::directional;
-    case Light::Type::linear:
-      return LightKind::linear;
-    case Light::Type::rectangle:
-      return LightKind::rectangle;
-    case Light::Type::disk:
-      return LightKind::disk;
-    case Light::Type::polygon:
-      return LightKind::polygon;
-    case Light::Type::point:
-      break;
-  }
-  return light.radius > 0.0 ? LightKind::sphere : LightKind::point;
+  if (light.type == Light::Type::point)
+    return light.radius > 0.0 ? LightKind::sphere : LightKind::point;
+  return static_cast<LightKind>(std::find(types.begin(), types.end(), light.type) - types.begin());
 }
 
 Light as_kind(const Light& light, LightKind kind, const SceneSize& scene, bool has_place) {
   if (kind_of(light) == kind) return light;
   Light other = light;
   constexpr double away = 1.5;  // of a light at infinity, in radii of the scene
-  if (light.type == Light::Type::directional && !has_place)
+  if (!has_position(light) && !has_place)
     other.position = scene.middle - away * scene.radius * forward_of(light);
   if (!has_direction(light)) other.direction = unit_or(scene.middle - other.position, {0, -1, 0});
   const double distance = std::max(glm::distance(other.position, scene.middle), 0.1 * scene.radius);
@@ -240,7 +213,7 @@ Light as_kind(const Light& light, LightKind kind, const SceneSize& scene, bool h
   // A light that has a size keeps it.
   double half = half_size(light, distance);
   if (!(half > 0.0)) half = usual_half_size * distance;
-  other.type = type_of(kind);
+  other.type = types[static_cast<std::size_t>(kind)];
   Light facing = other;
   facing.type = Light::Type::spot;  // so that turn_of uses the direction alone
   LightTurn turn = turn_of(facing);

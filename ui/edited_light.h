@@ -29,6 +29,10 @@ enum class LightKind { point, sphere, spot, directional, linear, rectangle, disk
 inline constexpr std::size_t light_kind_count = 8;
 
 [[nodiscard]] LightKind kind_of(const Light& light);
+[[nodiscard]] bool is_flat(const Light& light);
+[[nodiscard]] bool has_position(const Light& light);
+/// Returns whether the light is aimed; a line's own direction does not count.
+[[nodiscard]] bool has_direction(const Light& light);
 
 /// Centre and radius that sizes and distances of lights are relative to: those of the scene, or of
 /// the part in view.

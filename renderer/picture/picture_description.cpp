@@ -3,6 +3,7 @@
 #include "renderer/files/printable.h"
 #include "renderer/geometry/coordinates.h"
 #include "renderer/geometry/validate_camera.h"
+#include "renderer/lights/prepared_light.h"
 #include "renderer/picture/dfr_json.h"
 #include "renderer/picture/json_fields.h"
 #include "renderer/picture/light_json.h"
@@ -153,7 +154,7 @@ std::string read_fields(FieldReader& fields, bool moves, PictureDescription& rea
     auto lights = lights_from_json(*at);
     if (!lights) return lights.error().reason;
     for (const Light& light : *lights)
-      if (light.type != Light::Type::directional && !within_reach(light.position))
+      if (!traits_of(light_shape(light)).infinite && !within_reach(light.position))
         return fmt::format("light '{}' is farther away than {:g}", light.name, largest_coordinate);
     read.lights = *std::move(lights);
   }

@@ -32,21 +32,9 @@ constexpr std::array outline_options{
 };
 static_assert(outline_options.size() == polygon_shape_count);
 
-const char* intensity_unit(LightKind kind) {
-  switch (kind) {
-    case LightKind::directional:
-      return "lx";
-    case LightKind::rectangle:
-    case LightKind::disk:
-    case LightKind::polygon:
-      return "cd/m\u00b2";
-    case LightKind::point:
-    case LightKind::sphere:
-    case LightKind::spot:
-    case LightKind::linear:
-      break;
-  }
-  return "cd";
+const char* intensity_unit(const Light& light) {
+  if (!has_position(light)) return "lx";
+  return is_flat(light) ? "cd/m\u00b2" : "cd";
 }
 
 std::string metres(double length) {
@@ -100,7 +88,7 @@ class LightEditor {
         light_.color, edited_.original.color);
     double intensity = static_cast<double>(light_.intensity);
     constexpr double most = 1e12, step = 1e-3;
-    const char* unit = intensity_unit(kind_of(light_));
+    const char* unit = intensity_unit(light_);
     if (controls_.number(
             "Intensity",
             "Brightness in cd (points, spheres, lines), lx (directional) or cd/m² (flat lights). "
@@ -207,7 +195,7 @@ class LightEditor {
   }
 
   void place() {
-    if (light_.type == Light::Type::directional) return;
+    if (!has_position(light_)) return;
     glm::dvec3 position = light_.position + origin_;
     if (!controls_.vector(
             "Position",
@@ -237,8 +225,7 @@ class LightEditor {
   }
 
   void flags() {
-    const LightKind kind = kind_of(light_);
-    if (kind == LightKind::rectangle || kind == LightKind::disk || kind == LightKind::polygon)
+    if (is_flat(light_))
       changed_ |= controls_.checkbox("Two-sided", "Emits light on both sides.", light_.two_sided,
                                      edited_.original.two_sided);
     changed_ |= controls_.checkbox("Casts shadows",

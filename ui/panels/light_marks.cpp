@@ -75,8 +75,7 @@ void draw_outline(const Projection& projection, const Light& light, const Camera
   const double stroke = camera.type == Camera::Type::perspective
                             ? 0.1 * glm::distance(light.position, eye)
                             : 0.1 * camera.height;
-  const bool aimed = light.type != Light::Type::point && light.type != Light::Type::linear;
-  if (aimed)
+  if (has_direction(light))
     projection.line(draw, light.position, light.position + stroke * light.direction, colour);
 }
 
@@ -163,12 +162,10 @@ void light_marks(Controls& controls, Previewer& previewer, LightChoice& choice,
   if (lights.empty()) return;
   const Projection projection(previewer.viewpoint(), film, view, area);
   const auto chosen = static_cast<std::size_t>(choice.selected);
-  if (chosen < lights.size() && lights[chosen].light.type != Light::Type::directional)
+  if (chosen < lights.size() && has_position(lights[chosen].light))
     draw_outline(projection, lights[chosen].light, previewer.viewpoint().camera().camera());
   for (std::size_t i = 0; i < std::min(lights.size(), most_marks); ++i) {
-    // A directional light has no position.
-    if (lights[i].light.type != Light::Type::directional)
-      mark(controls, previewer.edits(), choice, projection, i);
+    if (has_position(lights[i].light)) mark(controls, previewer.edits(), choice, projection, i);
   }
 }
 
