@@ -98,23 +98,18 @@ MaxEffect max_effect(const PreviewRender& render, const DisplayTransform& displa
 }
 
 std::string max_words(const MaxEffect& effect, int max_level) {
-  const auto percent = [&](std::size_t part) {
-    return 100.0 * static_cast<double>(part) /
-           static_cast<double>(std::max<std::size_t>(1, effect.pixels));
-  };
-  std::string text =
-      effect.pixels == 0 ? "No pixel is final yet."
-      : effect.ended_pixels == 0
-          ? fmt::format("No {}pixel has edges left at MAX {}.", effect.finished ? "" : "final ",
-                        max_level)
-          : fmt::format("MAX {} ended {:.2g} % of {}pixels (marked).", max_level,
-                        percent(effect.ended_pixels), effect.finished ? "" : "final ");
+  if (effect.pixels == 0) return "";
+  const char* which = effect.finished ? "" : "final ";
+  std::string text = effect.ended_pixels == 0
+                         ? fmt::format("No {}pixel has edges left at MAX {}.", which, max_level)
+                         : fmt::format("MAX {} ended {} of {} {}pixels (marked).", max_level,
+                                       effect.ended_pixels, effect.pixels, which);
   if (!effect.change) return text;
   const MaxEffect::Change& change = *effect.change;
   text += fmt::format("\nFrom MAX {} to {}: ", change.from, change.to);
   if (change.pixels == 0) return text + "no pixel changed visibly.";
-  return text + fmt::format("{:.2g} % of pixels changed, by up to {:.0f} of 255 steps (circled).",
-                            percent(change.pixels), std::floor(change.steps));
+  return text + fmt::format("{} pixels changed, by up to {:.0f} of 255 steps (circled).",
+                            change.pixels, std::floor(change.steps));
 }
 
 bool MaxExplainer::update(const PreviewRender& render, const DisplayTransform& display,

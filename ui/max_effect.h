@@ -32,7 +32,7 @@ struct MaxEffect {
   static constexpr std::size_t most_worst = 5;
 };
 [[nodiscard]] MaxEffect max_effect(const PreviewRender& render, const DisplayTransform& display);
-/// Two sentences at most: how many pixels ended, and what changed.
+/// The number of pixels that ended, and the change; empty: no pixel is final.
 [[nodiscard]] std::string max_words(const MaxEffect& effect, int max_level);
 
 /// Keeps the effect of the displayed picture.
