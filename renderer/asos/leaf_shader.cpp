@@ -29,7 +29,6 @@ LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& 
       samples_(&samples),
       chooser_(&chooser),
       selected_lights_(&selected_lights),
-      sky_(eye),
       lobes_(eye),
       single_(eye, samples),
       shadows_(&shadows),
@@ -83,8 +82,7 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   const ViewContext& viewer = eye_->viewer;
   RootSum& sum = sums_[leaf.root];
   const std::uint32_t share = eye_->mirrored() ? 0 : selected_lights_->start(leaf);
-  const std::uint32_t sky_share = eye_->mirrored() ? 0 : sky_.start(leaf);
-  LeafTransport transport(*eye_, *shadows_, leaf, *selected_lights_, share, sky_, sky_share);
+  LeafTransport transport(*eye_, *shadows_, leaf, *selected_lights_, share);
   ViewedRay seen = eye_->viewed(leaf);
   seen.parts = colour_parts(leaf);
   sum.centre_error += leaf.weight * static_cast<double>(std::min(leaf.decision.error, 1.0f));
@@ -97,7 +95,7 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   if (!finite(radiance)) {
     if (adds_planes_) layers_->add(leaf);
     ++eye_->counts->rejected_samples;
-    drop(share, sky_share);
+    drop(share);
     return radiance;
   }
   const bool by_lobe = transport.lobes() != glm::vec3(0.0f);
@@ -112,13 +110,14 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   }
   if (!suffices(leaf, centre) &&
       add_samples(leaf, enough_for(leaf, transport.unsure_highlights()))) {
-    drop(share, sky_share);
+    drop(share);
     return radiance;
   }
   if (adds_planes_) layers_->add(leaf);
   sum.add(glm::dvec3(radiance), leaf.weight);
   if (adds_light_) layers_->add_light(leaf.root, transport.light(radiance), leaf.weight);
-  if (by_lobe && !eye_->mirrored()) lobes_.add(leaf, transport.lobes());
+  if (by_lobe && !eye_->mirrored())
+    lobes_.add(leaf, transport.lobes(), !transport.lobes_show_scene());
   return radiance;
 }
 
@@ -264,11 +263,9 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Mean& 
   return true;
 }
 
-// Drops a leaf's contributions from the sampled lights and the sky. Reflected leaves defer none.
-void LeafShader::drop(std::uint32_t selected_share, std::uint32_t sky_share) {
-  if (eye_->mirrored()) return;
-  selected_lights_->drop(selected_share);
-  sky_.drop(sky_share);
+// Drops a leaf's contribution from the sampled lights. Reflected leaves defer none.
+void LeafShader::drop(std::uint32_t selected_share) {
+  if (!eye_->mirrored()) selected_lights_->drop(selected_share);
 }
 
 // Adds contributions that were determined for many leaves together: a leaf's whole radiance, or a
@@ -296,12 +293,11 @@ void LeafShader::finish() {
   add(single_.run(), true, [&](std::size_t i) -> const LightSum& { return single_.light(i); });
   start_regions();
   if (eye_->stop.stop_requested()) return;
-  const auto add_direct = [&](std::span<const Contribution> all) {
-    add(all, false, [&](std::size_t i) { return all[i].direct_light(); });
-  };
-  if (!selected_lights_->lights().empty()) add_direct(selected_lights_->run());
-  add_direct(sky_.run());
-  add(lobes_.run(), false, [&](std::size_t i) -> const LightSum& { return lobes_.light(i); });
+  if (!selected_lights_->lights().empty()) {
+    const auto direct = selected_lights_->run();
+    add(direct, false, [&](std::size_t i) { return direct[i].direct_light(); });
+  }
+  add(lobes_.run(), false, [&](std::size_t i) { return lobes_.light(i); });
 }
 
 // Runs the first stage of the deferred regions, and adds the regions that meet their goals.

@@ -10,7 +10,6 @@
 #include "renderer/asos/root_sums.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/asos/single_samples.h"
-#include "renderer/asos/sky_contributions.h"
 #include "renderer/samples/region_sampler.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -58,7 +57,7 @@ class LeafShader {
   }
   void start_regions();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
-  void drop(std::uint32_t selected_share, std::uint32_t sky_share);
+  void drop(std::uint32_t selected_share);
   void add(std::span<const Contribution> contributions, bool whole_leaves, const auto& light_of);
   [[nodiscard]] bool add_texture_samples(const Leaf& leaf);
   glm::vec3 add_leaf(const Leaf& leaf);
@@ -72,7 +71,6 @@ class LeafShader {
   EyeSamples* samples_;
   LeafChooser* chooser_;
   SelectedLights* selected_lights_;
-  SkyContributions sky_;
   LobeContributions lobes_;
   SingleSamples single_;
   const ShadowContext* shadows_;

@@ -51,13 +51,12 @@ float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const
   return arrived == (largest(seen) > 0.5f ? sent : 0) ? lesser : 1.0f - lesser;
 }
 
-bool LeafTransport::add_sky(const SkyQuery& point, glm::vec3& radiance,
+bool LeafTransport::add_sky(const SkyQuery& point, glm::vec3& /*radiance*/,
                             RenderStatistics& /*counts*/) {
-  if (eye_->mirrored()) {
-    radiance += sky_->at_once(point, *leaf_);
-  } else {
-    sky_->add(sky_share_, point, *leaf_);
-  }
+  const ViewedMaterial& material = point.material;
+  const glm::vec3 specular = point.mirrors ? glm::vec3(0.0f) : material.specular;
+  const glm::vec3 diffuse = glm::max(material.diffuse, material.ambient);
+  lobes_ = glm::max(lobes_, point.share * (diffuse + specular));
   return true;
 }
 
@@ -65,6 +64,7 @@ bool LeafTransport::reflect(const Reflection& reflection, glm::vec3& radiance,
                             RenderStatistics& counts) {
   if (reflection.lobe) {
     lobes_ = glm::max(lobes_, reflection.reflected);
+    lobes_show_scene_ = true;
     return true;
   }
   const auto mirrored = trace_reflection(*eye_, reflection, *leaf_, counts);

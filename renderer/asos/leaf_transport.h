@@ -2,7 +2,6 @@
 
 #include "renderer/asos/eye_context.h"
 #include "renderer/asos/selected_lights.h"
-#include "renderer/asos/sky_contributions.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shadows/shadow_context.h"
 
@@ -11,17 +10,14 @@ namespace asos {
 /// Computes the lights and reflections of one leaf while the shader shades the leaf's point.
 class LeafTransport final : public LightTransport {
  public:
-  /// `selected_share` and `sky_share` are the numbers of the leaf's contributions.
+  /// `selected_share` is the number of the selected lights' contribution.
   LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const Leaf& leaf,
-                SelectedLights& selected, std::uint32_t selected_share, SkyContributions& sky,
-                std::uint32_t sky_share)
+                SelectedLights& selected, std::uint32_t selected_share)
       : eye_(&eye),
         shadows_(&shadows),
         leaf_(&leaf),
         selected_(&selected),
-        selected_share_(selected_share),
-        sky_(&sky),
-        sky_share_(sky_share) {}
+        selected_share_(selected_share) {}
 
   HandledLights gather(const LightingQuery& point) override;
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
@@ -45,9 +41,11 @@ class LeafTransport final : public LightTransport {
   /// a defocused leaf, whose parts the lens kernel weights unequally.
   [[nodiscard]] Estimate centre(glm::vec3 radiance) const;
 
-  /// Returns the largest reflectance of the lobes whose reflection has to be sampled; 0 if there
-  /// are none.
+  /// Returns the largest reflectance of the lobes whose reflection has to be sampled, and of all
+  /// surfaces if the sky may be occluded; 0 if there are none.
   [[nodiscard]] glm::vec3 lobes() const { return lobes_; }
+  /// Returns whether lobes show the scene. Without, they show the sky and its occlusion.
+  [[nodiscard]] bool lobes_show_scene() const { return lobes_show_scene_; }
 
   /// Returns the bound on the error of highlights, in radiance. The highlight of a partially
   /// occluded light is scaled by the visible fraction of the irradiance, whichever part of the
@@ -62,13 +60,12 @@ class LeafTransport final : public LightTransport {
   const Leaf* leaf_;
   SelectedLights* selected_;
   std::uint32_t selected_share_;
-  SkyContributions* sky_;
-  std::uint32_t sky_share_;
   glm::vec3 at_once_{0.0f};
   glm::vec3 lobes_{0.0f};
   LightSum light_;  // parts other than direct light
   float unsure_highlights_ = 0.0f;
   double reflection_error_ = 0.0;
+  bool lobes_show_scene_ = false;
   bool shadow_cut_ = false;
   bool mirror_cut_ = false;
 };

@@ -1,6 +1,8 @@
 #include "renderer/asos/lobe_contributions.h"
 
 #include "renderer/geometry/largest.h"
+#include "renderer/pyray/tuning.h"
+#include "renderer/samples/one_sample.h"
 #include "renderer/samples/region_sampler.h"
 
 #include <algorithm>
@@ -21,10 +23,12 @@ RegionSampler& LobeContributions::sampler() {
 }
 
 // Returns the usual goal of a part, with the first round reduced by the lobes' reflectance of
-// white, but not below four samples (one at MAX 0).
+// white and by the number of rays to the sky, but not below four samples (one at MAX 0).
 RegionSampler::Goal LobeContributions::goal_of(double weight, glm::vec3 reflected) const {
   RegionSampler::Goal goal = sample_goal(eye_->error_budget, weight);
-  const double share = std::min(1.0, static_cast<double>(largest(reflected)));
+  const bool sky = eye_->viewer.shader.settings().sky_shadows;
+  const double share = std::min(1.0, static_cast<double>(largest(reflected))) /
+                       (sky ? double{OneLobeSample::sky_rays} : 1.0);
   const auto worth = static_cast<std::uint32_t>(share * goal.least);
   goal.least = std::clamp(std::bit_ceil(worth), std::min(4u, goal.least), goal.least);
   return goal;
@@ -35,9 +39,11 @@ void LobeContributions::wait(const Leaf& leaf, glm::vec3 reflected) {
   sampler().set_inside(number, leaf.at);
 }
 
-void LobeContributions::add(const Leaf& leaf, glm::vec3 reflected) {
+void LobeContributions::add(const Leaf& leaf, glm::vec3 reflected, bool shares) {
+  if (queue_.empty()) leaves_.clear();
   wait(leaf, reflected);
   queue_.add(leaf);
+  leaves_.push_back({&leaf, reflected, shares});
 }
 
 glm::vec3 LobeContributions::at_once(const Leaf& leaf, glm::vec3 reflected) {
@@ -48,14 +54,35 @@ glm::vec3 LobeContributions::at_once(const Leaf& leaf, glm::vec3 reflected) {
 std::span<const Contribution> LobeContributions::run() {
   if (queue_.empty()) return {};
   const std::uint64_t before = eye_->counts->rays();
-  const auto found = sampler_->run(*eye_->counts);
+  const bool shared =
+      std::any_of(leaves_.begin(), leaves_.end(), [](const auto& leaf) { return leaf.shares; });
+  auto found = sampler_->start(*eye_->counts, shared ? FitTuning::first_error : 1.0);
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    leaves_[i].found = found[i];
+    leaves_[i].converged = !sampler_->open(i);
+  }
+  fit_surfaces(eye_->scene->features(), leaves_);
+  for (std::size_t i = 0; i < leaves_.size(); ++i)
+    if (leaves_[i].fitted) sampler_->end(i);
+  found = sampler_->finish(*eye_->counts);
   std::vector<double> samples;
   for (std::uint32_t i = 0; i < queue_.size(); ++i) {
-    queue_[i].radiance = queue_[i].leaf->weight * found[i].value;
+    queue_[i].radiance = queue_[i].leaf->weight * (found[i].value + leaves_[i].correction);
     samples.push_back(found[i].cost);
   }
   queue_.share_rays(static_cast<double>(eye_->counts->rays() - before), samples);
   return queue_.take();
+}
+
+// A fit changes all parts by the same factor.
+LightSum LobeContributions::light(std::size_t number) const {
+  const SampledLeaf& leaf = leaves_[number];
+  LightSum light = sampler_->layers(number).light;
+  const glm::dvec3 old = leaf.found.value, fitted = old + leaf.correction;
+  const auto scaled = glm::notEqual(old, glm::dvec3(0.0));
+  for (glm::dvec3& part : light.radiance) part *= glm::mix(glm::dvec3(1.0), fitted / old, scaled);
+  light.add(LightPart::direct, light.weight * glm::mix(leaf.correction, glm::dvec3(0.0), scaled));
+  return light;
 }
 
 }  // namespace asos

@@ -142,38 +142,17 @@ struct ShadowTuning {
   static constexpr double contrast_of_selection = 2.0;
 };
 
-/// Rays to the sky [sky: Ambient occlusion stays off, unless a line says otherwise].
-struct SkyTuning {
-  /// Rays of the first round: of a whole pixel, and of any leaf at least; and most rays.
-  static constexpr double first_rays = 8.0;
-  static constexpr std::uint32_t fewest_rays = 2;
-  static constexpr std::uint32_t most_rays = 8192;
-  /// Rays that the variance of neighbouring pixels counts as; that of the block, in turn, as many
-  /// of theirs.
-  static constexpr double rays_of_prior = 8.0;
-  /// Samples of an unoccluded sky: where the allowed error is above `coarse`, elsewhere, and most.
-  /// With 16, the mean of a picture is 2.5e-4 too dark [sky: Open skies are integrated].
-  static constexpr std::uint32_t few_samples = 16, enough_samples = 128, most_samples = 1024;
-  static constexpr double coarse = 1.0 / 64.0;
-  /// Fraction of the allowed error for it.
-  static constexpr double share_of_unoccluded = 0.7;
-
-  // Fits through leaves of one surface [estimate: Rules left out].
-  /// Fewest leaves of a fit, and most surfaces of a block.
+/// Fits through sampled leaves of one surface.
+struct FitTuning {
+  /// Error at which leaves are fitted, in allowances: leaves that share a fit have less
+  /// [sky: One queue].
+  static constexpr double first_error = 2.0;
+  /// Fewest leaves of a fit, and most surfaces of a block [assumed].
   static constexpr std::size_t fewest_leaves = 14, most_surfaces = 32;
-  /// Nodes along a side.
-  static constexpr int nodes_along = 3;
-  /// Least rays of all leaves alone, in rays of the nodes.
-  static constexpr double least_gain = 1.3;
-  /// Error of the nodes, in allowed errors of one pixel: all leaves share it.
-  static constexpr double share_of_nodes = 0.5;
-  /// Largest reduced chi-squared of the nodes; noise alone exceeds it once in twenty fits.
-  static constexpr double most_misfit = 2.5;
-  /// Largest deviations of a leaf, and of all leaves together, in standard errors.
+  /// Largest deviations of a leaf, and of all leaves together, in standard deviations [sky: One
+  /// queue].
   static constexpr double most_off = 4.0, most_off_together = 3.0;
-  /// Largest fraction of leaves that deviate by more.
-  static constexpr double most_contradicting = 0.1;
-  /// Least cosine between normals, and steepest slope between two leaves.
+  /// Least cosine between normals, and steepest slope between two leaves [assumed].
   static constexpr float least_cosine = 0.9f, steepest = 0.5f;
 };
 

@@ -8,11 +8,12 @@
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <cstdint>
 
 namespace asos {
 
 /// Collects the lights and reflections of one sample. One object per sample.
-class OneSample final : public LightTransport {
+class OneSample : public LightTransport {
  public:
   OneSample(SampledLights& lights, SampledReflections& reflections, const Shader& shader,
             const PointSample& sample, glm::vec3 weight)
@@ -28,13 +29,8 @@ class OneSample final : public LightTransport {
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add(lit, target(), counts);
   }
-  bool add_sky(const SkyQuery& point, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
-    const SampleWeight share = target();
-    if (shader_.settings().bounces) {
-      lights_.add_sky_ray(point, {sample_.x, sample_.y, sample_.index}, share, counts);
-    } else {
-      lights_.add_sky(point, share, counts);
-    }
+  bool add_sky(const SkyQuery& point, glm::vec3& radiance, RenderStatistics& counts) override {
+    radiance += sky_by_ray(point, sample_.index, weight_, counts);
     return true;
   }
   bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
@@ -49,6 +45,17 @@ class OneSample final : public LightTransport {
   [[nodiscard]] glm::vec3 emission() const { return emission_; }
   [[nodiscard]] glm::vec3 background() const { return background_; }
 
+ protected:
+  /// Adds a ray to the sky with the current place of the samples. Returns what to add to the
+  /// point's radiance, without the weight.
+  glm::vec3 sky_by_ray(const SkyQuery& point, int index, glm::vec3 weight,
+                       RenderStatistics& counts) {
+    const SampleIndex sample{sample_.x, sample_.y, index};
+    return lights_.add_sky(point, {{sample_.target, sample_.part}, weight}, counts,
+                           SampleStream::sky, shader_.settings().bounces ? &sample : nullptr);
+  }
+  [[nodiscard]] const PointSample& sample() const { return sample_; }
+
  private:
   [[nodiscard]] SampleWeight target() const { return {{sample_.target, sample_.part}, weight_}; }
 
@@ -61,29 +68,40 @@ class OneSample final : public LightTransport {
   glm::vec3 background_{0.0f};
 };
 
-/// Collects only the lobes' reflections at the first surfaces of a sample.
-class OneLobeSample final : public LightTransport {
+/// Collects only what the first surfaces of a sample reflect by lobes: reflections, and the sky if
+/// it may be occluded.
+class OneLobeSample final : public OneSample {
  public:
-  OneLobeSample(SampledReflections& reflections, const Shader& shader, const PointSample& sample)
-      : reflections_(reflections), shader_(shader), sample_(sample) {}
+  /// Rays to the sky from each surface. They use the sequence of as many samples.
+  static constexpr std::uint32_t sky_rays = 4;
+
+  /// `places` is at the sample.
+  OneLobeSample(SampledLights& lights, SampledReflections& reflections, const Shader& shader,
+                const PointSample& sample, PixelSampler& places)
+      : OneSample(lights, reflections, shader, sample, glm::vec3(1.0f)), places_(places) {}
 
   HandledLights gather(const LightingQuery& /*point*/) override { return {.all = true}; }
-  void add(const Illumination& /*lit*/, glm::vec3& /*radiance*/,
-           RenderStatistics& /*counts*/) override {}
-  bool add_sky(const SkyQuery& /*point*/, glm::vec3& /*radiance*/,
-               RenderStatistics& /*counts*/) override {
+  bool add_sky(const SkyQuery& point, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
+    constexpr float weight = 1.0f / sky_rays;
+    const auto index = static_cast<std::uint32_t>(sample().index);
+    for (std::uint32_t k = 0; k < sky_rays; ++k) {
+      const auto i = static_cast<int>(sky_rays * index + k);
+      places_.start_sample(i);
+      sky_ += weight * sky_by_ray(point, i, glm::vec3(weight), counts);
+    }
+    places_.start_sample(sample().index);
     return true;
   }
-  bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
-               RenderStatistics& /*counts*/) override {
-    if (reflection.lobe) reflections_.add(reflection, sample_, glm::vec3(1.0f), shader_);
-    return true;
+  bool reflect(const Reflection& reflection, glm::vec3& radiance,
+               RenderStatistics& counts) override {
+    return reflection.lobe == nullptr || OneSample::reflect(reflection, radiance, counts);
   }
+  /// Returns what to add to the sample's radiance.
+  [[nodiscard]] glm::vec3 sky() const { return sky_; }
 
  private:
-  SampledReflections& reflections_;
-  const Shader& shader_;
-  const PointSample& sample_;
+  PixelSampler& places_;
+  glm::vec3 sky_{0.0f};
 };
 
 /// Adds the background to a sample whose ray hits nothing. Returns false, without adding anything,

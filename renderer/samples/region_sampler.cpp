@@ -65,6 +65,7 @@ RegionSampler::RegionSampler(const RenderScene& scene, const ViewContext& viewer
       viewer_(&viewer),
       settings_(&settings) {
   sums_.widen_colours(colour_side / footprint_share);
+  sums_.subtract_open_sky();
 }
 
 std::size_t RegionSampler::add(const LeafRegion& region, const Goal& goal,
@@ -95,6 +96,12 @@ std::span<const RegionSampler::Mean> RegionSampler::start(RenderStatistics& coun
   make_room();
   sample_stage(times, counts, nullptr);
   add_samples_for_layers(counts);
+  return found_;
+}
+
+std::span<const RegionSampler::Mean> RegionSampler::finish(RenderStatistics& counts) {
+  sample_stage(1.0, counts, nullptr);
+  forget();
   return found_;
 }
 

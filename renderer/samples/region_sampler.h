@@ -70,6 +70,10 @@ class RegionSampler {
   [[nodiscard]] LeafRegion region(std::size_t number) const { return region(waiting_[number]); }
   /// Returns whether `start` left region `number` open.
   [[nodiscard]] bool open(std::size_t number) const { return !waiting_[number].done; }
+  /// Ends an open region.
+  void end(std::size_t number) { waiting_[number].done = true; }
+  /// Runs the second stage at once. Returns the estimates of all regions.
+  std::span<const Mean> finish(RenderStatistics& counts);
   /// The layers of a region after `run`, `start` or `resume`, as sums over its samples.
   [[nodiscard]] const LayerSum& layers(std::size_t number) const { return layers_[number]; }
   /// Regions that were left open, in their order, with their samples so far.

@@ -188,8 +188,9 @@ void SampleSums::gather_lobes() {
   for (std::size_t k = 0; k < alone_count_; ++k) {
     const PointSample& sample = samples_[alone_[k]];
     start_sample(sample);
-    OneLobeSample transport(reflections_, viewer_.shader, sample);
+    OneLobeSample transport(lights_, reflections_, viewer_.shader, sample, *places_);
     (void)viewer_.shader.radiance(seen_by(alone_[k], sample.side), transport, statistics_);
+    sums().add({sample.target}, glm::dvec3(transport.sky()));
   }
 }
 
@@ -199,12 +200,17 @@ void SampleSums::gather_waiting_lobes() {
   ShadingPoints& points = lights_.first_points().points;
   if (!simd_.shade(points)) return shade_alone_instead();
   for (std::size_t k = 0; k < simd_.count(); ++k) {
-    if (!simd_.may_mirror(k)) continue;
+    const bool reflects = simd_.may_mirror(k);
+    if (!reflects && !shadows_sky()) continue;
     const std::size_t i = simd_.index(k);
     const PointSample& sample = samples_[i];
     start_sample(sample);
-    OneLobeSample transport(reflections_, viewer_.shader, sample);
-    (void)simd_.reflect(k, seen_by(i, sample.side), points, transport, statistics_);
+    OneLobeSample transport(lights_, reflections_, viewer_.shader, sample, *places_);
+    simd_.set_mirrors(
+        k, reflects && simd_.reflect(k, seen_by(i, sample.side), points, transport, statistics_));
+    if (!shadows_sky()) continue;
+    (void)simd_.add_sky(k, points, transport, statistics_);
+    sums().add({sample.target}, glm::dvec3(transport.sky()));
   }
   simd_.clear();
 }
@@ -273,7 +279,7 @@ bool SampleSums::shade_points(const Rays& rays) {
   const Shader& shader = viewer_.shader;
   lights_.prepare(shader.lights(), shader.settings().shadows);
   lights_.gathered(simd_.count());
-  const bool sky_rays = shader.settings().sky_shadows;
+  const bool sky_rays = shadows_sky();
   for (std::size_t i = 0; i < simd_.count(); ++i) {
     const std::size_t ray = simd_.index(i);
     const PointSample& place = rays.sample(ray);
@@ -286,7 +292,9 @@ bool SampleSums::shade_points(const Rays& rays) {
     if (simd_.may_mirror(i))
       mirrors = simd_.reflect(i, rays.seen(ray), points, transport, statistics_);
     simd_.set_mirrors(i, mirrors);
-    if (sky_rays) simd_.add_sky(i, points, transport, statistics_);
+    if (sky_rays)
+      sums().add(gathered.targets[i],
+                 glm::dvec3(rays.weight(ray) * simd_.add_sky(i, points, transport, statistics_)));
   }
   if (!sky_rays) simd_.reflect_skies(points);
   for (std::size_t i = 0; i < simd_.count(); ++i) {

@@ -42,8 +42,8 @@ class SampleSums {
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              PixelSampler& places);
-  /// The summed part of the samples' radiance: all of it, only the reflections by lobes of the
-  /// first surfaces, or none (`layers`: samples only cast eye rays).
+  /// The summed part of the samples' radiance: all of it, only what the first surfaces reflect by
+  /// lobes (OneLobeSample), or none (`layers`: samples only cast eye rays).
   enum class SummedRadiance { all, lobes, layers };
   /// For any viewer of the scene; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
@@ -55,6 +55,9 @@ class SampleSums {
   /// Averages the colours of all later samples over squares that are this many times as wide as the
   /// samples' sides.
   void widen_colours(float times);
+
+  /// See SampledLights.
+  void subtract_open_sky() { lights_.subtract_open_sky(); }
 
   /// From now on samples are added to the sums of the layers that the settings ask for, too. The
   /// targets may change between samples. Both have to outlive the samples.
@@ -160,6 +163,7 @@ class SampleSums {
   }
   void shade_alone_instead();
   void gather_waiting_lobes();
+  [[nodiscard]] bool shadows_sky() const { return viewer_.shader.settings().sky_shadows; }
   [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
   void follow_reflections();
   void cast_continued(std::span<const ReflectedSample> samples);

@@ -1,5 +1,6 @@
 #include "renderer/samples/sampled_lights.h"
 
+#include "renderer/geometry/finite.h"
 #include "renderer/shading/reflected_light.h"
 #include "renderer/shading/shadow_ray.h"
 
@@ -45,32 +46,26 @@ void SampledLights::add(const Illumination& lit, const SampleWeight& share,
   pending_.push_back({shadow_ray(lit.point, sample), carried, share.target, lit.light.own_part});
 }
 
-void SampledLights::add_sky(const SkyQuery& point, const SampleWeight& share,
-                            RenderStatistics& counts, SampleStream stream) {
+glm::vec3 SampledLights::add_sky(const SkyQuery& point, const SampleWeight& share,
+                                 RenderStatistics& counts, SampleStream stream,
+                                 const SampleIndex* continued) {
   const auto sample = sample_sky(point, places_->in_lobe(stream, 0));
-  if (!sample) return;
-  const glm::vec3 carried = share.weight * sample->carried;
-  if (carried == glm::vec3(0.0f)) return;
-  ++counts.sky_rays;
-  if (!std::isfinite(carried.x + carried.y + carried.z)) {
-    ++counts.rejected_samples;
-    return;
+  if (sample && sample->weight != glm::vec3(0.0f)) {
+    ++counts.sky_rays;
+    const glm::vec3 weight = share.weight * (continued ? sample->weight : sample->carried);
+    if (!finite(weight)) {
+      ++counts.rejected_samples;
+      return glm::vec3(0.0f);
+    }
+    const Ray ray = sky_ray(point.view.point, *sample);
+    if (continued) {
+      sky_rays_.push_back({ray, weight, *continued, share.target});
+    } else {
+      pending_.push_back({ray, weight, share.target, -1});
+    }
   }
-  pending_.push_back({sky_ray(point.view.point, *sample), carried, share.target, -1});
-}
-
-void SampledLights::add_sky_ray(const SkyQuery& point, const SampleIndex& index,
-                                const SampleWeight& share, RenderStatistics& counts) {
-  const auto sample = sample_sky(point, places_->in_lobe(SampleStream::sky, 0));
-  if (!sample) return;
-  const glm::vec3 weight = share.weight * sample->weight;
-  if (weight == glm::vec3(0.0f)) return;
-  ++counts.sky_rays;
-  if (!std::isfinite(weight.x + weight.y + weight.z)) {
-    ++counts.rejected_samples;
-    return;
-  }
-  sky_rays_.push_back({sky_ray(point.view.point, *sample), weight, index, share.target});
+  const glm::vec3 less = subtracts_open_sky_ ? open_sky_less(point, sample) : glm::vec3(0.0f);
+  return finite(less) ? less : glm::vec3(0.0f);
 }
 
 SampledLights::Gathered& SampledLights::first_points() {

@@ -81,13 +81,16 @@ class SampledLights {
   /// sample.
   void add(const Illumination& lit, const SampleWeight& share, RenderStatistics& counts);
 
+  /// From now on the noise of an open sky is subtracted (open_sky_less). Single samples may then be
+  /// negative.
+  void subtract_open_sky() { subtracts_open_sky_ = true; }
   /// Adds the sky by one ray (sample_sky), for a sample with this share. The direction is the
-  /// current sample's in this stream. An occluder blocks the sky.
-  void add_sky(const SkyQuery& point, const SampleWeight& share, RenderStatistics& counts,
-               SampleStream stream = SampleStream::sky);
-  /// Adds the ray of add_sky, but defers it for a caller that evaluates its hit.
-  void add_sky_ray(const SkyQuery& point, const SampleIndex& sample, const SampleWeight& share,
-                   RenderStatistics& counts);
+  /// current sample's in this stream. An occluder blocks the sky, or, for a sample `continued`, is
+  /// evaluated by the caller (take_sky_rays). Returns what to add to the point's radiance, without
+  /// the sample's weight.
+  glm::vec3 add_sky(const SkyQuery& point, const SampleWeight& share, RenderStatistics& counts,
+                    SampleStream stream = SampleStream::sky,
+                    const SampleIndex* continued = nullptr);
   [[nodiscard]] std::vector<SkyRay> take_sky_rays() { return std::exchange(sky_rays_, {}); }
 
   /// The number of waiting items; `forget_since` drops all later ones.
@@ -135,6 +138,7 @@ class SampledLights {
   std::vector<std::uint8_t> shadowed_;  // which of them send shadow rays
   bool all_taken_ = true;
   bool shadows_ = true;  // the same for all points
+  bool subtracts_open_sky_ = false;
   std::size_t lights_with_rays_ = 0;
   std::size_t points_ = 0;
   std::vector<CachedPtr<Gathered>> batches_;  // all full, except the one with the last point

@@ -248,13 +248,14 @@ ViewedMaterial SimdSamples::viewed_material(std::size_t i, const ShadingPoints& 
   return seen;
 }
 
-void SimdSamples::add_sky(std::size_t i, const ShadingPoints& points, LightTransport& transport,
-                          RenderStatistics& counts) const {
+glm::vec3 SimdSamples::add_sky(std::size_t i, const ShadingPoints& points,
+                               LightTransport& transport, RenderStatistics& counts) const {
   const ViewedMaterial seen = viewed_material(i, points);
   const SurfacePoint place = point(i, points);
   const ViewedPoint view{place, points.to_viewer.at(i), points.n_dot_v[i]};
-  glm::vec3 later(0.0f);
-  (void)transport.add_sky({sky_, view, seen, arrays_->mirrors[i], share(i)}, later, counts);
+  glm::vec3 radiance(0.0f);
+  (void)transport.add_sky({sky_, view, seen, arrays_->mirrors[i], share(i)}, radiance, counts);
+  return radiance;
 }
 
 }  // namespace asos

@@ -81,9 +81,10 @@ class SimdSamples {
   [[nodiscard]] glm::vec3 unlit_radiance(std::size_t i, const ShadingPoints& points) const;
   /// Returns its own emission, or the colour of an unlit surface.
   [[nodiscard]] glm::vec3 emission(std::size_t i) const { return arrays_->emission[i]; }
-  /// Adds a ray to the sky or its occluder through `transport`.
-  void add_sky(std::size_t i, const ShadingPoints& points, LightTransport& transport,
-               RenderStatistics& counts) const;
+  /// Adds a ray to the sky or its occluder through `transport`. Returns the radiance of the sky
+  /// that this adds at once, without the weight of the point's ray.
+  [[nodiscard]] glm::vec3 add_sky(std::size_t i, const ShadingPoints& points,
+                                  LightTransport& transport, RenderStatistics& counts) const;
 
   /// A blended surface of the batch, behind which its ray continues.
   struct Passage {

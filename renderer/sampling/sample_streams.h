@@ -31,13 +31,6 @@ enum class SampleStream : std::uint32_t {
   time_order = lens + 3,   ///< order of their points where the lens uses theirs
 };
 
-/// Streams of the part of a surface that a leaf shows under the sky. The part has a sequence of its
-/// own.
-enum class SkyStream : std::uint32_t {
-  places = 0,          ///< where rays start, one number a try
-  unoccluded = 0x100,  ///< directions without rays
-};
-
 /// Streams of GridSampler; `pixel` has one number a sample.
 enum class GridStream : std::uint32_t {
   pixel = 0,
@@ -65,7 +58,6 @@ constexpr std::uint32_t number_of(Stream stream, std::uint32_t k = 0) {
 inline constexpr std::uint32_t most_bounce_streams = 0x1000;
 inline constexpr std::uint32_t grid_lobe_streams =
     number_of(SampleStream::roulette, most_bounce_streams) - number_of(SampleStream::reflections);
-inline constexpr std::uint32_t sky_place_tries = 8;
 
 /// Returns whether no two ranges share a number, for ranges in ascending order.
 template <std::size_t n>
@@ -86,8 +78,6 @@ static_assert(disjoint(std::array{
     range_of(SampleStream::roulette, most_bounce_streams), range_of(SampleStream::lens),
     range_of(SampleStream::light_order), range_of(SampleStream::time),
     range_of(SampleStream::time_order)}));
-static_assert(disjoint(std::array{range_of(SkyStream::places, sky_place_tries),
-                                  range_of(SkyStream::unoccluded)}));
 static_assert(disjoint(std::array{
     range_of(GridStream::pixel, 1u << 20), range_of(GridStream::time), range_of(GridStream::lens),
     range_of(GridStream::lights,

@@ -71,6 +71,14 @@ float lobe_density(glm::vec3 v, glm::vec3 half, glm::vec2 alpha) {
                   v.z + glm::length(glm::vec3(alpha, 1.0f) * v));
 }
 
+/// Returns the irradiance of an open sky over pi.
+glm::vec3 open_radiance(const SkyQuery& point) {
+  return point.sky ? point.sky->ambient(point.view.point.shading_normal) / sky_visibility
+                   : background_radiance;
+}
+
+constexpr glm::vec3 nothing(0.0f);
+
 }  // namespace
 
 SkySampler::SkySampler(const SkyQuery& point)
@@ -138,11 +146,12 @@ SkySampler::Reflected SkySampler::reflected_from(glm::vec3 direction) const {
 // Adds the contribution from a direction in the shading normal's hemisphere. A picture's radiance
 // is that of the ray's own direction, so that its sun does not shine through the surface.
 void SkySampler::add(glm::vec3 direction, glm::vec3 brdf, float density, SkySample& sample) const {
-  const glm::vec3 from = picture_ ? sample.direction : world(direction);
-  const glm::vec3 radiance = sky_ ? sky_->radiance(from) : background_radiance;
+  const glm::vec3 own = world(direction);
+  const glm::vec3 radiance = sky_ ? sky_->radiance(own) : background_radiance;
+  const bool moved = picture_ && own != sample.direction;
   const glm::vec3 weight = factor_ * brdf * (direction.z / density);
   sample.weight += weight;
-  sample.carried += weight * radiance;
+  sample.carried += weight * (moved ? sky_->radiance(sample.direction) : radiance);
   const float even = std::numbers::inv_pi_v<float> * direction.z / density;
   sample.matte += factor_ * material_.diffuse * even * radiance;
 }
@@ -178,11 +187,14 @@ Ray sky_ray(const SurfacePoint& point, const SkySample& sample) {
   return ray;
 }
 
-std::optional<glm::vec3> open_sky_of_matte(const SkyQuery& point) {
-  ViewedMaterial matte = point.material;
-  matte.specular = glm::vec3(0.0f);
-  matte.sheen = matte.falloff = 0.0f;
-  return unoccluded_sky({point.sky, point.view, matte, point.mirrors, point.share});
+glm::vec3 open_sky_of_matte(const SkyQuery& point) {
+  return point.share * open_radiance(point) * point.material.diffuse;
+}
+
+glm::vec3 open_sky_less(const SkyQuery& point, const std::optional<SkySample>& sample) {
+  if (const auto whole = unoccluded_sky(point))
+    return *whole - (sample ? sample->carried : nothing);
+  return open_sky_of_matte(point) - (sample ? sample->matte : nothing);
 }
 
 std::optional<glm::vec3> unoccluded_sky(const SkyQuery& point) {
@@ -192,9 +204,6 @@ std::optional<glm::vec3> unoccluded_sky(const SkyQuery& point) {
   const bool even = !shiny && !sheen && material.falloff == 0.0f;
   if (point.sky && (point.sky->is_picture() || !(even || point.sky->constant())))
     return std::nullopt;
-  const glm::vec3 normal = point.view.point.shading_normal;
-  const glm::vec3 radiance =
-      point.sky ? point.sky->ambient(normal) / sky_visibility : background_radiance;
   glm::vec3 reflected =
       material.diffuse * (1.0f - material.falloff * mean_schlick(point.view.n_dot_v));
   if (sheen) reflected = material.ambient;
@@ -205,7 +214,7 @@ std::optional<glm::vec3> unoccluded_sky(const SkyQuery& point) {
                                 : stretched_norms(material.stretch, roughness, point.view.n_dot_v);
     reflected += material.f0 * norms.lobe + (material.f90 - material.f0) * norms.fresnel;
   }
-  return point.share * radiance * reflected;
+  return point.share * open_radiance(point) * reflected;
 }
 
 }  // namespace asos

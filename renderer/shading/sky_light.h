@@ -16,7 +16,7 @@ struct SkySample {
   /// Weight of the radiance from there in the radiance towards the viewer.
   glm::vec3 weight{0.0f};
   glm::vec3 carried{0.0f};  ///< unoccluded contribution: radiance towards the viewer
-  glm::vec3 matte{0.0f};    ///< the same of the diffuse part alone, without falloff
+  glm::vec3 matte{0.0f};    ///< the same of the diffuse part alone, without falloff and horizon
 };
 
 /// Samples the directions of a surface's whole reflection of the sky. The mean over places in the
@@ -73,7 +73,12 @@ class SkySampler {
 /// exists. It exists for constant skies (with the accuracy of lobe_norms) and for matte surfaces
 /// under gradients.
 [[nodiscard]] std::optional<glm::vec3> unoccluded_sky(const SkyQuery& point);
-/// Returns the mean of `matte`, where a closed form exists.
-[[nodiscard]] std::optional<glm::vec3> open_sky_of_matte(const SkyQuery& point);
+/// Returns the mean of `matte`.
+[[nodiscard]] glm::vec3 open_sky_of_matte(const SkyQuery& point);
+/// Returns the closed form of an open sky minus its value in one sample; none: the sample
+/// contributes nothing. The mean is 0: added to samples, it removes the noise of an open sky
+/// (control variate).
+[[nodiscard]] glm::vec3 open_sky_less(const SkyQuery& point,
+                                      const std::optional<SkySample>& sample);
 
 }  // namespace asos

@@ -182,6 +182,22 @@ TEST(SkyShadows, AreSharedOverASurface) {
   EXPECT_LT(shared.statistics.sky_rays, 90u * size * size);
 }
 
+// Matte ground under an open sky needs no more than the first round of rays, whatever the sky's
+// pattern.
+TEST(SkyShadows, OpenGroundUnderAPictureHasNoNoise) {
+  World world;
+  add_quad(world, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, chalk());
+  const auto scene = make_render_scene(std::move(world), {dark()});
+  RenderSettings settings;
+  settings.width = settings.height = 16;
+  settings.shadow.sky = true;
+  settings.sky = std::make_shared<const Sky>(Environment::softboxes);
+  const Picture found = render_picture(*scene, look_at({0, 4, 4}, {0, 0, 0}, 0.7), settings);
+  for (const glm::vec3& c : found.film.radiance)
+    EXPECT_NEAR(c.g, found.film.radiance.front().g, 1e-3f);
+  EXPECT_LE(found.statistics.sky_rays, 64u * 16u * 16u);
+}
+
 // EPS sets the accuracy where MAX allows enough rays.
 TEST(SkyShadows, AreWithinEpsWhereMaxAllowsIt) {
   const World world = specks(0.2f);

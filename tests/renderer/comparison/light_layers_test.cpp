@@ -62,6 +62,18 @@ TEST(LightLayers, AddUpToTheRadiance) {
   }
 }
 
+// Leaves that share samples of the sky show the fit in their layers, too.
+TEST(LightLayers, AddUpUnderAnOccludedSky) {
+  const auto scene = with_boundaries(prepare(load_scene("builtin:boxes").value()).value()).value();
+  RenderSettings settings = test::settings_for(Method::asos, 4);
+  settings.width = 24, settings.height = 16;
+  settings.shadow.sky = true;
+  settings.layers = light_layers;
+  const Film film =
+      test::render_picture(*scene, test::first_camera(scene->world(), 1.5), settings).film;
+  EXPECT_LT(largest_difference(film), 1e-5);
+}
+
 // Both methods divide the light of a picture in the same way.
 TEST(LightLayers, AreTheSameByRaysAndByPyrays) {
   for (const char* name : {"solids", "glass"}) {

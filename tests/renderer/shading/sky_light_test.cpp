@@ -103,6 +103,35 @@ TEST(SampleSky, NothingIsLostBelowTheSurfaceOfATiltedNormal) {
   }
 }
 
+// The mean of a control variate is 0, whatever the sky and however the normal is tilted.
+TEST(OpenSky, LessItsSamplesIsZeroOnAverage) {
+  const Sky gradient({0.2f, 0.5f, 1.0f}, {1.0f, 0.8f, 0.3f}), picture(Environment::softboxes);
+  const SobolPixel places(3, 5, 7);
+  constexpr std::uint32_t count = 1 << 15;
+  for (const Sky* sky : {static_cast<const Sky*>(nullptr), &gradient, &picture}) {
+    for (const double tilt : {0.0, 0.4}) {
+      Seen seen(material_of(0.0f, 0.5f), 0.8);
+      seen.point.geometric_normal = {-static_cast<float>(std::sin(tilt)),
+                                     static_cast<float>(std::cos(tilt)), 0.0f};
+      const SkyQuery point = seen.under(sky);
+      glm::dvec3 sum(0.0);
+      double squares = 0.0, without = 0.0;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const auto sample = sample_sky(point, places.lobe(i, 0));
+        const glm::dvec3 less(open_sky_less(point, sample));
+        const glm::dvec3 all(sample ? sample->carried : glm::vec3(0.0f));
+        sum += less;
+        squares += std::pow(all.x + less.x, 2.0) / count - std::pow(all.x, 2.0) / count;
+        without += all.x / count;
+      }
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(sum[i] / count, 0.0, 1e-3) << tilt;
+      if (tilt == 0.0) {
+        EXPECT_LT(squares, -1e-4 * without) << "samples vary less with it";
+      }
+    }
+  }
+}
+
 /// A dim sky with a sun of two texels.
 Sky sunny() {
   constexpr int height = 64;
