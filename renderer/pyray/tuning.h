@@ -105,8 +105,6 @@ struct LeafTuning {
 
 /// Shadow rays and pyrays.
 struct ShadowTuning {
-  /// Weight of a leaf that takes one ray, in finest cells [assumed].
-  static constexpr double small_leaf = 0.25;
   /// Limits for cutting a light or a patch: boundaries, and parts with a ray each [assumed].
   static constexpr int most_boundaries = 24;
   static constexpr int most_pieces = 64;

@@ -1,7 +1,6 @@
 #include "renderer/shadows/shadow.h"
 
 #include "renderer/geometry/largest.h"
-#include "renderer/pyray/tuning.h"
 #include "renderer/shading/shadow_ray.h"
 #include "renderer/shadows/area_shadow.h"
 #include "renderer/shadows/hard_shadow.h"
@@ -42,11 +41,8 @@ Estimate known_visibility(const ShadowContext& block, const Illumination& lit, c
 Estimate leaf_visibility(const ShadowContext& block, const Illumination& lit, const Leaf& leaf,
                          RenderStatistics& counts) {
   ShadowQuery query{lit, leaf, {}};
-  // A marginal or tiny leaf is worth one ray.
-  const double least_weight =
-      ShadowTuning::small_leaf * std::ldexp(1.0, -2 * block.rules.error_budget.max_level);
-  if (leaf.region.marginal || leaf.weight < least_weight)
-    return ray_visibility(block, query, counts);
+  // A marginal leaf is worth one ray.
+  if (leaf.region.marginal) return ray_visibility(block, query, counts);
 
   // Use the block's data on the passage to the light.
   const auto patch = has_patch(block, lit)
