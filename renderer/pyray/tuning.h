@@ -125,9 +125,8 @@ struct ShadowTuning {
   /// rays].
   static constexpr double first_rays = 16.0;
   static constexpr std::uint32_t least_rays = 8;
-  /// Rays of a leaf that needs only few: at least, and in rays that are needed [lights-and-shadows:
-  /// Four times the rays].
-  static constexpr std::uint32_t fewest_rays = 4;
+  /// Rays of a leaf that needs only few, in rays that are needed [lights-and-shadows: Four times
+  /// the rays].
   static constexpr double rays_for_one = 4.0;
   /// Points drawn for each ray, at most [assumed].
   static constexpr std::uint32_t most_points_a_ray = 16;

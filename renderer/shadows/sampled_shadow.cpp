@@ -42,8 +42,8 @@ Estimate sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   const double first_rays =
       few ? ShadowTuning::rays_for_one * worth : ShadowTuning::first_rays * leaf.weight;
   const std::uint32_t first_round = std::min(
-      most_rays, std::bit_ceil(std::max(few ? ShadowTuning::fewest_rays : ShadowTuning::least_rays,
-                                        static_cast<std::uint32_t>(first_rays))));
+      most_rays,
+      std::bit_ceil(std::max(ShadowTuning::least_rays, static_cast<std::uint32_t>(first_rays))));
   // So few rays are never stopped early, since stopping when they agree would be biased towards the
   // majority.
   const std::uint32_t most = few ? first_round : most_rays;
