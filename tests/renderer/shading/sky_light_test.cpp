@@ -117,7 +117,7 @@ TEST(OpenSky, LessItsSamplesIsZeroOnAverage) {
       glm::dvec3 sum(0.0);
       double squares = 0.0, without = 0.0;
       for (std::uint32_t i = 0; i < count; ++i) {
-        const auto sample = sample_sky(point, places.lobe(i, 0));
+        const auto sample = sample_sky(point, places.lobe(i, SampleStream::reflections));
         const glm::dvec3 less(open_sky_less(point, sample));
         const glm::dvec3 all(sample ? sample->carried : glm::vec3(0.0f));
         sum += less;
