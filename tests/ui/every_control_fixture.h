@@ -74,16 +74,16 @@ class EveryControlFixture : public PanelsTest {
         return numbers(static_cast<int>(s.equal_time.method), s.equal_time.restarts, s.check.check,
                        s.check.alarm, s.check.mark_missed, s.check.mark_wasted);
       case Part::limits:
-        return numbers(p.refinement().paused(), static_cast<int>(p.refinement().rest()),
-                       p.refinement().limits().seconds, p.refinement().limits().rmse,
-                       p.render().restarts());
+        return numbers(s.marks_part, p.render().preferred().width, p.refinement().paused(),
+                       static_cast<int>(p.refinement().rest()), p.refinement().limits().seconds,
+                       p.refinement().limits().rmse, p.render().restarts());
       case Part::window:
         return numbers(static_cast<int>(s.look.theme), s.look.scale, s.look.show_bar);
       case Part::tour:
         return numbers(s.tour.card ? static_cast<int>(*s.tour.card) : -1, s.tour.since_seconds);
       case Part::display:
         return numbers(d.exposure_ev, d.auto_exposure, static_cast<int>(d.tone), d.show_split_map,
-                       d.show_legend, d.show_grid, d.show_axes, d.split_dimming,
+                       d.show_legend, d.show_grid, d.show_axes, d.show_scale, d.split_dimming,
                        static_cast<int>(d.split_colours));
       case Part::lights:
         return numbers(p.edits().state().look.lights_revision);
