@@ -222,9 +222,16 @@ void RegionSampler::sample_stage(double times, RenderStatistics& counts, const B
   sample_inside();
   suffices_.clear();
   for (std::size_t i = 0; i < waiting_.size(); ++i) suffices_.push_back(suffices(i, 1.0));
-  for (std::size_t i = 0; i < waiting_.size(); ++i) waiting_[i].done = suffices_[i];
+  for (std::size_t i = 0; i < waiting_.size(); ++i)
+    if (suffices_[i]) end(i);
   counts += sums_.statistics();
   sums_.statistics() = {};
+}
+
+void RegionSampler::end(std::size_t number) {
+  if (std::exchange(waiting_[number].done, true) || !with_layers_) return;
+  LightSum& light = layers_[number].light;
+  light.add(LightPart::direct, light.weight * found_[number].raised);
 }
 
 bool RegionSampler::suffices(std::size_t number, double times) const {
@@ -339,6 +346,8 @@ RegionSampler::Mean RegionSampler::mean_of(const Waiting& waiting) const {
     all.cost += sum.count;
   }
   if (all.cost > 0.0) all.value /= all.cost;
+  all.raised = glm::max(-all.value, glm::dvec3(0.0));
+  all.value = glm::max(all.value, glm::dvec3(0.0));
   all.one_round = waiting.taken <= waiting.goal.least;
   if (waiting.in_region > 0)
     all.masked_share = static_cast<double>(waiting.masked) / waiting.in_region;

@@ -43,6 +43,8 @@ class RegionSampler {
   struct Mean : Estimate {
     double masked_share = 0.0;  ///< fraction of the samples in the region that the mask excludes
     bool one_round = false;     ///< the first round was enough
+    /// Added to a negative mean, which a control variate can cause, to make it 0.
+    glm::dvec3 raised{0.0};
   };
 
   /// From now on regions have the layers that the settings ask for, too.
@@ -71,7 +73,7 @@ class RegionSampler {
   /// Returns whether `start` left region `number` open.
   [[nodiscard]] bool open(std::size_t number) const { return !waiting_[number].done; }
   /// Ends an open region.
-  void end(std::size_t number) { waiting_[number].done = true; }
+  void end(std::size_t number);
   /// Runs the second stage at once. Returns the estimates of all regions.
   std::span<const Mean> finish(RenderStatistics& counts);
   /// The layers of a region after `run`, `start` or `resume`, as sums over its samples.
