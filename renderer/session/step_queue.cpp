@@ -18,7 +18,14 @@ double ratio_or(double a, double b, double otherwise) {
   return b > 0.0 ? a / b : otherwise;
 }
 
-/// Positive gains in classes of a ratio of at most 9/8, by the leading bits of the number.
+/// Returns the squared error that a step removes per second; 0 if it removes none. Steps of blocks
+/// that took no measurable time can have an infinite gain.
+double gain_of(double error, double seconds) {
+  return error > 0.0 ? error / seconds : 0.0;
+}
+
+/// Gains that are not negative in classes of a ratio of at most 9/8, by the leading bits of the
+/// number.
 std::size_t class_of(double gain) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(gain)) >> 20;
 }
@@ -152,7 +159,7 @@ void StepQueue::each_pixel(std::size_t block, bool blocks, const See& see) const
         continue;
       const double seconds = sample_seconds(block, of);
       if (seconds > most) continue;
-      see(of, x, y, static_cast<double>(of.expected) * (1.0 - 1.0 / error_ratio) / seconds,
+      see(of, x, y, gain_of(static_cast<double>(of.expected) * (1.0 - 1.0 / error_ratio), seconds),
           seconds);
     }
   }
@@ -174,11 +181,11 @@ std::size_t StepQueue::least_class(bool blocks) {
     if (block.state == State::open) {
       const double seconds = finish_seconds(b);
       left_ += seconds;
-      count(block.error / seconds, seconds);
+      count(gain_of(block.error, seconds), seconds);
     }
     if (block.state != State::waiting) continue;
-    const double seconds = start_seconds(b), gain = error_of(b) / seconds;
-    left_ += seconds + finishes * relative_finish(b, gain * seconds);
+    const double seconds = start_seconds(b), error = error_of(b), gain = gain_of(error, seconds);
+    left_ += seconds + finishes * relative_finish(b, error);
     if (blocks) count(gain, seconds);
     double samples = 0.0;  // to expect before the block is rendered
     each_pixel(b, blocks, [&](const Pixel&, int, int, double gain_of_samples, double cost) {
@@ -223,11 +230,11 @@ void StepQueue::plan(bool blocks) {
   for (std::size_t b = 0; begun_ && b < blocks_.size(); ++b) {
     const Block& block = blocks_[b];
     if (block.state == State::open) {
-      const double gain = block.error / finish_seconds(b);
+      const double gain = gain_of(block.error, finish_seconds(b));
       if (gain > 0.0 && class_of(gain) >= least) plan_step(Step::Kind::finish, b, gain);
     }
     if (block.state != State::waiting) continue;
-    const double gain = error_of(b) / start_seconds(b);
+    const double gain = gain_of(error_of(b), start_seconds(b));
     if (blocks && gain > 0.0 && class_of(gain) >= least) {
       plan_step(Step::Kind::start, b, gain);
       continue;
