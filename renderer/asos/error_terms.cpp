@@ -70,7 +70,6 @@ void ErrorTerms::learn_normals(int side) {
 ErrorBound ErrorTerms::bumps_with(const Leaf& leaf, const auto& gloss_of) const {
   const RenderScene& scene = *eye_->scene;
   if (!leaf.is_lit()) return ErrorBound::none();
-  if (glints(leaf)) return ErrorBound::unknown();
   if (eye_->mirrored() || scene.world().is_face(leaf.hit.triangle)) return ErrorBound::none();
   // The mean of a texture of directions is not the mean of the highlights in these directions.
   if (scene.render_features.textures && leaf.material->anisotropy.texture.used())
@@ -148,26 +147,6 @@ ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
       strays_beyond_edges(*eye_, *samples_, leaf) ||
       recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
       uneven_products(*eye_, leaf.ray, leaf.hit, leaf.square, leaf.shape, leaf.weight));
-}
-
-// A normal map scatters the lights' highlights all over a leaf, however small.
-bool ErrorTerms::glints(const Leaf& leaf) const {
-  const RenderScene& scene = *eye_->scene;
-  const Material& material = *leaf.material;
-  if (!scene.render_features.normal_maps || !(leaf.weight > 0.0) ||
-      !material.normal_texture.used() || scene.lights().empty())
-    return false;
-  // Textures can only reduce roughness.
-  if (!material.metallic_roughness_texture.used() && material.roughness >= least_broad_roughness)
-    return false;
-  const SampleExtent extent{&eye_->viewer.spacing, &scene.mips(), eye_->side_of(leaf.weight)};
-  const SurfacePoint point =
-      surface_point(scene.world(), scene.render_features, leaf.hit, leaf.to_viewer(), extent);
-  if (!(point.spread.variance > 0.0f)) return false;
-  const SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, leaf.hit,
-                                                point.footprint, &scene.mips());
-  return glint_error(scene.lights(), material, seen.roughness, point, leaf.to_viewer()) >
-         eye_->error_budget.tolerance;
 }
 
 // Returns whether highlights of the neighbours may lie in the leaf. If triangles are smaller than

@@ -154,14 +154,6 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   return error < 1.0f ? error : 1.0f;
 }
 
-float glint_error(std::span<const Light> lights, const Material& material, float roughness,
-                  const SurfacePoint& point, glm::vec3 to_viewer) {
-  if (material.unlit) return 0.0f;
-  const glm::vec3 c = glm::vec3(material.base_color);
-  const float f0 = glm::mix(0.04f, std::max({c.x, c.y, c.z}), material.metallic);
-  return glint_error(lights, Gloss{f0, roughness}, point, to_viewer);
-}
-
 float glint_error(std::span<const Light> lights, const Gloss& gloss, const SurfacePoint& point,
                   glm::vec3 to_viewer) {
   const float variance = point.spread.variance;

@@ -28,13 +28,8 @@ namespace asos {
                                    const Ray& ray, const Hit& hit, const Patch& patch,
                                    float viewer_distance, LightRule rule = LightRule::physical);
 
-/// Returns the error for highlights on a patch whose normals vary by the point's spread, as those
-/// of a normal map do; 0 for materials without narrow highlights. `roughness` includes textures;
-/// `to_viewer` is unit.
-[[nodiscard]] float glint_error(std::span<const Light> lights, const Material& material,
-                                float roughness, const SurfacePoint& point, glm::vec3 to_viewer);
-
-/// Returns the same for a lobe of this gloss.
+/// Returns the error for highlights of a lobe on a patch whose normals vary by the point's spread;
+/// 0 without narrow highlights. `to_viewer` is unit.
 [[nodiscard]] float glint_error(std::span<const Light> lights, const Gloss& gloss,
                                 const SurfacePoint& point, glm::vec3 to_viewer);
 
