@@ -8,18 +8,6 @@
 #include <cmath>
 
 namespace asos {
-namespace {
-
-// Returns whether the surface deviates from the patch's plane by more than a 64th of the patch's
-// size. Then shadow edges on the plane would be displaced.
-bool bent(const ShadowPatch& patch, double deviation) {
-  const auto& p = patch.corners;
-  const double size = std::min(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
-  return 64.0 * deviation > size;
-}
-
-}  // namespace
-
 Estimate hard_shadow(const ShadowContext& block, const ShadowQuery& query, ShadowPatch patch,
                      RenderStatistics& counts) {
   // Frame the patch as seen from the light.
@@ -54,8 +42,7 @@ Estimate hard_shadow(const ShadowContext& block, const ShadowQuery& query, Shado
   // The shadow has no boundaries, so the visibility from the leaf's sample is that of the whole
   // leaf.
   if (!bounded && !block.rules.see_through) return ray_visibility(block, query, counts);
-  const ErrorBound cut = ErrorBound::unknown(bent(patch, off_plane));
-  if (refined && query.takes_rays(error_budget, LeafCosts::patch, cut))
+  if (refined && query.takes_rays(error_budget, LeafCosts::patch))
     return sampled_shadow(block, query, counts);
 
   // Trace, with the leaf's own border.
