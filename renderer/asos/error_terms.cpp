@@ -336,8 +336,7 @@ ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
         *shadows_, {lights[i], i, leaf.point, leaf.around, reflected, level, leaf.weight},
         *eye_->counts);
     error += static_cast<double>(found.error);
-    views.add(
-        {i, LeafTuning::expected_penumbra * static_cast<double>(found.error), found.too_detailed});
+    views.add({i, found.too_detailed});
   }
   return ErrorBound::of(LeafTuning::expected_penumbra * error);
 }

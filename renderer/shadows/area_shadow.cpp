@@ -69,11 +69,8 @@ Estimate refined_shadow(const ShadowContext& block, const ShadowQuery& query,
                         const Receiver& middle, RenderStatistics& counts) {
   const ErrorBudget& error_budget = block.rules.error_budget;
   const auto tolerance = static_cast<double>(error_budget.tolerance);
-  // Rays from the whole leaf are better than a pyray from its centre if it was not split for its
-  // penumbra.
-  const LightView view = query.leaf.views.of(query.lit.index);
-  const auto bound = ErrorBound::unknown(query.lit.light.entered || view.too_detailed ||
-                                         view.penumbra > tolerance);
+  const auto bound = ErrorBound::unknown(query.lit.light.entered ||
+                                         query.leaf.views.of(query.lit.index).too_detailed);
   return query.takes_rays(error_budget, LeafCosts::light_pyramid, bound)
              ? sampled_shadow(block, query, counts)
              : resolved_shadow(block, query, middle, tolerance, counts);

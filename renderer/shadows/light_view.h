@@ -10,9 +10,6 @@ namespace asos {
 /// A leaf's view of an extended light.
 struct LightView {
   std::uint32_t light = 0;
-  /// Bound on the error of the leaf's centre due to edges of the light's shadow, in display
-  /// intensity.
-  double penumbra = 0.0;
   /// There are so many boundaries in between that only rays are useful.
   bool too_detailed = false;
 };
@@ -24,7 +21,7 @@ class LightViews {
   void clear() { views_.clear(); }
   /// `view` must be of a light that was not added before.
   void add(const LightView& view) {
-    if (view.penumbra > 0.0 || view.too_detailed) views_.push_back(view);
+    if (view.too_detailed) views_.push_back(view);
   }
   [[nodiscard]] bool empty() const { return views_.empty(); }
   /// Returns the view of a light; if none was added, the default without boundaries.
