@@ -12,7 +12,7 @@
 namespace asos {
 namespace {
 
-// Returns whether a part of a perspective frame may show a surface that glares.
+// Returns whether a part of a perspective frame may show a surface brighter than white.
 bool may_glare(const EyeContext& eye, const Square& square) {
   if (eye.frame->parallel()) return false;
   const auto towards = [&](double u, double v) {
@@ -24,7 +24,7 @@ bool may_glare(const EyeContext& eye, const Square& square) {
   const double half_angle = 1.5 * std::acos(std::min(1.0, glm::dot(middle, corner)));
   const auto lights = eye.viewer.shader.lights();
   return std::any_of(lights.begin(), lights.end(), [&](const PreparedLight& light) {
-    return light.own_part >= 0 && largest(light.power) > EnoughSamples::glare &&
+    return light.own_part >= 0 && largest(light.power) > 1.0f &&
            may_show(light, eye.frame->apex(), middle, half_angle);
   });
 }
@@ -96,9 +96,10 @@ SampleId EyeCaster::sample_saturated(std::uint32_t root, const Square& square, d
   if (!eye_.error_budget.refines()) return no_sample;
   const SampleId sample = samples_.add_unseen({square.centre_u(), square.centre_v()});
   const std::uint64_t before = eye_.counts->rays();
+  // A glaring surface, behind dark ones, has the largest contrast: that of white.
   std::uint32_t fewest = 1;
   if (may_glare(eye_, square))
-    fewest = std::bit_ceil(static_cast<std::uint32_t>(EnoughSamples::of_glare * weight));
+    fewest = std::bit_ceil(static_cast<std::uint32_t>(eye_.error_budget.samples(weight, 1.0)));
   const PyrayLeaf leaf{root, sample, weight, {square, {}}, {Estimator::samples}};
   const bool sampled = leaf_shader_.add_samples(leaf, fewest);
   sums_[root].rays += eye_.counts->rays() - before;

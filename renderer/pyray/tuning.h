@@ -39,10 +39,6 @@ struct EnoughSamples {
   /// Samples per pixel for lights in mirrors, partly occluded lights, and surface layers
   /// [mirrors-and-glass: At least 256 samples; lights-and-shadows: First samples].
   static constexpr double of_rare_light = 256.0;
-  /// Samples per pixel for unresolved detail next to glare [estimate: Bright neighbours].
-  static constexpr double of_glare = 1024.0;
-  /// Radiance from which a surface glares [estimate: Bright neighbours].
-  static constexpr float glare = 4.0f;
   /// Samples per defocused pixel [assumed].
   static constexpr std::uint32_t of_blur = 16;
   /// Samples per visible light in a defocused pixel [lens-and-motion: Samples on visible lights].
