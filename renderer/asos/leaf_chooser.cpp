@@ -69,8 +69,7 @@ LeafDecision LeafChooser::decide(Leaf& leaf, bool shared, bool may_split) {
       decision.cause = even ? LeafVariation::shading : LeafVariation::shadow;
   }
   // If a leaf is split for its shading only, its parts reuse its shadows.
-  if (even && decision.splits() && leaf.region.border.empty() && samples_->opaque(leaf.sample) &&
-      nearly_flat(leaf))
+  if (even && decision.splits() && leaf.region.border.empty() && samples_->opaque(leaf.sample))
     even_.push_back(even_patch(leaf));
   return decision;
 }
@@ -91,15 +90,6 @@ Leaf& LeafChooser::leaf(const PyrayLeaf& part) {
 
 bool LeafChooser::is_lit(SampleId sample) const {
   return !eye_->scene->world().material_of(samples_->hit(sample).triangle).unlit;
-}
-
-// Returns whether the surface deviates little from its plane, compared with the patch. The search
-// for penumbrae ignores occluders closer to a curved surface than its deviation (find_penumbra).
-bool LeafChooser::nearly_flat(const Leaf& leaf) const {
-  const float size = std::min(glm::length(leaf.square.right), glm::length(leaf.square.down));
-  const glm::dvec3 at(leaf.ray.at(leaf.hit.t));
-  return 4.0 * eye_->scene->features().deviation(leaf.hit.triangle, at, size) <
-         static_cast<double>(size);
 }
 
 UniformShadowPatch LeafChooser::even_patch(const Leaf& whole) const {

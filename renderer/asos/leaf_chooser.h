@@ -51,7 +51,6 @@ class LeafChooser {
   [[nodiscard]] LeafDecision decide(Leaf& leaf, bool shared, bool may_split);
   Leaf& add(const PyrayLeaf& part);
   [[nodiscard]] bool is_lit(SampleId sample) const;
-  [[nodiscard]] bool nearly_flat(const Leaf& leaf) const;
 
   const EyeContext* eye_;
   const EyeSamples* samples_;
