@@ -216,7 +216,6 @@ struct PatchPyray {
   Frame frame;
   /// The surface, and the plane beyond which boundaries move too little to matter.
   HalfSpace between[2];
-  double deviation = 0.0;  ///< largest height of the surface itself above its plane
 };
 
 std::optional<PatchPyray> pyray_around(const ShadowContext& block, const PenumbraQuery& query,
@@ -249,10 +248,6 @@ std::optional<PatchPyray> pyray_around(const ShadowContext& block, const Penumbr
       size,
       Frame::pyramid(receiver.position - back * m, (1.0 + back) * m - 0.5 * (a + b), a, b),
       {{up, glm::dot(up, receiver.position)}, {-m, glm::dot(-m, receiver.position + highest * m)}}};
-  const auto half =
-      static_cast<double>(0.5f * (glm::length(query.patch.right) + glm::length(query.patch.down)));
-  pyray.deviation =
-      block.scene->features.deviation(query.point.triangle, glm::dvec3(query.point.position), half);
   return pyray;
 }
 
@@ -296,21 +291,8 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   // Linear lights have no samples to fall back on.
   if (!boundaries) return line ? Penumbra{1.0f, false} : Penumbra{0.0f, true};
 
-  // Boundaries that are no higher than the surface itself may or may not shade the patch; rays
-  // decide.
-  const HalfSpace& plane = around_patch->between[0];
-  const auto low = [&](const Segment& s) {
-    const auto height = [&](float u, float v, float nearness) {
-      return plane.height(pyray.frame.world({u, v, nearness}));
-    };
-    return std::min(height(s.u0, s.v0, s.nearness0), height(s.u1, s.v1, s.nearness1)) <
-           around_patch->deviation;
-  };
-  if (around_patch->deviation > 0.0 && !line &&
-      std::any_of(boundaries->begin(), boundaries->end(), low))
-    return {0.0f, true};
-
   // Sum up the effects of the boundaries.
+  const HalfSpace& plane = around_patch->between[0];
   const ShadowOnPatch over(around_patch->light_frame, plane, around_patch->middle, query.patch);
   VisibilityCurvature curvature(around_patch->light_frame, around_patch->size, line,
                                 query.light.intersections, over);
