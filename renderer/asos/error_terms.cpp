@@ -80,7 +80,7 @@ ErrorBound ErrorTerms::bumps_with(const Leaf& leaf, const auto& gloss_of) const 
   if (reaches_beyond_triangle(scene.world(), leaf.hit, leaf.square))
     return ErrorBound::unknown(soft_shadows_ ||
                                (!scene.lights().empty() && may_be_glossy(*leaf.material)));
-  return ErrorBound::unknown(soft_shadows_ && gloss_of().contrast <= LeafTuning::bright_highlight);
+  return ErrorBound::unknown(soft_shadows_ && gloss_of().contrast <= ErrorBudget::usual_contrast);
 }
 
 ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
@@ -298,8 +298,7 @@ ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
   const auto level =
       static_cast<int>(std::lround(std::log2(eye_->root_side() / leaf.region.square.side)));
   const auto lights = eye_->viewer.shader.lights();
-  const double most =
-      static_cast<double>(eye_->error_budget.tolerance) / LeafTuning::expected_penumbra;
+  const auto most = static_cast<double>(penumbra_tolerance(eye_->error_budget));
   double error = 0.0;
   for (std::uint32_t i = 0; i < lights.size() && !(error > most); ++i) {
     if (!casts_soft_shadow(i)) continue;

@@ -54,7 +54,7 @@ void LeafShader::shade_one(const PyrayLeaf& part) {
   const bool one_sample = worth_one_sample(part);
   if (layers_ && (one_sample || !adds_planes_)) layers_->add(part);
   if (one_sample) {
-    const double off = LeafTuning::error_of_marginal * part.weight;
+    const double off = ErrorBudget::usual_contrast * part.weight;
     sum.squared_error += off * off;
     return single_.add(part);
   }

@@ -26,8 +26,8 @@ glm::vec3 BlurredSum::mean(const BlurByDepth& blur) const {
 
 void RootSum::add_samples(const RegionSampler::Mean& found, const PyrayLeaf& leaf,
                           double leaf_weight) {
-  // Standard deviation of one sample from which a difference is visible.
-  constexpr double visible = LeafTuning::visible_contrast * ErrorBudget::usual_contrast;
+  // Standard deviation of one sample from which a difference is visible: a quarter of the usual.
+  constexpr double visible = ErrorBudget::usual_contrast / 4.0;
   const double held = 1.0 - found.masked_share;
   add(found.value, held * leaf_weight);
   if (std::isfinite(found.error))

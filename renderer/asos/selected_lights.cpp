@@ -96,7 +96,7 @@ void SelectedLights::find(int side) {
       strong = k;
     }
     if (k == order.size()) break;
-    asked += lights[order[k]].extended() ? LeafCosts::light_pyramid : LeafCosts::patch;
+    asked += lights[order[k]].extended() ? LeafCosts::light_view : LeafCosts::patch;
     rest -= carried[order[k]];
   }
   if (strong == order.size()) return;

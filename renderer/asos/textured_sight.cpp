@@ -211,7 +211,7 @@ bool recedes(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch&
     return false;
   const float depth = std::abs(glm::dot(patch.right, ray.direction)) +
                       std::abs(glm::dot(patch.down, ray.direction));
-  return depth > LeafTuning::receding * eye.viewer.spacing.distance(hit.t);
+  return depth > LeafTuning::negligible_extent * eye.viewer.spacing.distance(hit.t);
 }
 
 bool uneven_products(const EyeContext& eye, const Ray& ray, const Hit& hit, const Patch& square,

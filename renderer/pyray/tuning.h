@@ -13,12 +13,11 @@ namespace asos {
 /// (choose).
 struct LeafCosts {
   // In shadow rays of a small packet.
-  /// A light cut along its occluders [bench prices: quartiles 4 and 20, mean 8 to 46].
-  static constexpr double light_pyramid = 20.0;
+  /// A light cut along its occluders, or the edges of its shadow on a patch [bench prices:
+  /// quartiles 4 and 20, mean 8 to 46; bench every-scene: at 5, office takes a fifth longer].
+  static constexpr double light_view = 20.0;
   /// The boundaries of a patch's hard shadow, 2 to 8 [bench every-scene: primitives, house].
   static constexpr double search = 4.0;
-  /// The edges of a soft shadow on a patch; at 5, office takes a fifth longer [bench every-scene].
-  static constexpr double penumbra_test = 20.0;
   /// A patch cut along the edges of a hard shadow [bench prices: quartiles 25 and 70].
   static constexpr double patch = 60.0;
   // In samples of a part of the same weight.
@@ -51,9 +50,6 @@ struct LeafTuning {
   static constexpr double contrast_of_many = 0.5;
   /// Number of parts that are cut whatever samples cost [assumed].
   static constexpr std::size_t few_parts = 4;
-  /// Error of a part by one sample that boundaries cross, in display intensity [rounds: layer
-  /// error].
-  static constexpr double error_of_marginal = 0.25;
   /// Error at which the first stage of a block ends, in allowances [rounds: Samples first].
   static constexpr double first_stage_error = 4.0;
   /// Parts along a side over which the colour of a cut leaf is averaged, and the least weight of
@@ -62,8 +58,6 @@ struct LeafTuning {
   static constexpr double least_in_parts = 1.0 / 64.0;
   /// Most parts of the lens [lens-and-motion: MAX 1].
   static constexpr double most_parts_of_lens = 16.0;
-  /// Standard deviation of a sample that is visible, in usual contrasts [assumed].
-  static constexpr double visible_contrast = 0.25;
   /// Fractions of the allowance and of the bounds of centres that are expected as errors, fitted to
   /// the built-in scenes [estimate: Dropped, layer error].
   static constexpr double share_of_tolerance = 1.0 / 12.0;
@@ -80,8 +74,6 @@ struct LeafTuning {
   static constexpr double wider_mirrored = 8.0;
   /// Width of a mirror's blur, in leaves, at which the leaf's outline vanishes [assumed].
   static constexpr double blurred_outline = 0.25;
-  /// Contrast from which a highlight is integrated and not sampled [estimate: Curved meshes].
-  static constexpr double bright_highlight = 0.25;
   /// Fraction of the bound of a penumbra that is expected [estimate: Penumbrae to twice the
   /// tolerance].
   static constexpr double expected_penumbra = 0.5;
@@ -89,14 +81,13 @@ struct LeafTuning {
   /// Reach beyond a leaf's triangle, in the triangle's sides, from which the triangle does not
   /// represent it [estimate: Beyond the triangle].
   static constexpr float far_beyond_triangle = 0.5f;
-  /// Distance of textures at edges that does not matter, in texels and in extents of the leaf
-  /// [textures-and-materials: Textures beyond their triangle].
+  /// Distance of textures at edges that does not matter, in texels and in extents of the leaf, and
+  /// the leaf's depth, in distances [textures-and-materials: Textures beyond their triangle,
+  /// Receding patches].
   static constexpr float negligible_texels = 0.5f;
   static constexpr float negligible_extent = 0.1f;
   /// Error of the mean, in errors at a corner [textures-and-materials: Vertex colours at edges].
   static constexpr float share_of_corner = 0.25f;
-  /// Depth of a receding patch, in distances [textures-and-materials: Receding patches].
-  static constexpr float receding = 0.1f;
 };
 
 /// Shadow rays and pyrays.
@@ -112,9 +103,7 @@ struct ShadowTuning {
   static constexpr int finest_detail = 3;
   /// Least length of a hit list above which samples cost less than the search [assumed].
   static constexpr std::size_t least_entries_for_samples = 48;
-  /// Boundaries around a patch that are searched for penumbrae, and the finest detail of these, in
-  /// sides of the light's square [assumed].
-  static constexpr std::size_t most_in_penumbra = 64;
+  /// Finest detail of boundaries around a patch, in sides of the light's square [assumed].
   static constexpr float finest_in_penumbra = 1.0f / 64.0f;
 
   /// Rays of the first round: of a whole pixel, and at least [lights-and-shadows: Up to 512 shadow

@@ -71,7 +71,7 @@ Estimate refined_shadow(const ShadowContext& block, const ShadowQuery& query,
   const auto tolerance = static_cast<double>(error_budget.tolerance);
   const auto bound = ErrorBound::unknown(query.lit.light.entered ||
                                          query.leaf.views.of(query.lit.index).too_detailed);
-  return query.takes_rays(error_budget, LeafCosts::light_pyramid, bound)
+  return query.takes_rays(error_budget, LeafCosts::light_view, bound)
              ? sampled_shadow(block, query, counts)
              : resolved_shadow(block, query, middle, tolerance, counts);
 }

@@ -272,7 +272,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
       std::min(1.0f, query.reflected * std::max({unshadowed.x, unshadowed.y, unshadowed.z}));
   if (!(intensity > tolerance)) return {};
   if (choose(block.rules.error_budget, query.weight, ErrorBound::none(),
-             {LeafCosts::penumbra_test, {}, static_cast<double>(intensity)}) == Estimator::samples)
+             {LeafCosts::light_view, {}, static_cast<double>(intensity)}) == Estimator::samples)
     return {};
 
   // Find all boundaries in the pyray around the patch.
@@ -285,9 +285,8 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
   pyray.bounds.most_entries =
       most_entries_for_samples(block.rules.error_budget.nested(query.level, 1.0, 1).max_level);
   const bool line = query.light.traits().line;
-  const auto boundaries =
-      block.work->tracer.boundaries(block.scene->features, pyray, ShadowTuning::finest_in_penumbra,
-                                    ShadowTuning::most_in_penumbra);
+  const auto boundaries = block.work->tracer.boundaries(
+      block.scene->features, pyray, ShadowTuning::finest_in_penumbra, ShadowTuning::most_pieces);
   // Linear lights have no samples to fall back on.
   if (!boundaries) return line ? Penumbra{1.0f, false} : Penumbra{0.0f, true};
 

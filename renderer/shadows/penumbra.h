@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/pyray/tuning.h"
 #include "renderer/shadows/shadow_context.h"
 
 namespace asos {
@@ -23,9 +24,9 @@ struct Penumbra {
 };
 
 /// Returns the allowed variation of visibility in a leaf. The bound assumes an edge along the whole
-/// patch at the worst place, so twice the tolerance gives the same accuracy.
+/// patch at the worst place; half of it is expected.
 [[nodiscard]] inline float penumbra_tolerance(const ErrorBudget& error_budget) {
-  return 2.0f * error_budget.tolerance;
+  return error_budget.tolerance / static_cast<float>(LeafTuning::expected_penumbra);
 }
 
 /// Searches for soft-shadow edges across a patch that are narrower than the patch or slightly

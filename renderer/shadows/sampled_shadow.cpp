@@ -38,7 +38,7 @@ Estimate sampled_shadow(const ShadowContext& block, const ShadowQuery& query,
   const double worth = error_budget.samples(leaf.weight, intensity);
   const auto most_rays = std::bit_floor(static_cast<std::uint32_t>(
       std::min(error_budget.most_samples(leaf.weight), static_cast<double>(1u << 20))));
-  const bool few = query.takes_rays(error_budget, LeafCosts::light_pyramid);
+  const bool few = query.takes_rays(error_budget, LeafCosts::light_view);
   const double first_rays =
       few ? ShadowTuning::rays_for_one * worth : ShadowTuning::first_rays * leaf.weight;
   const std::uint32_t first_round = std::min(

@@ -167,8 +167,8 @@ int measure(const std::string& source, PictureSize size) {
       measure_block(snapshot, view, shader, x, y, costs);
   }
   fmt::print("{}\n", source);
-  costs.light_pyramid.print("light cut exactly", LeafCosts::light_pyramid);
-  costs.penumbra_test.print("search for a penumbra", LeafCosts::penumbra_test);
+  costs.light_pyramid.print("light cut exactly", LeafCosts::light_view);
+  costs.penumbra_test.print("search for a penumbra", LeafCosts::light_view);
   costs.patch.print("patch cut by a hard shadow", LeafCosts::patch);
   return 0;
 }
