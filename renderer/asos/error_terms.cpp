@@ -315,7 +315,7 @@ ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
 double ErrorTerms::cost_of_shadows() const {
   double price = 0.0;
   for (std::uint32_t i = 0; i < eye_->viewer.shader.lights().size(); ++i)
-    if (casts_soft_shadow(i)) price += LeafCosts::soft_shadow;
+    if (casts_soft_shadow(i)) price += LeafCosts::part;
   return price;
 }
 

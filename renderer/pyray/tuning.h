@@ -23,14 +23,12 @@ struct LeafCosts {
   // In samples of a part of the same weight.
   /// A leaf's centre with exact shadows; MAX 1 takes as long as 16 samples [bench every-scene].
   static constexpr double exact_leaf = 16.0;
-  /// One of the leaves of a part that is split; at 8, the same errors and times
-  /// [bench every-scene].
+  /// One of the leaves of a part that is split [test Penumbra: at 8, too few are].
   static constexpr double leaf = 3.0;
-  /// One light's soft shadow on a leaf; at 0, three panels take twice as long [bench every-scene].
-  static constexpr double soft_shadow = 8.0;
-  /// One of the parts of a cell that is cut into many; at 20, trees and roofs have a tenth more
-  /// error [bench every-scene].
-  static constexpr double part = 10.0;
+  /// One of the parts of a cell that is cut into many, and one light's soft shadow on a leaf; at 20,
+  /// trees and roofs have a tenth more error; without shadows, three panels take twice as long
+  /// [bench every-scene].
+  static constexpr double part = 8.0;
 };
 
 /// Numbers of samples. Fewer may all miss something small, so that their variance is wrongly zero.
