@@ -129,11 +129,9 @@ std::uint32_t SelectedLights::start(const Leaf& leaf) {
   return queue_.add(leaf);
 }
 
-// Returns the number of points whose rays reach the accuracy that the leaf's weight needs. Rays to
-// selected lights have a higher variance than rays to one light.
+// Returns the number of points whose rays reach the accuracy that the leaf's weight needs.
 std::uint32_t SelectedLights::points_of(double weight, const Expected& expected) const {
-  const double rays =
-      eye_->error_budget.samples(weight, ShadowTuning::contrast_of_selection * expected.intensity);
+  const double rays = eye_->error_budget.samples(weight, expected.intensity);
   return std::bit_ceil(
       static_cast<std::uint32_t>(std::clamp(std::ceil(rays / expected.rays_of_point), 1.0,
                                             static_cast<double>(ShadowTuning::most_points))));

@@ -118,8 +118,6 @@ struct ShadowTuning {
   static constexpr float rays_a_point = 8.0f;
   /// Points of a leaf for selected lights [lights-and-shadows: Twice the points].
   static constexpr std::uint32_t most_points = 128;
-  /// Contrast of rays to selected lights, in contrasts of one light [assumed].
-  static constexpr double contrast_of_selection = 2.0;
 };
 
 /// Fits through sampled leaves of one surface.
