@@ -10,16 +10,15 @@
 namespace asos {
 namespace {
 
-// Returns whether most points have highlights much brighter than their diffuse reflection.
+// Returns whether most points have highlights brighter than their diffuse reflection.
 bool most_shine(const ShadingPoints& points) {
   constexpr float broad = least_broad_roughness * least_broad_roughness;
-  constexpr float by_far = 2.0f;
   std::size_t shining = 0;
   for (std::size_t i = 0; i < points.count; ++i) {
     const float alpha = points.alpha[i];
     const float peak =
         largest(points.f0.at(i)) / (4.0f * std::numbers::pi_v<float> * alpha * alpha);
-    shining += alpha < broad && peak > by_far * largest(points.diffuse.at(i));
+    shining += alpha < broad && peak > largest(points.diffuse.at(i));
   }
   return 2 * shining > points.count;
 }
