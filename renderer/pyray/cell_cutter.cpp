@@ -6,10 +6,7 @@
 namespace asos {
 namespace {
 
-// Outlines are resolved up to this number of pieces for each finest cell, but at least up to
-// `least_pieces` and at most up to `most_pieces_resolved`.
-constexpr std::size_t pieces_a_finest_cell = 16;
-constexpr std::size_t least_pieces = 256;
+// Outlines are resolved up to this number of pieces.
 constexpr std::size_t most_pieces_resolved = 1024;
 // Largest distance of a simplified chain from the original pieces in a finest cell, in sides of
 // that cell. Across the cell, this is an error of 1/64 of its area. In a cell n times as wide the
@@ -68,10 +65,6 @@ CellCut CellCutter::cut(const CellToCut& cell, std::span<const std::uint32_t> vi
 // Resolves visible groups into segments. Returns false if there are too many.
 bool CellCutter::resolve(const CellToCut& cell, std::span<const std::uint32_t> visible,
                          const SubdivisionRules& rules, HitLists& lists) {
-  const std::size_t finest_cells = std::size_t{1}
-                                   << 2 * (rules.error_budget.max_level - cell.level);
-  const std::size_t most =
-      std::clamp(pieces_a_finest_cell * finest_cells, least_pieces, most_pieces_resolved);
   // Give up with many unresolved groups that are no chains: a plain outline has few, so the cell is
   // saturated.
   const auto groups = std::count_if(visible.begin(), visible.end(), [&](std::uint32_t i) {
@@ -80,7 +73,8 @@ bool CellCutter::resolve(const CellToCut& cell, std::span<const std::uint32_t> v
   if (groups > rules.limits.most_groups) return false;
   found_.clear();
   for (const std::uint32_t i : visible)
-    if (!lists.resolve(i, cell.square, tolerance(cell, rules), most, found_)) return false;
+    if (!lists.resolve(i, cell.square, tolerance(cell, rules), most_pieces_resolved, found_))
+      return false;
   resolved_.clear();
   for (const std::uint32_t i : found_)
     (lists.hidden(i, cell.square, cell.hiding) ? hidden_ : resolved_).push_back(i);
