@@ -25,8 +25,8 @@ struct LeafCosts {
   static constexpr double exact_leaf = 16.0;
   /// One of the leaves of a part that is split [test Penumbra: at 8, too few are].
   static constexpr double leaf = 3.0;
-  /// One of the parts of a cell that is cut into many, and one light's soft shadow on a leaf; at 20,
-  /// trees and roofs have a tenth more error; without shadows, three panels take twice as long
+  /// One of the parts of a cell that is cut into many, and one light's soft shadow on a leaf; at
+  /// 20, trees and roofs have a tenth more error; without shadows, three panels take twice as long
   /// [bench every-scene].
   static constexpr double part = 8.0;
 };
@@ -90,7 +90,8 @@ struct LeafTuning {
 
 /// Shadow rays and pyrays.
 struct ShadowTuning {
-  /// Limits for cutting a light or a patch: boundaries, and parts with a ray each [assumed].
+  /// Limits for cutting a light or a patch: boundaries, and parts with a ray each [test
+  /// CutOutHardShadow].
   static constexpr int most_boundaries = 24;
   static constexpr int most_pieces = 64;
   /// Groups of boundaries in a light's square beyond which it is not resolved [assumed].

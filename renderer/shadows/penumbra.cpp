@@ -286,7 +286,7 @@ Penumbra find_penumbra(const ShadowContext& block, const PenumbraQuery& query,
       most_entries_for_samples(block.rules.error_budget.nested(query.level, 1.0, 1).max_level);
   const bool line = query.light.traits().line;
   const auto boundaries = block.work->tracer.boundaries(
-      block.scene->features, pyray, ShadowTuning::finest_in_penumbra, ShadowTuning::most_pieces);
+      block.scene->features, pyray, ShadowTuning::finest_in_penumbra, CutLimits{}.most_pieces);
   // Linear lights have no samples to fall back on.
   if (!boundaries) return line ? Penumbra{1.0f, false} : Penumbra{0.0f, true};
 
