@@ -1,5 +1,6 @@
 #include "renderer/asos/defocus.h"
 
+#include "renderer/pyray/tuning.h"
 #include "renderer/shadows/shaft.h"
 #include "renderer/world/hit_plane.h"
 
@@ -10,17 +11,6 @@
 
 namespace asos {
 namespace {
-
-// An edge along a pixel's border changes the pixel by 2 / (3 pi) of its contrast per pixel of blur
-// radius. At full contrast, that is EPS at a radius of 4.7 EPS; this factor is slightly smaller.
-constexpr double sharp_radius = 4.5;
-
-// Wider blur is sampled, since a search around one pixel would find the whole block's surroundings.
-constexpr double most_reach = 12.0;
-
-// Room for meshes that bend away from the plane of one of their triangles. With less room, more
-// pixels fail stays_within_reach and are sampled.
-constexpr double bend_of_meshes = 1.25;
 
 ErrorBudget refined(RenderSettings settings) {
   settings.asos.refine_shading = true;
@@ -39,7 +29,7 @@ Defocus::Defocus(const BlockJob& job, const ViewContext& viewer, int side)
       side_(side),
       width_(static_cast<double>(viewer.pixel)),
       error_budget_(refined(job.settings)),
-      sharpest_(sharp_radius * static_cast<double>(error_budget_.tolerance)),
+      sharpest_(LensTuning::sharp_radius * static_cast<double>(error_budget_.tolerance)),
       even_background_(
           viewer.shader.settings().backdrop.everywhere(viewer.shader.settings().sky).has_value()),
       pixels_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {
@@ -54,7 +44,7 @@ Defocus::Defocus(const BlockJob& job, const ViewContext& viewer, int side)
     if (pixels_[i].searched)
       reach_ = std::max(reach_, pixels_[i].most);
     else if (job.settings.method == Method::asos_published)
-      reach_ = std::max(reach_, std::min(pixels_[i].radius, most_reach));
+      reach_ = std::max(reach_, std::min(pixels_[i].radius, LensTuning::most_reach));
   }
   Box all;
   for (std::uint32_t i = 0; i < pixels_.size(); ++i)
@@ -85,10 +75,9 @@ void Defocus::measure(const RenderScene& scene, const Ray& ray, const Hit& hit,
     return;
   }
   if (!hit.valid() && !even_background_) return;
-  constexpr double steepest = 0.5;
-  if (!(slope < steepest)) return;
-  pixel.most = bend_of_meshes * (pixel.radius + 0.5 * width_ * slope) / (1.0 - slope);
-  pixel.searched = pixel.most <= most_reach;
+  if (!(slope < LensTuning::steepest)) return;
+  pixel.most = LensTuning::bend_of_meshes * (pixel.radius + 0.5 * width_ * slope) / (1.0 - slope);
+  pixel.searched = pixel.most <= LensTuning::most_reach;
 }
 
 // Returns the cross-section of all rays of a pixel at the depth in front of the focus plane where
@@ -147,7 +136,7 @@ bool Defocus::stays_within_reach(std::uint32_t root, RenderStatistics& counts) c
 }
 
 double Defocus::leaf_side(std::uint32_t root) const {
-  const double radius = std::min(pixels_[root].radius, most_reach);
+  const double radius = std::min(pixels_[root].radius, LensTuning::most_reach);
   return std::sqrt(width_ * width_ + 12.0 * aperture_variance(view_->lens()) * radius * radius);
 }
 

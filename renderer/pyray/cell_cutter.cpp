@@ -1,22 +1,17 @@
 #include "renderer/pyray/cell_cutter.h"
 
+#include "renderer/pyray/tuning.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace asos {
 namespace {
 
-// Outlines are resolved up to this number of pieces.
-constexpr std::size_t most_pieces_resolved = 1024;
-// Largest distance of a simplified chain from the original pieces in a finest cell, in sides of
-// that cell. Across the cell, this is an error of 1/64 of its area. In a cell n times as wide the
-// limit is 1/n of that, so that the area's error along the longer chain is the same.
-constexpr float chain_tolerance = 1.0f / 64.0f;
-
 float tolerance(const CellToCut& cell, const SubdivisionRules& rules) {
   if (rules.limits.tolerance > 0.0f) return rules.limits.tolerance * cell.root_side;
   const float finest = cell.root_side * std::ldexp(1.0f, -rules.error_budget.max_level);
-  return chain_tolerance * finest * std::min(1.0f, finest / cell.square.side);
+  return SearchTuning::chain_tolerance * finest * std::min(1.0f, finest / cell.square.side);
 }
 
 // Returns the number of parts up to which a cut pays. A few parts pay at any level: each gets a
@@ -73,7 +68,8 @@ bool CellCutter::resolve(const CellToCut& cell, std::span<const std::uint32_t> v
   if (groups > rules.limits.most_groups) return false;
   found_.clear();
   for (const std::uint32_t i : visible)
-    if (!lists.resolve(i, cell.square, tolerance(cell, rules), most_pieces_resolved, found_))
+    if (!lists.resolve(i, cell.square, tolerance(cell, rules), SearchTuning::most_pieces_resolved,
+                       found_))
       return false;
   resolved_.clear();
   for (const std::uint32_t i : found_)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/film/tone.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/settings/settings.h"
 
 #include <algorithm>
@@ -33,10 +34,6 @@ struct ErrorBudget {
   static constexpr double invisible = 1.0 / 2048.0;
   /// Default contrast of a part.
   static constexpr double usual_contrast = 0.25;
-  /// Error of the mean of n samples of contrast 1: this, times n^(-3/4) (tests/bench/prices.cpp).
-  static constexpr double error_of_one_sample = 0.35;
-  /// Target standard error of samples, in units of the allowed error.
-  static constexpr double standard_errors = 0.5;
 
   [[nodiscard]] static ErrorBudget of(const RenderSettings& settings) {
     const AsosSettings& asos = settings.asos;
@@ -58,7 +55,7 @@ struct ErrorBudget {
   /// Returns the allowed standard error of a sampled part. Errors of parts are independent, so it
   /// is inversely proportional to the root of the part's weight.
   [[nodiscard]] double standard_error(double part, double intensity = 1.0) const {
-    return standard_errors * static_cast<double>(tolerance) /
+    return SampleTuning::standard_errors * static_cast<double>(tolerance) /
            (intensity * std::sqrt(weight * part));
   }
 
@@ -75,20 +72,19 @@ struct ErrorBudget {
   /// most_samples.
   [[nodiscard]] double samples(double part, double contrast) const {
     const double converged =
-        std::pow(error_of_one_sample * contrast / standard_error(part), 4.0 / 3.0);
+        std::pow(SampleTuning::error_of_one_sample * contrast / standard_error(part), 4.0 / 3.0);
     return std::min(std::max(1.0, converged), most_samples(part));
   }
   /// Returns the error of the mean of this many samples of this contrast.
   [[nodiscard]] static double error_of_samples(double samples, double contrast) {
-    return error_of_one_sample * contrast * std::pow(samples, -0.75);
+    return SampleTuning::error_of_one_sample * contrast * std::pow(samples, -0.75);
   }
   /// Returns the number of samples of the pilot, the first round of a sampled part, which gives its
   /// variance. It is half of what usual contrast needs, but at most one for each finest cell. A
   /// power of two.
   [[nodiscard]] std::uint32_t pilot_samples(double part) const {
-    constexpr double fewest = 4.0;
     const double wanted = std::min(0.5 * samples(part, usual_contrast), finest_cells(part));
-    const double pilot = std::min(std::max(fewest, wanted), most_samples(part));
+    const double pilot = std::min(std::max(SampleTuning::fewest, wanted), most_samples(part));
     return std::bit_floor(static_cast<std::uint32_t>(pilot));
   }
 

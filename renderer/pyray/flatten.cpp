@@ -1,5 +1,7 @@
 #include "renderer/pyray/flatten.h"
 
+#include "renderer/pyray/tuning.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,9 +10,6 @@ namespace asos {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-// The largest area between a piece and its arc, and the largest distance, in finest cells.
-constexpr double most_area = 1.0 / 400.0;
-constexpr double most_bulge = 1.0 / 16.0;
 constexpr int deepest = 14;
 // An arc is divided into parts that turn by at most this, in radians, before the centre of each
 // part is compared with its chord.
@@ -148,8 +147,9 @@ void Flattener::split(const Frame& frame, const EllipseArc& arc, const Joint& fr
   const double t = length2 > 0.0 ? std::clamp(glm::dot(m - p, chord) / length2, 0.0, 1.0) : 0.0;
   const glm::dvec2 bulge = m - (p + t * chord);
   const double away = glm::length(bulge);
-  const bool straight = away <= most_bulge * finest_side &&
-                        away * std::sqrt(length2) <= most_area * finest_side * finest_side;
+  const bool straight =
+      away <= SearchTuning::most_bulge * finest_side &&
+      away * std::sqrt(length2) <= SearchTuning::most_area * finest_side * finest_side;
   if (straight || depth >= deepest) {
     joints_.push_back(from);
     joints_.back().bulge = bulge;

@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/clip_segment.h"
 #include "renderer/pyray/node_test.h"
+#include "renderer/pyray/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +16,6 @@ namespace {
 // Flattening of curves for boundaries that are resolved at any size: as for cells of this side.
 constexpr double finest_curve = 1.0 / 4096.0;
 
-// With at most `few_entries`, opening them may prove the cell empty or crossed by one boundary.
-// With more than `many_entries`, the cell is marginal in any case.
-constexpr std::size_t few_entries = 4;
-constexpr std::size_t many_entries = 16;
-// With this many nodes, or segments, in front of a sample's surface, the cell is saturated with
-// boundaries.
-constexpr std::size_t most_nodes_in_front = 64;
-constexpr std::size_t most_segments_in_front = 256;
 // Segments are cut this far outside the root square, so that they are straight across its border.
 constexpr double margin = 1.0 / 16.0;
 // An edge smaller than this in the square may be a point in float32. It is kept, in any
@@ -124,7 +117,7 @@ void HitLists::refine(const Square& cell, const CellOccluder& hiding,
   for (const std::uint32_t i : parent) visit(i, cell, hiding, list);
 
   // Few entries are left: open nodes, since their contents decide.
-  while (list.size() <= few_entries && !exhausted()) {
+  while (list.size() <= SearchTuning::few_entries && !exhausted()) {
     const auto node = std::find_if(list.begin(), list.end(), [&](std::uint32_t i) {
       return !entries_[i].is_segment() && !hidden(i, cell, hiding);
     });
@@ -135,7 +128,7 @@ void HitLists::refine(const Square& cell, const CellOccluder& hiding,
     const HitEntry opened = entries_[i];
     for (std::uint32_t c = 0; c < opened.child_count; ++c)
       visit(opened.first_child + c, cell, hiding, list);
-    if (list.size() > many_entries) return;
+    if (list.size() > SearchTuning::many_entries) return;
   }
 }
 
@@ -232,8 +225,8 @@ bool HitLists::hidden(std::uint32_t i, const Square& cell, const CellOccluder& h
 }
 
 bool HitLists::too_many_boundaries() const {
-  return stops_at_too_many_ &&
-         (in_view_.nodes >= most_nodes_in_front || in_view_.segments >= most_segments_in_front);
+  return stops_at_too_many_ && (in_view_.nodes >= SearchTuning::most_nodes_in_front ||
+                                in_view_.segments >= SearchTuning::most_segments_in_front);
 }
 
 void HitLists::open(std::uint32_t i) {

@@ -1,13 +1,12 @@
 #include "renderer/pyray/safety_net.h"
 
+#include "renderer/pyray/tuning.h"
+
 #include <algorithm>
 #include <array>
 
 namespace asos {
 namespace {
-
-// At lower levels, four equal samples do not end the splitting: a boundary is near.
-constexpr int first_trusted_level = 2;
 
 struct Splitter {
   const Root& root;
@@ -32,7 +31,7 @@ struct Splitter {
     for (std::uint32_t i = 1; i < 4; ++i)
       differ |= caster.surface(first + i) != caster.surface(first);
     // Split the quarters if their samples' surfaces differ or the level is low, up to max_level.
-    if ((differ || level < first_trusted_level) && level < max_level) {
+    if ((differ || level < SearchTuning::first_trusted_level) && level < max_level) {
       for (int i = 0; i < 4; ++i) split(square.quarter(i), level + 1);
       return;
     }

@@ -121,6 +121,71 @@ struct ShadowTuning {
   static constexpr std::uint32_t most_points = 128;
 };
 
+/// The search for boundaries, and the cuts along them.
+struct SearchTuning {
+  /// With at most `few_entries` in a hit list, opening them may prove the cell empty or crossed by
+  /// one boundary. With more than `many_entries`, the cell is marginal in any case [test HitLists].
+  static constexpr std::size_t few_entries = 4;
+  static constexpr std::size_t many_entries = 16;
+  /// Nodes, or segments, in front of a sample's surface from which a cell is saturated with
+  /// boundaries [test HitLists].
+  static constexpr std::size_t most_nodes_in_front = 64;
+  static constexpr std::size_t most_segments_in_front = 256;
+  /// Pieces of outlines that are resolved in a cell [estimate: Constants].
+  static constexpr std::size_t most_pieces_resolved = 1024;
+  /// Largest distance of a simplified chain from the original pieces in a finest cell, in sides of
+  /// that cell: across it, an error of 1/64 of its area. In a cell n times as wide the limit is 1/n
+  /// of that, so that the area's error along the longer chain is the same [derived].
+  static constexpr float chain_tolerance = 1.0f / 64.0f;
+  /// Level from which four equal samples end the splitting by samples. At lower levels a boundary
+  /// is near [test MissedSplits].
+  static constexpr int first_trusted_level = 2;
+  /// The largest area between a piece of a curve and its arc, and the largest distance, in finest
+  /// cells [assumed].
+  static constexpr double most_area = 1.0 / 400.0;
+  static constexpr double most_bulge = 1.0 / 16.0;
+  /// Nodes in the cut of a group's shadows. More cost every pyray of the block more than a walk
+  /// from the root [estimate: Constants].
+  static constexpr std::size_t most_nodes = 24;
+};
+
+/// Samples of regions.
+struct SampleTuning {
+  /// Error of the mean of n samples of contrast 1: this, times n^(-3/4) [bench prices].
+  static constexpr double error_of_one_sample = 0.35;
+  /// Target standard error of samples, in units of the allowed error [estimate: One accuracy rule].
+  static constexpr double standard_errors = 0.5;
+  /// Samples of a pilot, at least [assumed].
+  static constexpr double fewest = 4.0;
+  /// Side of a sample's footprint, relative to the square that the sample represents; colours use
+  /// colour_side. Many samples need no smoothing. Footprints as large as the square would make
+  /// smoothed highlights (PatchLobe) up to twice too bright at grazing angles [test TrueLight].
+  static constexpr float footprint_share = 0.25f;
+  /// Most samples around a thin region, in samples in it [estimate: Constants].
+  static constexpr float most_times_larger = 16.0f;
+  /// Part of the variance of the neighbours' samples that counts for a region, and the weight in a
+  /// pixel from which regions are neighbours [estimate: Constants].
+  static constexpr double of_neighbours = 0.25;
+  static constexpr double most_of_a_pixel = 0.5;
+  /// Weight in a white picture from which all samples follow a reflection [estimate: Constants].
+  static constexpr float least_followed = 1.0f / 32.0f;
+};
+
+/// Pixels that a lens blurs.
+struct LensTuning {
+  /// Radius of blur of a sharp pixel, in EPS. An edge along a pixel's border changes the pixel by
+  /// 2 / (3 pi) of its contrast per pixel of radius: at full contrast, EPS at 4.7 EPS [derived].
+  static constexpr double sharp_radius = 4.5;
+  /// Radius of blur, in pixels, from which pixels are sampled, since a search around one would find
+  /// the whole block's surroundings [lens-and-motion: MAX 1].
+  static constexpr double most_reach = 12.0;
+  /// Room for meshes that bend away from the plane of one of their triangles. With less room, more
+  /// pixels fail stays_within_reach and are sampled [assumed].
+  static constexpr double bend_of_meshes = 1.25;
+  /// Change of the radius of blur per pixel from which a pixel is sampled [assumed].
+  static constexpr double steepest = 0.5;
+};
+
 /// Fits through sampled leaves of one surface.
 struct FitTuning {
   /// Error at which leaves are fitted, in allowances: leaves that share a fit have less

@@ -1,5 +1,7 @@
 #include "renderer/samples/region_sampler.h"
 
+#include "renderer/pyray/tuning.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,11 +10,6 @@
 
 namespace asos {
 namespace {
-
-// Side of a sample's footprint, relative to the square that the sample represents; colours use
-// colour_side. Many samples need no smoothing. Footprints as large as the square would make
-// smoothed highlights (PatchLobe) up to twice too bright at grazing angles.
-constexpr float footprint_share = 0.25f;
 
 constexpr auto parts = static_cast<std::uint32_t>(SequentialMean::parts);
 constexpr auto most_sums = static_cast<std::uint32_t>(SequentialMean::most_sums);
@@ -36,17 +33,16 @@ std::uint32_t first_sample(glm::dvec2 middle, std::uint32_t count) {
 /// a region, as a power of two. Only few samples hit a thin region, and a few samples give no error
 /// estimate.
 std::uint32_t times_larger_around(const LeafRegion& region) {
-  constexpr float most = 16.0f;
   // Round to about the nearest power of two.
   const float times = 1.5f / filled_share(region, bounds_of(region));
-  return times < most ? std::bit_floor(static_cast<std::uint32_t>(std::max(1.0f, times)))
-                      : static_cast<std::uint32_t>(most);
+  return times < SampleTuning::most_times_larger
+             ? std::bit_floor(static_cast<std::uint32_t>(std::max(1.0f, times)))
+             : static_cast<std::uint32_t>(SampleTuning::most_times_larger);
 }
 
 /// Returns whether a region fills most of its pixel.
 bool fills_pixel(const RegionSampler::Goal& goal) {
-  constexpr double most_of_a_pixel = 0.5;
-  return goal.share > most_of_a_pixel;
+  return goal.share > SampleTuning::most_of_a_pixel;
 }
 
 }  // namespace
@@ -64,7 +60,7 @@ RegionSampler::RegionSampler(const RenderScene& scene, const ViewContext& viewer
       scene_(&scene),
       viewer_(&viewer),
       settings_(&settings) {
-  sums_.widen_colours(colour_side / footprint_share);
+  sums_.widen_colours(colour_side / SampleTuning::footprint_share);
   sums_.subtract_open_sky();
 }
 
@@ -253,7 +249,6 @@ bool RegionSampler::near(const Square& a, const Square& b) const {
 // same number of samples. With few samples, all may miss a small bright spot, so that their
 // variance is wrongly zero. If neighbours have hit one, it is likely to be there.
 double RegionSampler::expected_error(std::size_t number) const {
-  constexpr double part = 0.25;
   const Waiting& own = waiting_[number];
   const double error = found_[number].error;
   if (!fills_pixel(own.goal)) return error;
@@ -269,7 +264,8 @@ double RegionSampler::expected_error(std::size_t number) const {
       add(waiting_[i].square, found_[i].error, waiting_[i].taken);
   }
   for (const Finished& other : finished_) add(other.square, other.error, other.taken);
-  return count > 0 ? std::sqrt(error * error + part * squares / count) : error;
+  return count > 0 ? std::sqrt(error * error + SampleTuning::of_neighbours * squares / count)
+                   : error;
 }
 
 // Adds as many samples as there are so far.
@@ -292,7 +288,8 @@ void RegionSampler::add_samples(SampleSums& sums, Waiting& waiting, std::uint32_
   const auto x = static_cast<int>(std::floor(origin.x + width * part.square.u));
   const auto y = static_cast<int>(std::floor(origin.y + width * part.square.v));
   const glm::vec2 size = (bounds.hi - bounds.lo) * static_cast<float>(width);
-  const float side = footprint_share * std::sqrt(size.x * size.y / static_cast<float>(end));
+  const float side =
+      SampleTuning::footprint_share * std::sqrt(size.x * size.y / static_cast<float>(end));
   const glm::dvec2 middle(part.square.centre_u(), part.square.centre_v());
   const std::uint32_t first = first_sample(origin + width * middle, waiting.goal.most);
   places_.start_pixel(x, y);
@@ -326,7 +323,8 @@ void RegionSampler::sample_inside() {
     if (!alone(i)) continue;
     const Waiting& waiting = waiting_[i];
     const glm::dvec2 at = origin + width * glm::dvec2(*waiting.inside);
-    const auto side = footprint_share * static_cast<float>(std::sqrt(waiting.goal.share));
+    const auto side =
+        SampleTuning::footprint_share * static_cast<float>(std::sqrt(waiting.goal.share));
     const std::uint32_t index = first_sample(at, waiting.goal.most) + waiting.taken;
     sums_.add({at, side, static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)),
                static_cast<int>(index), waiting.first_sum});

@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/direction.h"
 #include "renderer/geometry/largest.h"
+#include "renderer/pyray/tuning.h"
 #include "renderer/reflections/horizon.h"
 #include "renderer/reflections/mirror_surface.h"
 #include "renderer/reflections/mirrored_pyray.h"
@@ -15,9 +16,6 @@
 
 namespace asos {
 namespace {
-
-// Reflections with a smaller weight in a white picture are followed by some samples only.
-constexpr float least_followed = 1.0f / 32.0f;
 
 static_assert(MirrorSettings::max_bounces < static_cast<int>(most_bounce_streams));
 
@@ -115,8 +113,8 @@ void SampledReflections::pass(const ViewedRay& seen, const SurfacePoint& point, 
 // probability by which to divide the weight of a ray that continues; 0: the ray ends.
 float SampledReflections::chance(const Reflection& reflection, glm::vec3 weight) const {
   const float most = largest(weight);
-  if (!(most < least_followed)) return 1.0f;
-  const float chance = most / least_followed;
+  if (!(most < SampleTuning::least_followed)) return 1.0f;
+  const float chance = most / SampleTuning::least_followed;
   // Decisions for rays from several surfaces of one sample are independent.
   const double ray = 2.0 * reflection.hit.triangle + (reflection.ratio > 0.0f ? 1.0 : 0.0);
   const double at =

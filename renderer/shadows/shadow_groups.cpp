@@ -1,5 +1,6 @@
 #include "renderer/shadows/shadow_groups.h"
 
+#include "renderer/pyray/tuning.h"
 #include "renderer/shading/light_transport.h"
 #include "renderer/shading/shadow_ray.h"
 
@@ -10,9 +11,6 @@
 namespace asos {
 namespace {
 
-// Largest number of nodes in a cut. More cost every pyray of the block more than a walk from the
-// root.
-constexpr std::size_t most_nodes = 24;
 // Largest number of parts whose boxes are tested to save a ray.
 constexpr std::size_t most_boxes = 256;
 
@@ -134,8 +132,8 @@ void ShadowGroups::find(const PreparedLight& light, const SurfacePoint& point, G
     const double above = static_cast<double>(clear_height(point)) + group.tolerance;
     shaft.keep_within({group.plane.normal, group.plane.offset + above});
   }
-  search_shaft(scene_.features, shaft, own_part_ignored(scene_.world, light), most_nodes,
-               answer.search);
+  search_shaft(scene_.features, shaft, own_part_ignored(scene_.world, light),
+               SearchTuning::most_nodes, answer.search);
   if (!group.planar || !answer.search.complete || !answer.search.cut.empty()) return;
   if (stood_upon(group)) return;
   if (nothing_between(light, shaft)) {
