@@ -127,7 +127,7 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
 std::span<const WeightedShape> LeafShader::colour_parts(const Leaf& leaf) {
   parts_.clear();
   const LeafRegion& region = leaf.region;
-  if (region.border.empty() || !leaf.shows_surface() || leaf.weight < LeafTuning::least_in_parts ||
+  if (region.border.empty() || !leaf.shows_surface() ||
       eye_->settings->texture.filter == TextureFilter::point)
     return {};
   if (!eye_->scene->render_features.textures ||

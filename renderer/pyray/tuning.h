@@ -50,10 +50,8 @@ struct LeafTuning {
   static constexpr std::size_t few_parts = 4;
   /// Error at which the first stage of a block ends, in allowances [rounds: Samples first].
   static constexpr double first_stage_error = 4.0;
-  /// Parts along a side over which the colour of a cut leaf is averaged, and the least weight of
-  /// such a leaf in a pixel [estimate: Rules left out].
+  /// Parts along a side over which the colour of a cut leaf is averaged [estimate: Rules left out].
   static constexpr int colour_parts = 3;
-  static constexpr double least_in_parts = 1.0 / 64.0;
   /// Most parts of the lens [lens-and-motion: MAX 1].
   static constexpr double most_parts_of_lens = 16.0;
   /// Fractions of the allowance and of the bounds of centres that are expected as errors, fitted to
