@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Structure of the code: one type Pyray, no hidden state in the casters, no class of the engine
-# above its size limit, and an architecture document whose path of a pixel names existing functions.
+# above its size limit, no new tuning constants, and an architecture document whose path of a pixel
+# names existing functions.
 # Usage: structure_test.sh SOURCE_DIR
 set -euo pipefail
 export LC_ALL=C
@@ -114,6 +115,29 @@ done < <(sizes_of "${casters[@]}" | grep '^reference ' || true)
 mutable=$(grep -nE '(^|[^A-Za-z_])mutable([^A-Za-z_]|$)' "${casters[@]}" /dev/null |
   sed 's://.*$::' | grep -w mutable || true)
 [[ -z $mutable ]] || fail 'casters keep nothing that is mutable:' "$mutable"
+
+# The numbers that trade error for time stand in one table. The others are mathematical, bounds of
+# arrays, guards against rounding, or geometry.
+table=renderer/pyray/tuning.h
+most_in_table=64
+most_elsewhere=73
+constants=()
+for folder in asos pyray shadows samples; do
+  mapfile -t found < <(find "renderer/$folder" -name '*.h' -o -name '*.cpp')
+  constants+=("${found[@]}")
+done
+# numbers_of FILE...: its constants of arithmetic types.
+numbers_of() {
+  grep -hE '(^|[^a-z_])constexpr [a-zA-Z0-9_:]+ [a-z_0-9]+ = ' "$@" |
+    grep -vE 'constexpr (auto|bool|Square|glm::[a-z0-9]+) ' || true
+}
+in_table=$(numbers_of "$table" | grep -c .)
+all=$(numbers_of "${constants[@]}" | grep -c .)
+((in_table <= most_in_table)) ||
+  fail "$table has $in_table constants, of at most $most_in_table: remove one for each new one"
+((all - in_table <= most_elsewhere)) ||
+  fail "asos, pyray, shadows and samples have $((all - in_table)) numbers outside of $table, of at" \
+    "most $most_elsewhere"
 
 # The numbered list of a pixel's path, one entry per line: `function` (`file`).
 awk '
