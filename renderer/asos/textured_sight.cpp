@@ -196,8 +196,7 @@ bool strays_beyond_edges(const EyeContext& eye, const EyeSamples& samples, const
     const glm::vec2 b =
         glm::vec2(hit.b1, hit.b2) + square.offset + away.x * square.right + away.y * square.down;
     if (plane.distance(b, met) > allowed) return true;
-    if (coloured && LeafTuning::share_of_corner * colour_difference(world, hit.triangle, b, met) >
-                        eye.error_budget.tolerance)
+    if (coloured && colour_difference(world, hit.triangle, b, met) > eye.error_budget.tolerance)
       return true;
   }
   return false;

@@ -82,8 +82,6 @@ struct LeafTuning {
   /// Receding patches].
   static constexpr float negligible_texels = 0.5f;
   static constexpr float negligible_extent = 0.1f;
-  /// Error of the mean, in errors at a corner [textures-and-materials: Vertex colours at edges].
-  static constexpr float share_of_corner = 0.25f;
 };
 
 /// Shadow rays and pyrays.
