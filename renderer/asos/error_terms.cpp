@@ -60,7 +60,7 @@ void ErrorTerms::learn_normals(int side) {
     normals[i] = samples_->point(i).shading_normal;
     surfaces[i] = samples_->surface(i);
   }
-  normals_.find(side, normals, surfaces, Hit::none);
+  normals_.find(side, normals, surfaces);
   border_ = (eye_->block.width - side) / 2;
 }
 
@@ -96,7 +96,7 @@ ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
     return !sum.unbounded;
   };
   (void)(add(bumps_with(leaf, gloss_once)) && add(textures(leaf)) && add(bend(leaf)) &&
-         add(normals(leaf)) && add(falloff(leaf)) && add(gloss_once()) && add(mirror(leaf)));
+         add(falloff(leaf)) && add(gloss_once()) && add(mirror(leaf)));
   return sum;
 }
 
@@ -155,15 +155,6 @@ ErrorBound ErrorTerms::bend(const Leaf& leaf) const {
   return ErrorBound::of(midpoint_error(scene.world(), scene.lights(), leaf.ray, leaf.hit,
                                        leaf.square, leaf.distance,
                                        eye_->settings->shadow.light_rule));
-}
-
-// In a part of a pixel, the error is reduced in proportion to its area.
-ErrorBound ErrorTerms::normals(const Leaf& leaf) const {
-  const glm::ivec2 pixel = pixel_of(leaf.region);
-  const float error = normals_.error(pixel.x, pixel.y);
-  if (error == 0.0f || !leaf.is_lit()) return ErrorBound::none();
-  const float part = leaf.region.square.side * static_cast<float>(eye_->block.width);
-  return ErrorBound::of(leaf.albedo() * error * part * part);
 }
 
 ErrorBound ErrorTerms::falloff(const Leaf& leaf) const {

@@ -36,8 +36,6 @@ class ErrorTerms {
   [[nodiscard]] ErrorBound bumps(const Leaf& leaf) const;
   /// Curvature of the shading normal, the inverse square law, and highlights of point lights.
   [[nodiscard]] ErrorBound bend(const Leaf& leaf) const;
-  /// Curvature that changes from one pixel to the next.
-  [[nodiscard]] ErrorBound normals(const Leaf& leaf) const;
   /// Irradiance near lights with an extent, and at the rims of spotlights.
   [[nodiscard]] ErrorBound falloff(const Leaf& leaf) const;
   /// Fresnel reflectance at grazing angles, and highlights of lights with an extent.

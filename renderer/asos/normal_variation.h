@@ -15,14 +15,8 @@ namespace asos {
 class NormalVariation {
  public:
   /// `normals` and `surfaces` belong to the centres of `side` x `side` pixels, row by row. Normals
-  /// are unit. Equal numbers in `surfaces` are one smooth surface, and `background` is none.
-  void find(int side, std::span<const glm::vec3> normals, std::span<const std::uint32_t> surfaces,
-            std::uint32_t background);
-
-  /// Returns the error of the midpoint rule over pixel (x, y) of the block, for the cosine of the
-  /// normal to any direction: 1/24 of the second differences along both axes. Returns 0 outside of
-  /// the block, and where neighbours belong to other surfaces.
-  [[nodiscard]] float error(int x, int y) const;
+  /// are unit. Equal numbers in `surfaces` are one smooth surface.
+  void find(int side, std::span<const glm::vec3> normals, std::span<const std::uint32_t> surfaces);
 
   /// Returns the angle, in radians, between the neighbours' normals and those extrapolated from
   /// pixel (x, y) with the turn `right` and `down` per pixel. It measures how well one triangle
@@ -39,7 +33,6 @@ class NormalVariation {
   }
 
   int side_ = 0;
-  std::vector<float> errors_;
   std::vector<glm::vec3> normals_;
   std::vector<std::uint32_t> surfaces_;
 };

@@ -232,15 +232,5 @@ TEST(ErrorTerms, CastTheRaysToHighlightsOnce) {
   EXPECT_GT(once, 0u);
 }
 
-// Normals that vary irregularly between adjacent pixels, as on a sphere of small triangles.
-TEST(ErrorTerms, NormalsVaryBetweenPixels) {
-  World small;
-  add_sphere(small, {0, 0, 0}, 4.0f, 64, matte({0.8f, 0.8f, 0.8f}));
-  const EyeBlock ball = block_of(std::move(small), {});
-  const EyeBlock flat = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {});
-  EXPECT_GT(ball.terms().normals(ball.leaf(0, 0)).error, 0.0);
-  EXPECT_EQ(flat.terms().normals(flat.leaf(0, 0)).error, 0.0);
-}
-
 }  // namespace
 }  // namespace asos::test::error_terms_test
