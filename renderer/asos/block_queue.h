@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderer/film/light_parts.h"
 #include "renderer/pyray/caster.h"
 
 #include <glm/glm.hpp>
@@ -18,14 +17,6 @@ struct Contribution {
   glm::dvec3 radiance{0.0};  ///< linear, times the leaf's weight
   double rays = 0.0;         ///< number of rays cast to find it
   bool dropped = false;
-
-  /// Returns the radiance as direct light, for a weight of 1.
-  [[nodiscard]] LightSum direct_light() const {
-    LightSum light;
-    light.weight = 1.0;
-    light.add(LightPart::direct, radiance / leaf->weight);
-    return light;
-  }
 };
 
 /// Contributions that wait until all cells of a block are examined, so that many leaves share
@@ -38,8 +29,6 @@ class BlockQueue {
     waiting_.push_back({&leaf});
     return static_cast<std::uint32_t>(waiting_.size() - 1);
   }
-  /// Drops a contribution, because its leaf is determined otherwise.
-  void drop(std::uint32_t number) { waiting_[number].dropped = true; }
 
   [[nodiscard]] Contribution& operator[](std::uint32_t number) { return waiting_[number]; }
   [[nodiscard]] const Contribution& operator[](std::uint32_t number) const {

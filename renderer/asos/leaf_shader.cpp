@@ -23,13 +23,14 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 }  // namespace
 
 LeafShader::LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
-                       SelectedLights& selected_lights, const ShadowContext& shadows,
+                       const SelectedLights& selected_lights, const ShadowContext& shadows,
                        std::span<RootSum> sums, BlurredSum& blurred, LeafLayers* layers)
     : eye_(&eye),
       samples_(&samples),
       chooser_(&chooser),
       selected_lights_(&selected_lights),
-      lobes_(eye),
+      direct_(eye, SummedRadiance::direct, selected_lights),
+      lobes_(eye, SummedRadiance::lobes, selected_lights),
       single_(eye, samples),
       shadows_(&shadows),
       sums_(sums),
@@ -81,13 +82,11 @@ bool LeafShader::worth_one_sample(const PyrayLeaf& leaf) const {
 glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   const ViewContext& viewer = eye_->viewer;
   RootSum& sum = sums_[leaf.root];
-  const std::uint32_t share = eye_->mirrored() ? 0 : selected_lights_->start(leaf);
-  LeafTransport transport(*eye_, *shadows_, leaf, *selected_lights_, share);
+  LeafTransport transport(*eye_, *shadows_, leaf, *selected_lights_);
   ViewedRay seen = eye_->viewed(leaf);
   seen.parts = colour_parts(leaf);
   sum.centre_error += leaf.weight * static_cast<double>(std::min(leaf.decision.error, 1.0f));
   glm::vec3 radiance = viewer.shader.radiance(seen, transport, *eye_->counts);
-  radiance += transport.at_once();
   const Estimate centre = transport.centre(radiance);
   if (eye_->mirrored() && centre.error == unbounded) sum.centre_error = unbounded;
   sum.shadow_cut |= transport.shadow_cut();
@@ -95,11 +94,11 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   if (!finite(radiance)) {
     if (adds_planes_) layers_->add(leaf);
     ++eye_->counts->rejected_samples;
-    drop(share);
     return radiance;
   }
   const bool by_lobe = transport.lobes() != glm::vec3(0.0f);
   if (by_lobe && eye_->mirrored()) radiance += lobes_.at_once(leaf, transport.lobes());
+  if (transport.lit_by_selected() && eye_->mirrored()) radiance += direct_.at_once(leaf);
   if (eye_->mask && eye_->mask->blur) {
     const auto light = viewer.sees_bare_lights()
                            ? viewer.shader.nearest_light_without_geometry(leaf.ray)
@@ -110,7 +109,6 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   }
   if (!suffices(leaf, centre) &&
       add_samples(leaf, enough_for(leaf, transport.unsure_highlights()))) {
-    drop(share);
     return radiance;
   }
   if (adds_planes_) layers_->add(leaf);
@@ -118,6 +116,7 @@ glm::vec3 LeafShader::add_leaf(const Leaf& leaf) {
   if (adds_light_) layers_->add_light(leaf.root, transport.light(radiance), leaf.weight);
   if (by_lobe && !eye_->mirrored())
     lobes_.add(leaf, transport.lobes(), !transport.lobes_show_scene());
+  if (transport.lit_by_selected() && !eye_->mirrored()) direct_.add(leaf);
   return radiance;
 }
 
@@ -263,11 +262,6 @@ bool LeafShader::add_estimate(const PyrayLeaf& leaf, const RegionSampler::Mean& 
   return true;
 }
 
-// Drops a leaf's contribution from the sampled lights. Reflected leaves defer none.
-void LeafShader::drop(std::uint32_t selected_share) {
-  if (!eye_->mirrored()) selected_lights_->drop(selected_share);
-}
-
 // Adds contributions that were determined for many leaves together: a leaf's whole radiance, or a
 // part of it.
 // `light_of` returns the parts of the radiance of one of them.
@@ -293,10 +287,7 @@ void LeafShader::finish() {
   add(single_.run(), true, [&](std::size_t i) -> const LightSum& { return single_.light(i); });
   start_regions();
   if (eye_->stop.stop_requested()) return;
-  if (!selected_lights_->lights().empty()) {
-    const auto direct = selected_lights_->run();
-    add(direct, false, [&](std::size_t i) { return direct[i].direct_light(); });
-  }
+  add(direct_.run(), false, [&](std::size_t i) { return direct_.light(i); });
   add(lobes_.run(), false, [&](std::size_t i) { return lobes_.light(i); });
 }
 

@@ -6,8 +6,8 @@
 #include "renderer/asos/leaf_chooser.h"
 #include "renderer/asos/leaf_layers.h"
 #include "renderer/asos/leaf_transport.h"
-#include "renderer/asos/lobe_contributions.h"
 #include "renderer/asos/root_sums.h"
+#include "renderer/asos/sampled_contributions.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/asos/single_samples.h"
 #include "renderer/samples/region_sampler.h"
@@ -28,8 +28,8 @@ class LeafShader {
  public:
   /// All arguments have to outlive this.
   LeafShader(const EyeContext& eye, EyeSamples& samples, LeafChooser& chooser,
-             SelectedLights& selected_lights, const ShadowContext& shadows, std::span<RootSum> sums,
-             BlurredSum& blurred, LeafLayers* layers);
+             const SelectedLights& selected_lights, const ShadowContext& shadows,
+             std::span<RootSum> sums, BlurredSum& blurred, LeafLayers* layers);
 
   void shade(std::span<const PyrayLeaf> leaves);
 
@@ -57,7 +57,6 @@ class LeafShader {
   }
   void start_regions();
   [[nodiscard]] bool worth_one_sample(const PyrayLeaf& leaf) const;
-  void drop(std::uint32_t selected_share);
   void add(std::span<const Contribution> contributions, bool whole_leaves, const auto& light_of);
   [[nodiscard]] bool add_texture_samples(const Leaf& leaf);
   glm::vec3 add_leaf(const Leaf& leaf);
@@ -70,8 +69,8 @@ class LeafShader {
   const EyeContext* eye_;
   EyeSamples* samples_;
   LeafChooser* chooser_;
-  SelectedLights* selected_lights_;
-  LobeContributions lobes_;
+  const SelectedLights* selected_lights_;
+  SampledContributions direct_, lobes_;
   SingleSamples single_;
   const ShadowContext* shadows_;
   std::span<RootSum> sums_;

@@ -11,14 +11,9 @@
 
 namespace asos {
 
-HandledLights LeafTransport::gather(const LightingQuery& point) {
+HandledLights LeafTransport::gather(const LightingQuery& /*point*/) {
   if (selected_->lights().empty()) return {};
-  // Inside a mirror, contributions are added immediately.
-  if (eye_->mirrored()) {
-    at_once_ += selected_->at_once(point, *leaf_);
-  } else {
-    selected_->add(selected_share_, point, *leaf_);
-  }
+  lit_by_selected_ = true;
   return {selected_->lights()};
 }
 

@@ -10,14 +10,9 @@ namespace asos {
 /// Computes the lights and reflections of one leaf while the shader shades the leaf's point.
 class LeafTransport final : public LightTransport {
  public:
-  /// `selected_share` is the number of the selected lights' contribution.
   LeafTransport(const EyeContext& eye, const ShadowContext& shadows, const Leaf& leaf,
-                SelectedLights& selected, std::uint32_t selected_share)
-      : eye_(&eye),
-        shadows_(&shadows),
-        leaf_(&leaf),
-        selected_(&selected),
-        selected_share_(selected_share) {}
+                const SelectedLights& selected)
+      : eye_(&eye), shadows_(&shadows), leaf_(&leaf), selected_(&selected) {}
 
   HandledLights gather(const LightingQuery& point) override;
   void add(const Illumination& lit, glm::vec3& radiance, RenderStatistics& counts) override;
@@ -28,8 +23,8 @@ class LeafTransport final : public LightTransport {
 
   /// Divides the leaf's radiance so far into its parts.
   [[nodiscard]] LightSum light(glm::vec3 radiance) const;
-  /// Returns the sampled lights' radiance in a reflected leaf.
-  [[nodiscard]] glm::vec3 at_once() const { return at_once_; }
+  /// Returns whether selected lights may illuminate the leaf. They have to be sampled.
+  [[nodiscard]] bool lit_by_selected() const { return lit_by_selected_; }
   /// Returns whether the edge of a hard shadow cuts the leaf: a point light took more than one ray
   /// and was partially occluded.
   [[nodiscard]] bool shadow_cut() const { return shadow_cut_; }
@@ -58,13 +53,12 @@ class LeafTransport final : public LightTransport {
   const EyeContext* eye_;
   const ShadowContext* shadows_;
   const Leaf* leaf_;
-  SelectedLights* selected_;
-  std::uint32_t selected_share_;
-  glm::vec3 at_once_{0.0f};
+  const SelectedLights* selected_;
   glm::vec3 lobes_{0.0f};
   LightSum light_;  // parts other than direct light
   float unsure_highlights_ = 0.0f;
   double reflection_error_ = 0.0;
+  bool lit_by_selected_ = false;
   bool lobes_show_scene_ = false;
   bool shadow_cut_ = false;
   bool mirror_cut_ = false;

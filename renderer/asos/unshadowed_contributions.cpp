@@ -3,13 +3,10 @@
 #include "renderer/geometry/largest.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace asos {
 namespace {
-
-constexpr std::size_t no_part = std::numeric_limits<std::size_t>::max();
 
 // Returns the largest contribution of a light to a pixel: its radiance if known, at most white.
 double brightest(const PreparedLight& light) {
@@ -19,52 +16,37 @@ double brightest(const PreparedLight& light) {
 }  // namespace
 
 UnshadowedContributions::UnshadowedContributions(std::span<const PreparedLight> lights)
-    : point_(ThreadLocalCache<ShadingPoints>::make()) {
-  std::map<std::int32_t, std::size_t> numbers;
-  for (std::uint32_t i = 0; i < lights.size(); ++i) {
-    const PreparedLight& light = lights[i];
-    table_.add(LightConstants(light), i);
-    brightest_.push_back(brightest(light));
-    part_of_light_.push_back(
-        light.own_part < 0 ? no_part
-                           : numbers.try_emplace(light.own_part, numbers.size()).first->second);
-  }
-  parts_ = numbers.size();
+    : lights_(lights), point_(ThreadLocalCache<ShadingPoints>::make()) {
+  for (std::uint32_t i = 0; i < lights.size(); ++i) table_.add(LightConstants(lights[i]), i);
   worth_.resize(table_.padded_size());
-  start();
+  most_.resize(table_.padded_size());
 }
 
-void UnshadowedContributions::start() {
-  most_.assign(worth_.size(), 0.0f);
-}
-
-void UnshadowedContributions::add(const LightingQuery& point) {
+HandledLights UnshadowedContributions::gather(const LightingQuery& point) {
   point_->count = 0;
   point_->add(point, glm::vec3(1.0f));
   (void)weigh_lights(table_, *point_, 0, worth_);
   for (std::size_t i = 0; i < worth_.size(); ++i) most_[i] = std::max(most_[i], worth_[i]);
+  return {{}, true};
 }
 
 std::vector<double> UnshadowedContributions::most() const {
-  std::vector<double> most(brightest_.size());
-  for (std::size_t i = 0; i < most.size(); ++i)
-    most[i] = std::min(brightest_[i], static_cast<double>(most_[i]));
   // Lights of one part of a mesh hide each other.
   constexpr double sides = 2.0;
   struct OnePart {
     double all = 0.0, most = 0.0;
   };
-  std::vector<OnePart> parts(parts_);
-  for (std::size_t i = 0; i < most.size(); ++i) {
-    if (part_of_light_[i] == no_part) continue;
-    OnePart& part = parts[part_of_light_[i]];
-    part.all += most[i];
-    part.most = std::max(part.most, sides * brightest_[i]);
+  std::vector<double> most;
+  std::map<std::int32_t, OnePart> parts;
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const double one = brightest(lights_[i]);
+    OnePart& part = parts[lights_[i].own_part];
+    part.all += most.emplace_back(std::min(one, static_cast<double>(most_[i])));
+    part.most = std::max(part.most, sides * one);
   }
   for (std::size_t i = 0; i < most.size(); ++i) {
-    if (part_of_light_[i] == no_part) continue;
-    const OnePart& part = parts[part_of_light_[i]];
-    if (part.all > part.most) most[i] *= part.most / part.all;
+    const OnePart& part = parts[lights_[i].own_part];
+    if (lights_[i].own_part >= 0 && part.all > part.most) most[i] *= part.most / part.all;
   }
   return most;
 }

@@ -110,11 +110,6 @@ struct ShadowTuning {
   static constexpr double rays_for_one = 4.0;
   /// Points drawn for each ray, at most [assumed].
   static constexpr std::uint32_t most_points_a_ray = 16;
-
-  /// Rays of a point to selected lights [lights-and-shadows: Light estimates].
-  static constexpr float rays_a_point = 8.0f;
-  /// Points of a leaf for selected lights [lights-and-shadows: Twice the points].
-  static constexpr std::uint32_t most_points = 128;
 };
 
 /// The search for boundaries, and the cuts along them.

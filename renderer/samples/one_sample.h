@@ -12,30 +12,43 @@
 
 namespace asos {
 
-/// Collects the lights and reflections of one sample. One object per sample.
-class OneSample : public LightTransport {
+/// Collects the lights and reflections of one sample, or a part of them. One object per sample.
+class OneSample final : public LightTransport {
  public:
+  /// Rays to the sky from each surface that only its lobes are summed of. They use the sequence of
+  /// as many samples.
+  static constexpr std::uint32_t lobe_sky_rays = 4;
+
+  /// `places` is at the sample.
   OneSample(SampledLights& lights, SampledReflections& reflections, const Shader& shader,
-            const PointSample& sample, glm::vec3 weight)
+            const PointSample& sample, glm::vec3 weight, PixelSampler& places,
+            SummedRadiance shows = SummedRadiance::all)
       : lights_(lights),
         reflections_(reflections),
         shader_(shader),
         sample_(sample),
-        weight_(weight) {}
+        weight_(weight),
+        places_(places),
+        shows_(shows) {}
 
   HandledLights gather(const LightingQuery& point) override {
-    return lights_.gather(point, {sample_.x, sample_.y, sample_.index}, target());
+    if (shows_ == SummedRadiance::lobes) return {.all = true};
+    const HandledLights taken =
+        lights_.gather(point, {sample_.x, sample_.y, sample_.index}, target());
+    return shows_ == SummedRadiance::all ? taken : HandledLights{.all = true};
   }
   void add(const Illumination& lit, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
     lights_.add(lit, target(), counts);
   }
   bool add_sky(const SkyQuery& point, glm::vec3& radiance, RenderStatistics& counts) override {
-    radiance += sky_by_ray(point, sample_.index, weight_, counts);
+    if (shows_ == SummedRadiance::all) radiance += sky_by_ray(point, sample_.index, 1.0f, counts);
+    if (shows_ == SummedRadiance::lobes) sky_ += sky_by_rays(point, counts);
     return true;
   }
   bool reflect(const Reflection& reflection, glm::vec3& /*radiance*/,
                RenderStatistics& /*counts*/) override {
-    reflections_.add(reflection, sample_, weight_, shader_);
+    if (shows_ == SummedRadiance::all || (shows_ == SummedRadiance::lobes && reflection.lobe))
+      reflections_.add(reflection, sample_, weight_, shader_);
     return true;
   }
   void note(LightPart part, glm::vec3 radiance) override {
@@ -44,63 +57,40 @@ class OneSample : public LightTransport {
   /// What was noted.
   [[nodiscard]] glm::vec3 emission() const { return emission_; }
   [[nodiscard]] glm::vec3 background() const { return background_; }
-
- protected:
-  /// Adds a ray to the sky with the current place of the samples. Returns what to add to the
-  /// point's radiance, without the weight.
-  glm::vec3 sky_by_ray(const SkyQuery& point, int index, glm::vec3 weight,
-                       RenderStatistics& counts) {
-    const SampleIndex sample{sample_.x, sample_.y, index};
-    return lights_.add_sky(point, {{sample_.target, sample_.part}, weight}, counts,
-                           SampleStream::sky, shader_.settings().bounces ? &sample : nullptr);
-  }
-  [[nodiscard]] const PointSample& sample() const { return sample_; }
+  /// Returns what to add to a sample if only lobes are summed.
+  [[nodiscard]] glm::vec3 sky() const { return sky_; }
 
  private:
   [[nodiscard]] SampleWeight target() const { return {{sample_.target, sample_.part}, weight_}; }
+  /// Adds a ray to the sky with the current place of the samples and this share of their weight.
+  /// Returns what to add to the point's radiance, without the weight.
+  glm::vec3 sky_by_ray(const SkyQuery& point, int index, float share, RenderStatistics& counts) {
+    const SampleIndex sample{sample_.x, sample_.y, index};
+    return lights_.add_sky(point, {{sample_.target, sample_.part}, share * weight_}, counts,
+                           SampleStream::sky, shader_.settings().bounces ? &sample : nullptr);
+  }
+  glm::vec3 sky_by_rays(const SkyQuery& point, RenderStatistics& counts) {
+    constexpr float share = 1.0f / lobe_sky_rays;
+    const auto index = static_cast<std::uint32_t>(sample_.index);
+    glm::vec3 sky(0.0f);
+    for (std::uint32_t k = 0; k < lobe_sky_rays; ++k) {
+      const auto i = static_cast<int>(lobe_sky_rays * index + k);
+      places_.start_sample(i);
+      sky += share * sky_by_ray(point, i, share, counts);
+    }
+    places_.start_sample(sample_.index);
+    return sky;
+  }
 
   SampledLights& lights_;
   SampledReflections& reflections_;
   const Shader& shader_;
   const PointSample& sample_;
   glm::vec3 weight_;
+  PixelSampler& places_;
+  SummedRadiance shows_;
   glm::vec3 emission_{0.0f};
   glm::vec3 background_{0.0f};
-};
-
-/// Collects only what the first surfaces of a sample reflect by lobes: reflections, and the sky if
-/// it may be occluded.
-class OneLobeSample final : public OneSample {
- public:
-  /// Rays to the sky from each surface. They use the sequence of as many samples.
-  static constexpr std::uint32_t sky_rays = 4;
-
-  /// `places` is at the sample.
-  OneLobeSample(SampledLights& lights, SampledReflections& reflections, const Shader& shader,
-                const PointSample& sample, PixelSampler& places)
-      : OneSample(lights, reflections, shader, sample, glm::vec3(1.0f)), places_(places) {}
-
-  HandledLights gather(const LightingQuery& /*point*/) override { return {.all = true}; }
-  bool add_sky(const SkyQuery& point, glm::vec3& /*radiance*/, RenderStatistics& counts) override {
-    constexpr float weight = 1.0f / sky_rays;
-    const auto index = static_cast<std::uint32_t>(sample().index);
-    for (std::uint32_t k = 0; k < sky_rays; ++k) {
-      const auto i = static_cast<int>(sky_rays * index + k);
-      places_.start_sample(i);
-      sky_ += weight * sky_by_ray(point, i, glm::vec3(weight), counts);
-    }
-    places_.start_sample(sample().index);
-    return true;
-  }
-  bool reflect(const Reflection& reflection, glm::vec3& radiance,
-               RenderStatistics& counts) override {
-    return reflection.lobe == nullptr || OneSample::reflect(reflection, radiance, counts);
-  }
-  /// Returns what to add to the sample's radiance.
-  [[nodiscard]] glm::vec3 sky() const { return sky_; }
-
- private:
-  PixelSampler& places_;
   glm::vec3 sky_{0.0f};
 };
 

@@ -15,6 +15,11 @@ struct SumTarget {
   LightPart part = LightPart::direct;
 };
 
+/// The part of samples' radiance that is summed up: all of it, only what the first surfaces reflect
+/// of lights directly or by lobes, or none (`layers`: samples only cast eye rays). Lobes reflect
+/// the scene, and the sky if it may be occluded.
+enum class SummedRadiance { all, direct, lobes, layers };
+
 /// The sums of samples' radiance, and those of its parts where they are asked for. Refers to them.
 class RadianceSums {
  public:

@@ -49,8 +49,7 @@ bool fills_pixel(const RegionSampler::Goal& goal) {
 
 RegionSampler::RegionSampler(const RenderScene& scene, const ViewContext& viewer,
                              const RenderSettings& settings, PixelRect block, int seed,
-                             const ReflectionMask* mask, std::stop_token stop,
-                             SampleSums::SummedRadiance shows)
+                             const ReflectionMask* mask, std::stop_token stop, SummedRadiance shows)
     : block_(block),
       mask_(mask),
       stop_(std::move(stop)),
@@ -176,7 +175,7 @@ void RegionSampler::add_samples_for_layers(RenderStatistics& counts) {
     return waiting.done && waiting.taken < waiting.layer_samples;
   };
   if (!with_layers_ || std::none_of(waiting_.begin(), waiting_.end(), needs_more)) return;
-  SampleSums rays(*scene_, *viewer_, *settings_, places_, SampleSums::SummedRadiance::layers);
+  SampleSums rays(*scene_, *viewer_, *settings_, places_, SummedRadiance::layers);
   rays.resize(most_sums * waiting_.size());
   rays.note_layers(*settings_, targets_);
   for (const Waiting& waiting : waiting_) {

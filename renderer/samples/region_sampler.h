@@ -29,8 +29,7 @@ class RegionSampler {
   /// request on `stop`, estimates use the samples taken until then.
   RegionSampler(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
                 PixelRect block, int seed, const ReflectionMask* mask = nullptr,
-                std::stop_token stop = {},
-                SampleSums::SummedRadiance shows = SampleSums::SummedRadiance::all);
+                std::stop_token stop = {}, SummedRadiance shows = SummedRadiance::all);
 
   /// When to stop sampling: approximate numbers of samples in the region, powers of two. The error
   /// is in display intensity, or relative to the value if that alone makes the pixel brighter than
@@ -47,6 +46,8 @@ class RegionSampler {
     glm::dvec3 raised{0.0};
   };
 
+  /// See SampledLights.
+  void restrict_to(std::span<const std::uint8_t> lights) { sums_.restrict_to(lights); }
   /// From now on regions have the layers that the settings ask for, too.
   void note_layers() { with_layers_ = settings_->layers.of_surfaces(); }
   /// Puts a region off until `run`; its number among those that wait, from 0. With layers, its

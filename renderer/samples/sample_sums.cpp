@@ -88,7 +88,7 @@ SampleSums::SampleSums(const RenderScene& scene, const ViewContext& viewer,
       count_(own_.count),
       hit_(own_.hit),
       statistics_(own_.statistics) {
-  if (shows == SummedRadiance::lobes) simd_.leave_blended();
+  if (sums_part()) simd_.leave_blended();
   if (viewer.view.has_lens()) places.use_lens();
 }
 
@@ -152,11 +152,7 @@ void SampleSums::trace() {
     used_ = 0;
     return;
   }
-  if (shows_ == SummedRadiance::lobes) {
-    gather_lobes();
-  } else {
-    shade_batch();
-  }
+  shade_batch();
   follow_reflections();
   bounced_.follow(lights_.take_sky_rays(), lights_, sums(), statistics_);
   lights_.trace(sums(), statistics_);
@@ -170,49 +166,6 @@ void SampleSums::add_layers() {
     LayerSum* sum = layers_->surfaces[samples_[i].target / layers_->targets_each];
     if (sum) sum->add(probe_->at(seen_by(i, samples_[i].side), statistics_), 1.0);
   }
-}
-
-// Collects the lobes' reflections at the hits of the waiting samples.
-void SampleSums::gather_lobes() {
-  simd_.clear();
-  alone_count_ = 0;
-  for (std::size_t i = 0; i < used_; ++i) {
-    hit_[samples_[i].target] = hits_[i];
-    count(samples_[i].target);
-    if (simd_.full_for(hits_[i])) gather_waiting_lobes();
-    const SamplePath path = simd_.add(i, rays_[i], hits_[i], samples_[i].side);
-    statistics_.count_sample(path);
-    if (path != SamplePath::lanes && hits_[i].valid()) alone_[alone_count_++] = i;
-  }
-  gather_waiting_lobes();
-  for (std::size_t k = 0; k < alone_count_; ++k) {
-    const PointSample& sample = samples_[alone_[k]];
-    start_sample(sample);
-    OneLobeSample transport(lights_, reflections_, viewer_.shader, sample, *places_);
-    (void)viewer_.shader.radiance(seen_by(alone_[k], sample.side), transport, statistics_);
-    sums().add({sample.target}, glm::dvec3(transport.sky()));
-  }
-}
-
-// Collects the lobes' reflections at the points of the SIMD path.
-void SampleSums::gather_waiting_lobes() {
-  if (simd_.count() == 0) return;
-  ShadingPoints& points = lights_.first_points().points;
-  if (!simd_.shade(points)) return shade_alone_instead();
-  for (std::size_t k = 0; k < simd_.count(); ++k) {
-    const bool reflects = simd_.may_mirror(k);
-    if (!reflects && !shadows_sky()) continue;
-    const std::size_t i = simd_.index(k);
-    const PointSample& sample = samples_[i];
-    start_sample(sample);
-    OneLobeSample transport(lights_, reflections_, viewer_.shader, sample, *places_);
-    simd_.set_mirrors(
-        k, reflects && simd_.reflect(k, seen_by(i, sample.side), points, transport, statistics_));
-    if (!shadows_sky()) continue;
-    (void)simd_.add_sky(k, points, transport, statistics_);
-    sums().add({sample.target}, glm::dvec3(transport.sky()));
-  }
-  simd_.clear();
 }
 
 // Shades the samples of the SIMD path one by one after all, because a value is not finite.
@@ -237,7 +190,9 @@ void SampleSums::shade_batch() {
     const SamplePath path = simd_.add(i, rays_[i], hits_[i], samples_[i].side);
     statistics_.count_sample(path);
     if (path == SamplePath::lanes) continue;
-    if (!hits_[i].valid() && simd_.background()) {
+    if (!hits_[i].valid() && sums_part()) {
+      count(samples_[i].target);
+    } else if (!hits_[i].valid() && simd_.background()) {
       const glm::dvec3 background(*simd_.background());
       sums().add({samples_[i].target}, background, glm::dvec3(0.0), background);
       count(samples_[i].target);
@@ -254,7 +209,7 @@ void SampleSums::shade_batch() {
       continue;
     }
     places_->start_pixel(sample.x, sample.y);
-    if (shade(sample, glm::vec3(1.0f), seen)) count(sample.target);
+    if (shade(sample, glm::vec3(1.0f), seen, shows_)) count(sample.target);
   }
 }
 
@@ -278,8 +233,9 @@ bool SampleSums::shade_points(const Rays& rays) {
   if (!simd_.shade(points)) return false;
   const Shader& shader = viewer_.shader;
   lights_.prepare(shader.lights(), shader.settings().shadows);
-  lights_.gathered(simd_.count());
-  const bool sky_rays = shadows_sky();
+  const SummedRadiance shows = Rays::first ? shows_ : SummedRadiance::all;
+  if (shows != SummedRadiance::lobes) lights_.gathered(simd_.count());
+  const bool sky_rays = shadows_sky() && shows != SummedRadiance::direct;
   for (std::size_t i = 0; i < simd_.count(); ++i) {
     const std::size_t ray = simd_.index(i);
     const PointSample& place = rays.sample(ray);
@@ -288,21 +244,25 @@ bool SampleSums::shade_points(const Rays& rays) {
     bool mirrors = false;
     if (sky_rays || lights_.picks_lights() || simd_.may_mirror(i)) start_sample(place);
     if (lights_.picks_lights()) gathered.picks[i] = lights_.pick_place();
-    OneSample transport(lights_, reflections_, shader, place, rays.weight(ray));
+    OneSample transport(lights_, reflections_, shader, place, rays.weight(ray), *places_, shows);
     if (simd_.may_mirror(i))
       mirrors = simd_.reflect(i, rays.seen(ray), points, transport, statistics_);
     simd_.set_mirrors(i, mirrors);
-    if (sky_rays)
-      sums().add(gathered.targets[i],
-                 glm::dvec3(rays.weight(ray) * simd_.add_sky(i, points, transport, statistics_)));
+    if (sky_rays) {
+      const glm::vec3 sky = rays.weight(ray) * simd_.add_sky(i, points, transport, statistics_);
+      sums().add(gathered.targets[i], glm::dvec3(sky + transport.sky()));
+    }
   }
-  if (!sky_rays) simd_.reflect_skies(points);
+  const bool whole = shows == SummedRadiance::all;
+  if (whole && !sky_rays) simd_.reflect_skies(points);
   for (std::size_t i = 0; i < simd_.count(); ++i) {
     const glm::vec3 weight = simd_.share(i) * rays.weight(simd_.index(i));
-    const glm::dvec3 emission(weight * simd_.emission(i));
-    const glm::dvec3 radiance =
-        sky_rays ? emission : glm::dvec3(weight * simd_.unlit_radiance(i, points));
-    sums().add(gathered.targets[i], radiance, emission, glm::dvec3(0.0));
+    if (whole) {
+      const glm::dvec3 emission(weight * simd_.emission(i));
+      const glm::dvec3 radiance =
+          sky_rays ? emission : glm::dvec3(weight * simd_.unlit_radiance(i, points));
+      sums().add(gathered.targets[i], radiance, emission, glm::dvec3(0.0));
+    }
     if (weight != glm::vec3(1.0f)) points.weigh(i, weight);
   }
   pass_surfaces(rays, points);
@@ -322,7 +282,7 @@ void SampleSums::pass_surfaces(const Rays& rays, const ShadingPoints& points) {
     glm::vec3 through = passage.through;
     if (passage.bends) {
       start_sample(sample);
-      OneSample transport(lights_, reflections_, shader, sample, rays.weight(ray));
+      OneSample transport(lights_, reflections_, shader, sample, rays.weight(ray), *places_);
       const Shader::Layer layer{through, seen.passed.count.layers(), seen.hit,
                                 boundary ? passage.before : seen.passage, boundary};
       glm::vec3 later(0.0f);
@@ -337,16 +297,21 @@ void SampleSums::pass_surfaces(const Rays& rays, const ShadingPoints& points) {
 
 // Adds the radiance along a ray of the sample; `places_` must be at its pixel. Returns false,
 // without adding anything, if the radiance is not finite.
-bool SampleSums::shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen) {
+bool SampleSums::shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen,
+                       SummedRadiance shows) {
   places_->start_sample(sample.index);
   const SampledLights::Waiting lights = lights_.waiting();
   const std::size_t reflections = reflections_.waiting();
-  OneSample transport(lights_, reflections_, viewer_.shader, sample, weight);
+  OneSample transport(lights_, reflections_, viewer_.shader, sample, weight, *places_, shows);
   const glm::vec3 radiance = weight * viewer_.shader.radiance(seen, transport, statistics_);
   if (std::isfinite(radiance.x + radiance.y + radiance.z)) {
-    sums().add({sample.target, sample.part}, glm::dvec3(radiance),
-               glm::dvec3(weight * transport.emission()),
-               glm::dvec3(weight * transport.background()));
+    const SumTarget target{sample.target, sample.part};
+    if (shows == SummedRadiance::all) {
+      sums().add(target, glm::dvec3(radiance), glm::dvec3(weight * transport.emission()),
+                 glm::dvec3(weight * transport.background()));
+    } else {
+      sums().add(target, glm::dvec3(transport.sky()));
+    }
     return true;
   }
   ++statistics_.rejected_samples;

@@ -42,9 +42,6 @@ class SampleSums {
   /// `scene`, `view` and `places` have to outlive this.
   SampleSums(const RenderScene& scene, const View& view, const RenderSettings& settings,
              PixelSampler& places);
-  /// The summed part of the samples' radiance: all of it, only what the first surfaces reflect by
-  /// lobes (OneLobeSample), or none (`layers`: samples only cast eye rays).
-  enum class SummedRadiance { all, lobes, layers };
   /// For any viewer of the scene; `viewer` has to outlive this.
   SampleSums(const RenderScene& scene, const ViewContext& viewer, const RenderSettings& settings,
              PixelSampler& places, SummedRadiance shows = SummedRadiance::all);
@@ -58,6 +55,7 @@ class SampleSums {
 
   /// See SampledLights.
   void subtract_open_sky() { lights_.subtract_open_sky(); }
+  void restrict_to(std::span<const std::uint8_t> lights) { lights_.restrict_to(lights); }
 
   /// From now on samples are added to the sums of the layers that the settings ask for, too. The
   /// targets may change between samples. Both have to outlive the samples.
@@ -143,7 +141,6 @@ class SampleSums {
   void aim(const View& view, std::span<Ray> rays);
   void cast_in_motion();
   void widen_footprints();
-  void gather_lobes();
   void add_layers();
   [[nodiscard]] RadianceSums sums() { return {radiance_, light_ ? layers_ : nullptr}; }
   void count(std::size_t target) {
@@ -162,9 +159,13 @@ class SampleSums {
     places_->start_sample(sample.index);
   }
   void shade_alone_instead();
-  void gather_waiting_lobes();
+  /// Returns whether only a part of the first surfaces' radiance is summed.
+  [[nodiscard]] bool sums_part() const {
+    return shows_ == SummedRadiance::direct || shows_ == SummedRadiance::lobes;
+  }
   [[nodiscard]] bool shadows_sky() const { return viewer_.shader.settings().sky_shadows; }
-  [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen);
+  [[nodiscard]] bool shade(const PointSample& sample, glm::vec3 weight, const ViewedRay& seen,
+                           SummedRadiance shows = SummedRadiance::all);
   void follow_reflections();
   void cast_continued(std::span<const ReflectedSample> samples);
   void shade_reflections(std::span<const ReflectedSample> samples);

@@ -179,7 +179,7 @@ void SampledLights::trace_picked(const Gathered& batch, RadianceSums sums,
   LightSelection& picks = work_->picks;
   ShadingPoints& picked = work_->picked;
   LightPointBatch& places = work_->places;
-  picks.pick(many_, batch.points, batch.picks, rays_a_point_);
+  picks.pick(many_, batch.points, batch.picks);
   // A pixel's rays to a light use its first places on that light, which are well distributed
   // together.
   std::array<std::uint32_t, ShadingPoints::size> first_of_pixel;

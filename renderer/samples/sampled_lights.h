@@ -45,12 +45,9 @@ class SampledLights {
   /// Both arguments have to outlive this.
   SampledLights(const RayScene& rays, LightSamplePoints& places) : rays_(&rays), places_(&places) {}
 
-  /// Restricts the lights to those with a non-zero entry; others are ignored. If there are many,
-  /// points send `rays_a_point` rays on average. Must be called before the first point is added.
-  void restrict_to(std::span<const std::uint8_t> lights, float rays_a_point) {
-    allowed_ = lights;
-    rays_a_point_ = rays_a_point;
-  }
+  /// Restricts the lights to those with a non-zero entry; others are ignored. Must be called before
+  /// the first point is added.
+  void restrict_to(std::span<const std::uint8_t> lights) { allowed_ = lights; }
 
   /// Points, with the samples to which they belong.
   struct Gathered {
@@ -133,7 +130,6 @@ class SampledLights {
   LightSamplePoints* places_;
   std::span<const std::uint8_t> allowed_;  // empty: all
   std::vector<LightConstants> lights_;     // for all points
-  float rays_a_point_ = LightSelection::rays_a_point;
   std::vector<std::uint8_t> taken_;
   std::vector<std::uint8_t> shadowed_;  // which of them send shadow rays
   bool all_taken_ = true;

@@ -14,7 +14,7 @@ TEST(BlockQueue, KeepsTheOrderOfContributions) {
   EXPECT_EQ(queue.add(first), 0u);
   EXPECT_EQ(queue.add(second), 1u);
   queue[1].radiance = glm::dvec3(2.0);
-  queue.drop(0);
+  queue[0].dropped = true;
   const std::span<const Contribution> taken = queue.take();
   ASSERT_EQ(taken.size(), 2u);
   EXPECT_EQ(taken[0].leaf, &first);

@@ -29,14 +29,15 @@ struct WhiteFloor {
   ViewedMaterial material{glm::vec3(1.0f), glm::vec3(0.0f), glm::vec3(0.0f), 1.0f, glm::vec3(0.0f)};
 };
 
-// The maximum over the shading points; zero after start() has cleared them.
+// The maximum over the shading points; zero without any.
 TEST(UnshadowedContributions, MatchesRadianceOfAWhiteFloor) {
   std::vector<Light> lights{point_light(), rectangle_light()};
   for (Light& light : lights) light.intensity = 0.2f;
   const std::vector<PreparedLight> all = prepared(lights);
   UnshadowedContributions carried(all);
   const WhiteFloor far({9, 0, 0}), below({0, 0, 0});
-  for (const WhiteFloor* floor : {&far, &below}) carried.add({all, floor->view, floor->material});
+  for (const WhiteFloor* floor : {&far, &below})
+    (void)carried.gather({all, floor->view, floor->material});
   const std::vector<double> most = carried.most();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const glm::vec3 e = unshadowed_irradiance(all[i], {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}});
@@ -44,8 +45,7 @@ TEST(UnshadowedContributions, MatchesRadianceOfAWhiteFloor) {
     // The rectangle's width is a third of its distance.
     EXPECT_NEAR(most[i], radiance, 0.25 * radiance) << i;
   }
-  carried.start();
-  for (const double one : carried.most()) EXPECT_EQ(one, 0.0);
+  for (const double one : UnshadowedContributions(all).most()) EXPECT_EQ(one, 0.0);
 }
 
 // At most two sides of a part's faces are visible from anywhere, however many faces there are.
@@ -54,7 +54,7 @@ TEST(UnshadowedContributions, IsLimitedToTwoSidesOfOnePart) {
   for (PreparedLight& light : all) light.own_part = 3;
   UnshadowedContributions carried(all);
   const WhiteFloor floor({0, 0, 0});
-  carried.add({all, floor.view, floor.material});
+  (void)carried.gather({all, floor.view, floor.material});
   double sum = 0.0;
   for (const double one : carried.most()) sum += one;
   EXPECT_NEAR(sum, 2.0, 1e-6) << "each light alone is brighter than white";

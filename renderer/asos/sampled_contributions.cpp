@@ -1,4 +1,4 @@
-#include "renderer/asos/lobe_contributions.h"
+#include "renderer/asos/sampled_contributions.h"
 
 #include "renderer/geometry/largest.h"
 #include "renderer/pyray/tuning.h"
@@ -12,46 +12,48 @@
 
 namespace asos {
 
-RegionSampler& LobeContributions::sampler() {
+RegionSampler& SampledContributions::sampler() {
   if (!sampler_) {
-    sampler_ = std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings,
-                                               eye_->block, eye_->seed, eye_->mask, eye_->stop,
-                                               SampleSums::SummedRadiance::lobes);
+    sampler_ =
+        std::make_unique<RegionSampler>(*eye_->scene, eye_->viewer, *eye_->settings, eye_->block,
+                                        eye_->seed, eye_->mask, eye_->stop, shows_);
+    if (shows_ == SummedRadiance::direct) sampler_->restrict_to(lights_->lights());
     if (!eye_->mirrored() && eye_->settings->layers.of_light()) sampler_->note_layers();
   }
   return *sampler_;
 }
 
-// Returns the usual goal of a part, with the first round reduced by the lobes' reflectance of
-// white and by the number of rays to the sky, but not below four samples (one at MAX 0).
-RegionSampler::Goal LobeContributions::goal_of(double weight, glm::vec3 reflected) const {
+// Returns the usual goal of a part, with the first round reduced by the reflectance of white and by
+// the number of rays to the sky, but not below four samples (one at MAX 0).
+RegionSampler::Goal SampledContributions::goal_of(double weight, glm::vec3 reflected) const {
   RegionSampler::Goal goal = sample_goal(eye_->error_budget, weight);
   const bool sky = eye_->viewer.shader.settings().sky_shadows;
   const double share = std::min(1.0, static_cast<double>(largest(reflected))) /
-                       (sky ? double{OneLobeSample::sky_rays} : 1.0);
+                       (sky ? double{OneSample::lobe_sky_rays} : 1.0);
   const auto worth = static_cast<std::uint32_t>(share * goal.least);
   goal.least = std::clamp(std::bit_ceil(worth), std::min(4u, goal.least), goal.least);
+  goal.grows = shows_ == SummedRadiance::lobes;
   return goal;
 }
 
-void LobeContributions::wait(const Leaf& leaf, glm::vec3 reflected) {
+void SampledContributions::wait(const Leaf& leaf, glm::vec3 reflected) {
   const std::size_t number = sampler().add(leaf.region, goal_of(leaf.weight, reflected));
   sampler().set_inside(number, leaf.at);
 }
 
-void LobeContributions::add(const Leaf& leaf, glm::vec3 reflected, bool shares) {
+void SampledContributions::add(const Leaf& leaf, glm::vec3 reflected, bool shares) {
   if (queue_.empty()) leaves_.clear();
   wait(leaf, reflected);
   queue_.add(leaf);
   leaves_.push_back({&leaf, reflected, shares});
 }
 
-glm::vec3 LobeContributions::at_once(const Leaf& leaf, glm::vec3 reflected) {
+glm::vec3 SampledContributions::at_once(const Leaf& leaf, glm::vec3 reflected) {
   wait(leaf, reflected);
   return glm::vec3(sampler().run(*eye_->counts).front().value);
 }
 
-std::span<const Contribution> LobeContributions::run() {
+std::span<const Contribution> SampledContributions::run() {
   if (queue_.empty()) return {};
   const std::uint64_t before = eye_->counts->rays();
   const bool shared =
@@ -75,7 +77,7 @@ std::span<const Contribution> LobeContributions::run() {
 }
 
 // A fit changes all parts by the same factor.
-LightSum LobeContributions::light(std::size_t number) const {
+LightSum SampledContributions::light(std::size_t number) const {
   const SampledLeaf& leaf = leaves_[number];
   LightSum light = sampler_->layers(number).light;
   const glm::dvec3 old = leaf.found.value, fitted = old + leaf.correction;
