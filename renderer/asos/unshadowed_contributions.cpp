@@ -17,16 +17,16 @@ double brightest(const PreparedLight& light) {
 
 UnshadowedContributions::UnshadowedContributions(std::span<const PreparedLight> lights)
     : lights_(lights), point_(ThreadLocalCache<ShadingPoints>::make()) {
-  for (std::uint32_t i = 0; i < lights.size(); ++i) table_.add(LightConstants(lights[i]), i);
-  worth_.resize(table_.padded_size());
-  most_.resize(table_.padded_size());
+  for (const PreparedLight& light : lights) bounds_.emplace_back(LightConstants(light));
+  weights_.resize((lights.size() + 15) / 16 * 16);
+  most_.assign(lights.size(), 0.0f);
 }
 
 HandledLights UnshadowedContributions::gather(const LightingQuery& point) {
   point_->count = 0;
   point_->add(point, glm::vec3(1.0f));
-  (void)weigh_lights(table_, *point_, 0, worth_);
-  for (std::size_t i = 0; i < worth_.size(); ++i) most_[i] = std::max(most_[i], worth_[i]);
+  weigh_lights(bounds_, *point_, 0, weights_);
+  for (std::size_t i = 0; i < most_.size(); ++i) most_[i] = std::max(most_[i], weights_[i]);
   return {{}, true};
 }
 

@@ -31,9 +31,10 @@ class UnshadowedContributions final : public LightTransport {
 
  private:
   std::span<const PreparedLight> lights_;
-  LightTable table_;
+  std::vector<LightBounds> bounds_;
   CachedPtr<ShadingPoints> point_;
-  std::vector<float> worth_, most_;
+  std::vector<float> weights_;  // contributions at the current point
+  std::vector<float> most_;     // the largest at any point
 };
 
 }  // namespace asos

@@ -26,6 +26,7 @@ class Lane {
   friend HWY_INLINE Lane operator/(Lane a, Lane b) { return hn::Div(a.lanes_, b.lanes_); }
   friend HWY_INLINE Lane operator-(Lane a) { return hn::Neg(a.lanes_); }
   friend HWY_INLINE LaneMask operator<=(Lane a, Lane b) { return hn::Le(a.lanes_, b.lanes_); }
+  friend HWY_INLINE LaneMask operator>(Lane a, Lane b) { return hn::Gt(a.lanes_, b.lanes_); }
   friend HWY_INLINE Lane sqrt(Lane a) { return hn::Sqrt(a.lanes_); }
   friend HWY_INLINE Lane copysign(Lane a, Lane sign) { return hn::CopySign(a.lanes_, sign.lanes_); }
   friend HWY_INLINE Lane min(Lane a, Lane b) { return hn::Min(a.lanes_, b.lanes_); }

@@ -4,10 +4,8 @@
 #define HWY_TARGET_INCLUDE "renderer/kernels/light_selection.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
 // Include after foreach_target.h, whose definitions these use.
-#include "renderer/kernels/weight_lanes.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/kernels/lanes.h"
 
-#include <algorithm>
 #include <hwy/highway.h>
 #include <span>
 
@@ -15,64 +13,11 @@ HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
 
-/// Returns alpha^2 of the lobes of points from i on, as for weigh_lights.
-HWY_INLINE Lanes alpha2_of_lanes(const ShadingPoints& points, std::size_t i) {
-  const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
-  const auto alpha2 = square(loaded(points.alpha, i));
-  const auto turns = hn::Ne(loaded(points.turns, i), zero);
-  if (hn::AllFalse(FloatTag(), turns)) return hn::Min(one, alpha2);
-  const auto square_of = [&](const ShadingPoints::Vectors& v) HWY_ATTR {
-    const Vectors at = loaded(v, i);
-    return dot(at, at);
-  };
-  const auto both = hn::Add(square_of(points.spread_right), square_of(points.spread_down));
-  const auto by_normals =
-      hn::Add(hn::Div(both, all_lanes(24.0f)), loaded(points.spread_variance, i));
-  const auto added = hn::Add(hn::Add(alpha2, hn::Min(by_normals, all_lanes(PatchLobe::most_added))),
-                             hn::Mul(all_lanes(0.5f), square_of(points.stretch)));
-  const auto sheen = hn::Gt(loaded(points.sheen, i), zero);
-  return hn::Min(one, hn::IfThenElse(turns, hn::IfThenElse(sheen, one, added), alpha2));
-}
-
-void weigh_batch(const LightTable& lights, const ShadingPoints& points,
-                 ShadingPoints::Floats* weights) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    PointLanes at;
-    at.position = loaded(points.position, i);
-    at.geometric = loaded(points.geometric, i);
-    at.normal = loaded(points.normal, i);
-    at.to_viewer = loaded(points.to_viewer, i);
-    at.diffuse = loaded(points.diffuse, i);
-    at.f0 = loaded(points.f0, i);
-    at.f90_less_f0 = loaded(points.f90_less_f0, i);
-    at.falloff = loaded(points.falloff, i);
-    at.n_dot_v = loaded(points.n_dot_v, i);
-    at.alpha2 = alpha2_of_lanes(points, i);
-    at.shows_lights = loaded(points.shows_lights, i);
-    set_tangents(at);
-    const Vectors most = at.f0 + at.f90_less_f0;
-    const auto shines =
-        hn::Or(hn::Or(hn::Ne(most.x, zero), hn::Ne(most.y, zero)), hn::Ne(most.z, zero));
-    for (std::size_t k = 0; k < lights.size(); ++k)
-      store(weight(OneLight{lights, k}, at, shines), weights[k], i);
-  }
-}
-
-/// Adds up the weights of points from i on as weigh_lights does: in LightTable::step partial sums.
 using Weights = std::span<const ShadingPoints::Floats>;
 
 HWY_INLINE Lanes sum_of_weights(Weights weights, std::size_t i) {
-  const std::size_t lights = weights.size();
-  const FloatTag d;
-  auto sum = hn::Zero(d);
-  for (std::size_t j = 0; j < std::min(lights, LightTable::step); ++j) {
-    auto part = hn::Zero(d);
-    for (std::size_t k = j; k < lights; k += LightTable::step)
-      part = hn::Add(part, loaded(weights[k], i));
-    sum = hn::Add(sum, part);
-  }
+  auto sum = hn::Zero(FloatTag());
+  for (const ShadingPoints::Floats& of_light : weights) sum = hn::Add(sum, loaded(of_light, i));
   return sum;
 }
 
@@ -153,16 +98,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace asos {
 
-HWY_EXPORT(weigh_batch);
 HWY_EXPORT(pick);
 
-void LightSelection::pick(const LightTable& lights, const ShadingPoints& points,
+void LightSelection::pick(std::span<const LightBounds> lights, const ShadingPoints& points,
                           const LightPointBatch::Fractions& at, float a_point) {
   weights_.resize(lights.size());
   first_.assign(1, 0);
-  if (lights.size() == 0) return;
-  HWY_DYNAMIC_DISPATCH(weigh_batch)(lights, points, weights_.data());
-  HWY_DYNAMIC_DISPATCH(pick)({weights_.data(), weights_.size()}, points.count, at, a_point, *this);
+  if (lights.empty()) return;
+  weigh_lights(lights, points, weights_);
+  HWY_DYNAMIC_DISPATCH(pick)(weights_, points.count, at, a_point, *this);
 }
 
 }  // namespace asos

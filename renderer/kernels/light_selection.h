@@ -26,10 +26,10 @@ class LightSelection {
   /// Picks lights for all points. `at` is each point's random number, a 32-bit fraction. The bits
   /// of a point's picks depend only on the point, its number and the lights, not on its place in
   /// the batch or the instruction set.
-  void pick(const LightTable& lights, const ShadingPoints& points,
+  void pick(std::span<const LightBounds> lights, const ShadingPoints& points,
             const LightPointBatch::Fractions& at, float a_point = rays_a_point);
 
-  /// The points that picked a light of the table, ascending, with 1 / probability of each. Valid
+  /// The points that picked a light, ascending, with 1 / probability of each. Valid
   /// until the next call of `pick`.
   struct Points {
     std::span<const std::uint32_t> point;

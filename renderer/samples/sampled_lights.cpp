@@ -92,7 +92,7 @@ void SampledLights::prepare(std::span<const PreparedLight> lights, bool shadows)
   }
   if (!picks_lights()) return;
   for (std::uint32_t i = 0; i < lights_.size(); ++i)
-    if (shadowed_[i] != 0) many_.add(lights_[i], i);
+    if (shadowed_[i] != 0) many_.emplace_back(lights_[i]), many_numbers_.push_back(i);
 }
 
 std::uint32_t SampledLights::pick_place() const {
@@ -190,7 +190,7 @@ void SampledLights::trace_picked(const Gathered& batch, RadianceSums sums,
   for (std::size_t i = 0; i < many_.size(); ++i) {
     const LightSelection::Points by = picks.of(i);
     if (by.point.empty()) continue;
-    const std::uint32_t light = many_.number(i);
+    const std::uint32_t light = many_numbers_[i];
     picked.gather(batch.points, by.point);
     if (lights_[light].light->extended()) {
       places_->on_light(light, on_light_);

@@ -141,7 +141,9 @@ class SampledLights {
   LightPointBatch on_light_;
   LobeBatch lobe_;
   WideLights wide_;
-  LightTable many_;  // lights with shadow rays, if they are selected
+  // Lights with shadow rays and their numbers, if they are selected.
+  std::vector<LightBounds> many_;
+  std::vector<std::uint32_t> many_numbers_;
   /// Scratch memory for tracing.
   struct Work {
     ShadowRayBatch rays;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -39,14 +40,14 @@ class Picked : public testing::Test {
     }
     for (std::uint32_t i = 0; i < light_count; ++i) {
       constants_.emplace_back(prepared_[i]);
-      table_.add(constants_.back(), i);
+      bounds_.emplace_back(constants_.back());
     }
     const ViewedPoint view{at_, {0, 1, 0}, 1.0f};
     for (std::size_t i = 0; i < point_count; ++i)
       points_->add({prepared_, view, material_}, glm::vec3(1.0f));
     for (std::size_t i = 0; i < point_count; ++i)
       numbers_->u[i] = static_cast<std::uint32_t>((i << 32) / point_count);
-    picks_.pick(table_, *points_, numbers_->u, rays_a_point);
+    picks_.pick(bounds_, *points_, numbers_->u, rays_a_point);
   }
 
   SurfacePoint at_;
@@ -54,7 +55,7 @@ class Picked : public testing::Test {
                            glm::vec3(0.0f)};
   std::vector<PreparedLight> prepared_;
   std::vector<LightConstants> constants_;
-  LightTable table_;
+  std::vector<LightBounds> bounds_;
   std::unique_ptr<ShadingPoints> points_ = std::make_unique<ShadingPoints>();
   std::unique_ptr<LightPointBatch> numbers_ = std::make_unique<LightPointBatch>();
   LightSelection picks_;
@@ -96,7 +97,7 @@ TEST_F(Picked, NeverIncludeLightsWithoutContribution) {
 
 TEST_F(Picked, AreNoneWhereAllIsDark) {
   points_->diffuse = {};
-  picks_.pick(table_, *points_, numbers_->u, rays_a_point);
+  picks_.pick(bounds_, *points_, numbers_->u, rays_a_point);
   for (std::size_t light = 0; light < light_count; ++light)
     EXPECT_TRUE(picks_.of(light).point.empty()) << light;
 }
@@ -133,27 +134,29 @@ std::vector<std::pair<std::size_t, float>> picks_of_point(const std::vector<floa
 TEST(LightSelection, PicksForABatchAsForItsPointsOneByOne) {
   const LitSubjects batch(21, 1.0, {0, 0, 0});
   const std::vector<NamedLight> all = lights(1.0, {0, 0, 0});
-  LightTable table;
+  std::vector<LightBounds> bounds;
   std::vector<LightConstants> constants;
   for (const int copies : {1, 3}) {
-    table.clear();
+    bounds.clear();
     constants.clear();
     for (int k = 0; k < copies; ++k)
       for (const NamedLight& light : all) constants.emplace_back(light.prepared);
-    for (std::uint32_t i = 0; i < constants.size(); ++i) table.add(constants[i], i);
+    for (const LightConstants& light : constants) bounds.emplace_back(light);
     for_every_target([&] {
       LightSelection picks;
-      picks.pick(table, batch.points, batch.places.u, rays_a_point);
+      picks.pick(bounds, batch.points, batch.places.u, rays_a_point);
       std::vector<std::vector<std::pair<std::size_t, float>>> found(batch.points.count);
-      for (std::size_t light = 0; light < table.size(); ++light) {
+      for (std::size_t light = 0; light < bounds.size(); ++light) {
         const LightSelection::Points by = picks.of(light);
         for (std::size_t k = 0; k < by.point.size(); ++k)
           found[by.point[k]].emplace_back(light, by.weight[k]);
       }
-      std::vector<float> weights(table.padded_size());
       std::size_t picked = 0;
       for (std::size_t i = 0; i < batch.points.count; ++i) {
-        const float sum = weigh_lights(table, batch.points, i, weights);
+        std::vector<float> weights((bounds.size() + 15) / 16 * 16);
+        weigh_lights(bounds, batch.points, i, weights);
+        weights.resize(bounds.size());
+        const float sum = std::accumulate(weights.begin(), weights.end(), 0.0f);
         const float number = static_cast<float>(batch.places.u[i] >> 8) * 0x1p-24f;
         EXPECT_EQ(found[i], picks_of_point(weights, sum, number, rays_a_point)) << "point " << i;
         picked += found[i].size();
