@@ -32,51 +32,13 @@ struct Turns {
   std::array<double, count> cosine{}, sine{};
 };
 
-/// Integrates over visible normals by spherical caps (Dupuy and Benyoub 2023). Only the masking of
-/// the light's side and Fresnel's term remain, which are smooth.
-Norms integrate(double n_dot_v, double alpha) {
-  constexpr int caps = 40;
-  constexpr std::size_t turns = 10;  // of a half turn: both sides of the plane of view are equal
-  constexpr double samples = caps * turns;
-  static const Turns<turns> half_turn(std::numbers::pi);
-  if (alpha == 0.0) return {1.0, schlick_weight(n_dot_v)};
-  const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
-  const double a2 = alpha * alpha;
-  const double view_root = smith_root(n_dot_v, a2);
-  const double scale = std::hypot(alpha * sine, n_dot_v);
-  const double view_x = alpha * sine / scale;
-  const double view_z = n_dot_v / scale;
-  Norms sum;
-  for (int i = 0; i < caps; ++i) {
-    // Nodes are denser where the normals are steep, since a narrow lobe's light is cut off there.
-    const double t = (i + 0.5) / caps;
-    const double weight = 2.0 * t;
-    const double z = t * t * (1.0 + view_z) - view_z;
-    const double radius = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
-    for (std::size_t k = 0; k < turns; ++k) {
-      // Compute the normal, the reflected direction and its masking.
-      const double hx = alpha * (radius * half_turn.cosine[k] + view_x);
-      const double hy = alpha * radius * half_turn.sine[k];
-      const double hz = z + view_z;
-      const double length = std::sqrt(hx * hx + hy * hy + hz * hz);
-      const double v_dot_h = std::clamp((sine * hx + n_dot_v * hz) / length, 0.0, 1.0);
-      const double n_dot_l = 2.0 * v_dot_h * hz / length - n_dot_v;
-      if (!(n_dot_l > 0.0)) continue;
-      const double left = smith_reached(n_dot_l, smith_root(n_dot_l, a2), n_dot_v, view_root);
-      sum.lobe += weight * left;
-      sum.fresnel += weight * left * schlick_weight(v_dot_h);
-    }
-  }
-  return {sum.lobe / samples, sum.fresnel / samples};
-}
-
-/// Integrates an anisotropic lobe with the squared roughness `along` in the direction x and
-/// `across` in y. The viewer's azimuth is `turn` from x.
-Norms integrate(double n_dot_v, double along, double across, double turn) {
-  constexpr int caps = 24;
-  constexpr std::size_t turns = 16;
-  constexpr double samples = caps * turns;
-  static const Turns<turns> whole_turn(2.0 * std::numbers::pi);
+/// Integrates, over visible normals by spherical caps (Dupuy and Benyoub 2023), a lobe with the
+/// squared roughness `along` in the direction x and `across` in y. Only the masking of the light's
+/// side and Fresnel's term remain, which are smooth. The viewer's azimuth is `turn` from x. The
+/// nodes are at `azimuths` of `caps` circles.
+template <std::size_t count>
+Norms integrate(double n_dot_v, double along, double across, double turn, int caps,
+                const Turns<count>& azimuths) {
   const double sine = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
   const glm::dvec3 alpha(along, across, 1.0);
   const glm::dvec3 v(sine * std::cos(turn), sine * std::sin(turn), n_dot_v);
@@ -84,12 +46,14 @@ Norms integrate(double n_dot_v, double along, double across, double turn) {
   const glm::dvec3 view = alpha * v / view_root;
   Norms sum;
   for (int i = 0; i < caps; ++i) {
+    // Nodes are denser where the normals are steep, since a narrow lobe's light is cut off there.
     const double t = (i + 0.5) / caps;
     const double weight = 2.0 * t;
     const double z = t * t * (1.0 + view.z) - view.z;
     const double radius = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
-    for (std::size_t k = 0; k < turns; ++k) {
-      const glm::dvec3 cap(radius * whole_turn.cosine[k], radius * whole_turn.sine[k], z);
+    for (std::size_t k = 0; k < count; ++k) {
+      // Compute the normal, the reflected direction and its masking.
+      const glm::dvec3 cap(radius * azimuths.cosine[k], radius * azimuths.sine[k], z);
       const glm::dvec3 h = glm::normalize(alpha * (cap + view));
       const double v_dot_h = std::clamp(glm::dot(v, h), 0.0, 1.0);
       const glm::dvec3 l = 2.0 * v_dot_h * h - v;
@@ -99,7 +63,15 @@ Norms integrate(double n_dot_v, double along, double across, double turn) {
       sum.fresnel += weight * left * schlick_weight(v_dot_h);
     }
   }
+  const double samples = caps * static_cast<double>(count);
   return {sum.lobe / samples, sum.fresnel / samples};
+}
+
+/// Integrates an isotropic lobe. Both sides of the plane of view are equal.
+Norms integrate(double n_dot_v, double alpha) {
+  if (alpha == 0.0) return {1.0, schlick_weight(n_dot_v)};
+  static const Turns<10> half_turn(std::numbers::pi);
+  return integrate(n_dot_v, alpha, alpha, 0.0, 40, half_turn);
 }
 
 /// The place of a value from 0 to 1 in a table's row: the index below, and the fraction to the
@@ -115,11 +87,14 @@ struct Between {
   float way;
 };
 
+/// Returns the value from 0 to 1 of a place in a table's row.
+constexpr double step(std::size_t i, std::size_t count) {
+  return static_cast<double>(i) / static_cast<double>(count - 1);
+}
+
 StretchedNormTable make_stretched_table() {
   using T = StretchedNormTable;
-  const auto step = [](std::size_t i, std::size_t count) {
-    return static_cast<double>(i) / static_cast<double>(count - 1);
-  };
+  const Turns<16> whole_turn(2.0 * std::numbers::pi);
   auto table = std::make_unique<T>();
   std::size_t at = 0;
   for (std::size_t r = 0; r < T::roughnesses; ++r) {
@@ -130,9 +105,9 @@ StretchedNormTable make_stretched_table() {
       for (std::size_t turn = 0; turn < T::turns; ++turn) {
         for (std::size_t c = 0; c < T::cosines; ++c) {
           const double root = std::max(step(c, T::cosines), 1e-2);
-          const Norms norms =
-              integrate(root * root, along, across,
-                        0.5 * std::numbers::pi * (1.0 - std::pow(step(turn, T::turns), 2.0)));
+          const double azimuth =
+              0.5 * std::numbers::pi * (1.0 - std::pow(step(turn, T::turns), 2.0));
+          const Norms norms = integrate(root * root, along, across, azimuth, 24, whole_turn);
           table->norms[at++] = {static_cast<float>(norms.lobe), static_cast<float>(norms.fresnel)};
         }
       }
@@ -142,9 +117,6 @@ StretchedNormTable make_stretched_table() {
 }
 
 LobeNormTable make_table() {
-  constexpr auto step = [](std::size_t i, std::size_t count) {
-    return static_cast<double>(i) / static_cast<double>(count - 1);
-  };
   LobeNormTable table;
   for (std::size_t r = 0; r < LobeNormTable::roughnesses; ++r) {
     const double roughness = step(r, LobeNormTable::roughnesses);
@@ -201,23 +173,18 @@ LobeNorms stretched_lobe_norms(float n_dot_v, float roughness, float alpha_along
 }
 
 LobeNorms lobe_norms(float n_dot_v, float roughness) {
-  const LobeNormTable& table = lobe_norm_table();
-  constexpr auto last_c = static_cast<float>(LobeNormTable::cosines - 1);
-  constexpr auto last_r = static_cast<float>(LobeNormTable::roughnesses - 1);
+  using T = LobeNormTable;
   if (std::isnan(n_dot_v + roughness)) return {n_dot_v + roughness, n_dot_v + roughness};
-  const float c = std::sqrt(std::clamp(n_dot_v, 0.0f, 1.0f)) * last_c;
-  const float r = std::clamp(roughness, 0.0f, 1.0f) * last_r;
-  const float column = std::min(std::floor(c), last_c - 1.0f);
-  const float row = std::min(std::floor(r), last_r - 1.0f);
-  const auto first =
-      static_cast<std::size_t>(row) * LobeNormTable::cosines + static_cast<std::size_t>(column);
+  const Between c(std::sqrt(std::max(0.0f, n_dot_v)), T::cosines), r(roughness, T::roughnesses);
   const auto between = [&](const auto& values) {
-    const auto along = [&](std::size_t i) {
-      return values[i] + (values[i + 1] - values[i]) * (c - column);
+    const auto along = [&](std::size_t row) {
+      const float* at = &values[row * T::cosines + c.below];
+      return at[0] + (at[1] - at[0]) * c.way;
     };
-    const float low = along(first);
-    return low + (along(first + LobeNormTable::cosines) - low) * (r - row);
+    const float low = along(r.below);
+    return low + (along(r.below + 1) - low) * r.way;
   };
+  const T& table = lobe_norm_table();
   return {between(table.lobe), between(table.fresnel)};
 }
 
