@@ -163,26 +163,16 @@ void LightQuadrature::add_cell(const LightPatch::Cell& cell) {
     fresnel[i] = lobe[i] * weight;
     scattered[i] = form[i] * weight;
   }
-  if (sheen_ > 0.0f) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const glm::vec3 to_light(cell.x[i], cell.y[i], cell.z[i]);
-      const glm::vec3 half = glm::normalize(v + to_light);
-      const BrdfAngles angles{std::max(glm::dot(n, to_light), grazing_cosine), clamped_n_dot_v,
-                              glm::dot(n, half), glm::dot(v, half)};
-      lobe[i] = form[i] > 0.0f ? form[i] * sheen_lobe(sheen_, angles) : 0.0f;
-      fresnel[i] = 0.0f;
-    }
-  }
-  if (stretched_.wider()) {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!(form[i] > 0.0f)) continue;
-      const glm::vec3 to_light(cell.x[i], cell.y[i], cell.z[i]);
-      const glm::vec3 half = glm::normalize(v + to_light);
-      const BrdfAngles angles{std::max(glm::dot(n, to_light), grazing_cosine), clamped_n_dot_v,
-                              glm::dot(n, half), glm::dot(v, half)};
-      lobe[i] = form[i] * stretched_.value(half, to_light, v, angles);
-      fresnel[i] = lobe[i] * schlick_weight(angles.v_dot_h);
-    }
+  const bool sheen = sheen_ > 0.0f;
+  for (std::size_t i = 0; i < count && (sheen || stretched_.wider()); ++i) {
+    if (!(form[i] > 0.0f)) continue;
+    const glm::vec3 to_light(cell.x[i], cell.y[i], cell.z[i]);
+    const glm::vec3 half = glm::normalize(v + to_light);
+    const BrdfAngles angles{std::max(glm::dot(n, to_light), grazing_cosine), clamped_n_dot_v,
+                            glm::dot(n, half), glm::dot(v, half)};
+    lobe[i] = form[i] *
+              (sheen ? sheen_lobe(sheen_, angles) : stretched_.value(half, to_light, v, angles));
+    fresnel[i] = sheen ? 0.0f : lobe[i] * schlick_weight(angles.v_dot_h);
   }
   for (std::size_t i = 0; i < count; ++i) {
     sums_.lobe += lobe[i];
