@@ -20,7 +20,7 @@ namespace asos {
 /// A light with its name in the scene.
 struct ReportedLight {
   std::string name;
-  Light::Type type = Light::Type::point;
+  Light::Type type{};
 };
 
 /// Input, contents and cost of a finished render, for --stats and the picture's metadata.

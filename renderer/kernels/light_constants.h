@@ -9,7 +9,7 @@ namespace asos {
 /// The data of one light that kernels use: in single precision, except for the sampling of
 /// rectangles and segments.
 struct LightConstants {
-  LightShape shape = LightShape::point;
+  LightShape shape;
   const PreparedLight* light = nullptr;
   glm::vec3 power{0.0f};
   // The position in two parts, so that nearby points lose no digits where coordinates are large.

@@ -1,5 +1,6 @@
 #include "renderer/prepared/environment_lights.h"
 
+#include "renderer/scene/make_light.h"
 #include "renderer/world/ground.h"
 
 #include <cmath>
@@ -25,14 +26,14 @@ Light sun_of(const Sun& sun, const SkyChoice& sky) {
   // Azimuth of the light, about +Y from +Z.
   const double azimuth = (-40.0 + sky.turn_deg) * degree;
   const double elevation = sun.elevation_deg * degree;
-  Light light;
+  const glm::dvec3 direction =
+      -glm::dvec3(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                  std::cos(azimuth) * std::cos(elevation));
+  Light light =
+      make_sun(direction, static_cast<float>(std::numbers::pi * sun.radiance * sky.brightness),
+               sun.angular_diameter_deg * degree);
   light.name = sun.name;
-  light.type = Light::Type::directional;
-  light.direction = -glm::dvec3(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                                std::cos(azimuth) * std::cos(elevation));
-  light.angular_diameter_rad = sun.angular_diameter_deg * degree;
   light.color = sun.colour;
-  light.intensity = static_cast<float>(std::numbers::pi * sun.radiance * sky.brightness);
   return light;
 }
 

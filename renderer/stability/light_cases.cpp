@@ -1,3 +1,4 @@
+#include "renderer/scene/make_light.h"
 #include "renderer/stability/case.h"
 #include "renderer/stability/closed_forms.h"
 #include "renderer/stability/light_meter.h"
@@ -20,35 +21,19 @@ using std::numbers::pi;
 
 constexpr const char* light_group = "lights";
 
-Light light_at(Light::Type type, glm::dvec3 position, float intensity = 1.0f) {
-  Light light;
-  light.type = type;
-  light.position = position;
-  light.direction = {0, -1, 0};
-  light.intensity = intensity;
-  return light;
-}
+constexpr glm::dvec3 down(0, -1, 0);
 
 Light disk(double height, double radius) {
-  Light light = light_at(Light::Type::disk, {0, height, 0});
-  light.radius = radius;
-  return light;
+  return make_disk({0, height, 0}, down, radius);
 }
 
 Light ball(glm::dvec3 position, double radius) {
   // Scale so that its radiance is one nit.
-  Light light = light_at(Light::Type::point, position,
-                         static_cast<float>(radius > 0.0 ? pi * radius * radius : 1.0));
-  light.radius = radius;
-  return light;
+  return make_bulb(position, static_cast<float>(radius > 0.0 ? pi * radius * radius : 1.0), radius);
 }
 
 Light rectangle(glm::dvec3 middle, glm::dvec3 half_u, glm::dvec3 half_v, glm::dvec3 direction) {
-  Light light = light_at(Light::Type::rectangle, middle);
-  light.half_u = half_u;
-  light.half_v = half_v;
-  light.direction = direction;
-  return light;
+  return make_panel(middle, direction, half_u, half_v);
 }
 
 std::vector<glm::dvec3> corners_of(const Light& r) {
@@ -70,19 +55,16 @@ double disk_lux(double height, double radius) {
 }
 
 void add_light_sizes(std::vector<Case>& cases) {
-  cases.push_back(under("a point light", {{light_at(Light::Type::point, {0, 2, 0})}, {}}, 0.25));
+  cases.push_back(under("a point light", {{make_bulb({0, 2, 0})}, {}}, 0.25));
   cases.push_back(under("a ball of radius 0 is a point", {{ball({0, 2, 0}, 0.0)}, {}}, 0.25));
   cases.push_back(under("a ball of radius 1e-12", {{ball({0, 2, 0}, 1e-12)}, {}}, pi * 2.5e-25));
   cases.push_back(under("a disk of radius 0 gives nothing", {{disk(2.0, 0.0)}, {}}, 0.0));
   cases.push_back(under("a rectangle of no width gives nothing",
                         {{rectangle({0, 2, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0})}, {}}, 0.0));
-  cases.push_back(under("a line of length 0 is a point",
-                        {{light_at(Light::Type::linear, {0, 2, 0})}, {}}, 0.25));
-  Light empty = light_at(Light::Type::polygon, {0, 2, 0});
-  empty.outlines = {{{0, 2, 0}, {1, 2, 0}}};
+  cases.push_back(under("a line of length 0 is a point", {{make_tube({0, 2, 0}, {})}, {}}, 0.25));
+  const Light empty = make_polygon(down, {{{0, 2, 0}, {1, 2, 0}}});
   cases.push_back(under("a polygon of two corners gives nothing", {{empty}, {}}, 0.0));
-  Light dot = light_at(Light::Type::directional, {0, 0, 0});
-  dot.angular_diameter_rad = 1e-9;
+  const Light dot = make_sun(down, 1.0f, 1e-9);
   cases.push_back(under("a sun of 1e-9 radians gives its lux", {{dot}, {}}, 1.0));
   cases.push_back(
       under("a disk of radius 1e6, 1 above", {{disk(1.0, 1e6)}, {}}, disk_lux(1.0, 1e6)));
@@ -104,8 +86,7 @@ void add_light_sizes(std::vector<Case>& cases) {
 
 void add_cones(std::vector<Case>& cases) {
   for (const double outer : {1e-6, 0.1, 1.5707963}) {
-    Light spot = light_at(Light::Type::spot, {0, 2, 0});
-    spot.inner_cone_rad = spot.outer_cone_rad = outer;
+    const Light spot = make_spot({0, 2, 0}, down, outer, outer);
     // The extension's formula with its guard: (cos - cos outer) / 0.001, squared, at most 1.
     const double below_1 = 2.0 * std::sin(0.5 * outer) * std::sin(0.5 * outer);  // 1 - cos(outer)
     const double share = std::min(1.0, below_1 / 0.001);
@@ -121,7 +102,7 @@ void add_cones(std::vector<Case>& cases) {
                "counts squared, as does that of the point's place, which may be 16 "
                "roundings of the floor's half side of 1e-3 off"}));
   }
-  Light near = light_at(Light::Type::point, {0, 2, 0});
+  Light near = make_bulb({0, 2, 0});
   near.range = 1e-6;
   cases.push_back(under("a point light whose range ends before the point", {{near}, {}}, 0.0));
 }
@@ -151,16 +132,14 @@ void add_places(std::vector<Case>& cases) {
                         contour_illuminance(corners_of(low))));
   cases.push_back(
       under("a disk 1e-6 above the surface", {{disk(1e-6, 1.0)}, {}}, disk_lux(1e-6, 1.0)));
-  cases.push_back(under("a point light at the very point gives nothing",
-                        {{light_at(Light::Type::point, {0, 0, 0})}, {}}, 0.0));
   cases.push_back(
-      under("a point light 1e-6 above the point",
-            {{light_at(Light::Type::point, {0, 1e-6, 0})}, {}, 1e-3}, 1e12,
+      under("a point light at the very point gives nothing", {{make_bulb({0, 0, 0})}, {}}, 0.0));
+  cases.push_back(
+      under("a point light 1e-6 above the point", {{make_bulb({0, 1e-6, 0})}, {}, 1e-3}, 1e12,
             {"illuminance at the origin, lux", 3.0 * std::pow(16.0 * rounding * 1e-3 / 1e-6, 2.0),
              "the point may be 16 roundings of the floor's half side of 1e-3 beside its place, "
              "which counts squared, three halves of it"}));
-  cases.push_back(under("a point light 1e6 away",
-                        {{light_at(Light::Type::point, {0, 1e6, 0}, 1e12f)}, {}},
+  cases.push_back(under("a point light 1e6 away", {{make_bulb({0, 1e6, 0}, 1e12f)}, {}},
                         static_cast<double>(1e12f) / 1e12));
   cases.push_back(under("a ball around the point", {{ball({0.3, 0.2, 0}, 1.0)}, {}}, pi));
   cases.push_back(
@@ -182,8 +161,7 @@ void add_strengths(std::vector<Case>& cases) {
   LightMeter many;
   for (int i = 0; i < 4096; ++i) {
     const double angle = 2.0 * pi * i / 4096.0;
-    many.lights.push_back(
-        light_at(Light::Type::point, {std::cos(angle), 1, std::sin(angle)}, 1.0f / 4096.0f));
+    many.lights.push_back(make_bulb({std::cos(angle), 1, std::sin(angle)}, 1.0f / 4096.0f));
   }
   cases.push_back(under("4096 point lights on a ring", many, 1.0 / (2.0 * std::sqrt(2.0)),
                         {"illuminance at the origin, lux", 4096.0 * rounding,

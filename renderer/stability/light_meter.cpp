@@ -1,5 +1,6 @@
 #include "renderer/stability/light_meter.h"
 
+#include "renderer/scene/make_light.h"
 #include "renderer/shading/sky.h"
 #include "renderer/stability/closed_forms.h"
 
@@ -11,13 +12,6 @@ namespace {
 
 /// Large enough that faint lights are above the smallest numbers of float32.
 constexpr float albedo = 1 << 20;
-
-Light sun() {
-  Light light;
-  light.type = Light::Type::directional;
-  light.direction = {0, -1, 0};
-  return light;
-}
 
 }  // namespace
 
@@ -31,7 +25,7 @@ Result<Outcome> LightMeter::measure(const Measure& measure, double lux) const {
   // A black sky leaves the light as the only source.
   settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
   if (change) settings = change(settings);
-  scene.lights = {sun()};
+  scene.lights = {make_sun({0, -1, 0})};
   const auto one_lux = render(scene, settings);
   if (!one_lux) return unexpected(one_lux.error());
   const double per_lux = one_lux->at(0, 0);

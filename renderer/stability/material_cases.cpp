@@ -1,3 +1,4 @@
+#include "renderer/scene/make_light.h"
 #include "renderer/stability/case.h"
 #include "renderer/stability/closed_forms.h"
 #include "renderer/stability/picture.h"
@@ -23,9 +24,7 @@ constexpr const char* material_group = "materials";
 Scene wall(const Material& material) {
   Scene scene = scene_of({}, look_at({0, 0, 4}, {0, 0, 0}, 50.0));
   place(scene, mesh_of({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}), material);
-  Light sun;
-  sun.type = Light::Type::directional;
-  scene.lights.push_back(sun);
+  scene.lights.push_back(make_sun({0, 0, -1}));
   return scene;
 }
 

@@ -1,6 +1,8 @@
 #include "renderer/stability/scenes.h"
 
+#include "renderer/lights/prepared_light.h"
 #include "renderer/scene/builtin/shapes.h"
+#include "renderer/scene/make_light.h"
 
 #include <cmath>
 #include <cstdint>
@@ -136,14 +138,7 @@ Scene still_life() {
   Mesh box;
   builtin::add_box(box, {-0.5f, 0.125f, -0.375f}, {0.5f, 1.125f, 0.625f});
   place(scene, box, matte(0.5f));
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {1.0, 3.0, 0.5};
-  light.direction = {0, -1, 0};
-  light.half_u = {0.5, 0, 0};
-  light.half_v = {0, 0, 0.5};
-  light.intensity = 8.0f;
-  scene.lights.push_back(light);
+  scene.lights.push_back(make_panel({1.0, 3.0, 0.5}, {0, -1, 0}, {0.5, 0, 0}, {0, 0, 0.5}, 8.0f));
   scene.cameras.push_back(look_at({1.5, 2.0, 4.0}, {0, 0.5, 0}, 50.0));
   return scene;
 }
@@ -156,7 +151,9 @@ Scene transformed(Scene scene, const glm::dmat4& similarity, double scale) {
     light.half_u *= scale;
     light.half_v *= scale;
     light.radius *= scale;
-    if (light.type == Light::Type::point) light.intensity *= static_cast<float>(scale * scale);
+    const LightTraits& traits = traits_of(light_shape(light));
+    const bool in_candela = !traits.flat && !traits.infinite;
+    if (in_candela) light.intensity *= static_cast<float>(scale * scale);
   }
   for (Camera& camera : scene.cameras) {
     camera.world_from_camera[3] = similarity * camera.world_from_camera[3];

@@ -1,3 +1,4 @@
+#include "renderer/scene/make_light.h"
 #include "renderer/stability/case.h"
 #include "renderer/stability/closed_forms.h"
 #include "renderer/stability/light_meter.h"
@@ -18,13 +19,7 @@ constexpr const char* shadow_group = "shadows";
 
 /// A square light of side 2 and one nit, 2 above the origin.
 Light panel() {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {0, 2, 0};
-  light.direction = {0, -1, 0};
-  light.half_u = {1, 0, 0};
-  light.half_v = {0, 0, 1};
-  return light;
+  return make_panel({0, 2, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1});
 }
 
 /// Illuminance in lux from the part of the panel from x = begin to x = end.

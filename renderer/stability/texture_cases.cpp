@@ -1,3 +1,4 @@
+#include "renderer/scene/make_light.h"
 #include "renderer/stability/case.h"
 #include "renderer/stability/closed_forms.h"
 #include "renderer/stability/picture.h"
@@ -203,10 +204,7 @@ void add_transforms(std::vector<Case>& cases) {
                      textured.span = glm::vec2(0.0f);
                      Scene scene = textured.scene();
                      scene.materials[0] = matte(0.5f);
-                     Light sun;
-                     sun.type = Light::Type::directional;
-                     sun.direction = glm::normalize(glm::dvec3(1, 2, -3));
-                     scene.lights.push_back(sun);
+                     scene.lights.push_back(make_sun(glm::normalize(glm::dvec3(1, 2, -3))));
                      const auto plain = render(scene, settings_of(small_side, small_side));
                      scene.materials[0].normal_texture.texture = 0;
                      return worst_difference(
@@ -218,9 +216,7 @@ void add_transforms(std::vector<Case>& cases) {
   cases.push_back({"a normal map that points into the surface", texture_group, true, [] {
                      Scene scene = Textured{row({0, 0})}.scene();
                      scene.materials[0] = matte(0.5f);
-                     Light sun;
-                     sun.type = Light::Type::directional;
-                     scene.lights.push_back(sun);
+                     scene.lights.push_back(make_sun({0, 0, -1}));
                      const auto plain = render(scene, settings_of(small_side, small_side));
                      scene.materials[0].normal_texture.texture = 0;
                      return worst_difference(

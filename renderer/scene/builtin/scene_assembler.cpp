@@ -1,6 +1,7 @@
 #include "renderer/scene/builtin/scene_assembler.h"
 
 #include "renderer/scene/builtin/shapes.h"
+#include "renderer/scene/make_light.h"
 #include "renderer/scene/tessellate.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -96,61 +97,46 @@ void SceneAssembler::add(const std::string& name, const Shape& shape,
 
 void SceneAssembler::sun(const std::string& name, glm::dvec3 travel, std::uint32_t srgb, float lux,
                          double diameter_rad) {
-  Light light;
+  add_light(make_sun(glm::normalize(travel), lux, diameter_rad), name, srgb);
+}
+
+void SceneAssembler::add_light(Light light, const std::string& name, std::uint32_t srgb) {
   light.name = name;
-  light.type = Light::Type::directional;
   light.color = linear_from_srgb(srgb);
-  light.intensity = lux;
-  light.direction = glm::normalize(travel);
-  light.angular_diameter_rad = diameter_rad;
-  scene_.lights.push_back(light);
+  scene_.lights.push_back(std::move(light));
 }
 
 void SceneAssembler::lamp(const std::string& name, glm::dvec3 position, std::uint32_t srgb,
                           float candela) {
-  Light light;
-  light.name = name;
-  light.type = Light::Type::point;
-  light.color = linear_from_srgb(srgb);
-  light.intensity = candela;
-  light.position = position;
-  scene_.lights.push_back(light);
+  ball(name, position, 0.0, srgb, candela);
 }
 
 void SceneAssembler::spot(const std::string& name, glm::dvec3 position, glm::dvec3 target,
                           std::uint32_t srgb, float candela, double outer_cone_deg) {
-  lamp(name, position, srgb, candela);
-  Light& light = scene_.lights.back();
-  light.type = Light::Type::spot;
-  light.direction = glm::normalize(target - position);
-  light.outer_cone_rad = glm::radians(outer_cone_deg);
-  light.inner_cone_rad = 0.6 * light.outer_cone_rad;
+  const double outer_cone_rad = glm::radians(outer_cone_deg);
+  add_light(make_spot(position, glm::normalize(target - position), outer_cone_rad,
+                      0.6 * outer_cone_rad, candela),
+            name, srgb);
 }
 
 void SceneAssembler::ball(const std::string& name, glm::dvec3 position, double radius,
                           std::uint32_t srgb, float candela) {
-  lamp(name, position, srgb, candela);
-  scene_.lights.back().radius = radius;
+  add_light(make_bulb(position, candela, radius), name, srgb);
 }
 
 void SceneAssembler::tube(const std::string& name, glm::dvec3 from, glm::dvec3 to,
                           std::uint32_t srgb, float candela) {
-  lamp(name, 0.5 * (from + to), srgb, candela);
-  Light& light = scene_.lights.back();
-  light.type = Light::Type::linear;
-  light.half_u = 0.5 * (to - from);
+  add_light(make_tube(0.5 * (from + to), 0.5 * (to - from), candela), name, srgb);
 }
 
 void SceneAssembler::panel(const std::string& name, glm::dvec3 centre, glm::dvec3 target,
                            glm::dvec2 size, std::uint32_t srgb, float nits) {
-  lamp(name, centre, srgb, nits);
-  Light& light = scene_.lights.back();
-  light.type = Light::Type::rectangle;
-  light.direction = glm::normalize(target - centre);
-  const glm::dvec3 level = glm::cross(light.direction, glm::dvec3(0, 1, 0));
+  const glm::dvec3 direction = glm::normalize(target - centre);
+  const glm::dvec3 level = glm::cross(direction, glm::dvec3(0, 1, 0));
   const glm::dvec3 u = glm::length(level) > 1e-9 ? glm::normalize(level) : glm::dvec3(1, 0, 0);
-  light.half_u = 0.5 * size.x * u;
-  light.half_v = 0.5 * size.y * glm::cross(u, light.direction);
+  add_light(make_panel(centre, direction, 0.5 * size.x * u, 0.5 * size.y * glm::cross(u, direction),
+                       nits),
+            name, srgb);
 }
 
 void SceneAssembler::soft_sun(const std::string& name, glm::dvec3 target, glm::dvec3 travel,

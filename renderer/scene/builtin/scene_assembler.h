@@ -80,6 +80,8 @@ class SceneAssembler {
   [[nodiscard]] Scene take() { return std::move(scene_); }
 
  private:
+  void add_light(Light light, const std::string& name, std::uint32_t srgb);
+
   Scene scene_;
 };
 
