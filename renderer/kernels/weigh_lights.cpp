@@ -308,16 +308,14 @@ LightBounds::LightBounds(const LightConstants& light)
     centre = towards;
     finite = 0.0f;
   }
-  if (traits.line) {
-    near_linear = light.u_length;
-    extent = 2.0f * light.u_length;
-  }
+  if (!traits.flat) near_linear = light.u_length;
+  if (traits.line) extent = 2.0f * light.u_length;
   if (traits.has_area()) {
     round = traits.flat ? 0.0f : light.radius;
-    extent = traits.infinite ? 2.0f * pi * light.one_less_cosine
-             : traits.flat   ? light.area
-                             : pi * round * round;
-    if (!traits.infinite) near_square = extent / pi;
+    extent = traits.infinite     ? 2.0f * pi * light.one_less_cosine
+             : light.area > 0.0f ? light.area
+                                 : pi * round * round;
+    if (!traits.infinite) near_square = traits.flat ? extent / pi : round * round;
   }
   if (traits.flat) {
     all_round = 0.0f;

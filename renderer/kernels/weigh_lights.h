@@ -24,8 +24,8 @@ struct LightBounds {
   float all_round = 1.0f;
   float front = 0.0f;
   float back = 0.0f;
-  // Half edges, and 1 / their squared lengths; 0 where there are none. Balls and suns have only
-  // `round`, their radius.
+  // Half edges, and 1 / their squared lengths; 0 where there are none. `round` is the radius about
+  // them of lights that are not flat.
   glm::vec3 half_u{0.0f};
   glm::vec3 half_v{0.0f};
   float per_u2 = 0.0f;
