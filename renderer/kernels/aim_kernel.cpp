@@ -18,7 +18,7 @@ HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes
                                 std::size_t i) {
   const Vectors middle =
       (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
-  if constexpr (shape == LightShape::rectangle) {
+  if constexpr (by_solid_angle<shape>) {
     const auto u = centred(&places.u[i]), v = centred(&places.v[i]);
     return area_sample(
         light, receiver,
@@ -63,9 +63,8 @@ void aim(const ShadingPoints& points, const LightConstants& light, const LightPo
   rays.rejected = 0;
   LightArcs arc;
   with_shape(light.shape, [&](auto shape) HWY_ATTR {
-    // Places on rectangles are chosen by area.
-    if constexpr (shape != LightShape::rectangle)
-      find_places(shape, points, *light.light, places, arc);
+    // Here all places on flat lights are chosen by area.
+    if constexpr (!by_solid_angle<shape>) find_places(shape, points, *light.light, places, arc);
     aim_at<shape>(points, light, arc, places, by, rays);
   });
 }

@@ -112,6 +112,7 @@ void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, con
 
 /// Returns whether any direction hits a rectangle. Only then is its solid angle needed, which costs
 /// more.
+template <LightShape shape>
 bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& light,
                          const LobeBatch& lobes) {
   const FloatTag d;
@@ -120,7 +121,7 @@ bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& ligh
     const Vectors middle =
         (all_lanes(light.position) - loaded(points.position, i)) + all_lanes(light.position_rest);
     const LightHitLanes met =
-        meet_flat<LightShape::rectangle>(light, middle, loaded(lobes.direction, i), hn::Zero(d));
+        meet_flat<shape>(light, middle, loaded(lobes.direction, i), hn::Zero(d));
     const auto samples =
         hn::And(hn::FirstN(d, points.count - i), samples_lobe(points, light, normal, i));
     if (!hn::AllFalse(d, hn::And(samples, met.met))) return true;
@@ -135,8 +136,8 @@ void shade_lobe(const ShadingPoints& points, const LightConstants& light, const 
   if (light.representative) return;
   with_shape(light.shape, [&](auto shape) HWY_ATTR {
     if constexpr (traits_of(shape).has_area()) {
-      if constexpr (shape == LightShape::rectangle) {
-        if (!any_meets_rectangle(points, light, lobes)) return;
+      if constexpr (by_solid_angle<shape>) {
+        if (!any_meets_rectangle<shape>(points, light, lobes)) return;
         rectangle_arcs(points, *light.light, arc);
       }
       shade_lobe_of<shape>(points, light, lobes, arc, rays);
@@ -149,9 +150,9 @@ void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, Lo
     store(lobe_direction(points, places, i), lobes.direction, i);
 }
 
+template <LightShape shape>
 void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
                        const LightPointBatch& places, ShadowRayBatch& rays) {
-  constexpr auto shape = LightShape::rectangle;
   const FloatTag d;
   const auto zero = hn::Zero(d);
   rays.count = 0;
@@ -185,6 +186,16 @@ void shade(const ShadingPoints& points, const LightConstants& light, const Light
   });
 }
 
+void shade_exactly(const ShadingPoints& points, const LightConstants& light,
+                   const LightPointBatch& places, LightArcs& arc, ShadowRayBatch& rays) {
+  with_shape(light.shape, [&](auto shape) HWY_ATTR {
+    if constexpr (by_solid_angle<shape>)
+      shade_closed_form<shape>(points, light, places, rays);
+    else
+      shade(points, light, places, arc, rays);
+  });
+}
+
 }  // namespace
 }  // namespace asos::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -193,7 +204,7 @@ HWY_AFTER_NAMESPACE();
 namespace asos {
 
 HWY_EXPORT(shade);
-HWY_EXPORT(shade_closed_form);
+HWY_EXPORT(shade_exactly);
 HWY_EXPORT(shade_lobe);
 HWY_EXPORT(choose_lobes);
 
@@ -210,11 +221,8 @@ void shade_batch(const ShadingPoints& points, const LightConstants& light,
 
 void shade_unshadowed(const ShadingPoints& points, const LightConstants& light,
                       const LightPointBatch& places, ShadowRayBatch& rays) {
-  if (light.shape == LightShape::rectangle) {
-    HWY_DYNAMIC_DISPATCH(shade_closed_form)(points, light, places, rays);
-  } else {
-    shade_batch(points, light, places, rays);
-  }
+  LightArcs arcs;
+  HWY_DYNAMIC_DISPATCH(shade_exactly)(points, light, places, arcs, rays);
 }
 
 void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, LobeBatch& lobes) {

@@ -195,6 +195,10 @@ HWY_INLINE SampleLanes segment_sample(const LightConstants& light, const Receive
   return at.sample;
 }
 
+/// Whether samples of a flat light are chosen by solid angle, which has a closed form.
+template <LightShape shape>
+inline constexpr bool by_solid_angle = shape == LightShape::rectangle;
+
 /// `arc`: from rectangle_places.
 HWY_INLINE SampleLanes rectangle_sample(const LightConstants& light, const ReceiverLanes& receiver,
                                         const Vectors& middle, const LightArcs& arc,
