@@ -92,7 +92,9 @@ struct Light {
   double range = std::numeric_limits<double>::infinity();  ///< point and spot, in metres
   double inner_cone_rad = 0.0;                             ///< spot: half angles
   double outer_cone_rad = 0.7853981633974483;
-  double radius = 0.0;                ///< disk; point and spot: of a luminous ball, 0: a point
+  /// Disk; point and spot: of a luminous ball, 0: a point; linear: of a tube with round ends, 0: a
+  /// line.
+  double radius = 0.0;
   double angular_diameter_rad = 0.0;  ///< directional: of the sun's disk
   Double3 half_u{0, 0, 0};  ///< rectangle, linear: from the centre to the middle of a side or end
   Double3 half_v{0, 0, 0};  ///< rectangle: perpendicular to half_u and direction

@@ -18,7 +18,10 @@ namespace {
 // Returns the solid angle of a light that a surface shows; for small lights.
 double solid_angle(const PreparedLight& light, glm::dvec3 to_light) {
   const double distance2 = glm::dot(to_light, to_light);
-  if (!light.traits().flat) return std::numbers::pi * light.radius * light.radius / distance2;
+  if (!light.traits().flat) {
+    const double round = std::numbers::pi * light.radius * light.radius;
+    return std::max(light.area, round) / distance2;
+  }
   const double cosine = std::abs(glm::dot(light.towards, to_light)) / std::sqrt(distance2);
   return light.area * cosine / distance2;
 }

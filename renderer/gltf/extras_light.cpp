@@ -34,7 +34,12 @@ std::string read_linear(const tinygltf::Value& source, const glm::dmat4& world_f
   const glm::dvec3 a = vector_at(*from, 0), b = vector_at(*to, 0);
   light.half_u = glm::dmat3(world_from_node) * (0.5 * (b - a));
   light.position = placed(world_from_node, 0.5 * (a + b));
-  return positive(glm::length(light.half_u)) ? "" : "has no length";
+  if (!positive(glm::length(light.half_u))) return "has no length";
+  if (number(source, "radius") == 0.0) return "";
+  const Checked<double> radius = positive_or(source, "radius", 0.0);
+  if (!radius) return radius.error();
+  light.radius = *radius > 0.0 ? largest_scale(world_from_node) * *radius : 0.0;
+  return "";
 }
 
 Checked<Outlines> read_outlines(const tinygltf::Value& source) {

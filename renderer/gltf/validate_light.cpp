@@ -52,6 +52,11 @@ std::string polygon_fault(const Light& light) {
   return agrees ? "" : "has an outline that does not run counter-clockwise about its direction";
 }
 
+/// Returns the fault of a radius that may be 0.
+std::string radius_fault(const Light& light) {
+  return within(light.radius, 0.0, huge) ? "" : "has a radius that is no positive number";
+}
+
 /// Returns the fault of a light's place, direction or size for its type; empty if none.
 std::string validate_shape(const Light& light) {
   const bool directed = light.type != Light::Type::point && light.type != Light::Type::linear;
@@ -66,13 +71,13 @@ std::string validate_shape(const Light& light) {
       }
       [[fallthrough]];
     case Light::Type::point:
-      return within(light.radius, 0.0, huge) ? "" : "has a radius that is no positive number";
+      return radius_fault(light);
+    case Light::Type::linear:
+      return has_length(light.half_u) ? radius_fault(light) : "has no length";
     case Light::Type::directional: {
       const bool valid = light.angular_diameter_rad >= 0.0 && light.angular_diameter_rad < pi;
       return valid ? "" : "has an angular diameter outside 0 to 180 degrees";
     }
-    case Light::Type::linear:
-      return has_length(light.half_u) ? "" : "has no length";
     case Light::Type::rectangle:
       return rectangle_fault(light);
     case Light::Type::disk:

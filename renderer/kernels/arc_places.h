@@ -194,12 +194,31 @@ inline void polygon_places(const ShadingPoints& points, const PreparedLight& lig
   }
 }
 
+/// First to third: the place on a capsule, relative to the point. Fourth: the sample's form.
+inline void capsule_places(const ShadingPoints& points, const PreparedLight& light,
+                           const LightPointBatch& places, LightArcs& found) {
+  constexpr double scale = 1.0 / 4294967296.0;
+  PreparedLight of_one = light;
+  of_one.power = glm::vec3(1.0f);
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const Receiver receiver{points.position.at(i), points.normal.at(i), points.geometric.at(i)};
+    const LightSample sample =
+        sample_light(of_one, receiver, scale * places.u[i], scale * places.v[i]);
+    const glm::vec3 offset(sample.distance * sample.direction);
+    found.first[i] = offset.x;
+    found.second[i] = offset.y;
+    found.third[i] = offset.z;
+    found.fourth[i] = sample.irradiance.x;
+  }
+}
+
 /// Finds the numbers of a shape's samples at each point. Other shapes need none.
 template <LightShape shape>
 HWY_INLINE void find_places(ShapeTag<shape>, const ShadingPoints& points,
                             const PreparedLight& light, const LightPointBatch& places,
                             LightArcs& arc) {
   if constexpr (shape == LightShape::segment) segment_places(points, light, places, arc);
+  if constexpr (shape == LightShape::capsule) capsule_places(points, light, places, arc);
   if constexpr (shape == LightShape::rectangle) rectangle_places(points, light, places, arc);
   if constexpr (shape == LightShape::polygon) polygon_places(points, light, places, arc);
 }

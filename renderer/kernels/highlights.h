@@ -54,8 +54,9 @@ HWY_INLINE HighlightLanes ball_highlight(const LightConstants& light, const Vect
   return highlight;
 }
 
-HWY_INLINE HighlightLanes segment_highlight(const LightConstants& light, const Vectors& middle,
-                                            const Vectors& ray) {
+/// Returns the point of a segment or of a capsule's axis that is nearest to the ray's line.
+HWY_INLINE Vectors nearest_of_axis(const LightConstants& light, const Vectors& middle,
+                                   const Vectors& ray) {
   const auto zero = hn::Zero(FloatTag()), one = all_lanes(1.0f);
   const Vectors half = all_lanes(light.half_u);
   const auto ray_middle = dot(ray, middle);
@@ -65,7 +66,7 @@ HWY_INLINE HighlightLanes segment_highlight(const LightConstants& light, const V
   const auto crosses = hn::Gt(across2, zero);
   const auto t = hn::IfThenElseZero(
       crosses, clamped(hn::Div(wanted, hn::IfThenElse(crosses, across2, one)), hn::Neg(one), one));
-  return towards_offset(middle + scaled(t, half), light.highlight_radius, ray);
+  return middle + scaled(t, half);
 }
 
 /// Returns the point of the light's plane that the ray hits, relative to `middle`; see
@@ -122,7 +123,13 @@ HWY_INLINE HighlightLanes highlight(ShapeTag<LightShape::sun>, const LightConsta
 }
 HWY_INLINE HighlightLanes highlight(ShapeTag<LightShape::segment>, const LightConstants& light,
                                     const Vectors& middle, const Vectors& ray) {
-  return segment_highlight(light, middle, ray);
+  return towards_offset(nearest_of_axis(light, middle, ray), light.highlight_radius, ray);
+}
+HWY_INLINE HighlightLanes highlight(ShapeTag<LightShape::capsule>, const LightConstants& light,
+                                    const Vectors& middle, const Vectors& ray) {
+  const Vectors ball = nearest_of_axis(light, middle, ray);
+  return towards_offset(nearest_of_ball(ball, all_lanes(light.radius), ray), light.highlight_radius,
+                        ray);
 }
 template <LightShape shape>
 requires(traits_of(shape).flat) HWY_INLINE HighlightLanes

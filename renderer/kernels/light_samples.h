@@ -274,6 +274,13 @@ HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::sun>, const SampleQuery
 HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::segment>, const SampleQuery& q) {
   return segment_sample(q.light, q.receiver, q.middle, q.arc, q.i);
 }
+/// `arc`: from capsule_places.
+HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::capsule>, const SampleQuery& q) {
+  Offset at = towards_point(
+      {loaded(q.arc.first, q.i), loaded(q.arc.second, q.i), loaded(q.arc.third, q.i)});
+  at.sample.form = loaded(q.arc.fourth, q.i);
+  return at.sample;
+}
 HWY_INLINE SampleLanes light_sample(ShapeTag<LightShape::rectangle>, const SampleQuery& q) {
   return rectangle_sample(q.light, q.receiver, q.middle, q.arc, q.places, q.i);
 }

@@ -11,6 +11,7 @@
 
 #include "renderer/kernels/lane.h"
 #include "renderer/kernels/light_samples.h"
+#include "renderer/lights/kinds/capsule.h"
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/ggx.h"
@@ -155,6 +156,27 @@ HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLane
   return hn::Gt(loaded(wanted, 0), hn::Zero(d));
 }
 
+/// Tests each direction in double precision.
+HWY_INLINE LightHitLanes meet_capsule(const PreparedLight& light, const ReceiverLanes& receiver,
+                                      const Vectors& direction) {
+  using Capsule = LightGeometry<LightShape::capsule>;
+  const FloatTag d;
+  ShadingPoints::Vectors from, normal, to;
+  ShadingPoints::Floats distance{}, density{};
+  store(receiver.position, from, 0);
+  store(receiver.normal, normal, 0);
+  store(direction, to, 0);
+  for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+    const glm::dvec3 way(to.at(k));
+    const Receiver at{from.at(k), normal.at(k), normal.at(k)};
+    const auto hit = Capsule::sampled_hit(light, at, way);
+    if (!hit) continue;
+    distance[k] = static_cast<float>(hit->distance);
+    density[k] = static_cast<float>(hit->density);
+  }
+  return {loaded(distance, 0), loaded(density, 0), hn::Gt(loaded(distance, 0), hn::Zero(d))};
+}
+
 /// Where a direction from a receiver hits a light.
 struct LobeQuery {
   const LightConstants& light;
@@ -170,6 +192,9 @@ HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::sun>, const LobeQuery& q
 }
 HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::ball>, const LobeQuery& q) {
   return meet_ball(q.light, q.receiver, q.middle, q.direction);
+}
+HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::capsule>, const LobeQuery& q) {
+  return meet_capsule(*q.light.light, q.receiver, q.direction);
 }
 HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::rectangle> shape, const LobeQuery& q) {
   return meet_flat<shape>(q.light, q.middle, q.direction, loaded(q.arc.first, q.i));

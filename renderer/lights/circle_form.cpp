@@ -1,12 +1,15 @@
 #include "renderer/lights/form_factor.h"
 #include "renderer/lights/light_math.h"
+#include "renderer/lights/seen_capsule.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
-// Disks and balls. The contour integral along a circle (Lambert 1760) has a closed form. So a disk
-// is one or two arcs of its rim, and straight sides along the horizons that cut it.
+// Disks, balls and capsules. The contour integral along a circle (Lambert 1760) has a closed form.
+// So a disk is one or two arcs of its rim, and straight sides along the horizons that cut it.
 
 namespace asos {
 namespace {
@@ -196,7 +199,113 @@ double circle_form(const Circle& circle, const Receiver& receiver) {
   return std::max(0.0, form);  // the sum of an arc and a chord rounds to either side of 0
 }
 
+/// Returns the circle about `axis` in which a cone cuts the unit sphere.
+Circle cone_circle(glm::dvec3 axis, glm::dvec3 u, double sine, double cosine) {
+  Circle circle;
+  circle.centre = cosine * axis;
+  circle.facing = -axis;
+  circle.u = u;
+  circle.v = glm::cross(circle.facing, circle.u);
+  circle.radius = sine;
+  circle.aside = 0.0;
+  circle.height = cosine;
+  circle.swing = 0.0;
+  circle.mean = circle.nearest2 = circle.root = 1.0;
+  return circle;
+}
+
+/// A closed outline of straight sides and arcs around a convex region, counter-clockwise.
+class ArcOutline {
+ public:
+  void add_arc(const Circle& circle, double begin, double end) {
+    join(circle.at(begin));
+    edges_[count_++] = {circle.at(begin), circle.at(end), &circle, begin, end};
+  }
+  void add_side(glm::dvec3 from, glm::dvec3 to) {
+    join(from);
+    edges_[count_++] = {from, to};
+  }
+  void close() {
+    if (count_ > 0) join(edges_[0].from);
+  }
+
+  /// Returns the part above a horizon. The gap where the outline is below it becomes a side.
+  [[nodiscard]] ArcOutline above(glm::dvec3 normal) const {
+    ArcOutline kept;
+    for (const Edge& edge : std::span(edges_).first(count_)) {
+      if (edge.circle) {
+        kept.add_above(edge, normal);
+      } else {
+        kept.add_side_above(edge.from, edge.to, normal);
+      }
+    }
+    kept.close();
+    return kept;
+  }
+  [[nodiscard]] double form(glm::dvec3 normal) const {
+    double sum = 0.0;
+    for (const Edge& edge : std::span(edges_).first(count_)) {
+      sum += edge.circle ? arc_side(*edge.circle, edge.begin, edge.end, normal)
+                         : contour_side(edge.from, edge.to, normal);
+    }
+    return sum;
+  }
+
+ private:
+  struct Edge {
+    glm::dvec3 from{0.0}, to{0.0};
+    const Circle* circle = nullptr;  // of an arc
+    double begin = 0.0, end = 0.0;
+  };
+
+  void join(glm::dvec3 next) {
+    if (count_ == 0 || edges_[count_ - 1].to == next) return;
+    const glm::dvec3 from = edges_[count_ - 1].to;
+    edges_[count_++] = {from, next};
+  }
+  void add_side_above(glm::dvec3 from, glm::dvec3 to, glm::dvec3 normal) {
+    const double begin = glm::dot(normal, from), end = glm::dot(normal, to);
+    if (!(begin > 0.0) && !(end > 0.0)) return;
+    const auto crossing = [&] { return from + (to - from) * (begin / (begin - end)); };
+    add_side(begin > 0.0 ? from : crossing(), end > 0.0 ? to : crossing());
+  }
+  void add_above(const Edge& edge, glm::dvec3 normal) {
+    const Arc arc = arc_above(*edge.circle, normal);
+    if (arc.length == 2.0 * pi) return add_arc(*edge.circle, edge.begin, edge.end);
+    // The arc above the horizon may cover both ends of the edge, but not its middle.
+    const double first = edge.begin + std::remainder(arc.begin - edge.begin - pi, 2.0 * pi) + pi;
+    for (const double begin : {first - 2.0 * pi, first}) {
+      const double low = std::max(edge.begin, begin);
+      const double high = std::min(edge.end, begin + arc.length);
+      if (low < high) add_arc(*edge.circle, low, high);
+    }
+  }
+
+  // Two arcs and two sides; each horizon cuts up to two edges, and each part may be joined.
+  std::array<Edge, 24> edges_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
+
+double capsule_form(glm::dvec3 begin, glm::dvec3 end, double radius, const Receiver& receiver) {
+  const glm::dvec3 to_middle = 0.5 * (begin + end) - receiver.position;
+  const auto seen = SeenCapsule::of(to_middle, 0.5 * (end - begin), radius);
+  if (!seen) {
+    const glm::dvec3 nearest = SeenCapsule::nearest_of_axis(to_middle, 0.5 * (end - begin));
+    return ball_form(receiver.position + nearest, radius, receiver);
+  }
+  const auto circle = [](const SeenCapsule::End& at) {
+    return cone_circle(at.axis, at.outward, at.sine, at.cosine);
+  };
+  const std::array circles{circle(seen->ends[0]), circle(seen->ends[1])};
+  ArcOutline outline;
+  for (const std::size_t i : {1, 0})
+    outline.add_arc(circles[i], -seen->ends[i].arc, seen->ends[i].arc);
+  outline.close();
+  const ArcOutline above = outline.above(receiver.normal).above(receiver.geometric);
+  return std::max(0.0, above.form(receiver.normal));
+}
 
 double disk_form(glm::dvec3 centre, glm::dvec3 facing, double radius, const Receiver& receiver) {
   const Circle circle = make_circle(centre - receiver.position, facing, radius);
@@ -209,18 +318,7 @@ double disk_form(glm::dvec3 centre, glm::dvec3 facing, double radius, glm::dvec3
 }
 
 double cone_form(glm::dvec3 axis, double sine, double cosine, const Receiver& receiver) {
-  // The cone cuts the unit sphere in a circle about its axis.
-  Circle circle;
-  circle.centre = cosine * axis;
-  circle.facing = -axis;
-  circle.u = any_perpendicular(axis);
-  circle.v = glm::cross(circle.facing, circle.u);
-  circle.radius = sine;
-  circle.aside = 0.0;
-  circle.height = cosine;
-  circle.swing = 0.0;
-  circle.mean = circle.nearest2 = circle.root = 1.0;
-  return circle_form(circle, receiver);
+  return circle_form(cone_circle(axis, any_perpendicular(axis), sine, cosine), receiver);
 }
 
 double ball_form(glm::dvec3 centre, double radius, const Receiver& receiver) {

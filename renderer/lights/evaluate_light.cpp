@@ -1,4 +1,5 @@
 #include "renderer/lights/kinds/ball.h"
+#include "renderer/lights/kinds/capsule.h"
 #include "renderer/lights/kinds/disk.h"
 #include "renderer/lights/kinds/point.h"
 #include "renderer/lights/kinds/polygon.h"
@@ -90,8 +91,8 @@ std::optional<LightWindow> LightWindow::around_ball(glm::dvec3 to_centre, double
   const glm::dvec3 across = glm::normalize(
       glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
   const double rim = radius * std::sqrt(tangent2) / d;
-  return LightWindow{axis * (tangent2 / d), rim * across, rim * glm::cross(axis, across),
-                     Inside::ellipse};
+  return LightWindow{
+      axis * (tangent2 / d), rim * across, rim * glm::cross(axis, across), Inside::ellipse, {}};
 }
 
 std::optional<LightWindow> light_window(const PreparedLight& light, glm::dvec3 apex) {

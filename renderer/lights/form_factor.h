@@ -41,6 +41,11 @@ namespace asos {
 /// Returns ball_form for a ball in the world, clipped to both horizons of `receiver`.
 [[nodiscard]] double ball_form(glm::dvec3 centre, double radius, const Receiver& receiver);
 
+/// Returns the form of a capsule, all points within a radius of the segment between `begin` and
+/// `end` in the world, clipped to both horizons of `receiver`.
+[[nodiscard]] double capsule_form(glm::dvec3 begin, glm::dvec3 end, double radius,
+                                  const Receiver& receiver);
+
 /// Returns the form of a sun: all directions within an angle below 90 degrees of `axis` (unit),
 /// given by its sine and cosine, clipped to both horizons of `receiver`.
 [[nodiscard]] double cone_form(glm::dvec3 axis, double sine, double cosine,

@@ -241,15 +241,35 @@ LightIntersections find_light_intersections(const World& world,
   return cuts;
 }
 
+namespace {
+
+/// Returns the smallest value of a convex function on the axis of a ball or capsule.
+template <typename F>
+double least_on_axis(const PreparedLight& light, F&& value) {
+  if (light.half_u == glm::dvec3(0.0)) return value(light.position);
+  const auto at = [&](double t) { return value(light.position + t * light.half_u); };
+  double low = -1.0, high = 1.0;
+  for (int i = 0; i < 40; ++i) {  // each third of the interval that cannot hold the minimum goes
+    const double a = (2.0 * low + high) / 3.0, b = (low + 2.0 * high) / 3.0;
+    (at(a) < at(b) ? high : low) = at(a) < at(b) ? b : a;
+  }
+  return at(0.5 * (low + high));
+}
+
+}  // namespace
+
 std::vector<bool> find_entered_balls(const World& world, std::span<const PreparedLight> lights) {
   std::vector<bool> entered(lights.size(), false);
   std::vector<std::size_t> balls;
   for (std::size_t k = 0; k < lights.size(); ++k)
-    if (lights[k].shape == LightShape::ball && lights[k].casts_shadows) balls.push_back(k);
+    if (lights[k].traits().has_surface() && !lights[k].traits().flat && lights[k].casts_shadows)
+      balls.push_back(k);
   const auto reaches = [&](std::size_t k, const Box& box) {
     const PreparedLight& light = lights[k];
-    const glm::dvec3 nearest = glm::clamp(light.position, glm::dvec3(box.lo), glm::dvec3(box.hi));
-    return glm::distance(nearest, light.position) < (1.0 - touching) * light.radius;
+    const double nearest = least_on_axis(light, [&](glm::dvec3 p) {
+      return glm::distance(p, glm::clamp(p, glm::dvec3(box.lo), glm::dvec3(box.hi)));
+    });
+    return nearest < (1.0 - touching) * light.radius;
   };
   const auto near_any = [&](const Box& box) {
     return std::any_of(balls.begin(), balls.end(), [&](std::size_t k) { return reaches(k, box); });
@@ -261,8 +281,10 @@ std::vector<bool> find_entered_balls(const World& world, std::span<const Prepare
       if (entered[k] || light.own_part == static_cast<std::int32_t>(world.triangle_part[i]))
         continue;
       if (!reaches(k, box)) continue;
-      entered[k] = distance_to_triangle(light.position, corners_of(world, i)) <
-                   (1.0 - touching) * light.radius;
+      const auto corners = corners_of(world, i);
+      const double nearest =
+          least_on_axis(light, [&](glm::dvec3 p) { return distance_to_triangle(p, corners); });
+      entered[k] = nearest < (1.0 - touching) * light.radius;
     }
   };
   if (!balls.empty())

@@ -19,8 +19,8 @@ namespace asos {
 [[nodiscard]] LightIntersections find_light_intersections(const World& world,
                                                           std::span<const PreparedLight> lights);
 
-/// Returns which lights are balls that other parts' triangles reach into. The parts of these
-/// triangles inside the ball hide nothing of it, but no plane separates them from the parts
+/// Returns which lights are balls or capsules that other parts' triangles reach into. The parts of
+/// these triangles inside the light hide nothing of it, but no plane separates them from the parts
 /// outside.
 [[nodiscard]] std::vector<bool> find_entered_balls(const World& world,
                                                    std::span<const PreparedLight> lights);

@@ -14,6 +14,7 @@ enum class LightShape : std::uint8_t {
   ball,     ///< point and spot with a radius
   sun,      ///< directional with an angular diameter
   segment,  ///< linear
+  capsule,  ///< linear with a radius
   rectangle,
   polygon,  ///< polygon, sheared rectangle
   disk,
@@ -39,6 +40,7 @@ inline constexpr std::array light_traits{
     LightTraits{.extended = true},                    // ball
     LightTraits{.extended = true, .infinite = true},  // sun
     LightTraits{.extended = true, .line = true},      // segment
+    LightTraits{.extended = true},                    // capsule
     LightTraits{.extended = true, .flat = true},      // rectangle
     LightTraits{.extended = true, .flat = true},      // polygon
     LightTraits{.extended = true, .flat = true},      // disk
@@ -65,6 +67,8 @@ constexpr decltype(auto) with_shape(LightShape shape, F&& f) {
       return f(ShapeTag<LightShape::sun>());
     case LightShape::segment:
       return f(ShapeTag<LightShape::segment>());
+    case LightShape::capsule:
+      return f(ShapeTag<LightShape::capsule>());
     case LightShape::rectangle:
       return f(ShapeTag<LightShape::rectangle>());
     case LightShape::polygon:

@@ -50,9 +50,25 @@ void prepare_sun(const Light& light, PreparedLight& prepared) {
   prepared.radius = std::tan(0.5 * light.angular_diameter_rad);
 }
 
-void prepare_segment(const Light& light, PreparedLight& prepared) {
-  if (!spread(prepared.power, 2.0 * glm::length(light.half_u))) return;  // too short: a point light
-  prepared.shape = LightShape::segment;
+/// Returns whether a linear light is wider than a line by more than a float's rounding error.
+bool is_wide(const Light& light) {
+  constexpr double least = std::numeric_limits<float>::epsilon();
+  return light.radius > least * glm::length(light.half_u);
+}
+
+void prepare_linear(const Light& light, PreparedLight& prepared) {
+  const double half = glm::length(light.half_u), radius = light.radius;
+  if (!(half > 0.0)) return prepare_ball(light, prepared);
+  // Seen from the side, a capsule of radiance L looks like a rectangle between two half disks.
+  const double area = (4.0 * half + pi * radius) * radius;
+  if (is_wide(light) && spread(prepared.power, area)) {
+    prepared.shape = LightShape::capsule;
+    prepared.radius = radius;
+    prepared.area = area;
+  } else {
+    if (!spread(prepared.power, 2.0 * half)) return;  // too short: a point light
+    prepared.shape = LightShape::segment;
+  }
   prepared.half_u = light.half_u;
 }
 
@@ -129,7 +145,7 @@ LightShape light_shape(const Light& light) {
     case Light::Type::directional:
       return light.angular_diameter_rad > 0.0 ? LightShape::sun : LightShape::distant;
     case Light::Type::linear:
-      return LightShape::segment;
+      return is_wide(light) ? LightShape::capsule : LightShape::segment;
     case Light::Type::rectangle:
       return LightShape::rectangle;
     case Light::Type::disk:
@@ -160,7 +176,7 @@ PreparedLight prepare_light(const Light& light, LightRule rule) {
       prepare_sun(light, prepared);
       break;
     case Light::Type::linear:
-      prepare_segment(light, prepared);
+      prepare_linear(light, prepared);
       break;
     case Light::Type::rectangle:
     case Light::Type::disk:

@@ -31,12 +31,14 @@ struct PreparedLight {
   glm::dvec3 position{0.0};     ///< centre: all but distant and sun
   glm::dvec3 towards{0, 0, 1};  ///< unit: distant, sun: to the light; spot: against its axis;
                                 ///< flat: the normal of its emitting side
-  double radius = 0.0;          ///< ball, disk; sun: tangent of half its angular diameter
-  glm::dvec3 half_u{0.0};       ///< segment: from the centre to an end. Flat: the edges of
-  glm::dvec3 half_v{0.0};  ///< its bounding rectangle, halved; half_u x half_v lies along towards
+  double radius = 0.0;          ///< ball, capsule, disk; sun: tangent of half its angular diameter
+  /// Segment, capsule: from the centre to an end of the axis. Flat: the edges of the bounding
+  /// rectangle, halved; half_u x half_v lies along towards.
+  glm::dvec3 half_u{0.0};
+  glm::dvec3 half_v{0.0};
   std::vector<std::vector<glm::dvec3>> outlines;  ///< rectangle, polygon: see Light::outlines
-  double area = 0.0;                              ///< flat: of one side
-  PolygonRows rows;                               ///< polygon: in metres along half_u, half_v
+  double area = 0.0;  ///< flat: of one side; capsule: projected, from a direction across its axis
+  PolygonRows rows;   ///< polygon: in metres along half_u, half_v
   /// Flat: largest distance of its own surface from its plane, by rounding and by the
   /// tolerance for flat meshes. A point within it lies in the light and receives nothing from it.
   double thickness = 0.0;
@@ -49,7 +51,7 @@ struct PreparedLight {
   bool patterned = false;  ///< its own part emits unevenly; the light is the mean
   std::vector<LightIntersection>
       intersections;     ///< flat: where surfaces of the world pass through it
-  bool entered = false;  ///< ball: another part's surface reaches into it
+  bool entered = false;  ///< ball, capsule: another part's surface reaches into it
 
   [[nodiscard]] const LightTraits& traits() const { return traits_of(shape); }
   /// Returns whether the light has an extent, so that its shadows have penumbrae.
@@ -92,9 +94,10 @@ struct LightSample {
 /// Samples a point of a light from two numbers in 0..1. The mean of `irradiance` over the unit
 /// square is unshadowed_irradiance. Rectangles are sampled by solid angle (Urena, Fajardo and King
 /// 2013; by area if their solid angle is small), balls and suns by solid angle (Shirley, Wang and
-/// Zimmerman 1996), segments by the angle at the receiver (Kulla and Fajardo 2012), and disks and
-/// other polygons by area. Stratification of (u, v) is preserved. By the published rule, samples
-/// and mean are the physical ones, except that points of a segment emit equally in all directions.
+/// Zimmerman 1996), and capsules by solid angle, too. Segments are sampled by the angle at the
+/// receiver (Kulla and Fajardo 2012), disks and other polygons by area. Stratification of (u, v) is
+/// preserved. By the published rule, samples and mean are the physical ones, except that points of
+/// a segment emit equally in all directions.
 [[nodiscard]] LightSample sample_light(const PreparedLight& light, const Receiver& receiver,
                                        double u, double v);
 

@@ -288,7 +288,9 @@ struct Light {
   double range = std::numeric_limits<double>::infinity();  ///< point and spot
   double inner_cone_rad = 0.0;                             ///< spot
   double outer_cone_rad = 0.7853981633974483;
-  double radius = 0.0;                ///< disk; point and spot: of an emitting ball, 0: a point
+  /// Disk. Point and spot: of an emitting ball; 0: a point. Linear: of a tube with round ends about
+  /// the line, whose intensity is that of the line; 0: a line.
+  double radius = 0.0;
   double angular_diameter_rad = 0.0;  ///< directional: of a sun's disk, 0: infinitely far point
   /// Rectangle, linear: from the centre to the centre of a side, or to an end.
   glm::dvec3 half_u{0.0};

@@ -15,11 +15,15 @@ constexpr double pi = std::numbers::pi;
 // own surface must not shade it.
 constexpr double before_light = 1e-5;
 
+// Converts an offset from the first corner of a rectangle to coordinates of the square.
+glm::vec2 in_square(glm::dvec3 offset, glm::dvec3 half_u, glm::dvec3 half_v) {
+  return {glm::dot(offset, half_u) / (2.0 * glm::dot(half_u, half_u)),
+          glm::dot(offset, half_v) / (2.0 * glm::dot(half_v, half_v))};
+}
+
 // Converts a point of a flat light's plane to coordinates of the square.
 glm::vec2 in_window(const PreparedLight& light, glm::dvec3 p) {
-  const glm::dvec3 from_corner = p - (light.position - light.half_u - light.half_v);
-  return {glm::dot(from_corner, light.half_u) / (2.0 * glm::dot(light.half_u, light.half_u)),
-          glm::dot(from_corner, light.half_v) / (2.0 * glm::dot(light.half_v, light.half_v))};
+  return in_square(p - (light.position - light.half_u - light.half_v), light.half_u, light.half_v);
 }
 
 // Returns a point of the disk that decides whether an arc of its rim is inside a region. It is just
@@ -53,6 +57,7 @@ LightPyramid::LightPyramid(const PreparedLight& light, const LightWindow& window
   between_[1] = {back, glm::dot(back, frame_.apex()) - distance * way};
 
   if (window.inside == LightWindow::Inside::outlines) add_outlines(light);
+  if (window.inside == LightWindow::Inside::silhouette) add_silhouette(window);
   add_cuts(light);
   add_horizon(receiver.normal);
   if (receiver.geometric != receiver.normal) add_horizon(receiver.geometric);
@@ -97,6 +102,17 @@ void LightPyramid::add_outlines(const PreparedLight& light) {
       boundaries_.push_back(
           {in_window(light, outline[i]), in_window(light, outline[(i + 1) % outline.size()])});
   }
+  outline_sides_ = boundaries_.size();
+}
+
+void LightPyramid::add_silhouette(const LightWindow& window) {
+  const auto corner = [&](std::size_t i) {
+    const glm::dvec3 p = window.outline[i % window.outline.size()];
+    return in_square(p - (window.middle - window.half_u - window.half_v), window.half_u,
+                     window.half_v);
+  };
+  for (std::size_t i = 0; i < window.outline.size(); ++i)
+    boundaries_.push_back({corner(i), corner(i + 1)});
   outline_sides_ = boundaries_.size();
 }
 

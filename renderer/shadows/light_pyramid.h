@@ -58,6 +58,7 @@ class LightPyramid {
 
   void add_horizon(glm::dvec3 normal);
   void add_outlines(const PreparedLight& light);
+  void add_silhouette(const LightWindow& window);
   void add_cuts(const PreparedLight& light);
   [[nodiscard]] double arc(double from, double to) const;
   [[nodiscard]] double round_form(const LeafRegion& region) const;

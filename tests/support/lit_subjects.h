@@ -47,6 +47,7 @@ struct NamedLight {
   add("huge ball", ball_light(2.5));
   add("segment", linear_light());
   add("published segment", linear_light(), LightRule::published);
+  add("capsule", capsule_light());
   add("rectangle", rectangle_light());
   add("two-sided rectangle", two_sided(rectangle_light()));
   Light small = rectangle_light();

@@ -196,6 +196,57 @@ inline void add_cone(std::vector<RadiantPatch>& patches, glm::dvec3 from, glm::d
   add_disk(patches, from + std::sqrt((1.0 - sine) * (1.0 + sine)) * axis, -axis, sine);
 }
 
+/// Returns the largest angle from `flat` towards `across`, both unit, at which a direction from
+/// `from` meets the capsule; it meets the capsule along `flat`.
+[[nodiscard]] inline double capsule_latitude(const PreparedLight& light, glm::dvec3 from,
+                                             glm::dvec3 flat, glm::dvec3 across) {
+  const auto meets = [&](double angle) {
+    const glm::dvec3 ray = std::cos(angle) * flat + std::sin(angle) * across;
+    const glm::dvec3 to_middle = light.position - from, half = light.half_u;
+    const double ray_half = glm::dot(ray, half), ray_middle = glm::dot(ray, to_middle);
+    const double t = (ray_middle * ray_half - glm::dot(to_middle, half)) /
+                     (glm::dot(half, half) - ray_half * ray_half);
+    const glm::dvec3 nearest = to_middle + std::clamp(t, -1.0, 1.0) * half;
+    return glm::length(nearest - glm::dot(nearest, ray) * ray) < light.radius;
+  };
+  double low = 0.0, high = 0.5 * std::numbers::pi;
+  for (int i = 0; i < 50; ++i) (meets(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+  return low;
+}
+
+/// The directions to a capsule from outside the infinite cylinder around it, by an angle in the
+/// plane of the axis and one across, which bisection limits.
+inline void add_capsule(std::vector<RadiantPatch>& patches, const PreparedLight& light,
+                        glm::dvec3 from) {
+  const glm::dvec3 along = glm::normalize(light.half_u);
+  const glm::dvec3 to_middle = light.position - from;
+  const glm::dvec3 foot = to_middle - glm::dot(to_middle, along) * along;
+  const double height = glm::length(foot);
+  const glm::dvec3 across = glm::cross(foot / height, along);
+  const auto limits = [&](double side) {
+    const double s = glm::dot(to_middle + side * light.half_u, along);
+    const double tip =
+        std::atan2(s, height) + side * std::asin(light.radius / std::hypot(s, height));
+    const double touch = std::atan2(s * height, height * height - light.radius * light.radius);
+    return std::pair{tip, touch};
+  };
+  const auto [low, low_side] = limits(-1.0);
+  const auto [high, high_side] = limits(1.0);
+  // The width has a root at the tips.
+  for (const auto& [begin, end] :
+       {std::pair{low, low_side}, {high, high_side}, {low_side, high_side}}) {
+    const bool tip = begin != low_side;
+    patches.push_back({[=](glm::dvec3, double u, double v) -> RadiantPatch::Place {
+      const double psi = begin + (tip ? u * u : u) * (end - begin);
+      const glm::dvec3 flat = std::cos(psi) * (foot / height) + std::sin(psi) * along;
+      const double most = capsule_latitude(light, from, flat, across);
+      const double beta = (2.0 * v - 1.0) * most;
+      return {std::cos(beta) * flat + std::sin(beta) * across,
+              (tip ? 2.0 * u : 1.0) * std::abs(end - begin) * 2.0 * most * std::cos(beta)};
+    }});
+  }
+}
+
 /// Radiance reflected at a point from patches of radiance 1. Patches are divided until each is
 /// small relative to its angle to the mirrored view, or to the lobe; `fineness` 1 has an error of
 /// about 1e-4 of the total.
@@ -308,6 +359,8 @@ class PatchQuadrature {
     const glm::dvec3 to_middle = light.position - at.position;
     const double distance = glm::length(to_middle);
     add_cone(patches, at.position, to_middle / distance, light.radius / distance);
+  } else if (light.shape == LightShape::capsule) {
+    add_capsule(patches, light, at.position);
   } else if (light.shape == LightShape::sun) {
     add_cone(patches, at.position, light.towards, std::sin(std::atan(light.radius)));
   } else if (light.outlines.size() == 2) {

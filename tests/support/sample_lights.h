@@ -58,6 +58,13 @@ namespace asos::test {
   return light;
 }
 
+[[nodiscard]] inline Light capsule_light(double radius = 0.3) {
+  Light light = linear_light();
+  light.name = "capsule";
+  light.radius = radius;
+  return light;
+}
+
 [[nodiscard]] inline Light rectangle_light() {
   Light light = point_light();
   light.name = "rectangle";
@@ -87,8 +94,8 @@ namespace asos::test {
 }
 
 [[nodiscard]] inline std::vector<Light> all_lights() {
-  return {point_light(),  spot_light(),      ball_light(), distant_light(), sun_light(),
-          linear_light(), rectangle_light(), disk_light(), polygon_light()};
+  return {point_light(),  spot_light(),    ball_light(),      distant_light(), sun_light(),
+          linear_light(), capsule_light(), rectangle_light(), disk_light(),    polygon_light()};
 }
 
 /// The light for a world scaled by `scale`, with the same irradiance.

@@ -61,6 +61,9 @@ inline Light light_of(const std::string& kind) {
   } else if (kind == "line") {
     light = placed(linear_light());
     light.half_u = 0.6 * u;
+  } else if (kind == "capsule") {
+    light = placed(capsule_light(0.15));
+    light.half_u = 0.6 * u;
   } else if (kind == "sun") {
     light = placed(sun_light(0.3));
     light.direction = glm::normalize(glm::dvec3(-0.1, -1.0, 0.3));

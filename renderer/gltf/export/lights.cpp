@@ -122,6 +122,7 @@ json extras_json(const Light& light) {
     out["type"] = "linear";
     out["from"] = vector_json(-light.half_u);
     out["to"] = vector_json(light.half_u);
+    if (light.radius > 0.0) out["radius"] = light.radius;
     return out;
   }
   out["two_sided"] = light.two_sided;

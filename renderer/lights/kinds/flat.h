@@ -83,7 +83,7 @@ struct FlatGeometry {
 
   static LightWindow bounds(const PreparedLight& light, glm::dvec3 apex,
                             LightWindow::Inside inside) {
-    return {light.position - apex, light.half_u, light.half_v, inside};
+    return {light.position - apex, light.half_u, light.half_v, inside, {}};
   }
 
  private:

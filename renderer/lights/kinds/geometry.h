@@ -99,6 +99,15 @@ inline glm::dvec3 nearest_of_ball(glm::dvec3 to_middle, double radius, glm::dvec
   return to_middle + to_ray * (length > radius ? radius / length : 1.0);
 }
 
+/// Returns the place, -1 to 1, on a segment about to_middle with the least distance to a ray's
+/// line.
+inline double nearest_to_ray(glm::dvec3 to_middle, glm::dvec3 half, glm::dvec3 ray) {
+  const double ray_half = glm::dot(ray, half);
+  const double across2 = glm::dot(half, half) - ray_half * ray_half;
+  const double wanted = glm::dot(ray, to_middle) * ray_half - glm::dot(to_middle, half);
+  return across2 > 0.0 ? std::clamp(wanted / across2, -1.0, 1.0) : 0.0;
+}
+
 /// Returns a circle as a polygon of the same area.
 inline std::vector<glm::dvec3> circle_outline(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
   std::vector<glm::dvec3> points;

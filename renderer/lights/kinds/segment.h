@@ -46,11 +46,7 @@ struct LightGeometry<LightShape::segment> {
 
   /// At the point with the least distance to the ray's line.
   static Highlight highlight(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
-    const double ray_middle = glm::dot(ray, to_middle);
-    const double ray_half = glm::dot(ray, light.half_u);
-    const double across2 = glm::dot(light.half_u, light.half_u) - ray_half * ray_half;
-    const double wanted = ray_middle * ray_half - glm::dot(to_middle, light.half_u);
-    const double t = across2 > 0.0 ? std::clamp(wanted / across2, -1.0, 1.0) : 0.0;
+    const double t = nearest_to_ray(to_middle, light.half_u, ray);
     return highlight_towards(to_middle + t * light.half_u, glm::length(light.half_u), ray);
   }
 };

@@ -19,7 +19,7 @@ Reflector sheeny(double roughness) {
 
 /// Limits of the RMSE, in display intensity, for ASOS and for Sobol sampling.
 void expect_true(Subject subject, const Reflector& reflector, double asos, double sobol) {
-  for (const char* kind : {"rectangle", "ball", "line", "sun"}) {
+  for (const char* kind : {"rectangle", "ball", "line", "capsule", "sun"}) {
     const Light light = light_of(kind);
     const auto exact = truth(subject, reflector, prepare_light(light), 2);
     const auto scene = make_render_scene(world_of(subject, reflector), {light});

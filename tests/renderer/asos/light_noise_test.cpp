@@ -104,6 +104,10 @@ TEST(LightNoise, BoxesUnderALineAndSunsLookAsSampled) {
   expect_boxes({linear_light(), sun_light()});
 }
 
+TEST(LightNoise, BoxesUnderCapsuleLookAsSampled) {
+  expect_boxes({capsule_light()});
+}
+
 TEST(LightNoise, ShapesUnderALineLookAsSampled) {
   expect_builtin("primitives-linear");
 }

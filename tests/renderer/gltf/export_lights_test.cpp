@@ -64,6 +64,7 @@ Scene lit_scene() {
   Light linear = light_of(Light::Type::linear, "linear");
   linear.half_u = {0.1, 0.7, -3.3};
   linear.casts_shadows = false;
+  linear.radius = 0.04;
   Light rectangle = light_of(Light::Type::rectangle, "rectangle");
   rectangle.half_u = 1.7 * axes.u;
   rectangle.half_v = 0.3 * axes.v;
@@ -232,6 +233,10 @@ TEST(ExportLights, BrokenOnesAreRefusedByName) {
       4, [](Light& l) { l.radius = 0.0; }, "radius");
   refused(
       5, [](Light& l) { l.half_u = glm::dvec3(0.0); }, "no length");
+  refused(
+      5, [](Light& l) { l.radius = -1.0; }, "radius");
+  refused(
+      5, [&](Light& l) { l.radius = nan; }, "radius");
   refused(
       6, [](Light& l) { l.angular_diameter_rad = 3.2; }, "angular diameter");
   refused(

@@ -44,6 +44,17 @@ TEST(ImportLinearLight, ItsEndsGoWhereItsNodePutsThem) {
   EXPECT_EQ(placed.intensity, 40.0f);
 }
 
+TEST(ImportLinearLight, RadiusMakesItACapsule) {
+  LightFile file;
+  json capsule = linear();
+  capsule["radius"] = 0.1;
+  file.with_extras(capsule);
+  EXPECT_EQ(file.light().radius, 0.1);
+  EXPECT_DOUBLE_EQ(file.turned({10, 0, 0}, {2, 5, 7}).light().radius, 0.7);
+  capsule["radius"] = 0;
+  EXPECT_EQ(LightFile().with_extras(capsule).light().radius, 0.0);
+}
+
 TEST(ImportLinearLight, BadOnesAreLeftOutByName) {
   const auto left_out = [](const char* name, const json& value, const std::string& words) {
     SCOPED_TRACE(value.dump());
@@ -57,6 +68,8 @@ TEST(ImportLinearLight, BadOnesAreLeftOutByName) {
   left_out("to", {2, 0, "1"}, "ends");
   left_out("to", 3, "ends");
   left_out("to", {1.7e308, 1.7e308, 0}, "no length");  // an infinite length
+  left_out("radius", -0.1, "radius of -0.1");
+  left_out("radius", "wide", "radius that is not a number");
   left_out("intensity", -1, "intensity");
   left_out("intensity", "40", "intensity");
   left_out("color", {1, 1, -1}, "colour");

@@ -29,8 +29,8 @@ TEST(Highlight, OfPointsIsTheirDirection) {
 
 TEST(Highlight, IsTheRayItselfWhereItHitsTheLight) {
   const glm::dvec3 ray = glm::normalize(glm::dvec3(0.12, 1, -0.1));
-  for (const Light& light : {test::ball_light(), test::sun_light(), test::rectangle_light(),
-                             test::disk_light(), test::polygon_light()}) {
+  for (const Light& light : {test::ball_light(), test::sun_light(), test::capsule_light(),
+                             test::rectangle_light(), test::disk_light(), test::polygon_light()}) {
     expect_direction(highlight_of(prepare_light(light), origin, ray), ray);
   }
 }

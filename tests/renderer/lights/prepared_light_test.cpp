@@ -19,9 +19,10 @@ void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-12) {
 }
 
 TEST(PrepareLight, GivesEachTypeItsShape) {
-  const LightShape shapes[] = {LightShape::point,     LightShape::point, LightShape::ball,
-                               LightShape::distant,   LightShape::sun,   LightShape::segment,
-                               LightShape::rectangle, LightShape::disk,  LightShape::polygon};
+  const LightShape shapes[] = {LightShape::point,   LightShape::point,     LightShape::ball,
+                               LightShape::distant, LightShape::sun,       LightShape::segment,
+                               LightShape::capsule, LightShape::rectangle, LightShape::disk,
+                               LightShape::polygon};
   const std::vector<Light> lights = test::all_lights();
   ASSERT_EQ(lights.size(), std::size(shapes));
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -30,6 +31,20 @@ TEST(PrepareLight, GivesEachTypeItsShape) {
     const bool point = shapes[i] == LightShape::point || shapes[i] == LightShape::distant;
     EXPECT_EQ(light.extended(), !point) << lights[i].name;
   }
+}
+
+TEST(PrepareLight, GivesCapsuleTheRadianceOfItsSide) {
+  const Light light = test::capsule_light(0.25);
+  const PreparedLight capsule = prepare_light(light);
+  const double half = glm::length(light.half_u);
+  EXPECT_NEAR(capsule.power.r, 5.0 / (4.0 * half * 0.25 + pi * 0.0625), 1e-5);
+  EXPECT_EQ(capsule.half_u, light.half_u);
+  EXPECT_EQ(capsule.radius, 0.25);
+  EXPECT_EQ(prepare_light(test::capsule_light(1e-9)).shape, LightShape::segment);
+  EXPECT_EQ(light_shape(test::capsule_light(1e-9)), LightShape::segment);
+  Light ball = light;
+  ball.half_u = glm::dvec3(0.0);
+  EXPECT_EQ(prepare_light(ball).shape, LightShape::ball);
 }
 
 TEST(PrepareLight, ConvertsPower) {

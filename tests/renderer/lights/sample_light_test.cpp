@@ -87,6 +87,10 @@ TEST(SampleLight, LandsOnTheLight) {
             receiver.position + sample.distance * sample.direction - light.position;
         if (light.shape == LightShape::ball) {
           EXPECT_NEAR(glm::length(off), light.radius, 2e-7 * light.radius);
+        } else if (light.shape == LightShape::capsule) {
+          const double along = glm::dot(off, light.half_u) / glm::dot(light.half_u, light.half_u);
+          const glm::dvec3 beside = off - std::clamp(along, -1.0, 1.0) * light.half_u;
+          EXPECT_NEAR(glm::length(beside), light.radius, 2e-7 * light.radius);
         } else if (light.shape == LightShape::segment) {
           EXPECT_LT(glm::length(glm::cross(off, light.half_u)), 1e-12);
           EXPECT_LE(glm::length(off), glm::length(light.half_u) * (1.0 + 1e-12));

@@ -40,7 +40,9 @@ PreparedLight light_at(const std::string& kind, glm::dvec3 towards, double dista
   if (kind == "rectangle") light.type = Light::Type::rectangle;
   if (kind == "disk") light.type = Light::Type::disk;
   if (kind == "sun") light.type = Light::Type::directional;
-  if (kind == "line") light.type = Light::Type::linear;
+  if (kind == "line" || kind == "capsule") light.type = Light::Type::linear;
+  if (kind == "line") light.radius = 0.0;
+  if (kind == "capsule") light.radius = 0.3 * size;
   if (kind == "polygon") {
     light.type = Light::Type::polygon;
     const auto outline = [&](double x, double y) {
@@ -55,7 +57,7 @@ PreparedLight light_at(const std::string& kind, glm::dvec3 towards, double dista
   return prepared;
 }
 
-const char* const kinds[] = {"rectangle", "disk", "ball", "line", "polygon", "sun"};
+const char* const kinds[] = {"rectangle", "disk", "ball", "line", "capsule", "polygon", "sun"};
 
 struct Errors {
   double worst = 0.0, sum = 0.0, values = 0.0;

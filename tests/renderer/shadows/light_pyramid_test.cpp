@@ -62,6 +62,32 @@ TEST(LightPyramid, TheWholeOfALightIsItsClosedForm) {
   EXPECT_GT(seen, 500);
 }
 
+// The silhouette is a polygon of nearly the same solid angle.
+TEST(LightPyramid, WholeOfCapsuleIsNearlyItsClosedForm) {
+  Directions random;
+  int seen = 0;
+  for (int i = 0; i < 1000; ++i) {
+    Receiver receiver;
+    receiver.normal = receiver.geometric = random.next();
+    Light capsule = test::make_bulb(3.0 * random.next());
+    capsule.type = Light::Type::linear;
+    capsule.half_u = random.uniform(0.1, 2.5) * random.next();
+    capsule.radius = random.uniform(0.01, 0.5);
+    const PreparedLight light = prepare_light(capsule);
+    const auto window = LightPyramid::of(light, receiver);
+    if (!window) continue;
+    const double expected = static_cast<double>(unshadowed_irradiance(light, receiver).x) /
+                            static_cast<double>(light.power.x);
+    // Unless the horizon cuts it, the region is the light itself: two arcs and two sides.
+    std::vector<BorderEdge> outline(window->boundaries().begin(), window->boundaries().end());
+    if (outline.size() != 14 || !(expected > 0.0)) continue;
+    const double form = window->form({whole.square, outline});
+    EXPECT_NEAR(form, expected, 5e-3 * expected) << i;
+    ++seen;
+  }
+  EXPECT_GT(seen, 200);
+}
+
 // The forms of disjoint parts add up: each arc of the rim belongs to one part.
 TEST(LightPyramid, TheFormIsAdditive) {
   Directions random;
