@@ -143,6 +143,8 @@ TEST_F(LightsPanelTest, EveryKindHasItsSizes) {
   EXPECT_DOUBLE_EQ(light().radius, 0.25);
   size_of("Line", "Length", "3");
   EXPECT_NEAR(glm::length(light().half_u), 1.5, 1e-12);
+  type_into("Radius", "0.05");
+  EXPECT_DOUBLE_EQ(light().radius, 0.05);
   size_of("Rectangle", "Width", "0.5");
   type_into("Height", "0.75");
   EXPECT_NEAR(glm::length(light().half_u), 0.25, 1e-12);

@@ -143,6 +143,7 @@ class LightEditor {
       case LightKind::linear:
         half_side("Length", "Length in metres. Ctrl+click to type a value.", light_.half_u,
                   old.half_u);
+        radius_or_none();
         break;
       case LightKind::rectangle:
         half_side("Width", "Side of the rectangle in metres. Ctrl+click to type a value.",
@@ -179,11 +180,15 @@ class LightEditor {
       set_polygon_radius(light_, radius);
   }
 
-  void cone() {
+  void radius_or_none() {
     changed_ |= controls_.number(
         "Radius", "Radius in metres. 0: sharp shadows. Ctrl+click to type a value.", light_.radius,
         {{0.0, 1e3 * scene_.radius, original(edited_.original.radius)}, 1e-4 * scene_.radius, true},
         metres);
+  }
+
+  void cone() {
+    radius_or_none();
     constexpr float widest = 89.9f;
     if (degrees("Cone", "Half angle of the cone in degrees.", light_.outer_cone_rad,
                 {0.1f, widest, 45.0f}))

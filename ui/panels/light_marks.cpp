@@ -1,3 +1,4 @@
+#include "renderer/lights/lights_without_geometry.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/projection.h"
 #include "ui/theme.h"
@@ -34,6 +35,14 @@ Outline circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
   return outline;
 }
 
+/// The silhouettes of a light with a surface; empty if the camera is inside of it.
+std::vector<Outline> silhouettes_of(const Light& light, const Camera& camera) {
+  const glm::dvec3 eye(camera.world_from_camera[3]), back(camera.world_from_camera[2]);
+  const bool perspective = camera.type == Camera::Type::perspective;
+  return light_outlines(prepare_light(light), perspective ? std::optional(eye) : std::nullopt,
+                        -back);
+}
+
 /// A light's shape as closed outlines; for a sphere, its silhouette.
 std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
   const glm::dvec3 right(camera.world_from_camera[0]), up(camera.world_from_camera[1]);
@@ -45,6 +54,7 @@ std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
     case Light::Type::polygon:
       return light.outlines;
     case Light::Type::linear:
+      if (auto tube = silhouettes_of(light, camera); !tube.empty()) return tube;
       return {{p - light.half_u, p + light.half_u}};
     case Light::Type::disk: {
       const glm::dvec3 n = light.direction;
