@@ -140,5 +140,22 @@ TEST(EnteredBalls, AreThoseThatATriangleOfAnotherPartReachesInto) {
   EXPECT_FALSE(entered({-1, -1, 0}, -1)) << "a point";
 }
 
+TEST(EnteredBalls, IncludeCapsulesAlongTheirWholeAxis) {
+  Light capsule;
+  capsule.type = Light::Type::linear;
+  capsule.half_u = {3, 0, 0};
+  capsule.radius = 0.2;
+  const auto entered = [&](glm::vec3 corner) -> bool {
+    World world;
+    add_triangle(world, corner, corner + glm::vec3(0.1f, 0, 0), corner + glm::vec3(0, 0.1f, 0),
+                 matte(glm::vec3(0.5f)));
+    const PreparedLight prepared = prepare_light(capsule);
+    return find_entered_balls(world, {&prepared, 1}).at(0);
+  };
+  for (const float x : {-3.15f, -2.0f, 0.4f, 3.1f}) EXPECT_TRUE(entered({x, 0, 0.05f})) << x;
+  for (const float x : {-3.35f, -2.0f, 0.4f, 3.2f}) EXPECT_FALSE(entered({x, 0, 0.21f})) << x;
+  EXPECT_FALSE(entered({3.21f, 0, 0}));
+}
+
 }  // namespace
 }  // namespace asos::test::light_intersections_test
