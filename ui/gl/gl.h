@@ -17,64 +17,70 @@ using GetFunction = Function (*)(const char* name);
 /// function. All calls through the table must be made on that thread.
 [[nodiscard]] Result<void> load(GetFunction get);
 
-extern PFNGLACTIVETEXTUREPROC glActiveTexture;
-extern PFNGLATTACHSHADERPROC glAttachShader;
-extern PFNGLBINDBUFFERPROC glBindBuffer;
-extern PFNGLBINDSAMPLERPROC glBindSampler;
-extern PFNGLBINDTEXTUREPROC glBindTexture;
-extern PFNGLBINDVERTEXARRAYPROC glBindVertexArray;
-extern PFNGLBLENDEQUATIONPROC glBlendEquation;
-extern PFNGLBLENDEQUATIONSEPARATEPROC glBlendEquationSeparate;
-extern PFNGLBLENDFUNCSEPARATEPROC glBlendFuncSeparate;
-extern PFNGLBUFFERDATAPROC glBufferData;
-extern PFNGLBUFFERSUBDATAPROC glBufferSubData;
-extern PFNGLCLEARPROC glClear;
-extern PFNGLCLEARCOLORPROC glClearColor;
-extern PFNGLCOMPILESHADERPROC glCompileShader;
-extern PFNGLCREATEPROGRAMPROC glCreateProgram;
-extern PFNGLCREATESHADERPROC glCreateShader;
-extern PFNGLDELETEBUFFERSPROC glDeleteBuffers;
-extern PFNGLDELETEPROGRAMPROC glDeleteProgram;
-extern PFNGLDELETESHADERPROC glDeleteShader;
-extern PFNGLDELETETEXTURESPROC glDeleteTextures;
-extern PFNGLDELETEVERTEXARRAYSPROC glDeleteVertexArrays;
-extern PFNGLDETACHSHADERPROC glDetachShader;
-extern PFNGLDISABLEPROC glDisable;
-extern PFNGLDRAWARRAYSPROC glDrawArrays;
-extern PFNGLDRAWELEMENTSPROC glDrawElements;
-extern PFNGLDRAWELEMENTSBASEVERTEXPROC glDrawElementsBaseVertex;
-extern PFNGLENABLEPROC glEnable;
-extern PFNGLENABLEVERTEXATTRIBARRAYPROC glEnableVertexAttribArray;
-extern PFNGLFINISHPROC glFinish;
-extern PFNGLGENBUFFERSPROC glGenBuffers;
-extern PFNGLGENTEXTURESPROC glGenTextures;
-extern PFNGLGENVERTEXARRAYSPROC glGenVertexArrays;
-extern PFNGLGETATTRIBLOCATIONPROC glGetAttribLocation;
-extern PFNGLGETERRORPROC glGetError;
-extern PFNGLGETINTEGERVPROC glGetIntegerv;
-extern PFNGLGETPROGRAMINFOLOGPROC glGetProgramInfoLog;
-extern PFNGLGETPROGRAMIVPROC glGetProgramiv;
-extern PFNGLGETSHADERINFOLOGPROC glGetShaderInfoLog;
-extern PFNGLGETSHADERIVPROC glGetShaderiv;
-extern PFNGLGETSTRINGPROC glGetString;
-extern PFNGLGETSTRINGIPROC glGetStringi;
-extern PFNGLGETUNIFORMLOCATIONPROC glGetUniformLocation;
-extern PFNGLISENABLEDPROC glIsEnabled;
-extern PFNGLLINKPROGRAMPROC glLinkProgram;
-extern PFNGLPIXELSTOREIPROC glPixelStorei;
-extern PFNGLPOLYGONMODEPROC glPolygonMode;
-extern PFNGLREADPIXELSPROC glReadPixels;
-extern PFNGLSCISSORPROC glScissor;
-extern PFNGLSHADERSOURCEPROC glShaderSource;
-extern PFNGLTEXIMAGE2DPROC glTexImage2D;
-extern PFNGLTEXPARAMETERIPROC glTexParameteri;
-extern PFNGLTEXSUBIMAGE2DPROC glTexSubImage2D;
-extern PFNGLUNIFORM1FPROC glUniform1f;
-extern PFNGLUNIFORM1IPROC glUniform1i;
-extern PFNGLUNIFORM4FPROC glUniform4f;
-extern PFNGLUNIFORMMATRIX4FVPROC glUniformMatrix4fv;
-extern PFNGLUSEPROGRAMPROC glUseProgram;
-extern PFNGLVERTEXATTRIBPOINTERPROC glVertexAttribPointer;
-extern PFNGLVIEWPORTPROC glViewport;
+/// Calls FUNCTION(NAME, Name) for each function glName of the table.
+#define ASOS_GL_FUNCTIONS(FUNCTION)                          \
+  FUNCTION(ACTIVETEXTURE, ActiveTexture)                     \
+  FUNCTION(ATTACHSHADER, AttachShader)                       \
+  FUNCTION(BINDBUFFER, BindBuffer)                           \
+  FUNCTION(BINDSAMPLER, BindSampler)                         \
+  FUNCTION(BINDTEXTURE, BindTexture)                         \
+  FUNCTION(BINDVERTEXARRAY, BindVertexArray)                 \
+  FUNCTION(BLENDEQUATION, BlendEquation)                     \
+  FUNCTION(BLENDEQUATIONSEPARATE, BlendEquationSeparate)     \
+  FUNCTION(BLENDFUNCSEPARATE, BlendFuncSeparate)             \
+  FUNCTION(BUFFERDATA, BufferData)                           \
+  FUNCTION(BUFFERSUBDATA, BufferSubData)                     \
+  FUNCTION(CLEAR, Clear)                                     \
+  FUNCTION(CLEARCOLOR, ClearColor)                           \
+  FUNCTION(COMPILESHADER, CompileShader)                     \
+  FUNCTION(CREATEPROGRAM, CreateProgram)                     \
+  FUNCTION(CREATESHADER, CreateShader)                       \
+  FUNCTION(DELETEBUFFERS, DeleteBuffers)                     \
+  FUNCTION(DELETEPROGRAM, DeleteProgram)                     \
+  FUNCTION(DELETESHADER, DeleteShader)                       \
+  FUNCTION(DELETETEXTURES, DeleteTextures)                   \
+  FUNCTION(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
+  FUNCTION(DETACHSHADER, DetachShader)                       \
+  FUNCTION(DISABLE, Disable)                                 \
+  FUNCTION(DRAWARRAYS, DrawArrays)                           \
+  FUNCTION(DRAWELEMENTS, DrawElements)                       \
+  FUNCTION(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)   \
+  FUNCTION(ENABLE, Enable)                                   \
+  FUNCTION(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+  FUNCTION(FINISH, Finish)                                   \
+  FUNCTION(GENBUFFERS, GenBuffers)                           \
+  FUNCTION(GENTEXTURES, GenTextures)                         \
+  FUNCTION(GENVERTEXARRAYS, GenVertexArrays)                 \
+  FUNCTION(GETATTRIBLOCATION, GetAttribLocation)             \
+  FUNCTION(GETERROR, GetError)                               \
+  FUNCTION(GETINTEGERV, GetIntegerv)                         \
+  FUNCTION(GETPROGRAMINFOLOG, GetProgramInfoLog)             \
+  FUNCTION(GETPROGRAMIV, GetProgramiv)                       \
+  FUNCTION(GETSHADERINFOLOG, GetShaderInfoLog)               \
+  FUNCTION(GETSHADERIV, GetShaderiv)                         \
+  FUNCTION(GETSTRING, GetString)                             \
+  FUNCTION(GETSTRINGI, GetStringi)                           \
+  FUNCTION(GETUNIFORMLOCATION, GetUniformLocation)           \
+  FUNCTION(ISENABLED, IsEnabled)                             \
+  FUNCTION(LINKPROGRAM, LinkProgram)                         \
+  FUNCTION(PIXELSTOREI, PixelStorei)                         \
+  FUNCTION(POLYGONMODE, PolygonMode)                         \
+  FUNCTION(READPIXELS, ReadPixels)                           \
+  FUNCTION(SCISSOR, Scissor)                                 \
+  FUNCTION(SHADERSOURCE, ShaderSource)                       \
+  FUNCTION(TEXIMAGE2D, TexImage2D)                           \
+  FUNCTION(TEXPARAMETERI, TexParameteri)                     \
+  FUNCTION(TEXSUBIMAGE2D, TexSubImage2D)                     \
+  FUNCTION(UNIFORM1F, Uniform1f)                             \
+  FUNCTION(UNIFORM1I, Uniform1i)                             \
+  FUNCTION(UNIFORM4F, Uniform4f)                             \
+  FUNCTION(UNIFORMMATRIX4FV, UniformMatrix4fv)               \
+  FUNCTION(USEPROGRAM, UseProgram)                           \
+  FUNCTION(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
+  FUNCTION(VIEWPORT, Viewport)
+
+#define ASOS_GL_DECLARE(NAME, Name) extern PFNGL##NAME##PROC gl##Name;
+ASOS_GL_FUNCTIONS(ASOS_GL_DECLARE)
+#undef ASOS_GL_DECLARE
 
 }  // namespace asos::ui::gl
