@@ -59,49 +59,10 @@ constexpr std::pair<int, Key> named_keys[] = {
     {GLFW_KEY_KP_7, Key::pad_seven},
 };
 
-constexpr std::pair<std::string_view, Key> printed_keys[] = {
-    {"a", Key::a},
-    {"b", Key::b},
-    {"c", Key::c},
-    {"d", Key::d},
-    {"e", Key::e},
-    {"f", Key::f},
-    {"g", Key::g},
-    {"h", Key::h},
-    {"i", Key::i},
-    {"k", Key::k},
-    {"l", Key::l},
-    {"m", Key::m},
-    {"n", Key::n},
-    {"o", Key::o},
-    {"p", Key::p},
-    {"q", Key::q},
-    {"r", Key::r},
-    {"s", Key::s},
-    {"t", Key::t},
-    {"u", Key::u},
-    {"v", Key::v},
-    {"w", Key::w},
-    {"x", Key::x},
-    {"y", Key::y},
-    {"z", Key::z},
-    {"0", Key::zero},
-    {"1", Key::one},
-    {"2", Key::two},
-    {"3", Key::three},
-    {"4", Key::four},
-    {"5", Key::five},
-    {"6", Key::six},
-    {"7", Key::seven},
-    {"8", Key::eight},
-    {"9", Key::nine},
-    {"+", Key::plus},
-    {"=", Key::plus},
-    {"-", Key::minus},
-    {"?", Key::question},
-    {"[", Key::left_bracket},
-    {"]", Key::right_bracket},
-};
+// The characters on the keys from Key::question on, in Key's order.
+constexpr std::string_view printed_keys = "?+-0123456789abcdefghiklmnopqrstuvwxyz[]";
+static_assert(static_cast<std::size_t>(Key::question) + printed_keys.size() ==
+              static_cast<std::size_t>(Key::count));
 
 // Letters follow the user's keyboard layout, not the key's position.
 Key key_of(int key, int scancode, int modifiers) {
@@ -110,11 +71,13 @@ Key key_of(int key, int scancode, int modifiers) {
   }
   const char* printed = glfwGetKeyName(key, scancode);
   if (!printed) return Key::none;
-  if (std::string_view(printed) == "/" && (modifiers & GLFW_MOD_SHIFT)) return Key::question;
-  for (const auto& [text, name] : printed_keys) {
-    if (text == printed) return name;
-  }
-  return Key::none;
+  const std::string_view text = printed;
+  if (text == "/" && (modifiers & GLFW_MOD_SHIFT)) return Key::question;
+  if (text == "=") return Key::plus;
+  const std::size_t at = text.size() == 1 ? printed_keys.find(text) : std::string_view::npos;
+  return at == std::string_view::npos
+             ? Key::none
+             : static_cast<Key>(static_cast<std::size_t>(Key::question) + at);
 }
 
 gl::Function get_function(const char* name) {
