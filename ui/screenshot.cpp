@@ -62,21 +62,15 @@ void show_as(const PictureDisplay& described, DisplaySettings& display) {
   display.split_dimming = std::clamp(described.split_dimming, 0.0f, 1.0f);
 }
 
-std::string free_stem(const std::filesystem::path& folder, const std::string& name) {
+std::string free_stem(const std::filesystem::path& folder, const std::string& name,
+                      std::initializer_list<const char*> endings) {
   for (int number = 1;; ++number) {
-    const std::string stem = (folder / fmt::format("{}-{:03}", name, number)).string();
-    std::error_code ignored;
-    if (!std::filesystem::exists(stem + ".png", ignored) &&
-        !std::filesystem::exists(stem + ".exr", ignored))
-      return stem;
-  }
-}
-
-std::string free_scene_path(const std::filesystem::path& folder, const std::string& name) {
-  for (int number = 1;; ++number) {
-    const std::string path = (folder / fmt::format("{}-{:03}.glb", name, number)).string();
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return path;
+    std::string stem = (folder / fmt::format("{}-{:03}", name, number)).string();
+    const auto taken = [&](const char* ending) {
+      std::error_code ignored;
+      return std::filesystem::exists(stem + ending, ignored);
+    };
+    if (std::none_of(endings.begin(), endings.end(), taken)) return stem;
   }
 }
 

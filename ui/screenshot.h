@@ -5,6 +5,7 @@
 #include "renderer/result.h"
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 
 namespace asos::ui {
@@ -20,12 +21,9 @@ struct DisplaySettings;
 [[nodiscard]] std::string file_title(const std::string& source);
 [[nodiscard]] std::string screenshot_stem(const std::string& source);
 
-/// FOLDER/NAME-001, or the next number without a picture.
-[[nodiscard]] std::string free_stem(const std::filesystem::path& folder, const std::string& name);
-
-/// FOLDER/NAME-001.glb, or the next number without a file.
-[[nodiscard]] std::string free_scene_path(const std::filesystem::path& folder,
-                                          const std::string& name);
+/// FOLDER/NAME-001, or the next number without a file that has one of the endings.
+[[nodiscard]] std::string free_stem(const std::filesystem::path& folder, const std::string& name,
+                                    std::initializer_list<const char*> endings = {".png", ".exr"});
 
 /// Metadata of a saved picture: inputs to render it again, times and statistics. Requires a
 /// picture.

@@ -132,6 +132,10 @@ std::uint32_t packed(Colour colour, float alpha) {
   return packed(rgb(colour), alpha);
 }
 
+std::uint32_t packed(glm::u8vec3 rgb) {
+  return IM_COL32(rgb.x, rgb.y, rgb.z, 255);
+}
+
 std::uint32_t rgb(Look look, Colour colour) {
   return (look == Look::light ? light_palette : dark_palette)[static_cast<std::size_t>(colour)];
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 
 namespace asos::ui::theme {
@@ -57,6 +59,7 @@ inline constexpr std::uint32_t plot_text = 0xd8dadd;
 /// Converts to Dear ImGui's packed colours.
 [[nodiscard]] std::uint32_t packed(std::uint32_t rgb, float alpha = 1.0f);
 [[nodiscard]] std::uint32_t packed(Colour colour, float alpha = 1.0f);
+[[nodiscard]] std::uint32_t packed(glm::u8vec3 rgb);
 
 /// How the window is drawn. `text_scale` multiplies all sizes in window coordinates. The font is
 /// rasterised `raster_scale` times finer, for screens with more pixels than window units.

@@ -328,7 +328,9 @@ void WindowContent::dialogs(const WindowRect& picture) {
               {{film.width, film.height}, clip_seconds(previewer_.playback())});
   if (state_.save_scene.show && state_.save_scene.path.empty() && previewer_.scene())
     state_.save_scene.path =
-        free_scene_path(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source));
+        free_stem(screenshot_folder(), screenshot_stem(previewer_.scene()->geometry->source),
+                  {".glb"}) +
+        ".glb";
   save_scene_dialog(controls_, state_.save_scene, previewer_.scene().hides());
   if (saving_notice(controls_, saver_.job(), picture)) say(saver_.stop());
   const bool saving = saver_.job().pending();

@@ -56,26 +56,14 @@ std::string level_words(int max_level) {
   return fmt::format("{} (up to {} x {})", max_level, cells, cells);
 }
 
-// Options in the order of the enumerators.
-template <typename T>
-void choose(Controls& controls, const char* label, std::span<const Controls::Option> options,
-            T& value, T reset) {
-  int index = static_cast<int>(value);
-  if (controls.options(label, options, index, {true, static_cast<int>(reset)}))
-    value = static_cast<T>(index);
-}
-
-constexpr const char* forecast_tooltip =
-    "Estimated share of split pixels and render time, from a few test blocks.";
-
 // Shows a dash if the estimate is for other settings or another view.
 void forecast_row(Controls& controls, const Previewer& previewer, const SplitForecast& forecast) {
   const Forecast* told = forecast.of(previewer);
   const auto estimate = time_estimate(previewer, told);
   const auto share = shown_split_share(previewer, told);
-  controls.row("Estimate",
-               told && estimate && share ? estimate_words(*share, *estimate) : std::string("-"),
-               forecast_tooltip, {true, 1});
+  controls.row(
+      "Estimate", told && estimate && share ? estimate_words(*share, *estimate) : std::string("-"),
+      "Estimated share of split pixels and render time, from a few test blocks.", {true, 1});
 }
 
 // Pixels that a larger MAX would divide further. Unfinished pixels do not count.
@@ -107,9 +95,9 @@ void splitting_sliders(Controls& controls, RenderSettings& settings, MaxTurn& tu
 void splitting_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
   if (settings.method == Method::asos) {
-    choose(controls, "Cell shading", leaves, settings.asos.leaf, usual.asos.leaf);
-    choose(controls, "Stop when", rules, settings.asos.rule, usual.asos.rule);
-    choose(controls, "Edge test", detections, settings.asos.detect, usual.asos.detect);
+    controls.options("Cell shading", leaves, settings.asos.leaf, usual.asos.leaf);
+    controls.options("Stop when", rules, settings.asos.rule, usual.asos.rule);
+    controls.options("Edge test", detections, settings.asos.detect, usual.asos.detect);
     controls.checkbox(
         "Refine shading",
         "Also refine where shading varies within a pixel, such as highlights and curved surfaces.",
@@ -165,37 +153,18 @@ void sobol_controls(Controls& controls, RenderSettings& settings) {
   }
 }
 
-// Rounds to 0.01 pixel, so that the saved value equals the typed one.
-void filter_control(Controls& controls, RenderSettings& settings) {
-  const RenderSettings usual;
-  auto width = static_cast<float>(settings.filter_width);
-  if (controls.slider("Pixel filter",
-                      "Width of the box filter, 1 to 4 pixels. Above 1: softer, less flicker. "
-                      "Ctrl+click to type a value.",
-                      width,
-                      {1.0f, static_cast<float>(RenderSettings::max_filter_width),
-                       static_cast<float>(usual.filter_width)},
+// A width in pixels. Rounds to 0.01 pixel, so that the saved value equals the typed one.
+void width_control(Controls& controls, const char* name, const char* tooltip, double& width,
+                   const Controls::Range<double>& range) {
+  if (controls.slider(name, tooltip, width, range,
                       [](float w) { return fmt::format("{:.2f} px", w); }))
-    settings.filter_width = std::round(100.0 * static_cast<double>(width)) / 100.0;
-}
-
-void line_control(Controls& controls, RenderSettings& settings) {
-  const RenderSettings usual;
-  auto width = static_cast<float>(settings.line_width);
-  if (controls.slider(
-          "Lines",
-          "Width of lines and points, 0 to 16 pixels. 0 hides them. Ctrl+click to type a value.",
-          width,
-          {0.0f, static_cast<float>(RenderSettings::max_line_width),
-           static_cast<float>(usual.line_width)},
-          [](float w) { return fmt::format("{:.2f} px", w); }))
-    settings.line_width = std::round(100.0 * static_cast<double>(width)) / 100.0;
+    width = std::round(100.0 * width) / 100.0;
 }
 
 void texture_controls(Controls& controls, RenderSettings& settings) {
   const RenderSettings usual;
-  choose(controls, "Texture filter", texture_filters, settings.texture.filter,
-         usual.texture.filter);
+  controls.options("Texture filter", texture_filters, settings.texture.filter,
+                   usual.texture.filter);
   if (!in_object_space(settings.method)) return;
   // Area averages need no TR above 1; a larger one still takes effect.
   if (settings.texture.filter == TextureFilter::footprint && settings.texture.resolution == 1)
@@ -258,7 +227,11 @@ void antialiasing_panel(Controls& controls, Previewer& previewer, const SplitFor
     sample_controls(controls, settings);
   if (settings.method == Method::sobol) sobol_controls(controls, settings);
   if (settings.method == Method::sobol || by_eps) seed_control(controls, settings);
-  if (scene && !scene->world().lines_and_points.empty()) line_control(controls, settings);
+  if (scene && !scene->world().lines_and_points.empty())
+    width_control(
+        controls, "Lines",
+        "Width of lines and points, 0 to 16 pixels. 0 hides them. Ctrl+click to type a value.",
+        settings.line_width, {0.0, RenderSettings::max_line_width, RenderSettings{}.line_width});
 }
 
 void advanced_panel(Controls& controls, Previewer& previewer) {
@@ -267,7 +240,12 @@ void advanced_panel(Controls& controls, Previewer& previewer) {
   const RenderSettings usual;
   if (!controls.section("Advanced (papers)", false)) return;
   if (in_object_space(settings.method)) splitting_controls(controls, settings);
-  if (row_of(settings.method).takes_filter_width) filter_control(controls, settings);
+  if (row_of(settings.method).takes_filter_width)
+    width_control(controls, "Pixel filter",
+                  "Width of the box filter, 1 to 4 pixels. Above 1: softer, less flicker. "
+                  "Ctrl+click to type a value.",
+                  settings.filter_width,
+                  {1.0, RenderSettings::max_filter_width, usual.filter_width});
   shadow_rules(controls, settings, scene);
   // Without a scene, show only the controls that every scene has.
   if (scene && scene->render_features.mirrors) curved_mirror_controls(controls, settings);

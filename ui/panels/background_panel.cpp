@@ -25,14 +25,10 @@ constexpr std::array grounds{
 }  // namespace
 
 void background_controls(Controls& controls, RenderSettings& settings) {
-  int ground = static_cast<int>(settings.ground);
-  if (controls.options("Ground", grounds, ground, {true, 0}))
-    settings.ground = static_cast<Ground>(ground);
+  controls.options("Ground", grounds, settings.ground, {true, 0});
   Background& background = settings.background;
   const Background usual;
-  int kind = static_cast<int>(background.kind);
-  if (controls.options("Background", background_kinds, kind, {true, 0}))
-    background.kind = static_cast<BackgroundKind>(kind);
+  controls.options("Background", background_kinds, background.kind, {true, 0});
   if (background.kind != BackgroundKind::colours) return;
   controls.colour("Upper", "Colour at the upper border, red, green, blue, 0 to 255.",
                   background.top, usual.top);

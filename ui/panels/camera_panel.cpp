@@ -28,24 +28,18 @@ void camera_list(Controls& controls, Viewpoint& viewpoint, const std::vector<Cam
   }
 }
 
-void side_buttons(Controls& controls, Viewpoint& viewpoint) {
-  using Side = Viewpoint::Side;
-  struct Button {
-    const char* name;
-    const char* tooltip;
-    Side side;
-  };
-  constexpr std::array buttons{
-      Button{"Front", "View along -Z (keypad 1). From behind: Ctrl+keypad 1.", Side::front},
-      Button{"Right", "View along -X (keypad 3). From the left: Ctrl+keypad 3.", Side::right},
-      Button{"Top", "View from above (keypad 7). From below: Ctrl+keypad 7.", Side::top},
-  };
-  const float gaps = 2.0f * ImGui::GetStyle().ItemSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - gaps) / 3.0f;
-  for (const Button& button : buttons) {
-    if (button.side != Side::front) ImGui::SameLine();
-    if (controls.button(button.name, button.tooltip, width)) viewpoint.look_from(button.side);
-  }
+void view_buttons(Controls& controls, Viewpoint& viewpoint) {
+  const int view =
+      controls.buttons({{"Frame all", "Fit the whole scene into the picture (Home, F)."},
+                        {"Reset view", "Restore the view of the start or the chosen camera."}});
+  if (view == 0) viewpoint.frame_all();
+  if (view == 1) viewpoint.choose_camera(viewpoint.chosen_camera());
+  constexpr std::array sides{Viewpoint::Side::front, Viewpoint::Side::right, Viewpoint::Side::top};
+  const int side =
+      controls.buttons({{"Front", "View along -Z (keypad 1). From behind: Ctrl+keypad 1."},
+                        {"Right", "View along -X (keypad 3). From the left: Ctrl+keypad 3."},
+                        {"Top", "View from above (keypad 7). From below: Ctrl+keypad 7."}});
+  if (side >= 0) viewpoint.look_from(sides[static_cast<std::size_t>(side)]);
 }
 
 constexpr std::array projections{
@@ -59,12 +53,10 @@ void lens_controls(Controls& controls, OrbitCamera& camera) {
   if (controls.options("Projection", projections, chosen, {false, std::nullopt}))
     camera.set_projection(chosen == 0 ? Camera::Type::perspective : Camera::Type::orthographic);
   if (chosen == 1) return;
-  constexpr float usual_deg = 45.0f;
-  float fov_deg = static_cast<float>(glm::degrees(now.fov_y_rad));
-  if (controls.slider("Field of view", "Vertical field of view in degrees.", fov_deg,
-                      {1.0f, 170.0f, usual_deg},
-                      [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
-    camera.set_fov_y(glm::radians(static_cast<double>(fov_deg)));
+  double fov_y_rad = now.fov_y_rad;
+  if (controls.angle_slider("Field of view", "Vertical field of view in degrees.", fov_y_rad,
+                            {1.0, 170.0, 45.0}))
+    camera.set_fov_y(fov_y_rad);
 }
 
 std::string planes_text(const Camera& camera) {
@@ -96,17 +88,14 @@ void turntable_controls(Controls& controls, Turntable& turntable) {
 }
 
 void copy_buttons(Controls& controls, const OrbitCamera& camera, glm::dvec3 origin) {
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   const std::string options = camera_options(camera.camera(), camera.pivot(), origin);
-  if (controls.button("Copy options",
-                      options.empty() ? "Only a perspective camera has command-line options."
-                                      : "Copy this view as --look-at and --fov. They have no roll.",
-                      width) &&
-      !options.empty())
-    ImGui::SetClipboardText(options.c_str());
-  ImGui::SameLine();
-  if (controls.button("Copy as glTF", "Copy this camera as a glTF file with one node.", width))
-    ImGui::SetClipboardText(camera_as_gltf(camera.camera(), origin).c_str());
+  const int pressed = controls.buttons(
+      {{"Copy options", options.empty()
+                            ? "Only a perspective camera has command-line options."
+                            : "Copy this view as --look-at and --fov. They have no roll."},
+       {"Copy as glTF", "Copy this camera as a glTF file with one node."}});
+  if (pressed == 0 && !options.empty()) ImGui::SetClipboardText(options.c_str());
+  if (pressed == 1) ImGui::SetClipboardText(camera_as_gltf(camera.camera(), origin).c_str());
 }
 
 }  // namespace
@@ -116,15 +105,7 @@ void camera_panel(Controls& controls, Previewer& previewer) {
   Viewpoint& viewpoint = previewer.viewpoint();
   const std::vector<Camera>& cameras = previewer.scene()->world().cameras;
   if (!cameras.empty()) camera_list(controls, viewpoint, cameras);
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (controls.button("Frame all", "Fit the whole scene into the picture (Home, F).", width)) {
-    viewpoint.frame_all();
-  }
-  ImGui::SameLine();
-  if (controls.button("Reset view", "Restore the view of the start or the chosen camera.", width)) {
-    viewpoint.choose_camera(viewpoint.chosen_camera());
-  }
-  side_buttons(controls, viewpoint);
+  view_buttons(controls, viewpoint);
   copy_buttons(controls, viewpoint.camera(), previewer.scene()->world().origin);
   lens_controls(controls, viewpoint.camera());
   planes_control(controls, viewpoint);

@@ -59,16 +59,12 @@ void finding_rows(Controls& controls, const SplitFindings* found, const Film& fi
 void draw_runs(const std::vector<PixelRun>& runs, std::uint32_t rgb, const PictureView& view,
                const PictureArea& area) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const auto window = [&](float x, float y) {
-    const glm::vec2 at =
-        area.rect.lo + (view.offset() + glm::vec2(x, y) * view.scale()) / area.scale;
-    return ImVec2{at.x, at.y};
-  };
   const bool large = view.scale() / area.scale >= 5.0f;
   std::size_t drawn = 0;
   for (const PixelRun& run : runs) {
     const auto x = static_cast<float>(run.x), y = static_cast<float>(run.y);
-    const ImVec2 lo = window(x, y), hi = window(x + static_cast<float>(run.count), y + 1.0f);
+    const ImVec2 lo = place_of({x, y}, view, area);
+    const ImVec2 hi = place_of({x + static_cast<float>(run.count), y + 1.0f}, view, area);
     const glm::vec2 end = area.rect.lo + area.rect.size;
     if (hi.x < area.rect.lo.x || hi.y < area.rect.lo.y || lo.x > end.x || lo.y > end.y) continue;
     if (++drawn > most_runs) return;

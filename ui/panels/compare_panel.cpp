@@ -51,15 +51,11 @@ void size_row(Controls& controls, const Film& film, const Film& other) {
 }
 
 void comparison_controls(Controls& controls, Frames& frames) {
-  int mode = static_cast<int>(frames.comparison);
-  if (controls.options("Shown as", comparisons, mode, {true, 0})) {
-    frames.comparison = static_cast<Comparison>(mode);
+  if (controls.options("Shown as", comparisons, frames.comparison, {true, 0}))
     frames.flipped = frames.comparison == Comparison::flip;
-  }
   if (frames.comparison == Comparison::wipe)
     controls.slider("Wipe", "Position of the divider in percent of the width.", frames.wipe,
-                    {0.0f, 1.0f, 0.5f},
-                    [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
+                    {0.0f, 1.0f, 0.5f}, percent_words);
   if (frames.comparison == Comparison::flip)
     controls.checkbox("Show other", "Show the other picture instead of the current one (X).",
                       frames.flipped, false);
@@ -69,16 +65,13 @@ void comparison_controls(Controls& controls, Frames& frames) {
 }
 
 void snapshot_buttons(Controls& controls, const Previewer& previewer, Frames& frames) {
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   const bool full = frames.stored.size() >= Frames::most;
-  if (controls.button("Keep snapshot",
-                      full ? "Nine snapshots at most: delete one first."
-                           : "Keep the picture to compare with (S).",
-                      width))
-    store_frame(frames, previewer);
-  ImGui::SameLine();
-  if (controls.button("Delete snapshot", "Delete the chosen snapshot.", width))
-    frames.remove(frames.chosen);
+  const int pressed =
+      controls.buttons({{"Keep snapshot", full ? "Nine snapshots at most: delete one first."
+                                               : "Keep the picture to compare with (S)."},
+                        {"Delete snapshot", "Delete the chosen snapshot."}});
+  if (pressed == 0) store_frame(frames, previewer);
+  if (pressed == 1) frames.remove(frames.chosen);
 }
 
 }  // namespace
@@ -87,13 +80,10 @@ void compare_panel(Controls& controls, const Previewer& previewer, UiState& stat
                    const PanelJobs& jobs) {
   if (!previewer.scene() || !controls.section("Compare", false)) return;
   Frames& frames = state.frames;
-  int with = static_cast<int>(frames.with);
-  if (controls.options("With", sources, with, {true, 0})) {
-    frames.with = static_cast<CompareWith>(with);
-    // Only a shown comparison samples the reference.
-    if (frames.with == CompareWith::reference && frames.comparison == Comparison::none)
-      frames.comparison = Comparison::error;
-  }
+  // Only a shown comparison samples the reference.
+  if (controls.options("With", sources, frames.with, {true, 0}) &&
+      frames.with == CompareWith::reference && frames.comparison == Comparison::none)
+    frames.comparison = Comparison::error;
   if (frames.with == CompareWith::snapshot) snapshot_buttons(controls, previewer, frames);
   if (frames.with == CompareWith::method)
     equal_time_controls(controls, previewer, state.equal_time, jobs.equal_time, frames);

@@ -1,7 +1,7 @@
 #include "ui/error_map.h"
-#include "ui/panels/heat_strip.h"
 #include "ui/panels/legend_window.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/scale_strip.h"
 #include "ui/panels/snapshot_table.h"
 #include "ui/split_check.h"
 
@@ -9,9 +9,7 @@
 #include <imgui.h>
 
 #include <array>
-#include <cmath>
 #include <string>
-#include <vector>
 
 namespace asos::ui {
 
@@ -20,33 +18,19 @@ namespace {
 constexpr float comparison_legend_width_em = 24.0f;
 
 void difference_scale(Controls& controls, float stops) {
-  const std::array ticks{HeatTick{0.0f, "0"}, HeatTick{0.5f, scale_words(stops - 1.0f)},
-                         HeatTick{1.0f, scale_words(stops)}};
-  heat_strip(ticks);
-  controls.placed_words("Difference scale",
-                        ticks[0].text + " " + ticks[1].text + " " + ticks[2].text,
-                        "Difference of display values, 0 to 1, in the largest channel.");
+  const std::array ticks{ScaleTick{0.0f, "0"}, ScaleTick{0.5f, scale_words(stops - 1.0f)},
+                         ScaleTick{1.0f, scale_words(stops)}};
+  scale_strip(controls, "Difference scale",
+              "Difference of display values, 0 to 1, in the largest channel.", ticks);
 }
 
-struct ErrorTick {
-  double steps;
-  const char* text;
-};
-constexpr std::array error_ticks{ErrorTick{0.25, "1/4"}, ErrorTick{1.0, "1 step"},
-                                 ErrorTick{4.0, "4"}, ErrorTick{16.0, "16"},
-                                 ErrorTick{64.0, "64 steps"}};
-
 void error_scale(Controls& controls) {
-  std::vector<HeatTick> ticks;
-  std::string words;
-  for (const ErrorTick& tick : error_ticks) {
-    words += (words.empty() ? "" : " ") + std::string(tick.text);
-    ticks.push_back({ErrorScale::share(tick.steps), tick.text});
-  }
-  heat_strip(ticks);
-  controls.placed_words(
-      "Error scale", words,
-      "Error per pixel in 8-bit display steps, logarithmic. Black: less than 1/4.");
+  const std::array ticks{
+      ScaleTick{ErrorScale::share(0.25), "1/4"}, ScaleTick{ErrorScale::share(1.0), "1 step"},
+      ScaleTick{ErrorScale::share(4.0), "4"}, ScaleTick{ErrorScale::share(16.0), "16"},
+      ScaleTick{ErrorScale::share(64.0), "64 steps"}};
+  scale_strip(controls, "Error scale",
+              "Error per pixel in 8-bit display steps, logarithmic. Black: less than 1/4.", ticks);
 }
 
 std::string reference_words(const ErrorFacts& facts) {
@@ -59,10 +43,9 @@ std::string reference_words(const ErrorFacts& facts) {
 void summary_row(Controls& controls, const ErrorSummary& summary) {
   const std::string words = fmt::format("RMSE {:.2g} ({}), above 1 step: {:.2g} %", summary.rmse,
                                         psnr_words(summary.rmse), 100.0 * summary.visible);
-  ImGui::TextUnformatted(words.c_str());
-  controls.placed_words("Error summary", words,
-                        "Whole picture against the reference: clipped linear values, and the "
-                        "percentage of pixels with a visible error.");
+  controls.text("Error summary", words,
+                "Whole picture against the reference: clipped linear values, and the percentage of "
+                "pixels with a visible error.");
 }
 
 // What covers the picture, by name.
@@ -87,9 +70,8 @@ void comparison_legend(Controls& controls, const Frames& frames, const ErrorFact
   if (frames.comparison != Comparison::error) return;
   error_scale(controls);
   if (frames.with != CompareWith::reference) return;
-  const std::string words = reference_words(facts);
-  ImGui::TextDisabled("%s", words.c_str());
-  controls.placed_words("Error reference", words, "It is kept while EPS, MAX and method change.");
+  controls.dim_text("Error reference", reference_words(facts),
+                    "It is kept while EPS, MAX and method change.");
   if (facts.summary) summary_row(controls, *facts.summary);
 }
 

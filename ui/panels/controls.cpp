@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -101,6 +102,15 @@ std::string number_words(double value) {
                                        : fmt::format("{:.4g}", value);
 }
 
+std::string degree_words(float angle_deg) {
+  // Adding 0 makes a rounded -0 positive.
+  return fmt::format("{:.1f}\u00b0", std::round(10.0f * angle_deg) / 10.0f + 0.0f);
+}
+
+std::string percent_words(float fraction) {
+  return fmt::format("{:.0f} %", 100.0f * fraction);
+}
+
 void Controls::begin_frame(double now_seconds) {
   placed_.clear();
   section_.clear();
@@ -134,6 +144,33 @@ void Controls::placed_words(const std::string& name, const std::string& words,
                             const char* tooltip) {
   placed(name, tooltip);
   placed_[name].words = words;
+}
+
+void Controls::text(const std::string& name, const std::string& words, const char* tooltip) {
+  ImGui::TextUnformatted(words.c_str());
+  placed_words(name, words, tooltip);
+}
+
+void Controls::dim_text(const std::string& name, const std::string& words, const char* tooltip) {
+  ImGui::TextDisabled("%s", words.c_str());
+  placed_words(name, words, tooltip);
+}
+
+void Controls::warning(const char* name, const std::string& words, theme::Colour colour) {
+  if (words.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(colour));
+  ImGui::TextWrapped("%s", words.c_str());
+  ImGui::PopStyleColor();
+  placed_words(name, words, nullptr);
+}
+
+bool Controls::text_field(const char* name, const char* tooltip, const char* hint,
+                          std::string& text) {
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool entered = ImGui::InputTextWithHint(hidden_label(name).c_str(), hint, &text,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  placed(name, tooltip, Use::edits);
+  return entered;
 }
 
 void Controls::placed_window(const std::string& name) {
@@ -222,6 +259,25 @@ bool Controls::slider(const char* name, const char* tooltip, int& value, const R
                words(value));
   placed(name, tooltip, Use::edits);
   return value != before;
+}
+
+bool Controls::slider(const char* name, const char* tooltip, double& value,
+                      const Range<double>& range, const std::function<std::string(float)>& words) {
+  auto shown = static_cast<float>(value);
+  Range<float> narrow{static_cast<float>(range.lo), static_cast<float>(range.hi), std::nullopt};
+  if (range.reset) narrow.reset = static_cast<float>(*range.reset);
+  if (!slider(name, tooltip, shown, narrow, words)) return false;
+  value = static_cast<double>(shown);
+  return true;
+}
+
+bool Controls::angle_slider(const char* name, const char* tooltip, double& angle_rad,
+                            const Range<double>& range_deg,
+                            const std::function<std::string(float)>& words) {
+  double angle_deg = glm::degrees(angle_rad);
+  if (!slider(name, tooltip, angle_deg, range_deg, words)) return false;
+  angle_rad = glm::radians(angle_deg);
+  return true;
 }
 
 bool Controls::log_slider(const char* name, const char* tooltip, double& value,
@@ -326,6 +382,22 @@ bool Controls::checkbox(const char* name, const char* tooltip, bool& value,
 bool Controls::button(const char* name, const char* tooltip, float width) {
   const bool pressed = ImGui::Button(name, {width, 0.0f});
   placed(name, tooltip, Use::edits);
+  return pressed;
+}
+
+float Controls::button_width(int count) {
+  const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
+  return (ImGui::GetContentRegionAvail().x - gaps) / static_cast<float>(count);
+}
+
+int Controls::buttons(std::initializer_list<Option> buttons) {
+  const float width = button_width(static_cast<int>(buttons.size()));
+  int pressed = -1, index = 0;
+  for (const Option& option : buttons) {
+    if (index > 0) ImGui::SameLine();
+    if (button(option.name, option.tooltip, width)) pressed = index;
+    ++index;
+  }
   return pressed;
 }
 

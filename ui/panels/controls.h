@@ -1,13 +1,18 @@
 #pragma once
 
+#include "ui/theme.h"
+
 #include <glm/glm.hpp>
 
+#include <concepts>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace asos::ui {
@@ -15,6 +20,10 @@ namespace asos::ui {
 /// Writes four significant digits, or whole numbers from 10,000 to 10 million, with an exponent
 /// only for extreme values: "14050", "0.000123", "1.5e+09".
 [[nodiscard]] std::string number_words(double value);
+/// Writes an angle in degrees with a decimal: "30.5°".
+[[nodiscard]] std::string degree_words(float angle_deg);
+/// Writes a fraction in whole percent: "25 %".
+[[nodiscard]] std::string percent_words(float fraction);
 
 /// The panels' widgets: a label on the left, the widget to its right, and a tooltip. Records the
 /// place of each widget, so that tests can click it, and whether it has a tooltip. Values stay
@@ -47,6 +56,12 @@ class Controls {
               const std::function<std::string(float)>& words);
   bool slider(const char* name, const char* tooltip, int& value, const Range<int>& range,
               const std::function<std::string(int)>& words);
+  bool slider(const char* name, const char* tooltip, double& value, const Range<double>& range,
+              const std::function<std::string(float)>& words);
+  /// A slider in degrees for an angle in radians.
+  bool angle_slider(const char* name, const char* tooltip, double& angle_rad,
+                    const Range<double>& range_deg,
+                    const std::function<std::string(float)>& words = degree_words);
   /// A logarithmic slider from 0; the scale starts at 1/10000, for values with four decimals.
   bool log_slider(const char* name, const char* tooltip, double& value, const Range<double>& range,
                   const std::function<std::string(double)>& words);
@@ -70,6 +85,8 @@ class Controls {
   bool checkbox(const char* name, const char* tooltip, bool& value,
                 std::optional<bool> reset = std::nullopt);
   bool button(const char* name, const char* tooltip, float width = 0.0f);
+  /// The width of each of `count` buttons in a row.
+  [[nodiscard]] static float button_width(int count);
 
   /// A draggable point at `at` in window coordinates; the caller draws it.
   struct Handle {
@@ -93,6 +110,23 @@ class Controls {
   [[nodiscard]] static float least_width(std::span<const Option> options);
   bool options(const char* name, std::span<const Option> options, int& chosen,
                const OptionsStyle& style = {true, std::nullopt});
+  /// The same for an enumeration in the order of the options, or for off and on.
+  template <typename T>
+  requires(!std::same_as<T, int>) bool options(const char* name, std::span<const Option> options,
+                                               T& chosen,
+                                               const OptionsStyle& style = {true, std::nullopt}) {
+    int index = static_cast<int>(chosen);
+    if (!this->options(name, options, index, style)) return false;
+    chosen = static_cast<T>(index);
+    return true;
+  }
+  template <typename T>
+  requires(!std::same_as<T, int>) bool options(const char* name, std::span<const Option> options,
+                                               T& chosen, std::type_identity_t<T> reset) {
+    return this->options(name, options, chosen, {true, static_cast<int>(reset)});
+  }
+  /// Draws buttons of equal width in a row. Returns the index of the pressed one; -1: none.
+  [[nodiscard]] int buttons(std::initializer_list<Option> buttons);
   /// A choice of many options as a drop-down list.
   bool list(const char* name, const char* tooltip, std::span<const std::string> items, int& chosen,
             std::optional<int> reset = std::nullopt);
@@ -130,6 +164,14 @@ class Controls {
   void placed(const std::string& name, const char* tooltip, Use use = Use::shows);
   /// The same for displayed text.
   void placed_words(const std::string& name, const std::string& words, const char* tooltip);
+  /// Draws text and records it with `placed_words`.
+  void text(const std::string& name, const std::string& words, const char* tooltip = nullptr);
+  void dim_text(const std::string& name, const std::string& words, const char* tooltip = nullptr);
+  /// Draws wrapped text in a warning's colour and records it; nothing if it is empty.
+  void warning(const char* name, const std::string& words, theme::Colour = theme::warning);
+  /// A text field over the whole width, with `hint` while it is empty. Returns whether Enter was
+  /// pressed.
+  bool text_field(const char* name, const char* tooltip, const char* hint, std::string& text);
 
   /// Records the current ImGui window.
   void placed_window(const std::string& name);

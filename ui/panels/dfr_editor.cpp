@@ -130,9 +130,8 @@ void draw_bar(const Dfr& dfr, glm::vec2 lo, glm::vec2 hi) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const auto colour = [&](int column, int row) {
     const double place = mirrored_bar_width * (2.0 * row / rows - 1.0);
-    const glm::u8vec3 c =
-        display_bytes(mirrored_bar(dfr, quarter_turn * (column + 0.5) / columns, place), 0.0f);
-    return IM_COL32(c.x, c.y, c.z, 255);
+    return theme::packed(
+        display_bytes(mirrored_bar(dfr, quarter_turn * (column + 0.5) / columns, place), 0.0f));
   };
   for (int i = 0; i < columns; ++i) {
     const float left = glm::mix(lo.x, hi.x, static_cast<float>(i) / columns);
@@ -272,9 +271,7 @@ bool dfr_editor(Controls& controls, Dfr& dfr, DfrChannel& channel, const Dfr& us
                 std::optional<double> incidence_rad) {
   const Dfr before = dfr;
   preset_list(controls, dfr);
-  int chosen = static_cast<int>(channel);
-  if (controls.options("DFR of", channels, chosen, {true, 0}))
-    channel = static_cast<DfrChannel>(chosen);
+  controls.options("DFR of", channels, channel, {true, 0});
   plot_and_bar(controls, dfr, channel, usual, incidence_rad);
   if (incidence_rad) {
     const double ratio = dfr_at(curve_of(dfr, channel), std::cos(*incidence_rad));
@@ -285,11 +282,8 @@ bool dfr_editor(Controls& controls, Dfr& dfr, DfrChannel& channel, const Dfr& us
         "Angle of incidence at the inspected pixel, its ratio, and growth of a 2-degree cone.");
   }
   dfr_numbers(controls, dfr, channel, usual);
-  float unevenness = static_cast<float>(dfr.perturbation);
-  if (controls.slider("Variation", "Random variation of the ratio from place to place, 0 to 100 %.",
-                      unevenness, {0.0f, 1.0f, static_cast<float>(usual.perturbation)},
-                      [](float share) { return fmt::format("{:.0f} %", 100.0f * share); }))
-    dfr.perturbation = static_cast<double>(unevenness);
+  controls.slider("Variation", "Random variation of the ratio from place to place, 0 to 100 %.",
+                  dfr.perturbation, {0.0, 1.0, usual.perturbation}, percent_words);
   return dfr != before;
 }
 

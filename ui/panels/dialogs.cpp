@@ -1,5 +1,6 @@
 #include "renderer/study/ladders.h"
 #include "ui/input.h"
+#include "ui/panels/overlay_window.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/surface_panel.h"
 #include "ui/theme.h"
@@ -82,13 +83,9 @@ void help_overlay(Controls& controls, UiState& state, const WindowRect& area) {
   const float width = std::min(usual, window.x - em);
   ImGui::SetNextWindowPos(centre, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, window.y - em});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});
-  ImGui::Begin("help", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  const OverlayWindow help("help", ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::PopStyleVar();
   const float column = 0.45f * ImGui::GetContentRegionAvail().x;
   for (const HelpLine& line : help_lines) {
     if (!line.input) {
@@ -110,8 +107,6 @@ void help_overlay(Controls& controls, UiState& state, const WindowRect& area) {
     ImGui::EndGroup();
   }
   controls.placed_window("Help");
-  ImGui::End();
-  ImGui::PopStyleVar(3);
 }
 
 namespace {

@@ -58,9 +58,7 @@ void display_panel(Controls& controls, DisplaySettings& display, const BarParts&
                         display.auto_exposure, usual.auto_exposure) &&
       !display.auto_exposure)
     display.exposure_ev = usual.exposure_ev;
-  int tone = static_cast<int>(display.tone);
-  if (controls.options("Tone", tone_options, tone, {true, static_cast<int>(usual.tone)}))
-    display.tone = static_cast<ToneCurve>(tone);
+  controls.options("Tone", tone_options, display.tone, usual.tone);
   controls.checkbox(
       "Grid", "Grid at the scene's lowest point, and axes from the origin. Not in saved pictures.",
       display.show_grid, usual.show_grid);
@@ -76,8 +74,7 @@ void display_panel(Controls& controls, DisplaySettings& display, const BarParts&
                     display.show_legend, usual.show_legend);
   if (!display.show_split_map) return;
   controls.slider("Dimming", "Darkening of unsplit pixels, 0 to 100 %.", display.split_dimming,
-                  {0.0f, 1.0f, usual.split_dimming},
-                  [](float share) { return fmt::format("{:.0f} %", 100.0f * share); });
+                  {0.0f, 1.0f, usual.split_dimming}, percent_words);
 }
 
 }  // namespace asos::ui

@@ -212,9 +212,7 @@ std::string browse_files(Controls& controls, FileBrowser& browser, float height)
   if (browser.listing.error.empty() && browser.listing.entries.empty())
     ImGui::TextDisabled("No scenes in this folder");
   if (matching.empty() && !browser.listing.entries.empty()) {
-    const std::string words = browser.no_match_words();
-    ImGui::TextDisabled("%s", words.c_str());
-    controls.placed_words("No match", words, nullptr);
+    controls.dim_text("No match", browser.no_match_words());
   }
   ImGui::EndChild();
   if (!into.empty()) browser.enter(into);

@@ -1,6 +1,6 @@
-#include "ui/panels/heat_strip.h"
 #include "ui/panels/legend_window.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/scale_strip.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -43,16 +43,12 @@ void layer_legend(Controls& controls, const LayerFacts& facts, const WindowRect&
   ImGui::TextUnformatted(row.title);
   if (facts.rendered && is_scalar(facts.layer)) {
     const float lo = facts.scale.lo.x, hi = facts.scale.hi.x;
-    const std::array ticks{HeatTick{0.0f, fmt::format("{:.3g}", lo)},
-                           HeatTick{0.5f, fmt::format("{:.3g}", 0.5f * (lo + hi))},
-                           HeatTick{1.0f, with_unit(hi, facts.layer)}};
-    heat_strip(ticks);
-    const std::string words = ticks[0].text + " " + ticks[1].text + " " + ticks[2].text;
-    controls.placed_words("Layer scale", words, row.about);
+    const std::array ticks{ScaleTick{0.0f, fmt::format("{:.3g}", lo)},
+                           ScaleTick{0.5f, fmt::format("{:.3g}", 0.5f * (lo + hi))},
+                           ScaleTick{1.0f, with_unit(hi, facts.layer)}};
+    scale_strip(controls, "Layer scale", row.about, ticks);
   } else {
-    const std::string words = layer_key_words(facts);
-    ImGui::TextDisabled("%s", words.c_str());
-    controls.placed_words("Layer scale", words, row.about);
+    controls.dim_text("Layer scale", layer_key_words(facts), row.about);
   }
 }
 

@@ -11,25 +11,17 @@ LegendWindow::LegendWindow(Controls& controls, const char* name, const WindowRec
     : controls_(controls), name_(name) {
   const float em = ImGui::GetFontSize();
   const float width = std::min(width_em * em, area.size.x - em);
-  has_room_ = width >= 8.0f * em && area.size.y >= least_height_em * em;
-  if (!has_room_) return;
+  if (width < 8.0f * em || area.size.y < least_height_em * em) return;
   const float left = at_right ? area.lo.x + area.size.x - width - 0.5f * em : area.lo.x + 0.5f * em;
   ImGui::SetNextWindowPos({left, area.lo.y + area.size.y - 0.5f * em}, ImGuiCond_Always,
                           {0.0f, 1.0f});
   ImGui::SetNextWindowSize({width, 0.0f});
   ImGui::SetNextWindowBgAlpha(0.96f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::Begin(name, nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  window_.emplace(name, OverlayWindow::usual_flags, 0.0f);
 }
 
 LegendWindow::~LegendWindow() {
-  if (!has_room_) return;
-  controls_.placed_window(name_);
-  ImGui::End();
-  ImGui::PopStyleVar();
+  if (window_) controls_.placed_window(name_);
 }
 
 }  // namespace asos::ui

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "ui/panels/controls.h"
+#include "ui/panels/overlay_window.h"
 #include "ui/window_layout.h"
+
+#include <optional>
 
 namespace asos::ui {
 
@@ -16,12 +19,12 @@ class LegendWindow {
   LegendWindow(const LegendWindow&) = delete;
   LegendWindow& operator=(const LegendWindow&) = delete;
 
-  [[nodiscard]] bool has_room() const { return has_room_; }
+  [[nodiscard]] bool has_room() const { return window_.has_value(); }
 
  private:
   Controls& controls_;
   const char* name_;
-  bool has_room_;
+  std::optional<OverlayWindow> window_;  // none: no room
 };
 
 }  // namespace asos::ui

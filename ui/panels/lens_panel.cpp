@@ -46,11 +46,9 @@ void aperture_controls(Controls& controls, const Camera& camera, Lens& lens) {
   if (controls.list("Blades", "Shape of highlights that are out of focus.", names, chosen, 0))
     lens.blades = aperture_corners[static_cast<std::size_t>(chosen)];
   if (lens.blades == 0) return;
-  auto turn_deg = static_cast<float>(glm::degrees(lens.turn_rad));
-  if (controls.slider("Blade turn", "Turn of the aperture in degrees.", turn_deg,
-                      {-180.0f, 180.0f, 0.0f},
-                      [](float deg) { return fmt::format("{:.0f}\u00b0", deg); }))
-    lens.turn_rad = glm::radians(static_cast<double>(turn_deg));
+  controls.angle_slider("Blade turn", "Turn of the aperture in degrees.", lens.turn_rad,
+                        {-180.0, 180.0, 0.0},
+                        [](float deg) { return fmt::format("{:.0f}\u00b0", deg); });
 }
 
 void focus_controls(Controls& controls, const Camera& focused, Lens& lens, LensState& choice) {

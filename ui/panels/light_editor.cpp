@@ -1,10 +1,7 @@
 #include "ui/panels/light_editor.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -117,16 +114,10 @@ class LightEditor {
   }
 
   bool degrees(const char* name, const char* tooltip, double& angle_rad,
-               Controls::Range<float> at) {
-    float angle = static_cast<float>(glm::degrees(angle_rad));
-    if (!controls_.slider(name, tooltip, angle, at, [](float value) {
-          // Adding 0 makes a rounded -0 positive.
-          return fmt::format("{:.1f}°", std::round(10.0f * value) / 10.0f + 0.0f);
-        }))
-      return false;
-    angle_rad = glm::radians(static_cast<double>(angle));
-    changed_ = true;
-    return true;
+               const Controls::Range<double>& range_deg) {
+    const bool edited = controls_.angle_slider(name, tooltip, angle_rad, range_deg);
+    changed_ |= edited;
+    return edited;
   }
 
   void size() {
@@ -160,7 +151,7 @@ class LightEditor {
       case LightKind::directional:
         degrees("Sun's angle",
                 "Apparent size of the sun in degrees. 0: sharp shadows. The real sun has 0.5.",
-                light_.angular_diameter_rad, {0.0f, 90.0f, 0.0f});
+                light_.angular_diameter_rad, {0.0, 90.0, 0.0});
         break;
     }
   }
@@ -189,14 +180,12 @@ class LightEditor {
 
   void cone() {
     radius_or_none();
-    constexpr float widest = 89.9f;
     if (degrees("Cone", "Half angle of the cone in degrees.", light_.outer_cone_rad,
-                {0.1f, widest, 45.0f}))
+                {0.1, 89.9, 45.0}))
       light_.inner_cone_rad = std::min(light_.inner_cone_rad, light_.outer_cone_rad);
     degrees("Inner cone",
             "Half angle of full brightness in degrees. The light fades from there to the cone.",
-            light_.inner_cone_rad,
-            {0.0f, static_cast<float>(glm::degrees(light_.outer_cone_rad)), 0.0f});
+            light_.inner_cone_rad, {0.0, glm::degrees(light_.outer_cone_rad), 0.0});
   }
 
   void place() {
@@ -216,16 +205,15 @@ class LightEditor {
     if (kind == LightKind::point || kind == LightKind::sphere) return;
     LightTurn turn = turn_of(light_);
     const LightTurn old = same_kind_ ? turn_of(edited_.original) : LightTurn{};
-    const auto reset = [](double rad) { return static_cast<float>(glm::degrees(rad)); };
     bool turned = degrees(
         "Azimuth", "Compass angle of the light's direction, in degrees: 0 along +z, 90 along +x.",
-        turn.azimuth_rad, {-180.0f, 180.0f, reset(old.azimuth_rad)});
+        turn.azimuth_rad, {-180.0, 180.0, glm::degrees(old.azimuth_rad)});
     turned |=
         degrees("Elevation", "Direction above the horizon in degrees. -90 points straight down.",
-                turn.elevation_rad, {-90.0f, 90.0f, reset(old.elevation_rad)});
+                turn.elevation_rad, {-90.0, 90.0, glm::degrees(old.elevation_rad)});
     if (kind == LightKind::rectangle || kind == LightKind::polygon)
       turned |= degrees("Roll", "Rotation of the shape in its plane, in degrees.", turn.roll_rad,
-                        {-180.0f, 180.0f, reset(old.roll_rad)});
+                        {-180.0, 180.0, glm::degrees(old.roll_rad)});
     if (turned) turn_light(light_, turn);
   }
 

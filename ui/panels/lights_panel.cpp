@@ -4,10 +4,8 @@
 #include "ui/panels/light_editor.h"
 #include "ui/panels/named_like.h"
 #include "ui/panels/panels.h"
-#include "ui/theme.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cctype>
@@ -131,9 +129,8 @@ void group_row(Controls& controls, SceneEdits& edits, LightChoice& choice,
 
 void light_list(Controls& controls, SceneEdits& edits, LightChoice& choice) {
   if (edits.lights().size() >= many_lights) {
-    ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputTextWithHint("##find light", "Filter lights", &choice.find);
-    controls.placed("Find light", "List only lights whose names contain these letters.");
+    controls.text_field("Find light", "List only lights whose names contain these letters.",
+                        "Filter lights", choice.find);
   } else {
     choice.find.clear();
   }
@@ -159,39 +156,28 @@ void add(SceneEdits& edits, LightChoice& choice, Light light) {
   choice.selected = static_cast<int>(edits.lights().size()) - 1;
 }
 
-/// Adds a light on the clicked face, four times as bright as what is displayed as white.
-void add_face(Previewer& previewer, LightChoice& choice, const PointedAt& at) {
+/// Adds a light on the clicked face, four times as bright as what is displayed as white. Returns
+/// why it could not, or an empty text.
+const char* add_face(Previewer& previewer, LightChoice& choice, const PointedAt& at) {
   constexpr float times_white = 4.0f;
   const std::optional<glm::ivec2> picked = at.pixel;
-  choice.error.clear();
-  if (!picked) {
-    choice.error = "Click a surface in the picture first.";
-    return;
-  }
-  if (!previewer.scene()->geometry->boundaries.known_or_started()) {
-    choice.error = "Edges are still being searched.";
-    return;
-  }
+  if (!picked) return "Click a surface in the picture first.";
+  if (!previewer.scene()->geometry->boundaries.known_or_started())
+    return "Edges are still being searched.";
   const Hit hit = previewer.viewpoint().seen_at(picked->x + 0.5, picked->y + 0.5);
   const std::size_t triangles = previewer.scene()->world().triangles.size();
-  if (!hit.valid() || hit.triangle >= triangles) {
-    choice.error = "The clicked pixel shows no flat surface.";
-    return;
-  }
+  if (!hit.valid() || hit.triangle >= triangles) return "The clicked pixel shows no flat surface.";
   std::optional<Light> light =
       light_on_face(*previewer.scene(), hit.triangle, previewer.viewpoint().camera().eye());
-  if (!light) {
-    choice.error = "The clicked surface has no flat face.";
-    return;
-  }
+  if (!light) return "The clicked surface has no flat face.";
   light->intensity *= times_white * std::exp2(-at.exposure_ev);
   add(previewer.edits(), choice, std::move(*light));
+  return "";
 }
 
 /// Buttons are above the list, so that a growing list does not move them.
 void buttons(Controls& controls, Previewer& previewer, LightChoice& choice, const PointedAt& at) {
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  const float width = Controls::button_width(2);
   if (controls.button("Add light", "Add a sphere light between camera and orbit centre.", width)) {
     const SceneSize size = SceneSize::of(previewer.scene()->world().bounds);
     const OrbitCamera& camera = previewer.viewpoint().camera();
@@ -206,15 +192,7 @@ void buttons(Controls& controls, Previewer& previewer, LightChoice& choice, cons
   }
   ImGui::EndDisabled();
   if (controls.button("Light from face", "Make an area light from the face you clicked.", -1.0f))
-    add_face(previewer, choice, at);
-}
-
-void error_line(Controls& controls, const LightChoice& choice) {
-  if (choice.error.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
-  ImGui::TextWrapped("%s", choice.error.c_str());
-  ImGui::PopStyleColor();
-  controls.placed("Light error", nullptr);
+    choice.error = add_face(previewer, choice, at);
 }
 
 }  // namespace
@@ -227,7 +205,7 @@ void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
   choice.selected = std::min(choice.selected, count - 1);
   buttons(controls, previewer, choice, at);
   if (!edits.lights().empty()) light_list(controls, edits, choice);
-  error_line(controls, choice);
+  controls.warning("Light error", choice.error);
   if (choice.selected < 0 || choice.selected >= static_cast<int>(edits.lights().size())) return;
 
   ImGui::Spacing();

@@ -1,47 +1,23 @@
+#include "renderer/files/printable.h"
+#include "ui/panels/overlay_window.h"
 #include "ui/panels/overlays.h"
+#include "ui/screenshot.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
 
 namespace asos::ui {
 
 namespace {
 
-constexpr ImGuiWindowFlags notice_flags =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
-    ImGuiWindowFlags_NoFocusOnAppearing;
-
-std::string short_name(const std::string& source) {
-  if (source.starts_with("builtin:")) return source.substr(8);
-  return printable(std::filesystem::path(source).filename().string());
-}
-
-void begin_notice(const char* name, const WindowRect& area, float width_em, float height_share) {
-  const float em = ImGui::GetFontSize();
-  const float width = std::min(width_em * em, area.size.x - 2.0f * em);
-  ImGui::SetNextWindowPos({area.lo.x + 0.5f * area.size.x, area.lo.y + height_share * area.size.y},
-                          ImGuiCond_Always, {0.5f, height_share});
-  ImGui::SetNextWindowSize({std::max(width, em), 0.0f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::Begin(name, nullptr, notice_flags);
-}
-
-void end_notice() {
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-}
-
 void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) {
   const Error error = *scene.error();
-  begin_notice("error", area, 36.0f, 0.04f);
+  place_notice(area, 36.0f, 0.04f, 0.04f);
+  const OverlayWindow window("error");
   ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::alarm));
   // Errors of a method that cannot render the open scene also appear here.
   const bool open = scene && scene->geometry->source == scene.asked_for();
@@ -63,7 +39,6 @@ void error_notice(Controls& controls, OpenScene& scene, const WindowRect& area) 
     ImGui::SameLine();
   }
   if (controls.button("Close", "Close (Esc).")) scene.dismiss_error();
-  end_notice();
 }
 
 const char* stage_words(LoadStage stage) {
@@ -90,12 +65,12 @@ void stage_fields(LoadStage stage) {
 }
 
 void loading_notice(const SceneLoader::Loading& loading, const WindowRect& area) {
-  begin_notice("loading", area, 22.0f, 0.9f);
-  ImGui::TextUnformatted(("Loading " + short_name(loading.source)).c_str());
+  place_notice(area, 22.0f, 0.9f, 0.9f);
+  const OverlayWindow window("loading");
+  ImGui::TextUnformatted(("Loading " + printable(file_title(loading.source))).c_str());
   ImGui::TextDisabled(
       "%s", fmt::format("{}   {:.1f} s", stage_words(loading.stage), loading.seconds).c_str());
   stage_fields(loading.stage);
-  end_notice();
 }
 
 }  // namespace
@@ -107,10 +82,10 @@ void notices(Controls& controls, OpenScene& scene, const WindowRect& area) {
   if (loading && scene.textures_missing() == 0) {
     loading_notice(*loading, area);
   } else if (!scene && !scene.error()) {
-    begin_notice("empty", area, 24.0f, 0.5f);
+    place_notice(area, 24.0f, 0.5f, 0.5f);
+    const OverlayWindow window("empty");
     ImGui::TextUnformatted("Drop a .gltf or .glb file here");
     ImGui::TextDisabled("or press Ctrl+O");
-    end_notice();
   }
   if (scene.error()) error_notice(controls, scene, area);
 }

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -97,18 +96,18 @@ void select_none(OutlineChoice& choice) {
 }
 
 std::string buttons(Controls& controls, Previewer& previewer, OutlineChoice& choice) {
-  const float width =
-      (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
-  std::string said;
-  if (controls.button("Hide", "Hide the object with its light and shadow (H).", width))
-    said = hide_selected(previewer.scene(), choice);
-  ImGui::SameLine();
-  if (controls.button("Isolate", "Show only the chosen object (Shift+H).", width))
-    said = isolate_selected(previewer.scene(), choice);
-  ImGui::SameLine();
-  if (controls.button("Show all", "Show all hidden objects (Alt+H).", width))
-    said = show_hidden(previewer.scene());
-  return said;
+  switch (controls.buttons({{"Hide", "Hide the object with its light and shadow (H)."},
+                            {"Isolate", "Show only the chosen object (Shift+H)."},
+                            {"Show all", "Show all hidden objects (Alt+H)."}})) {
+    case 0:
+      return hide_selected(previewer.scene(), choice);
+    case 1:
+      return isolate_selected(previewer.scene(), choice);
+    case 2:
+      return show_hidden(previewer.scene());
+    default:
+      return {};
+  }
 }
 
 // A row of the tree: arrow, visibility and name of a node. Returns a message.
@@ -346,10 +345,8 @@ std::string outline_panel(Controls& controls, Previewer& previewer, OutlineChoic
       "Objects",
       hidden > 0 ? fmt::format("{}, and {} hidden", objects, hidden) : fmt::format("{}", objects),
       "Visible objects, one material each.");
-  ImGui::SetNextItemWidth(-1.0f);
-  ImGui::InputTextWithHint("##find object", "Find an object", &choice.find);
-  controls.placed("Find object", "List only objects whose names contain these letters.",
-                  Controls::Use::edits);
+  controls.text_field("Find object", "List only objects whose names contain these letters.",
+                      "Find an object", choice.find);
   if (!lists_nodes(choice)) {
     tree(controls, previewer.scene()->world(), choice);
   } else if (std::string told = node_list(controls, previewer.scene(), choice); !told.empty()) {

@@ -13,6 +13,7 @@
 #include "ui/window_layout.h"
 
 #include <glm/glm.hpp>
+#include <imgui.h>
 
 #include <optional>
 
@@ -23,6 +24,8 @@ struct PictureArea {
   WindowRect rect;
   float scale = 1.0f;  ///< framebuffer pixels per window unit
 };
+/// Where a point of the picture lies in the window; `pixel`: in pixels from the upper left.
+[[nodiscard]] ImVec2 place_of(glm::vec2 pixel, const PictureView& view, const PictureArea& area);
 /// Handles input in the picture: mouse, wheel and keys move the camera and the picture; a click
 /// picks a pixel.
 void picture_area(Controls& controls, Previewer& previewer, UiState& state,

@@ -22,12 +22,12 @@ namespace {
 constexpr std::uint32_t ended_rgb = 0xffc800;
 constexpr int fraction_of_side = 4;  // the part is this fraction of the picture's shorter side
 
+}  // namespace
+
 ImVec2 place_of(glm::vec2 pixel, const PictureView& view, const PictureArea& area) {
   const glm::vec2 at = area.rect.lo + (view.offset() + pixel * view.scale()) / area.scale;
   return {at.x, at.y};
 }
-
-}  // namespace
 
 void max_marks(const MaxEffect& effect, const PictureView& view, const PictureArea& area) {
   if (view.scale() <= 0.0f) return;

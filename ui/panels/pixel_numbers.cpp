@@ -1,5 +1,4 @@
 #include "ui/panels/overlays.h"
-#include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -44,8 +43,7 @@ void pixel_numbers(Controls& controls, const Film& film, const DisplayTransform&
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
       const glm::u8vec3 c = display_bytes(film, film.index(x, y), display);
-      const glm::vec2 at =
-          area.rect.lo + (view.offset() + glm::vec2(x, y) * view.scale()) / area.scale;
+      const ImVec2 at = place_of({x, y}, view, area);
       draw.AddText(font, line, {at.x + 0.1f * side, at.y + 0.5f * (side - 3.0f * line)},
                    readable_on(c), lines_of(c).c_str());
     }

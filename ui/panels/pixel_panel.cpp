@@ -2,6 +2,7 @@
 #include "renderer/film/split_map.h"
 #include "renderer/study/measures.h"
 #include "ui/panels/inner_list.h"
+#include "ui/panels/overlay_window.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/theme.h"
@@ -24,13 +25,11 @@ std::uint32_t kind_colour(FeatureKind kind) {
   SplitCause cause = SplitCause::outline;
   if (kind == FeatureKind::crease || kind == FeatureKind::seam) cause = SplitCause::crease;
   if (kind == FeatureKind::intersection) cause = SplitCause::intersection;
-  const glm::u8vec3 c = split_cause_colour(cause);
-  return IM_COL32(c.x, c.y, c.z, 255);
+  return theme::packed(split_cause_colour(cause));
 }
 
 std::uint32_t shown_colour(glm::vec3 radiance, bool unlit, const DisplayTransform& display) {
-  const glm::u8vec3 c = display_bytes(radiance, unlit ? DisplayTransform{} : display);
-  return IM_COL32(c.x, c.y, c.z, 255);
+  return theme::packed(display_bytes(radiance, unlit ? DisplayTransform{} : display));
 }
 
 std::string number(float value) {
@@ -71,11 +70,10 @@ void why(Controls& controls, const PixelReport& report, const Film& film, glm::i
   const bool moves = film.cause[i] == SplitCause::motion;
   const SplitCause cause = moves ? SplitCause::motion : report.trace.cause;
   if (cause != SplitCause::none) {
-    const glm::u8vec3 c = split_cause_colour(cause);
     const float em = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 lo{at.x, at.y + 0.15f * em}, hi{at.x + 0.8f * em, at.y + 0.95f * em};
-    ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, IM_COL32(c.x, c.y, c.z, 255));
+    ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, theme::packed(split_cause_colour(cause)));
     ImGui::GetWindowDrawList()->AddRect(lo, hi, theme::packed(theme::dim_text));
     ImGui::Dummy({0.8f * em, em});
     ImGui::SameLine();
@@ -202,9 +200,10 @@ void draw_origins(ImDrawList& draw, const PixelCanvas& canvas, const PixelReport
   for (const TracedPyray& pyray : report.trace.pyrays) {
     if (pyray.parent != shown) continue;
     const bool mirror = pyray.kind == TracedPyray::Kind::mirror;
-    const glm::u8vec3 c = split_cause_colour(mirror ? SplitCause::reflection : SplitCause::shadow);
-    draw.AddCircle(canvas.at(pyray.from), mirror ? 8.5f : 6.5f, IM_COL32(c.x, c.y, c.z, 255), 16,
-                   2.0f);
+    draw.AddCircle(
+        canvas.at(pyray.from), mirror ? 8.5f : 6.5f,
+        theme::packed(split_cause_colour(mirror ? SplitCause::reflection : SplitCause::shadow)), 16,
+        2.0f);
   }
 }
 
@@ -313,12 +312,7 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
   if (!place || place->width < 8.0f * em || place->most_height < 6.0f * em) return;
   ImGui::SetNextWindowPos({place->lo.x, place->lo.y});
   ImGui::SetNextWindowSizeConstraints({place->width, 0.0f}, {place->width, place->most_height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::Begin("pixel", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  const OverlayWindow window("pixel", ImGuiWindowFlags_AlwaysAutoResize);
   const glm::ivec2 pixel = *state.picked;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(fmt::format("Pixel {}, {}", pixel.x, pixel.y).c_str());
@@ -352,18 +346,12 @@ void pixel_panel(Controls& controls, const Previewer& previewer, UiState& state,
     ImGui::TextDisabled(
         "%s", fmt::format("The first {} are shown.", PixelReport::most_boundaries).c_str());
   controls.placed_window("Pixel panel");
-  ImGui::End();
-  ImGui::PopStyleVar(2);
   if (closed) state.picked.reset();
 }
 
 void picked_mark(const PixelReport* report, const UiState& state, const PictureArea& area) {
   if (!state.picked || state.view.scale() <= 0.0f) return;
-  const auto window = [&](glm::vec2 pixel) {
-    const glm::vec2 at =
-        area.rect.lo + (state.view.offset() + pixel * state.view.scale()) / area.scale;
-    return ImVec2{at.x, at.y};
-  };
+  const auto window = [&](glm::vec2 pixel) { return place_of(pixel, state.view, area); };
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (report && state.show_boundaries) {
     for (const PictureBoundary& b : report->boundaries)

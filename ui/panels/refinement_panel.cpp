@@ -1,7 +1,6 @@
 #include "ui/panels/panels.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <optional>
 #include <string>
@@ -10,23 +9,21 @@ namespace asos::ui {
 
 void refinement_panel(Controls& controls, Previewer& previewer, bool& marks_part) {
   if (!previewer.scene() || !controls.section("Refinement", false)) return;
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   Refinement& refinement = previewer.refinement();
   PreviewRender& render = previewer.render();
-  const bool paused = refinement.paused();
-  if (refinement.at_limit() && !paused) {
-    if (controls.button("Continue", "Refine beyond the limit (Space).", width)) refinement.go_on();
-  } else if (controls.button(paused ? "Resume" : "Pause",
-                             paused ? "Continue rendering (Space)." : "Pause rendering (Space).",
-                             width)) {
-    refinement.set_paused(!paused);
-  }
-  ImGui::SameLine();
+  const bool paused = refinement.paused(), at_limit = refinement.at_limit() && !paused;
   const bool going = !render.progress().finished && refinement.rest() != PauseReason::stopped;
-  if (controls.button(going ? "Stop" : "Restart",
-                      going ? "Stop rendering and keep the picture." : "Render from the start.",
-                      width))
-    going ? render.stop() : render.start_again();
+  const Controls::Option pause{"Pause", "Pause rendering (Space)."},
+      resume{"Resume", "Continue rendering (Space)."},
+      proceed{"Continue", "Refine beyond the limit (Space)."},
+      stop{"Stop", "Stop rendering and keep the picture."},
+      restart{"Restart", "Render from the start."};
+  const int pressed = controls.buttons({at_limit ? proceed
+                                        : paused ? resume
+                                                 : pause,
+                                        going ? stop : restart});
+  if (pressed == 0) at_limit ? refinement.go_on() : refinement.set_paused(!paused);
+  if (pressed == 1) going ? render.stop() : render.start_again();
 
   if (!render.preferred().empty()) {
     if (controls.button("Refine all", "Refine the whole picture again (Z).", -1.0f))

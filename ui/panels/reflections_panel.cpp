@@ -5,7 +5,6 @@
 #include "ui/panels/dfr_editor.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -75,13 +74,11 @@ void bounce_controls(Controls& controls, RenderSettings& settings) {
                   settings.mirror.bounces, {0, MirrorSettings::max_bounces, usual.mirror.bounces},
                   [](int n) { return n == 0 ? std::string("0 (none)") : std::to_string(n); });
   if (settings.mirror.bounces == 0) return;
-  float roughest = static_cast<float>(settings.mirror.roughest);
-  if (controls.slider("Max. roughness",
-                      "Largest roughness that reflects the scene, 0 to 1. Rougher surfaces reflect "
-                      "the mean sky.",
-                      roughest, {0.0f, 1.0f, static_cast<float>(usual.mirror.roughest)},
-                      [](float r) { return fmt::format("{:.2f}", r); }))
-    settings.mirror.roughest = static_cast<double>(roughest);
+  controls.slider("Max. roughness",
+                  "Largest roughness that reflects the scene, 0 to 1. Rougher surfaces reflect the "
+                  "mean sky.",
+                  settings.mirror.roughest, {0.0, 1.0, usual.mirror.roughest},
+                  [](float r) { return fmt::format("{:.2f}", r); });
 }
 
 /// Controls of one material's curve, or a note that it has none.
@@ -123,13 +120,11 @@ void curved_mirror_controls(Controls& controls, RenderSettings& settings) {
           curved_ways, way, static_cast<int>(usual.mirror.curved)))
     settings.mirror.curved = static_cast<CurvedMirror>(way);
   if (settings.mirror.curved != CurvedMirror::adaptive) return;
-  float angle = static_cast<float>(settings.mirror.widest_angle_deg);
-  if (controls.slider("Divergence",
-                      "Largest angle between reflected corner rays, 0 to 180 degrees. Meshes use "
-                      "an eighth of it.",
-                      angle, {0.0f, 180.0f, static_cast<float>(usual.mirror.widest_angle_deg)},
-                      [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
-    settings.mirror.widest_angle_deg = static_cast<double>(angle);
+  controls.slider("Divergence",
+                  "Largest angle between reflected corner rays, 0 to 180 degrees. Meshes use an "
+                  "eighth of it.",
+                  settings.mirror.widest_angle_deg, {0.0, 180.0, usual.mirror.widest_angle_deg},
+                  degree_words);
 }
 
 void reflections_panel(Controls& controls, Previewer& previewer, ReflectionChoice& choice,

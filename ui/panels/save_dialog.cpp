@@ -1,6 +1,7 @@
 #include "renderer/files/helper_program.h"
 #include "ui/movie.h"
 #include "ui/panels/dialog.h"
+#include "ui/panels/overlay_window.h"
 #include "ui/panels/overlays.h"
 #include "ui/theme.h"
 
@@ -8,7 +9,6 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -39,18 +39,15 @@ void choose_what(Controls& controls, SaveChoice& choice, bool moves) {
       Controls::Option{"Turntable", "A whole turn about the orbit centre, as frames or MP4."},
       Controls::Option{"Clip", "The chosen animation from its beginning, as frames or MP4."}};
   if (!moves && choice.what == SaveChoice::What::clip) choice.what = SaveChoice::What::picture;
-  int what = static_cast<int>(choice.what);
   const std::span offered(options.data(), moves ? options.size() : options.size() - 1);
-  if (controls.options("Content", offered, what, {false, std::nullopt}))
-    choice.what = static_cast<SaveChoice::What>(what);
+  controls.options("Content", offered, choice.what, {false, std::nullopt});
 }
 
 void choose_format(Controls& controls, SaveChoice& choice) {
   constexpr std::array options{
       Controls::Option{"PNG", "8 bits per channel, with exposure."},
       Controls::Option{"EXR", "Linear radiance, 32-bit floats, without exposure."}};
-  int format = choice.exr ? 1 : 0;
-  if (controls.options("Format", options, format)) choice.exr = format == 1;
+  controls.options("Format", options, choice.exr);
 }
 
 // Chooses the layers of the EXR.
@@ -59,9 +56,7 @@ void choose_layers(Controls& controls, SaveChoice& choice) {
       Controls::Option{"None", "The picture alone."},
       Controls::Option{"Shown", "The picture and the layer in the window."},
       Controls::Option{"All", "The picture with depth, normals, ids and all others."}};
-  int held = static_cast<int>(choice.layers);
-  if (controls.options("Layers in file", options, held))
-    choice.layers = static_cast<SaveChoice::Layers>(held);
+  controls.options("Layers in file", options, choice.layers);
 }
 
 void choose_movie(Controls& controls, SaveChoice& choice, const SaveFacts& facts) {
@@ -69,8 +64,7 @@ void choose_movie(Controls& controls, SaveChoice& choice, const SaveFacts& facts
                                Controls::Option{"MP4", "An H.264 video, made by ffmpeg."}};
   const bool joins = !find_program("ffmpeg").empty();
   choice.mp4 &= joins;
-  int format = choice.mp4 ? 1 : 0;
-  if (joins && controls.options("Movie format", options, format)) choice.mp4 = format == 1;
+  if (joins) controls.options("Movie format", options, choice.mp4);
   if (!joins)
     controls.row("Movie format", "PNG frames. MP4 needs ffmpeg, which is not installed.",
                  "Install ffmpeg to save videos.");
@@ -99,8 +93,7 @@ void shape_words(Controls& controls, glm::ivec2 size, glm::ivec2 shown) {
     words = fmt::format("Shows {:.0f} % more at the sides.", 100.0 * (wider - 1.0));
   if (wider < 1.0 - visibly)
     words = fmt::format("Shows {:.0f} % less at the sides.", 100.0 * (1.0 - wider));
-  ImGui::TextDisabled("%s", words.c_str());
-  controls.placed("Shape", nullptr);
+  controls.dim_text("Shape", words);
 }
 
 void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
@@ -168,15 +161,8 @@ bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& 
   const std::optional<PictureJob::State> state = job.state();
   if (!state || area.size.x < 1.0f || area.size.y < 1.0f) return false;
   const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({area.lo.x + 0.5f * area.size.x, area.lo.y + 0.97f * area.size.y},
-                          ImGuiCond_Always, {0.5f, 1.0f});
-  ImGui::SetNextWindowSize({std::max(std::min(30.0f * em, area.size.x - 2.0f * em), em), 0.0f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::Begin("saving", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  place_notice(area, 30.0f, 0.97f, 1.0f);
+  const OverlayWindow notice("saving");
   std::string words =
       fmt::format("{}   {:.0f} %", std::filesystem::path(state->path).filename().string(),
                   std::floor(100.0 * state->fraction));
@@ -192,10 +178,7 @@ bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& 
       corner, {corner.x + width * static_cast<float>(state->fraction), corner.y + 0.2f * em},
       theme::packed(theme::accent_bright));
   ImGui::Dummy({width, 0.2f * em});
-  const bool stop = controls.button("Stop saving", "Stop and leave no file.");
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  return stop;
+  return controls.button("Stop saving", "Stop and leave no file.");
 }
 
 }  // namespace asos::ui

@@ -71,10 +71,7 @@ void shadow_rules(Controls& controls, RenderSettings& settings, const RenderScen
   if (settings.method == Method::asos && settings.shadow.cast && soft)
     quality_controls(controls, settings);
   if (settings.method == Method::asos_published) return;
-  int rule = static_cast<int>(settings.shadow.light_rule);
-  if (controls.options("Light rule", light_rules, rule,
-                       {true, static_cast<int>(usual.shadow.light_rule)}))
-    settings.shadow.light_rule = static_cast<LightRule>(rule);
+  controls.options("Light rule", light_rules, settings.shadow.light_rule, usual.shadow.light_rule);
 }
 
 }  // namespace asos::ui

@@ -12,7 +12,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace asos::ui {
@@ -30,34 +29,27 @@ void headline(Controls& controls, const RenderScene* scene) {
 
 void file_buttons(Controls& controls, Previewer& previewer, UiState& state) {
   const RenderScene* scene = previewer.scene().get();
-  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  const float third = std::floor((room - 2.0f * gap) / 3.0f), width = 0.5f * (room - gap);
   // Less padding, so that three names fit into a row.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0f, ImGui::GetStyle().FramePadding.y});
-  if (controls.button("Open...", "Open a scene (Ctrl+O), or drop a file on the window.", third))
-    state.show_open = true;
-  ImGui::SameLine();
-  if (controls.button("Save picture", "Save as PNG, with the split map if shown (P, F12).", third))
-    state.screenshot_requested = true;
-  ImGui::SameLine();
-  if (controls.button("Save as...",
-                      "Save as EXR, at another size, with the window, or as a movie (Ctrl+S).",
-                      third))
-    state.save.show = true;
-  if (controls.button("Save scene...", "Save as glTF with your lights and DFRs (Ctrl+Shift+S).",
-                      third) &&
-      scene)
-    state.save_scene.show = true;
-  ImGui::SameLine();
-  if (controls.button("Copy picture", "Copy the picture to the clipboard (Ctrl+C).", third))
-    state.copy_requested = true;
-  ImGui::SameLine();
-  if (controls.button("Tour", "Five cards that explain the program.", third))
-    state.tour_asked = true;
+  const int upper = controls.buttons(
+      {{"Open...", "Open a scene (Ctrl+O), or drop a file on the window."},
+       {"Save picture", "Save as PNG, with the split map if shown (P, F12)."},
+       {"Save as...", "Save as EXR, at another size, with the window, or as a movie (Ctrl+S)."}});
+  const int lower =
+      controls.buttons({{"Save scene...", "Save as glTF with your lights and DFRs (Ctrl+Shift+S)."},
+                        {"Copy picture", "Copy the picture to the clipboard (Ctrl+C)."},
+                        {"Tour", "Five cards that explain the program."}});
   ImGui::PopStyleVar();
+  state.show_open |= upper == 0;
+  state.screenshot_requested |= upper == 1;
+  state.save.show |= upper == 2;
+  state.save_scene.show |= lower == 0 && scene;
+  state.copy_requested |= lower == 1;
+  state.tour_asked |= lower == 2;
   // A built-in scene cannot change.
   if (scene && !scene->geometry->source.starts_with("builtin:")) {
-    if (controls.button("Reload", "Reload the file and keep the view (R).", width))
+    if (controls.button("Reload", "Reload the file and keep the view (R).",
+                        Controls::button_width(2)))
       previewer.scene().reload();
     ImGui::SameLine();
     ImGui::Checkbox("Watch file", &state.watch);

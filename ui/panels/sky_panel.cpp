@@ -4,12 +4,11 @@
 #include "renderer/shading/environments.h"
 #include "ui/input.h"
 #include "ui/panels/background_panel.h"
+#include "ui/panels/dialog.h"
 #include "ui/panels/sky_thumbnails.h"
-#include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -62,14 +61,12 @@ void choose_kind(SceneEdits& edits, SkyEdit& choice, SkyKind kind) {
 
 /// Rotation and brightness of an image or environment sky.
 void placing_controls(Controls& controls, SceneEdits& edits) {
-  const double turned = edits.settings().sky->choice().turn_deg;
-  float turn = static_cast<float>(turned);
+  double turn_deg = edits.settings().sky->choice().turn_deg;
   if (controls.slider("Turn",
                       "Rotation about the vertical in degrees, counter-clockwise from above. Also "
                       "Shift + right drag sideways in the picture.",
-                      turn, {-180.0f, 180.0f, 0.0f},
-                      [](float deg) { return fmt::format("{:.1f}\u00b0", deg); }))
-    edits.turn_sky(static_cast<double>(turn));
+                      turn_deg, {-180.0, 180.0, 0.0}, degree_words))
+    edits.turn_sky(turn_deg);
   double brightness = edits.settings().sky->choice().brightness;
   if (controls.number("Brightness",
                       "Brightness factor, 0 to 1000. Also Shift + right drag up or down in the "
@@ -117,26 +114,16 @@ void colour_controls(Controls& controls, RenderSettings& settings, SkyKind kind)
   if (changed) settings.sky = colours.sky();
 }
 
-void warn(Controls& controls, const char* name, const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
-  controls.placed(name, nullptr);
-}
-
 void file_controls(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyReader& reader) {
   const RenderSettings& settings = edits.settings();
-  ImGui::SetNextItemWidth(-1.0f);
-  const bool entered = ImGui::InputTextWithHint("##sky path", "path of a .hdr or .exr file",
-                                                &choice.path, ImGuiInputTextFlags_EnterReturnsTrue);
-  controls.placed("Sky path", "Path of an equirectangular .hdr or .exr picture.");
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
-  const bool pressed = controls.button(reader.busy() ? "Reading..." : "Load sky",
-                                       "Load the picture as the sky (Enter).", width);
-  ImGui::SameLine();
-  if (controls.button("Browse...", "Choose an .hdr or .exr file.", width)) choice.browse = true;
-  if (pressed || entered) {
+  const bool entered =
+      controls.text_field("Sky path", "Path of an equirectangular .hdr or .exr picture.",
+                          "path of a .hdr or .exr file", choice.path);
+  const int pressed = controls.buttons(
+      {{reader.busy() ? "Reading..." : "Load sky", "Load the picture as the sky (Enter)."},
+       {"Browse...", "Choose an .hdr or .exr file."}});
+  if (pressed == 1) choice.browse = true;
+  if (pressed == 0 || entered) {
     choice.error.clear();
     choice.reading = FileStamp::of(choice.path);
     // Reading the same sky again would only restart the render.
@@ -145,9 +132,9 @@ void file_controls(Controls& controls, SceneEdits& edits, SkyEdit& choice, SkyRe
     if (shown && choice.reading->state && choice.reading == choice.read) return;
     reader.read(choice.path);
   }
-  if (!choice.error.empty()) warn(controls, "Sky error", choice.error);
+  controls.warning("Sky error", choice.error);
   if (!settings.sky || settings.sky->choice().file.empty()) return;
-  if (!choice.remark.empty()) warn(controls, "Sky remark", choice.remark);
+  controls.warning("Sky remark", choice.remark);
   controls.row("Picture", settings.sky->choice().file, "File of the sky.");
   placing_controls(controls, edits);
 }
@@ -162,32 +149,23 @@ std::filesystem::path first_sky_folder(const SkyEdit& choice) {
 void browse_skies(Controls& controls, SkyEdit& choice, SkyReader& reader) {
   constexpr const char* title = "Open a sky";
   if (choice.browse && !ImGui::IsPopupOpen(title)) {
-    ImGui::OpenPopup(title);
     choice.browser.listing.kind = FolderListing::Kind::skies;
     choice.browser.begin(first_sky_folder(choice));
   }
+  const Dialog dialog(title, choice.browse, 40.0f, 0.5f);
+  if (!dialog.open()) return;
   const float em = ImGui::GetFontSize();
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(40.0f * em, 0.94f * window.x), 0.0f});
-  if (!ImGui::BeginPopupModal(
-          title, nullptr,
-          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings))
-    return;
-  std::string chosen = browse_files(controls, choice.browser,
-                                    std::clamp(window.y - 14.0f * em, 3.0f * em, 24.0f * em));
+  const float room = ImGui::GetIO().DisplaySize.y - 14.0f * em;
+  std::string chosen =
+      browse_files(controls, choice.browser, std::clamp(room, 3.0f * em, 24.0f * em));
   ImGui::Spacing();
   if (controls.button("Open", "Open the chosen or typed file (Enter).", 6.0f * em))
     chosen = choice.browser.take_entered();
-  ImGui::SameLine();
-  const bool cancelled = controls.button("Cancel", "Close (Esc).", 6.0f * em) ||
-                         ImGui::IsKeyPressed(static_cast<int>(Key::escape), false);
+  const bool cancelled = dialog.cancelled(controls, "Close (Esc).");
   if (!chosen.empty()) read_as_sky(choice, reader, chosen);
-  if (!chosen.empty() || cancelled) {
-    choice.browse = false;
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndPopup();
+  if (chosen.empty() && !cancelled) return;
+  choice.browse = false;
+  dialog.close();
 }
 
 }  // namespace

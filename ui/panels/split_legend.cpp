@@ -1,12 +1,12 @@
 #include "ui/legend_strip.h"
 #include "ui/panels/legend_window.h"
 #include "ui/panels/overlays.h"
+#include "ui/panels/scale_strip.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -33,8 +33,8 @@ constexpr std::array<const char*, split_cause_count> cause_words{
     "Moves while the shutter is open: the mean of many moments.",
 };
 
-void swatch(ImVec2 lo, ImVec2 hi, glm::u8vec3 c) {
-  ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, IM_COL32(c.x, c.y, c.z, 255));
+void swatch(ImVec2 lo, ImVec2 hi, glm::u8vec3 colour) {
+  ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, theme::packed(colour));
 }
 
 /// One colour of the scale of levels.
@@ -86,37 +86,16 @@ void level_legend(Controls& controls) {
 
 // The logarithmic scale of rays or time.
 void cost_legend(Controls& controls, SplitMapColours colours) {
-  const SplitMapKey key{colours};
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float em = ImGui::GetFontSize();
-  const float width = ImGui::GetContentRegionAvail().x, height = 0.9f * em;
-  const auto x_at = [&](float share) { return corner.x + share * width; };
-  constexpr int steps = 127;
-  for (int i = 0; i < steps; ++i) {
-    const glm::u8vec3 c = key.colour(static_cast<std::uint8_t>(1 + 2 * i));
-    draw->AddRectFilled({x_at(static_cast<float>(i) / steps), corner.y},
-                        {x_at(static_cast<float>(i + 1) / steps), corner.y + height},
-                        IM_COL32(c.x, c.y, c.z, 255));
-  }
-  std::string words;
-  for (const CostStep& tick : cost_steps(colours)) {
-    words += (words.empty() ? "" : " ") + std::string(tick.words);
-    const float x = x_at(static_cast<float>(cost_scale(colours).share(tick.value)));
-    draw->AddLine({x, corner.y + height}, {x, corner.y + height + 0.2f * em},
-                  theme::packed(theme::dim_text));
-    const float text = ImGui::CalcTextSize(tick.words).x;
-    draw->AddText({std::clamp(x - 0.5f * text, corner.x, corner.x + width - text),
-                   corner.y + height + 0.25f * em},
-                  theme::packed(theme::dim_text), tick.words);
-  }
-  draw->AddRect(corner, {corner.x + width, corner.y + height}, theme::packed(theme::line));
-  ImGui::Dummy({width, height + 1.4f * em});
-  controls.placed_words(
-      "Scale", words,
-      colours == SplitMapColours::rays
-          ? "Rays per pixel, 1 to 4096, logarithmic. The scale is absolute."
-          : "CPU time per pixel, 0.1 µs to 10 ms, logarithmic. The scale is absolute.");
+  std::vector<ScaleTick> ticks;
+  for (const CostStep& step : cost_steps(colours))
+    ticks.push_back({static_cast<float>(cost_scale(colours).share(step.value)), step.words});
+  scale_strip(controls, "Scale",
+              colours == SplitMapColours::rays
+                  ? "Rays per pixel, 1 to 4096, logarithmic. The scale is absolute."
+                  : "CPU time per pixel, 0.1 µs to 10 ms, logarithmic. The scale is absolute.",
+              ticks, [key = SplitMapKey{colours}](float share) {
+                return key.colour(static_cast<std::uint8_t>(1.0f + 254.0f * share));
+              });
 }
 
 // One swatch per cause that occurs, in two columns.
@@ -163,8 +142,7 @@ bool split_legend(Controls& controls, const DisplaySettings& display, const MapF
   std::string title = legend_title(display.split_colours);
   if (display.split_colours == SplitMapColours::level)
     title += fmt::format(" (MAX = {})", map.max_level);
-  ImGui::TextUnformatted(title.c_str());
-  controls.placed_words("Legend title", title, nullptr);
+  controls.text("Legend title", title);
   switch (display.split_colours) {
     case SplitMapColours::level:
       level_legend(controls);

@@ -1,14 +1,12 @@
 #include "ui/panels/study_export.h"
 
 #include "ui/panels/study_marks.h"
+#include "ui/screenshot.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <filesystem>
 #include <fstream>
-#include <system_error>
 
 namespace asos::ui {
 
@@ -137,12 +135,8 @@ std::string study_csv(const SceneStudy& study) {
 
 Result<std::string> save_study_text(const std::string& folder, const std::string& stem,
                                     const std::string& extension, const std::string& text) {
-  std::error_code ignored;
-  std::string path;
-  for (int number = 1; path.empty() || std::filesystem::exists(path, ignored); ++number)
-    path =
-        (std::filesystem::path(folder) / fmt::format("{}-study-{:03}.{}", stem, number, extension))
-            .string();
+  const std::string ending = "." + extension;
+  const std::string path = free_stem(folder, stem + "-study", {ending.c_str()}) + ending;
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();

@@ -62,8 +62,8 @@ void rival_boxes(Controls& controls, StudyChoice& choice) {
 void choice_controls(Controls& controls, StudyChoice& choice) {
   const StudyChoice usual;
   rival_boxes(controls, choice);
-  int budget = choice.automatic ? 0 : 1;
-  if (controls.options("Budget", budgets, budget, {true, 0})) choice.automatic = budget == 0;
+  bool custom = !choice.automatic;
+  if (controls.options("Budget", budgets, custom, {true, 0})) choice.automatic = !custom;
   if (choice.automatic) return;
   int chosen = choice.reduction == 1 ? 0 : choice.reduction == 2 ? 1 : 2;
   if (controls.options("Resolution", reductions, chosen, {true, 1})) choice.reduction = 1 << chosen;
@@ -97,11 +97,7 @@ void buttons(Controls& controls, StudyChoice& choice, ViewStudy& study,
                              -1.0f)) {
     start(choice, study, previewer);
   }
-  if (choice.error.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::alarm));
-  ImGui::TextWrapped("%s", choice.error.c_str());
-  ImGui::PopStyleColor();
-  controls.placed("Study error", nullptr);
+  controls.warning("Study error", choice.error, theme::alarm);
 }
 
 std::string words(const ViewStudy::State& state, bool automatic) {
@@ -133,9 +129,7 @@ void progress(Controls& controls, const ViewStudy::State& state, bool automatic)
 }
 
 void curves_choice(Controls& controls, StudyChoice& choice) {
-  int chosen = choice.curves == StudyCurves::finished ? 0 : 1;
-  if (controls.options("Curves", curve_options, chosen, {false, 0}))
-    choice.curves = chosen == 0 ? StudyCurves::finished : StudyCurves::while_rendering;
+  controls.options("Curves", curve_options, choice.curves, {false, 0});
 }
 
 std::string median_text(const MethodComparison& verdict) {
@@ -251,24 +245,20 @@ void save_text(StudyChoice& choice, const std::string& source, const char* exten
 
 void plot_buttons(Controls& controls, StudyChoice& choice, const SceneStudy& study,
                   const StudyPlot& plot, const std::string& source) {
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   if (controls.button("Enlarge plot", "Show the plot over the whole window.", -1.0f))
     choice.enlarged = true;
-  if (controls.button("Copy plot", "Copy the plot as SVG text to the clipboard.", width)) {
-    ImGui::SetClipboardText(plot_svg(plot, screenshot_stem(source)).c_str());
-    choice.said = "Copied the plot as SVG";
+  const int copied = controls.buttons({{"Copy plot", "Copy the plot as SVG text to the clipboard."},
+                                       {"Copy table", "Copy all points as CSV to the clipboard."}});
+  const int saved = controls.buttons(
+      {{"Save plot", "Save the plot as SVG."}, {"Save table", "Save all points as CSV."}});
+  const auto text = [&](int which) {
+    return which == 0 ? plot_svg(plot, screenshot_stem(source)) : study_csv(study);
+  };
+  if (copied >= 0) {
+    ImGui::SetClipboardText(text(copied).c_str());
+    choice.said = copied == 0 ? "Copied the plot as SVG" : "Copied the study as CSV";
   }
-  ImGui::SameLine();
-  if (controls.button("Copy table", "Copy all points as CSV to the clipboard.", width)) {
-    ImGui::SetClipboardText(study_csv(study).c_str());
-    choice.said = "Copied the study as CSV";
-  }
-  if (controls.button("Save plot", "Save the plot as SVG.", width))
-    save_text(choice, source, "svg", plot_svg(plot, screenshot_stem(source)));
-  ImGui::SameLine();
-  if (controls.button("Save table", "Save all points as CSV.", width))
-    save_text(choice, source, "csv", study_csv(study));
+  if (saved >= 0) save_text(choice, source, saved == 0 ? "svg" : "csv", text(saved));
   enlarged_plot(controls, choice, plot);
 }
 

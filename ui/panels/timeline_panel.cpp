@@ -44,11 +44,10 @@ void transport(Controls& controls, Playback& playback, float width) {
 void time_slider(Controls& controls, Playback& playback) {
   const double end = playback.duration_seconds();
   if (!playback.time() || !(end > 0.0)) return;
-  auto seconds = static_cast<float>(playback.time()->seconds);
+  double seconds = playback.time()->seconds;
   if (controls.slider("Time", "Time in the animation, in seconds. Ctrl+click to type a value.",
-                      seconds, {0.0f, static_cast<float>(end), 0.0f},
-                      [](float s) { return fmt::format("{:.3f} s", s); }))
-    playback.seek(static_cast<double>(seconds));
+                      seconds, {0.0, end, 0.0}, [](float s) { return fmt::format("{:.3f} s", s); }))
+    playback.seek(seconds);
 }
 
 std::string words_of(const Playback& playback) {
@@ -107,8 +106,7 @@ void timeline_panel(Controls& controls, Playback& playback, RenderSettings& sett
   if (!playback.available() || !controls.section("Animation")) return;
   clip_chooser(controls, playback);
   if (!under_picture) {
-    const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    transport(controls, playback, (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f);
+    transport(controls, playback, Controls::button_width(3));
     time_slider(controls, playback);
   }
   Playback::Options& options = playback.options();

@@ -2,6 +2,7 @@
 
 #include "renderer/comparison/method.h"
 #include "ui/panels/card_place.h"
+#include "ui/panels/overlay_window.h"
 #include "ui/panels/pixel_place.h"
 #include "ui/panels/sketch.h"
 #include "ui/split_pixel.h"
@@ -62,8 +63,8 @@ void loupe(Controls& controls, const Film& film, glm::ivec2 pixel,
     for (int x = 0; x < columns; ++x) {
       const glm::ivec2 at = first + glm::ivec2(x, y);
       if (at.x < 0 || at.y < 0 || at.x >= film.width || at.y >= film.height) continue;
-      const glm::u8vec3 c = display_bytes(film, film.index(at.x, at.y), display);
-      draw.AddRectFilled(lo({x, y}), lo({x + 1, y + 1}), IM_COL32(c.x, c.y, c.z, 255));
+      draw.AddRectFilled(lo({x, y}), lo({x + 1, y + 1}),
+                         theme::packed(display_bytes(film, film.index(at.x, at.y), display)));
     }
   }
   const glm::ivec2 middle = glm::ivec2(columns, rows) / 2;
@@ -318,14 +319,7 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
                                      taken_places(controls, state, area), em);
   ImGui::SetNextWindowPos({place.lo.x, place.lo.y});
   ImGui::SetNextWindowSize({place.width, place.height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.3f * em);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::Begin("tour", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoFocusOnAppearing |
-                   (place.too_high ? 0 : ImGuiWindowFlags_NoScrollbar));
+  const OverlayWindow window("tour", place.too_high ? 0 : ImGuiWindowFlags_NoScrollbar);
   const int card = static_cast<int>(*state.tour.card);
   const CardWords& words = card_words[static_cast<std::size_t>(card)];
   theme::push_title();
@@ -337,8 +331,6 @@ void tour_panel(Controls& controls, Previewer& previewer, UiState& state, EqualT
   const std::optional<int> next = buttons(controls, card);
   controls.placed_window("Card");
   note_height(state.tour.drawn, place);
-  ImGui::End();
-  ImGui::PopStyleVar(2);
   if (next) show_card(state, previewer, *next, now_seconds);
 }
 

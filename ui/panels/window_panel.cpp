@@ -39,9 +39,7 @@ void scale_choice(Controls& controls, float& scale) {
 
 void window_panel(Controls& controls, WindowLook& look) {
   if (!controls.section("Window")) return;
-  int theme = static_cast<int>(look.theme);
-  if (controls.options("Theme", themes, theme, {true, 0}))
-    look.theme = static_cast<theme::Look>(theme);
+  controls.options("Theme", themes, look.theme, {true, 0});
   scale_choice(controls, look.scale);
   controls.checkbox("Picture bar", "Show the controls under the picture.", look.show_bar,
                     WindowLook{}.show_bar);
