@@ -13,12 +13,12 @@
 #include "app/progress_bar.h"
 #include "app/render_arguments.h"
 #include "app/render_job.h"
+#include "app/render_messages.h"
 #include "app/render_report.h"
 #include "app/render_warnings.h"
 #include "app/scene_argument.h"
 #include "app/shutter_option.h"
 #include "renderer/comparison/method.h"
-#include "renderer/files/counted.h"
 #include "renderer/picture/exr_picture.h"
 #include "renderer/prepared/default_look.h"
 #include "renderer/prepared/environment_lights.h"
@@ -85,21 +85,19 @@ void check(const RenderArguments& arguments) {
   if (arguments.picture.scene.empty()) throw CLI::RequiredError("SCENE (or --from)");
   const RenderSettings& settings = arguments.picture.settings;
   const PixelRect crop = settings.crop;
-  if (!is_picture_path(arguments.output))
-    throw CLI::ValidationError("-o",
-                               fmt::format("\"{}\": has to end in .png or .exr", arguments.output));
-  if (arguments.layers_chosen && !has_extension(arguments.output, ".exr"))
-    throw CLI::ValidationError(
-        "--layers", fmt::format("\"{}\": has to end in .exr to hold layers", arguments.output));
-  if (!arguments.split_map.empty() && !has_extension(arguments.split_map, ".png"))
-    throw CLI::ValidationError("--split-map",
-                               fmt::format("\"{}\": has to end in .png", arguments.split_map));
+  const auto has_to_end = [](const char* option, const std::string& path, const char* how) {
+    throw CLI::ValidationError(option, fmt::format("\"{}\": has to end in {}", path, how));
+  };
+  const std::string &output = arguments.output, &map = arguments.split_map,
+                    &statistics = arguments.stats_file;
+  if (!is_picture_path(output)) has_to_end("-o", output, ".png or .exr");
+  if (arguments.layers_chosen && !has_extension(output, ".exr"))
+    has_to_end("--layers", output, ".exr to hold layers");
+  if (!map.empty() && !has_extension(map, ".png")) has_to_end("--split-map", map, ".png");
   const auto twice = [](const std::string& a, const std::string& b) {
     return !a.empty() && !b.empty() && same_file(a, b);
   };
-  if (twice(arguments.output, arguments.split_map) ||
-      twice(arguments.output, arguments.stats_file) ||
-      twice(arguments.split_map, arguments.stats_file))
+  if (twice(output, map) || twice(output, statistics) || twice(map, statistics))
     throw CLI::ValidationError("-o, --split-map, --stats", "two of them name the same file");
   if (!crop.empty() &&
       (crop.x + crop.width > settings.width || crop.y + crop.height > settings.height))
@@ -136,13 +134,6 @@ PictureDescription wanted_picture(const PictureArguments& wanted, const SceneCon
 Error scene_error(const PictureArguments& wanted, const Error& error) {
   if (!wanted.from || wanted.from->scene != wanted.scene) return error;
   return scene_of_picture_error(wanted.from_file, error);
-}
-
-Error nothing_drawn(const RenderReport& report) {
-  const std::string why = report.warnings.empty() ? "" : " (" + report.warnings.back() + ")";
-  return {
-      report.scene,
-      fmt::format("there is nothing in it to draw{}; --allow-empty renders it all the same", why)};
 }
 
 /// State that all pictures of one command line share.
@@ -268,48 +259,6 @@ Result<RenderReport> render(RenderArguments arguments, const FrameRequest& frame
   return report;
 }
 
-void say_written(const RenderArguments& arguments, const RenderReport& report, std::ostream& out) {
-  if (report.kept) {
-    out << fmt::format("Kept {}, which has these settings.\n", printable(arguments.output));
-    return;
-  }
-  out << fmt::format(
-      "Wrote {}: {}, load {:.2f} s, build {:.2f} s, render {:.2f} s{}.\n",
-      printable(arguments.output), counted(report.triangles, "triangle"), report.load_seconds,
-      report.build_seconds, report.render_seconds,
-      report.stopped_at
-          ? fmt::format(", {}: {}", report.interrupted ? "interrupted" : "stopped by --time-limit",
-                        reached_text(*report.stopped_at))
-          : "");
-}
-
-void say_nothing_visible(const RenderArguments& arguments, const RenderReport& report,
-                         const FrameRequest& frame, std::ostream& err) {
-  if (!report.shows_nothing) return;
-  err << fmt::format("asos: note: nothing is visible at {:.4g} s; {} shows the background\n",
-                     frame.time->seconds, printable(arguments.output));
-}
-
-void say_notes(const RenderArguments& arguments, const std::vector<FrameRequest>& frames,
-               const OpenedScene& scene, std::ostream& err) {
-  const auto& from = arguments.picture.from;
-  if (from && from->display.split_map)
-    err << "asos: note: " << printable(arguments.picture.from_file)
-        << " shows the split map; the picture is rendered without it\n";
-  if (from && from->scene == arguments.picture.scene)
-    for (const std::string& remark : from->found_beside) err << "asos: note: " << remark << "\n";
-  const CameraChoice& camera = arguments.picture.camera;
-  const bool of_file = !arguments.picture.scene.starts_with("builtin:");
-  if (of_file && scene.cameras() > 1 && !camera.index && !camera.look_at && !from)
-    err << fmt::format(
-        "asos: note: using the first of the file's {} cameras; --camera N chooses another\n",
-        scene.cameras());
-  if (const std::size_t beyond = beyond_the_end(frames, scene.contents()); beyond > 0)
-    err << fmt::format(
-        "asos: note: {} of {} are after the animation's end and show its last pose\n", beyond,
-        counted(frames.size(), "picture"));
-}
-
 // Reads the scene for its textures and buffers, to check that no output overwrites them.
 Result<void> check_inputs(const RenderArguments& arguments) {
   const AbandonableWork reading(nothing_written);
@@ -352,13 +301,12 @@ Result<void> render_all(RenderArguments arguments, const Streams& streams, Progr
     bar.wipe();
     if (!report) return tl::unexpected(report.error());
     if (!arguments.quiet) {
-      if (done.finished == 0) say_warnings(*report, streams.err);
-      if (done.finished == 0) say_notes(arguments, frames, work->scene, streams.err);
-      if (done.finished == 0)
-        if (!exposed->empty()) streams.err << "asos: note: " << *exposed << "\n";
-      if (done.finished == 0)
-        for (const std::string& note : report->camera_notes)
-          streams.err << "asos: note: " << note << "\n";
+      if (done.finished == 0) {
+        say_warnings(*report, streams.err);
+        say_notes(arguments, frames, work->scene, streams.err);
+        if (!exposed->empty()) say_note(*exposed, streams.err);
+        for (const std::string& note : report->camera_notes) say_note(note, streams.err);
+      }
       say_nothing_visible(one, *report, frame, streams.err);
       say_written(one, *report, streams.out);
     }
